@@ -15,14 +15,14 @@ constexpr Rgba kPaper{255, 254, 250, 255};
 constexpr Rgba kGround{255, 255, 255, 255};
 constexpr Rgba kCaption{90, 90, 96, 255};
 constexpr double kAroundMm = 7.0;
-constexpr double kLeastMm = 45.0;  // of the sheet that a panel shows
+constexpr double kLeastMm = 45.0;  // shortest side of the page area in a panel
 constexpr double kLeastAspect = 0.5;
-constexpr double kUnits = 300.0;  // of a panel: lines and letters are so many of them broad
+constexpr double kUnits = 300.0;  // width of a panel in units of lines and letters
 constexpr double kGapUnits = 8.0;
 constexpr double kCaptionUnits = 16.0;
 constexpr double kCaptionSize = 7.5;
 
-/// Where two documents differ.
+/// Returns the area in which two documents differ.
 Rect difference(const Document& a, const Document& b) {
   Rect box;
   const auto add = [&box](const Document& from, const Document& other) {
@@ -38,7 +38,7 @@ Rect difference(const Document& a, const Document& b) {
   return box;
 }
 
-/// The part of the sheet around it that a panel shows: neither upright nor very long.
+/// Returns the part of the page around `box` that a panel shows: neither upright nor very long.
 Rect panel_around(const Rect& box) {
   const Rect roomy = box.inflated(kAroundMm);
   const double half_width = 0.5 * std::max({roomy.width(), roomy.height(), kLeastMm});
@@ -74,7 +74,7 @@ void ActPictures::see(const Session& session, const PenSample& pen) {
 Result<Image> ActPictures::draw(const Session& after, int width_px) const {
   if (!before_ || !in_work_) return fail(ErrorCode::kInvalidData, tool_ + " never touched");
   std::array<SessionView, 3> views{*before_, *in_work_, view_of(after, std::nullopt)};
-  // Where nothing was changed, what is selected is what came of it.
+  // If nothing was changed, the selection is the result, so its overlay stays.
   if (!(views[0].document == views[2].document)) views[2].overlay.clear();
   constexpr std::array kCaptions{"before", "in work", "after"};
   Rect box = difference(before_->document, views[2].document);

@@ -10,27 +10,27 @@
 
 namespace felt::cli {
 
-/// Watches one act of the demonstration and makes its picture: before | in work, with what the tool
-/// shows | after, of the part of the sheet where something happened.
+/// Watches one act of the demonstration and makes its picture: before | in progress, with the
+/// tool's overlay | after, of the part of the page where something happened.
 ///
-/// "Before" is when the act's tool first touches, "in work" the last moment of that gesture.
+/// "Before" is when the act's tool first touches; "in progress" is the last moment of that gesture.
 class ActPictures {
  public:
-  /// An act "2-pull" is about the tool "pull".
+  /// `act` is a name like "2-pull", which is about the tool "pull".
   explicit ActPictures(std::string_view act);
 
-  /// Call it each few milliseconds while the act is played.
+  /// Call it every few milliseconds while the act is played.
   void see(const Session& session, const PenSample& pen);
 
-  /// The picture, about `width_px` wide. `after` is the session when the act is over. Error: the
-  /// act's tool never touched, or the picture is too large.
+  /// Draws the picture, about `width_px` wide. `after` is the session at the end of the act. Fails
+  /// if the act's tool never touched, or if the picture is too large.
   [[nodiscard]] Result<Image> draw(const Session& after, int width_px) const;
 
  private:
   std::string tool_;
   std::optional<SessionView> before_;
   std::optional<SessionView> in_work_;
-  bool is_over_ = false;  // the first gesture is
+  bool is_over_ = false;  // the first gesture is over
 };
 
 }  // namespace felt::cli

@@ -20,7 +20,7 @@ struct BenchArguments {
 
 using Strokes = std::vector<std::vector<InkSample>>;
 
-/// What the simulated hand draws.
+/// Returns strokes that a simulated hand drew.
 Strokes simulated_strokes() {
   Strokes strokes;
   for (const SampleSet& set : make_sample_sets()) {

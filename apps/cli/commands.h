@@ -5,9 +5,9 @@
 #include "console.h"
 #include "felt/base/result.h"
 
-/// The sub-commands. Each function adds one to the program, with its options and its help; it runs
-/// when the command line names it, says what goes wrong through `console`, and throws UsageError
-/// for options that make no sense together.
+/// The sub-commands. Each function adds one to the program, with its options and its help. It runs
+/// if the command line names it, reports errors through `console`, and throws UsageError for
+/// contradictory options.
 namespace felt::cli {
 
 void add_fit_command(CLI::App& app, Console& console);
@@ -26,8 +26,8 @@ void add_doctor_command(CLI::App& app, Console& console);
 void add_device_test_command(CLI::App& app, Console& console);
 void add_record_command(CLI::App& app, Console& console);
 
-/// A command line that makes no sense: the message is shown and the exit code is 2. Of a file that
-/// is named there and damaged the exit code is 1.
+/// An invalid command line: the message is shown and the exit code is 2. If a file named there is
+/// damaged, the exit code is 1 instead.
 class UsageError : public CLI::Error {
  public:
   explicit UsageError(const std::string& message) : CLI::Error("UsageError", message, 2) {}
@@ -35,16 +35,17 @@ class UsageError : public CLI::Error {
       : CLI::Error("UsageError", error.message, error.code == ErrorCode::kInvalidData ? 1 : 2) {}
 };
 
-/// Accepts a number from `low` to `high`; unlike CLI::Range not NaN, which is in no range.
+/// Accepts a number from `low` to `high`. Unlike CLI::Range it rejects NaN.
 CLI::Validator number_between(double low, double high);
 
 /// Accepts any text but "".
 CLI::Validator not_empty();
 
-/// Accepts a whole number from 0 to 2^64 - 1; CLI11 itself takes -1 and what is too large.
+/// Accepts a whole number from 0 to 2^64 - 1. CLI11 itself accepts -1 and numbers that are too
+/// large.
 CLI::Validator whole_number();
 
-/// A footer with examples, one a line, below a title.
+/// Returns a footer with examples, one on each line, below a title.
 std::string examples(const std::string& lines);
 
 }  // namespace felt::cli

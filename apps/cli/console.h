@@ -7,12 +7,12 @@
 
 namespace felt::cli {
 
-/// What the program says to the user at the terminal: errors, notices, and a progress line while
-/// it works. All of it goes to stderr, because stdout carries data. Each message is one line, with
-/// control characters escaped; one that cannot be written is dropped (print.h). Main thread only.
+/// Reports to the user at the terminal: errors, notices, and a progress line during work.
+/// Everything goes to stderr, because stdout carries data. Each message is one line, with control
+/// characters escaped. A message that cannot be written is dropped (print.h). Thread: main only.
 class Console {
  public:
-  /// The progress line is shown when stderr is a terminal that can erase a line.
+  /// The progress line is shown if stderr is a terminal that can erase a line.
   Console();
   ~Console();
   Console(const Console&) = delete;
@@ -26,27 +26,29 @@ class Console {
   /// --strict: a notice is an error.
   void set_strict() noexcept { strict_ = true; }
 
-  /// Prints "feltline: message" and remembers that something failed.
+  /// Prints "feltline: message" and records a failure.
   void error(const std::string& message);
-  /// Prints "feltline: message": something of a file could not be taken as it was, and the rest
-  /// goes on. No failure unless --strict.
+  /// Prints "feltline: message": a part of a file is not supported, and the rest is processed. This
+  /// is not a failure unless --strict.
   void notice(const std::string& message);
-  /// A record of a file could not be read, or not be written to the output: prints "feltline:
-  /// name:line: what" (without the line if it is 0). Of the messages that differ in numbers and
-  /// names only, the first kShownOfAKind of each file are printed; end_records() counts the rest.
+  /// Reports a record of a file that could not be read, or not be written to the output: prints
+  /// "feltline: name:line: what" (without the line if it is 0). Of the messages that differ only in
+  /// numbers and names, the first kShownOfAKind of each file are printed; end_records() counts the
+  /// rest.
   void record_error(const std::string& name, std::int64_t line, const std::string& what);
-  /// Prints how many messages of each kind were not printed: "name: ... and 65,997 more like it".
+  /// Prints the number of messages of each kind that were not printed: "name: ... and 65,997 more
+  /// like it".
   void end_records();
   static constexpr std::int64_t kShownOfAKind = 3;
-  /// Something failed, and stdout says what.
+  /// Records a failure that stdout describes.
   void set_failed() noexcept { failed_ = true; }
-  /// True once an error was reported: the exit code is then 1.
+  /// Returns true if an error was reported; the exit code is then 1.
   [[nodiscard]] bool failed() const noexcept { return failed_; }
 
-  /// Shows how far `what` is: `done` of `total` bytes (0: unknown) and `strokes` strokes. Draws at
-  /// most ten times a second, and nothing during the first half second.
+  /// Shows the progress of `what`: `done` of `total` bytes (0: unknown) and `strokes` strokes.
+  /// Draws at most ten times a second, and nothing during the first half second.
   void progress(const char* what, std::int64_t done, std::int64_t total, std::int64_t strokes);
-  /// Shows how things are, in a line that the next one replaces; at most ten times a second.
+  /// Shows a status line that the next one replaces, at most ten times a second.
   void status(const std::string& line);
   /// Removes the progress line.
   void end_progress();

@@ -12,8 +12,8 @@
 namespace felt::cli {
 namespace {
 
-/// The command line as written. `render` and `convert` are the same work; the first makes pictures
-/// only and shows its options accordingly.
+/// The command line as written. `render` and `convert` do the same work; `render` only makes
+/// pictures and shows the options accordingly.
 struct ConvertArguments {
   std::string input;
   std::string output;
@@ -41,7 +41,7 @@ void add_options(CLI::App& command, ConvertArguments& args, const char* output_h
   args.picture.add_grain_to(command);
 }
 
-/// Lines come and go without all of them being held.
+/// Converts lines without keeping all of them in memory.
 void convert_lines(const Input& input, const ConvertArguments& args, Format format,
                    const PictureOptions& picture, Console& console) {
   if (!args.layers.empty() && args.layers != "all" && args.layers != "visible") {
@@ -56,12 +56,12 @@ void convert_lines(const Input& input, const ConvertArguments& args, Format form
     if (!appended) console.error(appended.error().message);
     return appended.has_value();
   });
-  // A good older file is worth more than an empty new one.
+  // Keeps an older file rather than replacing it with an empty one.
   if (!read || (empty && console.failed())) return;
   if (Result<void> done = output->finish(); !done) console.error(done.error().message);
 }
 
-/// Says what becomes of hidden layers in a format that cannot hide them.
+/// Prints a notice about hidden layers if the format cannot hide them.
 void note_hidden_layers(const Document& document, Format format, const std::string& output,
                         Console& console) {
   // A picture shows what is seen; that needs no word.
@@ -82,7 +82,7 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
   Result<Imported> opened = input.read_drawing({.salvage = args.salvage});
   if (!opened) return console.error(input.name() + ": " + opened.error().message);
   if (!tell_notices(input.name(), opened->report, console)) return;
-  // A drawing of ours may be empty; of others, a good older file is worth more than nothing.
+  // A drawing of ours may be empty. For others, keep an older file rather than write an empty one.
   if (opened->drawing.document.stroke_count() == 0 && !opened->is_exact) {
     return console.error(input.name() + ": holds no strokes");
   }
@@ -102,7 +102,7 @@ void convert(const ConvertArguments& args, Format format, Console& console) {
   if (!picture) throw UsageError(picture.error());
   const Result<Input> input = Input::open(args.input);
   if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
-  // What is compressed as a whole, or shows the sheet that the file names, is not streamed.
+  // Compressed output, and output that shows the drawing's surface, cannot be streamed.
   const bool is_stream =
       input->is_lines() && !is_compressed_name(args.output) && !picture->wants_grain;
   if (is_stream) return convert_lines(*input, args, format, *picture, console);

@@ -11,7 +11,7 @@
 namespace felt::cli {
 namespace {
 
-/// The layer of a number or a name; layers.size() where there is none.
+/// Returns the layer with a number or a name; layers.size() if there is none.
 std::size_t find_layer(std::string_view text, std::span<const Layer> layers) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -34,7 +34,7 @@ tl::unexpected<Error> no_layer(std::string_view text, std::span<const Layer> lay
               "--layers: there is no layer '" + std::string(text) + "'; there are " + there);
 }
 
-/// Which layers stay, by their place.
+/// Returns which layers are kept, by index.
 Result<std::vector<bool>> chosen_layers(const std::string& text, std::span<const Layer> layers) {
   std::vector<bool> chosen(layers.size(), text == "all");
   if (text == "all") return chosen;
@@ -42,7 +42,7 @@ Result<std::vector<bool>> chosen_layers(const std::string& text, std::span<const
     for (std::size_t i = 0; i < layers.size(); ++i) chosen[i] = layers[i].visible;
     return chosen;
   }
-  // The name of one layer may hold commas.
+  // The name of a layer may contain commas.
   if (const std::size_t one = find_layer(text, layers); one < layers.size()) {
     chosen[one] = true;
     return chosen;

@@ -9,22 +9,22 @@
 namespace felt {
 namespace {
 
-constexpr double kStepS = 0.04;  // between two events of a way
+constexpr double kStepS = 0.04;  // between two events of a path
 constexpr double kHoverMm = 5.0;
 constexpr double kAirMmPerS = 180.0;
-constexpr double kEngageS = 0.8;  // forces are there only then
+constexpr double kEngageS = 0.8;  // time until forces are on
 constexpr double kLandS = 0.12;
 
 double rounded(double v, double step) {
   return std::round(v / step) * step;
 }
 
-/// From 0 to 1 with no jerk at either end.
+/// Goes smoothly from 0 to 1, with zero speed and acceleration at both ends.
 double eased(double t) {
   return t * t * t * (10.0 + t * (6.0 * t - 15.0));
 }
 
-/// A smooth curve through points (Catmull-Rom), as points close together.
+/// Returns a smooth curve through points (Catmull-Rom), as closely spaced points.
 std::vector<Point> smooth_way(const std::vector<Point>& via) {
   constexpr int kSteps = 16;
   std::vector<Point> way{via.front()};
@@ -59,8 +59,8 @@ void DemoAct::draw(WritingHand& hand, const std::vector<Gesture>& gestures, int&
   SampleSet set{"", {}};
   for (const Gesture& gesture : gestures) {
     set.strokes.push_back({"demo-" + std::to_string(++count), hand.draw(gesture)});
-    // The player lets the hand draw it at this pace, and travel; where the hand goes next comes
-    // after that.
+    // The player lets the hand travel to the stroke and draw it at this pace; the next movement
+    // comes after that.
     const auto& samples = set.strokes.back().samples;
     drawing_s_ +=
         2.5 + 1.2e-9 * static_cast<double>(samples.back().time_ns - samples.front().time_ns);

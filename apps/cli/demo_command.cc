@@ -27,7 +27,7 @@ constexpr double kDemoMarginMm = 6.0;
 constexpr Rgba kDemoPaper{255, 254, 250, 255};
 constexpr double kActDpi = 192.0;
 constexpr double kPlotUnits = 900.0;
-/// What the plot shows: from shortly before the pen first touches.
+/// The plot starts this long before the pen first touches.
 constexpr double kPlotBeforeS = 0.25;
 constexpr double kPlotS = 5.0;
 
@@ -43,13 +43,13 @@ struct DemoArguments {
   ReplayArguments pen;
 };
 
-/// What is written while the acts are played.
+/// The outputs that are written while the acts are played.
 struct DemoRecorder {
   ForcesFile forces;
   ForcePlot plot;
   std::optional<double> first_contact_s{};
   PenSample pen{};
-  ActPictures* act = nullptr;  ///< the one that is played
+  ActPictures* act = nullptr;  ///< the current act
 
   Result<void> see(const ReplayTick& tick) {
     pen = tick.report.sample;
@@ -64,7 +64,7 @@ struct DemoRecorder {
   }
 };
 
-/// The table of what was done, a row an act.
+/// The table of results, with one row for each act.
 class Summary {
  public:
   void add(std::string_view act, const ReplayStats& stats) {

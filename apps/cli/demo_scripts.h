@@ -5,8 +5,8 @@
 
 namespace felt::cli {
 
-/// An act of the demonstration: a script of a tool's folder, kept in the program so that it needs
-/// no file. The name is that of the file, "1-pencil"; they are in its order.
+/// An act of the demonstration: a script from a tool's folder, compiled into the program so that it
+/// needs no file. The name is that of the file, "1-pencil". Acts are sorted by name.
 struct DemoScript {
   std::string_view name;
   std::string_view text;

@@ -27,8 +27,8 @@ struct DeviceTestArguments {
   bool json = false;
 };
 
-/// The user at the terminal. With `agrees_to_all` (--yes) nothing is asked, and what needs hands on
-/// cables is skipped if nobody is there.
+/// The user at the terminal. With `agrees_to_all` (--yes) no questions are asked, and if stdin is
+/// no terminal, tasks that need hands on cables are skipped.
 class ConsolePerson final : public TestPerson {
  public:
   explicit ConsolePerson(bool agrees_to_all) : agrees_to_all_(agrees_to_all) {}

@@ -27,7 +27,7 @@ constexpr const char* kDoctorExamples =
     "feltline doctor --fix --dry-run\n"
     "feltline doctor --fix";
 
-/// All drivers, or those that were named.
+/// Returns all drivers, or those that were named.
 std::vector<std::unique_ptr<Driver>> wanted_drivers(const std::vector<std::string>& names) {
   std::vector<std::unique_ptr<Driver>> all = make_drivers();
   if (names.empty()) return all;
@@ -54,7 +54,7 @@ DoctorReport examine(const DoctorArguments& args) {
   return report;
 }
 
-/// May this one be written? Somebody else's file only when a person says so to it alone.
+/// Returns true if this file may be written. Somebody else's file needs separate consent.
 bool is_agreed(const PlannedFix& fix, bool agreed_to_all, Console& console) {
   if (fix.state == PlannedFix::State::kSame) return false;
   if (fix.state != PlannedFix::State::kForeign) return agreed_to_all;

@@ -1,5 +1,5 @@
-// docs/devices/doctor.md is what the program says on machines that are made up here: this test
-// writes the page anew and compares. FELT_WRITE_DOCS=1 puts it in its place.
+// docs/devices/doctor.md shows the program's output on the imaginary machines in this test. The
+// test generates the page again and compares. With FELT_WRITE_DOCS=1 it replaces the page.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 namespace felt::cli {
 namespace {
 
-constexpr std::size_t kTextColumn = 9;  // where sentences begin, after the mark
+constexpr std::size_t kTextColumn = 9;  // column at which sentences begin, after the mark
 constexpr std::size_t kPlainWidth = 80;
 constexpr std::size_t kWidest = 100;
 
@@ -43,13 +43,13 @@ std::size_t width_of(const TextStyle& style) {
   return style.width == 0 ? kPlainWidth : std::min(style.width, kWidest);
 }
 
-/// A sentence, wrapped, that begins at `column` where the line already is.
+/// Returns a sentence, wrapped, for a line that is already at `column`.
 std::string sentence(const std::string& text, std::size_t column, const TextStyle& style) {
   const std::size_t width = std::max<std::size_t>(width_of(style), column + 24) - column;
   return wrapped(text, width, column) + "\n";
 }
 
-/// Lines as they are, each indented; one that only says the last one again is left out.
+/// Returns lines unchanged but indented. A line that repeats the previous one is omitted.
 std::string verbatim(const std::string& text, std::size_t column) {
   std::string lines, last;
   for (std::size_t at = 0; at < text.size();) {
@@ -133,7 +133,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Families of which nothing is here, in one paragraph.
+/// Returns a paragraph about the families that are absent.
 std::string absent_text(const DoctorReport& report, const TextStyle& style) {
   if (report.is_named) return {};
   std::size_t longest = 0;

@@ -8,25 +8,26 @@
 
 namespace felt::cli {
 
-/// All that the doctor saw.
+/// Everything that the doctor found.
 struct DoctorReport {
-  std::vector<Finding> machine;  ///< of the computer itself; none where drivers were named
+  std::vector<Finding> machine;  ///< about the computer itself; empty if drivers were named
   std::vector<DriverLook> drivers;
-  bool is_named = false;  ///< asked about these drivers by name: nothing is left out
+  bool is_named = false;  ///< the user named these drivers: nothing is left out
 };
 
-/// Things that hinder: the exit code is 1 with any.
+/// Returns the number of problems. The exit code is 1 if there are any.
 std::size_t count_problems(const DoctorReport& report);
 
-/// How things are, in one or two sentences.
+/// Returns the state of the system in one or two sentences.
 std::string doctor_summary(const DoctorReport& report);
 
-/// The whole report: the summary, then families with something to mend, then the others, in the end
-/// what is not here. Steps are numbered, commands stand alone on their lines, what a library or the
-/// system said is verbatim. `style.width` 0 is 80 columns: it is text for people.
+/// Returns the whole report: the summary, then families with problems, then the others, finally
+/// those that are absent. Steps are numbered, commands have lines of their own, messages of
+/// libraries and the system are verbatim. `style.width` 0 means 80 columns, because it is text for
+/// people.
 std::string doctor_text(const DoctorReport& report, const TextStyle& style);
 
-/// One line of JSON with all of it.
+/// Returns all of it as one line of JSON.
 std::string doctor_json(const DoctorReport& report);
 
 }  // namespace felt::cli

@@ -59,7 +59,7 @@ TEST(DoctorReportTest, NothingHereNeedsNothing) {
             "No haptic device is connected. You can draw with mouse and tablet; nothing needs "
             "mending.");
   const std::string text = doctor_text(report, {});
-  EXPECT_THAT(text, Not(HasSubstr("No such library")));  // nobody asked
+  EXPECT_THAT(text, Not(HasSubstr("No such library")));  // not asked for by name
   EXPECT_THAT(text, HasSubstr("\n  openhaptics  3D Systems\n  haply        Haply\n"));
   EXPECT_THAT(text, HasSubstr("\n  feltline doctor openhaptics\n"));
 }
@@ -169,11 +169,11 @@ TEST(SystemFixTest, WhatItAllowedBeforeStays) {
   ASSERT_TRUE(plan);
   EXPECT_EQ((*plan)[0].state, PlannedFix::State::kOurs);
   EXPECT_EQ((*plan)[0].content, before + "\n# A pen\nPEN\n");
-  // And so it is done.
+  // Applies the plan.
   system.add_file(kRule, (*plan)[0].content);
   plan = plan_fixes(report_with({pen}), system, "");
   EXPECT_EQ((*plan)[0].state, PlannedFix::State::kSame);
-  // Nothing missing but a comment: nothing is missing.
+  // The file lacks only a comment, so nothing is missing.
   system.add_file(kRule, before);
   pen.fix->content = "# The stick\nSTICK\n";
   plan = plan_fixes(report_with({pen}), system, "");

@@ -23,14 +23,15 @@ namespace {
 
 constexpr double kMarginMm = 5.0;
 
-/// All ink and a margin, as strokes by themselves are shown.
+/// Returns the area of all ink and a margin, as for a stream of strokes.
 Rect ink_area(const Drawing& drawing, Format format) {
   const Rect ink = ink_bounds(drawing.document);
   if (format == Format::kSvg) return picture_area(ink, std::nullopt, kMarginMm);
   return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(kMarginMm);
 }
 
-/// The part that a picture shows; none: the page, which becomes the one that was asked for.
+/// Returns the area that a picture shows; none: the page. Sets the drawing's page to the requested
+/// one.
 Result<std::optional<Rect>> shown_area(Drawing& drawing, Format format,
                                        const PictureOptions& picture) {
   const bool is_picture = traits_of(format).picture;
@@ -46,10 +47,10 @@ Result<std::optional<Rect>> shown_area(Drawing& drawing, Format format,
     return std::nullopt;
   }
   if (!is_picture) return tl::unexpected(page.error());
-  return picture.sheet;  // a picture may be of any size
+  return picture.sheet;  // a picture may have any size
 }
 
-/// How it is written; its page becomes the one that was asked for.
+/// Returns the options for writing. Sets the drawing's page to the requested one.
 Result<WriteOptions> write_options(Drawing& drawing, Format format, PictureOptions picture) {
   if (auto ok = use_surface_of(drawing, picture); !ok) return tl::unexpected(ok.error());
   WriteOptions options;
@@ -68,7 +69,7 @@ Result<WriteOptions> write_options(Drawing& drawing, Format format, PictureOptio
   return options;
 }
 
-/// One part of a file, and what became of making it.
+/// One part of a file, and the result of making it.
 struct PartWork {
   std::size_t number = 0;
   [[nodiscard]] static std::size_t bytes() { return 0; }
@@ -150,8 +151,8 @@ Result<void> DrawingOutput::write(Drawing drawing) {
     if (!bytes) return tl::unexpected(with_context(bytes.error(), name));
     return output_.save(*bytes);
   }
-  // Lines as a stream of them is written, without a header: what `convert` gives does not depend
-  // on what it was given.
+  // Lines are the same as in a stream, without a header, so that the output of `convert` does not
+  // depend on the kind of input.
   Result<std::unique_ptr<DrawingParts>> parts = format_ == Format::kNdjson
                                                     ? line_parts(drawing, LineHeader::kLeftOut)
                                                     : drawing_parts(drawing, format_, *options);
@@ -189,7 +190,7 @@ Result<void> DrawingOutput::finish() {
   return format_ == Format::kPng ? finish_png() : finish_drawing();
 }
 
-/// The head says how large the picture is, which is known at last: its place is kept free.
+/// Reserves space for the head, because it contains the size of the picture, which is known last.
 Result<void> DrawingOutput::begin_svg() {
   if (std::exchange(has_begun_, true)) return {};
   std::string text(kSvgHeadBytes, ' ');

@@ -13,35 +13,35 @@
 
 namespace felt::cli {
 
-/// Strokes encoded for an output, which is done on the workers.
+/// Strokes encoded for an output, by a worker.
 struct EncodedStrokes {
   std::string text;  ///< elements of an SVG file; for the other formats lines of .ndjson
   Rect bounds;       ///< of their ink
   void clear() { *this = {}; }
 };
 
-/// Adds a stroke for an output of that format. `number` is a different one for each stroke. On
-/// error, a stroke that the format cannot hold, `out` stays as it was.
+/// Encodes a stroke for an output of that format. `number` must be different for each stroke. Fails
+/// if the format cannot hold the stroke; `out` does not change then.
 Result<void> encode(const NamedStroke& stroke, std::int64_t number, Format format,
                     EncodedStrokes& out);
 
-/// Where a drawing goes: as a whole with write(), or stroke by stroke with append() and then
-/// finish(). Nothing shows under the output's name before that is done.
+/// The output of a drawing: as a whole with write(), or stroke by stroke with append() and then
+/// finish(). Nothing appears under the output's name before that is complete.
 ///
-/// What a whole drawing holds beyond strokes comes along if the format can hold it: layers, hidden
-/// ones too, its surface, its page unless the picture options ask for another, and the texts of its
-/// materials. Strokes by themselves have neither layers nor a page. For .ndjson, .svg and .png,
-/// memory does not grow with their number; for the other formats they become a drawing of one layer
-/// first.
+/// A whole drawing keeps more than its strokes if the format can hold it: layers, including hidden
+/// ones, its surface, its page (unless the picture options specify another), and the texts of its
+/// materials. Single strokes have neither layers nor a page. For .ndjson, .svg and .png, memory
+/// does not grow with their number; for the other formats they are collected in a drawing with one
+/// layer first.
 class DrawingOutput {
  public:
-  /// The picture options count for all formats but .ndjson. Error: the place cannot be written.
+  /// The picture options apply to all formats but .ndjson. Fails if the path cannot be written.
   static Result<DrawingOutput> create(const std::string& path, Format format,
                                       const PictureOptions& picture);
 
-  /// Writes a whole drawing. Call once. Error: what the format cannot hold, a surface whose grain
-  /// is asked for and not known, or the disk; messages begin with the path if they are about the
-  /// file.
+  /// Writes a whole drawing. Call once. Fails if the format cannot hold it, if grain is requested
+  /// and the surface is unknown, or if writing fails. Messages begin with the path if they are
+  /// about the file.
   Result<void> write(Drawing drawing);
 
   /// Appends strokes that encode() made for this format.
@@ -62,7 +62,7 @@ class DrawingOutput {
   Format format_;
   PictureOptions picture_;
   Output output_;
-  // Of what was appended.
+  // About the appended strokes.
   bool has_begun_ = false;
   Rect ink_;
   StrokeSpool spool_;

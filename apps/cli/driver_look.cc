@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kGlance{2};
-constexpr std::size_t kMostWords = 600;  // of what a library wrote to stderr
+constexpr std::size_t kMostWords = 600;  // of the text that a library wrote to stderr
 
 void put(Packer& packer, const DeviceDescriptor& device) {
   for (const std::string* text : {&device.id, &device.driver, &device.label, &device.model,
@@ -84,7 +84,7 @@ std::string look(Driver& driver, const SystemView& system, LookFor what) {
   return packer.bytes();
 }
 
-/// A file in memory that is gone when nobody has it open.
+/// A file in memory that disappears when it is closed everywhere.
 class Scratch {
  public:
   explicit Scratch(const char* name) : fd_(memfd_create(name, MFD_CLOEXEC)) {}
@@ -115,7 +115,7 @@ class Scratch {
   int fd_;
 };
 
-/// A driver that looks, elsewhere.
+/// A driver that looks for devices in another process.
 struct Looker {
   Scratch answer{"feltline-answer"};
   Scratch words{"feltline-words"};
@@ -135,7 +135,7 @@ struct Looker {
   int code = 1;
   try {
     if (looker.answer.write(look(driver, system, what))) code = 0;
-  } catch (const std::exception& error) {  // of a library in C++, or no memory
+  } catch (const std::exception& error) {  // from a C++ library, or out of memory
     static_cast<void>(looker.words.write(error.what()));
   }
   _exit(code);
@@ -178,7 +178,7 @@ DriverLook result_of(const Driver& driver, const Looker& looker, std::chrono::mi
   return look;
 }
 
-/// Waits until all have ended or the time is over; those that have not are killed.
+/// Waits until all have ended or time is up, then kills the others.
 void wait_for(std::vector<Looker>& lookers, Clock::time_point until) {
   for (Looker& looker : lookers) {
     if (looker.pid < 0) continue;

@@ -9,24 +9,25 @@
 
 namespace felt::cli {
 
-/// What a driver sees.
+/// The devices and findings of a driver.
 struct DriverLook {
   std::string name, label;  ///< the driver's
   std::vector<DeviceDescriptor> devices;
-  std::vector<Finding> findings;  ///< where asked for
+  std::vector<Finding> findings;  ///< if requested
 };
 
 enum class LookFor {
   kDevices,   ///< Driver::find
-  kFindings,  ///< Driver::diagnose, too
+  kFindings,  ///< Driver::diagnose as well
 };
 
-/// Longer than any driver needs that does as Driver says.
+/// Longer than any driver needs that complies with the rules in Driver.
 inline constexpr std::chrono::milliseconds kLookTime{15'000};
 
-/// Asks every driver, each in a process of its own: a vendor's library may crash, hang, end the
-/// program or write over what we print, and none of that reaches us. What it then left to say is a
-/// finding of its own, with the last that it wrote to stderr. Requires that no other thread runs.
+/// Asks every driver, each in its own process, because a vendor's library may crash, hang, end the
+/// program or overwrite our output, and none of that may affect us. If a driver fails like that,
+/// this is a finding of its own, with the last text that it wrote to stderr. Requires that no other
+/// thread runs.
 std::vector<DriverLook> look_at_drivers(const std::vector<std::unique_ptr<Driver>>& drivers,
                                         const SystemView& system, LookFor what,
                                         std::chrono::milliseconds most = kLookTime);

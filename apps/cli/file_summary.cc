@@ -16,7 +16,7 @@
 namespace felt::cli {
 namespace {
 
-/// The figures in the order of output, each with its key and its text.
+/// The figures in output order, each with its key and its text.
 using Figures = std::vector<std::pair<const char*, std::string>>;
 
 std::string number(double value) {
@@ -62,7 +62,8 @@ std::string page_text(const Imported& opened) {
                                  : "none";
 }
 
-/// A line for each layer, the lowest first: what --layers calls it, its name and how it is seen.
+/// Returns a line for each layer, lowest first: its name for --layers, its own name and its
+/// visibility.
 std::string layers_text(const Imported& opened) {
   std::string text;
   int place = 0;
@@ -84,7 +85,7 @@ std::string layers_json(const Imported& opened) {
   return json_array(layers);
 }
 
-/// What was kept of how it was drawn; none where that is damaged, which replay tells.
+/// Returns the recordings in the drawing; none if they are damaged, which replay reports.
 std::vector<RecordingInfo> recordings(const Imported& opened) {
   return recordings_of(opened.drawing).value_or(std::vector<RecordingInfo>());
 }

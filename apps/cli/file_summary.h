@@ -11,33 +11,33 @@
 
 namespace felt::cli {
 
-/// What `info` tells about a file.
+/// The information that `info` shows about a file.
 struct FileSummary {
-  bool is_sketch = false;  ///< else raw pen strokes
+  bool is_sketch = false;  ///< otherwise raw pen strokes
   FileFormat format = FileFormat::kNdjson;
-  std::optional<Imported> opened;  ///< of formats that are read as a whole
+  std::optional<Imported> opened;  ///< for formats that are read as a whole
   std::int64_t strokes = 0;
-  Rect bounds;  ///< of the ink in mm; of the samples in the unit of the file
+  Rect bounds;  ///< of the ink in mm; of samples in the unit of the file
 
-  // Of a sketch.
+  // For a sketch.
   std::int64_t segments = 0;
   std::int64_t corners = 0;
   std::int64_t closed = 0;
   std::int64_t width_knots = 0;
   double min_width_mm = 0.0, max_width_mm = 0.0;
 
-  // Of raw pen strokes.
+  // For raw pen strokes.
   std::int64_t samples = 0;
   std::int64_t longest = 0;                       ///< samples of the longest stroke
-  std::int64_t with_pressure = 0, with_time = 0;  ///< strokes where some sample has it
+  std::int64_t with_pressure = 0, with_time = 0;  ///< strokes in which at least one sample has it
 
   void add(const Stroke& stroke);
   void add(const RawStroke& stroke);
 };
 
-/// For people: some lines of "name value".
+/// Returns the summary for people: some lines of "name value".
 std::string summary_text(const FileSummary& summary);
-/// For programs: one line of JSON, keys in a fixed order.
+/// Returns the summary for programs: one line of JSON, keys in a fixed order.
 std::string summary_json(const FileSummary& summary);
 
 }  // namespace felt::cli

@@ -51,7 +51,7 @@ std::string media_names() {
   return names;
 }
 
-/// What is wrong with the id of a medium to draw with, or nothing.
+/// Returns the error in the id of a medium, or "".
 std::string check_medium(const std::string& id) {
   const Medium* medium = find_medium(id);
   if (medium && medium->draws) return {};
@@ -76,7 +76,7 @@ void add_width_options(CLI::App& command, FitArguments& args) {
       ->check(number_between(kMinWidthMm, 1000.0));
 }
 
-/// What the command line says about the medium and its widths.
+/// Returns the settings on the command line for the medium and its widths.
 InkFitOptions ink_of(const FitArguments& args) {
   InkFitOptions ink;
   const Medium* medium = args.material.empty() ? nullptr : find_medium(args.material);
@@ -130,7 +130,7 @@ void add_options(CLI::App& command, FitArguments& args) {
   args.picture.add_to(command);
 }
 
-/// What to do, once the command line has been understood.
+/// The settings after parsing the command line.
 struct FitPlan {
   FitSettings settings;
   PictureOptions picture;
@@ -166,7 +166,7 @@ FitPlan plan_of(const FitArguments& args, Console& console) {
   return plan;
 }
 
-/// Fits all inputs into `output` (none: only counts); false when the output failed.
+/// Fits all inputs into `output` (none: only counts). Returns false if the output failed.
 bool fit_all(const FitArguments& args, const FitPlan& plan, DrawingOutput* output, Console& console,
              FitStats& stats) {
   FitSource source(args.inputs, plan.settings);
@@ -199,7 +199,7 @@ void run_fit(const FitArguments& args, Console& console) {
   }
   FitStats stats;
   if (!fit_all(args, plan, output ? &*output : nullptr, console, stats)) return;
-  // A good older file is worth more than an empty new one.
+  // Keeps an older file rather than replacing it with an empty one.
   if (stats.strokes == 0 && console.failed()) return;
   if (output) {
     if (Result<void> done = output->finish(); !done) return console.error(done.error().message);

@@ -6,10 +6,10 @@
 namespace felt::cli {
 namespace {
 
-/// Enough for the cost of handing over not to count, small enough to spread evenly.
+/// Large enough that the cost of passing a batch is negligible, small enough to distribute evenly.
 constexpr std::size_t kFitBatchBytes = std::size_t{64} << 10;
 
-/// The first stroke is a fitted one, hence all of them.
+/// Returns true if the first stroke is a fitted one; then all are.
 bool is_sketch(const LineBatch& lines) {
   for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 2); ++i) {  // 0 may be a header
     const std::string_view text = lines.line(i).text();

@@ -9,18 +9,18 @@
 
 namespace felt::cli {
 
-/// All inputs of `fit`, one after the other: lines in batches for the workers, other formats of
-/// pen samples whole, fitted as the settings say.
+/// All inputs of `fit`, one after the other: lines in batches for the workers; other formats of pen
+/// samples as a whole, fitted with the given settings.
 class FitSource {
  public:
   FitSource(const std::vector<std::string>& paths, const FitSettings& settings)
       : paths_(paths), settings_(settings) {}
 
-  /// Replaces the content of `item`; false when all inputs have ended. An input that cannot be
-  /// opened or read on, or holds nothing, comes as an item with a failure and no lines.
+  /// Replaces the content of `item`. Returns false after the end of all inputs. If an input cannot
+  /// be opened or read completely, or is empty, the item has a failure and no lines.
   bool next(FitItem& item);
 
-  /// How far it is, for the progress line. The total is 0 while a size is unknown.
+  /// Returns the progress, for the progress line. The total is 0 while a size is unknown.
   [[nodiscard]] std::int64_t bytes_read() const noexcept;
   [[nodiscard]] std::int64_t total_bytes() const noexcept { return total_bytes_; }
 

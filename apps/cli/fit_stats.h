@@ -11,7 +11,7 @@
 
 namespace felt::cli {
 
-/// What `fit --stats` counts. Those of several workers add up.
+/// The counts of `fit --stats`. Those of several workers can be added.
 struct FitStats {
   std::int64_t strokes = 0;
   std::int64_t samples = 0;
@@ -21,32 +21,33 @@ struct FitStats {
   double error_sum_mm = 0.0;
   std::int64_t fit_ns = 0;       ///< thread CPU time from pen-down to pen-up
   std::int64_t refine_ns = 0;    ///< thread CPU time of the refinement
-  std::int64_t allocations = 0;  ///< while samples come in, once warm
+  std::int64_t allocations = 0;  ///< while samples are added, after warm-up
   Histogram calls;               ///< thread CPU time of the call for a single sample
 
   void add(const FitStats& other) noexcept;
 };
 
-/// One line of JSON: the object of the command line contract.
+/// Returns one line of JSON, as defined for the command line.
 std::string stats_json(const FitStats& stats);
 
-/// `sum` per `count`, 0 when there is nothing to count.
+/// Returns `sum` per `count`, or 0 if there is nothing to count.
 double per(double sum, std::int64_t count) noexcept;
 
-/// Returns the CPU time of the calling thread in ns: other programs on the machine do not count.
+/// Returns the CPU time of the calling thread in ns. Other programs do not influence it.
 std::int64_t thread_cpu_ns() noexcept;
 
-/// Measures what the fit of one stroke costs and how well it follows the samples.
+/// Measures the cost of fitting one stroke, and how well it follows the samples.
 class StrokeMeter {
  public:
   explicit StrokeMeter(const InkFitOptions& options);
 
-  /// Times the call of the fitter for every single sample, and counts the allocations in them.
+  /// Times the call of the fitter for every single sample, and counts the allocations in these
+  /// calls.
   ///
-  /// The stroke is fitted kRuns times, and a call counts with the shortest of its times: it does
-  /// the same work each time, and the rest comes from the machine (interrupts, cold caches).
-  /// Allocations are those of the last run, when the buffers have their size: the rule is none in
-  /// steady state.
+  /// The stroke is fitted kRuns times, and each call counts with its shortest time, because it does
+  /// the same work each time and the rest is caused by the machine (interrupts, cold caches).
+  /// Allocations are those of the last run, when the buffers have their size; there should be none
+  /// in steady state.
   void measure_calls(std::span<const InkSample> samples, FitStats& stats);
 
   /// Adds the distance from each sample to the nearest point of the whole curve.
@@ -58,7 +59,7 @@ class StrokeMeter {
 
   InkFitter fitter_;
   std::int64_t clock_cost_ns_;
-  std::vector<std::int64_t> least_ns_;  // per sample of one stroke
+  std::vector<std::int64_t> least_ns_;  // for each sample of one stroke
   std::vector<BvhSegment> segments_;
   SegmentBvh tree_;
 };

@@ -11,7 +11,8 @@
 namespace felt::cli {
 namespace {
 
-/// Numbers of strokes on the same line are this far apart, so that no other line has them.
+/// Difference between the numbers of strokes on the same line, so that they differ from those of
+/// all other lines.
 constexpr std::int64_t kNumberStep = std::int64_t{1} << 32;
 
 int count_corners(const Stroke& stroke) {
@@ -42,7 +43,7 @@ void FitWorker::operator()(const FitItem& item, FitOutput& output) {
   if (item.failure) output.errors.push_back({0, item.failure->message});
 }
 
-/// The reader of the format has fitted its samples already.
+/// Processes a whole input. The reader of its format has fitted the samples already.
 void FitWorker::process_whole(const FitItem& item, const Imported& imported, FitOutput& output) {
   for (const ImportNotice& notice : imported.report.notices()) {
     output.notices.push_back(item.name + ": " + notice_text(notice));
@@ -76,7 +77,7 @@ Result<void> FitWorker::process(const NdjsonLine& line, std::int64_t record, Fit
   }
 }
 
-// A drawing of Quick, Draw!: several strokes on a line, named KEY.1, KEY.2, ...
+// Processes a drawing of Quick, Draw!: several strokes on a line, named KEY.1, KEY.2, ...
 Result<void> FitWorker::process_drawing(const NdjsonLine& line, std::int64_t record,
                                         FitOutput& output) {
   QuickdrawRecord drawing;
@@ -95,7 +96,7 @@ Result<void> FitWorker::process_drawing(const NdjsonLine& line, std::int64_t rec
   return {};
 }
 
-// Fits and encodes what raw_ holds.
+// Fits and encodes the stroke in raw_.
 Result<void> FitWorker::process_raw(std::int64_t number, FitOutput& output) {
   if (Result<void> scaled = scale_to_mm(); !scaled) return scaled;
   Result<Stroke> stroke = fit(raw_.samples, output.stats);

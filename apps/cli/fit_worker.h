@@ -14,48 +14,49 @@
 
 namespace felt::cli {
 
-/// How `fit` treats each stroke.
+/// The settings of `fit` for each stroke.
 struct FitSettings {
   InkFitOptions ink;
   double mm_per_unit = 1.0;
   bool refine = true;
-  bool measure = false;          ///< fill in all of FitStats, which takes some five times as long
-  std::optional<Format> format;  ///< of the output; none: no pieces for it
+  bool measure = false;          ///< fill in all of FitStats, which takes about five times as long
+  std::optional<Format> format;  ///< of the output; none: encode nothing
 };
 
-/// Some lines of one input, or a whole one of another format: what a worker gets.
+/// The work for one call of a worker: some lines of one input, or a whole input of another format.
 struct FitItem {
   std::string name;  ///< of the input, for errors
   LineBatch lines;
   std::optional<Imported> drawing;
   std::int64_t first_record = 1;  ///< number of the first line among the records of all inputs
-  std::optional<Error> failure;   ///< of the input after these lines
+  std::optional<Error> failure;   ///< failure of the input after these lines
 
   [[nodiscard]] std::size_t bytes() const noexcept { return lines.bytes(); }
 };
 
-/// What is wrong with a line, or with a whole input (line 0).
+/// An error in a line, or in a whole input (line 0).
 struct FitError {
   std::int64_t line = 0;
   std::string what;
 };
 
-/// What a worker makes of them.
+/// The result for one FitItem.
 struct FitOutput {
   std::string name;  ///< of the input, for errors
   EncodedStrokes sketch;
   std::vector<FitError> errors;      ///< in order of the lines
-  std::vector<std::string> notices;  ///< whole messages
+  std::vector<std::string> notices;  ///< complete messages
   FitStats stats;
 };
 
-/// Parses raw strokes, fits them, encodes the result. One a thread; what comes out depends on the
-/// lines only.
+/// Parses raw strokes, fits them, encodes the result. Use one for each thread. The output depends
+/// only on the lines.
 class FitWorker {
  public:
   explicit FitWorker(const FitSettings& settings);
 
-  /// Replaces the content of `output` by what `item` gives. A bad record is an error of its own.
+  /// Replaces the content of `output` by the result for `item`. A bad record becomes an error in
+  /// it.
   void operator()(const FitItem& item, FitOutput& output);
 
   /// Fits one stroke: `samples` in mm.

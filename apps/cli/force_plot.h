@@ -11,26 +11,27 @@
 
 namespace felt::cli {
 
-/// Gathers what a plot of a replay shows, in bounded memory: pose, width, every force term, what
-/// was asked and what was sent.
+/// Collects the data for a plot of a replay in bounded memory: pose, width, every force term, the
+/// requested and the sent force.
 class ForcePlot {
  public:
-  /// Ticks come `period_s` apart; the first one says when it begins.
+  /// Ticks are `period_s` apart. The first tick sets the start.
   ForcePlot(double period_s, const SafetyLimits& limits);
 
-  /// One tick. `width_mm` of the ink that it leaves; none while there is none.
+  /// Adds one tick. `width_mm` is the width of its ink; none if it leaves no ink.
   void add(const TickReport& tick, std::optional<double> width_mm);
 
-  /// What is written above.
+  /// Sets the texts above the plot.
   void set_title(std::string title, std::string note);
-  /// Shows this stretch of time; all of it in a strip above. Without it everything is shown.
+  /// Shows this time interval, and the whole recording in a strip above. Without it, everything is
+  /// shown.
   void set_span(const PlotSpan& span) { span_ = span; }
-  /// The whole recording.
+  /// Returns the interval of the whole recording.
   [[nodiscard]] PlotSpan whole() const noexcept;
 
   [[nodiscard]] double rate_hz() const noexcept { return 1.0 / period_s_; }
 
-  /// The picture. Error: nothing was added.
+  /// Draws the picture. Fails if no tick was added.
   [[nodiscard]] Result<Image> draw(const PlotOptions& options = {}) const;
 
  private:

@@ -9,7 +9,7 @@
 
 namespace felt::cli {
 
-/// The file of `--forces`. Nothing shows under its name before `finish`.
+/// The file of `--forces`. Nothing appears under its name before `finish`.
 class ForcesFile {
  public:
   /// Fails if the file cannot be written. Messages begin with its name.
@@ -21,7 +21,7 @@ class ForcesFile {
     return ForcesFile(*std::move(output), *std::move(csv));
   }
 
-  /// Adds a tick. `pressure` 0..1 decides the width.
+  /// Adds a tick. `pressure` 0..1 determines the width.
   Result<void> add(const TickReport& tick, std::optional<double> pressure) {
     return csv_.add(tick, pressure);
   }

@@ -9,8 +9,8 @@ namespace felt::cli {
 
 using Format = FileFormat;
 
-/// The format for an output: `name` (of --to) when given, else by the ending of `path`; "-" and
-/// devices are .ndjson. Error: it says what there is.
+/// Returns the format of an output: `name` (of --to) if given, otherwise by the extension of
+/// `path`. "-" and devices are .ndjson. On failure the message lists the formats.
 Result<Format> output_format(const std::string& path, const std::string& name);
 
 }  // namespace felt::cli

@@ -9,7 +9,7 @@
 namespace felt::cli {
 namespace {
 
-/// The standard streams have names of their own, which lead to the files behind them.
+/// The standard streams have their own names, which resolve to the files behind them.
 std::string name_of(const std::string& path, const char* stream) {
   return path == "-" ? stream : path;
 }

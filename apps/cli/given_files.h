@@ -7,15 +7,15 @@
 
 namespace felt::cli {
 
-/// An output as the command line names it.
+/// An output on the command line.
 struct GivenOutput {
   std::string option;  ///< "-o", "--forces"
   std::string path;    ///< "" if it was not given
 };
 
-/// Throws a UsageError if an output is one of the inputs, or another output, under whatever name:
-/// writing it would destroy the other one. "-" is stdin or stdout. Gives a notice for an output
-/// that has hard links: the new file gets this name only. Call before anything is opened.
+/// Throws a UsageError if an output is also an input, or another output, under any name, because
+/// writing it would destroy the other one. "-" is stdin or stdout. Prints a notice if an output has
+/// hard links: only this name will refer to the new file. Call before opening any file.
 void check_given_files(const std::vector<std::string>& inputs,
                        const std::vector<GivenOutput>& outputs, Console& console);
 

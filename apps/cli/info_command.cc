@@ -23,7 +23,7 @@ struct InfoArguments {
   bool json = false;
 };
 
-/// Adds up the records of a file of either kind; the first record decides which one it is.
+/// Sums up the records of a file of either kind. The first record determines the kind.
 class Summarizer {
  public:
   explicit Summarizer(FileSummary& summary) : summary_(summary) {}
@@ -80,7 +80,7 @@ void summarize_lines(const Input& input, Console& console, FileSummary& summary)
   }
 }
 
-/// A file that is read as a whole: all its strokes, those of hidden layers as well.
+/// Summarizes a file that is read as a whole, including strokes of hidden layers.
 bool summarize_whole(const Input& input, Console& console, FileSummary& summary) {
   Result<Imported> opened = input.read_drawing({});
   if (!opened) {
@@ -98,7 +98,7 @@ bool summarize_whole(const Input& input, Console& console, FileSummary& summary)
   return true;
 }
 
-/// False when nothing could be read.
+/// Returns false if nothing could be read.
 bool summarize(const std::string& path, Console& console, FileSummary& summary) {
   const Result<Input> input = Input::open(path);
   if (!input) {

@@ -24,13 +24,15 @@ tl::unexpected<Error> cannot_open(int error) {
   return fail(code, std::generic_category().message(error));
 }
 
-/// A device that never ends, like /dev/zero. Terminals end by Ctrl-D, and /dev/null at once.
+/// Returns true for a device that never ends, like /dev/zero. Terminals end with Ctrl-D, and
+/// /dev/null ends immediately.
 bool is_endless(const struct stat& status, int fd) {
   if (S_ISBLK(status.st_mode)) return true;
   return S_ISCHR(status.st_mode) && ::isatty(fd) == 0 && status.st_rdev != makedev(1, 3);
 }
 
-/// What has no name that could tell: a stream is lines unless its first bytes show something else.
+/// Returns true for an input without a name that shows its format. A stream is lines unless its
+/// first bytes show another format.
 bool is_stream(const std::string& path) {
   return path == "-" || path.rfind("/dev/", 0) == 0;
 }
@@ -47,7 +49,7 @@ Result<Input> Input::open(const std::string& path) {
 }
 
 Result<Input> Input::open_regular(const std::string& path) {
-  // Opening a pipe without O_NONBLOCK waits for its writer.
+  // Without O_NONBLOCK, opening a pipe waits for its writer.
   return begin(path, ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK), true);
 }
 
@@ -75,7 +77,7 @@ Result<void> Input::read_head() {
     if (!more) return tl::unexpected(more.error());
     if (*more == 0) break;
     have += *more;
-    // A pipe may bring its lines slowly; what tells formats apart stands at the very front.
+    // A pipe may deliver its lines slowly, and the format shows in the very first bytes.
     if (format_of_bytes({head_.data(), have}) == FileFormat::kNdjson) break;
   }
   head_.resize(have);
@@ -86,7 +88,8 @@ Result<void> Input::find_kind(const std::string& path) {
   if (is_stream(path) && !format_of_bytes(head_)) return {};
   const bool has_ending = format_of_path(path).has_value();
   const std::string file = path.substr(path.find_last_of('/') + 1);
-  // Without any ending and any mark it is taken for lines, whose reader says what is wrong.
+  // A file without extension and magic bytes is treated as lines; their reader reports what is
+  // wrong.
   if (!has_ending && !format_of_bytes(head_) && file.find('.', 1) == std::string::npos) return {};
   const Result<FileFormat> format = readable_format(head_, path);
   if (!format) return tl::unexpected(format.error());
@@ -114,7 +117,8 @@ Result<std::string> Input::read_all(std::size_t most) const {
   };
   if (static_cast<std::uint64_t>(size_bytes_) > most) return too_large();
   std::string bytes = head_;
-  // A block more than there is: the end is found by reading, which must not double the memory.
+  // One block more than the file, because the end is found by reading, which must not double the
+  // memory.
   if (size_bytes_ > 0) bytes.reserve(static_cast<std::size_t>(size_bytes_) + kBlockBytes);
   const ReadBytes read = read_descriptor(fd_);
   for (std::size_t more = head_.size(); more > 0;) {

@@ -9,31 +9,32 @@
 
 namespace felt::cli {
 
-/// An input given on the command line: a file, a pipe, or stdin as "-". Closes what it opened. Its
-/// first bytes are read at once and say what it is; the rest comes as it is asked for, once.
+/// An input on the command line: a file, a pipe, or stdin as "-". The destructor closes it. The
+/// first bytes are read immediately to detect the format; the rest is read on demand, once.
 class Input {
  public:
-  /// Error: missing, not readable, a folder, or of a format that is not read. The message is the
-  /// reason alone.
+  /// Fails if the file is missing, unreadable, a folder, or of an unsupported format. The message
+  /// contains only the reason.
   static Result<Input> open(const std::string& path);
-  /// The same for a name out of a file, an import of a script. Error also if it is not a regular
-  /// file: a pipe would be waited for.
+  /// Same, for a name inside a file, such as an import of a script. Also fails if it is not a
+  /// regular file, because a pipe could block.
   static Result<Input> open_regular(const std::string& path);
   Input(Input&& other) noexcept;
   ~Input();
 
-  /// What errors call it: the path as given, or "stdin".
+  /// Returns the name for errors: the path as given, or "stdin".
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
-  /// Size in bytes when it is known beforehand, else 0.
+  /// Returns the size in bytes if it is known in advance, else 0.
   [[nodiscard]] std::int64_t size_bytes() const noexcept { return size_bytes_; }
   [[nodiscard]] FileFormat format() const noexcept { return format_; }
-  /// Lines of strokes, which need not be held in memory together; anything else is read as a whole.
+  /// Returns true for lines of strokes, which need not be in memory together. Anything else is read
+  /// as a whole.
   [[nodiscard]] bool is_lines() const noexcept { return is_lines_; }
-  /// Lines of drawings of Quick, Draw!, which fit takes one by one as well.
+  /// Returns true for lines of Quick, Draw! drawings, which fit also reads one by one.
   [[nodiscard]] bool is_quickdraw() const noexcept { return is_quickdraw_; }
-  /// The bytes from the first on. The input must stay where it is while they are read.
+  /// Returns a reader of all bytes. The input must not move while they are read.
   [[nodiscard]] ReadBytes reader() const;
-  /// All of it, as a drawing. The message of an error is the reason alone.
+  /// Reads everything as a drawing. The message of an error contains only the reason.
   [[nodiscard]] Result<Imported> read_drawing(const ReadOptions& options) const;
 
  private:
@@ -52,7 +53,7 @@ class Input {
   bool is_quickdraw_ = false;
 };
 
-/// "stdin" for "-", else the path.
+/// Returns "stdin" for "-", else the path.
 std::string input_name(const std::string& path);
 
 }  // namespace felt::cli

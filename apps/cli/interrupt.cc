@@ -12,7 +12,8 @@ namespace {
 volatile std::sig_atomic_t asked = 0;
 volatile std::sig_atomic_t pause_asked = 0;
 
-// timeout(1) signals the program and then its group: what comes so soon is the same wish again.
+// timeout(1) signals the program and then its group. A signal that soon after another is the same
+// request.
 constexpr std::int64_t kSameWishNs = 300'000'000;
 std::atomic<std::int64_t> asked_ns{0};
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
@@ -38,7 +39,7 @@ extern "C" void note_pause(int) {
 
 void set(void (*handler)(int), std::initializer_list<int> signals) {
   struct sigaction action {};
-  action.sa_handler = handler;  // no SA_RESTART: a question at the terminal ends, too
+  action.sa_handler = handler;  // no SA_RESTART, so that a question at the terminal ends too
   sigemptyset(&action.sa_mask);
   for (const int signal : signals) sigaction(signal, &action, nullptr);
 }

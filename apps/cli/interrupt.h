@@ -4,17 +4,17 @@
 
 namespace felt::cli {
 
-/// What Ctrl-Z (SIGTSTP) asks for while an Interrupt lives: a device without a watchdog keeps its
-/// last torque for as long as we are stopped.
+/// What Ctrl-Z (SIGTSTP) requests while an Interrupt exists. A device without a watchdog would keep
+/// its last torque while the program is suspended.
 enum class OnSuspend : std::uint8_t {
-  kEnd,    ///< an end, as Ctrl-C does
-  kPause,  ///< wants_pause(): whoever looks takes the forces away and calls pause()
+  kEnd,    ///< the end of the program, like Ctrl-C
+  kPause,  ///< wants_pause(): the caller switches forces off and calls pause()
 };
 
-/// While one lives, Ctrl-C (and Ctrl-backslash, a polite kill, a terminal that goes) asks for an
-/// end instead of ending us: forces are taken away and what there is is kept. The second one, 0.3 s
-/// later or more, ends us as ever. Reading or writing a terminal from the background fails instead
-/// of stopping us.
+/// While an Interrupt exists, Ctrl-C (and Ctrl-backslash, SIGTERM, a closed terminal) requests an
+/// end instead of ending the program, so that forces are switched off and results are kept. A
+/// second one, at least 0.3 s later, ends the program as usual. Reading or writing a terminal from
+/// the background fails instead of suspending the program.
 class Interrupt {
  public:
   explicit Interrupt(OnSuspend on_suspend = OnSuspend::kEnd);
@@ -24,7 +24,7 @@ class Interrupt {
 
   [[nodiscard]] static bool was_asked() noexcept;
   [[nodiscard]] static bool wants_pause() noexcept;
-  /// Stops the program; returns when it goes on (SIGCONT).
+  /// Suspends the program; returns when it continues (SIGCONT).
   static void pause() noexcept;
 };
 

@@ -1,5 +1,5 @@
 /// The command line program: `feltline COMMAND ...`.
-/// Exit codes: 0 all is well, 1 something failed (and stderr says what), 2 wrong usage.
+/// Exit codes: 0 success, 1 a failure (described on stderr), 2 wrong usage.
 
 #include <fmt/core.h>
 
@@ -62,7 +62,8 @@ void check_command_name(const CLI::App& app, int argc, char** argv) {
   throw UsageError(fmt::format("there is no command '{}'", argv[1]));
 }
 
-/// Its lines, each safe for a terminal: what was typed or came out of a file is in them.
+/// Returns the lines of an error, each safe for a terminal, because they contain typed text and
+/// text from files.
 std::string usage_text(const CLI::Error& error) {
   std::string text;
   for (std::string_view rest = error.what();;) {
@@ -82,9 +83,10 @@ int report_usage(const CLI::App& app, const CLI::Error& error) {
 }
 
 int run(int argc, char** argv) {
-  // A reader that has seen enough ends us without a word, also when our parent ignores SIGPIPE.
+  // If the reader of our output has closed it, the program ends silently, even if our parent
+  // ignores SIGPIPE.
   std::signal(SIGPIPE, SIG_DFL);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file at `ulimit -f` is an error with a name, not our end
+  std::signal(SIGXFSZ, SIG_IGN);  // beyond `ulimit -f`, writing fails with an error message
   Console console;
   CLI::App app(kDescription, "feltline");
   try {

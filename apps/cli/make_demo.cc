@@ -12,8 +12,8 @@
 namespace felt {
 namespace {
 
-/// Part of a circle, begun at `from` turns (0 is to the right, a quarter is below) and a little
-/// uneven, as drawn by hand.
+/// A part of a circle that begins at `from` turns (0 is right, a quarter is down), slightly uneven,
+/// as if drawn by hand.
 Gesture arc(Point center, double radius_mm, double from, double turns, double pressure) {
   Gesture gesture{.via = {}, .pressure = pressure, .end_pressure = 0.45};
   const int steps = std::max(4, static_cast<int>(std::abs(turns) * 16.0));
@@ -26,7 +26,7 @@ Gesture arc(Point center, double radius_mm, double from, double turns, double pr
   return gesture;
 }
 
-/// A ball of wool beside the cat. Its outline ends 1.5 mm before its start: snapping closes it.
+/// A ball of wool next to the cat. Its outline ends 1.5 mm before its start: snapping closes it.
 std::vector<Gesture> ball_of_wool() {
   const Point center{14.5, 111.0};
   constexpr double kRadius = 10.2;
@@ -37,7 +37,7 @@ std::vector<Gesture> ball_of_wool() {
     for (const Vec& offset : offsets) gesture.via.push_back(center + offset);
     ball.push_back(std::move(gesture));
   };
-  // Wound one way, and the other way on top.
+  // Wound in one direction, then in the other on top.
   thread({{-9.2, -2.4}, {-6.2, -5.2}, {-2.6, -9.2}});
   thread({{-9.0, 2.2}, {-5.0, -2.8}, {1.2, -9.0}});
   thread({{-7.8, 5.2}, {-3.4, -0.8}, {4.4, -5.2}, {8.2, -4.8}});
@@ -56,14 +56,14 @@ std::vector<Gesture> ball_of_wool() {
   return ball;
 }
 
-/// Fine lines that swell when pressed: the tool's own width is for broad strokes.
+/// Fine lines that get wider with pressure: the tool's own width is for broad strokes.
 void fine_pencil(DemoAct& act) {
   act.set("pencil.min_width_mm", 0.25);
   act.set("pencil.max_width_mm", 2.2);
   act.set("pencil.gamma", 1.2);
 }
 
-/// A line drawn by a hand that trembles.
+/// A line drawn by a trembling hand.
 std::vector<Gesture> shaky_line() {
   return {{.via = {{22, 130}, {38, 131.5}, {58, 130.5}, {80, 132}, {104, 130}, {119, 131.5}},
            .pressure = 0.5,
@@ -114,7 +114,7 @@ std::string pencil_act() {
   return act.text();
 }
 
-/// The tip of an ear is drawn out, and the back is made rounder.
+/// The tip of an ear is pulled out, and the back is made rounder.
 std::string pull_act() {
   DemoAct act;
   act.tool("pull");
@@ -128,7 +128,7 @@ std::string pull_act() {
   return act.text();
 }
 
-/// A line that trembles gets calm where the iron goes: all of it but the last part.
+/// A trembling line becomes smooth where the iron passes: all but its last part.
 std::string smooth_act() {
   WritingHand hand({.tremor_mm = 0.28, .wander_mm = 0.3, .seed = 5});
   int count = 100;
@@ -144,7 +144,7 @@ std::string smooth_act() {
   return act.text();
 }
 
-/// A line of the tail is pressed broader.
+/// A line of the tail is made wider.
 std::string width_act() {
   DemoAct act;
   act.tool("width");
@@ -155,7 +155,7 @@ std::string width_act() {
   return act.text();
 }
 
-/// A whisker is rubbed away as far as the cheek, another goes whole.
+/// A whisker is erased as far as the cheek, another one completely.
 std::string eraser_act() {
   DemoAct act;
   act.tool("eraser");
@@ -167,7 +167,7 @@ std::string eraser_act() {
   return act.text();
 }
 
-/// A loop round the ball selects whole lines.
+/// A loop around the ball selects whole lines.
 std::string lasso_act() {
   DemoAct act;
   act.tool("lasso");
@@ -184,7 +184,7 @@ std::string lasso_act() {
   return act.text();
 }
 
-/// The head is turned: a lasso round it, then a drag about its middle. The flanks hold it.
+/// The head is rotated: a lasso around it, then a drag around its middle. The flanks hold it.
 std::string transform_act() {
   DemoAct act;
   act.tool("lasso");
@@ -207,7 +207,7 @@ std::string transform_act() {
   return act.text();
 }
 
-/// A fish is drawn whose outline stays open; its end is led to its beginning and closes it.
+/// A fish is drawn with an open outline; its end is moved to its beginning and closes it.
 std::string connect_act() {
   WritingHand hand({.seed = 8});
   int count = 200;

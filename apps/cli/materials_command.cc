@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kBuiltIn = "Feltline";
 
-/// One material, and where it is; nowhere for a built-in one.
+/// One material and its location; empty for a built-in one.
 struct Row {
   AnyMaterial material;
   std::string path;
@@ -122,7 +122,7 @@ void list(bool as_json, Console& console) {
   for (const Row& row : rows_of(library)) print("{}", row_json(row));
 }
 
-/// By id, those that draw or are drawn on. Error: none; lists them.
+/// Finds a surface or medium by its id. Fails if there is none; the message lists them.
 Result<AnyMaterial> find_any(const std::string& id, Console& console) {
   std::string known;
   for (const Row& row : rows_of(known_materials(console))) {

@@ -8,22 +8,22 @@
 
 namespace felt::cli {
 
-/// Spreads work over threads and hands the results out in the order of the items, in bounded
-/// memory: however many items there are, a fixed number of slots holds them, and what comes out
-/// does not depend on the number of threads.
+/// Distributes work over threads and returns the results in the order of the items, in bounded
+/// memory: any number of items uses a fixed number of slots. The results do not depend on the
+/// number of threads.
 ///
 /// `Item` and `Output` are default constructible and reused from item to item, so that they keep
-/// their buffers. An item tells by `bytes()` how much it holds.
+/// their buffers. `Item::bytes()` returns the size of an item.
 template <class Item, class Output>
 class OrderedPipeline {
  public:
-  /// `jobs` >= 1 threads; with 1 everything runs on the caller's thread.
+  /// Uses `jobs` >= 1 threads. With 1, everything runs on the caller's thread.
   explicit OrderedPipeline(int jobs)
       : jobs_(jobs), slots_(jobs == 1 ? 1 : 4 * static_cast<std::size_t>(jobs) + 4) {}
 
-  /// Until `next` returns false: fills an item by `next(item)` and takes an output by
-  /// `take(output)`, both on the caller's thread; in between a worker, one per thread and made by
-  /// `make_worker()`, was called as `worker(item, output)`. Ends early when `take` returns false.
+  /// Calls `next(item)` to fill an item and `take(output)` to handle a result, both on the caller's
+  /// thread, until `next` returns false. In between, a worker calls `worker(item, output)`; there
+  /// is one worker for each thread, from `make_worker()`. Ends early if `take` returns false.
   template <class MakeWorker, class Next, class Take>
   void run(MakeWorker&& make_worker, Next&& next, Take&& take) {
     if (jobs_ == 1) {
@@ -35,7 +35,7 @@ class OrderedPipeline {
       }
       return;
     }
-    std::vector<std::jthread> threads;  // join after Stop, on every way out
+    std::vector<std::jthread> threads;  // joined after Stop, on every return path
     threads.reserve(static_cast<std::size_t>(jobs_));
     const Stop stop{*this};
     for (int i = 0; i < jobs_; ++i) {
@@ -50,7 +50,7 @@ class OrderedPipeline {
     Output output;
     bool done = false;
   };
-  /// Sends the workers home when it goes.
+  /// Stops the workers in its destructor.
   struct Stop {
     OrderedPipeline& pipeline;
     ~Stop() {
@@ -61,7 +61,8 @@ class OrderedPipeline {
       pipeline.work_waits_.notify_all();
     }
   };
-  /// Items that wait or are in work hold no more than this together, apart from a single larger.
+  /// Items that wait or are processed hold at most this many bytes together, except for a single
+  /// larger one.
   static constexpr std::size_t kMaxBytesInFlight = std::size_t{64} << 20;
 
   Slot& slot(std::size_t sequence) { return slots_[sequence % slots_.size()]; }
@@ -120,7 +121,7 @@ class OrderedPipeline {
   std::vector<Slot> slots_;
   std::mutex mutex_;
   std::condition_variable work_waits_, slot_done_;
-  std::size_t given_ = 0, started_ = 0;  // sequence numbers, under the mutex
+  std::size_t given_ = 0, started_ = 0;  // sequence numbers, guarded by the mutex
   bool stopped_ = false;
 };
 

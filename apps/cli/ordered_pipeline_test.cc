@@ -20,7 +20,7 @@ struct Output {
   int number = 0;
 };
 
-/// Squares the numbers below `count`; every fifth takes its time.
+/// Squares the numbers below `count`; every fifth one is slow.
 std::vector<int> squares(int jobs, int count, int stop_at) {
   std::vector<int> taken;
   int given = 0;

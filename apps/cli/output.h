@@ -9,33 +9,33 @@
 
 namespace felt::cli {
 
-/// An output given on the command line. A file appears under its name only when it is complete
-/// (`commit`): until then, and after any failure, what was there before stays. Stdout ("-") and
-/// what is no ordinary file (a pipe, /dev/null) are written as the data comes.
+/// An output on the command line. A file appears under its name only when it is complete
+/// (`commit`); until then, and after any failure, the previous file stays. Stdout ("-") and special
+/// files (a pipe, /dev/null) are written as the data arrives.
 class Output {
  public:
-  /// Error: the place cannot be written, or is a directory. Messages start with the name.
+  /// Fails if the path cannot be written, or is a folder. Messages start with the name.
   static Result<Output> create(const std::string& path);
-  /// The same for a file whose beginning is known last: what is no ordinary file gets all of it at
-  /// `commit`.
+  /// Same, for a file with a beginning that is known only at the end. A special file gets all data
+  /// at `commit`.
   static Result<Output> create_for_overwrite(const std::string& path);
   Output(Output&& other) noexcept;
   ~Output();
 
   Result<void> write(std::string_view bytes);
-  /// Replaces the first bytes that were written. Requires create_for_overwrite().
+  /// Replaces the first bytes of the file. Requires create_for_overwrite().
   Result<void> overwrite(std::string_view bytes);
-  /// Everything is written: makes it the file of that name.
+  /// Completes the file and gives it its name.
   Result<void> commit();
-  /// Both at once. `save` compares a file with these bytes before it counts as written, as for what
-  /// a person made and has nowhere else (save_file).
+  /// Writes and commits. `save`: reads the file back and compares it with these bytes, for a user's
+  /// work that exists nowhere else (save_file).
   Result<void> write_all(std::string_view bytes);
   Result<void> save(std::string_view bytes);
 
  private:
   explicit Output(std::string name) : name_(std::move(name)) {}
   std::string name_;
-  int fd_ = -1;  // when written directly
+  int fd_ = -1;  // if written directly
   std::optional<AtomicFile> file_;
 };
 

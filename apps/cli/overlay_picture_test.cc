@@ -131,7 +131,7 @@ TEST(OverlayPicture, AGestureInWorkIsSeen) {
 }
 
 TEST(OverlayPicture, APreviewIsWhatIsSeen) {
-  // Any tool whose gesture at the end of a line shows a preview: the view holds what it says.
+  // Uses any tool with a preview during a gesture at the end of a line: the view must contain it.
   Session session(make_tools(), {.device = {},
                                  .document = document_of(std::array{std::make_shared<const Stroke>(
                                      testing::straight_stroke({20, 50}, {80, 50}, 1, 1))})});

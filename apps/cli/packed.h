@@ -9,7 +9,7 @@
 
 namespace felt::cli {
 
-/// Values as bytes, for a process and its own child: no format for files.
+/// Encodes values as bytes, for a process and its own child. Not a file format.
 class Packer {
  public:
   void put(std::string_view text) {
@@ -27,8 +27,8 @@ class Packer {
   std::string bytes_;
 };
 
-/// The same way back. What is not there reads as empty, and is_good() turns false for ever: the
-/// child may have died while it wrote.
+/// Decodes them. Missing values read as empty, and is_good() then stays false: the child may have
+/// died while it wrote.
 class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
@@ -50,7 +50,7 @@ class Unpacker {
       return value;
     }
   }
-  /// How many of something follow, each of at least one byte.
+  /// Reads the number of elements that follow, each of at least one byte.
   std::size_t take_count() {
     const auto count = take<std::uint64_t>();
     if (count > rest_.size()) return give_up(), std::size_t{0};

@@ -98,7 +98,7 @@ void PictureArguments::add_grain_to(CLI::App& command) {
 
 Result<PictureOptions> PictureArguments::parse(Console& console) const {
   PictureOptions options;
-  // Where no grain is seen, nobody wants to hear of a material that is wrong.
+  // If no grain is shown, errors in materials do not matter.
   if (grain || !surface.empty()) options.materials = known_materials(console).materials;
   options.dpi = dpi;
   options.wants_grain = grain;

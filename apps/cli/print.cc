@@ -12,8 +12,8 @@
 namespace felt::cli {
 namespace {
 
-/// Keeps SIGPIPE from this thread for as long as it lives, and swallows the one that comes of a
-/// write: stdout ends the program by that signal, stderr must not.
+/// Blocks SIGPIPE for this thread during its lifetime, and discards one caused by a write: a closed
+/// stdout ends the program by that signal, a closed stderr must not.
 class WithoutSigpipe {
  public:
   WithoutSigpipe() noexcept {

@@ -8,13 +8,13 @@
 
 namespace felt::cli {
 
-/// Writes to stdout. A stream that cannot be written is reported once, at the end of the program.
+/// Writes to stdout. A failure to write is reported once, at the end of the program.
 void print_text(std::string_view text) noexcept;
-/// Writes to stderr. Messages that cannot be written (a full disk, a closed pipe, a terminal that
-/// is gone) are dropped: they never end the program or its work.
+/// Writes to stderr. Messages that cannot be written (a full disk, a closed pipe, a closed
+/// terminal) are dropped: they never end the program or its work.
 void say_text(std::string_view text) noexcept;
 
-/// The same with a format string.
+/// Same, with a format string.
 template <typename... Values>
 void print(fmt::format_string<Values...> format, Values&&... values) {
   print_text(fmt::format(format, std::forward<Values>(values)...));
@@ -24,14 +24,14 @@ void say(fmt::format_string<Values...> format, Values&&... values) {
   say_text(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// False if anything that was printed did not reach stdout. Flushes it.
+/// Flushes stdout. Returns false if any printed text did not reach it.
 bool stdout_is_whole() noexcept;
 
 /// Asks the user at the terminal, on stderr. Returns true only for "y" or "yes", and false if stdin
 /// is not a terminal.
 bool ask(const std::string& question);
 
-/// Returns true if stdin is a terminal, so that there is somebody to ask.
+/// Returns true if stdin is a terminal, so that somebody can answer.
 bool somebody_is_there();
 
 /// Returns true if Enter was pressed at the terminal since the last call.

@@ -47,12 +47,12 @@ constexpr const char* kRecordExamples =
     "      --forces forces.csv --seconds 60 --set pencil.max_width_mm=3\n"
     "feltline replay events.ndjson --as-recorded -o again.svg";
 
-/// What a recording writes besides the sketch.
+/// The outputs of a recording besides the sketch.
 struct RecordOutputs {
   std::optional<DrawingOutput> drawing;
   std::optional<Output> events;
   std::optional<ForcesFile> forces;
-  Result<void> written = {};  ///< of the events so far
+  Result<void> written = {};  ///< result of writing the events so far
 };
 
 Result<RecordOutputs> open_outputs(const RecordArguments& args, const Rect& page) {
@@ -100,7 +100,7 @@ void set_options(const RecordArguments& args, Session& session) {
   }
 }
 
-/// The drawing exists nowhere else: where its own file cannot be written, another one is.
+/// Writes the drawing to another file if its own cannot be written, because it exists nowhere else.
 Result<void> rescue(const Error& error, const Session& session) {
   std::error_code none;
   const std::string path = std::filesystem::temp_directory_path(none).string() +
@@ -129,8 +129,9 @@ bool agrees_to_forces(const RecordArguments& args) {
   return ask("Do you agree?");
 }
 
-/// A thread of ours stands in a maker's call, and uses what would be destroyed; what that maker's
-/// libraries do at the end of a program may wait for it for ever.
+/// Ends the program without destructors and exit handlers. A thread of ours is stuck in a vendor's
+/// call and uses the objects that would be destroyed; exit code of the vendor's libraries may wait
+/// for it forever.
 [[noreturn]] void end_at_once() {
   std::fflush(stdout);
   std::fflush(stderr);
@@ -163,7 +164,7 @@ std::string status_line(const RecordStatus& status) {
                      status.wants_forces ? "off" : "on");
 }
 
-/// The recording's options; `console`, `outputs` and `copy` must outlive it.
+/// Returns the recording's options. `console`, `outputs` and `copy` must outlive them.
 RecordOptions record_options(const RecordArguments& args, const Rect& page, Console& console,
                              RecordOutputs& outputs, RecordCopy& copy) {
   RecordOptions options{.page = page,
@@ -182,7 +183,7 @@ RecordOptions record_options(const RecordArguments& args, const Rect& page, Cons
     say("{}\n", instructions);
     return !asks || ask("Ready?");
   };
-  // Not a notice: --quiet does not hide what the user agrees to.
+  // Not a notice, because --quiet must not hide what the user agrees to.
   options.ask_consent = [&console] {
     console.end_progress();
     say("{}\nEnter again: you agree to forces.\n", kConsent);

@@ -37,7 +37,7 @@ std::string time_text(std::int64_t seconds) {
                      local.tm_mday, local.tm_hour, local.tm_min, local.tm_sec);
 }
 
-/// "harbour" for "harbour.felt", and nothing that leads to another folder.
+/// Returns "harbour" for "harbour.felt". The result never leads to another folder.
 std::string stem_of(const Recovered& recovered) {
   std::string stem = fs::path(recovered.name).filename().string();
   if (stem.size() > 5 && stem.ends_with(".felt")) stem.resize(stem.size() - 5);
@@ -53,7 +53,7 @@ std::string described(const Recovered& recovered) {
       recovered.path.empty() ? "never saved" : "saved as " + printable(recovered.path));
 }
 
-/// Under a name that nothing has yet. Returns it.
+/// Writes the drawing under an unused name and returns that name.
 Result<std::string> write_new(const std::string& folder, const Recovered& recovered) {
   const std::string stem = folder + '/' + stem_of(recovered) + " (recovered";
   for (int number = 1; number <= kMostNames; ++number) {
@@ -64,7 +64,8 @@ Result<std::string> write_new(const std::string& folder, const Recovered& recove
   return fail(ErrorCode::kIo, stem + ").felt: there are too many of this name");
 }
 
-/// Lists what `feltline record` left, which convert reads as it is. Returns how many there are.
+/// Lists the copies that `feltline record` left behind, which convert can read. Returns their
+/// number.
 int list_record_copies(const RecoverArguments& args) {
   std::error_code none;
   const std::vector<std::string> copies = find_record_copies(
@@ -79,7 +80,7 @@ int list_record_copies(const RecoverArguments& args) {
   return static_cast<int>(copies.size());
 }
 
-/// A folder that is not there is a mistyped name, not one without drawings.
+/// A folder that does not exist is a mistyped name, not one without drawings.
 bool check_folders(const RecoverArguments& args, Console& console) {
   for (const std::string& folder : args.from) {
     std::error_code error;

@@ -11,7 +11,7 @@ class App;
 
 namespace felt::cli {
 
-/// The settings of a replay as options of a command line.
+/// The settings of a replay as command line options.
 struct ReplayArguments {
   std::string device = "touch";
   std::string hand = "typical";
@@ -23,7 +23,7 @@ struct ReplayArguments {
   void add_pen_to(CLI::App& command);
   /// Adds --rate, --delay and --no-force.
   void add_loop_to(CLI::App& command);
-  /// Requires that the command line was parsed: then the names are known.
+  /// Requires that the command line was parsed, so that all names are valid.
   [[nodiscard]] ReplaySettings settings() const;
 };
 

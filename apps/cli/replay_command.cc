@@ -32,7 +32,7 @@
 namespace felt::cli {
 namespace {
 
-constexpr double kPlotDpi = 192.0;  // two pixels a unit, 96 units an inch
+constexpr double kPlotDpi = 192.0;  // two pixels per unit, 96 units per inch
 
 /// The command line as written.
 struct ReplayCommandArguments {
@@ -115,18 +115,18 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
   args.picture.add_grain_to(command);
 }
 
-/// What a replay writes; each may be absent.
+/// The outputs of a replay; each may be absent.
 struct ReplayOutputs {
   std::optional<DrawingOutput> drawing;
-  std::optional<Output> view;  ///< instead of `drawing` where the overlay is to be seen
+  std::optional<Output> view;  ///< instead of `drawing` if the overlay is to be shown
   PictureOptions picture;
-  std::optional<SessionView> stopped;        ///< what was in work when the play was stopped,
+  std::optional<SessionView> stopped;        ///< the state in progress when the play was stopped,
   std::optional<Document> stopped_document;  ///< and the document with it
   std::optional<ForcesFile> forces;
   std::optional<ForcePlot> plot;
-  std::unique_ptr<ReplaySound> sound;  ///< large
+  std::unique_ptr<ReplaySound> sound;  ///< on the heap because it is large
   std::optional<FeltRecorder> recorder;
-  const ReplayRun* run = nullptr;  ///< while it plays: how far it is
+  const ReplayRun* run = nullptr;  ///< while it plays, for its progress
 };
 
 void check_recording(const ReplayCommandArguments& args) {
@@ -139,7 +139,7 @@ void check_recording(const ReplayCommandArguments& args) {
   }
 }
 
-/// No file is both read and written, or written twice.
+/// Checks that no file is both read and written, or written twice.
 void check_files(const ReplayCommandArguments& args, Console& console) {
   std::vector<std::string> inputs = args.scripts;
   if (!args.on.empty()) inputs.push_back(args.on);
@@ -166,8 +166,8 @@ void check_outputs(const ReplayCommandArguments& args) {
   }
 }
 
-/// The pictures' options; the page has the colour of the sheet that was asked for, unless another
-/// one was.
+/// Returns the options of pictures. The page has the colour of the selected surface, unless another
+/// colour is given.
 PictureOptions picture_of(const ReplayCommandArguments& args, const Materials& known,
                           Console& console) {
   Result<PictureOptions> picture = args.picture.parse(console);
@@ -177,7 +177,7 @@ PictureOptions picture_of(const ReplayCommandArguments& args, const Materials& k
   return *std::move(picture);
 }
 
-/// What -o names.
+/// Opens the output of -o.
 Result<void> open_drawing(const ReplayCommandArguments& args, const ReplaySettings& settings,
                           Console& console, ReplayOutputs& outputs) {
   const Result<Format> format = output_format(args.output, args.to);
@@ -233,7 +233,7 @@ std::string text_of(const OptionValue& value) {
   return number ? fmt::format("{}", *number) : std::get<std::string>(value);
 }
 
-/// What the drawing of --on says, then what the command line does.
+/// Sets the options of the drawing of --on, then those on the command line.
 void set_options(const ReplayCommandArguments& args, const Drawing& start, ReplayMachine& machine) {
   const auto set = [&machine](const char* from, const std::string& id, const std::string& value) {
     const Result<void> done = machine.set_option(id, value);
@@ -243,7 +243,7 @@ void set_options(const ReplayCommandArguments& args, const Drawing& start, Repla
   for (const auto& [id, value] : options_of(start, known)) set("--on", id, value);
   if (!args.sheet.empty()) set("--sheet", "sheet.material", args.sheet);
   if (!args.medium.empty()) {
-    // Says what there is if there is none of that name.
+    // Fails with a list if there is none with that name.
     set("--medium", drawing_option(machine.session(), "material"), args.medium);
     const Medium& medium = *known.find_medium(args.medium);
     for (const SetOption& option : options_for_medium(machine.session(), medium)) {
@@ -268,7 +268,7 @@ Result<void> play_scripts(const ReplayCommandArguments& args, ReplayRun& run) {
   return run.play();
 }
 
-/// The picture with overlay.
+/// Writes the picture with overlay.
 Result<void> write_view(const SessionView& view, ReplayOutputs& outputs) {
   const Result<Image> image = draw_view(view, outputs.picture);
   if (!image) return tl::unexpected(image.error());
@@ -278,7 +278,7 @@ Result<void> write_view(const SessionView& view, ReplayOutputs& outputs) {
   return outputs.view->commit();
 }
 
-/// The whole drawing; with --recording, and how it was made.
+/// Writes the whole drawing. With --recording, includes the recording.
 Result<void> write_replayed(Drawing start, const Session& session, ReplayOutputs& outputs) {
   Document document = outputs.stopped_document ? *std::move(outputs.stopped_document)
                       : outputs.recorder       ? session.document()
@@ -314,7 +314,7 @@ Result<void> write_outputs(const ReplayCommandArguments& args, Drawing start,
       outputs);
 }
 
-/// What a tick leaves in the outputs.
+/// Passes a tick to the outputs.
 Result<void> take_tick(ReplayOutputs& outputs, const ReplayTick& tick) {
   const TickReport& report = tick.report;
   if (outputs.recorder) {
@@ -351,7 +351,7 @@ ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOu
   return observer;
 }
 
-/// What has no meaning where there is no device, hand and loop.
+/// Refuses options that have no meaning without device, hand and loop.
 void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& command) {
   for (const char* option : {"--forces", "--plot", "--stats", "--device", "--hand", "--rate",
                              "--delay", "--no-force", "--seed", "--sheet", "--medium", "--set",
@@ -370,7 +370,7 @@ void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& comma
   }
 }
 
-/// Where the pen is, as a recording says it.
+/// Returns the sample of the pen as recorded.
 PenSample sample_of(std::int64_t time_ns, const PenEvent& pen) {
   PenSample sample;
   sample.time_ns = time_ns;
@@ -379,12 +379,12 @@ PenSample sample_of(std::int64_t time_ns, const PenEvent& pen) {
   return sample;
 }
 
-/// The drawing of --on, an empty one without it.
+/// Returns the drawing of --on, or an empty one.
 Result<Drawing> start_of(const ReplayCommandArguments& args) {
   return args.on.empty() ? Drawing{.has_page = false} : read_start(args.on);
 }
 
-/// Begins a session on the sheet of a drawing, and with its colour.
+/// Starts a session with the surface and colour of a drawing.
 Result<void> take_up(const Drawing& start, Session& session) {
   for (const auto& [id, value] : options_of(start, session.materials())) {
     if (Result<void> done = session.apply({0, SetOption{id, value}}); !done) return done;
@@ -392,7 +392,7 @@ Result<void> take_up(const Drawing& start, Session& session) {
   return {};
 }
 
-/// Plays the recording, and leaves the drawing that comes of it. `heard`: what became of its sound.
+/// Plays the recording and writes the resulting drawing. `heard`: the result of writing its sound.
 Result<void> draw_recorded(const ReplayCommandArguments& args, Drawing start,
                            const Result<void>& heard, Session& session, ReplayOutputs& outputs,
                            Console& console) {
@@ -442,7 +442,7 @@ void run_replay(const ReplayCommandArguments& args, Console& console) {
   const auto begin = std::chrono::steady_clock::now();
   Result<Drawing> start = start_of(args);
   if (!start) return console.error(start.error().message);
-  if (!args.sheet.empty()) start->page.surface.clear();  // another one is chosen
+  if (!args.sheet.empty()) start->page.surface.clear();  // another surface is selected
   ReplaySettings settings = args.pen.settings();
   settings.materials = with_texts(start->materials, known_materials(console).materials);
   Result<ReplayOutputs> outputs = open_outputs(args, settings, console);

@@ -30,7 +30,7 @@ Result<Drawing> read_whole(const Input& input) {
   return fail(opened.error().code, input.name() + ": " + opened.error().message);
 }
 
-/// Reads lines of strokes. Any wrong line is an error, because what a script draws depends on it.
+/// Reads lines of strokes. Any invalid line is an error, because a script depends on all strokes.
 Result<std::vector<StrokePtr>> read_lines(const Input& input) {
   LineReader reader(input.reader());
   LineBatch batch;
@@ -52,7 +52,7 @@ Result<std::vector<StrokePtr>> read_lines(const Input& input) {
   }
 }
 
-/// Applies the newest recording of a drawing, and returns what else that drawing has.
+/// Applies the newest recording of a drawing, and returns the other content of that drawing.
 Result<Drawing> apply_drawing(const Input& input, const ReadImport& read_import, Session& session) {
   const Result<Imported> opened = input.read_drawing({});
   if (!opened) return tl::unexpected(with_context(opened.error(), input.name()));

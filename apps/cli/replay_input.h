@@ -13,18 +13,18 @@ namespace felt::cli {
 /// Reads the strokes of a file: .ndjson, .felt (of visible layers), .svg of Feltline.
 Result<std::vector<StrokePtr>> read_strokes(const std::string& path);
 
-/// Reads the same as a drawing: a .felt file with layers, ids and materials, strokes in .ndjson as
-/// one layer.
+/// Reads the same files as a drawing: a .felt file with layers, ids and materials, strokes in
+/// .ndjson as one layer.
 Result<Drawing> read_start(const std::string& path);
 
 /// Reads a script, a file or "-", into a replay.
 Result<void> read_script_file(const std::string& path, ReplayRun& run);
 
 /// Applies a recording to a session: a script, the newest one in a .felt drawing, or "-". Relative
-/// paths of imports start at its folder. What precedes an error has been applied.
+/// paths of imports start at its folder. Events before an error have been applied.
 ///
-/// Returns what the events do not contain of the drawing that held the recording: its page, its
-/// palette and its view; nothing for a script.
+/// Returns the content of the drawing that the events do not contain: its page, its palette and its
+/// view. Returns an empty drawing for a script.
 Result<Drawing> apply_recording_file(const std::string& path, Session& session);
 
 }  // namespace felt::cli

@@ -31,7 +31,7 @@ std::string header_of(std::uint32_t samples) {
   append(bytes, 1, 2);  // channel
   append(bytes, WavFile::kRateHz, 4);
   append(bytes, 2 * WavFile::kRateHz, 4);
-  append(bytes, 2, 2);   // bytes a sample of all channels
+  append(bytes, 2, 2);   // bytes per sample of all channels
   append(bytes, 16, 2);  // bits
   bytes += "data";
   append(bytes, data, 4);
@@ -106,7 +106,7 @@ Result<void> ReplaySound::add(const PenSample& pen) {
   return render(sound_.ready());
 }
 
-/// The last touch dies away.
+/// Lets the last touch fade out and completes the file.
 Result<void> ReplaySound::finish() {
   constexpr auto kTail = static_cast<std::size_t>(RubVoice::kSilentAfterS * RubbingSound::kRateHz);
   if (Result<void> rendered = render(kTail); !rendered) return rendered;

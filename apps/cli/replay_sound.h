@@ -14,13 +14,13 @@
 
 namespace felt::cli {
 
-/// A sound file that every player reads: RIFF/WAVE, PCM, 16 bit, one channel, 48 kHz. It begins
-/// with its length, so samples wait in a temporary file without a name, and memory does not grow
-/// with them. Nothing shows under the file's name before `finish`.
+/// A sound file that every player reads: RIFF/WAVE, PCM, 16 bit, one channel, 48 kHz. The file
+/// begins with its length, so samples are kept in an unnamed temporary file, and memory does not
+/// grow with them. Nothing appears under the file's name before `finish`.
 class WavFile {
  public:
   static constexpr std::uint32_t kRateHz = 48000;
-  /// About 12 hours, the limit of a header of 32 bits.
+  /// About 12 hours, the limit of a 32-bit header.
   static constexpr std::uint64_t kMaxSamples = 0x7FFFFF00u;
 
   /// Fails if the file cannot be written. Messages begin with its name.
@@ -40,7 +40,7 @@ class WavFile {
 
   Output output_;
   std::unique_ptr<std::FILE, Close> spool_;
-  std::string bytes_;  // not yet in the spool
+  std::string bytes_;  // not yet in the temporary file
   std::uint64_t count_ = 0;
 };
 
@@ -51,8 +51,8 @@ class ReplaySound {
   /// Fails if the file cannot be written. Messages begin with its name.
   static Result<ReplaySound> create(const std::string& path);
 
-  /// Sets the session whose tool and surface sound. Call it before the first add(); the session
-  /// must outlive the last.
+  /// Sets the session that provides tool and surface. Call before the first add(). The session must
+  /// outlive the last.
   void begin(const Session& session) { pen_.emplace(session); }
   /// Adds a sample of the pen. Fails as WavFile does.
   Result<void> add(const PenSample& pen);

@@ -10,11 +10,11 @@
 
 namespace felt::cli {
 
-/// Keeps strokes in a temporary file without a name until the last one has come, so that not all of
-/// them are in memory.
+/// Keeps strokes in an unnamed temporary file until the last one was added, so that not all of them
+/// are in memory.
 class StrokeSpool {
  public:
-  /// Adds strokes, given as lines of append_sketch_line.
+  /// Adds strokes, as lines of append_sketch_line.
   Result<void> add_lines(std::string_view lines);
 
   /// Calls `handle` with each stroke in the order added; stops at the first error.
@@ -24,7 +24,7 @@ class StrokeSpool {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  std::unique_ptr<std::FILE, Close> file_;  // opened by the first line
+  std::unique_ptr<std::FILE, Close> file_;  // opened for the first line
 };
 
 }  // namespace felt::cli

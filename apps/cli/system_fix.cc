@@ -35,7 +35,7 @@ bool is_allowed(std::string_view path) {
   return false;
 }
 
-/// A file that several devices need a line in is written once.
+/// If several devices need a line in the same file, the file is written once.
 void add_fix(std::vector<SystemFix>& fixes, const SystemFix& fix) {
   const auto same = std::find_if(fixes.begin(), fixes.end(),
                                  [&fix](const SystemFix& other) { return other.path == fix.path; });
@@ -96,7 +96,7 @@ Result<void> run(const std::vector<std::string>& command) {
   return fail(ErrorCode::kIo, "'" + shown(command) + "' failed");
 }
 
-/// The words that make a command root's; empty where we are root. Error: there are none.
+/// Returns the command prefix for running as root; empty if we are root. Fails if there is none.
 Result<std::vector<std::string>> as_root() {
   if (geteuid() == 0) return std::vector<std::string>{};
   for (const char* folder : {"/usr/bin/", "/bin/", "/usr/local/bin/"}) {
@@ -121,7 +121,7 @@ Result<void> write_here(const PlannedFix& fix) {
   return {};
 }
 
-/// A file of ours that root then copies.
+/// A temporary file of ours that root then copies.
 class TemporaryFile {
  public:
   explicit TemporaryFile(std::string_view content) {
@@ -129,7 +129,7 @@ class TemporaryFile {
     const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
     path_ = (folder / "feltline-fix-XXXXXX").string();
     if (error) {
-      errno = error.value();  // what the message says; is_good() is false
+      errno = error.value();  // for the message; is_good() is false
       return;
     }
     fd_ = mkstemp(path_.data());
@@ -162,12 +162,12 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// A file of ours as it is, with what it lacks at its end. What an earlier run allowed stays: for a
-/// device that is not plugged in now, for another user.
+/// Returns our file unchanged, with the missing lines at its end. Permissions from an earlier run
+/// stay, for a device that is not plugged in now or for another user.
 std::string with_missing_lines(const std::string& present, const std::string& wanted) {
   std::vector<std::string_view> there = lines_of(present);
   std::string missing;
-  bool says_something = false;  // more than comments
+  bool says_something = false;  // it has more than comments
   for (const std::string_view line : lines_of(wanted)) {
     if (line.empty() || std::find(there.begin(), there.end(), line) != there.end()) continue;
     there.push_back(line);

@@ -82,7 +82,7 @@ std::vector<std::size_t> TextTable::widths() const {
   return widths;
 }
 
-/// `room`: columns for the last cell to wrap in; 0 is as many as it takes.
+/// `room`: columns in which the last cell wraps; 0: no limit.
 std::string TextTable::line(const std::vector<std::string>& cells,
                             const std::vector<std::size_t>& widths, std::size_t room) const {
   std::string text;

@@ -5,23 +5,24 @@
 
 namespace felt::cli {
 
-/// How stdout wants text: what a person sees at a terminal, or what the next program reads.
+/// The style of stdout: for a person at a terminal, or for another program.
 struct TextStyle {
   bool is_terminal = false;
   bool emphasis = false;  ///< bold headings; never with NO_COLOR, on a dumb terminal or in a pipe
-  std::size_t width = 0;  ///< columns to wrap at; 0 = as long as it takes
+  std::size_t width = 0;  ///< columns to wrap at; 0: no limit
 
-  /// Of this program's stdout.
+  /// Returns the style of this program's stdout.
   static TextStyle of_stdout();
 };
 
-/// A heading as the style shows it.
+/// Returns a heading in this style.
 std::string heading(const std::string& text, const TextStyle& style);
 
-/// Lines no longer than `width` (0: one line), broken at blanks, each after the first indented.
+/// Wraps text at spaces into lines of at most `width` (0: one line). All lines but the first are
+/// indented.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
 
-/// Columns that line up, each as wide as it needs; numbers to the right.
+/// Aligned columns, each as wide as needed. Numbers are right-aligned.
 class TextTable {
  public:
   enum class Align { kLeft, kRight };
@@ -32,9 +33,10 @@ class TextTable {
 
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
-  /// One cell for each column. The text is ASCII.
+  /// Adds a row with one cell for each column. The text must be ASCII.
   void add_row(std::vector<std::string> cells);
-  /// The whole table with a line of names above. The last column wraps where the style is narrow.
+  /// Returns the whole table below a line of column names. The last column wraps if the style is
+  /// narrow.
   [[nodiscard]] std::string text(const TextStyle& style) const;
 
  private:

@@ -40,7 +40,7 @@ std::string allowed_of(const OptionSpec& option, const Materials& known) {
          (option.unit.empty() ? "" : " " + std::string(option.unit));
 }
 
-/// On a narrow terminal: what an option does stands below it.
+/// On a narrower terminal, the description of an option is below it.
 constexpr std::size_t kWideEnough = 110;
 constexpr std::size_t kHelpIndent = 6;
 

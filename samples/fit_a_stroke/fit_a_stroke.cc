@@ -11,7 +11,7 @@
 
 namespace {
 
-// What a pen would send at 200 Hz while it writes a loop 40 mm wide, pressing harder half-way.
+// The samples of a pen at 200 Hz that writes a loop 40 mm wide and presses harder half-way.
 felt::InkSample sample(int i, int count) {
   const double phase = static_cast<double>(i) / count;
   const double angle = 2.0 * std::numbers::pi * phase;
@@ -26,13 +26,13 @@ felt::InkSample sample(int i, int count) {
 
 int main() {
   felt::InkFitOptions options;
-  options.curve.tolerance_mm = 0.1;  // no sample is further than this from the curve
+  options.curve.tolerance_mm = 0.1;  // no sample is farther than this from the curve
 
   felt::InkFitter fitter(options);
   fitter.begin();
   constexpr int kSamples = 200;
   for (int i = 0; i < kSamples; ++i) fitter.push(sample(i, kSamples));
-  fitter.end();     // pen-up: the curve that was seen while drawing is complete
+  fitter.end();     // pen-up: the curve that was shown while drawing is complete
   fitter.refine();  // fewer segments, same tolerance
 
   const felt::Result<felt::Stroke> stroke = fitter.stroke();

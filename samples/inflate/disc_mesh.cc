@@ -11,12 +11,12 @@ using felt::Vec;
 
 namespace {
 
-/// Twice the signed area of a triangle.
+/// Returns twice the signed area of a triangle.
 double turn(Point a, Point b, Point c) {
   return cross(b - a, c - a);
 }
 
-/// True when the lines from a to b and from c to d cross, or an end of one lies on the other.
+/// True if the segments from a to b and from c to d cross, or an end of one lies on the other.
 bool crosses(Point a, Point b, Point c, Point d) {
   constexpr double kTouchMm = 1e-9;
   const auto touches = [](Point from, Point to, Point p) {
@@ -37,13 +37,14 @@ bool crosses_itself(const std::vector<Point>& ring) {
   return false;
 }
 
-/// Positive when p lies within the circle through a, b, c, which turn from +x to +y.
+/// Returns a positive value if p is inside the circle through a, b, c, which are oriented from +x
+/// to +y.
 double in_circle(Point a, Point b, Point c, Point p) {
   const Vec u = a - p, v = b - p, w = c - p;
   return dot(u, u) * cross(v, w) - dot(v, v) * cross(u, w) + dot(w, w) * cross(u, v);
 }
 
-/// The outline turned from +x to +y, without repeated points, its long edges divided.
+/// Returns the outline oriented from +x to +y, without repeated points, with long edges divided.
 std::vector<Point> prepared(std::span<const Point> outline, double step_mm) {
   std::vector<Point> distinct;
   for (const Point p : outline) {
@@ -64,6 +65,8 @@ std::vector<Point> prepared(std::span<const Point> outline, double step_mm) {
 
 }  // namespace
 
+// Triangulates the outline alone, makes that a Delaunay triangulation, inserts a grid of inner
+// points one by one, and at last divides the inner edges that still connect outline points.
 felt::Result<DiscMesh> DiscMesh::fill(std::span<const Point> outline, double step_mm) {
   DiscMesh mesh;
   mesh.points_ = prepared(outline, step_mm);
@@ -92,7 +95,7 @@ bool DiscMesh::is_ear(const std::vector<int>& ring, std::size_t k) const {
   return true;
 }
 
-/// Cuts off one convex corner after the other (Meisters 1975).
+/// Triangulates the outline by cutting off one convex corner after another (Meisters 1975).
 bool DiscMesh::clip_ears() {
   std::vector<int> ring;
   for (int i = 0; i < outline_count_; ++i) ring.push_back(i);
@@ -130,14 +133,14 @@ int DiscMesh::across(int triangle, Edge edge) const {
   return -1;
 }
 
-/// Flips edges until no triangle's circle holds the point across (Lawson 1977).
+/// Flips edges until no triangle's circumcircle contains the opposite point (Lawson 1977).
 void DiscMesh::make_delaunay(std::vector<Edge> suspects) {
   const auto p = [this](int i) { return points_[static_cast<std::size_t>(i)]; };
   for (int flips = 0; !suspects.empty() && flips < 1'000'000;) {
     const Edge e = suspects.back();
     suspects.pop_back();
     const auto left = at_.find(e), right = at_.find({e.second, e.first});
-    if (left == at_.end() || right == at_.end()) continue;  // outline, or gone
+    if (left == at_.end() || right == at_.end()) continue;  // outline, or removed
     const int t = left->second, u = right->second;
     const int a = e.first, b = e.second, c = across(t, e), d = across(u, e);
     const double scale = std::pow(distance(p(a), p(b)) + distance(p(c), p(d)), 4.0);
@@ -152,6 +155,7 @@ void DiscMesh::make_delaunay(std::vector<Edge> suspects) {
   }
 }
 
+/// Inserts the points of a triangular grid that are inside and not too near the outline.
 void DiscMesh::add_grid(double step_mm) {
   const std::vector<Point> ring(points_.begin(), points_.begin() + outline_count_);
   std::vector<Point> closed = ring;
@@ -170,8 +174,8 @@ void DiscMesh::add_grid(double step_mm) {
   }
 }
 
-/// Divides the triangle that holds a point. A point on an edge is left out: it is a grid, there are
-/// others.
+/// Divides the triangle that contains a point. A point on an edge is skipped, because the grid has
+/// enough others.
 void DiscMesh::add_inside(Point q) {
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const auto [a, b, c] = triangles_[i];
@@ -191,7 +195,7 @@ void DiscMesh::add_inside(Point q) {
   }
 }
 
-/// Puts a point on each inner edge between two points of the outline.
+/// Adds a point on each inner edge that connects two points of the outline.
 void DiscMesh::split_chords() {
   std::vector<Edge> chords;
   for (const auto& [edge, triangle] : at_) {

@@ -9,19 +9,19 @@
 #include "felt/base/result.h"
 #include "felt/geometry/point.h"
 
-/// Triangles that fill an outline. The first points are the outline's, in order; the others lie
-/// inside, and no inner edge joins two points of the outline: whoever lifts the inner points off
-/// the plane, up for one side and down for the other, gets a closed surface.
+/// A triangle mesh that fills an outline. The first points are those of the outline, in order; the
+/// others are inside. No inner edge connects two points of the outline, so if you move the inner
+/// points off the plane, up for one side and down for the other, you get a closed surface.
 class DiscMesh {
  public:
   using Triangle = std::array<int, 3>;
 
-  /// Error: fewer than three different points, or an outline that crosses or touches itself.
-  /// `step_mm` is about how long the edges become.
+  /// Fills an outline; edges become about `step_mm` long. Fails if there are fewer than three
+  /// different points, or if the outline crosses or touches itself.
   static felt::Result<DiscMesh> fill(std::span<const felt::Point> outline, double step_mm);
 
   [[nodiscard]] const std::vector<felt::Point>& points() const { return points_; }
-  /// All of them turn from +x to +y.
+  /// Returns the triangles, all oriented from +x to +y.
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
   [[nodiscard]] int outline_count() const { return outline_count_; }
 
@@ -40,6 +40,6 @@ class DiscMesh {
 
   std::vector<felt::Point> points_;
   std::vector<Triangle> triangles_;
-  std::map<Edge, int> at_;  // directed edge -> the triangle on its side
+  std::map<Edge, int> at_;  // directed edge -> the triangle on that side of it
   int outline_count_ = 0;
 };

@@ -11,7 +11,7 @@
 
 namespace {
 
-/// The lowest closed stroke of a drawing, or why there is none.
+/// Returns the lowest closed stroke of a drawing, or an error if there is none.
 felt::Result<felt::Stroke> first_closed_stroke(const char* path) {
   const felt::Result<felt::Imported> opened = felt::read_drawing(path);
   if (!opened) return tl::unexpected(opened.error());

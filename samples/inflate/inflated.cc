@@ -12,7 +12,7 @@ using felt::Point;
 
 namespace {
 
-/// How far the outline of the mesh may be from the stroke.
+/// Largest distance of the mesh's outline from the stroke.
 constexpr double kToleranceMm = 0.02;
 constexpr double kMostEdgesRound = 1000.0;
 
@@ -25,7 +25,8 @@ std::vector<std::vector<Neighbour>> neighbours(const DiscMesh& disc) {
   std::vector<std::vector<Neighbour>> all(disc.points().size());
   for (const auto& triangle : disc.triangles()) {
     for (std::size_t k = 0; k < 3; ++k) {
-      // An inner edge is seen twice, once from each side: each direction once.
+      // An inner edge belongs to two triangles, with opposite directions, so each direction is
+      // added once.
       const auto a = static_cast<std::size_t>(triangle[k]);
       const auto b = static_cast<std::size_t>(triangle[(k + 1) % 3]);
       const double d = distance(disc.points()[a], disc.points()[b]);
@@ -70,7 +71,8 @@ felt::Result<Mesh> inflated(const felt::Stroke& stroke, int edges_across) {
   std::vector<Point> outline;
   for (const felt::Dab& dab : dabs) outline.push_back(dab.center);
   const double side_mm = std::sqrt(std::abs(felt::area(outline)));
-  // Thin shapes have little area for their length: no more than so many edges go round.
+  // Thin shapes have little area for their length, so the number of edges around is limited as
+  // well.
   const double step_mm = std::max(side_mm / std::max(edges_across, 2),
                                   felt::polyline_length(outline) / kMostEdgesRound);
   const felt::Result<DiscMesh> disc = DiscMesh::fill(outline, step_mm);
@@ -90,7 +92,7 @@ felt::Result<Mesh> inflated(const felt::Stroke& stroke, int edges_across) {
   }
   const auto below = [&](int i) { return i < mesh.outline_count ? i : i + inner; };
   for (const auto& [a, b, c] : disc->triangles()) {
-    // From +x to +y is counter-clockwise below once y points up.
+    // Triangles go from +x to +y, which is clockwise seen from above once y points up.
     mesh.triangles.push_back({a, c, b});
     mesh.triangles.push_back({below(a), below(b), below(c)});
   }

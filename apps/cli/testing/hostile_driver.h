@@ -15,8 +15,8 @@
 
 namespace felt::cli {
 
-/// For tests: a driver that finds what the test says, or does what a vendor's library at its worst
-/// does.
+/// For tests: a driver that finds what the test specifies, or misbehaves like the worst vendor
+/// libraries.
 class HostileDriver final : public Driver {
  public:
   enum class Manner { kWell, kCrashes, kHangs, kExits, kThrows, kPrints };
@@ -30,7 +30,7 @@ class HostileDriver final : public Driver {
     switch (manner_) {
       case Manner::kCrashes:
         std::fputs("about to fall over\n", stderr);
-        std::signal(SIGSEGV, SIG_DFL);  // no sanitizer's
+        std::signal(SIGSEGV, SIG_DFL);  // not the sanitizer's
         std::raise(SIGSEGV);
         break;
       case Manner::kHangs:

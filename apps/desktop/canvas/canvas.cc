@@ -15,13 +15,15 @@ namespace felt::desktop {
 namespace {
 
 constexpr int kPlaceMs = 40;     // between two `place_changed`
-constexpr double kDearMs = 1.0;  // a refresh and its paint that take less may follow at once
+constexpr double kDearMs = 1.0;  // a refresh and its paint that take less may come again
+                                 // immediately
 constexpr double kMostPaceMs = 33;
-constexpr int kLongSegments = 400;  // a stroke of more is not at once in the picture of the ink
+constexpr int kLongSegments = 400;  // a longer stroke takes a while to appear in the picture of the
+                                    // ink
 constexpr int kDryMs = 8;
-constexpr int kSizeMs = 1200;  // the ring of a size that was changed
+constexpr int kSizeMs = 1200;  // shows the ring of a changed size for this long
 
-/// A cross with an open middle, dark on a light rim: seen on every paper, and exact.
+/// A cross with an open middle, dark with a light rim: visible on any paper, and exact.
 QCursor make_pen_cursor() {
   constexpr int kSize = 19, kMiddle = kSize / 2, kOpen = 3;
   QPixmap picture(kSize, kSize);
@@ -39,7 +41,8 @@ QCursor make_pen_cursor() {
   return QCursor(picture, kMiddle, kMiddle);
 }
 
-/// A region whose edges cut pixels of the device leaves these as they were: a little more then.
+/// Enlarges a region to whole device pixels, because pixels that its edge cuts would not be
+/// repainted.
 QRegion whole_pixels(const QRegion& region, double dpr) {
   if (std::abs(dpr - std::round(dpr)) < 1e-6) return region;
   QRegion wider;
@@ -176,7 +179,7 @@ void Canvas::set_outline_mode(bool on) {
   update();
 }
 
-/// Everything is in another place: made anew, painted anew.
+/// Called if everything moved: lays everything out and paints it again.
 void Canvas::lay_out() {
   dpr_ = devicePixelRatioF();
   ink_.set_view(view_, dpr_);
@@ -187,7 +190,7 @@ void Canvas::lay_out() {
   update();
 }
 
-/// Ink that is drawn lies below that of the layers above the one in use.
+/// Puts new ink below the ink of the layers above the current one.
 void Canvas::take_layers() {
   const Session& session = studio_.session();
   const auto& layers = session.document().layers();
@@ -216,7 +219,7 @@ void Canvas::take_grain() {
   update();
 }
 
-// --- What the studio has
+// --- Changes of the studio
 
 void Canvas::refresh_soon() {
   is_stale_ = true;
@@ -229,7 +232,7 @@ void Canvas::flush() {
   const double begin_ms = static_cast<double>(clock_.nsecsElapsed()) * 1e-6;
   refresh();
   const double cost_ms = static_cast<double>(clock_.nsecsElapsed()) * 1e-6 - begin_ms + paint_ms_;
-  // The pen is drained between two pictures, whatever these take.
+  // Waits between two pictures, so that the pen's samples are read however slow painting is.
   if (studio_.loop().thread() && cost_ms > kDearMs) {
     pace_.start(static_cast<int>(std::min(2.0 * cost_ms, kMostPaceMs)));
   }
@@ -273,8 +276,8 @@ void Canvas::on_edit(const Edit& edit) {
   Shown& s = *shown_;
   ink_.apply(edit);
   take_layers();
-  // The ink that was wet is in the document. Of strokes that take the tiles a while, it stays
-  // until they have them: it dries.
+  // The ink that was wet is in the document. If its strokes take the tiles a while, it stays
+  // visible until the tiles have them: it dries.
   const auto is_long = [](const StrokeChange& change) {
     return change.after && change.after->segment_count() > kLongSegments;
   };

@@ -15,12 +15,12 @@ namespace felt::desktop {
 
 struct PenMark;
 
-/// The sheet in the window: paper, ink, wet ink, what the tool shows, the pen. Looks only; what the
-/// pen does comes from the room `pens`, which filters this widget's events.
+/// The canvas of the window: shows paper, ink, wet ink, the tool's marks and the pen. It only
+/// displays; the folder `pens` handles the pen, by filtering this widget's events.
 ///
-/// From the ground up: desk and paper, marked spans as bands, dry ink (InkView), wet ink, marks,
-/// the nib. After each turn of the studio it works out what looks otherwise than before and has
-/// that part painted, and nothing else.
+/// From bottom to top: background and paper, marked spans as bands, dry ink (InkView), wet ink,
+/// marks, the nib. When the studio has changed, it computes which part looks different and repaints
+/// only that.
 class Canvas : public QWidget {
   Q_OBJECT
 
@@ -30,43 +30,43 @@ class Canvas : public QWidget {
 
   [[nodiscard]] Studio& studio() noexcept { return studio_; }
   [[nodiscard]] const CanvasView& view() const noexcept { return view_; }
-  /// Shows it from there; `view_changed` follows.
+  /// Sets the view; `view_changed` is emitted.
   void set_view(const CanvasView& view);
-  /// The whole sheet, and so whenever the widget changes its size, until the view is changed.
+  /// Fits the whole page, also whenever the widget's size changes, until the view is changed.
   void fit_page();
-  /// What is selected; the whole sheet where nothing is.
+  /// Fits the selection, or the whole page if nothing is selected.
   void fit_selection();
-  /// All ink of visible layers; the whole sheet where there is none.
+  /// Fits the ink of all visible layers, or the whole page if there is none.
   void fit_ink();
-  /// 1: life size. What is under anchor() stays there.
+  /// Sets the zoom; 1 is life size. The point under anchor() stays there.
   void set_zoom(double zoom);
   [[nodiscard]] double zoom() const;
   void set_outline_mode(bool on);
   [[nodiscard]] InkView& ink() noexcept { return ink_; }
-  /// What stays in its place when keys zoom or turn: the pointer, or the middle.
+  /// Returns the point that stays fixed when keys zoom or turn: the pointer, or the middle.
   [[nodiscard]] QPointF anchor() const;
 
-  /// Where the pen is not seen (the pointer left): no nib.
+  /// False if the pen is not seen (the pointer left): no nib is shown.
   void set_pen_visible(bool visible);
-  /// A tablet's pen leads the hand, no mouse: ink must be right under its tip.
+  /// True if a tablet's pen leads the hand and not a mouse: ink must be right under its tip.
   void set_tablet_in_hand(bool tablet);
-  /// What the empty sheet says of pressure, translated. Empty: what is known from the samples.
+  /// Sets what the empty page says about pressure, translated. Empty: what the samples show.
   void set_pen_status(const QString& status);
-  /// What the right button of the mouse does, for the hint; "" for nothing.
+  /// Sets what the right mouse button does, for the hint; "" for nothing.
   void set_right_button(const QString& what);
-  /// A small exact cross; for whoever has set another cursor for a while.
+  /// Returns a small exact cross, for restoring it after another cursor was set.
   [[nodiscard]] const QCursor& pen_cursor() const noexcept { return pen_cursor_; }
 
-  /// The focus came by Tab, F6 or another key.
+  /// Returns true if the focus came by Tab, F6 or another key.
   [[nodiscard]] bool has_focus_by_key() const noexcept { return focus_by_key_; }
 
-  /// For the status line: what the tool in hand does, and with which modifiers.
+  /// Returns, for the status line, what the current tool does and with which modifiers.
   [[nodiscard]] QString hint() const;
-  /// "123.4, 56.7 mm"; empty where the pen is not seen.
+  /// Returns "123.4, 56.7 mm"; empty if the pen is not seen.
   [[nodiscard]] QString place_text() const;
-  /// "100 %", "50 %, 15°, mirrored"
+  /// Returns "100 %" or "50 %, 15°, mirrored".
   [[nodiscard]] QString view_text() const;
-  /// Shows what the studio has now, without waiting for its turn in the event loop.
+  /// Shows the studio's present state, without waiting for the event loop.
   void flush();
 
  Q_SIGNALS:
@@ -110,12 +110,12 @@ class Canvas : public QWidget {
   QCursor pen_cursor_;
   QString pen_status_;
   QString right_button_;
-  QTimer pace_;  // until the next refresh, where they are dear
+  QTimer pace_;  // until the next refresh, if refreshes are slow
   QElapsedTimer clock_;
-  QRegion painting_;          // this is being painted
-  double paint_ms_ = 0.0;     // the last one
-  double dpr_ = 0.0;          // that the pictures are made for
-  bool is_stale_ = true;      // the studio has news
+  QRegion painting_;          // the region being painted
+  double paint_ms_ = 0.0;     // duration of the last paint
+  double dpr_ = 0.0;          // of which the pictures are made
+  bool is_stale_ = true;      // the studio has changed
   bool pen_visible_ = false;  // until the pointer comes
   bool tablet_in_hand_ = false;
   bool pressure_seen_ = false;

@@ -9,12 +9,13 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kMostParts = 6;  // more are painted as the rectangle around them
+constexpr int kMostParts = 6;  // if there are more, their bounding rectangle is painted
 
-/// What of a widget is painted one after the other. Qt cuts painting off at whole pixels of the
-/// device. A rectangle that ends within one would cover it in part, and what was there before would
-/// shine through: all is painted a little further then, and Qt leaves the rest as it was.
-/// Several rectangles would overlap so, and paint ink with alpha twice.
+/// Splits a region of the widget into rectangles that are painted one after the other. Qt clips
+/// painting to whole device pixels. At a fractional scale a rectangle may end within a device pixel
+/// and would cover it in part, so that the previous picture would shine through. So one bounding
+/// rectangle is used, a little enlarged; Qt's clipping leaves the rest unchanged. Several enlarged
+/// rectangles would overlap and paint ink with alpha twice.
 QList<QRect> parts_of(const QRegion& region, double dpr) {
   const bool is_whole = std::abs(dpr - std::round(dpr)) < 1e-6;
   if (!is_whole) return {region.boundingRect().adjusted(-2, -2, 2, 2)};
@@ -74,7 +75,7 @@ void Canvas::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painting_ = event->region();
-  ink_.paint(painter, {});  // takes what the worker has done meanwhile, of this part too
+  ink_.paint(painter, {});  // also takes what the worker has finished since, in this part too
   painting_ = {};
   paint_ground(painter, event->region());
   paint_marks(painter, event->region());
@@ -88,7 +89,7 @@ void Canvas::paintEvent(QPaintEvent* event) {
   paint_ms_ = static_cast<double>(clock_.nsecsElapsed() - begin_ns) * 1e-6;
 }
 
-/// Desk, paper, bands, ink: pictures, part by part.
+/// Paints background, paper, bands and ink (pictures), part by part.
 void Canvas::paint_ground(QPainter& painter, const QRegion& region) {
   Shown& s = *shown_;
   const QList<QRect> parts = parts_of(region, dpr_);
@@ -106,7 +107,7 @@ void Canvas::paint_ground(QPainter& painter, const QRegion& region) {
   painter.setClipping(false);
 }
 
-/// Lines and letters, each once for the whole region, to which Qt clips them.
+/// Paints lines and texts, each once for the whole region, to which Qt clips them.
 void Canvas::paint_marks(QPainter& painter, const QRegion& region) {
   Shown& s = *shown_;
   if (s.shows_first_minute && region.intersects(s.first_minute.area(size(), font()))) {

@@ -15,8 +15,8 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kFeltN = 0.02;   // a force that is meant to be felt
-constexpr double kShrink = 0.35;  // of the nib, where something attracts it with a newton
+constexpr double kFeltN = 0.02;   // smallest force that is meant to be felt
+constexpr double kShrink = 0.35;  // shrinks the nib by this at an attraction of 1 N
 
 /// Returns the width of the line that a mouse would draw, or 0 if the current tool draws none.
 double drawn_width_mm(const Session& session) {
@@ -25,7 +25,7 @@ double drawn_width_mm(const Session& session) {
   return size ? size->mm : 0.0;
 }
 
-/// "Shift", as this system calls the key.
+/// Returns "Shift", as this system names the key.
 QString key_name(Qt::KeyboardModifier modifier) {
   QString name = QKeySequence(static_cast<int>(modifier)).toString(QKeySequence::NativeText);
   while (name.endsWith(QLatin1Char('+'))) name.chop(1);
@@ -80,8 +80,9 @@ PenMark Canvas::pen_mark(const PenState& pen) {
   return mark;
 }
 
-/// Returns the radius of the dot that the tool would draw, smaller if something attracts it; 0
-/// while ink flows, and for tools that do not draw: these show by themselves what they reach.
+/// Returns the radius of the dot that the tool would draw, smaller if something attracts it.
+/// Returns 0 while ink flows, and for tools that do not draw, because these show their reach
+/// themselves.
 double Canvas::nib_radius_px(double pull_n) const {
   const Session& session = studio_.session();
   const Shown& s = *shown_;
@@ -93,7 +94,7 @@ double Canvas::nib_radius_px(double pull_n) const {
   return std::max(2.5, 0.5 * width * view_.px_per_mm() * shrunk);
 }
 
-/// The tool in hand has another size: it is shown for a moment.
+/// Shows the size of the current tool for a moment after it changed.
 void Canvas::show_size(const QString& option_id) {
   const bool is_size = option_id.endsWith(QLatin1String("_width_mm")) ||
                        option_id.endsWith(QLatin1String("radius_mm"));
@@ -102,7 +103,7 @@ void Canvas::show_size(const QString& option_id) {
   refresh_soon();
 }
 
-/// Around the pointer; in the middle while the pointer is elsewhere.
+/// Adds the ring around the pointer, or in the middle while the pointer is elsewhere.
 void Canvas::add_size_ring() {
   const PenState& pen = studio_.pen();
   const Point at =

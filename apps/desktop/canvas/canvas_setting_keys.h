@@ -2,18 +2,18 @@
 
 #include "desktop/engine/grain_setting.h"
 
-/// What the settings keep of the canvas (engine/settings.h), with the defaults.
+/// The canvas's settings (engine/settings.h), with their defaults.
 namespace felt::desktop::canvas_keys {
 
-/// A nib that the forces hold back, shown instead of felt.
+/// The nib is shown held back by the forces, as a substitute for feeling them.
 inline constexpr auto kPseudoHaptics = "canvas/pseudo_haptics";
 inline constexpr bool kPseudoHapticsDefault = true;
 
-/// An arrow at the nib: which way the force goes, and how strong it is.
+/// An arrow at the nib shows direction and strength of the force.
 inline constexpr auto kForceArrow = "canvas/force_arrow";
 inline constexpr bool kForceArrowDefault = true;
 
-/// Dry ink shows the relief of the sheet, as pictures can and outlines in files cannot.
+/// Dry ink shows the relief of the surface, as pictures can and outlines in files cannot.
 inline constexpr auto kGrain = kShowsGrain;
 inline constexpr bool kGrainDefault = kShowsGrainDefault;
 

@@ -12,7 +12,7 @@
 
 namespace felt::desktop {
 
-/// What a canvas shows now, apart from dry ink; the next refresh is compared with it.
+/// What a canvas shows now, apart from dry ink. The next refresh is compared with it.
 struct Canvas::Shown {
   Overlay overlay;
   Desk desk;
@@ -24,9 +24,9 @@ struct Canvas::Shown {
   FirstMinute first_minute;
   bool shows_first_minute = false;
   PseudoCursor cursor;
-  std::int64_t cursor_ns = 0;  // when it was asked last
-  QTimer size_ring;            // while it is shown
-  QTimer place;                // until `place_changed`: a person reads more slowly than a pen moves
+  std::int64_t cursor_ns = 0;  // when it was last computed
+  QTimer size_ring;            // while the ring is shown
+  QTimer place;                // until `place_changed`: a user reads more slowly than a pen moves
 };
 
 }  // namespace felt::desktop

@@ -18,8 +18,8 @@
 namespace felt::desktop::canvas_test {
 namespace {
 
-/// How far two pictures are apart: the largest difference of a channel, and the pixels that differ
-/// by more than `much`.
+/// The difference of two pictures: the largest difference of a channel, and the number of pixels
+/// that differ by more than `much`.
 struct Apart {
   int most = 0;
   int many = 0;
@@ -62,8 +62,8 @@ void draw_something(Sitting& sitting) {
   sitting.draw({{60, 150}, {140, 120}, {200, 160}}, 0.4);
 }
 
-/// Whatever is done with whatever tool, what the window shows after only what changed was painted
-/// is what a full repaint shows.
+/// For any tool and any action, repainting only what changed gives the same picture as a full
+/// repaint.
 TEST(Canvas, PaintingWhatChangedIsPaintingEverything) {
   const char* const tools[] = {"pencil", "pull",  "smooth",    "width",
                                "eraser", "lasso", "transform", "connect"};
@@ -123,7 +123,7 @@ TEST(Canvas, RepaintsLittleWhileInkFlows) {
   }
 }
 
-/// The line as it is seen while it is drawn, and once it is in the document.
+/// The difference between the line while it is drawn and the line in the document.
 Apart jump_at_pen_up(Sitting& sitting, const std::vector<Point>& way) {
   sitting.canvas.set_pen_visible(false);
   sitting.go(way.front(), false);
@@ -132,11 +132,11 @@ Apart jump_at_pen_up(Sitting& sitting, const std::vector<Point>& way) {
   for (const Point& p : way) sitting.go(p, true, pressure = 1.1 - pressure);
   sitting.canvas.flush();
   const QImage wet = sitting.anew();
-  // Time for the pen to stop, since its last moments are no ink.
+  // Time for the pen to stop, because its last moments draw no ink.
   sitting.studio.apply(SelectTool{"eraser"});
   EXPECT_EQ(sitting.studio.session().document().stroke_count(), 1u);
   const QImage dry = sitting.anew();
-  // However fine the screen is: widths are fitted once more at the end, by less than is seen.
+  // Compared in pixels of the widget, because the final width fit changes less than the eye sees.
   const QSize seen = sitting.canvas.size();
   const auto as_seen = [&](const QImage& image) {
     return image.scaled(seen, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -144,7 +144,7 @@ Apart jump_at_pen_up(Sitting& sitting, const std::vector<Point>& way) {
   return apart(as_seen(wet), as_seen(dry));
 }
 
-/// Ink without the grain of the sheet, for as long as it lives: its colours are those of the
+/// Switches the grain of the surface off for its lifetime, so that ink has the colour of its
 /// strokes.
 struct SolidInk {
   SolidInk() { Settings::the().set(canvas_keys::kGrain, false); }
@@ -175,7 +175,7 @@ TEST(Canvas, WetInkIsTheInkThatDries) {
     const Apart off = jump_at_pen_up(sitting, loops);
     const double dpr = sitting.canvas.devicePixelRatioF();
     const int inked = qRound(apart(empty, sitting.anew()).many / (dpr * dpr));
-    EXPECT_GT(inked, 2000);  // there is a line to look at
+    EXPECT_GT(inked, 2000);  // there is a line to compare
     EXPECT_LE(off.many, inked / 200)
         << color << ": " << off.most << " at " << off.where.x() << "," << off.where.y();
   }
@@ -189,8 +189,8 @@ void draw_evenly(Sitting& sitting, double width_mm) {
   sitting.option("pencil.refine", false);
 }
 
-/// Of a line of one width only the end is fitted once more: all the rest stays, pixel for pixel, at
-/// any scale of the screen; `most` pixels may jump. Gives back the picture with the wet line.
+/// For a line of one width only the end is fitted again: the rest stays, pixel for pixel, at any
+/// scale of the screen; at most `most` pixels may change. Returns the picture with the wet line.
 QImage expect_no_jump(Sitting& sitting, const std::vector<Point>& way, int most = 0) {
   sitting.canvas.set_pen_visible(false);
   const std::size_t before = sitting.studio.session().document().stroke_count();
@@ -202,7 +202,7 @@ QImage expect_no_jump(Sitting& sitting, const std::vector<Point>& way, int most 
   QImage all = sitting.anew();
   sitting.studio.apply(SelectTool{"eraser"});
   EXPECT_EQ(sitting.studio.session().document().stroke_count(), before + 1);
-  // The frame that follows at once, and the one with all tiles.
+  // The very next frame, and the one with all tiles.
   for (int frame = 0; frame < 2; ++frame) {
     QImage wet = all;
     QImage dry = frame == 0 ? sitting.canvas.grab().toImage().convertToFormat(QImage::Format_RGB32)
@@ -234,7 +234,7 @@ TEST(Canvas, WetInkOfOneWidthDriesWhereItIs) {
   expect_no_jump(sitting, loops);
 }
 
-/// With the grain of the sheet, on rough paper and on glass: the same dust in the same places.
+/// With the grain of the surface, on rough paper and on glass: the same grain at the same points.
 TEST(Canvas, R47_WetInkOfEveryMediumDriesAsItLooks) {
   std::vector<Point> loops;
   for (int i = 0; i <= 60; ++i) {
@@ -249,13 +249,14 @@ TEST(Canvas, R47_WetInkOfEveryMediumDriesAsItLooks) {
     sitting.option("sheet.material", std::string(medium.look.rim > 0.0 ? "glass" : "rough-paper"));
     sitting.option("sheet.color", std::string("#20242c"));
     sitting.option("pencil.material", medium.id);
-    // Hairs are as thin as pixels: where a line crosses itself either way may show, 250 of 20,000.
+    // Hairs are as thin as pixels: where a line crosses itself, either pass may show, 250 of
+    // 20,000.
     expect_no_jump(sitting, loops, medium.look.streaks > 0.0 ? 250 : 0);
   }
   Settings::the().set(canvas_keys::kGrain, canvas_keys::kGrainDefault);
 }
 
-/// What is drawn in a layer is seen below the ink of the layers above it from its first sample on.
+/// Ink drawn in a layer appears below the ink of the layers above it from its first sample on.
 TEST(Canvas, WetInkLiesBelowTheLayersAboveIt) {
   const SolidInk solid;
   Sitting sitting;
@@ -279,7 +280,7 @@ TEST(Canvas, WetInkLiesBelowTheLayersAboveIt) {
   EXPECT_EQ(color_at(below, {100, 100}), QColor("#c02020"));
   EXPECT_EQ(color_at(below, {80, 100}), QColor("#202020"));
   EXPECT_NEAR(color_at(below, {150, 100}).blue(), 0.5 * (0xc0 + 0x20), 2);
-  // Nothing that is hidden, gone or below covers it.
+  // Ink that is hidden, removed or below does not cover it.
   sitting.studio.apply(LayerEvent{LayerEvent::Do::kHide, high});
   const QImage alone = expect_no_jump(sitting, {{40, 120}, {180, 120}, {260, 170}});
   EXPECT_EQ(color_at(alone, {100, 120}), QColor("#202020"));
@@ -293,8 +294,8 @@ TEST(Canvas, WetInkLiesBelowTheLayersAboveIt) {
   const QImage turned = expect_no_jump(sitting, {{40, 80}, {180, 80}, {260, 130}});
   EXPECT_EQ(color_at(turned, {100, 80}), QColor("#c02020"));
   sitting.studio.apply(LayerEvent{LayerEvent::Do::kUse, high});
-  // The straight from the corner on is fitted again as a whole when the pen is lifted, so it is
-  // short enough here to be all within the end that is not compared.
+  // The straight part after the corner is fitted again as a whole at pen-up, so it is short enough
+  // here to lie within the end that is not compared.
   const QImage over = expect_no_jump(sitting, {{40, 160}, {235, 160}, {255, 172}});
   EXPECT_EQ(color_at(over, {100, 160}), QColor("#202020"));
 }
@@ -402,7 +403,7 @@ TEST(Canvas, ViewChangesAreNoStepOfUndo) {
   EXPECT_TRUE(sitting.canvas.view_text().contains(QStringLiteral("mirrored")));
 }
 
-/// With a stylus that forces move, the nib is shown on its way from the hand to where they hold it.
+/// With a stylus that forces move, the nib is shown between the hand and where the forces hold it.
 TEST(Canvas, ShowsTheNibThatForcesHoldBackUnlessSwitchedOff) {
   const QString key = QString::fromLatin1(canvas_keys::kPseudoHaptics);
   Settings::the().set(QString::fromLatin1(canvas_keys::kForceArrow), false);
@@ -461,8 +462,8 @@ double thread_cpu_us() {
   return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
-/// What a sample costs on a large screen, on a line of many metres that crosses itself again and
-/// again: measured, printed, not judged here, since a loaded machine is slow.
+/// Measures and prints the cost of a sample on a large screen, for a line of many metres that
+/// crosses itself again and again. Does not judge it, because a loaded machine is slow.
 TEST(Canvas, CostOfASampleOfALongLine) {
   Sitting sitting({1920, 1080});
   sitting.option("pencil.max_width_mm", 3.0);
@@ -504,7 +505,7 @@ TEST(Canvas, AnotherSizeIsShownAtThePointer) {
   desk.canvas.flush();
   const QImage ring = desk.anew();
   EXPECT_NE(ring, before);
-  // Where the edge of a mouse's line would be.
+  // At the edge of a line drawn with the mouse.
   const double radius_mm = 0.5 * (0.3 + 0.5 * (12.0 - 0.3));
   const QPoint edge = desk.canvas.view().to_px({100 + radius_mm, 100}).toPoint();
   int other = 0;

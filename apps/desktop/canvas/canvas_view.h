@@ -9,8 +9,8 @@
 
 namespace felt::desktop {
 
-/// How the sheet is looked at: what lies in the middle of the widget, how large, turned and
-/// mirrored. Widget places are in device-independent pixels. No part of the drawing, and of no
+/// The view of the page: which point lies in the middle of the widget, scale, rotation and
+/// mirroring. Widget coordinates are in device-independent pixels. Not part of the drawing or of
 /// undo. A value.
 class CanvasView {
  public:
@@ -19,28 +19,28 @@ class CanvasView {
 
   [[nodiscard]] Point to_mm(QPointF px) const;
   [[nodiscard]] QPointF to_px(Point mm) const;
-  /// From mm to widget pixels: mirror, turn, scale.
+  /// Returns the transform from mm to widget pixels: mirror, turn, scale.
   [[nodiscard]] QTransform transform() const;
   [[nodiscard]] double px_per_mm() const noexcept { return px_per_mm_; }
-  /// Clockwise as it is seen, -180..180; the sheet is mirrored first.
+  /// Returns the angle as seen on the screen, clockwise, -180..180; the page is mirrored first.
   [[nodiscard]] double angle_deg() const noexcept { return angle_deg_; }
   [[nodiscard]] bool is_mirrored() const noexcept { return mirrored_; }
-  /// Around all of the sheet that the widget shows.
+  /// Returns the bounding box of the visible part of the plane, in mm.
   [[nodiscard]] Rect visible_mm() const;
 
   void set_size(QSizeF px) { size_ = px; }
   [[nodiscard]] QSizeF size() const noexcept { return size_; }
   void pan(QPointF px);
-  /// What is under `at` stays there. Factors that are not positive do nothing.
+  /// Zooms; the point under `at` stays there. Ignores factors that are not positive.
   void zoom(double factor, QPointF at);
   void turn(double degrees, QPointF at);
   void set_angle(double degrees);
-  /// What is seen is mirrored about the middle of the widget: left and right change places, and a
-  /// sheet that leant to one side leans to the other.
+  /// Mirrors the visible picture about the middle of the widget: left and right are swapped, and
+  /// the rotation changes its sign.
   void mirror();
-  /// All of it is seen, with a margin, as turned as it is.
+  /// Fits the rectangle into the widget with a margin, and keeps the rotation.
   void fit(const Rect& mm, double margin_px = 24.0);
-  /// 1 is life size on a screen of so many px per mm.
+  /// Sets the scale; it is life size if it equals the screen's pixels per mm.
   void set_scale(double px_per_mm);
   void center_on(Point mm) { center_ = mm; }
 

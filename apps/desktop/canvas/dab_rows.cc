@@ -11,9 +11,9 @@
 namespace felt::desktop {
 namespace {
 
-/// A row that is cut this far outside of a part does not show it inside.
+/// If a row is cut this far outside of a part, the cut is not visible inside.
 constexpr double kSeamPx = 2.0;
-/// Beyond that nothing can be seen, and numbers get coarse.
+/// Farther away nothing can be seen, and numbers lose precision.
 constexpr double kFarPx = 1e7;
 
 bool is_near(const Cubic& c) {
@@ -59,7 +59,7 @@ void DabRows::add(const Overlay::InkSegment& segment, double least_px) {
   Piece piece;
   piece.begins_row =
       pieces_.empty() || pieces_.back().box.empty() || distance(dabs_.back().center, c.p[0]) > 1e-3;
-  if (!is_near(c)) {  // keeps its number, and nothing is seen of it
+  if (!is_near(c)) {  // the segment keeps its index, but nothing of it is visible
     piece.first = dabs_.size();
     piece.begins_row = true;
     dabs_.push_back({c.p[0], 0.0});
@@ -105,6 +105,8 @@ std::size_t DabRows::end_of(std::size_t piece) const noexcept {
   return pieces_[piece + 1].first + (pieces_[piece + 1].begins_row ? 0 : 1);
 }
 
+/// Joins neighbouring segments that touch the part into one stretch, and outlines each stretch
+/// separately. The box of the part is enlarged by kSeamPx, so that the cut ends lie outside.
 void DabRows::trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out, std::size_t from,
                     std::size_t to) const {
   to = std::min(to, pieces_.size());

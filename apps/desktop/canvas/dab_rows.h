@@ -13,11 +13,11 @@
 
 namespace felt::desktop {
 
-/// From the sheet to device pixels.
+/// The transform from the page to device pixels.
 struct DeviceView {
   CanvasView view;
   double dpr = 1.0;
-  QPointF shift;  ///< of the picture, in pixels of the widget: less than one of the device
+  QPointF shift;  ///< of the picture, in pixels of the widget: less than one device pixel
 
   [[nodiscard]] double px_per_mm() const noexcept { return view.px_per_mm() * dpr; }
   [[nodiscard]] Point to_px(Point mm) const {
@@ -27,46 +27,46 @@ struct DeviceView {
   [[nodiscard]] Point to_mm(Point px) const {
     return view.to_mm({px.x / dpr - shift.x(), px.y / dpr - shift.y()});
   }
-  /// The device pixels that a part of the widget touches.
+  /// Returns the device pixels that a part of the widget touches.
   [[nodiscard]] PixelRect pixels_of(const QRectF& part) const;
-  /// The widget's pixels that these touch.
+  /// Returns the widget pixels that these device pixels touch.
   [[nodiscard]] QRect part_of(const Rect& px) const;
-  /// The same for whoever renders.
+  /// Returns this transform for the renderer.
   [[nodiscard]] View as_view() const;
 
   friend bool operator==(const DeviceView&, const DeviceView&) = default;
 };
 
-/// Curves of changing width as rows of dabs in device pixels: what wet ink and bands are drawn
-/// from. Any part of the picture can be traced by itself, and looks exactly as if all of it had
-/// been traced in one go, so that only what changed is ever painted again and ink with alpha
-/// covers every place once.
+/// Curves of changing width as rows of dabs in device pixels: wet ink and bands are drawn from
+/// them. Any part of the picture can be traced alone and looks exactly as if the whole picture had
+/// been traced at once. So only what changed is painted again, and ink with alpha covers each point
+/// once.
 class DabRows {
  public:
-  /// Rasterisation is as fine as that of dry ink.
+  /// Sets the view. Rasterisation is as fine as that of dry ink.
   void set_view(const DeviceView& view) { view_ = view; }
   void clear();
-  /// Goes on where the last one ends, or begins another row. Widths of less than `least_px`
-  /// (device pixels) are that.
+  /// Continues the last row if the segment starts at its end, or begins another. Widths below
+  /// `least_px` (device pixels) are drawn with that width.
   void add(const Overlay::InkSegment& segment, double least_px = 0.0);
   [[nodiscard]] std::size_t size() const noexcept { return pieces_.size(); }
   /// Keeps the first n segments.
   void keep(std::size_t n);
   static constexpr std::size_t kAll = static_cast<std::size_t>(-1);
-  /// Around the ink of the segments from the n-th on, up to another, in device pixels.
+  /// Returns the bounds, in device pixels, of the ink of the segments [from, to).
   [[nodiscard]] Rect bounds(std::size_t from = 0, std::size_t to = kAll) const;
 
-  /// Adds to `out` the outline of all that touches the part, for one fill by the non-zero rule.
-  /// Right within the part only. Of the segments from the n-th on, up to another.
+  /// Adds to `out` the outline of the segments [from, to) that touch the part, for one fill by the
+  /// non-zero rule. Correct only within the part.
   void trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out, std::size_t from = 0,
              std::size_t to = kAll) const;
-  /// Calls `lay(dabs)` for each row of dabs that touches the part, as far as it does.
+  /// Calls `lay(dabs)` for the part of each row of dabs that touches `part`.
   template <class Lay>
   void ways(const PixelRect& part, Lay lay) const;
 
  private:
   struct Piece {
-    std::size_t first = 0;  ///< dab that it begins on; the last one of the piece before in a row
+    std::size_t first = 0;  ///< first dab; in a row, it is the last dab of the previous piece
     Rect box;               ///< device pixels, with its width
     bool begins_row = false;
   };

@@ -9,8 +9,10 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kShadowDownPx = 2.0;
-constexpr std::array<double, 8> kShadowPx{2, 4, 7, 10, 13, 16, 19, 22};  // twice its reach
-constexpr int kShadowAlpha = 6;                                          // of each of these
+constexpr std::array<double, 8> kShadowPx{2, 4, 7, 10, 13, 16, 19, 22};  // widths of the layered
+                                                                         // outlines, twice their
+                                                                         // reach
+constexpr int kShadowAlpha = 6;                                          // of each layer
 
 }  // namespace
 
@@ -49,7 +51,8 @@ void Desk::paint(QPainter& painter, const QRect& part, const CanvasView& view) c
   painter.drawPolygon(sheet);
 }
 
-/// A shadow that fades outwards; on a dark desk a hair-line tells paper of the same colour apart.
+/// Paints a shadow that fades outwards. In a dark theme a hairline separates paper of the same
+/// colour.
 void Desk::paint_edge(QPainter& painter, const QPolygonF& sheet) const {
   painter.setBrush(Qt::NoBrush);
   const QPolygonF below = sheet.translated(0, kShadowDownPx);

@@ -10,14 +10,14 @@
 
 namespace felt::desktop {
 
-/// What lies below everything: the desk in a colour of the theme, a soft shadow, the paper in its
-/// own colour. Paper stays paper in a dark theme.
+/// The background of the canvas: the area around the page in a colour of the theme, a soft shadow,
+/// and the page in its own colour, which a dark theme does not change.
 class Desk {
  public:
   void set_page(const SheetPage& page) { page_ = page; }
   void set_palette(const QPalette& palette);
   [[nodiscard]] QColor color() const noexcept { return color_; }
-  /// Opaque: what ink is seen on. A sheet without paper is shown white.
+  /// Returns the opaque colour below the ink. A page without paper is shown white.
   [[nodiscard]] QColor paper() const;
   void paint(QPainter& painter, const QRect& part, const CanvasView& view) const;
 

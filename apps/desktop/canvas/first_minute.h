@@ -7,17 +7,17 @@
 
 namespace felt::desktop {
 
-/// What an empty sheet says to somebody who is here for the first time: what to do, how to correct
-/// it, how to take it back, and whether the pen's pressure is seen. Three quiet lines and one.
+/// The hints on an empty page for a new user: how to draw, how to correct, how to undo, and whether
+/// the pen's pressure is sensed. Three quiet lines and a status line.
 class FirstMinute {
  public:
-  /// `pull_key` as in ToolInfo. `status`: of pressure, translated.
+  /// Sets the texts. `pull_key` is as in ToolInfo; `status` is about pressure, translated.
   void set_text(char pull_key, const QString& status);
-  /// Where it stands, in a widget of this size.
+  /// Returns where the hints stand in a widget of this size.
   [[nodiscard]] QRect area(QSize widget, const QFont& font) const;
   void paint(QPainter& painter, QSize widget, const QFont& font, const QColor& ink,
              const QColor& paper) const;
-  /// All of it, for those who hear it.
+  /// Returns the whole text, for screen readers.
   [[nodiscard]] QString spoken() const;
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr PixelRect kWhole{0, 0, kTileSide, kTileSide};
 
-/// A stroke's edge may ink pixels so far from where it is.
+/// The edge of a stroke may ink pixels this far from its geometry.
 constexpr double kEdgePx = 2.0;
 
 PixelRect united(PixelRect a, PixelRect b) noexcept {
@@ -19,14 +19,14 @@ PixelRect united(PixelRect a, PixelRect b) noexcept {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
 }
 
-/// Whole pixels around an area, far ones brought near enough for integers.
+/// Returns the whole pixels around an area; clamps far ones so that they fit integers.
 PlaneRect pixels_around(const Rect& px) noexcept {
   const auto whole = [](double x) { return static_cast<std::int64_t>(std::clamp(x, -1e15, 1e15)); };
   return {whole(std::floor(px.x0 - kEdgePx)), whole(std::floor(px.y0 - kEdgePx)),
           whole(std::ceil(px.x1 + kEdgePx)), whole(std::ceil(px.y1 + kEdgePx))};
 }
 
-/// The part of a tile that lies in an area of its plane.
+/// Returns the part of a tile that lies in an area of its plane.
 PixelRect part_of(TilePlace place, const PlaneRect& area) noexcept {
   const PlaneRect tile = rect_of(place), both = tile.intersected(area);
   if (both.empty()) return {};
@@ -67,7 +67,7 @@ void InkDesk::open(const Document& document) {
 void InkDesk::apply(const Edit& edit) {
   InkDamage areas;
   drop_splits();
-  // An edit that does not fit is none that the document took; the preview is gone all the same.
+  // The document did not accept an edit that is invalid here; the preview is gone in any case.
   static_cast<void>(scene_->apply(edit, areas));
   damage(areas);
 }
@@ -112,7 +112,7 @@ std::size_t InkDesk::tile_count() const noexcept {
   return count;
 }
 
-/// The preview is over. What was put together for it in a hurry is drawn again.
+/// Ends the preview. Tiles whose pixels were rounded for speed are drawn again.
 void InkDesk::drop_splits() {
   for (auto& [id, plane] : planes_) {
     for (auto& [place, tile] : plane.tiles) {
@@ -151,13 +151,19 @@ void InkDesk::damage(Tile& tile, PixelRect part) {
   ++tile.damages;
 }
 
+/// An edit marks the parts of existing tiles that it changes as dirty. plan() chooses one tile:
+/// first outdated ones in the view, then missing ones in the view, then what covers new ink, then a
+/// ring around the view while memory lasts, at last outdated tiles of other planes. work() paints
+/// the dirty part, stroke by stroke, into a new picture, which replaces the old one when it is
+/// finished. If an interrupted picture became outdated, the next attempt is not interrupted, so
+/// that a tile appears even while edits arrive all the time.
 InkDesk::Need InkDesk::plan() {
   choice_ = choose();
   return choice_.need;
 }
 
-/// The tile in an area that is to be worked on and lies nearest to the middle of the view: those
-/// that are there and wrong first.
+/// Returns the tile in an area that needs work and lies nearest to the middle of the view. Tiles
+/// that exist but are outdated come first.
 std::optional<InkDesk::Choice> InkDesk::nearest(const Plane& plane, const PlaneRect& area,
                                                 bool only_made) const {
   if (area.empty()) return std::nullopt;
@@ -180,7 +186,8 @@ std::optional<InkDesk::Choice> InkDesk::nearest(const Plane& plane, const PlaneR
   return best;
 }
 
-/// What covers new ink: once the view itself is there, since nothing but that ink waits for it.
+/// Returns a tile of what covers new ink. Comes after the view's own tiles, because only that ink
+/// needs it.
 std::optional<InkDesk::Choice> InkDesk::choose_over() const {
   const auto over = planes_.find(over_);
   if (over == planes_.end()) return std::nullopt;
@@ -206,7 +213,7 @@ InkDesk::Choice InkDesk::choose() const {
     }
   }
   if (!scene_->previewed().empty()) return {};
-  // What may be shown again, or scaled, when the view changes.
+  // Other planes, which may be shown again, or scaled, when the view changes.
   for (const auto& [id, other] : planes_) {
     for (const auto& [place, tile] : other.tiles) {
       if (tile.is_made && !tile.dirty.empty()) return {Need::kAround, id, place};
@@ -230,7 +237,7 @@ InkDesk::Begun InkDesk::begin(const Choice& choice, Plane& plane, Tile& tile) {
   return begun;
 }
 
-/// False: laid down.
+/// Returns false if it was interrupted.
 bool InkDesk::paint(Plane& plane, Tile& tile, Begun& begun,
                     const std::function<bool()>& should_stop) {
   const Pixels pixels = pixels_of(*begun.picture);
@@ -280,7 +287,7 @@ void InkDesk::work(std::uint64_t order, const std::function<bool()>& should_stop
   drop_old(news);
 }
 
-/// Gives up what was not looked at for longest, until the rest fits.
+/// Drops the tiles that were not used for longest, until the rest fits.
 void InkDesk::drop_old(std::vector<TileNews>& news) {
   while (bytes_ > most_bytes_) {
     Plane* in = nullptr;

@@ -11,29 +11,30 @@
 
 namespace felt::desktop {
 
-/// What the worker has on its desk: the scene, the planes with their tiles, the work that is to be
-/// done next. One thread.
+/// The worker's state: the scene, the planes with their tiles, and the choice of the next work. Use
+/// in one thread.
 class InkDesk {
  public:
   /// How urgent the next work is.
   enum class Need { kRepair, kMissing, kAround, kNone };
 
-  /// Tiles of all planes take at most about so much memory; those of the view are kept in any case.
+  /// `most_bytes` is roughly the limit of all tiles; tiles of the view are kept in any case.
   explicit InkDesk(std::size_t most_bytes = std::size_t{256} << 20U) : most_bytes_(most_bytes) {}
 
   void open(const Document& document);
   void apply(const Edit& edit);
   void show(const std::optional<Edit>& preview);
-  /// `over`: a plane of the same view that shows what lies above a layer; made after the other.
+  /// Sets the view. `over`: a plane of the same view that shows only what lies above a layer; its
+  /// tiles are made after the others.
   void look(const PlaneSpec& plane, const PlaneRect& seen,
             const std::optional<PlaneSpec>& over = {});
   void forget(std::uint64_t plane);
 
-  /// Decides what work() is to do.
+  /// Chooses what work() does, and returns how urgent that is.
   Need plan();
-  /// Makes or mends the tile that plan() chose. `should_stop` is asked between strokes; a work that
-  /// was laid down is taken up by the next call, unless something else is more urgent then. `order`
-  /// goes into the news.
+  /// Makes or repairs the tile that plan() chose. Calls `should_stop` between strokes; the next
+  /// call resumes interrupted work, unless something else is more urgent by then. `order` goes into
+  /// the news.
   void work(std::uint64_t order, const std::function<bool()>& should_stop,
             std::vector<TileNews>& news);
   [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
@@ -44,7 +45,7 @@ class InkDesk {
     TilePtr picture;
     PixelRect dirty;
     bool is_made = false;
-    bool must_finish = false;  // was begun in vain once
+    bool must_finish = false;  // an attempt became outdated: the next is not interrupted
     std::uint64_t damages = 0;
     std::uint64_t used = 0;
     std::unique_ptr<TileSplit> split;
@@ -53,7 +54,7 @@ class InkDesk {
     PlaneSpec spec;
     std::map<TilePlace, Tile> tiles;
   };
-  /// A tile in the making that was laid down.
+  /// A tile whose painting was interrupted.
   struct Begun {
     std::uint64_t plane = 0;
     TilePlace place;

@@ -11,7 +11,7 @@
 
 namespace felt::desktop {
 
-/// Which tile of a plane: tile (x, y) begins at pixel (256 x, 256 y).
+/// The position of a tile in a plane: tile (x, y) begins at pixel (256 x, 256 y).
 struct TilePlace {
   std::int64_t y = 0;
   std::int64_t x = 0;
@@ -19,7 +19,8 @@ struct TilePlace {
   friend constexpr auto operator<=>(const TilePlace&, const TilePlace&) noexcept = default;
 };
 
-/// A rectangle of pixels of a plane, which is as large as the sheet is wide; x1 and y1 are past it.
+/// A rectangle of pixels of a plane. 64-bit, because a plane covers the whole page at its scale; x1
+/// and y1 are exclusive.
 struct PlaneRect {
   std::int64_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
@@ -38,7 +39,7 @@ constexpr std::int64_t floor_to_tile(std::int64_t px) noexcept {
   return px >= 0 ? px / kTileSide : -((kTileSide - 1 - px) / kTileSide);
 }
 
-/// The tiles that a rectangle of a plane touches: from the first to the last, both included.
+/// The tiles that a rectangle of a plane touches: from `first` to `last`, both included.
 struct TileRange {
   TilePlace first, last;
 
@@ -56,22 +57,22 @@ constexpr PlaneRect rect_of(TilePlace place) noexcept {
   return {x, y, x + kTileSide, y + kTileSide};
 }
 
-/// The pixels of a tile: premultiplied BGRA, rows top to bottom. Shared between threads, hence
-/// never changed once published.
+/// The pixels of a tile: premultiplied BGRA, rows top to bottom. Shared between threads, so never
+/// changed once published.
 struct TilePicture {
   static constexpr std::size_t kBytes = std::size_t{4} * kTileSide * kTileSide;
   std::vector<std::uint8_t> bytes = std::vector<std::uint8_t>(kBytes);
 };
-/// Null: no ink is on it.
+/// Null: the tile has no ink.
 using TilePtr = std::shared_ptr<const TilePicture>;
 
-/// Sheets seen at one scale, angle and in one style, with pixel (0, 0) at one place: what tiles are
-/// cut from. Pixels of a plane never change for another view of the same kind.
+/// A plane: the drawing at one scale, angle and style, with pixel (0, 0) at a fixed point. Tiles
+/// are cut from it. Panning does not change a plane's pixels.
 struct PlaneSpec {
   std::uint64_t id = 0;
   View view;
   InkStyle style;
-  /// Only the layers above this one: what covers ink that is drawn in it.
+  /// If set, shows only the layers above this one: they cover ink that is drawn in it.
   std::optional<LayerId> above{};
 };
 
@@ -82,7 +83,7 @@ struct TileNews {
   bool is_there = true;
   TilePtr picture;
   PixelRect changed;        ///< in the tile
-  std::uint64_t order = 0;  ///< it shows all that was asked up to this order
+  std::uint64_t order = 0;  ///< it shows every order up to this one
 };
 
 }  // namespace felt::desktop

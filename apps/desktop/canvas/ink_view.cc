@@ -15,18 +15,18 @@
 namespace felt::desktop {
 namespace {
 
-/// A stroke that was just drawn must be seen in the very next frame: painting waits so long for the
-/// worker, which as a rule needs a fraction of it.
+/// A stroke that was just drawn must appear in the very next frame: painting waits this long for
+/// the worker, which usually needs a fraction of it.
 constexpr std::chrono::microseconds kPatience{2000};
 
-/// Strokes of one edit that are painted here when the worker is late.
+/// Most strokes of one edit that are painted here if the worker is late.
 constexpr std::size_t kMostFresh = 8;
 constexpr int kMostFreshSegments = 400;
 
-/// Planes that are kept for the way back, and for what is shown until new tiles come.
+/// Most planes that are kept, for returning to an earlier view and as stand-ins for missing tiles.
 constexpr std::size_t kMostPlanes = 6;
 
-/// Farther away than this from a plane's first view another plane begins.
+/// Farther away than this from the first view of a plane, another plane begins.
 constexpr double kFarthestPx = 1e9;
 
 constexpr double kHairPx = 1.0;
@@ -58,7 +58,7 @@ struct InkView::State {
     std::uint64_t style = 0;
     std::map<TilePlace, Tile> tiles;
   };
-  /// A stroke that the tiles may not have yet.
+  /// A stroke that may be missing from the tiles.
   struct Fresh {
     std::uint64_t order = 0;
     StrokeId id;
@@ -77,7 +77,7 @@ struct InkView::State {
     return {device.left() + left, device.top() + top, device.right() + 1 + left,
             device.bottom() + 1 + top};
   }
-  /// What the widget shows.
+  /// Returns the part of the plane that the widget shows.
   [[nodiscard]] PlaneRect seen() const {
     return plane_rect(QRect(0, 0, static_cast<int>(std::ceil(view.size().width() * dpr)),
                             static_cast<int>(std::ceil(view.size().height() * dpr))));
@@ -93,21 +93,21 @@ struct InkView::State {
   double dpr = 1.0;
   Grain grain;
   bool is_outline = false;
-  std::uint64_t style = 0;  // counts changes of the two
+  std::uint64_t style = 0;  // counts changes of grain and outline mode
   std::uint64_t last_plane = 0;
-  std::vector<Plane> planes;       // the one in use last
-  std::optional<LayerId> new_ink;  // the layer that gets it, where others cover it
-  std::optional<Plane> over;       // these others, in the view of the plane in use
-  std::int64_t left = 0, top = 0;  // of the widget, in the plane
+  std::vector<Plane> planes;       // the current one last
+  std::optional<LayerId> new_ink;  // the layer of new ink, if other layers cover it
+  std::optional<Plane> over;       // these layers, in the view of the current plane
+  std::int64_t left = 0, top = 0;  // of the widget, in pixels of the plane
   std::map<LayerId, bool> visible;
   std::vector<Fresh> fresh;
   TilePainter strokes;
   bool is_previewing = false;
-  std::uint64_t opened = 0;  // the order that brought the document
+  std::uint64_t opened = 0;  // the order that set the document
   InkWorker worker;          // last, so that its thread ends first
 };
 
-/// Takes the plane of this scale, angle and style, or lays out a new one.
+/// Selects the plane of this scale, angle and style, or makes a new one.
 void InkView::State::choose_plane() {
   const View now = DeviceView{view, dpr, {}}.as_view();
   const auto is_same = [&](const Plane& plane) {
@@ -124,8 +124,8 @@ void InkView::State::choose_plane() {
     const InkStyle look{grain, is_outline ? kHairPx * std::max(1.0, dpr) : 0.0};
     planes.push_back({{++last_plane, now, look}, style, {}});
     if (planes.size() > kMostPlanes) {
-      // Given up is what can stand in least: while somebody zooms faster than tiles come, the last
-      // full picture stays.
+      // Drops the plane that can stand in least. So the last full picture stays while the user
+      // zooms faster than tiles are made.
       const auto least = std::min_element(
           planes.begin(), planes.end() - 1,
           [&](const Plane& a, const Plane& b) { return covered(a, now) < covered(b, now); });
@@ -192,7 +192,7 @@ void InkView::apply(const Edit& edit) {
   for (const LayerChange& c : edit.layers) {
     if (c.after) s.visible[c.id] = c.after->visible;
   }
-  if (!edit.layers.empty() && s.over) {  // what lies above may be something else
+  if (!edit.layers.empty() && s.over) {  // what lies above may have changed
     s.drop_over();
     s.ask();
   }
@@ -285,7 +285,7 @@ void InkView::finish() {
   take_news();
 }
 
-/// Takes the worker's tiles over and says which parts of the widget they change.
+/// Takes the worker's tiles and emits which parts of the widget they change.
 void InkView::take_news() {
   State& s = *state_;
   const PlaneRect seen = s.seen();
@@ -318,7 +318,7 @@ void InkView::take_news() {
   }
 }
 
-/// A tile of what covers new ink.
+/// Handles a tile of what covers new ink.
 void InkView::take_over(TileNews& news) {
   State& s = *state_;
   if (!news.is_there) {
@@ -328,11 +328,14 @@ void InkView::take_over(TileNews& news) {
   if (news.order < s.opened) return;
   const bool is_first = s.over->tiles.count(news.place) == 0;
   s.over->tiles[news.place] = {std::move(news.picture), news.order};
-  // Ink that flows meanwhile was painted without it.
+  // Ink drawn since then was painted without it.
   const PlaneRect part = rect_of(news.place).intersected(s.seen());
   if (is_first && !part.empty()) Q_EMIT changed(s.on_widget(part));
 }
 
+/// Waits a little for the worker, copies the tiles of the current plane, fills the missing ones
+/// from the plane that covers most of the view, and paints new strokes over tiles that are older
+/// than they are.
 void InkView::paint(QPainter& painter, const QRect& part) {
   State& s = *state_;
   if (s.planes.empty()) return;
@@ -376,7 +379,7 @@ void InkView::State::copy_tiles(QPainter& painter, const Plane& plane, const QRe
   }
 }
 
-/// How much of a view the tiles of another plane can show, 0..1 or so.
+/// Returns roughly which share of a view the tiles of another plane can show, 0..1.
 double InkView::State::covered(const Plane& plane, const View& from) const {
   const double width = view.size().width() * dpr, height = view.size().height() * dpr;
   const Rect seen = plane.spec.view.area_px(from.area_mm({0, 0}, {width, height}));
@@ -392,7 +395,7 @@ double InkView::State::covered(const Plane& plane, const View& from) const {
   return area / (seen.width() * seen.height());
 }
 
-/// Where tiles are missing: those of another plane, scaled and turned.
+/// Fills missing tiles with those of another plane, scaled and turned.
 void InkView::State::paint_others(QPainter& painter, const QRegion& missing) {
   const View& here = planes.back().spec.view;
   const View seen = here.from({static_cast<double>(left), static_cast<double>(top)});
@@ -418,7 +421,7 @@ void InkView::State::paint_others(QPainter& painter, const QRegion& missing) {
   painter.restore();
 }
 
-/// Strokes that were just drawn, over the tiles that have not got them yet.
+/// Paints strokes that were just drawn over the tiles that do not have them yet.
 void InkView::State::paint_fresh(QPainter& painter, Plane& plane, const QRect& device) {
   const View seen = plane.spec.view.from({static_cast<double>(left), static_cast<double>(top)});
   for (const Fresh& f : fresh) {

@@ -17,14 +17,13 @@ namespace felt::desktop {
 struct TileNews;
 
 /// The picture of a document's ink for a widget: raster tiles that a worker keeps up to date, so
-/// that painting is copying and the pen is never waited for (performance 1.4).
+/// that painting only copies and the pen never waits (performance 1.4).
 ///
 ///   view.set_document(document);        // once; then
-///   view.apply(edit);                   // every edit that it took
-///   view.show(session.preview());       // what a gesture would do: its strokes apart
+///   view.apply(edit);                   // for every edit that the document applied
+///   view.show(session.preview());       // the preview of a gesture
 ///   view.set_view(canvas_view, dpr);
-///   view.paint(painter, dirty);         // copies what is there; old tiles, scaled, where new ones
-///                                       // are being made
+///   view.paint(painter, dirty);         // copies the tiles; old ones stand in for missing ones
 ///
 /// Qt's main thread; the worker is inside.
 class InkView : public QObject {
@@ -36,34 +35,36 @@ class InkView : public QObject {
 
   void set_document(const Document& document);
   void apply(const Edit& edit);
-  /// The document with this edit is what is to be seen; replaces the last one. Cheap when it is the
-  /// same strokes of which others come out, as in every gesture.
+  /// Shows `preview` applied to the document, replacing any previous preview. Cheap if the previews
+  /// of a gesture change the same strokes, as they usually do.
   void show(const std::optional<Edit>& preview);
-  /// `dpr`: device pixels a widget pixel.
+  /// Sets the view. `dpr`: device pixels per widget pixel.
   void set_view(const CanvasView& view, double dpr);
-  /// The relief of the sheet in the ink; its field must outlive this.
+  /// Sets the relief of the surface for the ink; its field must outlive this.
   void set_grain(const Grain& grain);
-  /// Centre lines only, hair-thin.
+  /// Shows only centre lines, hair-thin.
   void set_outline_mode(bool on);
-  /// New ink goes into this layer, below the ink of the layers above it; none: over all ink.
+  /// New ink goes into this layer, below the ink of the layers above it; none: above all ink.
   void draw_below(std::optional<LayerId> layer);
-  /// Paints what covers new ink over a picture of it whose corner is at this device pixel of the
-  /// widget; only where it has ink itself, so that it can be painted over all that is there.
+  /// Paints what covers new ink over `ink`, a picture of it whose corner is at the device pixel
+  /// `at` of the widget. Paints only where `ink` has ink, so that the result can be painted over
+  /// the canvas.
   void cover(QImage& ink, QPoint at);
-  /// From mm to widget pixels, exactly as the ink is painted: as the view says but for a part of a
-  /// device pixel, so that panning copies. What is to lie on the ink without a seam uses this.
+  /// Returns the transform from mm to widget pixels exactly as the ink is painted: that of the
+  /// view, shifted by less than a device pixel so that panning copies. Use it for anything that
+  /// must lie on the ink without a seam.
   [[nodiscard]] QTransform transform() const;
-  /// Paints the ink of this part of the widget over what the painter has.
+  /// Paints the ink of this part of the widget over the painter's present content.
   void paint(QPainter& painter, const QRect& part);
-  /// Tiles of the view that are not there yet; others stand in for them.
+  /// Returns the number of the view's tiles that are missing; others stand in for them.
   [[nodiscard]] int missing_tiles() const;
-  /// All tiles of the view are as they should be.
+  /// Returns true if all tiles of the view are up to date.
   [[nodiscard]] bool is_up_to_date() const;
-  /// Waits for that; for tests and pictures.
+  /// Waits until is_up_to_date(); for tests and pictures.
   void finish();
 
  Q_SIGNALS:
-  /// This part of the widget is to be painted again.
+  /// This part of the widget has to be painted again.
   void changed(const QRect& part);
 
  private:

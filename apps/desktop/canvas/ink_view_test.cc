@@ -18,7 +18,7 @@ namespace {
 
 constexpr QSize kSize(300, 220);
 
-/// What `ink` is to look like: every stroke that is seen, drawn straight, one after another.
+/// The expected picture: every visible stroke, drawn directly, one after another.
 QImage drawn_straight(const Document& document, const QTransform& to_px, double dpr, bool outline,
                       QSize size = kSize) {
   QImage image(size * dpr, QImage::Format_ARGB32_Premultiplied);
@@ -57,7 +57,7 @@ QImage painted(InkView& ink, double dpr, QSize size = kSize) {
 
 struct Difference {
   int worst = 0;
-  int pixels = 0;  // that differ by more than 2
+  int pixels = 0;  // number that differ by more than 2
 };
 
 Difference difference(const QImage& a, const QImage& b) {
@@ -93,8 +93,8 @@ CanvasView random_view(testing::RandomStroke& random) {
   return view;
 }
 
-/// Random documents, edits and previews in random views: what is kept up to date piece by piece
-/// looks like what is drawn anew.
+/// Random documents, edits and previews in random views: the incremental picture equals a full
+/// repaint.
 TEST(InkView, IncrementalPictureIsTheFullOne) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -143,8 +143,8 @@ StrokePtr line(Point a, Point b, double width, Rgba color = {0, 0, 0, 255}) {
   return std::make_shared<const Stroke>(Stroke::create(std::move(data)).value());
 }
 
-/// Lines side by side across the view, transparent ones among them, and one across them all in the
-/// middle of the order.
+/// Parallel lines across the view, some transparent, and one that crosses them all in the middle of
+/// the order.
 Document lattice(int lines) {
   Document document;
   EditBuilder builder(document);
@@ -202,7 +202,7 @@ TEST(InkView, WhatWasShownStaysWhenItIsCommittedInEveryFrame) {
   EXPECT_LE(difference(painted(ink, 1.0), full).worst, 2);
 }
 
-/// However much the worker has to do: the stroke that was just drawn is in the next frame.
+/// For any load of the worker, the stroke that was just drawn is in the next frame.
 TEST(InkView, AStrokeIsSeenAsSoonAsItIsThere) {
   Document document = lattice(30);
   InkView ink;
@@ -320,7 +320,7 @@ TEST(InkView, TheEndsOfTheWorldAndAnEmptyWidget) {
   }
 }
 
-/// Whatever the worker is at when it ends.
+/// The worker can be ended during any work.
 TEST(InkView, EndsInTheMiddle) {
   const Document document = lattice(200);
   for (int round = 0; round < 60; ++round) {

@@ -24,7 +24,7 @@ std::uint64_t InkWorker::post(Order order) {
   std::uint64_t number = 0;
   {
     const std::lock_guard lock(mutex_);
-    // Of two views or previews in a row nobody sees the first.
+    // Of two views or previews in a row the first would never be seen.
     if (!orders_.empty() && orders_.back().index() == order.index() &&
         (std::holds_alternative<Look>(order) ||
          std::holds_alternative<std::optional<Edit>>(order))) {
@@ -76,7 +76,7 @@ void InkWorker::wait(Stage stage) {
   has_stage_.wait(lock, [&] { return stage_ >= stage; });
 }
 
-/// Waits for orders where there is nothing else to do. False: the end.
+/// Waits for orders if there is nothing else to do. Returns false at the end.
 bool InkWorker::take_orders(std::deque<Order>& orders, std::uint64_t& last) {
   std::unique_lock lock(mutex_);
   if (is_idle_) has_orders_.wait(lock, [&] { return !orders_.empty() || quits_; });
@@ -90,7 +90,7 @@ void InkWorker::set_stage(Stage stage, std::uint64_t order) {
   {
     const std::lock_guard lock(mutex_);
     repaired_ = order;
-    if (order != posted_) return;  // there is more to do by now
+    if (order != posted_) return;  // another order has arrived since
     stage_ = stage;
   }
   has_stage_.notify_all();

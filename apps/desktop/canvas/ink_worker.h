@@ -18,28 +18,28 @@
 
 namespace felt::desktop {
 
-/// A thread that keeps tiles of a document up to date. Everything that is asked of it is an order
-/// with a number; orders are carried out in turn, previews that another one overtook left out.
-/// Made first: tiles on the screen that an edit changed, then those that are missing, from the
-/// middle outwards, then a ring around the view. All calls are for one other thread and return at
-/// once, but for `wait`.
+/// A thread that keeps tiles of a document up to date. Each request is an order with a number.
+/// Orders are carried out in sequence; a preview or view is skipped if the next order replaces it.
+/// Tiles are made in this sequence: tiles on the screen that an edit changed, then missing ones,
+/// from the middle outwards, then a ring around the view. Call all functions from one other thread;
+/// all but `wait` return immediately.
 class InkWorker {
  public:
-  /// What of all orders and of the view is done.
+  /// How far the orders and the view are finished.
   enum class Stage {
-    kBusy,      ///< an order waits, or a tile on the screen shows what was
-    kRepaired,  ///< whatever tile of the view is there is right
+    kBusy,      ///< an order waits, or a tile on the screen is outdated
+    kRepaired,  ///< every existing tile of the view is up to date
     kComplete,  ///< the view has all its tiles
   };
 
-  /// `on_news` is called in the worker's thread when there is something to take.
+  /// `on_news` is called in the worker's thread when take_news() has something new.
   explicit InkWorker(std::function<void()> on_news);
-  /// Leaves off in the middle of any work.
+  /// Interrupts any work.
   ~InkWorker();
   InkWorker(const InkWorker&) = delete;
   InkWorker& operator=(const InkWorker&) = delete;
 
-  /// Each gives back the number of the order.
+  /// Each returns the number of the order.
   std::uint64_t open(Document document);
   std::uint64_t apply(Edit edit);
   std::uint64_t show(std::optional<Edit> preview);
@@ -47,14 +47,14 @@ class InkWorker {
                      const std::optional<PlaneSpec>& over = {});
   std::uint64_t forget(std::uint64_t plane);
 
-  /// Takes what is new since the last time, in the order in which it was made.
+  /// Returns and removes the news since the last call, in the order in which it was made.
   [[nodiscard]] std::vector<TileNews> take_news();
   [[nodiscard]] Stage stage() const;
-  /// The last order that the tiles on the screen show.
+  /// Returns the last order that the tiles on the screen show.
   [[nodiscard]] std::uint64_t repaired_order() const noexcept { return repaired_.load(); }
-  /// Waits for a stage, at most so long. False: it was not reached.
+  /// Waits for a stage, at most this long. Returns false if it was not reached.
   bool wait(Stage stage, std::chrono::microseconds at_most);
-  /// Likewise, as long as it takes.
+  /// Waits for a stage without a limit.
   void wait(Stage stage);
 
   struct Look {

@@ -14,8 +14,8 @@
 
 namespace felt::desktop {
 
-/// Something that is drawn over the ink, in pixels of the widget. Two equal ones look alike, so
-/// what is to be painted again is where two lists differ.
+/// A shape drawn over the ink, in pixels of the widget. Equal marks look alike, so only the
+/// differences of two lists have to be painted again.
 struct Mark {
   enum class Kind : std::uint8_t {
     kLines,   ///< joined lines
@@ -23,16 +23,16 @@ struct Mark {
     kRing,    ///< points[0], size: radius
     kDot,     ///< points[0]
     kLabel,   ///< text in the plate points[0] to points[1]
-    kNib,     ///< where ink would begin: points[0], size: radius
-    kHand,    ///< from the hand to the nib that forces hold back
+    kNib,     ///< the spot where ink would begin: points[0], size: radius
+    kHand,    ///< the link from the hand to the nib that forces hold back
     kForce,   ///< an arrow at the nib
-    kNormal,  ///< a bar for the force out of the sheet: points[0], size: height
+    kNormal,  ///< a bar for the force out of the surface: points[0], size: height
   };
   Kind kind = Kind::kLines;
   Overlay::Role role = Overlay::Role::kGuide;
   QPolygonF points = {};
   double size = 0.0;
-  double phase = 0.0;  ///< length of the line before this part of it, for its dashes
+  double phase = 0.0;  ///< length of the line before this part, for its dashes
   QString text = {};
   QRect box = {};  ///< around all that is painted
 
@@ -41,32 +41,32 @@ struct Mark {
 
 using Marks = std::vector<Mark>;
 
-/// Where the pen is and what it feels, as marks show it. Pixels of the widget.
+/// Where the pen is and which force it feels, in pixels of the widget.
 struct PenMark {
-  QPointF hand;         ///< where mouse or tablet are
-  QPointF nib;          ///< where it is shown
-  double radius = 0.0;  ///< of the dot that it would draw; 0: no ring around the nib
-  QPointF force_n{};    ///< in the sheet, as it is seen; 0: no arrow
-  double out_n = 0.0;   ///< out of the sheet; likewise
+  QPointF hand;         ///< position of mouse or tablet
+  QPointF nib;          ///< position at which the nib is shown
+  double radius = 0.0;  ///< radius of the dot that it would draw; 0: no ring around the nib
+  QPointF force_n{};    ///< in the plane, in directions of the screen; 0: no arrow
+  double out_n = 0.0;   ///< out of the surface; 0: no bar
 };
 
-/// Adds what a tool shows but wet ink and bands; what lies outside of the widget is left out.
+/// Adds the marks of a tool, except wet ink and bands; skips those outside of the widget.
 void list_overlay(const Overlay& overlay, const CanvasView& view, const QFont& font, Marks& marks);
 /// Adds nib, hand and force.
 void list_pen(const PenMark& pen, Marks& marks);
-/// Adds around everything of which two lists differ; few rectangles.
+/// Adds the area of all marks that are in only one of the two lists, as few rectangles.
 void add_difference(const Marks& before, const Marks& after, QRegion& region);
 
-/// An opaque colour between a and b; share_of_b is 0 to 1.
+/// Returns an opaque colour between a and b; share_of_b is 0 to 1.
 QColor mixed(QColor a, QColor b, double share_of_b);
 
-/// The colours of marks on paper: the palette that any colour vision tells apart, lighter on dark
-/// paper, with a halo that keeps every mark apart from the ink below.
+/// The colours of marks on paper: a palette for any colour vision, lighter on dark paper, with a
+/// halo that separates every mark from the ink below.
 class MarkLook {
  public:
   explicit MarkLook(QColor paper);
   [[nodiscard]] QColor color(Overlay::Role role) const;
-  /// Opaque, on the paper.
+  /// Returns an opaque colour for a band on the paper.
   [[nodiscard]] QColor band(Overlay::Role role) const;
   [[nodiscard]] QColor force() const;
   [[nodiscard]] QColor halo() const noexcept { return halo_; }

@@ -12,15 +12,16 @@ namespace {
 
 using Kind = Mark::Kind;
 
-constexpr int kPointsOfAPart = 24;  // of a long line; parts are compared and painted by themselves
+constexpr int kPointsOfAPart = 24;  // a long line is split into parts, which are compared and
+                                    // painted separately
 constexpr double kAroundPx = 4.0;   // halo, line width and edges, around the points of a mark
-constexpr double kBeyondPx = 64.0;  // around the widget: no mark begins to be seen from farther
+constexpr double kBeyondPx = 64.0;  // around the widget: a mark farther out is not visible
 constexpr double kDotPx = 7.0;
 constexpr double kPlateGapPx = 10.0;
 constexpr double kPlatePadPx = 4.0;
-constexpr double kArrowPx = 46.0;      // of a force that would never end
-constexpr double kArrowHalfN = 0.7;    // half of that
-constexpr double kLeastForceN = 0.02;  // less is not shown
+constexpr double kArrowPx = 46.0;      // length for an infinite force
+constexpr double kArrowHalfN = 0.7;    // force at half that length
+constexpr double kLeastForceN = 0.02;  // a smaller force is not shown
 constexpr double kBarPx = 26.0;
 constexpr double kBarAsidePx = 15.0;
 
@@ -28,7 +29,7 @@ QRect around(const QPolygonF& points, double margin) {
   return points.boundingRect().adjusted(-margin, -margin, margin, margin).toAlignedRect();
 }
 
-/// The part of a line within a rectangle (Liang and Barsky).
+/// Returns the part of a line within a rectangle (Liang and Barsky).
 std::optional<QLineF> clipped(const QLineF& line, const QRectF& in) {
   double t0 = 0.0, t1 = 1.0;
   const double dx = line.dx(), dy = line.dy();
@@ -84,7 +85,7 @@ class Lister {
     mark.box = around(mark.points, kDotPx);
     marks_.push_back(mark);
   }
-  /// Beside its place, on the side where there is room in the widget.
+  /// Places a label beside its point, on the side where the widget has room.
   void label(const Overlay::Label& label) {
     const QPointF at = view_.to_px(label.at);
     if (!seen_.contains(at)) return;
@@ -103,8 +104,9 @@ class Lister {
   }
 
  private:
-  /// In parts, each with the phase of its dashes, of what can be seen: a long line that grows is
-  /// painted again at its end only, and dashes of a line across ten screens are not counted out.
+  /// Adds the visible part of a line in pieces, each with the phase of its dashes. So a long line
+  /// that grows is repainted only at its end, and dashes of a line across ten screens are not
+  /// computed.
   void lines(const QPolygonF& points, Overlay::Role role) {
     Mark part{Kind::kLines, role, {}};
     double length = 0.0;

@@ -14,7 +14,7 @@ using Kind = Mark::Kind;
 
 constexpr double kDash = 4.5, kGap = 3.6;
 constexpr double kMostDashedPx =
-    4000.0;                      // a larger ring is a line on the screen, and its dashes dear
+    4000.0;                      // a larger ring looks like a line, and its dashes cost much
 constexpr double kHaloPx = 1.5;  // beside a line, on either side
 
 QPen halo_pen(double width, const MarkLook& look) {
@@ -33,7 +33,7 @@ QPen role_pen(const Mark& mark, const MarkLook& look) {
   return pen;
 }
 
-/// With its head at the far end.
+/// Paints an arrow with its head at `to`.
 void paint_arrow(QPainter& painter, QPointF from, QPointF to, QPen pen, const MarkLook& look,
                  double head_px) {
   const QLineF way(from, to);
@@ -80,7 +80,7 @@ void paint_label(QPainter& painter, const Mark& mark, const MarkLook& look, cons
   painter.drawText(plate, Qt::AlignCenter, mark.text);
 }
 
-/// A thin ring as large as the line would be, and its middle.
+/// Paints a thin ring as large as the line would be, and its middle.
 void paint_nib(QPainter& painter, const Mark& mark, const MarkLook& look) {
   const QPointF at = mark.points[0];
   if (mark.size > 0.0) {
@@ -104,7 +104,7 @@ void paint_hand(QPainter& painter, const Mark& mark, const MarkLook& look) {
   painter.drawEllipse(mark.points[0], 2.0, 2.0);
 }
 
-/// Filled from the foot: how hard the sheet pushes the pen out.
+/// Paints a bar, filled from its foot: how hard the surface pushes the pen out.
 void paint_normal(QPainter& painter, const Mark& mark, const MarkLook& look) {
   const QLineF whole(mark.points[0], mark.points[1]);
   QPen pen(look.halo(), 6.0, Qt::SolidLine, Qt::RoundCap);

@@ -14,7 +14,7 @@ CanvasView at_one_px_per_mm() {
   CanvasView view;
   view.set_size({400, 300});
   view.set_scale(1.0);
-  view.center_on({200, 150});  // mm are pixels
+  view.center_on({200, 150});  // 1 mm is 1 px
   return view;
 }
 
@@ -106,7 +106,7 @@ TEST(Marks, EveryRoleIsSeenOnLightAndOnDarkPaper) {
   }
 }
 
-/// A mark paints nothing outside of its box, or a repaint of what changed would leave it standing.
+/// A mark paints nothing outside of its box; otherwise a partial repaint would leave remains.
 TEST(Marks, KeepToTheirBoxes) {
   Overlay overlay;
   using Role = Overlay::Role;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kZoomStep = 1.25;
 constexpr double kTurnStepDeg = 15.0;
-constexpr double kScrollShare = 0.15;  // of the smaller side of the canvas
+constexpr double kScrollShare = 0.15;  // share of the smaller side of the canvas
 
 QString view_text(const char* text) {
   return QCoreApplication::translate("ViewActions", text);
@@ -19,7 +19,7 @@ QString view_text(const char* text) {
 
 using Change = void (*)(CanvasView&, QPointF anchor);
 
-/// An action that looks from elsewhere.
+/// Adds an action that changes the view.
 void add_look(Actions& actions, Canvas& canvas, const char* name, const char* text,
               const QList<QKeySequence>& keys, const char* tip, Change change) {
   actions.add(QString::fromLatin1(name), view_text(text), keys, view_text(tip), [&canvas, change] {
@@ -112,7 +112,7 @@ void add_scrolling(Actions& actions, Canvas& canvas) {
            });
 }
 
-/// A switch that is a setting; the canvas listens to the settings.
+/// Adds a switch for a setting; the canvas follows the settings.
 void add_setting(Actions& actions, const char* name, const char* text, const char* tip,
                  const char* key, bool fallback) {
   const QString setting = QString::fromLatin1(key);

@@ -5,8 +5,8 @@
 
 namespace felt::desktop {
 
-/// Adds view.*: how the sheet is looked at. None of it is a step of undo. `canvas` must outlive
-/// the actions.
+/// Adds view.*, the commands that change the view. None of them is a step of undo. `canvas` must
+/// outlive the actions.
 void add_view_actions(Actions& actions, Canvas& canvas);
 
 }  // namespace felt::desktop

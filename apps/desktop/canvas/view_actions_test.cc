@@ -27,7 +27,7 @@ class ViewActions : public ::testing::Test {
 
 TEST_F(ViewActions, AreAllInWordsAndNoKeyIsTakenTwice) {
   QMap<QString, QString> taken;
-  // The keys of others: sizes, arrows for the keyboard's pen, letters of tools.
+  // Keys used elsewhere: sizes, arrows for the keyboard pen, letters of tools.
   for (const char* key : {"[", "]", "Left", "Right", "Up", "Down", "Space", "Tab", "Esc", "X",  "H",
                           "P", "E", "V",    "A",     "W",  "S",    "C",     "T",   "F1",  "F11"}) {
     taken[QString::fromLatin1(key)] = QStringLiteral("of others");
@@ -88,7 +88,7 @@ TEST_F(ViewActions, FitShowsTheSelectionAndTheInk) {
   EXPECT_TRUE(view().visible_mm().contains({10, 10}));
   EXPECT_TRUE(view().visible_mm().contains({210, 160}));
   const double scale = view().px_per_mm();
-  run("view.fit_selection");  // there is none
+  run("view.fit_selection");  // there is no selection
   EXPECT_TRUE(view().visible_mm().contains({297, 210}));
   sitting.tool("lasso");
   sitting.draw({{195, 145}, {215, 145}, {215, 165}, {195, 165}}, 0.5);

@@ -11,10 +11,10 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kOutlinePx = 1.0;  // device-independent, of outline mode
-constexpr double kBandPx = 7.0;     // that much broader than its ink
+constexpr double kBandPx = 7.0;     // wider than its ink by this
 constexpr double kLeastBandPx = 9.0;
 
-/// How many of both begin alike.
+/// Returns how many elements at the start of both are equal.
 template <class T>
 std::size_t common(std::span<const T> a, std::span<const T> b) {
   const std::size_t most = std::min(a.size(), b.size());
@@ -23,7 +23,7 @@ std::size_t common(std::span<const T> a, std::span<const T> b) {
   return n;
 }
 
-/// Pixel for pixel, as tiles are: at scales that are no whole numbers, too.
+/// Draws pixel for pixel, as tiles are drawn, also at fractional scales.
 void draw_pixels(QPainter& painter, const QImage& image, const PixelRect& pixels, double dpr) {
   painter.save();
   painter.scale(1.0 / dpr, 1.0 / dpr);
@@ -93,6 +93,10 @@ void WetInkView::set_outline_mode(bool on) {
   set_view(view_);
 }
 
+/// n counts the segments at the start that are unchanged: those that both overlays call stable, and
+/// then those that compare equal. All later ones are replaced. Segments that two changes in a row
+/// have left alone move into the mask (settle()); if the mask has a segment that changed, it is
+/// dropped.
 QRegion WetInkView::update(const Overlay& overlay) {
   using Ink = std::span<const Overlay::InkSegment>;
   const Ink ink(overlay.ink);
@@ -115,7 +119,8 @@ QRegion WetInkView::update(const Overlay& overlay) {
     add(wet_, segment);
   }
   box.extend(wet_.dabs.bounds(n));
-  // What two changes have left as it is will stay. In the mask it may look a trace otherwise.
+  // Segments that two changes left as they are will stay, so they go into the mask. There they may
+  // look minimally different, so their area is repainted.
   const std::size_t settled = wet_.settled;
   if (changes) settle(wet_, std::min(std::exchange(wet_.firm, n), n));
   return QRegion(view_.part_of(box)) + view_.part_of(wet_.dabs.bounds(settled, wet_.settled));
@@ -183,7 +188,7 @@ void WetInkView::paint_row(QPainter& painter, const QRect& part, const Row& row,
   draw_pixels(painter, image, pixels, view_.dpr);
 }
 
-/// How hard the pixels of a part were pushed on.
+/// Collects how hard the pen pressed on the pixels of a part.
 void WetInkView::lay(const PixelRect& pixels, const Row& row, double edge) {
   pressure_.begin(pixels, edge);
   row.dabs.ways(pixels, [&](std::span<const Dab> dabs) {
@@ -195,7 +200,7 @@ void WetInkView::lay(const PixelRect& pixels, const Row& row, double edge) {
   });
 }
 
-/// From coverage, this one or the mask's, to colour.
+/// Turns coverage, this or the mask's if larger, into colour.
 void WetInkView::ink_pixels(QImage& image, const PixelRect& pixels, const Row& row) {
   const auto look = outline_mode_ ? nullptr : grain_.look(row.material, view_.px_per_mm());
   std::optional<InkShade> shade;

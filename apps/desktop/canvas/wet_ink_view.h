@@ -21,12 +21,12 @@ namespace felt::desktop {
 /// buffers.
 class InkBrush {
  public:
-  /// What of the rows lies in `part`, pixels of the widget, in one colour that covers each place
-  /// once. The painter's transform must be that of the widget.
+  /// Paints the part of the rows in `part`, pixels of the widget, in one colour that covers each
+  /// point once. Requires that the painter's transform is that of the widget.
   void paint(QPainter& painter, const QRectF& part, const DeviceView& view, const DabRows& rows,
              Rgba color);
-  /// How much of each pixel the segments from the n-th on cover, up to another: the alpha of a
-  /// white picture, valid until the next call.
+  /// Returns how much of each pixel the segments [from, to) cover, as the alpha of a white picture,
+  /// valid until the next call.
   QImage& cover(const DabRows& rows, std::size_t from, std::size_t to, const PixelRect& pixels);
 
  private:
@@ -39,33 +39,34 @@ class InkBrush {
   QImage image_;
 };
 
-/// Ink while it is drawn: what the tool shows as Overlay::ink, sample by sample. It looks as the
-/// stroke will that comes of it: same edges, same colour with alpha, same grain. What no longer
-/// changes is kept as a mask of coverage, in which the larger one of two holds; a sample costs what
-/// it adds and the provisional end, whatever the line crosses there.
+/// The ink of the stroke in progress: what the tool shows as Overlay::ink, sample by sample. It
+/// looks like the finished stroke: same edges, same colour with alpha, same grain. Segments that no
+/// longer change are kept as a mask of coverage, which stores the maximum for each pixel. So a
+/// sample costs only the new segments and the provisional end, even if the line crosses itself
+/// there.
 ///
-/// When the stroke is in the document, its picture may take a worker a moment: until then the ink
-/// is *drying*, that is, still shown from here.
+/// When the stroke is in the document, the worker may need a moment for its picture: until then the
+/// ink is *drying*, that is, still painted from here.
 class WetInkView {
  public:
   void set_view(const DeviceView& view);
-  /// `material`: the medium of the strokes that are drawn now, by its id.
+  /// Sets the grain, and the medium of the strokes in progress by its id.
   void set_grain(const Grain& grain, const std::string& material);
-  /// Hair-thin.
+  /// Shows ink hair-thin.
   void set_outline_mode(bool on);
 
-  /// Shows the ink of `overlay`. Returns the part of the widget that changed. Compares nothing that
-  /// is stable: the cost does not depend on the length of the stroke.
+  /// Shows the ink of `overlay`. Returns the part of the widget that changed. Does not compare
+  /// stable segments: the cost does not depend on the length of the stroke.
   QRegion update(const Overlay& overlay);
-  /// What is wet is in the document now, and goes when let_go() is called.
+  /// Marks the wet ink as drying: it is in the document now, and let_go() removes it.
   void dry();
   [[nodiscard]] bool is_drying() const noexcept { return !drying_.empty(); }
   QRect let_go();
   [[nodiscard]] bool is_empty() const noexcept { return wet_.segments.empty(); }
-  /// At the pen's end of what is wet, mm.
+  /// Returns the width at the pen's end of the wet ink, in mm.
   [[nodiscard]] double width_mm() const noexcept;
 
-  /// What lies above a picture of ink whose corner is at this device pixel is painted over it.
+  /// Paints what lies above over `ink`, a picture whose corner is at the device pixel `at`.
   using Cover = std::function<void(QImage& ink, QPoint at)>;
   void paint(QPainter& painter, const QRect& part, const Cover& cover = {});
 
@@ -77,9 +78,9 @@ class WetInkView {
     std::size_t stable = 0;    ///< Overlay::ink_stable
     Rgba color;
     std::string material;
-    std::size_t firm = 0;              ///< segments that the last change left as they were
+    std::size_t firm = 0;              ///< segments that the last change left unchanged
     std::size_t settled = 0;           ///< segments in the mask
-    std::vector<std::uint8_t> mask{};  ///< a byte a pixel of the device
+    std::vector<std::uint8_t> mask{};  ///< a byte per device pixel
   };
   void add(Row& row, const Overlay::InkSegment& segment) const;
   void settle(Row& row, std::size_t to);
@@ -100,13 +101,13 @@ class WetInkView {
   std::vector<Row> drying_;
 };
 
-/// Marked spans as bands below the ink, a little broader than it.
+/// Marked spans as bands below the ink, a little wider than it.
 class BandView {
  public:
   void set_view(const DeviceView& view);
-  /// As WetInkView::update().
+  /// Shows these spans. Returns the part of the widget that changed.
   QRect update(std::span<const Overlay::Span> spans);
-  /// `color_of(role)` is opaque: pieces of a band overlap.
+  /// `color_of(role)` must be opaque, because pieces of a band overlap.
   template <class ColorOf>
   void paint(QPainter& painter, const QRect& part, InkBrush& brush, ColorOf color_of) const {
     for (const auto& [role, rows] : bands_) brush.paint(painter, part, view_, rows, color_of(role));

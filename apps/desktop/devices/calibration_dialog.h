@@ -13,36 +13,37 @@
 
 namespace felt::desktop {
 
-/// Asks a person to touch three corners of what shall be the drawing area, and finds the plane from
-/// them. Its picture shows the pen as it moves. Reads the device itself, or by a loop of its own
-/// where the maker's must run it; no force is sent meanwhile.
+/// Asks the user to touch three corners of the wanted drawing area, and computes the plane from
+/// them. A picture shows the moving pen. Reads the device itself, or in its own loop if the
+/// vendor's loop must run it; sends no force.
 class CalibrationDialog : public QDialog {
   Q_OBJECT
 
  public:
   static constexpr std::size_t kCorners = 3;
 
-  /// The device in its own frame or through an older calibration; the drawing area comes to lie
-  /// around `middle` of the sheet.
+  /// `device` reports positions in its own frame or through an older calibration. The new drawing
+  /// area will lie around `middle` on the page.
   CalibrationDialog(std::unique_ptr<PenDevice> device, Point middle, QWidget* parent = nullptr);
   ~CalibrationDialog() override;
 
-  /// For the device in use, which mouse and tablet stand in for meanwhile; keeps what was found
-  /// unless it is cancelled. It stays open: whatever it needed to find its home it keeps.
+  /// Calibrates the device in use, while mouse and tablet replace it, and stores the result unless
+  /// it is cancelled. The device stays open, so that it keeps its homing.
   static void run(Studio& studio, QWidget* parent);
 
-  /// The pen is at the corner that is asked for. The button, Space and the pen's first button.
+  /// Records the pen's position as the corner that was asked for. Called by the button, Space and
+  /// the pen's first button.
   void take();
   void start_again();
-  /// Once all corners are known and make sense.
+  /// Returns the plane once all corners were touched and are plausible.
   [[nodiscard]] const std::optional<PlaneFit>& found() const noexcept { return found_; }
-  /// The part of the plane between the corners.
+  /// Returns the part of the plane between the corners.
   [[nodiscard]] std::optional<DrawingArea> area() const;
-  /// Ends reading it, and gives it back; null where it hangs in its maker's call.
+  /// Stops reading the device and returns it; null if it is unresponsive.
   std::unique_ptr<PenDevice> take_device();
 
  private:
-  /// Where the pen is; returns the buttons that went down.
+  /// Reads the pen's position; returns the buttons that were pressed since the last call.
   std::uint32_t read();
   void look();
   void tell();
@@ -50,14 +51,14 @@ class CalibrationDialog : public QDialog {
   [[nodiscard]] QPointF in_picture(const Vec3& device_mm) const;
 
   std::unique_ptr<PenDevice> device_;
-  std::unique_ptr<Servo> servo_;  // where the maker's loop runs it
+  std::unique_ptr<Servo> servo_;  // if the vendor's loop runs it
   std::unique_ptr<RealtimeThread> loop_;
   PlaneCalibration old_;
-  PlaneCalibration usual_;  // where the plane may lie, for the picture until it is known
+  PlaneCalibration usual_;  // the usual plane, for the picture until the new one is known
   DrawingArea reach_;
   Point middle_;
   std::vector<Vec3> corners_;  // in the device's frame
-  std::optional<Vec3> place_;  // of the pen, likewise
+  std::optional<Vec3> place_;  // of the pen, in the device's frame
   std::uint32_t buttons_ = 0;
   std::optional<PlaneFit> found_;
   QElapsedTimer clock_;

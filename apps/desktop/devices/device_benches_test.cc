@@ -1,5 +1,5 @@
-// Whole sittings of a person through every driver's real code, before a fake of its other side: the
-// window's studio, its care, and the drivers' benches (tests/devices/drivers).
+// Complete sessions of a user with every driver's real code and a fake of its vendor's side: the
+// window's studio, its DeviceCare, and the drivers' benches (tests/devices/drivers).
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -15,7 +15,7 @@
 namespace felt::desktop::device_benches_test {
 namespace {
 
-/// The bench's device as one that the window's driver opens; its ticks are the studio's.
+/// The bench's device, opened as the window's driver opens one; it ticks with the studio.
 class BenchPen final : public DriverDevice {
  public:
   BenchPen(DriverBench& bench, const Studio*& studio) : bench_(bench), studio_(studio) {}
@@ -25,7 +25,7 @@ class BenchPen final : public DriverDevice {
     return inner().capabilities();
   }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
-    // The fake's clock does not begin anew with each loop.
+    // The fake's clock does not restart with each loop.
     const std::int64_t bench_ns = studio_->now_ns();
     bench_.before_tick(bench_ns);
     auto sample = inner().read(bench_ns);
@@ -108,14 +108,14 @@ struct Sitting {
       EXPECT_TRUE(looked.wait(5000));
     }
   }
-  /// The hand goes evenly from where it is, and what is told meanwhile is heard.
+  /// Moves the hand evenly from its position, and delivers the signals.
   void move_to(double x, double y, double z, std::int64_t ms) {
     const Vec3 to = middle + Vec3{x, y, z - middle.z}, from = hand;
     for (std::int64_t i = 1; i <= ms; ++i) {
       hand = from + (double(i) / double(ms)) * (to - from);
       bench->hand().aim(hand, {}, 0);
       studio->advance(kMs);
-      // The world goes on while nobody reads it.
+      // The fake advances even while it is not read.
       if (studio->loop().device().info().id != id) bench->before_tick(studio->now_ns());
     }
     QCoreApplication::processEvents();
@@ -154,7 +154,7 @@ TEST_P(Benches, UnpluggedMidLineTheInkIsKeptAndItComesBackWithoutForce) {
   EXPECT_NE(at.said().find("is not connected any more."), std::string::npos) << at.said();
   at.move_to(0, 30, 10, 1500);
   EXPECT_EQ(at.strokes(), kept) << "the hand is not read";
-  // Back: by itself where it can be looked for, else by the button.
+  // Reconnects automatically if the driver can find it without opening it, otherwise by the button.
   at.look();
   QTest::qWait(2 * DeviceCare::kCalmMs + 100);
   if (at.studio->loop().device().info().id != at.id) at.notice->press(0);

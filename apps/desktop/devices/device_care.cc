@@ -12,10 +12,10 @@
 namespace felt::desktop {
 namespace {
 
-/// Lost again so soon after it came back by itself, it is not opened by itself any more.
+/// If it is lost again this soon after an automatic reconnection, there is no other automatic one.
 constexpr qint64 kSteadyMs = 5000;
 
-/// The pen cannot be read then, or is nowhere.
+/// Returns true if the pen cannot be read, or its position is unknown.
 bool ends_reading(DeviceFault fault) {
   return fault == DeviceFault::kDisconnected || fault == DeviceFault::kNotCalibrated;
 }
@@ -38,7 +38,7 @@ DeviceCare::DeviceCare(Studio& studio, DeviceNotice& notice, QWidget* window)
     if (status.reads == reads_) return let_go(*status.fault, status);
     say_no_force(*status.fault, status);
   });
-  // It may come while the window is painted; a device is not changed then.
+  // Queued, because the signal may come during painting, when a device must not be replaced.
   connect(&studio_.loop(), &HapticLoop::device_status_changed, this, &DeviceCare::hear,
           Qt::QueuedConnection);
   connect(&studio_.loop(), &HapticLoop::device_changed, this, [this] {
@@ -71,7 +71,7 @@ bool DeviceCare::use(const QString& id, QWidget* parent) {
   return true;
 }
 
-/// What was told may be over when it is heard: what is now counts.
+/// Handles the present status, because the reported one may be outdated.
 void DeviceCare::hear() {
   const DeviceStatus status = studio_.loop().device_status();
   if (status.fault && ends_reading(*status.fault)) return let_go(*status.fault, status);
@@ -81,14 +81,15 @@ void DeviceCare::hear() {
     return patience_.start();
   }
   patience_.stop();
-  // Once no force is asked for any more the device has nothing to refuse, but it has refused.
+  // When forces are off, the device has nothing to refuse and the fault ends, so the last fault is
+  // checked.
   if (status.last_fault && takes_no_force(*status.last_fault)) {
     say_no_force(*status.last_fault, status);
   }
   if (!status.fault) say_notice(status);
 }
 
-/// Each notice once: a flat battery, a service whose events have stopped.
+/// Shows each notice once: a flat battery, a service that has stopped sending events.
 void DeviceCare::say_notice(const DeviceStatus& status) {
   if (std::exchange(said_notice_, status.notice) == status.notice || status.notice.empty()) return;
   const PenDeviceInfo info = studio_.loop().device().info();
@@ -100,9 +101,9 @@ void DeviceCare::say_notice(const DeviceStatus& status) {
 
 void DeviceCare::let_go(DeviceFault fault, const DeviceStatus& status) {
   const PenDeviceInfo info = studio_.loop().device().info();
-  if (studio_.loop().device().hand()) return;  // a simulated one: nobody could plug it in again
+  if (studio_.loop().device().hand()) return;  // a simulated one cannot be plugged in again
   const DeviceWords words = words_for(fault, info.label, status, false);
-  // Ends what is being drawn as if the pen were lifted, and closes the device.
+  // Ends the gesture as if the pen had been lifted, and closes the device.
   if (!studio_.use_device(QString::fromLatin1(kPenDeviceDefault))) return;
   if (HapticLoop::is_unresponsive(info.id)) {
     return say(HapticLoop::unresponsive_text(info.label), words.details, {}, true);
@@ -144,7 +145,7 @@ void DeviceCare::stop_waiting() {
 void DeviceCare::look() {
   if (waits_for_.isEmpty()) return;
   const PenDeviceInfo* seen = DriverWatch::the()->find(waits_for_);
-  // Unplugged: whatever was wrong with it, plugged in it is another try.
+  // When it was unplugged, an earlier failure no longer counts.
   if (!seen) has_failed_ = false;
   if (!seen || !seen->is_connected || has_failed_ || PenDevice::is_open(waits_for_)) {
     return calm_.stop();

@@ -14,32 +14,32 @@
 
 namespace felt::desktop {
 
-/// Looks after the device of a window: uses what a person chooses, with all that it needs first;
-/// when it fails lets them draw on, says what happened, and brings it back.
+/// Manages the device of a window: opens the one that the user chooses, with homing if needed. If
+/// it fails, lets the user draw on, reports the fault, and reconnects it.
 ///
-/// A device that cannot be read any more is let go: what was being drawn is kept as it was up to
-/// then, mouse and tablet draw from there on, and the device is waited for. When it is plugged in
-/// again it is used again by itself, once nothing is being drawn, provided that nobody must do
-/// anything for it: forces are off then until a person switches them on, and begin from zero. Where
-/// it must find its home first, or cannot be looked for without opening it, a button does it. A
-/// device that only takes no force stays in use.
+/// A device that cannot be read any more is closed: the gesture is committed up to then, mouse and
+/// tablet are used instead, and the device is awaited. When it is plugged in again and nothing is
+/// being drawn, it is used again automatically, unless the user has to do something. Forces are
+/// then off until the user switches them on, and start from zero. If it needs homing, or can only
+/// be found by opening it, the user has to press a button. A device that only refuses forces stays
+/// in use.
 class DeviceCare : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int kCalmMs = 200;      ///< between looks whether the pen is up
-  static constexpr int kPatienceMs = 500;  ///< a fault that may pass is waited out
+  static constexpr int kCalmMs = 200;      ///< interval of checks whether the pen is up
+  static constexpr int kPatienceMs = 500;  ///< waiting time for a fault that may pass
 
-  /// Of this window; `notice` is where it says what happens.
+  /// Manages the device of this studio; `notice` shows the messages.
   DeviceCare(Studio& studio, DeviceNotice& notice, QWidget* window);
   ~DeviceCare() override;
 
-  /// A person wants this device: opens it, brings it home, keeps the choice. False: not now; what
-  /// is in use stays, and the notice says why. `parent` is for dialogs.
+  /// Opens the device that the user has chosen, homes it, and stores the choice. Returns false if
+  /// it fails: the previous device stays in use, and the notice says why. `parent` is for dialogs.
   bool use(const QString& id, QWidget* parent);
-  /// As its person calls it, else its maker.
+  /// Returns the user's name for the device, otherwise the vendor's.
   [[nodiscard]] QString name_of(const QString& id) const;
-  /// The device that is waited for; empty: none.
+  /// Returns the id of the awaited device; empty if there is none.
   [[nodiscard]] const QString& waits_for() const noexcept { return waits_for_; }
 
  Q_SIGNALS:
@@ -66,13 +66,13 @@ class DeviceCare : public QObject {
   QPointer<QWidget> window_;
   std::unique_ptr<DriverWatch::Watching> watching_;
   QString waits_for_;
-  bool has_failed_ = false;  // it did not open: not by itself again before it was unplugged
+  bool has_failed_ = false;  // it did not open: no automatic attempt until it was unplugged
   QElapsedTimer since_back_;
   QTimer calm_;
   QTimer patience_;
   std::optional<DeviceFault> said_;
   ShortText said_notice_;
-  std::uint64_t reads_ = 0;  // when the fault came
+  std::uint64_t reads_ = 0;  // number of reads when the fault came
 };
 
 }  // namespace felt::desktop

@@ -34,12 +34,12 @@ std::vector<std::unique_ptr<Driver>> drivers_of(const std::shared_ptr<ScriptedAr
   return drivers;
 }
 
-/// A window's studio with a device that a test plugs in and out; time is the test's.
+/// A fixture: a window's studio with a device that the test connects and disconnects; virtual time.
 struct Desk {
   Desk() {
     QFile::remove(profile_path(kArm));
     Settings::the().reset(QString::fromLatin1(kPenDeviceKey));
-    // Its own frame is the sheet's: where the tests say it is, the pen is.
+    // Its frame is that of the page: the pen is at the positions that the tests set.
     DeviceProfile profile;
     profile.device_id = kArm.toStdString();
     profile.plane = PlaneCalibration{};
@@ -51,9 +51,9 @@ struct Desk {
     Settings::the().reset(QString::fromLatin1(kPenDeviceKey));
   }
 
-  /// What is plugged in is seen.
+  /// Waits until the connected devices were found.
   void look() {
-    // Twice: one look may have been under way already.
+    // Twice, because one search may have been running already.
     for (int i = 0; i < 2; ++i) {
       QSignalSpy looked(&watch, &DriverWatch::looked);
       watch.look();
@@ -61,12 +61,12 @@ struct Desk {
     }
   }
   void pen_at(double x, double y, double z) { arm->at.position = {x, y, z}; }
-  /// Time goes on, and what was told meanwhile is heard.
+  /// Advances the time, and delivers the signals.
   void go_on(std::int64_t ms) {
     studio.advance(ms * kMs);
     QCoreApplication::processEvents();
   }
-  /// As a hand does it: a real device is not believed when it jumps.
+  /// Moves steadily, because jumps of a real device are rejected.
   void move_to(double x, double y, double z) {
     const Vec3 from = arm->at.position;
     constexpr int kSteps = 100;
@@ -83,7 +83,7 @@ struct Desk {
     move_to(arm->at.position.x, arm->at.position.y, 20);
     studio.advance(40 * kMs);
   }
-  /// As the timers do, once the pen is up.
+  /// Waits as long as the timers need once the pen is up.
   void calm() { QTest::qWait(2 * DeviceCare::kCalmMs + 100); }
   [[nodiscard]] std::string device() { return studio.loop().device().info().id.toStdString(); }
   [[nodiscard]] std::size_t strokes() const { return studio.session().document().stroke_count(); }
@@ -97,7 +97,7 @@ struct Desk {
   DeviceCare* care = new DeviceCare(studio, *notice, &window);
 };
 
-/// Presses a button of the dialog that comes up next.
+/// Presses a button of the next dialog that opens.
 void answer_next(const char* button) {
   QTimer::singleShot(20, qApp, [button] {
     QWidget* dialog = QApplication::activeModalWidget();
@@ -110,7 +110,7 @@ void answer_next(const char* button) {
   });
 }
 
-/// All of the newest stroke, which compares bit for bit.
+/// Returns the complete data of the newest stroke, for an exact comparison.
 StrokeData newest_stroke(const Session& session) {
   const Document& document = session.document();
   return document.find(document.layers().front().strokes.back())->data();
@@ -132,7 +132,7 @@ TEST(DeviceCare, APersonDrawsUnplugsMidLineAndDrawsOn) {
   desk.arm->vendor_words = "HD_COMM_ERROR: no answer from the arm";
   desk.arm->is_plugged_in = false;
   desk.go_on(40);
-  // What was drawn is a stroke, nothing pushes, and the mouse draws.
+  // The drawn part is a stroke, forces are off, and the mouse draws.
   EXPECT_EQ(desk.strokes(), 1u);
   EXPECT_EQ(desk.device(), "tablet");
   EXPECT_EQ(desk.arm->sent, Force{});
@@ -150,9 +150,9 @@ TEST(DeviceCare, APersonDrawsUnplugsMidLineAndDrawsOn) {
   point(60, false);
   desk.go_on(100);
   EXPECT_EQ(desk.strokes(), 2u);
-  // Plugged in again it is used again, once the pen is up, without forces.
+  // When it is plugged in again, it is used as soon as the pen is up, without forces.
   desk.arm->is_plugged_in = true;
-  desk.pen_at(120, 20, 20);  // not where the first line ends: it would go on there
+  desk.pen_at(120, 20, 20);  // not at the end of the first line, which it would continue
   desk.look();
   desk.calm();
   EXPECT_EQ(desk.device(), "scripted:1");
@@ -242,7 +242,7 @@ TEST(DeviceCare, ForcesThatTheDeviceSwitchesOffDoNotEndTheDrawing) {
     desk.draw_to(80, 50);
     desk.lift();
     EXPECT_EQ(desk.strokes(), 1u);
-    // It is well again, and a person says so.
+    // It works again, and the user confirms.
     desk.arm->write_fault.reset();
     desk.notice->press(0);
     desk.go_on(1000);
@@ -296,7 +296,7 @@ TEST(DeviceCare, AFaultThatPassesIsWaitedOutAndOneThatStaysLetsGo) {
   desk.go_on(40);
   QTest::qWait(DeviceCare::kPatienceMs + 100);
   EXPECT_EQ(desk.device(), "tablet");
-  // It is plugged in still: only a person tries again.
+  // It is still plugged in: only the user can try again.
   expect_opened_by_its_button_only(desk);
 }
 
@@ -329,7 +329,7 @@ TEST(DeviceCare, OneThatFailsAgainAtOnceIsNotOpenedForEver) {
 }
 
 TEST(DeviceCare, TheChosenOneIsUsedWhenItComes) {
-  Desk first;  // for the profile
+  Desk first;  // sets the profile
   Settings::the().set(QString::fromLatin1(kPenDeviceKey), kArm);
   Studio studio(by_hand());
   QMainWindow window;
@@ -341,7 +341,7 @@ TEST(DeviceCare, TheChosenOneIsUsedWhenItComes) {
   QTest::qWait(2 * DeviceCare::kCalmMs + 100);
   EXPECT_EQ(studio.loop().device().info().id, kArm);
   EXPECT_FALSE(studio.loop().forces_are_on());
-  // Another window must not take it away.
+  // Another window must not get it.
   EXPECT_FALSE(first.care->use(kArm, nullptr));
   EXPECT_NE(first.said().find("in another window"), std::string::npos);
 }
@@ -358,7 +358,7 @@ TEST(DeviceCare, AnArmThatMovesByItselfNeedsAYes) {
   EXPECT_TRUE(desk.care->use(kArm, nullptr));
   EXPECT_EQ(desk.arm->homed, 1);
   EXPECT_EQ(desk.device(), "scripted:1");
-  // Lost and back, it asks again: by a button, never by itself.
+  // When it is lost and reconnected, it needs homing again: by a button, never automatically.
   desk.arm->is_plugged_in = false;
   desk.go_on(40);
   desk.look();

@@ -8,7 +8,7 @@
 
 namespace felt::desktop {
 
-/// Something to know about a device, and what can be done about it.
+/// A message about a device, with buttons for possible actions.
 struct DeviceMessage {
   struct Button {
     QString text;
@@ -16,12 +16,12 @@ struct DeviceMessage {
   };
   bool is_fault = false;
   QString text;
-  QString details = {};  ///< the maker's own words; may be empty
+  QString details = {};  ///< the vendor's own message; may be empty
   std::vector<Button> buttons = {};
 };
 
-/// Says it above the sheet, with buttons for what can be done, and the maker's own words on demand.
-/// A new message takes the place of the last.
+/// Shows a message above the canvas, with its buttons, and the vendor's own message on demand. A
+/// new message replaces the previous one.
 class DeviceNotice : public MessageBar {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class DeviceNotice : public MessageBar {
 
   void say(DeviceMessage message);
   [[nodiscard]] const DeviceMessage& message() const noexcept { return message_; }
-  /// Presses the button of that number, as a click does.
+  /// Presses the button of that index, as a click does.
   void press(std::size_t button);
 
  protected:

@@ -23,7 +23,7 @@ constexpr int kPageIconPx = 20;
 constexpr int kRowsShown = 7;
 constexpr auto kHelpRow = "help:";
 
-/// A row's sign, in the colour of its text, chosen or not.
+/// Returns a row's icon in the colour of its text, selected or not.
 QIcon row_icon(const QWidget& page, FeelLevel level, bool asks) {
   const qreal dpr = page.devicePixelRatioF();
   const auto sign = [&](const QPalette& palette) {
@@ -100,7 +100,7 @@ DevicePage::DevicePage(Studio& studio, DeviceCare* care, QWidget* parent)
   choose(studio_.loop().device().info().id);
 }
 
-/// What is not of one real device.
+/// Makes the settings that do not belong to one real device.
 void DevicePage::make_form() {
   limit_->setRange(0.0, SafetyLimits{}.peak_force_n);
   limit_->setSingleStep(kLimitStepN);
@@ -225,7 +225,7 @@ void DevicePage::tell_rows() {
     if (!row->is_real) {
       item->setText(name);
       QPixmap nothing(QSize(kPageIconPx, kPageIconPx) *
-                      devicePixelRatioF());  // so that names line up
+                      devicePixelRatioF());  // so that names align
       nothing.fill(Qt::transparent);
       item->setIcon(in_use ? icon(FeelLevel::kOn) : QIcon(nothing));
       continue;
@@ -281,7 +281,8 @@ void DevicePage::use() {
   } else if (id != studio_.loop().device().info().id && studio_.use_device(id)) {
     Settings::the().set(QString::fromLatin1(kPenDeviceKey), id);
   }
-  // What mouse and tablet lead is chosen by its row alone: one that did not open is not chosen.
+  // A device that mouse and tablet lead is used by selecting its row; if it did not open, selects
+  // the one in use.
   const Row* now = row_of(id);
   if (now && !now->is_real) choose(studio_.loop().device().info().id);
   tell_rows();
@@ -328,7 +329,7 @@ void DevicePage::tell() {
   pad_->use(is_led ? now.id : QString(), studio_.loop().strength(), studio_.loop().force_limit());
 }
 
-/// What was found, and what was chosen though it is not there.
+/// Lists the cue devices that were found, and the chosen one even if it is missing.
 void DevicePage::list_cues() {
   const QString chosen = Settings::the().text(QString::fromLatin1(kCueDeviceKey));
   cue_->clear();

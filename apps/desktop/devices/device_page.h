@@ -15,26 +15,26 @@
 
 namespace felt::desktop {
 
-/// A page of Preferences: which device the pen is, how it is, and what is set for it. Real devices
-/// come first, each with its state, and a row that helps with one that is not there; then the exact
-/// pen and the simulated styluses. A simulated one is used when it is chosen; a real one when its
-/// button is pressed, since its arm may have to move. Devices are looked for while it is seen.
+/// The page "Device" of the preferences: the pen device, its state and its settings. Real devices
+/// come first, each with its state, and a row with help for one that is missing; then the exact pen
+/// and the simulated styluses. A simulated one is used as soon as it is chosen; a real one when its
+/// button is pressed, because its arm may have to move. Searches for devices while it is visible.
 class DevicePage : public QWidget {
   Q_OBJECT
 
  public:
-  /// Without `care` a device is used without any questions: a window has one.
+  /// Without `care` a device is used without questions; a window has one.
   explicit DevicePage(Studio& studio, DeviceCare* care = nullptr, QWidget* parent = nullptr);
 
-  /// Lists again what there is.
+  /// Updates the list of devices.
   void refresh();
-  /// The id of the row that is chosen, in use or not.
+  /// Returns the id of the selected row, whether it is in use or not.
   [[nodiscard]] QString chosen() const;
-  /// Chooses a row, as a click does. False: there is none.
+  /// Selects a row, as a click does. Returns false if there is none of that id.
   bool choose(const QString& id);
-  /// Uses the chosen device.
+  /// Uses the selected device.
   void use();
-  /// Opens the help with setting up a device.
+  /// Opens the help for setting up a device.
   void help();
 
  protected:
@@ -63,7 +63,7 @@ class DevicePage : public QWidget {
   QListWidget* list_;
   QLabel* words_;
   QPushButton* use_;
-  QWidget* general_;  // for what mouse and tablet lead
+  QWidget* general_;  // for devices that mouse and tablet lead
   QDoubleSpinBox* limit_;
   DeviceSettings* settings_;
   QWidget* cue_row_;
@@ -73,7 +73,7 @@ class DevicePage : public QWidget {
   std::unique_ptr<DriverWatch::Watching> watching_;
 };
 
-/// What a device can do, in a few words.
+/// Returns the capabilities of a device in a few words.
 QString capabilities_in_words(const Capabilities& can);
 
 }  // namespace felt::desktop

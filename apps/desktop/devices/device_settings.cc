@@ -20,7 +20,7 @@ constexpr double kLimitStep = 0.1;  // N
 constexpr int kStiffnessStep = 50;  // N/m
 constexpr int kPercentStep = 5;
 
-/// The most that its own table allows, whatever a person sets.
+/// Returns the largest force that the device's own table allows, independent of the user's limits.
 double most_of(const Capabilities& device) {
   return limits_for(device).peak_force_n;
 }
@@ -108,7 +108,7 @@ void DeviceSettings::make_form() {
   connect(fit_, &QPushButton::clicked, this, &DeviceSettings::fit);
 }
 
-/// What is kept, if it can be read; else it is told.
+/// Returns the stored profile if it can be read; otherwise reports the error.
 std::optional<DeviceProfile> DeviceSettings::profile() {
   Result<DeviceProfile> profile = profile_of(studio_.loop().device().info().id);
   if (profile) return *std::move(profile);
@@ -134,7 +134,7 @@ void DeviceSettings::tell() {
   const PenDeviceInfo* seen = watch ? watch->find(info.id) : nullptr;
   name_->setPlaceholderText(seen ? seen->label : info.label);
   hand_->setCurrentIndex(profile.left_handed ? 1 : 0);
-  // Of the device itself: what is set already must not lower what may be set.
+  // Uses the device's own limits, because the present setting must not lower the range.
   const double most = most_of(info.capabilities);
   limit_->setMaximum(std::max(most, kLeastForceLimitN));
   limit_->setValue(std::min(profile.force_limit_n.value_or(most), studio_.loop().force_limit()));
@@ -186,7 +186,7 @@ void DeviceSettings::set_limit(double limit) {
   if (!kept) return;
   const double most = most_of(studio_.loop().device().info().capabilities);
   kept->force_limit_n = limit < most - 0.5 * kLimitStep ? std::optional(limit) : std::nullopt;
-  // Said here, it is said for this hand: the general limit must not hold it back.
+  // A limit set here applies to this device, so a lower general limit is raised.
   if (limit > studio_.loop().force_limit()) {
     studio_.loop().set_force_limit(limit);
     Settings::the().set(QString::fromLatin1(feel_keys::kForceLimit), studio_.loop().force_limit());

@@ -13,20 +13,20 @@
 
 namespace felt::desktop {
 
-/// What a person sets for the device in use, kept in its profile: a name, the hand that holds it,
-/// how hard and how stiff it may be, where its drawing plane lies and how large it is on the sheet.
-/// Takes effect at once, from no force. Each hand has a plane of its own: the device stands on the
-/// other side for the other one. Hand and plane are asked for only where there is a plane to be
-/// shown to the device (PenDeviceInfo::has_own_frame).
+/// The user's settings of the device in use, kept in its profile: a name, the hand that holds it,
+/// limits of force and stiffness, position and scale of its drawing plane. They take effect
+/// immediately, and the force starts from zero. Each hand has its own plane, because the device
+/// then stands on the other side. Hand and plane are shown only if the device needs a calibrated
+/// plane (PenDeviceInfo::has_own_frame).
 class DeviceSettings : public QWidget {
   Q_OBJECT
 
  public:
   explicit DeviceSettings(Studio& studio, QWidget* parent = nullptr);
 
-  /// Shows what is kept for the device in use.
+  /// Shows the profile of the device in use.
   void tell();
-  /// The drawing area's middle on the sheet's middle, and so large that the whole sheet is reached.
+  /// Centres the drawing area on the page, with a scale that reaches the whole page.
   void fit();
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr QSize kFirstSize{720, 560};
 
-/// A sign that is read as well as seen.
+/// Returns a sign as text, so that screen readers read it, too.
 QString sign_of(FindingLevel level) {
   switch (level) {
     case FindingLevel::kOk:
@@ -31,7 +31,7 @@ QString sign_of(FindingLevel level) {
   return {};
 }
 
-/// Those with something to mend first, then those that work, then what is not there at all.
+/// Sorts drivers: those with a problem first, then working ones, then those without anything.
 int rank_of(const DriverFindings& driver) {
   int rank = 2;
   for (const Finding& finding : driver.findings) {
@@ -42,7 +42,7 @@ int rank_of(const DriverFindings& driver) {
   return rank;
 }
 
-/// What one types is not broken in the middle of a word, and can be told from what one reads.
+/// Returns a step as a list item.
 QString step_html(const QString& step) {
   return QStringLiteral("<li>%1</li>").arg(step.toHtmlEscaped());
 }

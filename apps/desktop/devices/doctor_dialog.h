@@ -9,19 +9,19 @@
 
 namespace felt::desktop {
 
-/// What this computer sees of haptic devices, what is missing, and what to do about it, step by
-/// step: the findings that `feltline doctor` prints, to be read, and copied for those who help.
+/// Shows which haptic devices this computer finds, what is missing, and what to do about it, step
+/// by step: the findings of `feltline doctor`, to read, or to copy for a support request.
 class DoctorDialog : public QDialog {
   Q_OBJECT
 
  public:
   explicit DoctorDialog(QWidget* parent = nullptr);
 
-  /// Asks again; findings come when they come.
+  /// Asks the drivers again; the findings arrive later.
   void look();
   [[nodiscard]] bool is_looking() const noexcept { return is_looking_; }
   void show_findings(std::vector<DriverFindings> findings);
-  /// As it is copied.
+  /// Returns the text that "Copy" copies.
   [[nodiscard]] QString plain_text() const;
 
  private:

@@ -105,7 +105,7 @@ void HomingDialog::ask() {
     words += QStringLiteral("\n\n") + QString::fromStdString(more);
   }
   words_->setText(words);
-  // Enter never sets an arm moving.
+  // Enter never starts the movement of an arm.
   QPushButton* usual = homing_ == Homing::kByItself ? not_now_ : go_;
   for (QPushButton* button : {go_, not_now_}) {
     button->setAutoDefault(button == usual);

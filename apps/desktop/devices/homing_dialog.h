@@ -10,25 +10,25 @@
 
 namespace felt::desktop {
 
-/// Asks a person to bring a device home: to put its stylus into the inkwell, its arm into the rest
-/// pose, or to agree that the arm moves by itself. Nothing moves before they have said so, and for
-/// an arm that moves by itself "Not now" is what Enter does. The window goes on meanwhile.
+/// Asks the user to home a device: to put its stylus into the inkwell, its arm into the rest pose,
+/// or to agree that the arm moves by itself. Nothing moves before the user has confirmed, and for
+/// an arm that moves by itself Enter means "Not now". The window stays responsive.
 class HomingDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// The device is open, and no loop runs.
+  /// Requires that the device is open and that no loop runs.
   explicit HomingDialog(PenDevice& device, QWidget* parent = nullptr);
   ~HomingDialog() override;
 
-  /// True: it is at home, or needs none; at once where it needs none.
+  /// Returns true if the device is homed or needs no homing; without a dialog in the second case.
   static bool bring_home(PenDevice& device, QWidget* parent);
 
-  /// As the button does: the person agrees, or holds it as asked.
+  /// Starts homing, as the button does: the user agrees, or holds the device as asked.
   void begin();
   [[nodiscard]] bool is_under_way() const noexcept { return is_under_way_; }
 
-  /// Not while an arm moves.
+  /// Ignored while an arm moves.
   void reject() override;
 
  private:

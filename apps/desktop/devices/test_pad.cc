@@ -12,7 +12,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kPxPerN = 24.0;       // of the arrow
-constexpr double kLeastShownN = 0.03;  // shorter arrows are only flicker
+constexpr double kLeastShownN = 0.03;  // shorter arrows would only flicker
 constexpr std::size_t kTrail = 600;
 
 }  // namespace

@@ -8,15 +8,16 @@
 
 namespace felt::desktop {
 
-/// A piece of paper to try a device on: a loop of its own, so that nothing comes of it in the
-/// drawing. Only for devices that mouse and tablet lead; runs while it is seen.
+/// An area to try a device, with its own loop, so that the drawing is not affected. Only for
+/// devices that mouse and tablet lead; runs while it is visible.
 class TestPad : public QWidget {
   Q_OBJECT
 
  public:
   explicit TestPad(QWidget* parent = nullptr);
 
-  /// Another device, and how strong its forces shall be. Empty: none, the pad only says so.
+  /// Sets the device and the strength of its forces. If the id is empty, the pad only says that
+  /// there is none.
   void use(const QString& device_id, double strength, double limit_n);
   [[nodiscard]] Studio* studio() noexcept { return studio_.get(); }
 

@@ -10,36 +10,37 @@
 
 namespace felt::desktop {
 
-/// Everything that can be asked of a window, by name: "edit.undo", "view.fit_page". Menus, tool
-/// bar, shortcut sheet, remapping and the monkey test all go by this table, so that nothing can be
-/// done in one way only. Each room adds what it can do; the window puts it into menus.
+/// The table of a window's commands by name: "edit.undo", "view.fit_page". Menus, tool bar,
+/// shortcut sheet, remapping and the monkey test all use this table, so that each of them reaches
+/// every command. Each folder adds its commands; the window puts them into menus.
 ///
-/// Names: menu "." command. The shortcuts a person chose are settings "shortcuts/NAME", and replace
-/// the ones given here. Qt's main thread.
+/// Names: menu "." command. The user's shortcuts are settings "shortcuts/NAME" and replace the
+/// default keys given here. Qt's main thread.
 class Actions : public QObject {
   Q_OBJECT
 
  public:
   explicit Actions(QWidget* window);
 
-  /// Adds one, on the window, so that its keys work wherever the focus is. `text` is translated and
-  /// has its mnemonic; `tip` one sentence.
+  /// Adds a command to the window, so that its keys work wherever the focus is. `text` is
+  /// translated and has its mnemonic; `tip` is one sentence.
   QAction* add(const QString& name, const QString& text, const QList<QKeySequence>& keys,
                const QString& tip, std::function<void()> run);
-  /// The same, on or off.
+  /// Adds a command that is switched on or off.
   QAction* add_switch(const QString& name, const QString& text, const QList<QKeySequence>& keys,
                       const QString& tip, bool on, std::function<void(bool)> run);
-  /// Null where there is none.
+  /// Returns null if there is no command of that name.
   [[nodiscard]] QAction* find(const QString& name) const;
-  /// In the order of adding.
+  /// Returns all commands, in the order in which they were added.
   [[nodiscard]] const QList<QAction*>& all() const noexcept { return actions_; }
-  /// The keys that it came with.
+  /// Returns the keys that the command was added with.
   [[nodiscard]] QList<QKeySequence> default_keys(const QString& name) const;
-  /// Chosen by a person; kept, and so in every window. Empty: no keys.
+  /// Sets the user's keys for a command and stores them, so that they apply in every window. Empty:
+  /// no keys.
   void set_keys(const QString& name, const QList<QKeySequence>& keys);
-  /// The keys that it came with, again.
+  /// Restores the keys that the command was added with.
   void reset_keys(const QString& name);
-  /// The one that has this key now, or null; `but` is not looked at.
+  /// Returns the command that has this key now, or null. Ignores `but`.
   [[nodiscard]] QAction* owner_of(const QKeySequence& key, const QAction* but = nullptr) const;
 
  Q_SIGNALS:

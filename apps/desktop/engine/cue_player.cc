@@ -11,10 +11,11 @@
 namespace felt::desktop {
 namespace {
 
-constexpr std::int64_t kLookNs = 16'000'000;  // between two looks at what the session shows
+constexpr std::int64_t kLookNs = 16'000'000;  // between two checks of what the session shows
 constexpr int kIdleMs = 150;
 constexpr int kAgainMs = 2000;
-/// To look costs little; to open one that does not want to may take a second of the window.
+/// Checking costs little; an attempt to open a device that refuses may block the window for a
+/// second.
 constexpr int kMostAgainMs = 60'000;
 
 struct AddedCueDriver {
@@ -31,7 +32,7 @@ std::vector<AddedCueDriver>& cue_drivers() {
   return all;
 }
 
-/// The descriptor of an id, with its driver; null where it is not there now.
+/// Returns the driver and the descriptor of an id; null if the device is not connected now.
 std::pair<Driver*, DeviceDescriptor> find_cue_device(const std::string& id) {
   for (const AddedCueDriver& added : cue_drivers()) {
     if (!id.starts_with(std::string(added.driver->name()) + ":")) continue;
@@ -106,8 +107,8 @@ void CuePlayer::follow_setting() {
   again_.start(refusal_.tries++ == 0 ? kAgainMs : std::min(2 * again_.interval(), kMostAgainMs));
 }
 
-/// A device that is there and does not open may do so soon: its permissions come after its file,
-/// and a mouse may sleep behind its receiver.
+/// A device that is connected but does not open may do so soon, because its permissions are set
+/// after its file appears, and a mouse may sleep behind its receiver.
 void CuePlayer::look_again() {
   const QString id = Settings::the().text(QString::fromLatin1(kCueDeviceKey));
   if (find_cue_device(id.toStdString()).first) return follow_setting();
@@ -147,7 +148,7 @@ bool CuePlayer::use(const QString& id) {
   return true;
 }
 
-/// It was unplugged, or went to sleep.
+/// Handles a device that was unplugged or went to sleep.
 void CuePlayer::lose(int which) {
   if (!player_ || which != opened_) return;
   const QString label = text_of(player_->device().descriptor().label);

@@ -14,27 +14,28 @@
 
 namespace felt::desktop {
 
-/// Setting: the id of the cue device that a person has chosen; empty: none, as at first. Once
-/// chosen it plays whenever it is there.
+/// Setting: the id of the cue device that the user has chosen; empty (the default): none. A chosen
+/// device plays whenever it is connected.
 inline constexpr auto kCueDeviceKey = "devices/cue";
 
 /// A haptic pen, mouse, touchpad or game controller, for lists.
 struct CueDeviceInfo {
-  QString id;     ///< what the setting keeps
-  QString label;  ///< for people
+  QString id;     ///< stored in the setting
+  QString label;  ///< for the user
 };
 
-/// Those that are there now. Some ms. To choose one: Settings::the().set(kCueDeviceKey, id).
+/// Returns the devices that are connected now. Takes some ms. To choose one:
+/// Settings::the().set(kCueDeviceKey, id).
 std::vector<CueDeviceInfo> cue_devices();
-/// Another driver to look at, beside those of make_drivers(): for tests. The number undoes it.
+/// Adds a driver to those of make_drivers(), for tests. Returns a number for remove_cue_driver().
 int add_cue_driver(std::shared_ptr<Driver> driver);
 void remove_cue_driver(int number);
 
-/// Lets the chosen cue device follow a drawing: humming while the pen rubs, ticks when it touches,
-/// when a tool takes hold, when an end snaps. One per window. Follows the setting, and looks for a
-/// chosen device that is not there every two seconds, for one that does not open more and more
-/// seldom. Silent while forces are switched off, and as
-/// much weaker as they are. Qt's main thread.
+/// Plays cues of a drawing on the chosen device: a hum while the pen rubs, and ticks when it
+/// touches, when a tool grabs something and when an end snaps. One per window. Follows the setting.
+/// If the chosen device is not connected, looks for it every two seconds; if it does not open,
+/// retries at growing intervals. The strength of the forces scales the cues; they are silent while
+/// forces are off. Qt's main thread.
 class CuePlayer : public QObject {
   Q_OBJECT
 
@@ -42,14 +43,14 @@ class CuePlayer : public QObject {
   explicit CuePlayer(Studio& studio, QObject* parent = nullptr);
   ~CuePlayer() override;
 
-  /// What plays now; empty: nothing.
+  /// Returns the id of the device that plays now, or an empty string.
   [[nodiscard]] QString in_use() const;
-  /// Opens it, closing what was open; empty closes. False: it does not open; `refused` says why.
-  /// Does not change the setting.
+  /// Opens the device and closes the one before; an empty id only closes. Returns false if it does
+  /// not open; `refused` says why. Does not change the setting.
   bool use(const QString& id);
 
  Q_SIGNALS:
-  /// Another one plays, or none.
+  /// Another device plays now, or none.
   void changed();
   /// A sentence for the status line.
   void refused(const QString& why);
@@ -69,11 +70,11 @@ class CuePlayer : public QObject {
   CueWatch watch_;
   std::int64_t last_look_ns_ = 0;
   bool is_silent_ = true;
-  int opened_ = 0;  // devices so far
-  QTimer idle_;     // no tick for a while: whoever hums stops
-  QTimer again_;    // looks for what is not there, or did not open
+  int opened_ = 0;  // number of devices opened so far
+  QTimer idle_;     // no tick for a while: stops the hum
+  QTimer again_;    // looks for a device that is missing or did not open
   struct {
-    QString words;  // that were said
+    QString words;  // the last ones that were emitted
     int tries = 0;
   } refusal_;
 };

@@ -19,7 +19,7 @@ struct Played {
   Cue cue;
 };
 
-/// What a device that plays into memory has in common with those who look at it.
+/// The state that a device that plays into memory shares with the test.
 struct Tape {
   std::mutex mutex;
   std::vector<Played> played;
@@ -174,7 +174,7 @@ TEST_F(CuePlayerTest, AnEndThatWouldSnapTicks) {
   start();
   draw({20, 20}, {80, 30});
   EXPECT_EQ(tape_.count(CueWaveform::kSuccess), 0);
-  draw({80, 70}, {80.5, 30.5});  // to the end of the first
+  draw({80, 70}, {80.5, 30.5});  // to the end of the first stroke
   EXPECT_EQ(tape_.count(CueWaveform::kSuccess), 1);
 }
 
@@ -227,7 +227,7 @@ TEST_F(CuePlayerTest, ADeviceThatDoesNotOpenSaysWhy) {
   EXPECT_TRUE(refused[1][0].toString().contains(QStringLiteral("tape:other")));
 }
 
-// Right after it was plugged in its permissions may be missing yet.
+// Right after a device was plugged in, its permissions may still be missing.
 TEST_F(CuePlayerTest, ADeviceThatDoesNotOpenAtFirstIsTriedAgain) {
   tape_.refuses = true;
   choose();
@@ -257,7 +257,7 @@ TEST_F(CuePlayerTest, AnUnpluggedOneIsLetGoAndComesBack) {
   EXPECT_EQ(player_->in_use(), QStringLiteral("tape:pen"));
 }
 
-/// With the thread: nothing is lost but what was too old, and the end is silence.
+/// With the thread: only cues that are too old are dropped, and the last order is silence.
 TEST(CueThread, PlaysOnAThreadOfItsOwn) {
   Tape tape;
   std::atomic<int> faults{0};

@@ -12,26 +12,26 @@
 
 namespace felt::desktop {
 
-/// Plays on a cue device from a thread of its own, since the transfer to a mouse that sleeps or a
-/// pen on a slow bus may take long, and a window must not wait. What waits too long is left out:
-/// of cues that wait, the last kMostWaiting are played.
+/// Plays on a cue device on its own thread, because a transfer to a sleeping mouse or to a pen on a
+/// slow bus may take long, and a window must not wait. If more than kMostWaiting cues wait, only
+/// the last kMostWaiting are played.
 ///
-/// All functions from one thread; `on_fault` is called on the other one, once, and nothing is
-/// played any more.
+/// Call all functions on one thread. `on_fault` is called once, on the playing thread; nothing is
+/// played afterwards.
 class CueThread {
  public:
   static constexpr std::size_t kMostWaiting = 3;
 
-  /// `with_thread` false: play() plays at once. For tests and pictures.
+  /// If `with_thread` is false, play() plays immediately; for tests and pictures.
   CueThread(std::unique_ptr<CueDevice> device, bool with_thread,
             std::function<void(DeviceFault)> on_fault);
   CueThread(const CueThread&) = delete;
   CueThread& operator=(const CueThread&) = delete;
-  /// Silence; waits for what is being played.
+  /// Silences the device; waits for the cue that is being played.
   ~CueThread();
 
   void play(const Cue& cue, std::int64_t now_ns);
-  /// Silence; what waits is not played.
+  /// Silences the device and drops the waiting cues.
   void stop();
   [[nodiscard]] const CueDevice& device() const noexcept { return *device_; }
 
@@ -48,7 +48,7 @@ class CueThread {
 
   std::unique_ptr<CueDevice> device_;
   std::function<void(DeviceFault)> on_fault_;
-  bool has_failed_ = false;  // of the thread that plays
+  bool has_failed_ = false;  // used by the thread that plays
   std::mutex mutex_;
   std::condition_variable posted_;
   std::deque<Order> orders_;

@@ -7,23 +7,23 @@
 
 namespace felt::desktop {
 
-/// What of a session's doings a hand should be told: that a tool took hold of something, that there
-/// was nothing to take, that an end is where it would snap, that a hovering pen came to something.
-/// Looks at what the session shows, as the eye does; any one thread.
+/// Finds the events of a session that the hand should feel: a tool grabbed something, there was
+/// nothing to grab, an end is where it would snap, a hovering pen reached a handle. Uses what the
+/// session shows on the screen. Not thread-safe; any thread.
 class CueWatch {
  public:
-  /// Nearer than this a handle is under the pen; farther than half as much again it no longer is.
+  /// A handle nearer than this is under the pen, until it is 1.5 times as far.
   static constexpr double kFoundMm = 3.0;
 
-  /// The most important thing that is so now and was not at the last look.
+  /// Returns the most important event that is true now and was not at the last call.
   std::optional<CueEvent> look(const Session& session, const PenSample& pen);
-  /// An edit came about: what the gesture took was something.
+  /// The document was edited, so the gesture grabbed something.
   void edited() noexcept { came_to_something_ = true; }
 
  private:
-  Overlay overlay_;  // keeps its memory
+  Overlay overlay_;  // reused, so that it keeps its memory
   bool is_down_ = false;
-  bool came_to_something_ = false;  // since it touched
+  bool came_to_something_ = false;  // since the pen touched
   bool snaps_ = false;
   bool found_ = false;
 };

@@ -6,21 +6,23 @@
 
 namespace felt::desktop {
 
-/// What a fault of a device means, for people.
+/// A device fault in words for the user.
 struct DeviceWords {
   QString what;     ///< what happened: one sentence
-  QString to_do;    ///< what goes on without them, and what they can do
-  QString details;  ///< the maker's own words and number; may be empty
+  QString to_do;    ///< how the session continues, and what the user can do
+  QString details;  ///< the vendor's own message and number; may be empty
 };
 
-/// `device` is its name; `draws`: its pen can be read, so that one can draw on with it.
+/// Describes a fault. `device` is its name; `draws` is true if its pen can still be read, so that
+/// the user can go on drawing with it.
 DeviceWords words_for(DeviceFault fault, const QString& device, const DeviceStatus& status,
                       bool draws);
 
-/// The same as half a sentence: "the device is not connected any more".
+/// Describes it in half a sentence: "the device is not connected any more".
 QString words_for(DeviceFault fault);
 
-/// The maker's own words and number, for those who look for them elsewhere. Empty: it said none.
+/// Returns the vendor's own message and number, so that the user can search for them. Empty if
+/// there are none.
 QString vendor_words(const DeviceStatus& status);
 
 }  // namespace felt::desktop

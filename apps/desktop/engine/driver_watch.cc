@@ -32,21 +32,22 @@ PenDeviceInfo info_of(const DeviceDescriptor& device) {
 
 }  // namespace
 
-/// A driver, and who talks to it at present.
+/// A driver, and the lock of the call that uses it.
 struct DriverWatch::Slot {
   std::unique_ptr<Driver> driver;
   std::timed_mutex busy;
-  std::atomic<bool> is_stuck{false};  // its library hangs: it is asked nothing any more
+  std::atomic<bool> is_stuck{false};  // its library hangs: it is not called any more
 };
 
-/// What the thread that looks shares with the watch; one that hangs may outlive it.
+/// The state that the search thread shares with the watch. A thread that hangs may outlive the
+/// watch.
 struct DriverWatch::Looking {
   std::vector<std::shared_ptr<Slot>> slots;
-  std::atomic<std::size_t> at{0};  // the one that is asked
+  std::atomic<std::size_t> at{0};  // the driver that is being asked
   std::mutex mutex;
-  DriverWatch* watch = nullptr;  // null: nobody waits for it any more
+  DriverWatch* watch = nullptr;  // null: the result is not wanted any more
 
-  /// Asks all that answer, one after the other.
+  /// Asks all drivers that answer, one after the other.
   template <class Ask>
   void ask_all(const Ask& ask) {
     for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -56,7 +57,7 @@ struct DriverWatch::Looking {
       ask(*slots[i]);
     }
   }
-  /// Calls it with the watch on the main thread, unless nobody waits any more.
+  /// Calls `answer` with the watch on the main thread, unless the result is not wanted any more.
   template <class Answer>
   void tell(Answer answer) {
     const std::lock_guard lock(mutex);
@@ -99,7 +100,7 @@ void DriverWatch::begin_looking() {
   looking_->watch = this;
 }
 
-/// A library hangs: its thread is left to it, and what it says in the end is not heard.
+/// Abandons the search thread because a library hangs; its result is ignored.
 void DriverWatch::give_up_looking() {
   looking_->slots[looking_->at]->is_stuck = true;
   {
@@ -132,6 +133,8 @@ bool DriverWatch::knows(const QString& id) const noexcept {
   return slot_of(id) != nullptr;
 }
 
+/// Starts a search, unless one is running. If that one has run for `stuck_ms_`, abandons it with
+/// its thread and starts another thread, without the driver that hangs.
 void DriverWatch::look() {
   if (std::exchange(is_looking_, true)) {
     if (since_look_.elapsed() < stuck_ms_ || slots_.empty()) return;

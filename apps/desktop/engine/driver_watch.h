@@ -15,52 +15,53 @@
 
 namespace felt::desktop {
 
-/// What one maker's driver says about this machine.
+/// The findings of one vendor's driver on this machine.
 struct DriverFindings {
   QString label;  ///< "3D Systems (OpenHaptics)"
   std::vector<Finding> findings;
 };
 
-/// The drivers of real devices, as a maker of pens: knows what is plugged in, and opens it.
+/// The drivers of real devices. Finds the devices that are plugged in, and opens them (PenDriver).
 ///
-/// Nothing is looked for but while somebody wants to know (`Watching`: a list is shown, a lost
-/// device is waited for), once a second then, on a thread of its own: a library that takes its time
-/// holds up no window. Drivers are asked one thing at a time; opening waits for a look that is
-/// under way, kPatienceMs at most. A driver whose library has not answered for `stuck_ms` is given
-/// up, and the others are looked at without it; so is its device, when it is closed (OpenDevice).
-/// One per process, made before the first window. Main thread.
+/// Looks for devices only while a `Watching` exists (a list is shown, or a lost device is awaited):
+/// once a second, on its own thread, so that a slow library blocks no window. Drivers are used by
+/// one call at a time; opening waits for a running search, at most kPatienceMs. A driver whose
+/// library has not answered for `stuck_ms` is no longer used, and the search continues without it;
+/// a device whose library hangs when it is closed is disconnected as well (OpenDevice). One per
+/// process, made before the first window. Main thread.
 class DriverWatch : public QObject {
   Q_OBJECT
 
  public:
   static constexpr int kLookMs = 1000;
   static constexpr int kPatienceMs = 3000;
-  static constexpr int kStuckMs = 60'000;  ///< longer than any way home takes
+  static constexpr int kStuckMs = 60'000;  ///< longer than any homing takes
 
   explicit DriverWatch(std::vector<std::unique_ptr<Driver>> drivers, QObject* parent = nullptr,
                        int stuck_ms = kStuckMs);
   ~DriverWatch() override;
-  /// The one there is, or null.
+  /// Returns the one of this process, or null.
   static DriverWatch* the() noexcept;
 
-  /// The force devices, as of the last look.
+  /// Returns the force devices that the last search found.
   [[nodiscard]] const std::vector<PenDeviceInfo>& found() const noexcept { return found_; }
-  /// The ids and names of what plays waveforms, likewise (cue_player.h opens them).
+  /// Returns the ids and names of the devices that play waveforms, from the last search
+  /// (cue_player.h opens them).
   [[nodiscard]] const std::vector<std::pair<QString, QString>>& found_cues() const noexcept {
     return cues_;
   }
   [[nodiscard]] const PenDeviceInfo* find(const QString& id) const noexcept;
-  /// One of its drivers makes devices with such ids, plugged in or not.
+  /// Returns true if one of its drivers makes devices with such ids, plugged in or not.
   [[nodiscard]] bool knows(const QString& id) const noexcept;
-  /// True once it has been looked for the first time.
+  /// Returns true once the first search is finished.
   [[nodiscard]] bool has_looked() const noexcept { return has_looked_; }
-  /// Looks now, once; `looked` follows.
+  /// Starts one search now; `looked` reports its end.
   void look();
-  /// Asks all drivers what is there and what is missing, on its thread; answers on the main one,
-  /// unless `asker` is gone by then.
+  /// Asks all drivers, on the search thread, what is connected and what is missing. Calls `answer`
+  /// on the main thread, unless `asker` is gone by then.
   void diagnose(QObject* asker, std::function<void(std::vector<DriverFindings>)> answer);
 
-  /// While one of these lives, devices are looked for.
+  /// Devices are searched for while one of these exists.
   class Watching {
    public:
     Watching();
@@ -70,9 +71,9 @@ class DriverWatch : public QObject {
   };
 
  Q_SIGNALS:
-  /// found() or found_cues() is not what it was.
+  /// found() or found_cues() changed.
   void changed();
-  /// A look is over, whatever it saw.
+  /// A search has ended, with or without a change.
   void looked();
 
  private:
@@ -97,7 +98,7 @@ class DriverWatch : public QObject {
   QTimer timer_;
   bool is_looking_ = false;
   bool has_looked_ = false;
-  int pens_ = 0;  // number of add_pen_driver
+  int pens_ = 0;  // returned by add_pen_driver
 };
 
 }  // namespace felt::desktop

@@ -10,7 +10,7 @@
 namespace felt::desktop::driver_watch_test {
 namespace {
 
-/// A library that does not come back from a call until it is let go.
+/// Blocks a library call until the test opens it.
 struct Gate {
   std::mutex mutex;
   std::condition_variable changed;
@@ -64,7 +64,7 @@ std::vector<std::unique_ptr<Driver>> drivers(Gate& gate) {
 }
 
 TEST(DriverWatch, ALibraryThatHangsIsGivenUpAndTheOthersAreFound) {
-  static Gate gate;  // whoever hangs in it may outlive this test
+  static Gate gate;  // a hanging call may outlive this test
   {
     DriverWatch watch(drivers(gate), nullptr, 100);
     QSignalSpy looked(&watch, &DriverWatch::looked);
@@ -76,7 +76,7 @@ TEST(DriverWatch, ALibraryThatHangsIsGivenUpAndTheOthersAreFound) {
     ASSERT_TRUE(looked.wait(20'000));
     EXPECT_EQ(watch.found().size(), 1U);
   }
-  gate.open();  // it comes back after all: nobody is there any more
+  gate.open();  // the call returns after all, but nothing waits for it
 }
 
 TEST(DriverWatch, EndsAlthoughALibraryHangs) {

@@ -8,7 +8,7 @@
 
 namespace felt::desktop {
 
-/// What is drawn with at first: smooth and exact with a mouse, which presses evenly.
+/// The medium of a first start: smooth, and exact with a mouse, which presses evenly.
 inline constexpr std::string_view kFirstMedium = "ink-pen";
 
 /// Returns the row of an option with the default of this program: the library's, except for the

@@ -12,17 +12,17 @@
 namespace felt::desktop {
 namespace {
 
-// Ticks between two `due`.
+// Ticks between two emissions of `due`.
 constexpr int kNear = 1;
 constexpr int kFar = 4;
 constexpr int kResting = 16;
 constexpr std::int64_t kAfterTickNs = 60'000;     // usually the tick is over by then
-constexpr int kMaxLateLooks = 4;                  // after that many the next tick is waited for
+constexpr int kMaxLateLooks = 4;                  // after that many checks, waits for the next tick
 constexpr std::int64_t kNearNs = 100'000'000;     // since the pen was moved
 constexpr std::int64_t kRestingNs = 500'000'000;  // same
 constexpr std::int64_t kStatusNs = 20'000'000;    // quick enough for an eye, and negligible work
 
-/// Of unresponsive devices, over all windows.
+/// Ids of unresponsive devices, over all windows.
 std::vector<QString>& unresponsive_ids() {
   static std::vector<QString> ids;
   return ids;
@@ -70,7 +70,7 @@ void HapticLoop::restart_with_device() {
   reported_faults_ = 0;
   reported_fault_.reset();
   reported_notice_ =
-      device_->device().status().notice;  // whoever opened the device has shown this one
+      device_->device().status().notice;  // the code that opened the device has shown this one
   Q_EMIT device_replaced();
   start();
   Q_EMIT device_changed();
@@ -146,8 +146,8 @@ void HapticLoop::set_force_limit(double newton) {
   newton = std::clamp(newton, 0.0, SafetyLimits{}.peak_force_n);
   if (std::exchange(force_limit_n_, newton) == newton) return;
   if (!stop()) return restart_with_device();
-  // After a fault only the user switches forces on again, also after one that the last samples
-  // reported and that nobody has seen yet.
+  // After a fault only the user may switch forces on again, also after a fault that the last
+  // samples reported and that was not yet shown.
   const bool may_be_on = forces_on_ && servo_->latest().safety.state != SafetyState::kLatched;
   Q_EMIT force_limit_changed(newton);
   start();
@@ -218,7 +218,7 @@ void HapticLoop::pause() {
   Q_EMIT stopped();
 }
 
-/// Nothing moves by itself: no motors, no simulated body, no line that is being drawn.
+/// Returns true if nothing moves by itself: no motors, no simulated body, no line in progress.
 bool HapticLoop::may_pause(std::int64_t now, PenActivity activity) const {
   return thread_ && hand_ && !device_->device().capabilities().has_force() &&
          now - last_event_ns_ > options_.rest_ns && activity == PenActivity::kNone;
@@ -246,8 +246,8 @@ bool HapticLoop::read_samples(const std::function<void(PenSample&)>& handle) {
   return any;
 }
 
-/// Right after a tick: what it has read is seen some hundred microseconds later. A tick that is
-/// late is looked for again, soon.
+/// Sets the timer to right after a tick, so that a sample is seen some hundred microseconds after
+/// it was read. If a tick is late, checks again soon.
 void HapticLoop::schedule(bool has_samples, PenActivity activity) {
   if (!options_.live) return;
   const std::int64_t now = now_ns();

@@ -20,7 +20,8 @@ QString option_key(const std::string& id) {
   return QLatin1String(kOptionPrefix) + QString::fromStdString(id);
 }
 
-/// Nothing if the stored value is of another kind or out of range: of another version, or edited.
+/// Returns nothing if the stored value has another type or is out of range, because another version
+/// stored it or it was edited.
 std::optional<OptionValue> value_of(const QVariant& stored, const OptionSpec& spec,
                                     const Materials& known) {
   if (!stored.isValid()) return {};

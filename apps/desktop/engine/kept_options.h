@@ -8,11 +8,11 @@ namespace felt::desktop {
 
 /// Keeps the options of all tools (medium, widths, snapping, stabiliser, eraser mode, ...) and the
 /// colour of new ink in the settings, so that the next window and the next start begin with them.
-/// What is as it was at first is not stored, so that it follows a later version's defaults. Stored
-/// values that no longer fit are ignored. Not kept: the colour that an opened drawing brings
-/// (Studio::open), and choices for a few gestures (transform.duplicate, lasso.combine, ...).
+/// An option at its first value is not stored, so that it follows a later version's defaults.
+/// Stored values that are no longer valid are ignored. Not kept: the colour that an opened drawing
+/// brings (Studio::open), and choices for a few gestures (transform.duplicate, lasso.combine, ...).
 ///
-///   new KeptOptions(studio, window);   // sets what was kept, then stores what changes
+///   new KeptOptions(studio, window);   // restores the stored options, then stores changes
 class KeptOptions : public QObject {
   Q_OBJECT
 

@@ -9,22 +9,23 @@ class QToolButton;
 
 namespace felt::desktop {
 
-/// Something to know, said above the sheet without being in the way: an icon, a line or two, what a
-/// subclass puts beside them, "Details" below on demand, and a cross. Escape in it closes it, too.
-/// It takes no focus; a screen reader is told. Hidden until something is said.
+/// A message above the canvas that does not block work: an icon, a line or two, widgets of a
+/// subclass beside them, "Details" below on demand, and a close button. Escape closes it, too. It
+/// takes no focus, and screen readers announce it. Hidden until there is a message.
 class MessageBar : public QFrame {
   Q_OBJECT
 
  protected:
-  /// `details` is shown and hidden by the button of that name, whose tool tip is `tip`; taken over.
+  /// `details` is shown and hidden by the "Details" button, whose tool tip is `tip`. Takes
+  /// ownership.
   MessageBar(QWidget* details, const QString& tip, QWidget* parent);
 
   void keyPressEvent(QKeyEvent* event) override;
 
   void set_icon(const QPixmap& icon);
-  /// Between the words and "Details".
+  /// Returns the layout between the text and "Details".
   [[nodiscard]] QHBoxLayout& extras() noexcept { return *extras_; }
-  /// Shows the bar with these words, the details hidden; whether there are any.
+  /// Shows the bar with this text and the details hidden. `has_details`: whether there are any.
   void say(const QString& words, bool has_details);
 
  Q_SIGNALS:

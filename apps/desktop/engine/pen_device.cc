@@ -13,7 +13,7 @@
 namespace felt::desktop {
 namespace {
 
-/// Half the workspace, in mm: the device reaches every place of the sheet.
+/// Half the workspace, in mm, so large that the device reaches every point of the page.
 constexpr double kEndlessMm = 1e10;
 constexpr auto kTablet = "tablet";
 constexpr auto kSimulated = "simulated:";
@@ -34,7 +34,7 @@ std::vector<QString>& open_ids() {
   return ids;
 }
 
-/// "3D Systems Touch (Phantom Omni)" is "Touch" to those who have one.
+/// "3D Systems Touch (Phantom Omni)" becomes "Touch", the name its users say.
 QString model_of(QString label) {
   label = label.section(QLatin1String(" ("), 0, 0).section(QLatin1Char(':'), 0, 0);
   for (const char* maker : {"3D Systems ", "Novint ", "Force Dimension ", "Haply "}) {
@@ -55,7 +55,7 @@ PenDeviceInfo info_of(const StylusPreset& preset) {
     return info;
   }
   info.id = kSimulated + text_of(preset.name);
-  // Names of products stay as they are.
+  // Product names are not translated.
   static_cast<void>(QT_TRANSLATE_NOOP("PenDevice", "Worst case: light, frictionless, coarse"));
   const QString label = QCoreApplication::translate("PenDevice", preset.label.data());
   info.label = QCoreApplication::translate("PenDevice", "Simulated: %1").arg(label);
@@ -67,8 +67,8 @@ PenDeviceInfo info_of(const StylusPreset& preset) {
   return info;
 }
 
-/// Of mouse and tablet only one is offered: whoever draws with both does not want to choose, and a
-/// pen without pressure draws the same with either.
+/// Only one of mouse and tablet is offered, because a user who draws with both does not want to
+/// choose, and a pen without pressure draws the same with either.
 bool is_offered(const StylusPreset& preset) {
   return preset.capabilities.has_force() || preset.name == kTablet;
 }
@@ -101,7 +101,7 @@ std::string profiles_folder() {
 
 PenDevice::PenDevice(PenDeviceInfo info, std::unique_ptr<OpenDevice> device)
     : info_(std::move(info)), device_(std::move(device)) {
-  // Some drivers tell more once it is open.
+  // Some drivers report more once the device is open.
   const DeviceDescriptor& opened = device_->descriptor();
   info_.capabilities = device_->device_capabilities();
   info_.moves_hand = info_.capabilities.has_force();
@@ -153,7 +153,8 @@ std::vector<PenDeviceInfo> pen_devices() {
   for (const StylusPreset& preset : stylus_presets()) {
     if (preset.capabilities.has_force()) devices.push_back(info_of(preset));
   }
-  // The one that is there to be hard on forces is nobody's first choice.
+  // The device that is the worst case for forces goes last, because it should not be anyone's first
+  // choice.
   std::stable_partition(devices.begin(), devices.end(), [](const PenDeviceInfo& info) {
     return info.id != QLatin1String("simulated:worst");
   });

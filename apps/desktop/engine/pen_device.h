@@ -12,31 +12,31 @@
 
 namespace felt::desktop {
 
-/// Setting: the id of the device that a person has chosen.
+/// Setting: the id of the device that the user has chosen.
 inline constexpr auto kPenDeviceKey = "devices/pen";
 inline constexpr auto kPenDeviceDefault = "tablet";
-/// Setting: what that device was called, for when it is not there.
+/// Setting: the label of that device, used while it is not connected.
 inline constexpr auto kPenDeviceLabelKey = "devices/pen_label";
 
 /// A device that can be chosen, for lists.
 struct PenDeviceInfo {
-  QString id;                ///< "tablet", "simulated:touch"; what the settings keep
-  QString label;             ///< for people
+  QString id;                ///< "tablet", "simulated:touch"; stored in the settings
+  QString label;             ///< for the user
   QString short_label = {};  ///< for the status line; empty: the label
-  QString note;              ///< one sentence: what it is good for
-  bool moves_hand = false;   ///< real motors: a person must switch the forces on
-  /// It says where it is in a frame of its own: needs to be told where the drawing plane lies.
+  QString note;              ///< one sentence on its use
+  bool moves_hand = false;   ///< real motors: the user must switch the forces on
+  /// It reports its position in its own frame, so its drawing plane has to be calibrated.
   bool has_own_frame = false;
-  /// False: it cannot be looked for, only opening tells whether it is there.
+  /// False: only opening it shows whether it is connected.
   bool is_connected = true;
   QString serial = {};          ///< empty: unknown
   Capabilities capabilities{};  ///< as far as they are known while it is closed
 };
 
-/// A device in use: one that its user holds, or a simulated one in a simulated hand.
+/// A device in use: one that the user holds, or a simulated one in a simulated hand.
 class PenDevice {
  public:
-  /// Opened by a driver; `info` is what was known of it while it was closed.
+  /// `device` was opened by a driver; `info` is from before it was opened.
   PenDevice(PenDeviceInfo info, std::unique_ptr<OpenDevice> device);
   PenDevice(PenDeviceInfo info, const StylusPreset& preset, const SimulatedHand& hand);
   PenDevice(const PenDevice&) = delete;
@@ -45,59 +45,61 @@ class PenDevice {
 
   [[nodiscard]] const PenDeviceInfo& info() const noexcept { return info_; }
   [[nodiscard]] OpenDevice& device() noexcept { return *device_; }
-  /// The hand that mouse, tablet and keys move; null if the user holds the device.
+  /// Returns the hand that mouse, tablet and keys move; null if the user holds the device.
   [[nodiscard]] HandInput* hand() noexcept { return stylus_.get(); }
-  /// How that hand presses on it.
+  /// Returns how that hand presses on the device.
   [[nodiscard]] const HandScriptOptions& hand_options() const noexcept { return options_; }
-  /// Changes name, plane and limits of the user's device, while no loop runs; does nothing for a
-  /// simulated one.
+  /// Changes name, plane and limits of the user's device. Requires that no loop runs. Does nothing
+  /// for a simulated device.
   void set_profile(const DeviceProfile& profile);
   /// Returns true if a driver's device of this id is in use in any window.
   [[nodiscard]] static bool is_open(const QString& id);
 
  private:
   PenDeviceInfo info_;
-  QString model_label_;  // without a name of the user
+  QString model_label_;  // without the user's name for it
   std::unique_ptr<SimulatedStylus> stylus_;
   HandScriptOptions options_;
   std::unique_ptr<OpenDevice> device_;
 };
 
-/// A maker of devices: what a driver adds once, at the start of the program (DriverWatch).
+/// A source of devices, added once at the start of the program (DriverWatch).
 struct PenDriver {
-  /// What is there now. Quick: asked whenever a list is shown.
+  /// Returns the devices that are connected now. Must be quick: called whenever a list is shown.
   std::function<std::vector<PenDeviceInfo>()> find;
-  /// Opens one that it found. Error: says what to do.
+  /// Opens a device that it found. The error says what to do.
   std::function<Result<std::unique_ptr<OpenDevice>>(const QString& id, DeviceSetup setup)> open;
 };
 
-/// Main thread, like all of these. Returns a number for remove_pen_driver.
+/// Adds a driver. Returns a number for remove_pen_driver. All functions here: main thread.
 int add_pen_driver(PenDriver driver);
 void remove_pen_driver(int number);
 
-/// All that can be chosen on this machine now: "tablet" (the pen is exactly where mouse or tablet
-/// say, and forces are shown only), what drivers find, the simulated styluses.
+/// Returns all devices that can be chosen on this machine now: "tablet" (the pen is exactly where
+/// mouse or tablet report, and forces are only shown), the devices that drivers find, and the
+/// simulated styluses.
 std::vector<PenDeviceInfo> pen_devices();
 
-/// Opens one; a driver's device keeps within what its person has set (profile_of), and one with a
-/// frame of its own lies as they have shown, or as it usually does, around the middle of `page`.
-/// Error: there is none of that id, it does not answer, or what is kept for it makes no sense; says
-/// what to do.
+/// Opens a device. A driver's device respects the user's limits (profile_of). A device with its own
+/// frame uses the user's calibration of the plane, or its usual plane, around the middle of `page`.
+/// Fails if no device has that id, it does not answer, or its stored profile is invalid; the error
+/// says what to do.
 Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id, const Rect& page);
-/// Likewise, for a page as it is at first.
+/// Opens a device as above, for the page of a new drawing.
 Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id);
 
-/// The device that a person has chosen, if it is there now; else the one that is always there.
+/// Returns the device that the user has chosen if it is connected; otherwise the one that is always
+/// available.
 QString chosen_pen_device();
 
-/// What is kept for a device, in a file of its own (device_profile.h) that the command line reads,
-/// too. Error: names file, line and reason.
+/// Reads the profile of a device from its own file (device_profile.h), which the command line
+/// reads, too. The error names file, line and reason.
 Result<DeviceProfile> profile_of(const QString& device_id);
 Result<void> keep_profile(const DeviceProfile& profile);
-/// Its file, for a person.
+/// Returns its file, as shown to the user.
 QString profile_path(const QString& device_id);
-/// Where the drawing plane of a device lies; nothing where nobody has said so, or what is kept
-/// makes no sense.
+/// Returns the drawing plane of a device, or nothing if it was not calibrated or the stored plane
+/// is invalid.
 std::optional<PlaneCalibration> plane_of(const QString& device_id);
 Result<void> keep_plane_of(const QString& device_id, const PlaneCalibration& calibration);
 

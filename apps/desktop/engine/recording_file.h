@@ -13,15 +13,15 @@
 
 namespace felt::desktop {
 
-/// Writes all that a studio's session receives into a file, as it happens, for
-/// `feltline replay --as-recorded`:
+/// Writes everything that a studio's session receives into a file, as it happens, for `feltline
+/// replay --as-recorded`:
 ///
 ///   const auto recording = record_into(path, options);
 ///   Studio studio(options);
 ///
-/// The first session goes to "path.ndjson", the next to "path-2.ndjson" and so on; one that begins
-/// with a drawing is played with that (`replay --on`). Nothing waits longer than 50 ms in memory
-/// while Qt's loop runs. Qt's main thread; must outlive the studio.
+/// The first session goes to "path.ndjson", the next to "path-2.ndjson" and so on. To play a
+/// session that begins with a drawing, give that drawing (`replay --on`). Data stays in memory for
+/// at most 50 ms while Qt's loop runs. Qt's main thread; must outlive the studio.
 class RecordingFile : public QObject {
   Q_OBJECT
 
@@ -32,11 +32,11 @@ class RecordingFile : public QObject {
   /// A session begins.
   void begin();
   void add(const Event& event);
-  /// What was told so far is in the file then.
+  /// Writes everything received so far to the file.
   void flush();
-  /// Why it cannot be written; empty: it can.
+  /// Returns why the file cannot be written; empty if it can.
   [[nodiscard]] const QString& error() const noexcept { return error_; }
-  /// The file in use.
+  /// Returns the path of the file in use.
   [[nodiscard]] QString path() const { return file_.fileName(); }
 
  Q_SIGNALS:
@@ -55,7 +55,8 @@ class RecordingFile : public QObject {
   int session_ = 0;
 };
 
-/// Has the studio that is made with these options record itself. Null where the path is empty.
+/// Makes the studio that is created with these options record itself. Returns null if the path is
+/// empty.
 std::unique_ptr<RecordingFile> record_into(const QString& path, StudioOptions& options);
 
 }  // namespace felt::desktop

@@ -6,9 +6,9 @@
 
 namespace felt::desktop {
 
-/// What a person has chosen for the program, kept in the XDG configuration folder from one start to
-/// the next: one flat table, "pens/pressure_curve" -> value. Each room names its own keys, in a
-/// header of its own, with their defaults. Reading is cheap (a table in memory).
+/// The user's settings, kept in the XDG configuration folder: one flat table, "pens/pressure_curve"
+/// -> value. Each folder names its own keys, with their defaults, in its own header. Reading is
+/// cheap (a table in memory).
 ///
 /// One per process, made before the first window; qApp's thread.
 class Settings : public QObject {
@@ -21,10 +21,10 @@ class Settings : public QObject {
   [[nodiscard]] double number(const QString& key, double fallback) const;
   [[nodiscard]] bool flag(const QString& key, bool fallback) const;
   [[nodiscard]] QString text(const QString& key, const QString& fallback = {}) const;
-  /// Stored soon after; `changed` comes at once, and only where the value differs.
+  /// Sets a value. It is stored soon after; `changed` is emitted immediately, and only if the value
+  /// differs.
   void set(const QString& key, const QVariant& value);
-  /// Forgets what was chosen, so that the default counts; `changed` comes where there was
-  /// something.
+  /// Removes the user's value, so that the default applies. `changed` is emitted if there was one.
   void reset(const QString& key);
 
  Q_SIGNALS:

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kProcessNs = 4'000'000;  // of a studio that is not live
 
-/// Stands for the pressure that a hand does not sense: the tool's own option if it has one.
+/// Returns the pressure to use if a hand does not sense it: the tool's own option if it has one.
 double absent_pressure(const Session& session) {
   const Result<OptionValue> value =
       session.option(std::string(session.tool().info().id) + ".mouse_pressure");
@@ -41,7 +41,7 @@ Studio::~Studio() {
   loop_.disconnect(this);
 }
 
-/// These slots are the first of each signal, so that whoever comes later finds the session up to
+/// These slots are the first of each signal, so that slots connected later find the session up to
 /// date.
 void Studio::connect_loop() {
   connect(&loop_, &HapticLoop::due, this, &Studio::process);
@@ -73,7 +73,7 @@ void Studio::make_session(Document document, std::span<const std::string> materi
     Q_EMIT edit_applied(edit);
   };
   auto session = std::make_unique<Session>(make_tools(), std::move(options));
-  // As events, so that a recording has everything that the drawing depends on.
+  // Applied as events, so that a recording has everything that the drawing depends on.
   static_cast<void>(session->apply({event_time_ns(), loop_.used_device()}));
   const std::unique_ptr<Session> before = std::exchange(session_, std::move(session));
   of_drawing_.clear();
@@ -88,7 +88,7 @@ void Studio::make_session(Document document, std::span<const std::string> materi
   reported_layer_ = session_->layer();
 }
 
-/// This program starts with other options than the library.
+/// This program starts with other options than the library's defaults.
 void Studio::apply_first_options(std::int64_t now_ns) {
   for (const auto& tool : session_->tools()) {
     const std::string owner(tool->info().id);
@@ -185,7 +185,7 @@ bool Studio::apply(decltype(Event::what) what) {
 
 void Studio::finish_gesture() {
   process();
-  // With an event that ends gestures, so that a recording has it.
+  // Uses an event that ends gestures, so that a recording has it.
   if (session_->gesture_in_work()) apply(loop_.used_device());
 }
 
@@ -228,7 +228,7 @@ void Studio::point(const PointerEvent& event) {
 }
 
 void Studio::process() {
-  if (in_process_) return;  // a slot came here again
+  if (in_process_) return;  // a slot called process() again
   in_process_ = true;
   const bool has_samples = drain();
   publish();
@@ -251,15 +251,15 @@ void Studio::advance(std::int64_t ns) {
   process();
 }
 
-/// The time of what the session receives now: after the samples that it has handled, and usually
-/// before those that the loop is about to hand over, because a recording has one order.
+/// Returns the time for an event: after the samples that the session has handled, and usually
+/// before those that the loop is about to deliver, because a recording has one order.
 std::int64_t Studio::event_time_ns() {
   constexpr std::int64_t kInTransitNs = 5'000'000;
   return last_event_ns_ = std::max(last_event_ns_, now_ns() - kInTransitNs);
 }
 
-/// The first touch of the pencil ends the selection (what was pasted is selected, too), so that a
-/// colour chosen for the next line does not change the selected ones. As an event, so that a
+/// Clears the selection at the first touch of the pencil (a paste is selected, too), so that a
+/// colour chosen for the next line does not change the selected ones. Done by an event, so that a
 /// recording has it.
 void Studio::deselect_for_drawing(const PenSample& sample) {
   const bool begins = !std::exchange(was_in_contact_, in_contact(sample)) && in_contact(sample);
@@ -282,7 +282,7 @@ void Studio::handle_sample(PenSample& sample) {
   Q_EMIT sampled(sample);
 }
 
-/// False if there were no samples.
+/// Handles all waiting samples. Returns false if there were none.
 bool Studio::drain() {
   return loop_.read_samples([this](PenSample& sample) { handle_sample(sample); });
 }

@@ -17,11 +17,11 @@
 
 namespace felt::desktop {
 
-/// Where the pen is and what it feels, for the eye.
+/// Position and force of the pen, for display.
 struct PenState {
   bool is_known = false;  ///< there has been a sample
   PenSample sample;       ///< the newest one that the session handled
-  Point hand;             ///< where mouse or tablet want it; the sample's position without a hand
+  Point hand;             ///< target of mouse or tablet; the sample's position without a hand
   Force asked;            ///< by the tool
   Force sent;             ///< to the device
 };
@@ -46,18 +46,18 @@ class Studio : public QObject {
   // --- The drawing
   [[nodiscard]] const Session& session() const noexcept { return *session_; }
   [[nodiscard]] const SheetPage& page() const noexcept { return page_; }
-  /// Surfaces and media that can be chosen: Feltline's, the user's, and those that came with the
-  /// drawing.
+  /// Returns the surfaces and media that can be chosen: Feltline's, the user's, and those that came
+  /// with the drawing.
   [[nodiscard]] const Materials& materials() const noexcept { return materials_; }
   /// Sets the user-defined materials. The session receives each one that changed (UseMaterial), so
-  /// that hand, picture and sound have it at once; the page's paper is updated.
+  /// that forces, picture and sound use it immediately; the page's paper is updated.
   void set_user_materials(const Materials& known);
-  /// Sets the page: no step of undo, but an unsaved change. The session draws on the page's
-  /// surface, or on the one before if the page names none, or one that is not known here. Choosing
-  /// a surface
-  /// ("sheet.material") makes it the page's, and its usual colour becomes the page's paper if that
-  /// is the usual colour of the surface before, or white; a paper that the user chose stays. The
-  /// same happens if the page's surface gets another colour (set_user_materials()).
+  /// Sets the page: not a step of undo, but an unsaved change. The session draws on the page's
+  /// surface, or on the previous one if the page names none or an unknown one. Choosing a surface
+  /// ("sheet.material") makes it the page's surface. The page's paper gets the usual colour of that
+  /// surface if it is white or the usual colour of the previous surface; a paper that the user
+  /// chose stays. The same happens if the colour of the page's surface changes
+  /// (set_user_materials()).
   void set_page(const SheetPage& page);
   /// Replaces the drawing: history, selection and unsaved changes start again; tool and options
   /// stay, and so does the surface if the page names none that is known. `materials` are the texts
@@ -70,22 +70,22 @@ class Studio : public QObject {
   /// True if there are unsaved changes.
   [[nodiscard]] bool is_modified() const noexcept { return is_modified_; }
   void set_modified(bool modified);
-  /// Identifies the present state, for a file that is written while the user may go on.
+  /// Identifies the present state, for a file that is written while the user may continue to edit.
   [[nodiscard]] ChangeMark change_mark() const noexcept;
-  /// A file has the state of `mark` now. Changes and undo since then are unsaved changes.
+  /// A file has the state of `mark` now. Later changes, also by undo, are unsaved changes.
   void set_saved(const ChangeMark& mark);
 
   // --- Events
-  /// Applies an event to the session now, after every sample that came before it. False if the
-  /// session refuses it; `refused` says why.
+  /// Applies an event to the session now, after every earlier sample. Returns false if the session
+  /// refuses it; `refused` says why.
   bool apply(decltype(Event::what) what);
-  /// Ends the gesture as if the pen had been lifted: what it drew is in the document afterwards.
+  /// Ends the gesture as if the pen had been lifted: its result is in the document afterwards.
   void finish_gesture();
-  /// Adds strokes as one step of undo. False as in apply().
+  /// Adds strokes as one step of undo. Returns false as apply() does.
   bool import(const QString& path, std::span<const StrokePtr> strokes);
-  /// Adds the media of these strokes that are not known here; call it before import(). `texts` are
-  /// the materials that come with the strokes; one that cannot be read is skipped. A medium that is
-  /// known here with other figures stays as it is: returns the labels of these, each once.
+  /// Adds the unknown media of these strokes; call it before import(). `texts` are the materials
+  /// that come with the strokes; one that cannot be read is skipped. A medium that is known here
+  /// with other figures stays as it is: returns the labels of these, each once.
   std::vector<std::string> add_media(std::span<const std::string> texts,
                                      std::span<const StrokePtr> strokes);
   /// Selects another tool until give_back_tool(): a key is held, or the pen is turned over. Calls
@@ -97,31 +97,31 @@ class Studio : public QObject {
   // --- The pen
   [[nodiscard]] HapticLoop& loop() noexcept { return loop_; }
   [[nodiscard]] const HapticLoop& loop() const noexcept { return loop_; }
-  /// Opens another device. False if it does not open: the one in use stays, and `refused` says why.
-  /// A gesture ends as if the pen had been lifted.
+  /// Opens another device. Returns false if it does not open: the previous one stays in use, and
+  /// `refused` says why. A gesture ends as if the pen had been lifted.
   bool use_device(const QString& id);
-  /// Mouse, tablet or keys report where the hand is, and when it was there, on the clock of
-  /// now_ns(). Events that come late or several at once are played in their own spacing, a few
-  /// milliseconds later. If the device is exactly what the hand does, each of them is a sample.
+  /// Handles a position of the hand from mouse, tablet or keys; event times are on the clock of
+  /// now_ns(). Events that come late or several at once are played at their own intervals, a few
+  /// milliseconds later. If the device follows the hand exactly, each event is a sample.
   void point(const PointerEvent& event);
   /// The clock of the session and of the haptic loop.
   [[nodiscard]] std::int64_t now_ns() const noexcept { return loop_.now_ns(); }
-  /// Handles all samples that wait, publishes the force that follows, and emits what changed. The
-  /// haptic loop's timer calls it.
+  /// Handles all waiting samples, publishes the resulting force, and emits what changed. The haptic
+  /// loop's timer calls it.
   void process();
-  /// Moves the time, tick by tick. Only if not live.
+  /// Advances the time, tick by tick. Requires that the studio is not live.
   void advance(std::int64_t ns);
   [[nodiscard]] const PenState& pen() const noexcept { return pen_; }
 
  Q_SIGNALS:
-  // --- What happens to the session, at once and in order, for whoever keeps or records it. Slots
-  // must be quick, and must not call back.
-  /// A session with this document begins; its events follow. There is one at the start, and one for
-  /// each open(). StudioOptions::connect_early connects before the first.
+  // --- What happens to the session, immediately and in order, for code that stores or records it.
+  // Slots must be quick, and must not call back.
+  /// A session with this document begins; its events come next. Emitted at the start and for each
+  /// open(). StudioOptions::connect_early connects before the first.
   void session_began(const felt::Document& document);
-  /// The session handled this event; pen samples come as PenEvent. The first events say which
-  /// device it is and which options are not the defaults, so that the events alone give the same
-  /// drawing in another session.
+  /// The session handled this event; pen samples come as PenEvent. The first events set the device
+  /// and the options that differ from the defaults, so that the events alone give the same drawing
+  /// in another session.
   void event_applied(const felt::Event& event);
   /// The document applied this edit, also an undo or redo.
   void edit_applied(const felt::Edit& edit);
@@ -131,9 +131,9 @@ class Studio : public QObject {
   // --- What changed, for the window. Slots may look at everything, and may call back.
   /// The document applied this edit, also an undo or redo; session().document() has it.
   void edited(const felt::Edit& edit);
-  /// Preview, overlay or pen are to be painted again. Once for each process() at most.
+  /// Preview, overlay or pen have to be painted again. At most once for each process().
   void shown();
-  /// Another drawing is here (open()).
+  /// Another drawing was opened (open()).
   void opened();
   void tool_changed();
   /// "pencil.snap", "sheet.color"
@@ -175,7 +175,7 @@ class Studio : public QObject {
   HapticLoop loop_;
   std::unique_ptr<Session> session_;
   SheetPage page_;
-  Materials materials_;                  // what can be chosen
+  Materials materials_;                  // all that can be chosen
   std::vector<AnyMaterial> of_drawing_;  // came with it, and differ from options_.materials
   PenState pen_;
   std::int64_t last_event_ns_ = 0;  // of the session
@@ -183,7 +183,7 @@ class Studio : public QObject {
   QString home_tool_;               // while another is borrowed
   int borrowed_ = 0;
   bool is_modified_ = false;
-  bool has_other_changes_ = false;    // than steps of the history: page, materials, a rescue
+  bool has_other_changes_ = false;    // outside of the history: page, materials, a rescue
   std::uint64_t other_changes_ = 0;   // how many there were
   std::uint64_t saved_position_ = 0;  // of the history, when there were no changes
   bool in_process_ = false;

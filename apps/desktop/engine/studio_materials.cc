@@ -1,4 +1,4 @@
-// The materials of a studio, and the page that is made of one.
+// The materials of a studio, and its page, whose surface is one of them.
 #include <algorithm>
 #include <set>
 #include <string_view>
@@ -14,7 +14,7 @@ bool is_same_one(const AnyMaterial& a, const AnyMaterial& b) {
   return a.index() == b.index() && id_of(a) == id_of(b);
 }
 
-/// The one of that kind and id, or nothing.
+/// Returns the material of the same kind and id, or nothing.
 std::optional<AnyMaterial> find_in(const Materials& materials, const AnyMaterial& like) {
   if (std::holds_alternative<SurfaceMaterial>(like)) {
     const SurfaceMaterial* sheet = materials.find_surface(id_of(like));
@@ -24,12 +24,12 @@ std::optional<AnyMaterial> find_in(const Materials& materials, const AnyMaterial
   return medium ? std::optional<AnyMaterial>(*medium) : std::nullopt;
 }
 
-/// The user's, or an earlier one of the drawing: not as Feltline brings it.
+/// Returns true if it is not one of Feltline's own: the user's, or one that came with the drawing.
 bool is_own(const std::optional<AnyMaterial>& material) {
   return material && find_in(Materials::built_in(), *material) != material;
 }
 
-/// The paper of a page whose surface changed. `before` is null if it is not known.
+/// Returns the paper of a page whose surface changed. `before` is null if it is not known.
 Rgba paper_on(const SurfaceMaterial& now, Rgba paper, const SurfaceMaterial* before) {
   const auto was = before ? std::optional(before->color_rgb) : std::nullopt;
   return usual_color(paper, was, now.color_rgb, SheetPage{}.paper);
@@ -37,7 +37,7 @@ Rgba paper_on(const SurfaceMaterial& now, Rgba paper, const SurfaceMaterial* bef
 
 }  // namespace
 
-/// What the user has changed last takes precedence over what came with the drawing.
+/// A material that the user changed takes precedence over one that came with the drawing.
 void Studio::set_user_materials(const Materials& known) {
   const Materials before = std::exchange(options_.materials, known);
   for (const AnyMaterial& own : not_built_in(known)) {
@@ -52,7 +52,7 @@ void Studio::set_user_materials(const Materials& known) {
   Q_EMIT materials_changed();
 }
 
-/// The page's surface may have another colour now.
+/// Handles a change of the colour of the page's surface.
 void Studio::update_paper(const std::optional<AnyMaterial>& before, const AnyMaterial& now) {
   const auto* old = before ? std::get_if<SurfaceMaterial>(&*before) : nullptr;
   const auto* sheet = std::get_if<SurfaceMaterial>(&now);
@@ -76,7 +76,7 @@ bool Studio::is_drawn_with(const AnyMaterial& material) const {
   return false;
 }
 
-/// The session has it, so it can be chosen.
+/// Applies the material to the session and adds it to those that can be chosen.
 void Studio::add_material(const std::string& text) {
   Result<AnyMaterial> material = read_material(text);
   if (!material || find_in(options_.materials, *material) == *material) return;
@@ -148,8 +148,8 @@ void Studio::set_page(const SheetPage& page) {
   Q_EMIT page_changed();
 }
 
-/// Sets the page, and the session's surface to the one that it names. True if that is another one
-/// now.
+/// Sets the page, and the session's surface to the one that it names. Returns true if that is
+/// another surface than before.
 bool Studio::apply_page(const SheetPage& page) {
   page_ = page;
   const OptionValue wanted(page_.surface);
@@ -162,7 +162,7 @@ bool Studio::apply_page(const SheetPage& page) {
   return false;
 }
 
-/// The surface that the user has chosen becomes the page's, and so does its colour.
+/// Makes the surface that the user has chosen, and its colour, those of the page.
 void Studio::set_surface_of_page() {
   const SurfaceMaterial& sheet = session_->sheet().material();
   const std::string before = std::exchange(page_.surface, sheet.id);

@@ -36,7 +36,7 @@ std::vector<StrokePtr> line_of(const std::string& medium) {
   return {std::make_shared<const Stroke>(Stroke::create(data).value())};
 }
 
-/// What a studio says, and how often.
+/// Collects and counts what a studio emits.
 struct Ear {
   explicit Ear(Studio& studio) {
     QObject::connect(&studio, &Studio::refused,
@@ -79,7 +79,7 @@ TEST(StudioMaterials, ThePagesPaperIsOfTheColourOfItsSheet) {
 
 TEST(StudioMaterials, AWhiteSheetMakesThePageWhiteAgain) {
   Materials known = Materials::built_in();
-  SurfaceMaterial plain;  // says nothing of its colour
+  SurfaceMaterial plain;  // has no colour
   plain.id = "plain";
   known.put(plain);
   Studio studio({.live = false, .materials = known});
@@ -112,7 +112,7 @@ TEST(StudioMaterials, ADrawingIsOpenedWithItsOwnPaper) {
     EXPECT_EQ(studio.page(), page_of(surface));
     EXPECT_FALSE(studio.is_modified());
   }
-  // Its sheet is not known by name: white counts, and only that.
+  // The surface is not known by name, so only white counts as an unchosen paper.
   ASSERT_TRUE(choose(studio, "glass"));
   EXPECT_EQ(studio.page().paper, color_of("glass"));
 }
@@ -169,7 +169,7 @@ TEST(StudioMaterials, AMediumThatIsAnotherOneHereStaysAndIsNamed) {
   EXPECT_EQ(*studio.session().materials().find_medium("pencil"), *find_medium("pencil"));
 }
 
-// The tool's options stay, also the medium that came with the last drawing and with this one.
+// The tool's options stay, also the medium that came with both the last drawing and this one.
 TEST(StudioMaterials, OptionsMayNameWhatTheNextDrawingBrings) {
   std::vector<Event> events;
   std::size_t begin = 0;
@@ -185,7 +185,7 @@ TEST(StudioMaterials, OptionsMayNameWhatTheNextDrawingBrings) {
   EXPECT_EQ(studio.session().option("pencil.material").value(),
             OptionValue(std::string("soft-chalk")));
   EXPECT_EQ(studio.session().sheet().material(), slate(0.5));
-  // A recording of the second session has all that it names.
+  // A recording of the second session has every material that it names.
   Session replayed(make_tools(), {});
   for (std::size_t i = begin; i < events.size(); ++i) {
     EXPECT_TRUE(replayed.apply(events[i])) << i;
@@ -193,7 +193,7 @@ TEST(StudioMaterials, OptionsMayNameWhatTheNextDrawingBrings) {
   }
   EXPECT_EQ(replayed.option("pencil.material").value(), OptionValue(std::string("soft-chalk")));
   EXPECT_EQ(replayed.sheet().material(), slate(0.5));
-  // A drawing that does not bring it: the pencil is what it was at first.
+  // A drawing that does not bring the medium: the pencil has its first one again.
   studio.open(Document{}, SheetPage{});
   EXPECT_EQ(studio.session().option("pencil.material").value(), OptionValue(std::string("pencil")));
 }

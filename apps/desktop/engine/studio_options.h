@@ -12,9 +12,9 @@ class Studio;
 
 inline constexpr const char* kSheetMaterialId = "sheet.material";
 
-/// What a studio starts with.
+/// The options of a new studio.
 struct StudioOptions {
-  /// Of pen_devices().
+  /// Id of a device of pen_devices().
   QString device = QStringLiteral("tablet");
   /// False: no thread and no timer; Studio::advance() moves the time. For tests and pictures.
   bool live = true;
@@ -27,11 +27,11 @@ struct StudioOptions {
   /// Called before the first session begins, so that a recorder can connect to session_began and
   /// event_applied and misses nothing.
   std::function<void(Studio&)> connect_early = {};
-  /// What can be chosen from the start: set_user_materials() without events.
+  /// Materials that can be chosen from the start; set without events, unlike set_user_materials().
   Materials materials = Materials::built_in();
 };
 
-/// What a file that is being written holds: Studio::change_mark(), Studio::set_saved().
+/// The state that a file being written has: Studio::change_mark(), Studio::set_saved().
 struct ChangeMark {
   std::uint64_t position = 0;       ///< of the history
   std::uint64_t other_changes = 0;  ///< that are not steps of the history, so far

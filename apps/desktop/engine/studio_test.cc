@@ -31,7 +31,7 @@
 namespace felt::desktop::studio_test {
 namespace {
 
-/// A studio on a virtual clock that keeps all its session receives.
+/// A studio on a virtual clock that keeps everything its session receives.
 struct Desk {
   std::vector<Event> events;
   std::vector<std::size_t> begins;  // of sessions, in events
@@ -76,7 +76,7 @@ struct Desk {
   }
 };
 
-/// The drawing that the events give when they are written, read and told to another session.
+/// The drawing that results if the events are written, read and applied to another session.
 std::string as_recorded(std::span<const Event> events, Document start = {}) {
   std::string text;
   for (const Event& event : events) append_event_line(text, event);
@@ -127,7 +127,7 @@ void do_something(Desk& desk, std::mt19937& random) {
   }
 }
 
-// What a studio made is what its recording gives: byte for byte, whatever was done.
+// Replaying a studio's recording gives its drawing, byte for byte.
 TEST(Studio, ARecordingAloneGivesTheDrawing) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     std::mt19937 random(seed);
@@ -151,7 +151,7 @@ TEST(Studio, EventsAreToldInOrderOfTime) {
   }
 }
 
-// Another drawing keeps tool and options, and its recording says them.
+// Opening another drawing keeps tool and options, and its recording has them.
 TEST(Studio, OpenKeepsToolAndOptions) {
   Desk desk;
   desk.studio.apply(SelectTool{"eraser"});
@@ -193,7 +193,7 @@ TEST(Studio, BorrowingNests) {
   EXPECT_EQ(tool(), "pencil");
 }
 
-// Devices come and go; the session's time goes on, and ink drawn before stays.
+// The session's time goes on when the device changes, and earlier ink stays.
 TEST(Studio, TimeGoesOnWhenTheDeviceChanges) {
   Desk desk;
   desk.draw({10, 10}, {60, 20});
@@ -211,7 +211,7 @@ TEST(Studio, TimeGoesOnWhenTheDeviceChanges) {
   EXPECT_EQ(as_recorded(desk.events), desk.drawing());
 }
 
-// Between two publications force models go on by the age of what tools saw.
+// Between two publications, force models advance by the age of the data that the tool used.
 TEST(Studio, R30_TheLoopOfADeviceThatComesLaterKnowsTheSessionsTime) {
   Desk desk;
   desk.wait(10'000);
@@ -228,10 +228,10 @@ TEST(Studio, R30_TheLoopOfADeviceThatComesLaterKnowsTheSessionsTime) {
 TEST(Studio, R30_TheLastSamplesOfALoopAreNotAheadOfTime) {
   StudioOptions options;
   options.device = QStringLiteral("simulated:touch");
-  std::int64_t last_ns = 0;  // written until the studio is gone
+  std::int64_t last_ns = 0;  // written to until the studio is destroyed
   Studio studio(std::move(options));
   QTest::qWait(100);
-  std::this_thread::sleep_for(std::chrono::milliseconds(30));  // samples wait in the ring
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));  // samples wait in the queue
   QObject::connect(&studio, &Studio::sampled, &studio,
                    [&](const PenSample& sample) { last_ns = sample.time_ns; });
   ASSERT_TRUE(studio.use_device(QStringLiteral("tablet")));
@@ -252,7 +252,7 @@ TEST(Studio, R14_TheSessionAndItsRecordingKnowTheForceLimit) {
   EXPECT_EQ(desk.studio.session().device(), touch);
 }
 
-// The loop fills its ring while the window is busy: 16 s of samples wait there.
+// The loop fills its queue while the window is busy: it has room for 16 s of samples.
 TEST(Studio, SixteenSecondsWithoutATurnLoseNothing) {
   Desk desk;
   desk.point({10, 10}, 0.5);
@@ -284,7 +284,7 @@ TEST(Studio, AdvanceIsDeterministic) {
   EXPECT_FALSE(drawings[0].empty());
 }
 
-/// A pen of which a call never comes back until the test says so.
+/// A pen with a call that does not return until the test allows it.
 struct HangingPen final : DriverDevice {
   struct Call {
     std::atomic<bool> hangs{false}, is_in{false};
@@ -324,7 +324,7 @@ struct HangingPen final : DriverDevice {
 };
 
 TEST(Studio, ADeviceThatHangsIsGivenUpAndTheDrawingGoesOn) {
-  static HangingPen::Call call;  // the given-up one may come back at any time
+  static HangingPen::Call call;  // the abandoned call may return at any time
   StudioOptions options;
   options.device = QStringLiteral("tablet");
   options.live = true;
@@ -346,7 +346,7 @@ TEST(Studio, ADeviceThatHangsIsGivenUpAndTheDrawingGoesOn) {
   call.hangs = false;
   while (call.stops == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 
-  // Likewise where another takes its place: there is none to be given back.
+  // The same when another device replaces it: there is none to be returned.
   EXPECT_NE(studio.loop().use_device(HangingPen::open(call)), nullptr);
   call.is_in = false;
   call.hangs = true;
@@ -408,12 +408,12 @@ TEST(Studio, TheSheetOfADrawingIsPartOfIt) {
   ASSERT_GT(studio.session().document().stroke_count(), 0u);
   studio.set_modified(false);
   studio.apply(SetOption{"sheet.material", std::string("felt")});
-  EXPECT_FALSE(studio.is_modified());  // as it was
+  EXPECT_FALSE(studio.is_modified());  // back to the saved state
   studio.apply(SetOption{"sheet.color", std::string("#2040a0")});
   EXPECT_TRUE(studio.is_modified());
 }
 
-// A drawing says what its sheet is made of; one that does not leaves what the person has chosen.
+// A drawing names its surface; if it names none, the user's choice stays.
 TEST(Studio, ThePageKnowsItsSurface) {
   Studio studio({.live = false});
   const auto felt_on = [&studio] { return studio.session().sheet().material().id; };
@@ -442,7 +442,7 @@ TEST(Studio, ThePageKnowsItsSurface) {
   page.surface = "moon dust";
   studio.open(Document{}, page);
   EXPECT_EQ(felt_on(), "glass");
-  EXPECT_EQ(studio.page().surface, "moon dust");  // is saved as it came
+  EXPECT_EQ(studio.page().surface, "moon dust");  // is saved unchanged
   EXPECT_FALSE(studio.is_modified());
   ASSERT_EQ(refused.size(), 1U);
   EXPECT_TRUE(refused[0].contains(QStringLiteral("moon dust")));
@@ -453,7 +453,7 @@ TEST(Studio, ThePageKnowsItsSurface) {
   EXPECT_TRUE(studio.is_modified());
 }
 
-// A person's own material is there at once, as an event where it changed, and survives open().
+// A user-defined material applies immediately, as an event if it changed, and survives open().
 TEST(Studio, KnowsAPersonsOwnMaterials) {
   Materials known = Materials::built_in();
   known.put(slate(0.5));
@@ -533,8 +533,8 @@ TEST(Studio, BeginsWithASmoothThinLineInTheColourOfItsMedium) {
             medium->color_rgb);
 }
 
-/// The simulated hand presses so hard that the width is the one of the tablet's pressure, whatever
-/// the device bears and the surface yields.
+/// The simulated hand presses so hard that the width is that of the tablet's pressure, for any
+/// force limit of the device and any stiffness of the surface.
 TEST(Studio, R18_APressureDrawsTheSameWidthOnEveryDeviceAndSurface) {
   const auto width_mm = [](const char* device, const char* surface, double pressure) {
     Desk desk(QString::fromLatin1(device));
@@ -573,7 +573,7 @@ TEST(Studio, WithoutMotorsTheLoopSleepsUntilTheNextEvent) {
     return done();
   };
   ASSERT_TRUE(until([&] { return studio.loop().thread()->is_paused(); }));
-  QTest::qWait(50);  // what was under way
+  QTest::qWait(50);  // lets pending ticks arrive
   const int before = samples;
   QTest::qWait(300);
   EXPECT_EQ(samples, before) << "no tick, no turn";

@@ -8,9 +8,9 @@
 
 namespace felt::desktop {
 
-/// How far the pen leans from the upright, degrees, in tenths; none of a pen that does not sense
-/// it. Qt's angles are those of the pen's shadows, -60..60 as a rule: +x to the right, +y towards
-/// the person. How the sheet is turned on the screen changes nothing.
+/// Returns the tilt of the pen from the upright, in degrees, to a tenth; nothing if the pen does
+/// not sense it. Qt's angles are those of the pen's shadows, usually -60..60: +x to the right, +y
+/// towards the user. The rotation of the page on the screen does not matter.
 inline std::optional<double> lean_of(const QTabletEvent& event) {
   using Capability = QInputDevice::Capability;
   const QPointingDevice* device = event.pointingDevice();

@@ -7,7 +7,7 @@
 
 namespace felt::desktop {
 
-/// The library's texts (UTF-8) as Qt's.
+/// Converts the library's texts (UTF-8) to Qt's.
 inline QString text_of(std::string_view text) {
   return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }

@@ -26,7 +26,7 @@ TickTimer::TickTimer(QObject* parent)
 }
 
 TickTimer::~TickTimer() {
-  delete notifier_;  // before what it listens to is closed
+  delete notifier_;  // before the descriptor that it watches is closed
   if (fd_ >= 0) close(fd_);
 }
 
@@ -48,7 +48,7 @@ void TickTimer::stop() {
 
 void TickTimer::take() {
   std::uint64_t shots = 0;
-  // Nothing to read: it was started anew after it had come.
+  // A failed read means that the timer was restarted after it had fired.
   if (read(fd_, &shots, sizeof shots) == sizeof shots) Q_EMIT due();
 }
 

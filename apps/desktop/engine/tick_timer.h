@@ -8,13 +8,14 @@ class QSocketNotifier;
 
 namespace felt::desktop {
 
-/// A single shot of the event loop that comes when it is asked to, to some ten microseconds; timers
-/// of Qt come on whole milliseconds, and the system may put these off by another 50 us.
+/// A single-shot timer of the event loop, accurate to some ten microseconds. Qt's timers have whole
+/// milliseconds, and the system may delay them by another 50 us.
 ///
 ///   connect(&timer, &TickTimer::due, this, &HapticLoop::due);
 ///   timer.start(loop.next_tick_ns() - loop.now_ns() + 50'000);
 ///
-/// Where the system has no such timer, one of Qt does what it can. The thread it lives in.
+/// On a system without such a timer, uses one of Qt with its accuracy. Use it in the thread it
+/// lives in.
 class TickTimer : public QObject {
   Q_OBJECT
 
@@ -22,7 +23,7 @@ class TickTimer : public QObject {
   explicit TickTimer(QObject* parent = nullptr);
   ~TickTimer() override;
 
-  /// In so many ns, at once where that is less than one; in place of what start() said before.
+  /// Fires in `in_ns`, or immediately if that is less than one. Replaces an earlier start().
   void start(std::int64_t in_ns);
   void stop();
 

@@ -7,9 +7,10 @@
 
 namespace felt::desktop {
 
-/// The colour of a page, or of ink, once its material is another one: the usual colour of that,
-/// 0xRRGGBB, where it still is the usual one of the material `before` or `first`, that of a new
-/// drawing. Else a person chose it, and it stays, as does no colour at all. Opacity stays.
+/// Returns the colour of a page, or of ink, after its material changed: the usual colour `now` of
+/// the new material (0xRRGGBB), if `color` is the usual one of the material `before` or `first`,
+/// that of a new drawing. Otherwise the user chose the colour, and it stays, as does a fully
+/// transparent one. Opacity stays.
 [[nodiscard]] inline Rgba usual_color(Rgba color, std::optional<std::uint32_t> before,
                                       std::uint32_t now, Rgba first) noexcept {
   const auto with = [&color](std::uint32_t rgb) {

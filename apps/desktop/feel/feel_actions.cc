@@ -19,7 +19,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kStrengthStep = 0.1;
-/// A release that was not seen (another program took the focus) counts as one after this.
+/// A release may be missed if another program takes the focus, so one is assumed after this time.
 constexpr int kForgetDownMs = 300;
 
 QString material_of(const Studio& studio) {
@@ -78,7 +78,7 @@ void add_materials(Actions& actions, Studio& studio, QWidget* window) {
     group->addAction(action);
     QObject::connect(&studio, &Studio::option_changed, action, [action, id, &studio] {
       if (id != material_of(studio) || action->isChecked()) return;
-      action->setChecked(true);  // the material is it already, so choosing changes nothing
+      action->setChecked(true);  // already the surface, so choosing it changes nothing
     });
   }
 }  // the window owns the group: NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks)
@@ -100,8 +100,7 @@ void fill_own_sheets(QMenu& menu, Studio& studio) {
   }
 }
 
-/// A menu within the menu, of sheets that a person made or a drawing brought; seen where there are
-/// some.
+/// Adds a submenu of surfaces that the user made or a drawing brought; visible if there are any.
 void add_own_sheets(Actions& actions, Studio& studio, QWidget* window) {
   auto* menu = new QMenu(window);
   QAction* action = actions.add(
@@ -109,7 +108,7 @@ void add_own_sheets(Actions& actions, Studio& studio, QWidget* window) {
       QCoreApplication::translate("FeelActions", "My &own sheets"), {},
       QCoreApplication::translate("FeelActions", "Sheets that you made, or a drawing brought"),
       [menu] {
-        if (!menu->isEmpty()) menu->popup(QCursor::pos());  // by a key of a person's own
+        if (!menu->isEmpty()) menu->popup(QCursor::pos());  // triggered by a user-defined key
       });
   action->setMenu(menu);
   const auto fill = [action, menu, &studio] {
@@ -126,7 +125,7 @@ void add_sound(Actions& actions, Studio& studio, QWidget* window) {
   if (!FrictionSound::is_built_in()) return;
   const QString key = QString::fromLatin1(feel_keys::kSound);
   const bool on = Settings::the().flag(key, feel_keys::kSoundDefault);
-  new FrictionSound(studio, window);  // is the window's, and follows the setting
+  new FrictionSound(studio, window);  // owned by the window; follows the setting
   QAction* action = actions.add_switch(
       QStringLiteral("feel.sound"), QCoreApplication::translate("FeelActions", "S&ound of drawing"),
       {}, QCoreApplication::translate("FeelActions", "Hear the pen rub on the sheet"), on,
@@ -138,13 +137,13 @@ void add_sound(Actions& actions, Studio& studio, QWidget* window) {
                    });
 }
 
-/// A haptic pen, mouse or touchpad follows the drawing once a person has chosen one.
+/// Lets a haptic pen, mouse or touchpad follow the drawing once the user has chosen one.
 void add_cues(Studio& studio, QWidget* window) {
   auto* cues = new CuePlayer(studio, window);
   QObject::connect(cues, &CuePlayer::refused, &studio, &Studio::refused);
 }
 
-/// A fault that only a person can end is told, and takes the switch along.
+/// Reports a fault that only the user can clear, and switches the forces off.
 void watch_faults(Studio& studio, QWidget* window) {
   QObject::connect(&studio.loop(), &HapticLoop::ticked, window, [&studio](const TickReport& tick) {
     if (tick.safety.state != SafetyState::kLatched || !studio.loop().forces_are_on()) return;
@@ -203,13 +202,13 @@ bool DoubleEscape::eventFilter(QObject* watched, QEvent* event) {
       press();
     }
   }
-  return false;  // the key is everybody's
+  return false;  // the key keeps its other effects
 }
 
-/// One press is seen several times: as the question whether it is a shortcut, as itself, by the
-/// window and by the widget in it.
+/// Called several times for one press: for ShortcutOverride, for the key event, for the window and
+/// for the widget in it.
 void DoubleEscape::press() {
-  // Esc closes the menu that is open; leaving nested menus by it is not meant for the forces.
+  // Esc closes an open menu; leaving nested menus that way must not switch the forces off.
   if (QApplication::activePopupWidget()) return since_.invalidate();
   if (is_down_ && since_.isValid() && since_.elapsed() < kForgetDownMs) return;
   is_down_ = true;

@@ -8,20 +8,20 @@
 
 namespace felt::desktop {
 
-/// Brings what a person chose last time into a studio: strength, limit, material. Also adds to the
-/// window: feel.forces, feel.forces_off, feel.stronger, feel.weaker, a switch for each material
-/// (feel.sheet_paper ...), feel.sheet_own with a menu of the others, feel.sound where there is
-/// sound; Escape pressed twice switches the forces off, and so does a fault that needs a person.
-/// Nothing but feel.forces (and its button in the panel) switches them on again.
+/// Applies the user's stored choices to a studio: strength, limit, material. Adds to the window:
+/// feel.forces, feel.forces_off, feel.stronger, feel.weaker, a switch for each surface
+/// (feel.sheet_paper ...), feel.sheet_own with a menu of the others, and feel.sound if the program
+/// has sound. Escape pressed twice switches the forces off, as does a fault that only the user can
+/// clear. Only feel.forces (and its button in the panel) switches them on again.
 void add_feel_actions(Actions& actions, Studio& studio, QWidget* window);
 
-/// Chooses a material for hand and eye, and keeps the choice.
+/// Chooses the surface and stores the choice.
 void choose_material(Studio& studio, const QString& id);
-/// Master strength, 0..1, and keeps it.
+/// Sets the master strength, 0..1, and stores it.
 void choose_strength(Studio& studio, double share);
 
-/// Tells when Escape is pressed twice within 0.6 s, whatever has the focus in this program, and
-/// whatever else the key does. Holding it down is one press.
+/// Detects two presses of Escape within 0.6 s, for any focus in this program and in addition to the
+/// key's other effects. Holding the key down is one press.
 class DoubleEscape : public QObject {
   Q_OBJECT
 
@@ -39,7 +39,7 @@ class DoubleEscape : public QObject {
  private:
   void press();
 
-  QElapsedTimer since_;  // the last press that counted
+  QElapsedTimer since_;  // since the last press that counted
   bool is_down_ = false;
 };
 

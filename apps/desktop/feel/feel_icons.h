@@ -8,29 +8,29 @@
 
 namespace felt::desktop {
 
-/// Device-independent pixels: 1/96 inch each.
+/// Device-independent pixels of 1/96 inch each.
 inline constexpr double kScreenPxPerMm = 96.0 / 25.4;
 
-/// A sign for a state, told by its shape: a check mark, a ring, an eye, dots, a triangle, a stop
-/// sign. In the colour of the text.
+/// Returns an icon for a state, recognised by its shape: a check mark, a ring, an eye, dots, a
+/// triangle, a stop sign. In the colour of text.
 QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr);
 
-/// A ring with a dot: something that is there; with a question mark: something to ask about.
+/// Returns a ring with a dot, for something that is there; with a question mark if `asks`, for
+/// help.
 QPixmap ring_icon(bool asks, const QPalette& palette, int size, qreal dpr);
 
-/// A stop sign, red where colours are seen: for the button that ends all forces.
+/// Returns a red stop sign, for the button that ends all forces.
 QIcon stop_icon(const QPalette& palette, int size, qreal dpr);
 
-/// Of that button: a little red in what it had.
+/// Returns the palette of that button: `palette` with a little red.
 QPalette stop_palette(QPalette palette);
 
-/// A picture of something to choose on a button: with an edge, and in a frame with a check mark
-/// where it is the chosen one.
+/// Returns the icon of a choice button: the swatch with an outline; if chosen, in a frame with a
+/// check mark.
 QIcon swatch_icon(const QPixmap& swatch, const QPalette& palette);
 
-/// How a material looks under chalk that is pressed on harder from left to right: the very relief
-/// that the hand feels (felt/render/grain.h), in life size. On the white of the sheet, in every
-/// theme.
+/// Returns a picture of a surface under chalk that is pressed harder from left to right: the same
+/// relief that the hand feels (felt/render/grain.h), in life size. On white paper in every theme.
 QIcon material_icon(const SurfaceMaterial& material, const QPalette& palette, QSize size,
                     qreal dpr);
 

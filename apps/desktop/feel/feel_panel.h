@@ -15,7 +15,7 @@
 
 namespace felt::desktop {
 
-/// How it shall feel: the large switch of the forces, master strength, the sheet's material.
+/// The panel "Feel": the large switch of the forces, master strength, the surface.
 class FeelPanel : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class FeelPanel : public QWidget {
   explicit FeelPanel(Studio& studio, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// A person wants to change what sheets and media are like.
+  /// The user wants to edit surfaces and media.
   void wants_editor();
 
  protected:
@@ -47,10 +47,11 @@ class FeelPanel : public QWidget {
   QSpinBox* percent_ = nullptr;
   QButtonGroup* materials_ = nullptr;
   QGridLayout* grid_ = nullptr;
-  std::vector<std::string> ids_;  // of materials_, in their order
+  std::vector<std::string> ids_;  // parallel to the buttons of materials_
   QLabel* material_ = nullptr;
   SafetyState told_state_ = SafetyState::kOff;
-  QThreadPool maker_;  // of the reliefs; last, so that it has ended before the rest goes
+  QThreadPool maker_;  // for the reliefs; last, so that it ends before the other members are
+                       // destroyed
 };
 
 }  // namespace felt::desktop

@@ -12,10 +12,11 @@ namespace {
 
 constexpr std::array<double, 6> kTops{0.5, 1.0, 2.0, 3.0, 5.0, 10.0};  // N
 constexpr std::int64_t kBinsToMark = 50;
-constexpr std::int64_t kBinsToBridge = 20;  // without a tick: a line goes on across them
+constexpr std::int64_t kBinsToBridge = 20;  // gaps of up to this many bins without a tick are
+                                            // bridged by a line
 constexpr double kLeastContrast = 3.0;      // WCAG 2.1 for graphics
 
-/// Red, green and blue, 0..1.
+/// Returns red, green and blue, 0..1.
 std::array<double, 3> channels(const QColor& color) {
   return {static_cast<double>(color.redF()), static_cast<double>(color.greenF()),
           static_cast<double>(color.blueF())};
@@ -34,7 +35,7 @@ double contrast(const QColor& a, const QColor& b) {
   return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
-/// The same hue, as far towards black or white as it takes to be seen on the ground.
+/// Returns the same hue, moved towards black or white until it is visible on the background.
 QColor seen_on(const QColor& ground, QColor color) {
   const double towards = luminance(ground) < 0.2 ? 1.0 : 0.0;
   for (int i = 0; i < 20 && contrast(color, ground) < kLeastContrast; ++i) {
@@ -222,7 +223,7 @@ std::int64_t ForceGraph::column_of(std::int64_t bin) const {
   return (bin + 1) * lines_.width() / std::int64_t{ForceHistory::kBins};
 }
 
-/// Bins that still grow are not drawn: 10 ms more or less.
+/// Bins that can still grow are left out, a delay of about 10 ms.
 void ForceGraph::bring_lines_up(QSizeF size) {
   const std::int64_t to = history_->newest() - 1;
   const bool anew = lines_.isNull() || to < drawn_to_ ||
@@ -238,7 +239,7 @@ void ForceGraph::bring_lines_up(QSizeF size) {
   drawn_to_ = to;
 }
 
-/// What lies after one bin and up to another, at the right end of the picture.
+/// Draws the bins after `from` up to `to`, at the right end of the picture.
 void ForceGraph::draw_lines(std::int64_t from, std::int64_t to) {
   const qreal dpr = lines_.devicePixelRatio();
   const qreal width = lines_.width() / dpr, height = lines_.height() / dpr;
@@ -261,7 +262,7 @@ void ForceGraph::draw_track(QPainter& painter, std::size_t track, std::int64_t f
   const TrackStyle style = track_style(track, palette());
   const qreal dpr = lines_.devicePixelRatio();
   const qreal height = lines_.height() / dpr, right = lines_.width() / dpr;
-  // From the last point before the stretch on, so that lines go on where they ended.
+  // Starts at the last point before these bins, so that lines continue where they ended.
   std::int64_t first = from;
   while (first > from - kBinsToBridge && history_->at(track, first) < 0.0F) --first;
   std::array<QPointF, ForceHistory::kBins + kBinsToBridge + 1> line;
@@ -272,7 +273,7 @@ void ForceGraph::draw_track(QPainter& painter, std::size_t track, std::int64_t f
     if (value < 0.0F) continue;
     const QPointF at(right - static_cast<qreal>(column_of(to) - column_of(bin)) / dpr,
                      height * (1.0 - static_cast<double>(value) / top_n_));
-    // Marks of different tracks lie apart, and whole ones are drawn: a bit behind the newest.
+    // Staggers the marks of different tracks. They are drawn a bit to the left, so that each fits.
     const std::int64_t turn = bin + 13 * static_cast<std::int64_t>(track);
     if (bin > from && turn % kBinsToMark == 0 && value > 0.0F) marks[marked++] = at;
     line[points++] = at;

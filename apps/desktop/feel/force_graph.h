@@ -11,38 +11,40 @@
 
 namespace felt::desktop {
 
-/// A bound, for the plot: a dashed line where it lies within.
+/// A limit to plot: a dashed line if it lies within the axes.
 struct ForceBound {
   QString label;
   double newton = 0.0;
 };
 
-/// How a track of the history is drawn: a colour that is seen on this palette, a mark that tells it
-/// from others without colour, a width.
+/// How a track of the history is drawn: a colour that is visible on this palette, a mark that
+/// distinguishes it without colour, and a width.
 struct TrackStyle {
   QColor color;
   int mark = 0;  ///< 0 none, else one of some shapes
   qreal width = 1.0;
 };
 TrackStyle track_style(std::size_t track, const QPalette& palette);
-/// The mark of a style, some pixels across.
+/// Draws the mark of a style; `radius` in pixels.
 void draw_mark(QPainter& painter, int mark, QPointF at, qreal radius);
 
-/// The plot of a ForceHistory. Looks only; whoever owns it calls update() when there is news. Axes
-/// and lines are kept as pictures: a frame moves the lines along and adds what is new at their end.
+/// The plot of a ForceHistory. It only displays; its owner calls update() when the history has
+/// changed. Axes and lines are cached as pictures: a frame shifts the lines and adds the new ones
+/// at their end.
 class ForceGraph : public QWidget {
   Q_OBJECT
 
  public:
   /// `history` must outlive it.
   explicit ForceGraph(const ForceHistory& history, QWidget* parent = nullptr);
-  /// Another one; likewise.
+  /// Shows another history, which must outlive it, too.
   void show_history(const ForceHistory& history);
 
   void set_bounds(std::vector<ForceBound> bounds);
-  /// Nothing is sent, so only what is asked is drawn.
+  /// If false, nothing is sent to a device, so only the asked forces are drawn.
   void set_shows_sent(bool shown);
-  /// The axis ends here, N: grows at once, shrinks when all of the peak has passed.
+  /// Returns the end of the force axis, N. It grows immediately and shrinks when the whole peak has
+  /// passed.
   [[nodiscard]] double top_n() const noexcept { return top_n_; }
 
   [[nodiscard]] QSize sizeHint() const override;
@@ -63,14 +65,14 @@ class ForceGraph : public QWidget {
   void bring_lines_up(QSizeF size);
   void draw_lines(std::int64_t from, std::int64_t to);
   void draw_track(QPainter& painter, std::size_t track, std::int64_t from, std::int64_t to) const;
-  /// Where a bin ends, in pixels of the screen from time 0 on.
+  /// Returns the pixel column at which a bin ends, counted from time 0.
   [[nodiscard]] std::int64_t column_of(std::int64_t bin) const;
 
   const ForceHistory* history_;
   std::vector<ForceBound> bounds_;
   bool shows_sent_ = true;
   double top_n_ = 1.0;
-  QPixmap ground_;  // null: draw all anew
+  QPixmap ground_;  // null: everything has to be drawn again
   QPixmap lines_;
   std::int64_t drawn_to_ = -1;  // the last bin in lines_
 };

@@ -23,7 +23,7 @@ void ForceHistory::add(const TickReport& tick) noexcept {
   std::array<Force, kTracks> sums{};
   for (const ForceTerms::Term& term : tick.terms) {
     const std::size_t track = track_of(term.name);
-    if (track < kTracks) sums[track] += term.force;  // a term may come several times in a tick
+    if (track < kTracks) sums[track] += term.force;  // a term may occur several times in a tick
   }
   put(kAsked, norm(tick.asked));
   put(kSent, norm(tick.sent));

@@ -11,7 +11,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr int kFrameMs = 33;       // between two repaints of the plot
-constexpr int kWordsMs = 250;      // between two readings of numbers
+constexpr int kWordsMs = 250;      // between two updates of the numbers
 constexpr int kTablesToTell = 12;  // 3 s
 constexpr int kStopIconPx = 22;
 constexpr int kNameColumn = 0, kNowColumn = 1, kMostColumn = 2;
@@ -181,7 +181,7 @@ void ForcePanel::tell_table() {
     table_->item(row, kMostColumn)->setText(newton(history_.most(track)));
     ++row;
   }
-  // For those who do not see the plot; seldom, or it would be all that is said.
+  // Announced to screen readers, but seldom, because they would read nothing else.
   if (++told_tables_ % kTablesToTell != 1) return;
   graph_->setAccessibleDescription(
       tr("Asked: %L1 N, at most %L2 N of late. The table has each force.")
@@ -227,7 +227,7 @@ void ForcePanel::tell_loop() {
 }
 
 void ForcePanel::resizeEvent(QResizeEvent* event) {
-  // Side by side where there is room for it, else one below the other.
+  // Side by side if there is room, otherwise one below the other.
   const bool wide = width() > 2 * height() && width() > 90 * fontMetrics().averageCharWidth();
   layout_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   QWidget::resizeEvent(event);
@@ -247,7 +247,7 @@ void ForcePanel::hideEvent(QHideEvent* event) {
 
 void ForcePanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) {
-    state_->clear();  // their pictures are of the old palette
+    state_->clear();  // their icons have the colours of the old palette
     table_->setRowCount(0);
     tell();
   }

@@ -13,16 +13,16 @@
 
 namespace felt::desktop {
 
-/// What the pen feels: a plot of each term of the force, their sum and what is sent; the same as a
-/// table, which is its legend; what the safety chain does, in words; how the loop keeps its time.
-/// Repaints at most 30 times a second, and only while it is seen and something happens.
+/// Shows what the pen feels: a plot of each term of the force, their sum and the sent force; the
+/// same as a table, which is the legend; the state of the safety chain in words; the timing of the
+/// loop. Repaints at most 30 times a second, and only while it is visible and something happens.
 class ForcePanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ForcePanel(Studio& studio, QWidget* parent = nullptr);
 
-  /// The plot stands still; the history goes on.
+  /// Freezes the plot; the history goes on.
   void set_paused(bool paused);
   [[nodiscard]] bool is_paused() const { return pause_->isChecked(); }
   [[nodiscard]] const ForceHistory& history() const noexcept { return history_; }
@@ -43,7 +43,7 @@ class ForcePanel : public QWidget {
 
   Studio& studio_;
   ForceHistory history_;
-  ForceHistory held_;  // what a paused plot shows
+  ForceHistory held_;  // the copy that a paused plot shows
   QBoxLayout* layout_;
   ForceGraph* graph_;
   QTableWidget* table_;
@@ -52,7 +52,7 @@ class ForcePanel : public QWidget {
   QLabel* detail_;
   QLabel* loop_;
   QToolButton* pause_;
-  QTimer frame_;  // single shot: the next repaint
+  QTimer frame_;  // single shot, until the next repaint
   QTimer words_;
   bool has_motors_ = false;
   int told_tables_ = 0;

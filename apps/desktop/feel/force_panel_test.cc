@@ -25,8 +25,8 @@ TickReport tick_at(std::int64_t time_ns, double plane_n, double friction_n = 0.0
   return tick;
 }
 
-// However ticks fall: what a bin shows is the largest of its ticks, and nothing that is older than
-// the history is left.
+// For any timing of ticks, a bin shows the largest of its ticks, and nothing older than the history
+// is left.
 TEST(ForceHistory, KeepsThePeakOfEachBinAndForgetsInTime) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
@@ -150,7 +150,7 @@ TEST(ForcePanel, ShowsWhatTheLoopDoesInAPlotAndInATable) {
   EXPECT_FALSE(panel.grab().isNull());
 }
 
-// What is drawn bit by bit while time goes on is what would be drawn at once.
+// A plot drawn incrementally looks like one drawn at once.
 TEST(ForceGraph, IsTheSameDrawnBitByBitOrAtOnce) {
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(seed);
@@ -172,7 +172,7 @@ TEST(ForceGraph, IsTheSameDrawnBitByBitOrAtOnce) {
     ForceGraph at_once(*history);
     at_once.resize(bit_by_bit.size());
     const QImage a = bit_by_bit.grab().toImage(), b = at_once.grab().toImage();
-    // Lines end at a seam where others go on: some pixels beside a line differ a little.
+    // Lines meet at a seam: some pixels beside a line differ a little.
     int far_off = 0;
     for (int y = 0; y < a.height(); ++y) {
       for (int x = 0; x < a.width(); ++x) {

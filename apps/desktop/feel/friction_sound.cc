@@ -19,11 +19,12 @@ namespace felt::desktop {
 #ifdef FELT_HAS_SOUND
 namespace {
 
-/// What the sound device is asked to keep: with RubbedSamples::kBehindS some 45 ms from the pen to
-/// the device, which may add its own.
+/// Buffer requested from the sound device. With RubbedSamples::kBehindS, the latency from the pen
+/// to the device is some 45 ms; the device may add its own.
 constexpr int kBufferMs = 25;
 
-/// 48 kHz, one channel, as the device takes it; not valid where it takes neither.
+/// Returns the format with 48 kHz and one channel that the device accepts; not valid if it accepts
+/// none.
 QAudioFormat format_for(const QAudioDevice& device) {
   QAudioFormat format;
   format.setSampleRate(int(RubbingSound::kRateHz));
@@ -37,8 +38,8 @@ QAudioFormat format_for(const QAudioDevice& device) {
 
 }  // namespace
 
-/// Has a thread of its own, so that a busy window does not make it stutter, and a sound service
-/// that hangs does not hold the drawing up.
+/// Plays on its own thread, so that a busy window causes no drop-outs, and a hanging sound service
+/// does not block drawing.
 class FrictionSound::Player {
  public:
   explicit Player(RubbedFeed& feed) : feed_(feed) {
@@ -61,7 +62,7 @@ class FrictionSound::Player {
                      [this] { follow_device(); });
     follow_device();
   }
-  /// Plays on what is the default now.
+  /// Plays on the current default device.
   void follow_device() {
     const QAudioDevice device = QMediaDevices::defaultAudioOutput();
     if (sink_ && device.id() == in_use_) return;
@@ -91,10 +92,10 @@ class FrictionSound::Player {
   }
 
   RubbedFeed& feed_;
-  QObject here_;  // of the main thread: what it was told dies with it
+  QObject here_;  // in the main thread: calls queued to it are dropped when it is destroyed
   QThread thread_;
   QObject on_thread_;
-  // Of the thread.
+  // Used by the thread only.
   std::unique_ptr<QMediaDevices> devices_;
   std::unique_ptr<RubbedSamples> samples_;
   std::unique_ptr<QAudioSink> sink_;
@@ -142,7 +143,7 @@ void SoundState::set(State state) {
 }
 
 FrictionSound::FrictionSound(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
-  static_cast<void>(SoundState::the());  // on this thread
+  static_cast<void>(SoundState::the());  // created on this thread
   connect(&Settings::the(), &Settings::changed, this, &FrictionSound::follow);
   follow(QString::fromLatin1(feel_keys::kSoundVolume));
   follow(QString::fromLatin1(feel_keys::kSound));
@@ -154,7 +155,7 @@ void FrictionSound::follow(const QString& key) {
   const Settings& settings = Settings::the();
   if (key == QLatin1String(feel_keys::kSoundVolume)) {
     const double share = std::clamp(settings.number(key, feel_keys::kSoundVolumeDefault), 0.0, 1.0);
-    // As the ear has it: half of the way is some 12 dB less.
+    // Squared to match hearing: half the range is some 12 dB less.
     feed_.volume.store(float(share * share), std::memory_order_relaxed);
   }
   if (key != QLatin1String(feel_keys::kSound)) return;

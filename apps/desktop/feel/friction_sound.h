@@ -8,8 +8,8 @@
 
 namespace felt::desktop {
 
-/// Whether drawing is heard, for people; one for the program, since there is one place that sound
-/// comes out of. Nobody looks for a sound device before somebody wants to hear one. Main thread.
+/// The state of the sound, for the user; one for the program, because there is one sound output. No
+/// sound device is searched for before the sound is switched on. Main thread.
 class SoundState : public QObject {
   Q_OBJECT
 
@@ -17,13 +17,13 @@ class SoundState : public QObject {
   enum class State {
     kOff,
     kHeard,
-    kNoDevice,  ///< there is none, or it takes no sound of 48 kHz
+    kNoDevice,  ///< there is none, or it does not accept 48 kHz
     kNotBuilt,  ///< a program without Qt Multimedia
   };
   static SoundState& the();
 
   [[nodiscard]] State state() const noexcept { return state_; }
-  /// A sentence where nothing is heard though it should be; else empty.
+  /// Returns a sentence if sound is on but nothing can be heard; otherwise empty.
   [[nodiscard]] QString words() const;
   void set(State state);
 
@@ -35,13 +35,13 @@ class SoundState : public QObject {
   State state_;
 };
 
-/// The rubbing of the pen, heard (src/felt/sound). Off at first, and follows the settings kSound
-/// and kSoundVolume. Where there is no sound device it is silent, and begins once there is one.
+/// The sound of the pen on the surface (src/felt/sound). Off by default; follows the settings
+/// kSound and kSoundVolume. Silent while there is no sound device, and starts when one appears.
 class FrictionSound : public QObject {
   Q_OBJECT
 
  public:
-  /// The program was built with sound (Qt Multimedia).
+  /// Returns true if the program was built with sound (Qt Multimedia).
   static bool is_built_in();
 
   explicit FrictionSound(Studio& studio, QObject* parent = nullptr);

@@ -20,7 +20,7 @@ StudioOptions still() {
   return {.device = QStringLiteral("tablet"), .live = false};
 }
 
-/// A stroke with the mouse or a tablet, in the air before and after.
+/// Draws a stroke with mouse or tablet, with movements above the surface before and after.
 void draw(Studio& studio, int ms, double pressure = 0.6) {
   for (int i = 0; i < ms; i += 4) {
     studio.point({studio.now_ns(), {20.0 + 0.15 * i, 30.0}, pressure > 0.0, pressure});
@@ -83,7 +83,7 @@ TEST(FrictionSound, WhatIsDrawnIsHeardAndWhatHoversIsNot) {
   feed.volume = 0.0F;
   static_cast<void>(heard(0.6));
   EXPECT_LT(peak(heard(0.6)), 1e-4F);
-  // Nothing comes any more: silent soon, and for good.
+  // No samples arrive any more: silent soon, and permanently.
   static_cast<void>(read(samples, 4800));
   EXPECT_EQ(peak(read(samples, 48000)), 0.0F);
 }
@@ -104,7 +104,8 @@ TEST(FrictionSound, ADeviceOf16BitsHearsTheSame) {
   }
 }
 
-// Headphones are plugged in: another device reads on, and hears the sheet that is drawn on.
+// Headphones are plugged in: another device continues to read, with the current pair of surface and
+// medium.
 TEST(FrictionSound, AnotherDeviceHearsThePairThatIsInUse) {
   Studio studio(still());
   studio.apply(SetOption{"sheet.material", OptionValue(std::string("canvas"))});
@@ -119,7 +120,7 @@ TEST(FrictionSound, AnotherDeviceHearsThePairThatIsInUse) {
   }
   RubbedSamples after(feed, true), fresh(also, true);
   RubbingSample lost;
-  while (also.samples.pop(lost)) continue;  // what the one before has heard
+  while (also.samples.pop(lost)) continue;  // read by the previous device
   draw(studio, 100);
   EXPECT_EQ(read(after, 4000), read(fresh, 4000));
 }
@@ -143,7 +144,8 @@ TEST(FrictionSound, FollowsTheSheetAndAnotherDrawing) {
   }());
 }
 
-// Off at first; a machine without a sound device says so in a sentence, and draws as ever.
+// Off by default; on a machine without a sound device a message says so, and drawing works as
+// before.
 TEST(FrictionSound, IsOffAtFirstAndWorksWithoutASoundDevice) {
   Settings::the().reset(QString::fromLatin1(feel_keys::kSound));
   Studio studio(still());

@@ -37,7 +37,7 @@ constexpr std::array<Name, 10> kMedia{{
     {"eraser", QT_TRANSLATE_NOOP("Material", "Eraser")},
 }};
 
-/// What Feltline brings is translated by its id, as long as its label is the one it came with.
+/// A label of a built-in material is translated by its id, unless it was changed.
 template <std::size_t kCount>
 QString label_of(const std::array<Name, kCount>& names, std::string_view id,
                  std::string_view label) {

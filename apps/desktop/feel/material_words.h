@@ -6,11 +6,11 @@
 
 namespace felt::desktop {
 
-/// "Paper", translated.
+/// Returns the translated name: "Paper".
 QString material_label(const SurfaceMaterial& material);
-/// "Firm, some friction, fine grain.": its figures in plain words.
+/// Returns its figures in plain words: "Firm, some friction, fine grain.".
 QString material_words(const SurfaceMaterial& material);
-/// The same of a medium: "Pencil"; "Dry, some friction, all of the grain.".
+/// Returns the same for a medium: "Pencil"; "Dry, some friction, all of the grain.".
 QString medium_label(const Medium& medium);
 QString medium_words(const Medium& medium);
 

@@ -15,7 +15,7 @@ PenFeed::PenFeed(Studio& studio, RubbedFeed& feed)
 }
 
 void PenFeed::take(const PenSample& sample) {
-  // Full means that nobody listens; what was lost is no harm then.
+  // A full queue means that no device reads; then lost samples do not matter.
   static_cast<void>(feed_.samples.push(pen_.sample(sample)));
   if (pen_.pair() == told_) return;
   told_ = pen_.pair();
@@ -31,7 +31,7 @@ qint64 RubbedSamples::bytesAvailable() const {
 }
 
 void RubbedSamples::take_news() {
-  // Whatever a reader before this one has taken already: another device begins with it.
+  // A previous reader may have taken the value; a new device needs it from the start.
   static_cast<void>(feed_.pair.update());
   sound_.set_pair(feed_.pair.get());
   std::array<RubbingSample, 64> batch;

@@ -12,15 +12,15 @@
 
 namespace felt::desktop {
 
-/// What goes from the edit thread to the sound's: wait-free on both sides, nothing waits for the
-/// other. The haptic thread knows nothing of it.
+/// The channel from the main thread to the sound thread: wait-free on both sides. The haptic thread
+/// does not use it.
 struct RubbedFeed {
   SpscRing<RubbingSample, 8192> samples;
   LatestValue<RubbingPair> pair;
-  std::atomic<float> volume{0.5F};  ///< what sound is multiplied by, 0..1
+  std::atomic<float> volume{0.5F};  ///< factor of the sound, 0..1
 };
 
-/// Tells a feed every sample of a studio's pen. Qt's main thread.
+/// Sends every sample of a studio's pen to a feed. Qt's main thread.
 class PenFeed : public QObject {
   Q_OBJECT
 
@@ -37,17 +37,17 @@ class PenFeed : public QObject {
   RubbingPair told_;
 };
 
-/// What a sound device reads from: samples as they are asked for, without end; 48 kHz, one channel.
-/// On the sound's thread.
+/// The source that a sound device reads from: endless samples on request; 48 kHz, one channel.
+/// Sound thread.
 class RubbedSamples final : public QIODevice {
   Q_OBJECT
 
  public:
-  /// Behind the newest sample of the pen, s: a window comes with samples in turns of some 8 ms, now
-  /// and then of 16.
+  /// Delay behind the newest sample of the pen, s, because a window delivers samples in batches of
+  /// some 8 ms, sometimes 16.
   static constexpr double kBehindS = 0.020;
 
-  /// Float samples, or 16 bits. The feed must outlive it.
+  /// Returns float samples, or 16-bit integers. The feed must outlive it.
   RubbedSamples(RubbedFeed& feed, bool is_float);
   [[nodiscard]] bool isSequential() const override { return true; }
   [[nodiscard]] qint64 bytesAvailable() const override;
@@ -62,7 +62,7 @@ class RubbedSamples final : public QIODevice {
   RubbedFeed& feed_;
   bool is_float_;
   RubbingSound sound_;
-  float volume_ = 0.0F;  // follows the feed's without a leap
+  float volume_ = 0.0F;  // follows the feed's volume smoothly
 };
 
 }  // namespace felt::desktop

@@ -10,7 +10,7 @@
 namespace felt::desktop {
 namespace {
 
-/// What holds the force back at present.
+/// Returns what limits the force at present.
 QString limits_in_words(std::uint32_t limited_by) {
   struct Stage {
     SafetyStage bit;

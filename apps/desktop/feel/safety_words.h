@@ -8,25 +8,26 @@
 
 namespace felt::desktop {
 
-/// How a state is to be taken; chooses its icon.
+/// The kind of a state; chooses its icon.
 enum class FeelLevel { kShown, kOff, kWaiting, kOn, kLimited, kStopped };
 
-/// What the safety chain does, for people.
+/// The state of the safety chain in words.
 struct SafetyWords {
   FeelLevel level = FeelLevel::kOff;
   QString state;   ///< "Forces are on"
-  QString detail;  ///< what to know or do about it; may be empty
+  QString detail;  ///< advice to the user; may be empty
 };
 
-/// `has_motors`: the pen pushes back at all. `wanted`: a person has switched the forces on.
-/// `device` is its newest fault, which says more than "the device does not answer".
+/// Describes the state. `has_motors`: the pen can push. `wanted`: the user has switched the forces
+/// on. `device` is the newest fault of the device, which is more precise than "the device does not
+/// answer".
 SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted,
                       std::optional<DeviceFault> device = {});
 
-/// Why force was taken away, as half a sentence: "the pen jumped". Empty for kNone.
+/// Returns why the force was removed, as half a sentence: "the pen jumped". Empty for kNone.
 QString words_for(SafetyFault fault);
 
-/// The term of a force, by the name of its brick: "plane" -> "Sheet".
+/// Returns the label of a force term by the name of its brick: "plane" -> "Sheet".
 QString term_label(const char* name);
 
 }  // namespace felt::desktop

@@ -27,7 +27,7 @@ namespace {
 constexpr double kDpi = 300.0;
 constexpr double kMostPixels = 16e6;
 constexpr double kMarginMm = 1.0;
-// Of texts within their limits: in JSON a byte of them takes two at most.
+// Allows for JSON, in which a byte of a text takes at most two.
 constexpr std::size_t kMostMaterialsBytes =
     limits::kMaxMaterialTexts * (2 * limits::kMaxMaterialTextBytes + 3) + 2;
 const QString kSvgMime = QStringLiteral("image/svg+xml");
@@ -49,7 +49,7 @@ QByteArray json_of(std::span<const std::string> texts) {
   return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
 
-/// What is none, or beyond the limits of a drawing, is left out.
+/// Skips entries that are not texts or exceed the limits of a drawing.
 std::vector<std::string> texts_in(const QByteArray& json) {
   std::vector<std::string> texts;
   if (static_cast<std::size_t>(json.size()) > kMostMaterialsBytes) return texts;
@@ -61,7 +61,7 @@ std::vector<std::string> texts_in(const QByteArray& json) {
   return texts;
 }
 
-/// A drawing that has materials is written whole, so that they come along.
+/// A drawing with materials is written whole, so that the SVG includes them.
 QByteArray svg_of(const Drawing& drawing) {
   const SvgOptions options{.margin_mm = kMarginMm};
   const Result<std::string> text =
@@ -76,12 +76,12 @@ QImage picture_of(const Drawing& drawing) {
                        {255, 255, 255, 0});
 }
 
-/// A drawing of any format that text may hold.
+/// Reads a drawing of any text format.
 Result<Imported> drawing_in(const QByteArray& bytes) {
   return parse_drawing({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {});
 }
 
-/// The types that programs put vector drawings and ink on the clipboard with.
+/// Returns the types under which programs put vector drawings and ink on the clipboard.
 const QStringList& drawing_types() {
   static const QStringList types{kSvgMime, QStringLiteral("image/x-inkscape-svg"),
                                  QStringLiteral("application/inkml+xml"),
@@ -89,7 +89,8 @@ const QStringList& drawing_types() {
   return types;
 }
 
-/// Text that is a drawing: an SVG copied from an editor or a page's source.
+/// Returns true if the text is a drawing, for example an SVG copied from an editor or a page's
+/// source.
 bool is_drawing_text(const QByteArray& text) {
   const auto format = format_of_bytes(
       {text.constData(), std::min<std::size_t>(std::size_t(text.size()), kFormatHeadBytes)});
@@ -97,8 +98,8 @@ bool is_drawing_text(const QByteArray& text) {
          format == FileFormat::kNdjson;
 }
 
-/// Strokes that become SVG and pixels when another program asks for them: most copies are pasted
-/// here, and a large picture takes longer than a keystroke may.
+/// Strokes that become SVG and pixels only when another program asks for them, because most copies
+/// are pasted here, and a large picture takes longer than a keystroke may.
 class PromisedStrokes final : public QMimeData {
  public:
   explicit PromisedStrokes(Drawing drawing) : drawing_(std::move(drawing)) {}

@@ -13,26 +13,26 @@
 
 namespace felt::desktop {
 
-/// Type of our own strokes on the clipboard: lines of .ndjson, exact.
+/// MIME type of our own strokes on the clipboard: lines of .ndjson, exact.
 inline constexpr const char* kStrokesMime = "application/x-feltline-strokes";
-/// Beside it, where they are of media that Feltline does not bring: the texts of these media, an
-/// array of strings of JSON.
+/// MIME type beside it if they use media that Feltline does not ship: the texts of these media, as
+/// a JSON array of strings.
 inline constexpr const char* kMaterialsMime = "application/x-feltline-materials";
 
-/// Puts the visible strokes of a drawing and its materials on the clipboard: in our own types, as
-/// image/svg+xml and as a picture at 300 dots per inch (less if that would be a very large one).
-/// The last two are made when somebody asks for them.
+/// Returns clipboard data for the visible strokes of a drawing and its materials: in our own types,
+/// as image/svg+xml and as a picture at 300 dots per inch (fewer if the picture would be very
+/// large). SVG and picture are made on request.
 std::unique_ptr<QMimeData> strokes_mime(Drawing drawing);
-/// One of the two alone, for programs that choose the wrong one.
+/// Returns SVG or picture alone, for programs that would choose the wrong one.
 std::unique_ptr<QMimeData> svg_mime(const Drawing& drawing);
 std::unique_ptr<QMimeData> png_mime(const Drawing& drawing);
 
-/// Reads a clipboard: our own strokes, else SVG, InkML or lines of JSON of any program, by their
-/// types or as text. Returns an empty drawing if it has none of them. Nobody vouches for the texts
-/// of materials: one may say no material. Error: it is damaged.
+/// Reads a clipboard: our own strokes, otherwise SVG, InkML or lines of JSON of any program, by
+/// their types or as text. Returns an empty drawing if it has none of them. The texts of materials
+/// are not checked and may be invalid. Fails if the data is damaged.
 Result<Imported> drawing_of(const QMimeData& data);
 
-/// Returns the area that this ink covers, with a margin of a millimetre.
+/// Returns the area that this ink covers, with a margin of 1 mm.
 Rect ink_area(const Rect& ink);
 
 }  // namespace felt::desktop

@@ -112,7 +112,7 @@ TEST(Clipboard, MediaGoAlongWithTheStrokes) {
     ASSERT_EQ(taken.count(), 1);
     EXPECT_TRUE(qvariant_cast<felt::ImportReport>(taken.at(0).at(1)).empty()) << copy;
   }
-  // Where it is another one, it stays, and the person is told.
+  // A medium with other figures stays, and the user is told.
   TestDesk other;
   other.studio.apply(UseMaterial{write_material(soft_chalk(0.6))});
   QSignalSpy taken(other.files, &FileActions::taken);
@@ -148,7 +148,7 @@ TEST(Clipboard, TextsOfMaterialsThatNobodyVouchesFor) {
   QByteArray many = "[\"0\"";
   for (int i = 1; i < 200; ++i) many += ",\"" + QByteArray::number(i) + "\"";
   EXPECT_EQ(pasted(many + "]").size(), 64u);
-  // A text that says no material, and one beyond its ranges, leave the strokes as they are.
+  // An invalid text of a material, and one out of range, leave the strokes as they are.
   Drawing odd = drawing;
   odd.materials = {"hello", "kind = \"medium\"\nid = \"soft-chalk\"\nmu = 1e9"};
   QGuiApplication::clipboard()->setMimeData(strokes_mime(odd).release());

@@ -9,22 +9,24 @@
 
 namespace felt::desktop {
 
-/// ".felt"
+/// Returns the file extension of a format: ".felt".
 QString suffix_of(FileFormat format);
 
-/// The name with the format's ending, unless it has an ending of that format already.
+/// Returns the path with the format's extension, unchanged if it already has one of that format.
 QString with_suffix(const QString& path, FileFormat format);
 
-/// Reads a drawing of any format, by its content, with what could not be taken. Error: names the
-/// file, the place and the reason; no file at all, but a pipe, for which the window would wait. Any
-/// thread. `salvage`: of a damaged .felt file what can be had.
+/// Reads a drawing of any format, chosen by content, with a report of unsupported content. With
+/// `salvage`, reads as much as possible of a damaged .felt file. The error names the file, the
+/// place and the reason. Fails if the path is not a regular file, for example a pipe, on which the
+/// window would wait. Any thread.
 Result<Imported> open_drawing(const QString& path, bool salvage = false);
 
-/// The same without the report.
+/// Reads it without the report.
 Result<Drawing> read_drawing(const QString& path);
 
-/// Writes it whole or not at all, and durably, in the format of the name's ending. Formats without
-/// layers take the strokes of visible ones. Error: names the file and the reason. Any thread.
+/// Writes a drawing whole or not at all, and durably, in the format of the path's extension.
+/// Formats without layers get the strokes of visible layers. The error names the file and the
+/// reason. Any thread.
 Result<void> write_drawing(const QString& path, const Drawing& drawing);
 
 }  // namespace felt::desktop

@@ -6,8 +6,8 @@
 
 namespace felt::desktop {
 
-/// What an error means for a person, translated: one sentence by its code. The library's own words
-/// are English and name paths and places; they go under "Details".
+/// Returns one translated sentence for an error, by its code. The library's own messages are
+/// English and name paths and places; they are shown under "Details".
 QString error_words(const Error& error);
 
 }  // namespace felt::desktop

@@ -29,11 +29,12 @@ namespace felt::desktop {
 namespace {
 
 constexpr QSize kPreviewSize(280, 220);
-constexpr int kCheck = 8;  // squares that stand for "transparent"
-// A preview that took longer would be in the way: the strokes that are drawn last are seen best.
+constexpr int kCheck = 8;  // chequered squares that show transparency
+// A preview of more strokes would take too long. The ones drawn last are shown, because they are on
+// top.
 constexpr std::size_t kMostPreviewStrokes = 5000;
 
-/// What can be exported: all that is written but our own, which is saved.
+/// Returns the formats of export: all that can be written except our own, which is saved.
 std::vector<const FormatTraits*> export_formats() {
   std::vector<const FormatTraits*> rows;
   for (const FormatTraits& row : format_table()) {
@@ -42,7 +43,7 @@ std::vector<const FormatTraits*> export_formats() {
   return rows;
 }
 
-/// The picture on squares where it is transparent.
+/// Paints the picture over chequered squares that show where it is transparent.
 QPixmap on_squares(const QImage& picture, double ratio) {
   QPixmap pixmap(picture.size());
   pixmap.fill(Qt::white);

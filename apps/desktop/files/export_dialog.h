@@ -15,8 +15,8 @@ class QLabel;
 
 namespace felt::desktop {
 
-/// How the drawing is exported, with a small picture and the size of what comes out. Remembers
-/// what was chosen.
+/// Asks how the drawing is exported, and shows a small picture and the resulting size. Remembers
+/// the choices.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class ExportDialog : public QDialog {
 
   std::vector<StrokePtr> strokes_;
   SheetPage page_;
-  std::optional<Grain> sheet_grain_;  // none: the sheet is not known here
+  std::optional<Grain> sheet_grain_;  // none: the surface is not known here
   QComboBox* format_;
   QComboBox* area_;
   QDoubleSpinBox* dpi_;

@@ -6,19 +6,19 @@
 
 namespace felt::desktop {
 
-/// What an exported picture shows.
+/// What an exported file contains.
 struct ExportOptions {
   FileFormat format = FileFormat::kSvg;
   double dpi = 300.0;      ///< of a .png, and of the grain in an .svg or .pdf
-  bool background = true;  ///< the paper, where it has a colour
-  bool ink_only = false;   ///< cut to the ink and a margin; else the page
-  bool grain = false;      ///< of the sheet, in dry ink; where the format is a picture
+  bool background = true;  ///< the paper, if it has a colour
+  bool ink_only = false;   ///< cropped to the ink and a margin; otherwise the page
+  bool grain = false;      ///< of the surface, in dry ink; if the format can show it
 };
 
-/// Returns the part that is shown of a page with that ink.
+/// Returns the part of a page with that ink that is exported.
 Rect export_area(const Rect& ink, const SheetPage& page, const ExportOptions& options);
 
-/// Writes what is seen, and hidden layers as such where the format has layers. Error: names the
+/// Writes the visible ink, and also hidden layers if the format has layers. The error names the
 /// file and the reason. Any thread.
 Result<void> export_drawing(const QString& path, const Drawing& drawing,
                             const ExportOptions& options);

@@ -42,20 +42,20 @@ QDateTime changed_at(const QString& path) {
   return info.exists() ? info.lastModified() : QDateTime();
 }
 
-/// Of a new page of that surface.
+/// Returns the usual paper of a new page of that surface.
 Rgba usual_paper(const SurfaceMaterial& surface) {
   return usual_color(SheetPage{}.paper, {}, surface.color_rgb, SheetPage{}.paper);
 }
 
-/// A drawing that Save may write to again: of our format, by content and by name.
+/// Returns true if Save may write to the file again: it is ours, by content and by extension.
 bool is_own_file(const Imported& opened, const QString& path) {
-  // One that was damaged is not written over: what is lost of it may still be had some day.
+  // A damaged file is not overwritten, because more of it may be recovered some day.
   return opened.is_exact && opened.format == FileFormat::kFelt &&
          format_of_path(path.toStdString()) == FileFormat::kFelt;
 }
 
-/// What a file of it brings along: the pencil's medium too, for a crash may come in its first
-/// stroke.
+/// Returns the materials that its file contains: also the medium of the tool, because a crash may
+/// happen during the first stroke.
 std::vector<std::string> own_materials(const Session& session, const Drawing& drawing) {
   const std::vector<std::string> also{drawing_medium(session)};
   return texts_of_used(drawing.document, drawing.page.surface, session.materials(), also);
@@ -110,7 +110,7 @@ void FileActions::add_file_actions(Actions& actions) {
 bool FileActions::is_read_only() const {
   constexpr auto kAnyWriter = QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther;
   const QFileInfo info(path_);
-  // Whoever may write everywhere is told, too, when nobody is meant to write there.
+  // A user with all rights is told, too, if the file is write-protected for everyone.
   return info.exists() && (!info.isWritable() || !(info.permissions() & kAnyWriter));
 }
 
@@ -138,17 +138,17 @@ Drawing FileActions::drawing() const {
   return drawing;
 }
 
-// --- Another drawing here
+// --- Another drawing
 
 void FileActions::start_new() {
   if (!may_replace()) return;
   Drawing fresh;
-  // A page that somebody set up here stays; that of a file which was opened goes with it.
+  // Keeps a page that the user set up here, but not the page of a file that was opened.
   if (!has_page_of_file_) fresh.page = studio_.page();
   fresh.page.surface = studio_.session().sheet().material().id;
   if (has_page_of_file_) fresh.page.paper = usual_paper(studio_.session().sheet().material());
   fresh.color = studio_.session().sheet().color();
-  // Sheet and pencil stay, also where only the drawing that goes has brought them.
+  // Surface and medium stay, even if only the previous drawing brought them.
   fresh.materials = own_materials(studio_.session(), fresh);
   show(std::move(fresh), {}, {});
 }
@@ -159,7 +159,7 @@ void FileActions::ask_open() {
   if (!path.isEmpty()) open(path);
 }
 
-/// Reads a file beside the window. Of a damaged drawing of ours what can be had is offered.
+/// Reads a file on the worker's thread. For a damaged .felt file, offers the part that can be read.
 Result<Imported> FileActions::read(const QString& path) {
   Result<Imported> opened = fail(ErrorCode::kIo, ""), rescued = opened;
   worker_.start([&, path] {
@@ -184,10 +184,10 @@ bool FileActions::open(const QString& given) {
   worker_.wait();
   Result<Imported> opened = read(path);
   if (opened) {
-    // Nobody is asked about their changes for a file that cannot be read.
+    // Asks about unsaved changes only after the file could be read.
     const QDateTime read_at = changed_at(path);
     if (!may_replace()) return false;
-    if (changed_at(path) != read_at) opened = read(path);  // it was this one that was saved
+    if (changed_at(path) != read_at) opened = read(path);  // the user has just saved to this file
   }
   if (!opened) {
     dialogs_->show_error(window_, tr("“%1” cannot be opened").arg(QFileInfo(path).fileName()),
@@ -221,7 +221,7 @@ void FileActions::adopt(Drawing drawing, const QString& name) {
 
 void FileActions::show(Drawing drawing, const QString& path, const QString& name) {
   const LayerId layer = drawing.layer;
-  // Before the signals of open(), so that who hears them sees the right name.
+  // Set before the signals of open(), so that slots see the right name.
   path_ = path;
   name_ = name;
   has_page_of_file_ = false;
@@ -241,7 +241,7 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
   Q_EMIT drawing_changed();
 }
 
-/// Somebody else put a drawing here, an example: it has no file.
+/// Handles a drawing that other code opened, for example an example: it has no file.
 void FileActions::hear_opened() {
   if (is_showing_) return;
   extras_ = {};
@@ -298,7 +298,7 @@ bool FileActions::eventFilter(QObject* object, QEvent* event) {
     const QStringList paths = local_files(drop->mimeData());
     if (paths.isEmpty()) return false;
     drop->acceptProposedAction();
-    // Later: who dragged waits for the answer, and a dialog may come.
+    // Done later, because the program that drags waits for the answer, and a dialog may open.
     QMetaObject::invokeMethod(
         this, [this, paths] { take_dropped(paths); }, Qt::QueuedConnection);
     return true;
@@ -365,9 +365,10 @@ void FileActions::end_save(const QString& path, const ChangeMark& mark, const Re
   Q_EMIT saved(true);
 }
 
+/// After a save it saves once more if a gesture ended while the file was being written.
 bool FileActions::may_replace() {
   worker_.wait();
-  studio_.finish_gesture();  // a line that is being drawn is a change, too
+  studio_.finish_gesture();  // a line in progress is a change, too
   if (!studio_.is_modified()) return true;
   switch (dialogs_->ask_unsaved(window_, display_name())) {
     case FileDialogs::Unsaved::kDiscard:
@@ -379,7 +380,7 @@ bool FileActions::may_replace() {
   }
   if (!save()) return false;
   worker_.wait();
-  // What ended while the file was being written is not in it yet.
+  // A gesture that ended while the file was being written is not in the file.
   studio_.finish_gesture();
   if (!last_save_failed_ && studio_.is_modified()) {
     begin_save(path_);
@@ -427,13 +428,13 @@ void FileActions::fill_recent_menu() {
   recent_menu_->clear();
   int number = 0;
   for (const QString& path : std::as_const(recent)) {
-    // Names that hold an ampersand are shown with it.
+    // Doubles ampersands, so that the menu shows them.
     QString name = QFileInfo(path).fileName();
     name.replace(QLatin1Char('&'), QStringLiteral("&&"));
     const QString mark = ++number < 10 ? QStringLiteral("&%1  ").arg(number) : QString();
     QAction* action = recent_menu_->addAction(mark + name);
     action->setStatusTip(path);
-    // Later: opening fills this menu anew, and the action is gone then.
+    // Done later, because opening fills this menu again and deletes the action.
     connect(
         action, &QAction::triggered, this, [this, path] { open(path); }, Qt::QueuedConnection);
   }

@@ -25,85 +25,88 @@ class QMenu;
 
 namespace felt::desktop {
 
-/// What a drawing's file holds besides and others in the window know: its palette, what is seen.
+/// The parts of a drawing's file that other parts of the window own: its palette and its view.
 struct DrawingLooks {
-  std::function<void(Drawing&)> tell = {};        ///< fills them in
-  std::function<void(const Drawing&)> show = {};  ///< shows those that the drawing has
+  std::function<void(Drawing&)> tell = {};        ///< adds them to a drawing
+  std::function<void(const Drawing&)> show = {};  ///< shows those of a drawing
 };
 
-/// Which file a window shows, and all that concerns files: new, open, recent, save, save as,
-/// import, export, copy as a picture, page, print. Adds its actions ("file.open", "edit.copy").
-/// Nothing is ever lost without being asked about.
+/// The file of a window, and all commands for files: new, open, recent, save, save as, import,
+/// export, copy as a picture, page, print. Adds its actions ("file.open", "edit.copy"). Asks before
+/// anything unsaved is lost.
 ///
-/// Files are written beside the window (FileWorker), from a copy: the pen never waits. A drawing
-/// counts as saved when its bytes are on the disk. `path()` is always a .felt file; what is opened
-/// from another format, or from a drawing that is called otherwise, has no path yet, so that Save
-/// never writes over it. What could not be taken of a file is told by `taken`.
+/// Files are written from a copy on another thread (FileWorker), so that the pen never waits. A
+/// drawing counts as saved when its bytes are on the disk. `path()` is always a .felt file. A
+/// drawing that was opened from another format, or from a .felt file with another extension, has no
+/// path yet, so that Save never overwrites its source. `taken` reports what in a file is not
+/// supported.
 class FileActions : public QObject {
   Q_OBJECT
 
  public:
-  /// `dialogs` are for tests; null: the native ones.
+  /// `dialogs` are for tests; null: the native dialogs.
   FileActions(Studio& studio, Actions& actions, QWidget* window,
               std::unique_ptr<FileDialogs> dialogs = nullptr);
   ~FileActions() override;
 
-  /// "" for a drawing without a name.
+  /// Returns the path, or "" for a drawing without a name.
   [[nodiscard]] const QString& path() const noexcept { return path_; }
-  /// For titles: the file's name, or what the drawing without one is called.
+  /// Returns a name for titles: the file's, or that of a drawing without a file.
   [[nodiscard]] QString display_name() const;
-  /// The drawing's file is there and may not be written.
+  /// Returns true if the drawing's file exists and may not be written.
   [[nodiscard]] bool is_read_only() const;
-  /// Nothing was drawn, opened or saved here: another drawing may take the place.
+  /// Returns true if nothing was drawn, opened or saved here, so that another drawing may replace
+  /// it.
   [[nodiscard]] bool is_pristine() const;
 
-  /// Opens it here; asks about unsaved changes once it could be read. False: it was not opened, and
-  /// the person has been told why.
+  /// Opens a file here; asks about unsaved changes after the file was read. Returns false if it was
+  /// not opened; an error has been shown to the user.
   bool open(const QString& path);
-  /// Begins to write; false: the person stopped it. What comes of it is told by `saved`.
+  /// Starts to save. Returns false if the user cancelled. `saved` reports the result.
   bool save();
   bool save_as();
-  /// Saves, throws away or stops, as the person says, and waits for what is being written. True:
-  /// the drawing may go.
+  /// Asks whether to save, discard or cancel, and waits for running saves. Returns true if the
+  /// window may close.
   bool may_close();
-  /// The strokes of another file are added, as one step, with their media (added_strokes.h).
+  /// Adds the strokes of another file, as one step of undo, with their media (added_strokes.h).
   bool import(const QString& path);
-  /// Opens the first where this window is pristine, imports the others.
+  /// Opens the first file if this window is pristine; imports the others.
   void take_dropped(const QStringList& paths);
-  /// A drawing that comes from no file, an example: it has this name, and nothing to save. Asks
-  /// nothing: for a window that is pristine.
+  /// Shows a drawing without a file, for example an example, under this name and without unsaved
+  /// changes. Does not ask, so requires that the window is pristine.
   void show_unsaved(Document document, const SheetPage& page, const QString& name);
-  /// A drawing that was rescued: it has changes and this name, and no file.
+  /// Shows a recovered drawing: it has unsaved changes and this name, but no file.
   void adopt(Drawing drawing, const QString& name);
 
   void set_looks(DrawingLooks looks) { looks_ = std::move(looks); }
 
-  /// Protects the drawing against a crash from now on. A live studio's window calls it by itself.
+  /// Starts the autosave of the drawing. The window of a live studio calls it itself.
   void start_autosave(const QStringList& roots);
   [[nodiscard]] StudioAutosave* autosave() const noexcept { return autosave_.get(); }
-  /// Asks what to do with drawings that a crash left behind, if there are any.
+  /// If a crash left drawings behind, asks what to do with them.
   void offer_recovery(const QStringList& roots);
 
-  /// "Open recent", kept up to date; owned by the window.
+  /// Returns the menu "Open recent", kept up to date; the window owns it.
   [[nodiscard]] QMenu* recent_menu() const noexcept { return recent_menu_; }
   /// Waits until no file is being written.
   void finish_writing() { worker_.wait(); }
-  /// The whole drawing, to be written elsewhere.
+  /// Returns the whole drawing, to be written elsewhere.
   [[nodiscard]] Drawing drawing() const;
   [[nodiscard]] FileWorker& worker() noexcept { return worker_; }
-  /// Where files of this drawing are looked for first.
+  /// Returns the folder in which file dialogs of this drawing start.
   [[nodiscard]] QString folder() const { return folder_.isEmpty() ? last_folder() : folder_; }
   [[nodiscard]] FileDialogs& dialogs() noexcept { return *dialogs_; }
 
  Q_SIGNALS:
   void path_changed(const QString& path);
-  /// A drawing was written to `path()`, or not.
+  /// The save to `path()` ended; `done`: it succeeded.
   void saved(bool done);
-  /// Another drawing is here: opened, new or rescued; after Studio::opened.
+  /// Another drawing is shown: opened, new or recovered. Emitted after Studio::opened.
   void drawing_changed();
-  /// A file was opened, imported or pasted from; its report may be empty. `name` is for people.
+  /// A file was opened, imported or pasted from; its report may be empty. `name` is shown to the
+  /// user.
   void taken(const QString& name, const felt::ImportReport& report);
-  /// Another window for that file, "" for an empty drawing.
+  /// Asks for another window for that file, "" for an empty drawing.
   void wants_window(const QString& path);
 
  protected:
@@ -135,18 +138,19 @@ class FileActions : public QObject {
   std::unique_ptr<FileDialogs> dialogs_;
   FileWorker worker_;
   std::unique_ptr<StudioAutosave> autosave_;
-  std::vector<AbandonedAutosave> rescued_;  // until what was in them is saved
-  QPointer<QLabel> warning_;                // that it is not kept as it should be
+  std::vector<AbandonedAutosave> rescued_;  // until their drawings are saved
+  QPointer<QLabel> warning_;                // shown while the autosave fails
   QMenu* recent_menu_;
   QString path_;
   QString name_;    // of a drawing without a path; "" is "Untitled"
-  QString folder_;  // where it came from
+  QString folder_;  // of the file that was opened or saved last
   DrawingLooks looks_;
-  std::shared_ptr<const DrawingExtras> extras_;  // what its file holds that is only carried
+  std::shared_ptr<const DrawingExtras> extras_;  // the content of its file that is only carried
+                                                 // along
   QDateTime seen_on_disk_;                       // of path_, when it was read or written here
   int saves_in_work_ = 0;
   bool last_save_failed_ = false, is_showing_ = false;
-  bool has_page_of_file_ = false;  // it came with a file that was opened
+  bool has_page_of_file_ = false;  // the page came with a file that was opened
 };
 
 }  // namespace felt::desktop

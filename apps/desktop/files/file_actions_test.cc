@@ -80,7 +80,7 @@ TEST(FileActions, PaletteViewAndRecordingsTravelWithTheFile) {
   EXPECT_EQ(saved.palette, made.palette);
   EXPECT_EQ(saved.view->px_per_mm, 2.0);
   EXPECT_EQ(recordings_of(saved).value().size(), 1u);
-  // Another drawing has none of it.
+  // Another drawing does not keep them.
   other.files->show_unsaved(Document(), SheetPage(), QStringLiteral("Example"));
   EXPECT_EQ(other.files->drawing().extras, nullptr);
 }
@@ -170,7 +170,7 @@ TEST(FileActions, ANewDrawingHasNotThePageOfTheFileBefore) {
   desk.actions.find(QStringLiteral("file.new"))->trigger();
   EXPECT_EQ(desk.studio.page().width_mm, SheetPage{}.width_mm);
   EXPECT_EQ(desk.studio.page().paper, SheetPage{}.paper);
-  // A page that a person set up here stays.
+  // A page that the user set up here stays.
   SheetPage mine = desk.studio.page();
   mine.width_mm = 333.0;
   desk.studio.set_page(mine);
@@ -190,7 +190,7 @@ TEST(FileActions, WhatIsDrawnDuringASaveStaysUnsaved) {
   EXPECT_EQ(read_drawing(desk.at("a.felt")).value().document.stroke_count(), 3u);
 }
 
-// Undo and redo while the file is being written: the file has the state of when the save began.
+// Undo and redo while the file is being written: the file has the state at the start of the save.
 TEST(FileActions, UndoDuringASaveIsAnUnsavedChange) {
   TestDesk desk;
   desk.draw(1);
@@ -244,7 +244,7 @@ TEST(FileActions, TheColourOfAnOpenedDrawingIsNotKeptForTheNextStart) {
   Settings::the().reset(key);
 }
 
-/// The pen goes along a line; on the sheet or above it.
+/// Moves the pen along a line, on the surface or above it.
 void move_pen(TestDesk& desk, bool down, double y_mm) {
   for (int i = 0; i < 50; ++i) {
     desk.studio.point({desk.studio.now_ns(), {20.0 + i, y_mm}, down, 0.5});
@@ -275,7 +275,7 @@ TEST(FileActions, WhatEndsDuringTheLastSaveIsSavedBeforeTheWindowGoes) {
   desk.draw(1);
   desk.person->unsaved = FileDialogs::Unsaved::kSave;
   desk.person->next = desk.at("late.felt");
-  // Comes when the event loop runs: while the file is being written.
+  // Runs in the event loop, that is, while the file is being written.
   QMetaObject::invokeMethod(
       &desk.studio, [&desk] { desk.draw(2); }, Qt::QueuedConnection);
   EXPECT_TRUE(desk.files->may_close());
@@ -310,7 +310,8 @@ TEST(FileActions, ANameThatGetsItsEndingDoesNotReplaceAFileUnasked) {
   desk.files->save_as();
   desk.files->finish_writing();
   desk.draw(2);
-  // The dialog asked about "a 1.2", which is not there; the file that is gets asked about next.
+  // The dialog asked about "a 1.2", which does not exist. "a 1.2.felt" does, so that is asked about
+  // next.
   desk.person->next = desk.at("a 1.2");
   desk.person->then = desk.at("b.felt");
   EXPECT_TRUE(desk.files->save_as());
@@ -344,7 +345,7 @@ TEST(FileActions, DroppedFilesOpenOrAreAdded) {
   EXPECT_EQ(other.document().stroke_count(), 3u);
 }
 
-/// Notes of Xournal++ as that program writes them, not packed.
+/// Notes as Xournal++ writes them, uncompressed.
 const char* const kNotes =
     "<?xml version=\"1.0\" standalone=\"no\"?>\n<xournal creator=\"t\" fileversion=\"4\">\n"
     "<page width=\"595\" height=\"842\">\n<background type=\"solid\" color=\"#ffffffff\" "
@@ -373,7 +374,8 @@ TEST(FileActions, NotesOfAnotherProgramAreDroppedDrawnOnSavedAndOpenedAgain) {
   ASSERT_EQ(report.notices().size(), 1u);
   EXPECT_EQ(report.notices()[0].line, 7);
   desk.draw(3, 1);
-  // Save asks for a name, since notes could not hold all of it; the file stays as it was.
+  // Save asks for a name, because a notes file could not hold the whole drawing; the file stays as
+  // it was.
   desk.save_as("notes");
   EXPECT_EQ(desk.person->suggested, desk.at("notes.felt"));
   EXPECT_EQ(desk.files->path(), desk.at("notes.felt"));
@@ -394,7 +396,7 @@ TEST(FileActions, WhatADamagedDrawingStillHoldsIsOfferedAndTheFileLeftAlone) {
   bytes.resize(bytes.size() - bytes.size() / 4);
   ASSERT_TRUE(write_file(path.toStdString(), bytes));
   TestDesk other;
-  EXPECT_FALSE(other.files->open(path));  // refused by the person
+  EXPECT_FALSE(other.files->open(path));  // the user declines
   EXPECT_EQ(other.person->errors.size(), 1);
   other.person->salvage = true;
   ASSERT_TRUE(other.files->open(path));

@@ -9,7 +9,7 @@
 
 namespace felt::desktop {
 
-/// What a person is asked about files. The native dialogs; tests answer in their place.
+/// Questions to the user about files. The native dialogs; tests override them.
 class FileDialogs {
  public:
   enum class Unsaved { kSave, kDiscard, kCancel };
@@ -17,29 +17,32 @@ class FileDialogs {
 
   virtual ~FileDialogs() = default;
 
-  /// "" where nothing was chosen. `filters` as QFileDialog takes them.
+  /// Asks for a file to open. Returns "" if none was chosen. `filters` as for QFileDialog.
   virtual QString open_name(QWidget* window, const QString& title, const QString& folder,
                             const QString& filters);
   virtual QStringList open_names(QWidget* window, const QString& title, const QString& folder,
                                  const QString& filters);
-  /// Asks before an existing file is taken. `suffix` (".felt") is appended where there is none.
+  /// Asks for a name to save to, and before an existing file is replaced. Appends `suffix`
+  /// (".felt") if the name has no extension.
   virtual QString save_name(QWidget* window, const QString& title, const QString& path,
                             const QString& filters, const QString& suffix);
-  /// The name that is written: what save_name gave, with the ending of the format. Where that is
-  /// another file than the one that was asked about, and is there ("a 1.2", "a 1.2.felt"), it asks
-  /// once more.
+  /// Returns the name to write: the result of save_name with the extension of the format. If that
+  /// is another file than the one the dialog asked about and it exists ("a 1.2", "a 1.2.felt"),
+  /// asks again.
   QString name_to_write(QWidget* window, const QString& title, const QString& path,
                         FileFormat format);
-  /// A drawing with changes is to go.
+  /// Asks what to do with unsaved changes of a drawing that is about to be closed.
   virtual Unsaved ask_unsaved(QWidget* window, const QString& name);
-  /// The file was changed by others since it was read.
+  /// Asks about a file that another program changed since it was read.
   virtual Overwrite ask_overwrite(QWidget* window, const QString& name);
-  /// A drawing is damaged, but so many strokes of it can be had. True: show them.
+  /// Tells that a drawing is damaged and that `strokes` of it can be recovered. Returns true to
+  /// show them.
   virtual bool ask_salvage(QWidget* window, const QString& name, const QString& why, int strokes);
-  /// Stays until it is closed; the program goes on. `details` are the library's own words.
+  /// Shows an error until it is closed; the program goes on. `details` are the library's own
+  /// message.
   virtual void show_error(QWidget* window, const QString& what, const QString& why,
                           const QString& details);
-  /// The same, with a button that saves elsewhere.
+  /// Shows an error with a button that saves elsewhere.
   virtual void show_save_error(QWidget* window, const QString& what, const QString& why,
                                const QString& details, std::function<void()> save_as);
 };

@@ -1,4 +1,4 @@
-// The part of FileActions that looks after crashes.
+// The crash recovery of FileActions.
 #include <QFileInfo>
 #include <QLabel>
 #include <QStatusBar>
@@ -17,7 +17,7 @@ void FileActions::start_autosave(const QStringList& roots) {
   autosave_->begin(display_name(), path_);
 }
 
-/// In the first window of a process, once it is shown.
+/// Called in the first window of a process, once it is shown.
 void FileActions::offer_once() {
   static bool is_done = false;
   if (std::exchange(is_done, true)) return;
@@ -40,7 +40,7 @@ void FileActions::show_offers(std::vector<RecoveryOffer> offers) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &RecoveryDialog::recover_wanted, this,
           [this, dialog] { take_over(std::move(dialog->chosen())); });
-  // What was recovered stays: who looks at the saved one may still want it.
+  // Keeps the recovered drawing, because the user may still want it after a look at the saved one.
   connect(dialog, &RecoveryDialog::open_wanted, this, [this](const QString& path) { open(path); });
   dialog->open();
 }
@@ -54,7 +54,7 @@ void FileActions::take_over(RecoveryOffer offer) {
     folder_ = QFileInfo(QString::fromStdString(recovered.path)).path();
   }
   adopt(std::move(recovered.drawing), tr("Recovered %1").arg(name));
-  // Kept until its drawing is in a file: a second crash must not take it.
+  // Kept until its drawing is in a file, so that a second crash does not lose it.
   rescued_.push_back(std::move(offer.store));
 }
 
@@ -64,7 +64,7 @@ void FileActions::forget_rescued() {
   }
 }
 
-/// A warning that stays as long as it is true, and stops nobody.
+/// Shows a warning that stays as long as the autosave fails and blocks nothing.
 void FileActions::show_status(const AutosaveStatus& status) {
   delete warning_;
   auto* bar = window_->findChild<QStatusBar*>();

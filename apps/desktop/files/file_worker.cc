@@ -41,12 +41,12 @@ void FileWorker::run() {
   std::unique_lock lock(mutex_);
   for (;;) {
     wake_.wait(lock, [this] { return stop_ || !waiting_.empty(); });
-    if (waiting_.empty()) return;  // what was started is done, whatever the hurry
+    if (waiting_.empty()) return;  // started work is always finished, even when stopping
     Work work = std::move(waiting_.front());
     waiting_.pop_front();
     lock.unlock();
     Answer answer = work();
-    work = nullptr;  // what it held goes on this thread: a drawing has many strokes
+    work = nullptr;  // frees what it holds on this thread, because a drawing has many strokes
     lock.lock();
     answers_.push_back(std::move(answer));
     QMetaObject::invokeMethod(this, &FileWorker::deliver, Qt::QueuedConnection);

@@ -2,12 +2,12 @@
 
 #include <QString>
 
-/// What the settings keep of files (engine/settings.h), with the defaults.
+/// The settings of files (engine/settings.h), with their defaults.
 namespace felt::desktop::files_keys {
 
-/// Folder of the last file that was opened or saved; "" is the person's documents.
+/// Folder of the last file that was opened or saved; "" is the user's documents folder.
 inline const QString kLastFolder = QStringLiteral("files/last_folder");
-/// The last files, the newest first: a list of absolute paths.
+/// Recent files, the newest first: a list of absolute paths.
 inline const QString kRecent = QStringLiteral("files/recent");
 inline constexpr int kRecentCount = 10;
 

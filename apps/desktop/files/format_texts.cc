@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kContext = "felt::desktop::Formats";
 
-/// The words of the table, where the translators' tool finds them.
+/// The texts of the table, repeated here so that the translators' tool finds them.
 constexpr const char* kWords[] = {
     QT_TRANSLATE_NOOP("felt::desktop::Formats", "Feltline drawing"),
     QT_TRANSLATE_NOOP("felt::desktop::Formats", "Everything, exactly."),

@@ -7,17 +7,17 @@
 
 namespace felt::desktop {
 
-/// What format_traits says, in the person's language.
+/// Returns the title of format_traits in the user's language.
 QString format_title(FileFormat format);
-/// One sentence: what a file of this format keeps of a drawing.
+/// Returns one sentence on what a file of this format keeps of a drawing.
 QString format_kept(FileFormat format);
 
-/// All texts of the table, for translators; a test compares them.
+/// Returns all texts of the table, for translators; a test compares them.
 std::span<const char* const> format_words();
 
-/// For dialogs that open a drawing: all that is read, each format, all files.
+/// Returns the filters of dialogs that open a drawing: all readable files, each format, all files.
 QString open_filters();
-/// For dialogs that write one format.
+/// Returns the filter of dialogs that write one format.
 QString save_filter(FileFormat format);
 
 }  // namespace felt::desktop

@@ -20,11 +20,12 @@ constexpr int kWaitMs = 2000;
 constexpr qint64 kMostBytes = 1 << 20;
 constexpr char kTaken = '1';
 
-/// In the runtime folder, where there is one that is ours; sockets elsewhere have short names.
+/// Uses the runtime folder if it exists and belongs to the user; sockets elsewhere have short
+/// names.
 QString socket_name(const QString& key) {
   QString text = key;
   if (text.isEmpty()) {
-    // Nobody sees these: each process is on its own.
+    // On platforms without a visible window each process works alone.
     const QString platform = QGuiApplication::platformName();
     if (platform == QStringLiteral("offscreen") || platform == QStringLiteral("minimal")) return {};
     text = QString::number(::getuid()) + QLatin1Char('|') + qEnvironmentVariable("DISPLAY") +
@@ -48,15 +49,17 @@ Instance::Instance(const QString& key, QObject* parent) : QObject(parent), name_
   });
 }
 
+/// Connects to the first process and sends it the paths; it answers with one byte. Without an
+/// answer this process listens on the socket itself. A lock file keeps two starts apart.
 bool Instance::hand_over(const QStringList& files) {
   if (is_first() || name_.isEmpty()) return false;
-  // Two starts in the same moment: one after the other.
+  // Serialises two starts at the same moment.
   QLockFile start(name_ + QStringLiteral(".lock"));
   start.tryLock(kWaitMs);
   QStringList paths;
   for (const QString& file : files) paths.push_back(QFileInfo(file).absoluteFilePath());
   if (tell_first(paths)) return true;
-  // Nobody answers there: what lies there is of a process that is gone.
+  // No process answers, so the socket is a dead process's.
   QLocalServer::removeServer(name_);
   server_.listen(name_);
   return false;
@@ -89,11 +92,11 @@ void Instance::take(QLocalSocket* socket) {
     QStringList files;
     in >> magic >> files;
     if (magic != 0 && magic != kMagic) return socket->abort();
-    if (!in.commitTransaction()) return;  // the rest comes
+    if (!in.commitTransaction()) return;  // incomplete: waits for the rest
     socket->write(QByteArray(1, kTaken));
     socket->flush();
     socket->disconnectFromServer();
-    // Who called is answered before a dialog can come.
+    // Queued, so that the caller is answered before a dialog can open.
     QMetaObject::invokeMethod(
         this, [this, files] { Q_EMIT wanted(files); }, Qt::QueuedConnection);
   });

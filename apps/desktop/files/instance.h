@@ -9,28 +9,29 @@ class QLocalSocket;
 
 namespace felt::desktop {
 
-/// One process for a person on a display, so that a file is open in one window and no more:
+/// Keeps to one process per user and display, so that a file is open in only one window:
 ///
 ///   Instance instance;
 ///   if (instance.hand_over(files)) return 0;     // the first process takes them
 ///   connect(&instance, &Instance::wanted, ...);  // open each, or raise the window that has it
 ///
-/// A socket that a crash left behind is taken over. Where no socket can be made, each process is
-/// on its own.
+/// A socket left behind by a crash is replaced. If no socket can be made, each process works alone.
 class Instance : public QObject {
   Q_OBJECT
 
  public:
-  /// `key` is for tests; "" is this person's on this display.
+  /// `key` is for tests; "" stands for this user on this display.
   explicit Instance(const QString& key = {}, QObject* parent = nullptr);
 
-  /// True: another process has these files now (none: an empty drawing) and shows itself. False:
-  /// there is no other; this is the first from now on.
+  /// Passes the files to the first process. Returns true if another process has them now (none: an
+  /// empty drawing) and shows itself. Returns false if there is none; this is the first process
+  /// from now on.
   bool hand_over(const QStringList& files);
   [[nodiscard]] bool is_first() const { return server_.isListening(); }
 
  Q_SIGNALS:
-  /// Another start wants these, as absolute paths; none: only that the program shows itself.
+  /// Another start passes these files, as absolute paths; none: the program should only show
+  /// itself.
   void wanted(const QStringList& files);
 
  private:
@@ -41,7 +42,7 @@ class Instance : public QObject {
   QLocalServer server_;
 };
 
-/// Brings a window to the front, out of the task bar if need be.
+/// Brings a window to the front, and restores it if it is minimised.
 void bring_forward(QWidget& window);
 
 }  // namespace felt::desktop

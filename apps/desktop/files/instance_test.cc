@@ -21,7 +21,7 @@ TEST(Instance, TheSecondHandsItsFilesToTheFirst) {
   EXPECT_TRUE(first.is_first());
   QSignalSpy wanted(&first, &Instance::wanted);
   bool taken = false;
-  // As another process would: it waits while the first one's loop runs.
+  // A thread in place of another process: it waits while the loop of the first runs.
   std::thread other([&] {
     Instance second(key);
     taken = second.hand_over({QStringLiteral("/tmp/ä b.felt"), QStringLiteral("c.felt")});

@@ -1,4 +1,4 @@
-// Pictures of the dialogs for a person to look at: FELT_LOOK=FOLDER desktop_files_test.
+// Saves pictures of the dialogs for visual review: FELT_LOOK=FOLDER desktop_files_test.
 #include <gtest/gtest.h>
 
 #include <QAccessible>
@@ -29,7 +29,7 @@ QPalette dark() {
   return palette;
 }
 
-/// Every control says what it is, by its text or by a name.
+/// Checks that every control has a text or an accessible name.
 void check_names(const QDialog& dialog) {
   for (const QWidget* widget : dialog.findChildren<QWidget*>()) {
     if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisibleTo(&dialog)) continue;
@@ -42,7 +42,7 @@ void check_names(const QDialog& dialog) {
   }
 }
 
-/// One with a file beside it, one without, one that is damaged.
+/// Returns an offer with a file, one without and a damaged one.
 std::vector<RecoveryOffer> offers_like(TestDesk& desk) {
   std::vector<RecoveryOffer> offers;
   const QDateTime now = QDateTime::currentDateTime();

@@ -7,19 +7,19 @@ class QTreeWidget;
 
 namespace felt::desktop {
 
-/// Says that a file held things that could not be taken: one line above the sheet, and on demand a
-/// list of what and where. Another file's report takes the place of the last.
+/// Shows which parts of a file are not supported: one line above the canvas, and on demand a list
+/// of what and where. Another file's report replaces it.
 class NoticeBar : public MessageBar {
   Q_OBJECT
 
  public:
   explicit NoticeBar(QWidget* parent = nullptr);
 
-  /// `name` is the file's, for people. A report without notices hides the bar.
+  /// Shows a report on the file `name`. A report without notices hides the bar.
   void show_report(const QString& name, const ImportReport& report);
-  /// Another drawing is here: the last file's report goes.
+  /// Removes the report because another drawing is shown.
   void forget_report();
-  /// Something else that a person should know, in plain words; it stays until it is closed.
+  /// Shows another message to the user; it stays until it is closed.
   void show_words(const QString& words);
 
  private:

@@ -16,14 +16,13 @@ namespace felt::desktop {
 
 class FileActions;
 
-/// The sheet on paper, in lines and not in pixels: `painter` draws it at its true size where a unit
-/// of its device is 1/dpi of an inch, from the corner of the page on. With grain, strokes that show
-/// it are pictures, of 300 dots per inch or as fine as all of them can be.
+/// Paints the page as vector lines, not pixels, at its true size if one unit of the painter's
+/// device is 1/dpi inch, starting at the corner of the page. With grain, strokes that show it are
+/// pictures of 300 dots per inch, or coarser if all of them together would be too large.
 void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi,
                  const std::optional<Grain>& grain = {});
 
-/// Sets the paper that the sheet asks for, and prints it there, with grain where the screen shows
-/// it.
+/// Sets the printer's paper to the size of the page and prints, with grain if the screen shows it.
 void print_drawing(QPrinter& printer, const Drawing& drawing);
 
 /// "file.export", "file.page_setup", "file.print", "file.print_preview".
@@ -33,7 +32,7 @@ class OutputActions : public QObject {
  public:
   OutputActions(FileActions& files, Studio& studio, Actions& actions, QWidget* window);
 
-  /// Begins to write; what went wrong is told.
+  /// Starts to export; reports errors to the user.
   void export_to(const QString& path, const ExportOptions& options);
 
  Q_SIGNALS:

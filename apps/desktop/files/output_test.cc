@@ -64,7 +64,7 @@ TEST(Export, TheDialogSaysWhatComesOut) {
   combos[0]->setCurrentIndex(combos[0]->findData(QStringLiteral("pdf")));
   EXPECT_TRUE(shows(format_kept(FileFormat::kPdf)));
   EXPECT_FALSE(shows(QStringLiteral("pixels")));
-  // What is seen comes out, unless one does not want it; its picture has so many dots per inch.
+  // Exports what is seen unless switched off; a picture has the chosen dots per inch.
   const auto boxes = dialog.findChildren<QCheckBox*>();
   const auto grain = std::find_if(boxes.begin(), boxes.end(), [](const QCheckBox* box) {
     return box->text().contains(QStringLiteral("Grain"));
@@ -104,7 +104,7 @@ TEST(Print, TheSheetIsPaintedAtItsTrueSize) {
   desk.draw(3, 6);
   desk.studio.set_page({60.0, 40.0, {255, 255, 255, 255}});
   const Drawing drawing = desk.files->drawing();
-  constexpr double kDpi = 254.0;  // ten pixels a millimetre
+  constexpr double kDpi = 254.0;  // ten pixels per mm
   QImage painted(600, 400, QImage::Format_RGBA8888_Premultiplied);
   painted.fill(Qt::white);
   QPainter painter(&painted);
@@ -122,7 +122,7 @@ TEST(Print, TheSheetIsPaintedAtItsTrueSize) {
   EXPECT_LT(sum / (600 * 400), 1.0);
 }
 
-// "Grain of the sheet": in every format that is a picture, and on paper.
+// "Grain of the sheet" applies to every format that is a picture, and to print.
 TEST(Export, GrainIsThatOfTheSheet) {
   TestDesk desk;
   desk.studio.apply(SetOption{"sheet.material", std::string("rough-paper")});

@@ -13,7 +13,7 @@ class QRadioButton;
 
 namespace felt::desktop {
 
-/// Size, orientation and colour of the sheet.
+/// Asks for size, orientation and colour of the page.
 class PageDialog : public QDialog {
   Q_OBJECT
 

@@ -28,7 +28,7 @@ QString name_of(const Recovered& recovered) {
                                 : QString::fromStdString(recovered.name);
 }
 
-/// "14:32" today, with the day before.
+/// Returns "14:32" for today, otherwise with the date.
 QString time_of(const QDateTime& when) {
   const QLocale locale;
   const QString time = locale.toString(when.time(), QLocale::ShortFormat);
@@ -74,7 +74,7 @@ QLabel* plain_label(const QString& text, QWidget* parent, bool is_bold = false) 
   return label;
 }
 
-/// Why there is no picture of a file.
+/// Returns why there is no picture of a file.
 QString absence_of(const Recovered& recovered) {
   if (recovered.path.empty()) return RecoveryDialog::tr("It was never saved");
   return QFileInfo::exists(QString::fromStdString(recovered.path))

@@ -9,23 +9,23 @@ class QVBoxLayout;
 
 namespace felt::desktop {
 
-/// Offers drawings that a crash left behind, each beside the person's file as it is: a picture of
-/// both, when they were changed last, how many lines they have. For each: recover it as a new
-/// drawing, open the saved one, or discard it, which asks. Closing the dialog is "later": the next
-/// start asks again.
+/// Offers drawings that a crash left behind, each beside the user's saved file: a picture of both,
+/// the time of their last change and their number of lines. For each, the user can recover it as a
+/// new drawing, open the saved one, or discard it after a question. Closing the dialog means
+/// "later": the next start asks again.
 class RecoveryDialog : public QDialog {
   Q_OBJECT
 
  public:
   RecoveryDialog(std::vector<RecoveryOffer> offers, QWidget* parent);
 
-  /// The one that was asked for; its store is the caller's then.
+  /// Returns the offer that the user chose; the caller takes over its autosave.
   [[nodiscard]] RecoveryOffer& chosen() noexcept { return offers_[chosen_]; }
 
  Q_SIGNALS:
-  /// Recover: chosen() has it.
+  /// The user wants to recover chosen().
   void recover_wanted();
-  /// Open the person's file, and leave the other where it is.
+  /// The user wants to open the saved file; the autosave stays where it is.
   void open_wanted(const QString& path);
 
  private:

@@ -16,14 +16,15 @@ std::optional<SavedDrawing> saved_of(const Recovered& recovered) {
   return SavedDrawing{*std::move(drawing), info.lastModified()};
 }
 
-/// Whether it could go without a loss.
+/// Returns true if it can be removed without a loss.
 bool is_worthless(const RecoveryOffer& offer) {
   const Recovered& recovered = offer.recovered;
-  // What is damaged may have lost the very word that it was not saved.
+  // A damaged autosave may have lost the very record that there were unsaved changes.
   if (recovered.has_changes || !recovered.problems.empty()) return false;
   if (recovered.drawing.document.stroke_count() == 0) return true;
   if (recovered.path.empty()) return true;  // an example, which is no loss
-  // It was saved, and the file has it still. A file that is older now was put back by somebody.
+  // It was saved, and the file still has it. If the drawing in the file differs, an older version
+  // may have been put back.
   return offer.saved && offer.saved->drawing.document == recovered.drawing.document;
 }
 

@@ -10,7 +10,7 @@
 
 namespace felt::desktop {
 
-/// What is in the person's file, beside what was recovered.
+/// The user's saved file, for comparison with the recovered drawing.
 struct SavedDrawing {
   Drawing drawing;
   QDateTime when;  ///< of the file
@@ -20,12 +20,12 @@ struct SavedDrawing {
 struct RecoveryOffer {
   AbandonedAutosave store;
   Recovered recovered;
-  std::optional<SavedDrawing> saved;  ///< none: it has no file, or that cannot be read
+  std::optional<SavedDrawing> saved;  ///< none: it has no file, or the file cannot be read
 };
 
-/// Reads what dead processes left, and the files beside it. Stores whose drawing is in its file, or
-/// that hold nothing, are removed; one that cannot be read stays where it is: a newer program may
-/// know more. Any thread.
+/// Reads the autosaves of dead processes, and the saved files. Removes autosaves that are empty or
+/// whose drawing is in its file. One that cannot be read stays where it is, because a newer program
+/// may be able to read it. Any thread.
 std::vector<RecoveryOffer> read_offers(std::vector<AbandonedAutosave> stores);
 
 }  // namespace felt::desktop

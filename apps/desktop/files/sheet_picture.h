@@ -12,16 +12,16 @@
 
 namespace felt::desktop {
 
-/// Strokes as a picture for widgets and the clipboard: `area` in mm, `px_per_mm` of them, on a
-/// sheet of that grain. Empty where it would be too large.
+/// Returns strokes as a picture for widgets and the clipboard: `area` in mm at `px_per_mm`, on a
+/// surface of that grain. Returns an empty picture if it would be too large.
 QImage sheet_picture(std::span<const StrokePtr> strokes, const Rect& area, double px_per_mm,
                      Rgba paper, const Grain& grain = Grain());
 
-/// The same, as large as fits into `size` pixels.
+/// Returns such a picture as large as fits into `size` pixels.
 QImage sheet_thumbnail(std::span<const StrokePtr> strokes, const Rect& area, QSize size, Rgba paper,
                        const Grain& grain = Grain());
 
-/// A picture of the library as one of Qt.
+/// Converts a picture of the library to one of Qt.
 QImage to_qimage(Image image);
 
 }  // namespace felt::desktop

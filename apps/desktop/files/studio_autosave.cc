@@ -13,8 +13,8 @@
 namespace felt::desktop {
 namespace {
 
-// A slider that is dragged changes figures ten times a second, and each time the whole drawing is
-// searched for the materials that it uses.
+// A slider that is dragged changes figures ten times a second, and each change searches the whole
+// drawing for the materials that it uses.
 constexpr int kHeadDelayMs = 500;
 
 }  // namespace
@@ -34,7 +34,7 @@ StudioAutosave::StudioAutosave(Studio& studio, std::function<Drawing()> current,
   AutosaveOptions options;
   for (const QString& root : roots) options.roots.push_back(root.toStdString());
   options.on_status = [this](const AutosaveStatus& status) {
-    // From the autosave thread, which ends before this object does.
+    // Called from the autosave thread, which ends before this object does.
     QMetaObject::invokeMethod(
         this, [this, status] { Q_EMIT status_changed(status); }, Qt::QueuedConnection);
   };
@@ -57,7 +57,7 @@ void StudioAutosave::connect_studio(Studio& studio) {
   connect(&studio, &Studio::page_changed, this, &StudioAutosave::post_head);
   connect(&studio, &Studio::materials_changed, this, &StudioAutosave::post_head_soon);
   connect(&studio, &Studio::option_changed, this, [this](const QString& id) {
-    // Perhaps a user-defined medium.
+    // This may be a user-defined medium.
     if (id.endsWith(QLatin1String(".material"))) post_head();
   });
   HapticLoop& loop = studio.loop();
@@ -101,7 +101,7 @@ void StudioAutosave::post_head() {
   autosave_->post({.head = std::move(head)});
 }
 
-/// The timer is not restarted, so that figures are kept even while they change all the time.
+/// Does not restart the timer, so that figures are kept even while they change all the time.
 void StudioAutosave::post_head_soon() {
   if (!head_timer_.isActive()) head_timer_.start();
 }
@@ -114,8 +114,8 @@ void StudioAutosave::note_media(const Drawing& drawing) {
   }
 }
 
-/// True if strokes came, by a paste or an undo, of a medium that is not Feltline's and whose text
-/// the autosave does not have.
+/// Returns true if a paste or an undo added strokes of a medium that is not Feltline's and whose
+/// text the autosave does not have.
 bool StudioAutosave::lacks_medium_of(const Edit& edit) const {
   const Materials& known = studio_->session().materials();
   const Materials& built_in = Materials::built_in();

@@ -16,14 +16,14 @@
 
 namespace felt::desktop {
 
-/// Folders for autosave databases, the preferred one first: autosave_roots(), or below the folder
-/// of a test.
+/// Returns the folders for autosave databases, the preferred one first: autosave_roots(), or
+/// folders below that of a test.
 QStringList recovery_roots();
 
-/// Connects a Studio and its haptic loop to an Autosave. Figures of a material that change, and the
+/// Connects a Studio and its haptic loop to an Autosave. Changed figures of a material, and the
 /// text of a medium that comes with strokes, reach it within half a second. Only flush() and the
-/// destructor wait for a disk. The database of a drawing that is closed normally is deleted; one
-/// that a dead process left is offered at the next start (recovery_dialog.h).
+/// destructor wait for a disk. The database of a drawing that is closed normally is deleted; the
+/// database of a dead process is offered at the next start (recovery_dialog.h).
 class StudioAutosave : public QObject {
   Q_OBJECT
 
@@ -34,17 +34,17 @@ class StudioAutosave : public QObject {
   /// Deletes the database if there are no unsaved changes, or after discard().
   ~StudioAutosave() override;
 
-  /// Another drawing is open, called `name`, from the file `path` or none.
+  /// Starts the autosave of another drawing, named `name`, from the file `path` or none.
   void begin(const QString& name, const QString& path);
-  /// The drawing was saved under this name. Studio::is_modified() tells whether that has
-  /// everything.
+  /// Updates name and path after a save. Studio::is_modified() tells whether the file has every
+  /// change.
   void rename(const QString& name, const QString& path);
-  /// The user does not want the drawing to be kept when the window closes.
+  /// The user chose to discard the drawing when the window closes.
   void discard() { is_discarded_ = true; }
-  /// Waits until everything so far is on the disk, or cannot be.
+  /// Waits until everything so far is on the disk, or has failed.
   void flush();
 
-  /// Of the database; "" if no folder works.
+  /// Returns the folder of the database; "" if no folder works.
   [[nodiscard]] QString folder() const {
     return QString::fromStdString(autosave_->status().folder);
   }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::int64_t kStepNs = 10'000'000;
 
-/// A step of a script that draws loops, lifts, undoes and changes layers; the same for everybody.
+/// A step of a fixed script that draws loops, lifts, undoes and changes layers.
 void step(TestDesk& desk, int k) {
   const int in_line = k % 60;
   const double t = 0.05 * k;
@@ -32,20 +32,20 @@ void step(TestDesk& desk, int k) {
   if (in_line == 58 && k % 300 > 240) desk.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}, "L"});
 }
 
-/// What is drawn after `steps`, with the line in work ended there.
+/// Returns the drawing after `steps`, with the line in progress ended there.
 Document reference(int steps) {
   TestDesk desk;
   for (int k = 0; k < steps; ++k) step(desk, k);
   Document document = desk.document();
   if (desk.studio.session().gesture_in_work()) {
-    // A tool that is chosen ends the gesture as if the pen were lifted.
+    // Choosing a tool ends the gesture as if the pen had been lifted.
     desk.studio.apply(SelectTool{"pull"});
     document = desk.document();
   }
   return document;
 }
 
-/// What a crash now would leave, read.
+/// Returns what would be recovered after a crash now.
 Recovered crashed(const TestDesk& desk) {
   desk.files->autosave()->flush();
   const Result<Recovered> recovered =
@@ -91,12 +91,12 @@ TEST(StudioAutosave, TheDrawingThatWasOpenedIsItsBase) {
   EXPECT_EQ(recovered.drawing, desk.files->drawing());
 }
 
-/// Without a person's doing: half a second later.
+/// Returns true if the autosave gets the medium without a user action, usually after half a second.
 bool keeps(const TestDesk& desk, const Medium& medium) {
   const std::string folder = desk.files->autosave()->folder().toStdString();
   return QTest::qWaitFor(
       [&] {
-        // A copy of a store that is being written may be read in part only.
+        // A copy of a database that is being written may be readable only in part.
         const Result<Recovered> recovered = recover_autosave(folder);
         return recovered &&
                recovered->drawing.materials == std::vector<std::string>{write_material(medium)};
@@ -111,14 +111,14 @@ TEST(StudioAutosave, TheFiguresOfWhatIsDrawnWithAreKept) {
   desk.studio.set_user_materials(known);
   desk.files->start_autosave({desk.at("state")});
   EXPECT_TRUE(crashed(desk).drawing.materials.empty());
-  desk.draw_with("soft-chalk");  // as a paste does, of a medium that is known
+  desk.draw_with("soft-chalk");  // as a paste does, of a known medium
   EXPECT_TRUE(keeps(desk, soft_chalk(0.4)));
   known.put(soft_chalk(0.6));
   desk.studio.set_user_materials(known);
   EXPECT_TRUE(keeps(desk, soft_chalk(0.6)));
   known.put(soft_chalk(0.8));
   desk.studio.set_user_materials(known);
-  // The program is told to end: there is no half a second.
+  // The program is asked to quit: it does not wait half a second.
   EXPECT_EQ(crashed(desk).drawing.materials,
             std::vector<std::string>{write_material(soft_chalk(0.8))});
 }
@@ -134,7 +134,7 @@ TEST(StudioAutosave, AMediumThatComesWithStrokesAndComesBackByUndoIsKept) {
   ASSERT_TRUE(other.files->import(desk.at("a.felt")));
   EXPECT_EQ(crashed(other).drawing.materials, chalk);
   other.studio.apply(UndoEvent{});
-  other.studio.set_page({100.0, 50.0, {9, 8, 7, 255}});  // what is kept is looked at anew
+  other.studio.set_page({100.0, 50.0, {9, 8, 7, 255}});  // the materials are collected again
   EXPECT_TRUE(crashed(other).drawing.materials.empty());
   other.studio.apply(RedoEvent{});
   EXPECT_EQ(crashed(other).drawing.materials, chalk);
@@ -167,7 +167,7 @@ TEST(StudioAutosave, ACleanCloseLeavesNothingAndACrashLeavesAStore) {
   {
     TestDesk desk;
     desk.files->start_autosave({root.path()});
-    desk.draw(1);  // and the window goes without a question
+    desk.draw(1);  // the window is closed without a question
   }
   std::vector<AbandonedAutosave> left = abandoned_in(root.path());
   ASSERT_EQ(left.size(), 1u);
@@ -176,7 +176,7 @@ TEST(StudioAutosave, ACleanCloseLeavesNothingAndACrashLeavesAStore) {
   EXPECT_TRUE(abandoned_in(root.path()).empty());
 }
 
-/// The warning stays as long as it is true, and goes when it works again.
+/// The warning stays as long as the autosave fails, and disappears when it works again.
 TEST(StudioAutosave, AFailureIsShownAndNothingElseHappens) {
   TestDesk desk;
   QFile file(desk.at("state"));
@@ -202,7 +202,7 @@ TEST(StudioAutosave, AFailureIsShownAndNothingElseHappens) {
   EXPECT_EQ(warnings(), QStringList());
 }
 
-/// What is offered: what is nowhere else, beside the file; all else is cleared away.
+/// Offers, beside the file, only drawings that no file has; all other autosaves are removed.
 TEST(StudioAutosave, OffersWhatNoFileHas) {
   QTemporaryDir root;
   const auto crash = [&root](const char* file, bool saves, int more) {
@@ -215,7 +215,7 @@ TEST(StudioAutosave, OffersWhatNoFileHas) {
       desk.files->finish_writing();
     }
     if (more > 0) desk.draw(2, more);
-    desk.studio.set_modified(true);  // or the store would go with the window
+    desk.studio.set_modified(true);  // otherwise the autosave would be deleted with the window
   };
   crash("a.felt", true, 2);
   crash("", false, 0);

@@ -4,7 +4,7 @@
 
 namespace felt::desktop {
 
-/// What this is: version, licence, the paper, the libraries.
+/// Shows version, licence, the paper, and the libraries.
 class AboutDialog : public QDialog {
   Q_OBJECT
 

@@ -6,8 +6,8 @@
 
 namespace felt::desktop {
 
-/// The guide: what the tools do, how the sheet is moved, what is felt, where drawings go, on one
-/// page. The tools' part is made from their own tables.
+/// The guide on one page: what the tools do, how to move the page, what the forces mean, where
+/// drawings are saved. The part about the tools is made from their tables.
 class GuideDialog : public QDialog {
   Q_OBJECT
 

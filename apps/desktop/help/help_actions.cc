@@ -42,7 +42,7 @@ HelpActions::HelpActions(Actions& actions, QWidget* window)
               });
 }
 
-/// The hand takes its time to draw, so it does it beside the window's thread.
+/// Draws the example on another thread, because that takes a while.
 void HelpActions::make_example(const Example& example) {
   const QPointer<HelpActions> asked(this);
   QThreadPool::globalInstance()->start([asked, example] {

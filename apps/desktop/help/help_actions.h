@@ -11,8 +11,8 @@
 
 namespace felt::desktop {
 
-/// Adds "help.guide", "help.shortcuts", "help.tour", "help.example_cat" and on, "help.about", and
-/// shows what they promise. `actions` and `window` must outlive it.
+/// Adds "help.guide", "help.shortcuts", "help.tour", "help.example_cat" etc., "help.about", and
+/// handles them. `actions` and `window` must outlive it.
 class HelpActions : public QObject {
   Q_OBJECT
 
@@ -20,13 +20,13 @@ class HelpActions : public QObject {
   HelpActions(Actions& actions, QWidget* window);
 
  Q_SIGNALS:
-  /// An example is wanted, in place of an empty drawing or in a window of its own.
+  /// An example was chosen; it replaces an empty drawing or opens in its own window.
   void wants_drawing(const felt::Document& drawing, const QString& title);
 
  private:
   void make_example(const Example& example);
   void show_tour();
-  /// One window of each kind, made when it is first asked for.
+  /// Shows the one window of each kind, made on the first call.
   void show_dialog(QPointer<QWidget>& dialog, QWidget* (*make)(const Actions&, QWidget*));
 
   Actions& actions_;

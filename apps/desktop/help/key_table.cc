@@ -21,7 +21,7 @@ constexpr std::array kGroups{
     Group{"help", QT_TRANSLATE_NOOP("KeyTable", "Help")},
 };
 
-/// What is no action: it takes a pen, a mouse or a key that is held.
+/// Inputs that are not actions: pen, mouse and held keys.
 constexpr std::array kHandRows{
     std::pair{QT_TRANSLATE_NOOP("KeyTable", "Move the sheet"),
               QT_TRANSLATE_NOOP("KeyTable", "Space + drag")},

@@ -8,22 +8,22 @@
 
 namespace felt::desktop {
 
-/// A command and how it is reached, for people.
+/// A command and its keys, as shown to the user.
 struct KeyRow {
   QString text;
-  QString keys;  ///< "" for none
+  QString keys;  ///< "" if it has none
 };
-/// What belongs together.
+/// A group of related commands.
 struct KeyGroup {
   QString title;
   QVector<KeyRow> rows;
 };
 
-/// All actions that have keys, grouped as in the menus, and what pen, mouse and held keys do.
-/// `filter`: only rows that contain it, in text or keys.
+/// Returns all actions with keys, grouped as in the menus, and the effects of pen, mouse and held
+/// keys. `filter`: only rows that contain it in text or keys.
 QVector<KeyGroup> key_groups(const Actions& actions, const QString& filter = {});
 
-/// The groups in columns, for QTextDocument: on screen and on paper.
+/// Returns the groups in columns as HTML for QTextDocument: for screen and print.
 QString key_page(const QVector<KeyGroup>& groups, int columns, const QPalette& palette);
 
 }  // namespace felt::desktop

@@ -10,9 +10,9 @@ namespace felt::desktop {
 namespace {
 
 constexpr std::int64_t kTickNs = 1'000'000;
-constexpr std::int64_t kSettleNs = 300'000'000;  // for the pen to leave the sheet at the end
+constexpr std::int64_t kSettleNs = 300'000'000;  // for the pen to leave the surface at the end
 
-/// How a practised hand draws with the pencil on this sheet.
+/// Returns how a practised hand draws on this surface with this medium.
 HandScriptOptions hand_of(Studio& studio) {
   HandScriptOptions options = studio.loop().device().hand_options();
   const SurfaceMaterial& sheet = studio.session().sheet().material();

@@ -12,9 +12,9 @@
 
 namespace felt::desktop {
 
-/// Plays an event script (docs/formats/events.md) on a studio that is not live: hand poses through
-/// its device and its haptic loop, everything else as events, at the pace that advance() is called
-/// with. What the guided tour and the pictures of the documents are drawn by.
+/// Plays an event script (docs/formats/events.md) on a studio that is not live: hand poses go
+/// through its device and its haptic loop, everything else is applied as events, at the pace of
+/// advance(). Used for the guided tour and the pictures of the documents.
 ///
 ///   Studio studio({.device = "simulated:touch", .live = false});
 ///   ScriptPlayer player(studio);
@@ -25,11 +25,11 @@ class ScriptPlayer {
  public:
   explicit ScriptPlayer(Studio& studio) : studio_(studio) {}
 
-  /// Gets ready to play it from now on, on the drawing that is there. Error: "NAME:LINE: reason".
+  /// Loads a script, to play from now on, on the present drawing. The error is "NAME:LINE: reason".
   Result<void> load(const QString& name, std::string_view text);
-  /// Time goes on by this much, in ticks of 1 ms, or until the script is over.
+  /// Advances the time by this much, in ticks of 1 ms, or until the script ends.
   void advance(std::int64_t ns);
-  /// All that is left, at once.
+  /// Plays the rest without waiting.
   void finish();
   [[nodiscard]] bool is_over() const noexcept { return played_ns_ >= length_ns_; }
   [[nodiscard]] std::int64_t length_ns() const noexcept { return length_ns_; }

@@ -8,7 +8,7 @@
 
 namespace felt::desktop {
 
-/// All keys on one page, as they are now: to look at, to search, to print.
+/// All present keys on one page, to view, search and print.
 class ShortcutSheet : public QDialog {
   Q_OBJECT
 

@@ -15,8 +15,8 @@
 namespace felt::desktop {
 
 /// The guided tour: two minutes in which the program draws by itself, tool by tool, with a sentence
-/// to each. It has a studio of its own, so that nobody's drawing is touched. Left and Right go to
-/// the act before and after, Space pauses, Esc closes.
+/// on each. It has its own studio, so that no drawing of the user is touched. Left and Right go to
+/// the previous and next act, Space pauses, Esc closes.
 class TourWindow : public QWidget {
   Q_OBJECT
 
@@ -24,17 +24,17 @@ class TourWindow : public QWidget {
   explicit TourWindow(QWidget* parent = nullptr);
 
   [[nodiscard]] int act_count() const noexcept;
-  /// 0 and on; act_count() is the last page, where there is nothing to play.
+  /// Returns the act, from 0; act_count() is the last page, which plays nothing.
   [[nodiscard]] int act() const noexcept { return act_; }
   void go_to(int act);
   void set_paused(bool paused);
   [[nodiscard]] bool is_paused() const noexcept { return is_paused_; }
-  /// The time that passes between two frames: plays on. For the timer, tests and pictures.
+  /// Plays on by the time of a frame. For the timer, tests and pictures.
   void play(std::int64_t ns);
   [[nodiscard]] Studio& studio() noexcept { return *studio_; }
 
  Q_SIGNALS:
-  /// "Try it yourself": a window is wanted with what the tour has drawn.
+  /// "Try it yourself": opens a window with the drawing of the tour.
   void wants_sheet(const felt::Document& drawing);
 
  protected:
@@ -53,9 +53,9 @@ class TourWindow : public QWidget {
   ScriptPlayer player_;
   QTimer timer_;
   QElapsedTimer clock_;
-  std::vector<Document> before_;  // what was there when each act began
+  std::vector<Document> before_;  // the drawing at the start of each act
   int act_ = 0;
-  int wanted_ = 0;  // acts before it are played as fast as they can be
+  int wanted_ = 0;  // acts before this one are played as fast as possible
   double speed_ = 1.0;
   bool is_paused_ = false;
   QLabel* title_ = nullptr;

@@ -94,7 +94,8 @@ void FeltPlot::draw_axes(QPainter& painter, const QRectF& in) const {
   }
 }
 
-/// Where a change of the force is not felt: hatched, so that it is told without colour.
+/// Draws the band in which a change of the force is not felt: hatched, so that it does not depend
+/// on colour.
 void FeltPlot::draw_band(QPainter& painter, const QRectF& in) const {
   const auto y = [&](double newton) { return in.bottom() - newton / top_n() * in.height(); };
   const QRectF band =
@@ -117,7 +118,7 @@ void FeltPlot::draw_line(QPainter& painter, const QRectF& in) const {
     line << QPointF(in.left() + share * in.width(), y(std::min(drag[i], top_n())));
   }
   const QColor color = accent_on(palette().color(QPalette::Base));
-  // What stands out of the band is filled down to its edge.
+  // Fills the parts outside of the band, down to its edge.
   for (const bool above : {true, false}) {
     const double edge = y(mean_n_ + (above ? kFeltN : -kFeltN));
     QPainterPath path(QPointF(in.left(), edge));

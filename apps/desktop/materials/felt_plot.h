@@ -6,20 +6,20 @@
 
 namespace felt::desktop {
 
-/// What a stroke of 40 mm would feel like, pressed on evenly: the force against the pen along the
-/// way, and the band around its mean within which nobody feels a change (0.04 N to both sides).
-/// What stands out of the band is the grain in the hand; it is filled.
+/// The predicted feel of a stroke of 40 mm with even pressure: the force against the pen along the
+/// path, and the band around its mean in which a change cannot be felt (0.04 N on both sides). The
+/// parts outside of the band are the grain that the hand feels; they are filled.
 class FeltPlot : public QWidget {
   Q_OBJECT
 
  public:
-  /// The least change of a force that is perceived, N (specification section 0).
+  /// Smallest change of a force that is perceived, N (specification section 0).
   static constexpr double kFeltN = 0.04;
 
   explicit FeltPlot(QWidget* parent = nullptr);
 
   void show_figures(const FeltFigures& figures);
-  /// Largest departure from the mean, N; 0 without a stroke.
+  /// Returns the largest deviation from the mean, N; 0 without a stroke.
   [[nodiscard]] double departure_n() const noexcept { return departure_n_; }
 
   [[nodiscard]] QSize sizeHint() const override;

@@ -12,42 +12,46 @@
 
 namespace felt::desktop {
 
-/// What is to be felt: a medium on a sheet, through a device.
+/// The input of felt_figures(): a medium on a surface, through a device.
 struct FeltWish {
   SurfaceMaterial sheet;
   Medium medium;
   Capabilities device;
-  /// Of all forces, 0..1 (Studio::strength).
+  /// Factor of all forces, 0..1 (Studio::strength).
   double strength = 1.0;
 
   friend bool operator==(const FeltWish&, const FeltWish&) = default;
 };
 
-/// What comes of it, by the rules that the tools' forces are made with and by a stroke of the
+/// The predicted forces, from the same rules as the tools' forces and from a stroke of the
 /// simulated hand in virtual time.
 struct FeltFigures {
   static constexpr double kLengthMm = 40.0;
   static constexpr double kSpeedMmPerS = 80.0;
   static constexpr double kPressN = 0.8;
 
-  /// Force against the pen's way along kLengthMm, N, evenly spaced; a push is kPressN.
+  /// Force against the motion of the pen along kLengthMm, N, evenly spaced; the pen pushes with
+  /// kPressN.
   std::vector<double> drag_n;
-  double stiffness_n_per_m = 0.0;  ///< of the sheet, as the device makes it
-  double budget_share = 0.0;  ///< stiffness along the worst axis, of what the device bears (R56)
-  double grain_share = 1.0;   ///< of the relief's height that is felt; 1 where there is none
-  double rest_n = 0.0;        ///< trembling of a pen that rests: RMS above 30 Hz (R48)
-  bool is_sound = true;       ///< the safety chain found nothing wrong
+  double stiffness_n_per_m = 0.0;  ///< of the surface, as the device renders it
+  double budget_share = 0.0;  ///< stiffness along the worst axis, as a share of what the device
+                              ///< bears (R56)
+  double grain_share = 1.0;   ///< share of the relief's height that is felt; 1 if there is no
+                              ///< relief
+  double rest_n = 0.0;        ///< tremble of a resting pen: RMS above 30 Hz (R48)
+  bool is_sound = true;       ///< the safety chain reported no fault
 
   friend bool operator==(const FeltFigures&, const FeltFigures&) = default;
 };
 
-/// 50 ms at 1 kHz, in proportion to the rate; deterministic; any thread but the haptic one. A
-/// device without motors is felt as if it were the Touch of the simulated ones.
+/// Computes the figures. Takes 50 ms for a device of 1 kHz, in proportion to the rate;
+/// deterministic; any thread except the haptic one. For a device without motors uses the simulated
+/// Touch.
 FeltFigures felt_figures(const FeltWish& wish);
-/// The device that felt_figures() reckons with: the one in use, or the Touch in its place.
+/// Returns the device that felt_figures() uses: this one, or the Touch if it has no motors.
 Capabilities felt_device(const Capabilities& device);
 
-/// Works felt_figures() out beside Qt's thread. A newer wish goes before an older one.
+/// Computes felt_figures() on another thread. A newer request replaces an older one.
 class FeltProbe : public QObject {
   Q_OBJECT
 
@@ -55,7 +59,8 @@ class FeltProbe : public QObject {
   explicit FeltProbe(QObject* parent = nullptr);
   ~FeltProbe() override;
 
-  /// `figured` comes for the last wish, later; not where it is the last one's.
+  /// Requests the figures. `figured` is emitted later for the last request, and sometimes before
+  /// that for an older one. Does nothing if the request equals the one before.
   void ask(const FeltWish& wish);
   [[nodiscard]] bool is_busy() const noexcept { return is_busy_; }
 
@@ -68,8 +73,8 @@ class FeltProbe : public QObject {
   FeltWish wanted_, asked_;
   bool has_asked_ = false;
   bool is_busy_ = false;
-  bool is_stale_ = false;  // another wish waits
-  QThreadPool worker_;     // last, so that it has ended before the rest goes
+  bool is_stale_ = false;  // another request waits
+  QThreadPool worker_;     // last, so that it ends before the other members are destroyed
 };
 
 }  // namespace felt::desktop

@@ -30,7 +30,7 @@ bool set_in(AnyMaterial& material, std::string_view field, double value) {
   return set_field(find_medium_field(field), std::get<Medium>(material), value);
 }
 
-/// What a file wants of figures together: the other one of a pair follows.
+/// Keeps dependent figures valid for the file: the other one of a pair is adjusted.
 void make_fit(AnyMaterial& material, std::string_view field) {
   constexpr double kFirstGrainMm = 1.0;
   if (auto* medium = std::get_if<Medium>(&material)) {
@@ -56,7 +56,7 @@ QString label_of_field(const AnyMaterial& material, std::string_view field) {
   return row ? translated(row->label) : QString();
 }
 
-/// The figures of one, the names of the other.
+/// Returns the figures of one material with the id and name of the other.
 AnyMaterial with_names_of(AnyMaterial figures, const AnyMaterial& names) {
   std::visit(
       [&](auto& of) {
@@ -71,19 +71,19 @@ constexpr int kTellMs = 100;  // between two events while a slider is dragged
 
 }  // namespace
 
-/// From one state of one material to another; one that is not there before or after is made or
-/// taken away.
+/// A step from one state of a material to another. If it does not exist before or after, the step
+/// adds or removes it.
 class MaterialDesk::Step final : public QUndoCommand {
  public:
   Step(MaterialDesk& desk, const QString& words, State before, State after)
       : QUndoCommand(words), desk_(desk), before_(std::move(before)), after_(std::move(after)) {}
 
-  /// Steps of one field in one run become one.
+  /// Sets the run: steps of one field in one run are merged.
   void set_run(std::string_view field, std::uint64_t run) {
     field_ = field;
     run_ = run;
   }
-  /// It takes a material away, with its file.
+  /// The step deletes a material and its file.
   void set_deletes() { fate_ = FileFate::kGoes; }
 
   [[nodiscard]] int id() const override { return 1; }
@@ -137,14 +137,14 @@ void MaterialDesk::tell_now() {
       felt::put(known, entry->now);
       continue;
     }
-    // A change would go before what the drawing brought: it hears nothing new.
+    // A change would take precedence over the drawing's material, so it is not reported.
     is_withheld_ = true;
     if (std::optional<AnyMaterial> old = find_in(told_, key)) felt::put(known, *std::move(old));
   }
   told_ = known;
   studio_.set_user_materials(known);
-  // The pencil took over the widths of its medium when that was taken in hand, and the ink its
-  // colour; so they do now.
+  // The tool copied the widths of its medium, and the ink its colour, when the medium was selected.
+  // So they are updated if the medium's changed.
   const Medium* after = studio_.materials().find_medium(drawing_medium(studio_.session()));
   if (!before || !after) return;
   const std::uint32_t color = after->color_rgb;
@@ -152,7 +152,8 @@ void MaterialDesk::tell_now() {
   if (color != medium.color_rgb) take_usual_color(studio_, medium.color_rgb, color);
 }
 
-/// Another drawing is open: what it brought, and what the last one did, decides what is whose.
+/// Handles another drawing: the materials that it brings, and those of the one before, decide which
+/// user-defined materials are in use.
 void MaterialDesk::follow_drawing() {
   if (is_withheld_) tell_now();
   if (!own_of(key_) && !find_in(studio_.materials(), key_)) {
@@ -166,19 +167,19 @@ const OwnMaterials::Entry* MaterialDesk::own_of(const MaterialKey& key) const {
   const OwnMaterials::Entry* entry = own_.find(key);
   if (!entry) return nullptr;
   const std::optional<AnyMaterial> here = find_in(studio_.materials(), key);
-  // What was told is one's own, even if it has been changed since.
+  // A material that was reported to the studio is the user's, even if it was changed since.
   const bool is_of_drawing = here && *here != entry->now && here != find_in(told_, key);
   return is_of_drawing ? nullptr : entry;
 }
 
-/// From one state of one material to another, which is selected then.
+/// Changes from one state of a material to another, and selects it.
 void MaterialDesk::go(const State& from, const State& to, FileFate fate) {
   if (to.material) {
     bring_back(to);
   } else if (from.material) {
     const MaterialKey key = key_of(*from.material);
     const OwnMaterials::Entry* entry = own_.find(key);
-    // A copy that was saved since stays: undoing its making takes no file away.
+    // A copy that was saved since stays: undoing its creation deletes no file.
     if (entry && (fate == FileFate::kGoes || !entry->saved)) tell_error(own_.remove(key));
     if (!own_.find(key)) compared_.erase(key);
   }
@@ -190,7 +191,7 @@ void MaterialDesk::bring_back(const State& to) {
   const MaterialKey key = key_of(*to.material);
   compared_.insert_or_assign(key, to.compared);
   if (to.saved && !own_.find(key)) {
-    // Its file gets what it had, and what was not saved is not saved again.
+    // Its file gets its old content; unsaved changes are restored as unsaved.
     own_.put(*to.saved);
     tell_error(own_.save(key));
   }
@@ -227,7 +228,7 @@ void MaterialDesk::select(const MaterialKey& key) {
   if (is_other) Q_EMIT selected();
 }
 
-/// What is worked on is what is felt.
+/// Uses the selected material, so that it is the one that is felt.
 void MaterialDesk::take_in_hand() {
   if (!find_in(studio_.materials(), key_)) tell_now();
   if (key_.is_sheet) {
@@ -281,19 +282,19 @@ void MaterialDesk::revert() {
   if (was != now()) change(was, tr("Revert"));
 }
 
-/// The one that is worked on, which is one's own.
+/// Returns the state of the selected material, which must be user-defined.
 MaterialDesk::State MaterialDesk::state() const {
   return {now(), std::nullopt, {slot(), other()}, key_};
 }
 
-/// One that a step makes, and selects.
+/// Returns the state of a material that a step adds and selects.
 MaterialDesk::State MaterialDesk::made_as(AnyMaterial material) const {
   const MaterialKey key = key_of(material);
   return {std::move(material), std::nullopt, {}, key};
 }
 
-/// Another one with this id would change what somebody has drawn with it: of those that Feltline
-/// brings, of one's own, of the drawing, and of all that its strokes may name.
+/// Returns true if the id is in use: built-in, user-defined, in the drawing, or in the session,
+/// whose strokes may name it. Another material with this id would change existing drawings.
 bool MaterialDesk::is_taken(const std::string& id) const {
   const auto has = [&id](const Materials& known) {
     return known.find_surface(id) != nullptr || known.find_medium(id) != nullptr;
@@ -306,7 +307,7 @@ std::string MaterialDesk::free_id(const QString& name) const {
                 [this](const std::string& id) { return is_taken(id); });
 }
 
-/// What a copy of the one that is worked on is called that nobody has named.
+/// Returns the default name of a copy of the selected material.
 QString MaterialDesk::copy_name() const {
   const QString name = name_of(now());
   return is_built_in(key_) ? tr("%1, my own").arg(name) : tr("Copy of %1").arg(name);
@@ -362,7 +363,7 @@ void MaterialDesk::rename(const QString& name) {
   if (name_of(to) == name_of(now())) return;
   const bool was_saved = !is_changed();
   change_own(to, tr("Rename"), {}, 0);
-  // Nothing else waits to be saved: the name is no more than a name.
+  // If nothing else is unsaved, the new name is saved immediately.
   if (was_saved) tell_error(own_.save(key_));
 }
 
@@ -373,7 +374,7 @@ Result<void> MaterialDesk::remove() {
   before.saved = entry->saved;
   const MaterialKey next{key_.is_sheet, key_.is_sheet ? "paper" : "pencil"};
   const QString words = tr("Delete %1").arg(name_of(entry->now));
-  // First, for there is nothing to undo where it fails.
+  // Done first, because there is nothing to undo if it fails.
   if (Result<void> gone = own_.remove(key_); !gone) return gone;
   auto step = std::make_unique<Step>(*this, words, std::move(before),
                                      State{std::nullopt, std::nullopt, {}, next});
@@ -411,7 +412,7 @@ bool MaterialDesk::slots_are_alike() const {
   return other() == now();
 }
 
-/// No step of undo: nothing that a person made is lost by it.
+/// Not a step of undo, because nothing that the user made is lost.
 void MaterialDesk::flip() {
   if (!is_own()) return;
   const AnyMaterial hidden = other();

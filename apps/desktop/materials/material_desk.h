@@ -13,112 +13,115 @@
 
 namespace felt::desktop {
 
-/// The sheet or medium that a person works on: what the editor shows and changes.
+/// The editing model of one surface or medium: what the editor shows and changes.
 ///
-/// What Feltline brings is never changed: the first change makes a copy, one's own, and takes that
-/// in hand. Each change is at once in OwnMaterials, and so in the hand, in the picture and in the
-/// ear of every window; it is in a file when it is saved. Changes, names, copies and removals can
-/// all be undone; a drag of a slider is one step.
+/// Built-in materials are never changed: the first change makes a user-defined copy and selects it.
+/// Each change goes to OwnMaterials immediately, and from there to forces, picture and sound of
+/// every window; saving writes it to a file. Changes, renames, copies and deletions can be undone;
+/// a drag of a slider is one step.
 ///
-/// What the open drawing brought is never changed either: where it has a material of the id of
-/// one's own with other figures, the drawing's are felt and shown as long as it is open, and one's
-/// own wait. No copy gets an id that the drawing knows.
+/// Materials of the open drawing are never changed either. If the drawing has a material with the
+/// id of a user-defined one but other figures, the drawing's is used while it is open, and the
+/// user's waits. A copy never gets an id that the drawing uses.
 ///
-/// Each material of one's own has two slots, A and B, of figures to compare; only the chosen one
-/// counts. Until it is changed, the other one holds what the material was before. Which one counts
-/// is no step by itself, but each step knows both, and brings both back.
+/// Each user-defined material has two slots of figures to compare, A and B; only the chosen one is
+/// used. Until it is changed, the other slot has the original figures. Choosing a slot is not a
+/// step of undo, but each step stores and restores both slots.
 class MaterialDesk : public QObject {
   Q_OBJECT
 
  public:
-  /// The studio hears of one's own by this desk alone, from now on; it may know them already. Both
-  /// must outlive it.
+  /// From now on only this object reports user-defined materials to the studio, which may have them
+  /// already. Both arguments must outlive it.
   MaterialDesk(Studio& studio, OwnMaterials& own, QObject* parent = nullptr);
 
   [[nodiscard]] const MaterialKey& key() const noexcept { return key_; }
-  /// As it is now.
+  /// Returns the present material.
   [[nodiscard]] AnyMaterial now() const;
-  /// What "as it was" means for it: its file, else what it was copied from.
+  /// Returns the original that revert() restores: its file, otherwise what it was copied from.
   [[nodiscard]] AnyMaterial origin() const;
   [[nodiscard]] bool is_own() const { return own_of(key_) != nullptr; }
-  /// One's own of this key. Null where there is none, or where the drawing brought other figures
-  /// under this id, which go before one's own.
+  /// Returns the user-defined material of this key. Null if there is none, or if the drawing
+  /// brought other figures under this id, which take precedence.
   [[nodiscard]] const OwnMaterials::Entry* own_of(const MaterialKey& key) const;
-  /// It is not as its file has it, or has none.
+  /// Returns true if it differs from its file, or has none.
   [[nodiscard]] bool is_changed() const;
   [[nodiscard]] OwnMaterials& own() noexcept { return own_; }
 
-  /// Takes it to work on, and in hand: the sheet that is drawn on, the medium that is drawn with.
+  /// Selects a material for editing, and for use: as the surface, or as the medium that draws.
   void select(const MaterialKey& key);
-  /// A figure by its field's id. Changes of one field in one run, which is any number but 0, are
-  /// one step of undo. What the field does not allow is not taken.
+  /// Sets a figure by its field's id. Changes of one field with the same `run`, any number but 0,
+  /// are one step of undo. Ignores values that the field does not allow.
   void set(std::string_view field, double value, std::uint64_t run = 0);
-  /// All figures of another one of its kind.
+  /// Copies all figures of another material of the same kind.
   void take_figures(const AnyMaterial& from);
-  /// A relief of one's own for a sheet; read_height_png has it of a file.
+  /// Sets a user-defined relief of a surface; read_height_png reads one from a file.
   Result<void> take_relief(const HeightPicture& picture);
-  /// The friction of a medium on this sheet; nothing: by the rule again.
+  /// Sets the friction of a medium on this surface; nothing: by the general rule again.
   void set_pair(const std::string& sheet, std::optional<double> friction);
-  /// As it was (origin).
+  /// Restores origin().
   void revert();
 
-  /// Saves one's own; any other one is saved as a copy, with a name of its own. Error: what
-  /// OwnMaterials::save says; it stays unsaved.
+  /// Saves a user-defined material; any other one is saved as a copy with its own name. Fails as
+  /// OwnMaterials::save does; it then stays unsaved.
   Result<void> save();
-  /// A copy of what is now, with this name, saved; and works on that. Error: likewise.
+  /// Saves a copy of the present material under this name, and selects it. Fails as save() does.
   Result<void> save_as(const QString& name);
-  /// Nothing where it has that name already, or `name` has no letter that can be shown.
+  /// Renames it. Does nothing if it has that name already, or if `name` has no printable letter.
   void rename(const QString& name);
-  /// Takes one's own away, its file too; undoing brings both back. Nothing for any other one.
-  /// Error: what OwnMaterials::remove says; then it is still there, and there is no step.
+  /// Deletes a user-defined material and its file; undoing restores both. Does nothing for any
+  /// other one. Fails as OwnMaterials::remove does; then it still exists, and there is no step.
   Result<void> remove();
-  /// Takes a file's material up as one's own, not saved yet. Where there is one of its id already,
-  /// it gets another.
+  /// Adds a file's material as a user-defined one, not saved yet. It gets another id if its own is
+  /// in use.
   Result<void> import_file(const QString& path);
   Result<void> export_file(const QString& path) const;
 
-  /// 'A' or 'B': whose figures count, of the one that is worked on.
+  /// Returns the slot in use of the selected material: 'A' or 'B'.
   [[nodiscard]] char slot() const { return compared_of(key_).chosen; }
-  /// The other slot counts, for hand, eye and ear at once. Nothing for one that is not one's own.
+  /// Switches to the other slot, for forces, picture and sound. Does nothing if it is not
+  /// user-defined.
   void flip();
-  /// The other slot gets the figures of this one: a step. Nothing for one that is not one's own.
+  /// Copies the figures of this slot to the other one: a step of undo. Does nothing if it is not
+  /// user-defined.
   void copy_to_other();
-  /// Both have the same figures.
+  /// Returns true if both slots have the same figures.
   [[nodiscard]] bool slots_are_alike() const;
 
-  /// The studio hears of changes now, not in a moment.
+  /// Reports changes to the studio now, without the usual delay.
   void tell_now();
 
   [[nodiscard]] QUndoStack& steps() noexcept { return steps_; }
 
  Q_SIGNALS:
-  /// Another one is worked on.
+  /// Another material was selected.
   void selected();
-  /// Its figures, its name, or whether it is saved.
+  /// Its figures or its name changed, or whether it is saved.
   void changed();
-  /// A file could not be written or taken away; says which, and why.
+  /// A file could not be written or deleted; says which, and why.
   void failed(const QString& why);
 
  private:
   class Step;
-  /// Of one material.
+  /// The slots of one material.
   struct Compared {
     char chosen = 'A';
-    std::optional<AnyMaterial> hidden;  ///< figures of the other one; none: those of origin()
+    std::optional<AnyMaterial> hidden;  ///< figures of the other slot; none: those of origin()
 
     friend bool operator==(const Compared&, const Compared&) = default;
   };
-  /// All that a step brings back.
+  /// Everything that a step restores.
   struct State {
-    std::optional<AnyMaterial> material;  ///< none: it is not there
-    /// What its file had when it was deleted; none: it had no file, or the step deletes nothing.
+    std::optional<AnyMaterial> material;  ///< none: it does not exist
+    /// The content of its file before it was deleted; none: it had no file, or the step deletes
+    /// nothing.
     std::optional<AnyMaterial> saved;
     Compared compared;
     MaterialKey selected;
 
     friend bool operator==(const State&, const State&) = default;
   };
-  /// Whether going to a state without the material takes away its file, too.
+  /// Whether a change to a state without the material deletes its file, too.
   enum class FileFate { kStays, kGoes };
 
   [[nodiscard]] State state() const;
@@ -145,10 +148,11 @@ class MaterialDesk : public QObject {
   MaterialKey key_{true, "paper"};
   std::map<MaterialKey, AnyMaterial> origins_;  // of copies that have no file
   std::map<MaterialKey, Compared> compared_;
-  // What the studio heard last of one's own.
+  // The user-defined materials that the studio received last.
   Materials told_ = Materials::built_in();
-  bool is_withheld_ = false;  // it was not told all, for the drawing has others of those ids
-  QTimer tell_;               // runs while the studio has not heard of a change
+  bool is_withheld_ = false;  // not everything was reported, because the drawing has others of
+                              // those ids
+  QTimer tell_;               // active while the studio has not received a change
   QUndoStack steps_;
 };
 

@@ -21,15 +21,15 @@
 
 namespace felt::desktop {
 
-/// Where a person makes sheets and media of their own: a list of all, every figure as a slider and
-/// a number, and beside them what comes of it at once: strokes, a plot of what is felt, whether the
-/// device in use can give it, what the pen feels now. The drawing's window stays usable beside it,
-/// and has what is edited in hand.
+/// The editor of user-defined surfaces and media: a list of all, every figure as a slider and a
+/// number, and beside them the immediate result: strokes, a plot of the predicted force, whether
+/// the device in use can render it, and the present force. The drawing's window stays usable beside
+/// it and uses the edited material.
 class MaterialEditor : public QWidget {
   Q_OBJECT
 
  public:
-  /// A window of its own above `parent`. `studio` and `desk` must outlive it.
+  /// A separate window above `parent`. `studio` and `desk` must outlive it.
   MaterialEditor(Studio& studio, MaterialDesk& desk, QWidget* parent);
 
   [[nodiscard]] MaterialList& list() noexcept { return *list_; }
@@ -37,10 +37,10 @@ class MaterialEditor : public QWidget {
   [[nodiscard]] StabilitySign& stability() noexcept { return *sign_; }
   [[nodiscard]] StrokePreview& preview() noexcept { return *preview_; }
   [[nodiscard]] FeltProbe& probe() noexcept { return probe_; }
-  /// "undo", "redo", "revert", "flip", "copy_to_other", "save", "save_as", "rename", "delete",
-  /// "import", "export"; null for any other.
+  /// Returns the action of "undo", "redo", "revert", "flip", "copy_to_other", "save", "save_as",
+  /// "rename", "delete", "import" or "export"; null for any other name.
   [[nodiscard]] QAction* action(const char* name) const;
-  /// The line at the bottom: what went wrong, or what happened.
+  /// Returns the text of the line at the bottom: the last error or result.
   [[nodiscard]] QString notice() const { return notice_->text(); }
 
  protected:

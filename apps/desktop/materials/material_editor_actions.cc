@@ -1,4 +1,4 @@
-// What the editor of materials can be asked for, and its dialogs.
+// The actions and dialogs of the material editor.
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QInputDialog>
@@ -98,7 +98,7 @@ QToolBar* MaterialEditor::make_bar() {
   more->setPopupMode(QToolButton::InstantPopup);
   more->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(more);
-  menu->setToolTipsVisible(true);  // what cannot be chosen says why
+  menu->setToolTipsVisible(true);  // a disabled entry explains why in its tool tip
   for (const char* name : {"save_as", "rename", "delete"}) menu->addAction(action(name));
   menu->addSeparator();
   for (const char* name : {"import", "export"}) menu->addAction(action(name));
@@ -154,7 +154,8 @@ void MaterialEditor::ask_export() {
   tell(desk_.export_file(path), tr("%1 is written.").arg(path));
 }
 
-/// A number that is being typed has no steps of its own: the editor's steps are meant.
+/// Handles undo keys in a number field, because typed numbers have no undo steps: the editor's are
+/// meant.
 bool MaterialEditor::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<const QKeyEvent*>(event);

@@ -93,7 +93,7 @@ TEST(MaterialEditor, ADragOfASliderIsOneStepThatKeysUndo) {
   slider->setSliderDown(false);
   EXPECT_NE(shown.sheet().stiffness_n_per_m, 500.0);
   EXPECT_EQ(shown.desk.steps().count(), 2);
-  // With the focus in a number that is being typed, too.
+  // Also with the focus in a number field.
   QLineEdit* edit = shown.spin("feel.friction")->findChild<QLineEdit*>();
   edit->setFocus();
   QTest::keyClick(edit, Qt::Key_Z, Qt::ControlModifier);
@@ -130,7 +130,7 @@ TEST(MaterialEditor, R56_TheSignTurnsRedForASheetThatTheDeviceCannotMake) {
   shown.desk.set("feel.stiffness_n_per_m", 2000.0);
   while (shown.editor.probe().is_busy()) ASSERT_TRUE(figured.wait(8000));
   EXPECT_EQ(shown.editor.stability().level(), StabilityLevel::kNotGiven);
-  // Harder ones are made softer on a Touch, so that they stay apart (R13): plane_for().
+  // A Touch makes harder surfaces softer, so that they remain distinguishable (R13): plane_for().
   shown.desk.set("feel.stiffness_n_per_m", 150.0);
   while (shown.editor.probe().is_busy()) ASSERT_TRUE(figured.wait(8000));
   EXPECT_EQ(shown.editor.stability().level(), StabilityLevel::kGiven);
@@ -186,7 +186,7 @@ TEST(MaterialEditor, ADeletionThatFailsSaysOnlyThat) {
   ASSERT_TRUE(shown.desk.save_as(QStringLiteral("Mine")));
   QFile file(shown.home.filePath(QStringLiteral("mine.toml")));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
-  file.write("kind = \"sheet\"\nid = \"mine\"\n");  // another program's
+  file.write("kind = \"sheet\"\nid = \"mine\"\n");  // written by another program
   file.close();
   QAction* remove = shown.editor.action("delete");
   ASSERT_TRUE(remove->isEnabled());

@@ -16,20 +16,21 @@
 namespace felt::desktop {
 namespace {
 
-/// What a row needs to know of a field of either table.
+/// The part of a field of either table that a row needs.
 struct FigureSpec {
   std::string id;
   MaterialFieldKind kind = MaterialFieldKind::kNumber;
-  OptionSpec option;  ///< as panels/OptionRow shows it; texts of the table, which live for good
+  OptionSpec option;  ///< for panels/OptionRow; refers to texts of the table, which exist for the
+                      ///< whole program
 };
 
 template <class Field>
 FigureSpec figure_spec(const Field& field);
 
-/// The row that suits the kind.
+/// Makes the row for the kind of the field.
 FigureRow* make_figure_row(const FigureSpec& spec, QWidget* parent);
 
-/// "µm" for "um".
+/// Returns "µm" for "um".
 std::string_view shown_unit(std::string_view unit) noexcept;
 
 template <class Field>
@@ -47,10 +48,11 @@ FigureSpec figure_spec(const Field& field) {
   return spec;
 }
 
-constexpr int kSameRunMs = 700;  // keys and wheel: two that are no farther apart are one step
+constexpr int kSameRunMs = 700;  // changes by keys or wheel within this time are one step
 constexpr QSize kColorPx{44, 16};
 
-/// Numbers drags: what comes between pressing and letting go, or shortly after the last.
+/// Numbers drags: values between press and release, or shortly after the previous one, have the
+/// same number.
 class Runs {
  public:
   void begin() { held_ = next(); }
@@ -71,7 +73,7 @@ class Runs {
   QElapsedTimer since_;
 };
 
-/// The tools' own row: slider and number, check box, list.
+/// Uses the tools' option row: slider and number, check box, list.
 class OptionFigureRow final : public FigureRow {
  public:
   OptionFigureRow(const FigureSpec& spec, QWidget* parent)
@@ -142,7 +144,7 @@ class PlainFigureRow : public FigureRow {
   QHBoxLayout* line_;
 };
 
-/// A whole number that means nothing but another one: typed, or thrown.
+/// A whole number without an order: typed, or chosen at random.
 class SeedRow final : public PlainFigureRow {
  public:
   SeedRow(const FigureSpec& spec, QWidget* parent)
@@ -224,7 +226,7 @@ FigureRow* make_figure_row(const FigureSpec& spec, QWidget* parent) {
 constexpr int kRowGapPx = 7;
 constexpr int kGroupGapPx = 8;
 
-/// Tables of the files, and what people call them.
+/// A table of the file format, and its title for the user.
 struct GroupName {
   const char* id;
   const char* name;
@@ -333,7 +335,7 @@ void MaterialFieldsView::show_material(const AnyMaterial& now, const AnyMaterial
   if (is_sheet) {
     const auto& sheet = std::get<SurfaceMaterial>(now);
     show(sheet_fields(), sheets_.rows, sheet, std::get<SurfaceMaterial>(origin));
-    // A picture is one relief, whatever the seed.
+    // A picture is one fixed relief, independent of the seed.
     const bool is_picture = sheet.grain_character == HeightCharacter::kPicture && sheet.picture;
     if (FigureRow* seed = row("grain.seed")) seed->setEnabled(!is_picture);
   } else {

@@ -15,7 +15,7 @@
 
 namespace felt::desktop {
 
-/// A figure of a material as a person sets it. Says its id and value; shows what it is told.
+/// The row of a figure. Shows the value it is given, and emits the value that the user chooses.
 class FigureRow : public QWidget {
   Q_OBJECT
 
@@ -25,13 +25,13 @@ class FigureRow : public QWidget {
   virtual void show_value(double now, double origin) = 0;
 
  Q_SIGNALS:
-  /// Those of one run are one drag.
+  /// Values with the same `run` belong to one drag.
   void chosen(double value, quint64 run);
 };
 
-/// Every figure of a sheet or a medium, made from the tables in material_fields.h: a slider and a
-/// number with its unit each, a list for a choice, a colour; what it is like from the start as its
-/// reset. In groups, by the tables of the file.
+/// Every figure of a surface or a medium, made from the tables in material_fields.h: a slider and a
+/// number with its unit, a list for a choice, or a colour; the reset button restores the original
+/// value. Grouped by the tables of the file format.
 class MaterialFieldsView : public QWidget {
   Q_OBJECT
 
@@ -39,9 +39,9 @@ class MaterialFieldsView : public QWidget {
   explicit MaterialFieldsView(QWidget* parent = nullptr);
 
   void show_material(const AnyMaterial& now, const AnyMaterial& origin);
-  /// The row of a figure of what is shown; null where there is none.
+  /// Returns the row of a figure of the shown material; null if there is none.
   [[nodiscard]] FigureRow* row(std::string_view field) const;
-  /// Adds a widget at the end of a group of sheets or of media: "grain".
+  /// Adds a widget at the end of a group of the surfaces' or the media's page: "grain".
   void add_to_group(bool of_sheets, const QString& group, QWidget* widget);
 
  Q_SIGNALS:

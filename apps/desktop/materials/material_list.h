@@ -9,18 +9,19 @@ namespace felt::desktop {
 
 class MaterialDesk;
 
-/// Sheets and media, those that Feltline brings and one's own, in four groups. One's own that are
-/// not saved have a dot and say so. Says which one is chosen, by mouse or keys.
+/// Surfaces and media, built-in and user-defined, in four groups. Unsaved user-defined ones have a
+/// dot and are described as unsaved. Emits the one that the user chooses by mouse or keys.
 class MaterialList : public QTreeWidget {
   Q_OBJECT
 
  public:
   explicit MaterialList(QWidget* parent = nullptr);
 
-  /// `known`: what may be chosen; `desk` knows which of them are a person's own, and how they are.
+  /// Shows these materials; `desk` tells which of them are user-defined, and whether they are
+  /// saved.
   void show_materials(const Materials& known, const MaterialDesk& desk);
   void show_chosen(const MaterialKey& key);
-  /// Of the rows, in their order.
+  /// Returns the keys of the rows, in their order.
   [[nodiscard]] std::vector<MaterialKey> keys() const;
 
  Q_SIGNALS:

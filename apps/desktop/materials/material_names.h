@@ -10,7 +10,7 @@
 
 namespace felt::desktop {
 
-/// Which sheet or medium: two of one id may be both.
+/// Identifies a surface or a medium; a surface and a medium may have the same id.
 struct MaterialKey {
   bool is_sheet = true;
   std::string id;
@@ -19,29 +19,29 @@ struct MaterialKey {
 };
 
 MaterialKey key_of(const AnyMaterial& material);
-/// Null where there is none.
+/// Return null if there is none.
 const SurfaceMaterial* sheet_in(const Materials& materials, const MaterialKey& key);
 const Medium* medium_in(const Materials& materials, const MaterialKey& key);
-/// Nothing where there is none.
+/// Returns nothing if there is none.
 std::optional<AnyMaterial> find_in(const Materials& materials, const MaterialKey& key);
-/// One that Feltline brings.
+/// Returns true if it is built in.
 bool is_built_in(const MaterialKey& key);
 
-/// Its name, translated where Feltline brings it.
+/// Returns its name, translated if it is built in.
 QString name_of(const AnyMaterial& material);
-/// Its figures in plain words.
+/// Returns its figures in plain words.
 QString words_of(const AnyMaterial& material);
 
-/// An id for a name: "My soft chalk" is "my-soft-chalk"; with a number behind it while `is_taken`
-/// says so. `fallback` where the name has no letter of the Latin alphabet.
+/// Returns an id for a name: "my-soft-chalk" for "My soft chalk"; appends a number while `is_taken`
+/// returns true. Returns `fallback` if the name has no letter of the Latin alphabet.
 std::string id_for(const QString& name, const std::string& fallback,
                    const std::function<bool(const std::string&)>& is_taken);
 
-/// A name as a material may have it: without control characters and needless spaces, and no longer
-/// than kMaxMaterialLabelBytes; "" where nothing is left.
+/// Returns a name in the form that a material may have: without control characters and extra
+/// spaces, and at most kMaxMaterialLabelBytes long; "" if nothing is left.
 QString label_for(const QString& name);
 
-/// The same material with another id and name (label_for, else what people call that id).
+/// Returns the material with another id and name (label_for, otherwise the usual name of that id).
 AnyMaterial renamed(AnyMaterial material, const std::string& id, const QString& name);
 
 }  // namespace felt::desktop

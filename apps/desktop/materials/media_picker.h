@@ -12,22 +12,22 @@
 
 namespace felt::desktop {
 
-/// Sets the medium that new lines are drawn in and, as events of their own, so that a recording
-/// replays alike, the widths and the pressure curve that it comes with, and take_usual_color()
-/// where it is another one. False: `refused` said why.
+/// Sets the medium of new lines. Also sets its widths and pressure curve, as separate events, so
+/// that a recording replays equally, and calls take_usual_color() if the medium is another one than
+/// before. Returns false if an event was refused; `refused` says why.
 bool take_medium(Studio& studio, const std::string& id);
-/// The same for a click: the lines that are selected become of it, too, and a sentence says if the
-/// colour of new ink is another one now.
+/// Does the same for a click: also applies the medium to the selected lines, and reports if the
+/// colour of new ink changed.
 bool choose_medium(Studio& studio, const std::string& id);
 
-/// The colour of new ink becomes the usual one of the medium in hand, 0xRRGGBB, where it still is
-/// that of the medium `before`, or black as in a new drawing; another one is a person's own, and
-/// stays. False: `refused` said why.
+/// Sets the colour of new ink to the usual one of the current medium, 0xRRGGBB, if it is still that
+/// of the medium `before`, or black as in a new drawing. Another colour was chosen by the user and
+/// stays. Returns false if that was refused; `refused` says why.
 bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now);
 
-/// What can be drawn with, as pictures: a stroke of each from light to hard on the sheet that is
-/// chosen, rendered with its grain; a click, or the arrow keys, take one. As many side by side as
-/// there is room for, two at least. The eraser is none of them.
+/// The media to draw with, as pictures: a stroke of each from light to hard on the current surface,
+/// rendered with its grain. A click or the arrow keys choose one. As many columns as fit, at least
+/// two. Does not contain the eraser.
 class MediaPicker : public QWidget {
   Q_OBJECT
 
@@ -35,10 +35,10 @@ class MediaPicker : public QWidget {
   /// `pictures` must outlive it.
   MediaPicker(Studio& studio, const MediaPictures& pictures, QWidget* parent = nullptr);
 
-  /// Of the buttons, in their order.
+  /// Returns the ids of the buttons, in their order.
   [[nodiscard]] const std::vector<std::string>& ids() const noexcept { return ids_; }
   [[nodiscard]] QAbstractButton* button(const std::string& id) const;
-  /// What it is high when it is so wide.
+  /// Returns the height that it needs at this width.
   [[nodiscard]] int height_for(int width) const;
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;

@@ -13,19 +13,19 @@
 
 namespace felt::desktop {
 
-/// A picture of each medium that draws: a stroke from light to hard on the sheet that is chosen.
-/// Made anew, beside Qt's thread, whenever sheet or media are others; until then the old ones stay.
+/// A picture of each medium that draws: a stroke from light to hard on the current surface. Made
+/// again on another thread whenever surface or media change; until then the old pictures stay.
 class MediaPictures : public QObject {
   Q_OBJECT
 
  public:
   static constexpr QSize kSize{64, 26};  ///< device-independent pixels
 
-  /// For widgets in this window.
+  /// Makes pictures for the screen of this window.
   MediaPictures(Studio& studio, QWidget* window);
   ~MediaPictures() override;
 
-  /// Null while there is none yet.
+  /// Returns the picture of a medium; null if there is none yet.
   [[nodiscard]] QImage of(const std::string& id) const;
 
  Q_SIGNALS:
@@ -40,8 +40,9 @@ class MediaPictures : public QObject {
   Studio& studio_;
   QWidget* window_;
   Pictures pictures_;
-  std::atomic<std::uint64_t> round_{0};  // an older one is given up
-  QThreadPool maker_;                    // last, so that it has ended before the rest goes
+  std::atomic<std::uint64_t> round_{0};  // the number of the newest run; older ones are abandoned
+  QThreadPool maker_;                    // last, so that it ends before the other members are
+                                         // destroyed
 };
 
 }  // namespace felt::desktop

@@ -12,8 +12,8 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kMmPerPx = 25.4 / 96.0;  // device-independent pixels: 1/96 inch each
-constexpr double kFullestShare = 0.86;    // of the height that a stroke has
-constexpr double kWaveShare = 0.10;       // how far it swings, likewise
+constexpr double kFullestShare = 0.86;    // of the available height for a stroke
+constexpr double kWaveShare = 0.10;       // amplitude of its wave, as a share of that height
 constexpr double kLightest = 0.06, kHardest = 0.95;
 constexpr int kSegments = 3, kKnots = 12;
 constexpr double kLeastContrast = 60.0;  // of 255 levels of grey
@@ -23,7 +23,7 @@ Rgba rgba_of(const QColor& color) {
           static_cast<std::uint8_t>(color.blue()), 255};
 }
 
-/// How the pencil draws with it: the tools' own rule.
+/// Returns how the pencil draws with it, by the tools' own rule.
 WidthMapOptions widths_of(const Medium& medium) {
   InkFitOptions ink;
   ink.width_map.min_mm = medium.line.min_mm;
@@ -32,8 +32,8 @@ WidthMapOptions widths_of(const Medium& medium) {
   return drawn_with(medium, ink).width_map;
 }
 
-/// A gentle wave from left to right within `area`, drawn with a force that goes from one to
-/// another.
+/// Returns a gentle wave from left to right within `area`, drawn with a force that changes from
+/// `from` to `to`.
 Result<Stroke> stroke_in(const MediumPicture& picture, const Rect& area, double from, double to) {
   StrokeData data;
   data.material = picture.medium.id;
@@ -52,7 +52,8 @@ Result<Stroke> stroke_in(const MediumPicture& picture, const Rect& area, double 
   const double middle_mm = 0.5 * (area.y0 + area.y1), swing_mm = kWaveShare * area.height();
   const double step_mm = (last_mm - first_mm) / kSegments;
   for (int i = 0; i <= 3 * kSegments; ++i) {
-    // Between joints on the middle line the curve swings up and down in turn, smoothly.
+    // All joints lie on the middle line; between them the curve swings up and down alternately,
+    // smoothly.
     const int in_segment = i % 3, turn = (i / 3) % 2 == 0 ? -1 : 1;
     const double y = in_segment == 0 ? 0.0 : swing_mm * turn;
     data.points.push_back({first_mm + step_mm * i / 3.0, middle_mm + y});

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kKeepMs = 500;
 
-/// Replacing or deleting this file loses nothing that is not known here.
+/// Returns true if the file's content is known here, so that replacing or deleting it loses
+/// nothing.
 bool is_known(const std::string& path, const OwnMaterials::Entry& entry) {
   const Result<AnyMaterial> there = read_material_file(path, read_height_png);
   return there && (*there == entry.now || *there == entry.saved);
@@ -30,7 +31,7 @@ bool is_gone(const std::string& path) {
 }  // namespace
 
 OwnMaterials& OwnMaterials::the() {
-  // The application's: it goes before the settings do.
+  // A child of the application, so that it is destroyed before the settings.
   static OwnMaterials& own = *new OwnMaterials(material_folders(), qApp);
   return own;
 }

@@ -15,11 +15,10 @@
 
 namespace felt::desktop {
 
-/// A person's own sheets and media, of all windows: what lies in the data folder
-/// (feltline/materials/*.toml in XDG_DATA_HOME), and what has been changed and not been saved. That
-/// is kept, too: in the settings, from one start to the next, so that nobody is asked when a window
-/// is closed, and nothing is lost. What is kept there and cannot be read is a problem, and is kept
-/// on.
+/// The user-defined surfaces and media of all windows: the files of the data folder
+/// (feltline/materials/*.toml in XDG_DATA_HOME), and unsaved changes. The changes are kept in the
+/// settings between starts, so that closing a window asks nothing and loses nothing. A stored
+/// change that cannot be read is reported as a problem, and stays stored.
 ///
 /// Qt's main thread.
 class OwnMaterials : public QObject {
@@ -28,49 +27,50 @@ class OwnMaterials : public QObject {
  public:
   struct Entry {
     AnyMaterial now;
-    std::optional<AnyMaterial> saved;  ///< what the file has; none: there is no file yet
-    std::string path = {};             ///< of the file; "" where there is none
+    std::optional<AnyMaterial> saved;  ///< content of the file; none: there is no file yet
+    std::string path = {};             ///< of the file; "" if there is none
 
     [[nodiscard]] bool is_changed() const { return !saved || *saved != now; }
   };
 
-  /// One per process, for material_folders(); read when first asked for.
+  /// Returns the one of the process, for material_folders(); read at the first call.
   static OwnMaterials& the();
-  /// For these folders, which need not exist; what is saved goes into the first.
+  /// Uses these folders, which need not exist; saves into the first.
   explicit OwnMaterials(std::vector<std::string> folders, QObject* parent = nullptr);
   ~OwnMaterials() override;
 
-  /// By key: sheets first.
+  /// Returns all entries, sorted by key: surfaces first.
   [[nodiscard]] std::vector<const Entry*> all() const;
-  /// Null where there is none.
+  /// Returns null if there is none.
   [[nodiscard]] const Entry* find(const MaterialKey& key) const;
-  /// Those that Feltline brings, and one's own as they are now.
+  /// Returns the built-in materials, and the user-defined ones in their present state.
   [[nodiscard]] Materials known() const;
-  /// What was wrong with files, and with what was kept, when they were read: "chalk.toml:7: ...",
-  /// one each; told once.
+  /// Returns the problems of reading files and stored changes, "chalk.toml:7: ...", one each. A
+  /// second call returns none of them again.
   QStringList take_problems() { return std::exchange(problems_, {}); }
-  /// Whether an id is one of those that Feltline brings or of one's own, of a sheet or a medium.
+  /// Returns true if the id is that of a built-in or user-defined surface or medium.
   [[nodiscard]] bool is_taken(const std::string& id) const;
 
-  /// It is so from now on, and not saved. Requires one that is not built in.
+  /// Sets the present state of a material, unsaved. Requires that it is not built in.
   void put(const AnyMaterial& now);
-  /// As in its file again; gone where it has none.
+  /// Restores the content of its file; removes it if it has no file.
   void revert(const MaterialKey& key);
-  /// Into its file in the person's folder, whole or not at all. A file there that is not as it was
-  /// read or saved here last is somebody's work, and is not replaced. Error: that, or the disk's;
-  /// says file and reason, and it stays unsaved.
+  /// Writes it to its file in the user's folder, whole or not at all. Does not replace a file that
+  /// was changed since it was last read or saved here, because that is someone's work. Fails in
+  /// that case, or with an error of the disk; names file and reason, and it stays unsaved.
   Result<void> save(const MaterialKey& key);
-  /// "" for one that remove() may take away; else why it may not: its file is not the person's,
-  /// but lies in a folder for all users (XDG_DATA_DIRS).
+  /// Returns "" if remove() may delete it; otherwise the reason: its file is not the user's, but in
+  /// a folder for all users (XDG_DATA_DIRS).
   [[nodiscard]] QString kept_because(const MaterialKey& key) const;
-  /// Gone, its file too; a file that is gone already is no error. Error: kept_because, a file that
-  /// is not as it was read or saved here last, or the disk's; then it is still there.
+  /// Deletes it and its file; a file that is already gone is no error. Fails for the reason of
+  /// kept_because(), for a file that was changed since it was last read or saved here, or with an
+  /// error of the disk; then it still exists.
   Result<void> remove(const MaterialKey& key);
-  /// What has changed is written to the settings now, not in a moment.
+  /// Writes unsaved changes to the settings now, without the usual delay.
   void keep_changes();
 
  Q_SIGNALS:
-  /// One is other than it was, new, saved or gone.
+  /// One was changed, added, saved or removed.
   void changed(const felt::desktop::MaterialKey& key);
 
  private:
@@ -81,7 +81,7 @@ class OwnMaterials : public QObject {
   std::vector<std::string> folders_;
   std::map<MaterialKey, Entry> entries_;
   QStringList problems_;
-  QStringList unread_;  // what was kept and cannot be read, perhaps by this version only
+  QStringList unread_;  // stored changes that this version cannot read, but another may
   QTimer keep_;
 };
 

@@ -24,14 +24,14 @@ bool has_own(const Medium& medium, const std::string& sheet) {
                      [&](const PairFriction& pair) { return pair.surface == sheet; });
 }
 
-/// Three digits are more than a hand can tell.
+/// Three digits are finer than a hand can distinguish.
 constexpr int kDecimals = 3;
 double rounded(double friction) {
   return std::round(1000.0 * friction) / 1000.0;
 }
 
-/// A number of as many digits as the table shows. Looking at it is no change: only another number
-/// becomes the pair's own.
+/// Edits a number with the digits that the table shows. Opening and leaving the field changes
+/// nothing: only another number is set for the pair.
 class FrictionDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -49,7 +49,7 @@ class FrictionDelegate final : public QStyledItemDelegate {
   void setEditorData(QWidget* editor, const QModelIndex& index) const override {
     auto* spin = qobject_cast<QDoubleSpinBox*>(editor);
     spin->setValue(index.data(Qt::EditRole).toDouble());
-    // Not what the table has: it need not be a number of so few digits.
+    // Stores the rounded value, because that of the table may have more digits.
     spin->setProperty(kBegunWith, spin->value());
   }
   void setModelData(QWidget* editor, QAbstractItemModel* model,
@@ -133,7 +133,7 @@ void PairTable::show_pairs(const Medium& medium, const Materials& known) {
     number->setFont(font);
     ++row;
   }
-  // All rows are seen: the sliders around it scroll.
+  // Shows all rows without scrolling, because the panel around it scrolls.
   int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();
   for (int i = 0; i < row; ++i) height += table_->rowHeight(i);
   table_->setFixedHeight(height);

@@ -10,8 +10,8 @@
 
 namespace felt::desktop {
 
-/// The friction of a medium on each sheet: by the rule (medium times sheet), or a number of its
-/// own, which is bold. Typing one makes it so; the button takes it away again.
+/// The friction of a medium on each surface: by the general rule (medium times surface), or a
+/// separate number, which is bold. Typing a number sets it; the button removes it again.
 class PairTable : public QWidget {
   Q_OBJECT
 

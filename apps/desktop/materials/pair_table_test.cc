@@ -17,7 +17,7 @@ struct Told {
   std::optional<double> friction;
 };
 
-/// A medium whose friction has many digits, on every sheet by the rule.
+/// A medium whose friction has many digits, by the rule on every surface.
 struct ShownTable {
   ShownTable() {
     medium.friction = 0.33333;
@@ -29,7 +29,7 @@ struct ShownTable {
                      });
   }
   [[nodiscard]] QModelIndex number(int row) const { return cells->model()->index(row, 1); }
-  /// As a double click opens it.
+  /// Opens the editor, as a double click does.
   [[nodiscard]] std::unique_ptr<QDoubleSpinBox> open(int row) const {
     QAbstractItemDelegate* delegate = cells->itemDelegateForColumn(1);
     if (!delegate) return nullptr;
@@ -38,7 +38,7 @@ struct ShownTable {
     if (spin) delegate->setEditorData(spin, number(row));
     return std::unique_ptr<QDoubleSpinBox>(spin);
   }
-  /// As Enter, or a click elsewhere, leaves it.
+  /// Closes the editor, as Enter or a click elsewhere does.
   void leave(QDoubleSpinBox& spin, int row) const {
     cells->itemDelegateForColumn(1)->setModelData(&spin, cells->model(), number(row));
   }

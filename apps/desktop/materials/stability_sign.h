@@ -7,9 +7,8 @@
 
 namespace felt::desktop {
 
-/// Whether the device in use can give what the material wishes: a sign that is told by its shape (a
-/// check mark, a triangle, a stop sign) as well as by its colour, a word, a number, and what is not
-/// as wished.
+/// Shows whether the device in use can render the material: a sign distinguished by shape (a check
+/// mark, a triangle, a stop sign) and colour, a word, a number, and the deviations.
 class StabilitySign : public QWidget {
   Q_OBJECT
 

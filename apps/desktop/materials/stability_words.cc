@@ -7,9 +7,9 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kFeltN = 0.04;   // the least that is perceived (specification section 0)
-constexpr double kCleanN = 0.03;  // likewise: "clean"
-constexpr double kWhole = 0.95;   // of a wish: nobody feels what is missing
+constexpr double kFeltN = 0.04;   // smallest perceived change (specification section 0)
+constexpr double kCleanN = 0.03;  // limit of "clean" (specification section 0)
+constexpr double kWhole = 0.95;   // of the wanted value: the rest cannot be felt
 constexpr double kHalf = 0.5;
 
 QString text(const char* english) {
@@ -20,7 +20,7 @@ QString whole(double number) {
   return QLocale().toString(number, 'f', 0);
 }
 
-/// A height in micrometres: nobody feels a tenth of many.
+/// Returns a height in micrometres, without decimals if it is large, because they cannot be felt.
 QString height(double um) {
   return QLocale().toString(um, 'f', um < 10.0 ? 1 : 0);
 }

@@ -6,22 +6,22 @@
 
 namespace felt::desktop {
 
-/// Whether a device can give what a material wishes.
+/// Whether a device can render a material.
 enum class StabilityLevel {
-  kGiven,    ///< as wished, and quiet
-  kLess,     ///< less than wished, or close to what can be felt as trembling
+  kGiven,    ///< completely and without trembling
+  kLess,     ///< less than wanted, or close to a perceptible tremble
   kNotGiven  ///< less than half of it, or it trembles
 };
 
-/// It, for a person: a word, a number, and what is not as wished.
+/// The result in words: a state, a number, and the deviations.
 struct StabilityWords {
   StabilityLevel level = StabilityLevel::kGiven;
   QString state;       ///< "Stable", "Limited by the device", "Trembles"
   QString number;      ///< "67 % of what the device bears"
-  QStringList detail;  ///< sentences; none where all is as wished
+  QStringList detail;  ///< sentences; none if everything is as wanted
 };
 
-/// `device_label`: "3D Systems Touch".
+/// Describes the figures. `device_label`: "3D Systems Touch".
 StabilityWords stability_words(const FeltWish& wish, const FeltFigures& figures,
                                const QString& device_label);
 

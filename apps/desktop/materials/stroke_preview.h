@@ -10,8 +10,8 @@
 
 namespace felt::desktop {
 
-/// A medium on a sheet as it will be drawn: three strokes, light, firm and hard, in life size, in
-/// the sheet's own colour. Drawn beside Qt's thread; a newer wish goes before an older one.
+/// A preview of a medium on a surface: three strokes, light, firm and hard, in life size, in the
+/// surface's own colour. Drawn on another thread; a newer request replaces an older one.
 class StrokePreview : public QWidget {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class StrokePreview : public QWidget {
   MediumPicture wanted_;
   QImage picture_;
   bool has_wish_ = false, is_busy_ = false, is_stale_ = false;
-  QThreadPool worker_;  // last, so that it has ended before the rest goes
+  QThreadPool worker_;  // last, so that it ends before the other members are destroyed
 };
 
 }  // namespace felt::desktop

@@ -12,7 +12,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kFramePx = 2.0;  // around the colours, for the ring of the focus
+constexpr double kFramePx = 2.0;  // around the colours, for the focus ring
 constexpr double kRoundPx = 4.0;
 constexpr double kKnobPx = 6.0;
 constexpr double kStep = 0.01;
@@ -40,7 +40,7 @@ void paint_frame(QPainter& painter, const QWidget& widget) {
   painter.drawRoundedRect(inside(widget).adjusted(-0.5, -0.5, 0.5, 0.5), kRoundPx, kRoundPx);
 }
 
-/// White in black: seen on every colour.
+/// White and black, so that it is visible on every colour.
 void paint_knob(QPainter& painter, const QRectF& knob) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(Qt::black, 3.5));
@@ -206,7 +206,7 @@ QColor ColorField::color() const {
 }
 
 void ColorField::show_color(const QColor& color) {
-  // What it already shows, to the byte, it shows with its own hue and saturation.
+  // If it already shows this colour (equal bytes), it keeps its own hue and saturation.
   if (this->color().rgb() == color.rgb()) return;
   const QColor hsv = color.toHsv();
   if (hsv.hsvHueF() >= 0.0F) hue_ = static_cast<double>(hsv.hsvHueF());

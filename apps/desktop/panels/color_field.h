@@ -5,15 +5,15 @@
 
 namespace felt::desktop {
 
-/// Saturation across and brightness up, of one hue. By mouse, or by arrow keys (with Shift in
-/// larger steps).
+/// A field of one hue: saturation to the right, brightness upwards. Used by mouse, or by arrow keys
+/// (Shift: larger steps).
 class ShadeField : public QWidget {
   Q_OBJECT
 
  public:
   explicit ShadeField(QWidget* parent = nullptr);
 
-  /// 0..1 each.
+  /// Sets the colour; each value is 0..1.
   void show_shade(double hue, double saturation, double brightness);
   [[nodiscard]] QSize sizeHint() const override { return {200, 140}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {80, 80}; }
@@ -36,7 +36,7 @@ class ShadeField : public QWidget {
   double brightness_ = 0.0;
 };
 
-/// The hues, from top to bottom. Likewise.
+/// The hues from top to bottom. Used by mouse or arrow keys, like ShadeField.
 class HueStrip : public QWidget {
   Q_OBJECT
 
@@ -62,14 +62,15 @@ class HueStrip : public QWidget {
   double hue_ = 0.0;
 };
 
-/// Both side by side: any colour. Greys and black keep the hue that they came from.
+/// ShadeField and HueStrip side by side, for any colour. Greys and black keep the hue that they had
+/// before.
 class ColorField : public QWidget {
   Q_OBJECT
 
  public:
   explicit ColorField(QWidget* parent = nullptr);
 
-  /// Its alpha means nothing here.
+  /// Sets the colour; its alpha is ignored.
   void show_color(const QColor& color);
   [[nodiscard]] QColor color() const;
 

@@ -15,34 +15,34 @@
 
 namespace felt::desktop {
 
-/// Contrast of two opaque colours, 1..21, as WCAG 2.2 defines it ("contrast ratio").
+/// Returns the contrast ratio of two opaque colours, 1..21, as defined by WCAG 2.2.
 double contrast_of(Rgba a, Rgba b);
-/// A colour as it is seen on an opaque one.
+/// Returns the colour that results from `color` over the opaque `ground`.
 Rgba seen_on(Rgba color, Rgba ground);
 
-/// The colour of new ink: a field of shades, its number, its opacity; colours drawn with lately;
-/// palettes, ours and .gpl files, opened by a button or dropped here; how well it is seen on the
-/// paper. Writes SetOption events of sheet.color, and follows what others write.
+/// The colour of new ink: a field of shades, its number and its opacity; recently used colours;
+/// palettes, ours and .gpl files, opened by a button or dropped here; and the contrast to the
+/// paper. Applies SetOption events of sheet.color, and follows changes of it from elsewhere.
 class ColorsPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ColorsPanel(Studio& studio, QWidget* parent = nullptr);
 
-  /// Reads a .gpl file, shows it and keeps it for the next time. False: it cannot be read; the
-  /// studio's `refused` says why.
+  /// Reads a .gpl file, shows it and keeps it for the next start. Returns false if it cannot be
+  /// read; the studio's `refused` says why.
   bool open_palette(const QString& path);
-  /// Writes the palette that is shown. Likewise.
+  /// Writes the palette that is shown. Returns false if it cannot; `refused` says why.
   bool export_palette(const QString& path);
-  /// The palette that is shown, by its name.
+  /// Returns the palette that is shown, with its name.
   [[nodiscard]] Palette shown_palette() const;
-  /// A drawing brought this one: it is offered and shown until another drawing comes. An empty one
-  /// changes nothing but the offer.
+  /// Offers and shows a palette that came with a drawing, until another drawing is opened. An empty
+  /// palette only ends the offer.
   void show_drawing_palette(const Palette& palette);
-  /// Asks for the file.
+  /// Asks for the file, then opens or exports.
   void ask_open();
   void ask_export();
-  /// Puts the colour in use into the palette of the person's own, or takes it out.
+  /// Adds the current colour to the user's palette; drop_color() removes it.
   void keep_color();
   void drop_color();
 
@@ -76,12 +76,12 @@ class ColorsPanel : public QWidget {
   SwatchView* recent_;
   QComboBox* palettes_;
   SwatchView* swatches_;
-  std::vector<PaletteSource> sources_;  // as in palettes_
+  std::vector<PaletteSource> sources_;  // parallel to palettes_
   Palette of_drawing_;
 };
 
-/// Adds edit.palette_open, edit.palette_export, edit.palette_keep, edit.palette_drop. Both must
-/// live as long as the actions.
+/// Adds edit.palette_open, edit.palette_export, edit.palette_keep, edit.palette_drop. Both
+/// arguments must outlive the actions.
 void add_color_actions(Actions& actions, ColorsPanel& panel);
 
 }  // namespace felt::desktop

@@ -12,8 +12,8 @@ QString menu_text(const char* english) {
   return QCoreApplication::translate("EditActions", english);
 }
 
-/// Keeps undo and redo as the history is. Asked after every turn: it must cost nothing while
-/// nothing happens.
+/// Updates undo and redo from the history. Called after every process(), so it must cost nothing if
+/// nothing has changed.
 class UndoTexts : public QObject {
  public:
   UndoTexts(QAction* undo, QAction* redo, Studio& studio, QObject* parent)
@@ -40,7 +40,7 @@ class UndoTexts : public QObject {
     if (now == told_) return;
     told_ = now;
     const History& history = session.history();
-    // While a gesture is in work, undo takes that back and nothing else.
+    // During a gesture, undo cancels the gesture and nothing else.
     undo_->setEnabled(history.can_undo() || now.gesture);
     redo_->setEnabled(history.can_redo() && !now.gesture);
     undo_->setText(history.can_undo() && !now.gesture

@@ -6,9 +6,9 @@
 
 namespace felt::desktop {
 
-/// What was done, as a list: row 0 is the drawing as it was opened (or as far back as is
-/// remembered), row n is what the n-th step made of it. Follows each edit by the rows that change,
-/// so that thousands of steps cost nothing.
+/// The history as a list: row 0 is the drawing as it was opened (or the oldest remembered state),
+/// row n is its state after the n-th step. Updates only the rows that an edit changes, so that
+/// thousands of steps cost nothing.
 class HistoryModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -17,7 +17,7 @@ class HistoryModel : public QAbstractListModel {
 
   explicit HistoryModel(Studio& studio, QObject* parent = nullptr);
 
-  /// The row of the drawing as it is now.
+  /// Returns the row of the present state.
   [[nodiscard]] int current_row() const { return done_; }
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
@@ -30,7 +30,7 @@ class HistoryModel : public QAbstractListModel {
   void start_anew();
 
   Studio& studio_;
-  // What views have been told.
+  // What the views were told last.
   int steps_ = 0;
   int done_ = 0;
   std::size_t forgotten_ = 0;

@@ -9,14 +9,14 @@
 
 namespace felt::desktop {
 
-/// What was done, newest last; a click goes back to there, or forward.
+/// The history, newest last; a click goes back or forward to a step.
 class HistoryPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit HistoryPanel(Studio& studio, QWidget* parent = nullptr);
 
-  /// Undoes or does again until the drawing is as in this row.
+  /// Undoes or redoes until the drawing has the state of this row.
   void go_to(int row);
 
  private:

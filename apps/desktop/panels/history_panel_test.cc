@@ -14,7 +14,7 @@ namespace {
 using testing::draw_lines;
 using testing::still;
 
-/// What a view that only heard the model's signals believes: names by row.
+/// Rebuilds the rows only from the model's signals, as a view does: names by row.
 class Echo : public QObject {
  public:
   explicit Echo(QAbstractItemModel& model) : model_(model) {

@@ -11,7 +11,7 @@
 namespace felt::desktop::icons_test {
 namespace {
 
-/// Pixels that are not see-through.
+/// Returns the number of pixels that are not transparent.
 int ink_of(const QImage& image) {
   int count = 0;
   for (int y = 0; y < image.height(); ++y) {
@@ -33,7 +33,7 @@ TEST(Icons, EveryOneIsDrawnAtEverySize) {
       const int ink = ink_of(image);
       EXPECT_GT(ink, px * px / 40) << px;
       EXPECT_LT(ink, px * px * 3 / 4) << px;
-      // The frame of the drawing is empty, so that nothing is cut off.
+      // The outermost pixels are empty, so nothing is cut off.
       const QRect frame = image.rect().adjusted(1, 1, -1, -1);
       for (int i = 0; i < px && px > 16; ++i) {
         for (const QPoint at : {QPoint(i, 0), QPoint(i, px - 1), QPoint(0, i), QPoint(px - 1, i)}) {

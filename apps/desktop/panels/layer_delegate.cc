@@ -14,8 +14,8 @@ namespace {
 constexpr int kIconPx = 18;
 constexpr int kGapPx = 6;
 constexpr int kLeastRowPx = 30;
-constexpr double kHiddenOpacity = 0.65;  // still read well
-constexpr double kIdleOpacity = 0.4;     // of a lock that is open, as most are
+constexpr double kHiddenOpacity = 0.65;  // still easy to read
+constexpr double kIdleOpacity = 0.4;     // of an open lock, as most are
 
 QRect slot(const QRect& row, int x) {
   return {x, row.center().y() - kIconPx / 2, kIconPx, kIconPx};

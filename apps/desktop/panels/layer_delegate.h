@@ -4,8 +4,8 @@
 
 namespace felt::desktop {
 
-/// A row of the layers panel: eye, a pencil where it is in use, name, lock. Eye and lock take
-/// clicks.
+/// A row of the layers panel: eye, a pencil if it is the current layer, name, lock. Eye and lock
+/// can be clicked.
 class LayerDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class LayerDelegate : public QStyledItemDelegate {
   bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                    const QModelIndex& index) override;
 
-  /// Where the eye and the lock of a row are.
+  /// Returns the areas of the eye and the lock in a row.
   [[nodiscard]] static QRect eye_of(const QRect& row);
   [[nodiscard]] static QRect lock_of(const QRect& row);
 

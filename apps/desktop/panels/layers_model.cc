@@ -38,7 +38,7 @@ int LayersModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(studio_.session().document().layers().size());
 }
 
-/// Names that the program has given are shown in the language of the window.
+/// Returns the name to show; names that the program has given are translated.
 QString LayersModel::shown_name(const Layer& layer) {
   if (layer.name == "Ink") return tr("Ink");
   const QString name = QString::fromStdString(layer.name);
@@ -83,12 +83,12 @@ bool LayersModel::setData(const QModelIndex& index, const QVariant& value, int r
   const std::string name = value.toString().trimmed().toStdString();
   if (role != Qt::EditRole || !id || name.empty()) return false;
   const Layer* layer = studio_.session().document().layer(id);
-  if (layer && shown_name(*layer).toStdString() == name) return true;  // as it was
+  if (layer && shown_name(*layer).toStdString() == name) return true;  // unchanged
   return studio_.apply(LayerEvent{LayerEvent::Do::kRename, id, name});
 }
 
 Qt::ItemFlags LayersModel::flags(const QModelIndex& index) const {
-  // Between rows only, never onto one.
+  // Rows can be dropped between rows only, never onto one.
   if (!index.isValid()) return Qt::ItemIsDropEnabled;
   return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsDragEnabled;
 }

@@ -63,7 +63,8 @@ LayersPanel::LayersPanel(Studio& studio, QWidget* parent)
     toggle_locked(model_->layer_at(index.row()));
     choose(studio_.session().layer());
   });
-  // The list says of every click where it began and that it was; only one beside the icons uses.
+  // The list reports where a click began and then the click itself; only a click beside the icons
+  // makes the layer current.
   connect(list_, &QListView::pressed, this, [this] { was_icon_ = false; });
   connect(list_, &QListView::clicked, this, [this] {
     if (!was_icon_) use_clicked();
@@ -157,14 +158,15 @@ void LayersPanel::follow_chosen() {
 void LayersPanel::use_chosen() {
   const Layer* layer = studio_.session().document().layer(chosen());
   follow_chosen();
-  // A hidden or locked one may be chosen, to show it again; nothing is drawn there.
+  // A hidden or locked layer may be highlighted, for example to show it again, but does not become
+  // current.
   if (layer && is_open(*layer) && layer->id != studio_.session().layer()) {
     studio_.apply(LayerEvent{Do::kUse, layer->id});
   }
 }
 
-/// A click draws there. Where that cannot be, the layer that is drawn on stays the highlighted one,
-/// so that the bin never takes another than it seems.
+/// Makes the clicked layer current. If it is hidden or locked, highlights the current layer again,
+/// so that the highlight, which the bin acts on, does not differ from the layer that is drawn on.
 void LayersPanel::use_clicked() {
   const Layer* layer = studio_.session().document().layer(chosen());
   if (!layer || is_open(*layer)) return use_chosen();

@@ -10,30 +10,31 @@
 
 namespace felt::desktop {
 
-/// The layers, the topmost first: seen, locked, named, ordered, used. A click on a layer draws
-/// there from now on; eye and lock are at its ends; a double click or F2 renames it, dragging moves
-/// it. By keys: arrows choose, Enter uses, Space shows and hides.
+/// The layers, the topmost first, to show, lock, rename, reorder and select for drawing. A click
+/// makes a layer the current one; the eye and the lock are at its ends; a double click or F2
+/// renames it, dragging moves it. Keys: arrows move the highlight, Enter makes the layer current,
+/// Space shows and hides it.
 class LayersPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit LayersPanel(Studio& studio, QWidget* parent = nullptr);
 
-  /// The layer that is chosen in the list; as a rule the one in use.
+  /// Returns the layer that is highlighted in the list, usually the current one.
   [[nodiscard]] LayerId chosen() const;
   void choose(LayerId layer);
-  /// One that acts on the chosen layer.
+  /// Applies an event to the highlighted layer.
   void tell(LayerEvent::Do what);
-  /// Of this layer; of the chosen one if it is none.
+  /// Toggles this layer, or the highlighted one if `id` is none.
   void toggle_visible(LayerId id = {});
   void toggle_locked(LayerId id = {});
-  /// The one above is used from now on, or below; hidden and locked ones are passed over.
+  /// Makes the next layer above or below the current one; skips hidden and locked ones.
   void use_next(bool above);
-  /// Opens the field in its row.
+  /// Opens the text field in the highlighted row.
   void rename();
 
  Q_SIGNALS:
-  /// Another layer is chosen, or it is seen, locked or placed otherwise.
+  /// Another layer is highlighted, or its visibility, lock or position changed.
   void changed();
 
  protected:
@@ -52,13 +53,13 @@ class LayersPanel : public QWidget {
   QListView* list_;
   QToolButton* raise_ = nullptr;
   QToolButton* lower_ = nullptr;
-  bool was_icon_ = false;  // the click in hand was on an eye or a lock
-  LayerId kept_;           // chosen before the list was read anew
+  bool was_icon_ = false;  // the present click was on an eye or a lock
+  LayerId kept_;           // highlighted before the list was rebuilt
 };
 
 /// Adds layer.add, layer.remove, layer.rename, layer.raise, layer.lower, layer.show, layer.lock
-/// (the last two on or off), layer.use_above, layer.use_below: all on the layer that is chosen in
-/// the panel. All must live as long as the actions.
+/// (the last two are switches), layer.use_above, layer.use_below: all act on the layer that is
+/// highlighted in the panel. All arguments must outlive the actions.
 void add_layer_actions(Actions& actions, Studio& studio, LayersPanel& panel);
 
 }  // namespace felt::desktop

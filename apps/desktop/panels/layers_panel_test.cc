@@ -17,7 +17,7 @@ using Do = LayerEvent::Do;
 using testing::layer_names;
 using testing::still;
 
-/// Three layers, from the top "c*", "b", "Ink", in a panel that is seen.
+/// A fixture: three layers, from the top "c*", "b", "Ink", in a visible panel.
 struct LayerDesk {
   Studio studio{still()};
   LayersPanel panel{studio};

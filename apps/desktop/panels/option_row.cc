@@ -17,14 +17,14 @@
 namespace felt::desktop {
 namespace {
 
-constexpr std::size_t kMostButtons = 3;  // more choices are a list
+constexpr std::size_t kMostButtons = 3;  // more choices are shown as a list
 constexpr int kLineGapPx = 2;
 constexpr int kResetIconPx = 14;
-constexpr int kResetPx = 18;  // the button: no higher than the name beside it
+constexpr int kResetPx = 18;  // the button is no higher than the name beside it
 constexpr int kChoiceRoomPx = 7;
 constexpr double kChoiceRoundPx = 3.5;
 
-/// A name that is cut off with dots where there is no room; the tip has what it means.
+/// A name that is elided if there is no room; the tool tip explains the option.
 class NameLabel : public QLabel {
  public:
   using QLabel::QLabel;
@@ -42,7 +42,8 @@ class NameLabel : public QLabel {
   }
 };
 
-/// One of a few choices side by side. The chosen one is filled and bold: seen in every theme.
+/// One of a few choices side by side. The chosen one is filled and bold, so that it is visible in
+/// every theme.
 class ChoiceButton : public QToolButton {
  public:
   using QToolButton::QToolButton;
@@ -222,7 +223,7 @@ void OptionRow::make_list() {
 void OptionRow::show_number(double value) {
   const QSignalBlocker no_spin(spin_), no_slider(slider_);
   spin_->setValue(value * scale_.shown_per_unit());
-  // Where the slider already says so it stays: a hand may be on it.
+  // A slider that already stands for this value is not moved, because the user may be dragging it.
   if (scale_.value_at(slider_->value()) != value) slider_->setValue(scale_.place_of(value));
   slider_->setAccessibleDescription(scale_.text_of(value));
 }

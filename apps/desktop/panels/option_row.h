@@ -15,24 +15,25 @@
 
 namespace felt::desktop {
 
-/// One row of a table of options as a person sets it: a slider and a number, a check box, buttons
-/// side by side for two or three choices, a list for more; its help as the tip, and a button that
-/// brings the default back while the value is another. Shows what it is told, says what is chosen.
+/// One option of a table as a control: a slider and a number, a check box, two or three buttons
+/// side by side, or a list for more choices; its help as the tool tip, and a button that restores
+/// the default if the value differs. Shows the value it is given and emits the value that the user
+/// chooses.
 class OptionRow : public QWidget {
   Q_OBJECT
 
  public:
-  /// The table must outlive it.
+  /// `spec` is copied; the table that it refers to must outlive the row.
   explicit OptionRow(const OptionSpec& spec, QWidget* parent = nullptr);
 
   [[nodiscard]] const OptionSpec& spec() const noexcept { return spec_; }
-  /// Shows a value, without saying that it was chosen.
+  /// Shows a value, without emitting `chosen`.
   void show_value(const OptionValue& value);
-  /// What its reset brings back, from now on; show_value() comes next.
+  /// Sets the value that the reset button restores; requires that show_value() is called next.
   void set_default(const OptionValue& value);
 
-  /// How wide its number wants to be, 0 without one; and is, so that numbers below each other are
-  /// alike.
+  /// Returns the preferred width of its number field, 0 without one. set_number_width() sets it, so
+  /// that numbers below each other align.
   [[nodiscard]] int number_width() const;
   void set_number_width(int px);
 
@@ -40,7 +41,7 @@ class OptionRow : public QWidget {
   void chosen(const felt::OptionValue& value);
 
  protected:
-  /// A wheel that is meant for scrolling changes no value.
+  /// Ignores the wheel, so that scrolling changes no value.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -49,11 +50,11 @@ class OptionRow : public QWidget {
   void make_choice();
   void make_buttons();
   void make_list();
-  /// The first line: the name and the button that resets.
+  /// Makes the first line: the name and the reset button.
   void add_name(QWidget* buddy);
   QHBoxLayout* add_line();
   QToolButton* make_reset();
-  /// Gives a control its name, its help and the wheel's manners.
+  /// Gives a control its name, its help and the event filter for the wheel.
   void dress(QWidget* control, const QString& name);
   void show_number(double value);
 
@@ -61,7 +62,7 @@ class OptionRow : public QWidget {
   OptionScale scale_;
   QString label_;
   QVBoxLayout* lines_;
-  QHBoxLayout* line_;  // the first
+  QHBoxLayout* line_;  // the first line
   QSlider* slider_ = nullptr;
   QDoubleSpinBox* spin_ = nullptr;
   QAbstractButton* check_ = nullptr;

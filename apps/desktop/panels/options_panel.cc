@@ -93,8 +93,8 @@ OptionRow* OptionsPanel::row(std::string_view id) const {
   return nullptr;
 }
 
-/// As narrow as the rows of all tools can be, not narrower: there is no scrolling sideways, and
-/// choosing a tool moves neither the panel's edge nor the drawing beside it.
+/// Keeps the panel as narrow as the widest row of all tools allows, because it does not scroll
+/// sideways, and because choosing a tool must not move the panel's edge and the drawing beside it.
 void OptionsPanel::hold_width() {
   int widest = 0;
   for (const auto& tool : studio_.session().tools()) {
@@ -171,7 +171,8 @@ bool OptionsPanel::add_picker(Page& page, QVBoxLayout* lines, const ToolInfo& to
   return true;
 }
 
-/// A heading that unfolds what is below it, of all tools alike; kept from one start to the next.
+/// Adds a heading that unfolds the rows below it, for all tools alike; its state is kept between
+/// starts.
 QVBoxLayout* OptionsPanel::add_more(Page& page, QVBoxLayout* lines) {
   auto* button = new QToolButton(page.widget);
   button->setObjectName(QStringLiteral("more"));

@@ -15,14 +15,14 @@
 
 namespace felt::desktop {
 
-/// Makes a widget that chooses an option's value by itself, as a child of this one.
+/// Makes a widget that sets an option's value itself, as a child of `parent`.
 using OptionPicker = std::function<QWidget*(QWidget* parent)>;
 
-/// The options of the tool in hand, made from its table (OptionSpec): a row each, its help as the
-/// tip. Rows that mean nothing with what is chosen are not shown; what is felt comes last, and what
-/// few people set is folded behind "More". Writes SetOption events, and follows all that others
-/// write. Options that have a picker, by "tool.option", get that in place of a row, with the
-/// option's name above it.
+/// The options of the current tool, made from its table (OptionSpec): a row for each, with its help
+/// as the tool tip. Rows without effect for the present choices are hidden; the force level comes
+/// last, and rarely used options are folded under "More". Applies SetOption events, and follows
+/// changes from elsewhere. An option with a picker, keyed by "tool.option", gets that instead of a
+/// row, with the option's name above it.
 class OptionsPanel : public QWidget {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class OptionsPanel : public QWidget {
   explicit OptionsPanel(Studio& studio, QWidget* parent = nullptr,
                         std::map<std::string, OptionPicker> pickers = {});
 
-  /// A row of the tool in hand by the option's id; null where there is none.
+  /// Returns a row of the current tool by the option's id, or null.
   [[nodiscard]] OptionRow* row(std::string_view id) const;
 
  protected:
@@ -48,7 +48,7 @@ class OptionsPanel : public QWidget {
   bool add_picker(Page& page, QVBoxLayout* lines, const ToolInfo& tool, const OptionSpec& spec);
   QVBoxLayout* add_more(Page& page, QVBoxLayout* lines);
   void add_row(Page& page, QVBoxLayout* lines, const ToolInfo& tool, const OptionSpec& spec);
-  /// Shows the value of an option, and the rows that it decides about.
+  /// Shows the value of an option, and shows or hides the rows that depend on it.
   void follow(const QString& id);
   void show_values(const ToolInfo& info, Page& page);
   void show_matters(const std::string& tool, Page& page);
@@ -61,7 +61,8 @@ class OptionsPanel : public QWidget {
   QToolButton* reset_;
   QScrollArea* scroll_;
   QVBoxLayout* pages_box_;
-  std::map<std::string, Page, std::less<>> pages_;  // by tool, each made when it is first in hand
+  std::map<std::string, Page, std::less<>> pages_;  // by tool; each is made when its tool is first
+                                                    // used
   std::string shown_;
 };
 

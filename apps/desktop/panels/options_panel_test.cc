@@ -28,7 +28,7 @@ OptionValue value_of(const Studio& studio, const OptionSpec& spec) {
   return studio.session().option(id_of(studio, spec)).value();
 }
 
-/// Types a number into the row's field, with its unit or without.
+/// Types a number into the row's field, with or without its unit.
 void type_number(OptionRow& row, const QString& text) {
   auto* spin = row.findChild<QDoubleSpinBox*>();
   spin->setFocus();
@@ -37,7 +37,7 @@ void type_number(OptionRow& row, const QString& text) {
   QTest::keyClick(spin, Qt::Key_Return);
 }
 
-/// Sets every value that a row can take, by its controls, and looks whether the session has it.
+/// Sets every value of a row by its controls, and checks that the session receives it.
 class EveryRow {
  public:
   EveryRow(Studio& studio, OptionRow& row) : studio_(studio), row_(row), spec_(row.spec()) {}
@@ -126,7 +126,7 @@ TEST(OptionsPanel, SetsEveryOptionOfEveryToolByItsControls) {
     for (const OptionSpec& spec : info.options) {
       OptionRow* row = panel.row(spec.id);
       ASSERT_NE(row, nullptr) << spec.id;
-      row->show();  // what it means something with is another test
+      row->show();  // whether it has an effect is tested elsewhere
       EveryRow(studio, *row).check();
     }
   }
@@ -228,7 +228,7 @@ TEST(OptionScale, GoesBothWaysForEveryNumberOfEveryTable) {
         ASSERT_GE(value, scale.value_at(place - 1)) << "the slider never runs backwards";
         ASSERT_GE(value, spec.min);
         ASSERT_LE(value, spec.max);
-        // As it is shown, so it is: what is typed back is the same number.
+        // Typing the shown number again gives the same value.
         const double factor = scale.shown_per_unit() * std::pow(10.0, scale.decimals());
         if (place < OptionScale::kPlaces) {
           ASSERT_NEAR(value * factor, std::round(value * factor), 1e-6);

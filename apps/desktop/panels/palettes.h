@@ -8,24 +8,24 @@
 
 namespace felt::desktop {
 
-/// A palette by what people call it: one of ours, or a file that is read when it is chosen.
+/// A palette as listed for the user: one of ours, or a file that is read when it is chosen.
 struct PaletteSource {
   QString title;
-  QString path = {};     ///< "" for ours
-  Palette palette = {};  ///< of ours
+  QString path = {};     ///< "" for one of ours
+  Palette palette = {};  ///< of one of ours
 };
 
-/// Ours: a box of pencils, the colours of Okabe and Ito, which people with any colour vision tell
-/// apart, and greys. Names are translated.
+/// Returns our palettes: a box of pencils, the colours of Okabe and Ito, which people with any
+/// colour vision can distinguish, and greys. Names are translated.
 std::vector<PaletteSource> built_in_palettes();
 
-/// The .gpl files of the data folders (feltline/palettes in XDG_DATA_HOME and XDG_DATA_DIRS), then
-/// `opened`; each path once, what is not there left out.
+/// Returns the .gpl files of the data folders (feltline/palettes in XDG_DATA_HOME and
+/// XDG_DATA_DIRS), then `opened`; each path once, without files that do not exist.
 std::vector<PaletteSource> palette_files(const QStringList& opened);
 
-/// Reads a .gpl file. Error: the message names the file, the line and the reason.
+/// Reads a .gpl file. The error names the file, the line and the reason.
 Result<Palette> load_palette(const QString& path);
-/// Writes one, all of it or nothing. Error: the message names the file and the reason.
+/// Writes a .gpl file whole or not at all. The error names the file and the reason.
 Result<void> save_palette(const QString& path, const Palette& palette);
 
 }  // namespace felt::desktop

@@ -2,13 +2,13 @@
 
 namespace felt::desktop::panel_keys {
 
-/// Colours that were drawn with, the newest first: "#rrggbb" or "#rrggbbaa" each.
+/// Recently used colours, the newest first: "#rrggbb" or "#rrggbbaa" each.
 inline constexpr const char* kRecentColors = "panels/recent_colors";
-/// Colours that a person keeps: the same.
+/// The user's own colours, in the same form.
 inline constexpr const char* kOwnColors = "panels/own_colors";
-/// .gpl files that were opened, by path.
+/// Paths of the .gpl files that were opened.
 inline constexpr const char* kPaletteFiles = "panels/palette_files";
-/// The palette shown, by its title; the pencil box where it is no longer there.
+/// Title of the shown palette; the pencil box if it no longer exists.
 inline constexpr const char* kPalette = "panels/palette";
 
 }  // namespace felt::desktop::panel_keys

@@ -13,8 +13,8 @@ namespace {
 constexpr int kCellPx = 24;
 constexpr double kSwatchRoundPx = 4.0;
 
-/// A rounded square on a chequered ground where it is see-through; a tick on the one in use, a
-/// ring where the keys are.
+/// Draws a rounded square, chequered if transparent, a tick on the current colour, and a ring for
+/// the keyboard focus.
 class SwatchDelegate : public QStyledItemDelegate {
  public:
   explicit SwatchDelegate(SwatchView* view) : QStyledItemDelegate(view), view_(view) {}

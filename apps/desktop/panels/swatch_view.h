@@ -9,7 +9,7 @@
 
 namespace felt::desktop {
 
-/// The colours of a palette as a list; their names for tips and for screen readers.
+/// The colours of a palette as a list; their names serve as tool tips and for screen readers.
 class SwatchModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -26,17 +26,17 @@ class SwatchModel : public QAbstractListModel {
   std::vector<NamedColor> colors_;
 };
 
-/// Swatches side by side, to click or to reach by the arrow keys; the colour in use has a mark.
+/// Swatches side by side, chosen by click or arrow keys; the current colour has a mark.
 class SwatchView : public QListView {
   Q_OBJECT
 
  public:
-  /// One row only, or as many as there is room for.
+  /// `one_row`: one row only; otherwise as many as fit.
   SwatchView(const QString& name, bool one_row, QWidget* parent = nullptr);
 
   void set_colors(std::vector<NamedColor> colors) { model_->set_colors(std::move(colors)); }
   [[nodiscard]] const std::vector<NamedColor>& colors() const { return model_->colors(); }
-  /// The colour that has the mark.
+  /// Sets the colour that has the mark.
   void mark(Rgba color);
   [[nodiscard]] Rgba marked() const noexcept { return marked_; }
   [[nodiscard]] QSize sizeHint() const override;
@@ -51,7 +51,7 @@ class SwatchView : public QListView {
   Rgba marked_;
 };
 
-/// Ours as Qt's, and back.
+/// Converts between our colours and Qt's.
 QColor qcolor(Rgba color);
 Rgba rgba(const QColor& color);
 

@@ -23,7 +23,7 @@ QString size_option(const Studio& studio) {
   return QString::fromUtf8(id.data(), qsizetype(id.size()));
 }
 
-/// A window with the actions of this room.
+/// A fixture: a window with the actions of this folder.
 struct ToolDesk {
   Studio studio{still()};
   QWidget window;
@@ -100,8 +100,8 @@ TEST(ToolActions, SizesClimbAndFallWithinTheRangeOfEveryTool) {
   }
 }
 
-// Its thinnest line never comes to be broader than its broadest one, and the keys work until the
-// very end, where a sentence says so.
+// The thinnest line never becomes wider than the widest, and the keys work up to the end of the
+// range, where a message says so.
 TEST(ToolActions, TheSizeOfThePencilIsTheLineOfAMouse) {
   ToolDesk desk;
   const auto size = [&desk] { return desk.studio.session().tool().size().value(); };

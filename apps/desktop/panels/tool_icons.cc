@@ -10,8 +10,8 @@
 #include <QSvgRenderer>
 #include <utility>
 
-// The resources of a static library are not found unless somebody asks for them by name, which
-// must happen outside every namespace.
+// Resources of a static library are linked only if they are requested by name, outside every
+// namespace.
 static void need_icons() {
   Q_INIT_RESOURCE(icons);
   Q_INIT_RESOURCE(tool_icons);
@@ -20,7 +20,7 @@ static void need_icons() {
 namespace felt::desktop {
 namespace {
 
-// What the drawings are drawn in; replaced by colours of the palette.
+// The colours used in the SVG files; replaced by colours of the palette.
 constexpr const char* kInk = "#303438";
 constexpr const char* kAccent = "#c8501e";
 constexpr const char* kAccentOnDark = "#ff9a5c";
@@ -29,7 +29,7 @@ QString path_of(const QString& name) {
   return QStringLiteral(":/feltline/icons/%1.svg").arg(name);
 }
 
-/// The two colours of a drawing.
+/// The two colours of an icon.
 struct IconColors {
   QColor ink;
   QColor accent;
@@ -48,8 +48,8 @@ IconColors colors_of(QIcon::Mode mode) {
   return {palette.color(QPalette::ButtonText), accent_on(palette.color(QPalette::Button))};
 }
 
-/// Draws the SVG anew for every size and colour that is asked for, so that a theme that changes
-/// under it is followed and no screen gets a scaled picture.
+/// Renders the SVG for every requested size and colour, so that it follows changes of the theme and
+/// is never a scaled picture.
 class DrawnIcon : public QIconEngine {
  public:
   DrawnIcon(QString name, QByteArray svg) : name_(std::move(name)), svg_(std::move(svg)) {}

@@ -7,15 +7,17 @@
 
 namespace felt::desktop {
 
-/// The icon of a tool ("pencil") or of a command ("undo", "layer-add", ...), drawn by us, in the
-/// colours of the palette in use; a null icon for a name that has none. Crisp at any size and
-/// screen; grey where disabled, in the colour of selected text where selected. Qt's main thread.
+/// Returns the icon of a tool ("pencil") or of a command ("undo", "layer-add", ...), an own drawing
+/// in the colours of the current palette; a null icon if there is none of that name. Sharp at any
+/// size and screen scale; grey if disabled, in the colour of selected text if selected. Qt's main
+/// thread.
 QIcon icon_of(std::string_view name);
 
-/// All names that icon_of() knows, sorted.
+/// Returns all names that icon_of() accepts, sorted.
 QStringList icon_names();
 
-/// The one accent of our icons and marks, as it reads on this background (3:1 and more).
+/// Returns the accent colour of our icons and marks, adapted to this background (contrast at least
+/// 3:1).
 QColor accent_on(const QColor& background);
 
 }  // namespace felt::desktop

@@ -6,25 +6,25 @@
 
 namespace felt::desktop {
 
-/// What a button does for as long as it is held; the settings keep it by name.
+/// What a button does while it is held; the settings store it by name.
 enum class ButtonRole : std::uint8_t {
   kNone,
   kEraser,  ///< borrows the tool
   kPull,
   kLasso,
-  kPan,   ///< moving the pen moves the sheet
+  kPan,   ///< moving the pen pans the view
   kUndo,  ///< once, when it is pressed
   kFirstModifier,
   kSecondModifier,
 };
 
-/// All of them, in the order of lists.
+/// Returns all roles, in the order of lists.
 std::span<const ButtonRole> button_roles() noexcept;
-/// "eraser"
+/// Returns the name in the settings: "eraser".
 QString name_of(ButtonRole role);
-/// kNone where there is none of that name.
+/// Returns the role of that name, or kNone if there is none.
 ButtonRole button_role(const QString& name);
-/// For people: "Erase while held".
+/// Returns the label for the user: "Erase while held".
 QString label_of(ButtonRole role);
 
 }  // namespace felt::desktop

@@ -5,19 +5,20 @@
 
 namespace felt::desktop {
 
-/// Turns the time stamps of a device (whole milliseconds of a clock of its own, handed over late)
-/// into times of the loop's clock.
+/// Converts the time stamps of a device (whole milliseconds of its own clock, delivered late) into
+/// times of the loop's clock.
 ///
-/// The events that came through fastest tell how the clocks lie: an event cannot arrive before it
-/// was made. What is known so is let go at 1 ms in 10 s, so that clocks may drift apart. Stamps
-/// that jump (another device, a clock that was set, no stamps at all) begin it anew. A value.
+/// The offset of the clocks is estimated from the events with the smallest delay, because an event
+/// cannot arrive before it was made. The estimate is relaxed by 1 ms in 10 s, so that clocks may
+/// drift apart. Stamps that jump (another device, a clock that was set, no stamps at all) restart
+/// the estimate. A value.
 class DeviceClock {
  public:
-  /// When it was, at most `now_ns`, and never before the time given out last.
+  /// Returns the time of the event, at most `now_ns`, and never before the last returned time.
   std::int64_t time_ns(std::uint64_t stamp_ms, std::int64_t now_ns) noexcept;
 
  private:
-  std::optional<std::int64_t> offset_ns_;  // loop - device: the least seen
+  std::optional<std::int64_t> offset_ns_;  // loop - device: the smallest seen
   std::int64_t last_now_ns_ = 0;
   std::int64_t last_ns_ = 0;
 };

@@ -7,7 +7,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kViewMarginPx = 40.0;  // the pen stays so far from the edge of the view
+constexpr double kViewMarginPx = 40.0;  // smallest distance of the pen from the edge of the view
 
 std::optional<QPointF> direction_of(int key) {
   switch (key) {

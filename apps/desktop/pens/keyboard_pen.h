@@ -8,38 +8,38 @@
 
 namespace felt::desktop {
 
-/// Drawing with keys alone: the arrows move the pen, faster the longer one is held, Shift finely;
-/// Return, Enter or Insert put it down and lift it, once an arrow has moved it or Tab or F6 has
-/// brought the focus here: an Enter that was meant for a text field draws nothing. Escape cancels
-/// what it draws. Steps are counted, not timed: the same keys make the same line. The view follows.
-/// What it is given must outlive it.
+/// Drawing with keys alone. The arrows move the pen, faster the longer one is held; Shift makes
+/// fine steps. Return, Enter or Insert puts the pen down and lifts it, but only after an arrow has
+/// moved it or Tab or F6 has moved the focus here, so that an Enter meant for a text field draws
+/// nothing. Escape cancels the gesture. Steps are counted, not timed: the same keys make the same
+/// line. The view scrolls along. The arguments of the constructor must outlive it.
 ///
-/// A person who holds a device that cannot tell whether its pen touches draws while one of the keys
-/// is held that put the pen down.
+/// With a device that cannot sense whether its pen touches, the pen touches while one of these
+/// pen-down keys is held.
 class KeyboardPen : public QObject {
   Q_OBJECT
 
  public:
   static constexpr double kStepPx = 4.0;
   static constexpr double kFineStepPx = 1.0;
-  static constexpr int kStepsPerFactor = 8;  ///< repeats until a step is one more step long
+  static constexpr int kStepsPerFactor = 8;  ///< key repeats until a step is one unit longer
   static constexpr int kMostFactor = 8;
 
   KeyboardPen(Canvas& canvas, PenHand& hand);
 
-  /// Whether the key is ours as things are; for ShortcutOverride.
+  /// Returns true if the key belongs to it in the present state; for ShortcutOverride.
   [[nodiscard]] bool wants(const QKeyEvent& event) const;
-  /// Does what a pressed key does. False: it is not ours.
+  /// Handles a pressed key. Returns false if the key is not one of its own.
   bool press(const QKeyEvent& event);
-  /// The key is up: its next press begins with small steps.
+  /// Handles a released key: its next press starts with small steps.
   void release(const QKeyEvent& event);
-  /// No key is held any more, as far as anybody will be told.
+  /// Treats all keys as released, because their release events will not arrive.
   void let_go();
   /// Mouse or pen lead now, until an arrow is pressed again.
   void stop_leading() noexcept { is_leading_ = false; }
 
  Q_SIGNALS:
-  /// What happened, for who cannot see it.
+  /// A message for screen readers.
   void said(const QString& text);
 
  private:

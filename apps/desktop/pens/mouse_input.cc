@@ -12,14 +12,15 @@ constexpr double kFineUnitsPerDoubling = 1920.0;
 constexpr double kPxPerUnit = 0.5;
 constexpr double kDegreesPerUnit = 5.0 / 120.0;
 
-/// Where the pointer is, with its fraction of a pixel: Qt 6.4 rounds position() for child widgets,
-/// and sometimes globalPosition(), which on a screen of scale 2 loses every second pixel.
+/// Returns the position of the pointer with fractions of a pixel. Qt 6.4 rounds position() for
+/// child widgets, and sometimes globalPosition(), which loses every second pixel on a screen of
+/// scale 2.
 QPointF place_of(const QMouseEvent& event, const QWidget& canvas) {
   for (const QPointF exact : {canvas.mapFrom(canvas.window(), event.scenePosition()),
                               canvas.mapFromGlobal(event.globalPosition())}) {
     const QPointF off = exact - event.position();
     const double far = std::max(std::abs(off.x()), std::abs(off.y()));
-    // Events that were made by hand may have neither.
+    // Synthetic events may have neither.
     if (far > 0.0 && far <= 1.0) return exact;
   }
   return event.position();
@@ -30,7 +31,7 @@ QPointF place_of(const QMouseEvent& event, const QWidget& canvas) {
 MouseInput::MouseInput(Canvas& canvas, PenHand& hand, ViewDrag& drag, const PenSettings& settings)
     : canvas_(canvas), hand_(hand), drag_(drag), settings_(settings) {}
 
-/// True: the event is the view's.
+/// Returns true if the event moves the view.
 bool MouseInput::drags(const QMouseEvent& event) {
   const bool presses = event.type() == QEvent::MouseButtonPress;
   const bool pans = event.button() == Qt::MiddleButton ||
@@ -58,7 +59,7 @@ void MouseInput::take(const QMouseEvent& event) {
     right_held_ = settings_.right;
     hand_.press(right_held_);
   }
-  // With the right button down the borrowed tool draws; a modifier or nothing does not.
+  // With the right button down the pen draws only if the button borrows a tool.
   const bool draws =
       right && (right_held_ == ButtonRole::kEraser || right_held_ == ButtonRole::kPull ||
                 right_held_ == ButtonRole::kLasso);

@@ -13,8 +13,8 @@
 namespace felt::desktop {
 
 /// The mouse as the hand: the left button is the pen's tip, the middle one moves the view, the
-/// right one may draw with a borrowed tool; the wheel zooms at the pointer. What it is given must
-/// outlive it.
+/// right one may draw with a borrowed tool; the wheel zooms at the pointer. The arguments of the
+/// constructor must outlive it.
 ///
 ///   wheel                  zoom           Shift + wheel          move sideways
 ///   Ctrl + wheel           zoom, finely   Ctrl + Shift + wheel   turn
@@ -25,12 +25,12 @@ class MouseInput : public QObject {
  public:
   MouseInput(Canvas& canvas, PenHand& hand, ViewDrag& drag, const PenSettings& settings);
 
-  /// Press, double click, move and release.
+  /// Handles press, double click, move and release.
   void take(const QMouseEvent& event);
   void take(const QWheelEvent& event);
-  /// False: no gesture of ours.
+  /// Handles a touchpad gesture. Returns false if it is not one of those above.
   bool take(const QNativeGestureEvent& event);
-  /// The window is no longer in use: no button is held.
+  /// Treats all buttons as released, because the window is no longer active.
   void let_go();
 
  private:
@@ -42,7 +42,7 @@ class MouseInput : public QObject {
   const PenSettings& settings_;
   DeviceClock clock_;
   Qt::MouseButton dragging_ = Qt::NoButton;    // the button that moves the view
-  ButtonRole right_held_ = ButtonRole::kNone;  // what the right one does now
+  ButtonRole right_held_ = ButtonRole::kNone;  // the role of the right button while it is held
 };
 
 }  // namespace felt::desktop

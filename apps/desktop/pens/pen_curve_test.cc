@@ -11,7 +11,7 @@
 namespace felt::desktop::pen_curve_test {
 namespace {
 
-// Wherever the handles are: from 0 to 1, and never falling.
+// For any handles, the curve goes from 0 to 1 and never falls.
 TEST(PressureCurve, NeverFalls) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(-0.5, 1.5);
@@ -57,7 +57,8 @@ TEST(PressureCurve, IsKeptByTheSettings) {
   PressureCurve().store();
 }
 
-// Late by up to 20 ms, several at once: the times that come out have the spacing of the stamps.
+// For events that are up to 20 ms late, several at once, the resulting times have the spacing of
+// the stamps.
 TEST(DeviceClock, KeepsTheSpacingOfTheStamps) {
   std::mt19937 random(2);
   std::uniform_int_distribution<std::int64_t> late(0, 20 * kMs);

@@ -9,8 +9,8 @@
 namespace felt::desktop {
 namespace {
 
-/// A lift is in the samples by then at the latest where no body has to follow: what the hand says
-/// is played up to 15 ms late (AimTrack).
+/// The session has seen a lift after this time at the latest, if no simulated body has to follow:
+/// the hand's positions are played up to 15 ms late (AimTrack).
 constexpr std::int64_t kLiftSeenNs = 20'000'000;
 
 std::uint32_t bit_of(ButtonRole role) {
@@ -85,7 +85,7 @@ void PenHand::send(std::int64_t time_ns) {
   studio_.point({time_ns, place_, down_, down_ ? pressure_ : std::nullopt, buttons(), lean_deg_});
 }
 
-/// A modifier counts while the pen rests, too.
+/// A modifier takes effect even while the pen rests, so its change is sent as an event.
 void PenHand::send_buttons(std::uint32_t before) {
   if (is_known_ && buttons() != before) send(studio_.now_ns());
 }

@@ -10,11 +10,11 @@
 
 namespace felt::desktop {
 
-/// The one hand over a canvas that mouse, tablet, finger and keys lead, one at a time: who has the
-/// pen down keeps it until it is lifted, but for the tablet, which goes before the others.
+/// The hand over a canvas, led by mouse, tablet, finger or keys, one at a time: the one that has
+/// the pen down keeps it until it is lifted, except that the tablet takes precedence.
 ///
-/// Tools that a button borrows go back when the session has seen the pen lifted, so that the end of
-/// the line is of the tool that drew it. The canvas must outlive it. Qt's main thread.
+/// Borrowed tools are given back after the session has seen the pen lifted, so that the end of the
+/// line belongs to the tool that drew it. The canvas must outlive it. Qt's main thread.
 class PenHand : public QObject {
   Q_OBJECT
 
@@ -23,31 +23,32 @@ class PenHand : public QObject {
 
   explicit PenHand(Canvas& canvas);
 
-  /// The hand is there, in pixels of the canvas or on the sheet. `time_ns`: of the studio's clock.
-  /// False: another one has the pen down, and this is ignored.
+  /// Moves the hand to a position, in pixels of the canvas or in mm on the page. `time_ns`: on the
+  /// studio's clock. Returns false if another source has the pen down; the call is then ignored.
   bool point(Source source, QPointF px, std::int64_t time_ns, bool touching,
              std::optional<double> pressure, std::optional<double> lean_deg = {});
   bool point_mm(Source source, Point mm, std::int64_t time_ns, bool touching,
                 std::optional<double> pressure, std::optional<double> lean_deg = {});
-  /// The pen is lifted where it is, whatever keeps it down. Nothing where it is not down.
+  /// Lifts the pen where it is, for any source. Does nothing if it is not down.
   void lift();
-  /// What it was doing never was; the pen must be lifted before it does anything more.
+  /// Discards the gesture; the pen must be lifted before it does anything more.
   void cancel();
   [[nodiscard]] bool is_down() const noexcept { return down_; }
   [[nodiscard]] bool is_down(Source source) const noexcept { return down_ && source_ == source; }
-  /// It has been somewhere.
+  /// Returns true if it has had a position.
   [[nodiscard]] bool is_known() const noexcept { return is_known_; }
-  /// On the sheet; the middle of the view before there was any.
+  /// Returns its position on the page; the middle of the view if there was none yet.
   [[nodiscard]] Point place_mm() const;
 
-  /// A button with this role is pressed or released; kPan is for whoever moves the view.
+  /// Handles a button with this role that is pressed or released. kPan is handled by the code that
+  /// moves the view.
   void press(ButtonRole role);
   void release(ButtonRole role);
-  /// All buttons are released.
+  /// Releases all buttons.
   void release_all();
-  /// Shift and Ctrl, as the keyboard says.
+  /// Sets Shift and Ctrl, as the keyboard reports them.
   void set_keys(Qt::KeyboardModifiers keys);
-  /// Modifiers that stay until they are taken away: bits of tool.h.
+  /// Sets modifiers that stay until they are removed: bits of tool.h.
   void set_locked(std::uint32_t bits);
   [[nodiscard]] std::uint32_t locked() const noexcept { return locked_; }
 
@@ -70,8 +71,8 @@ class PenHand : public QObject {
   Point place_;
   std::optional<double> pressure_, lean_deg_;
   std::uint32_t keys_ = 0, held_ = 0, locked_ = 0;
-  std::uint32_t borrowing_ = 0;  // roles that hold a tool, as bits
-  int owed_ = 0;                 // tools that go back when the lift has been seen
+  std::uint32_t borrowing_ = 0;  // roles that borrow a tool, as bits
+  int owed_ = 0;                 // tools to give back after the lift was seen
   std::int64_t lifted_ns_ = 0;
 };
 

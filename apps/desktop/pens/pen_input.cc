@@ -12,7 +12,8 @@
 namespace felt::desktop {
 namespace {
 
-/// Of a pen or a finger, made by the system for programs that know mice only.
+/// Returns true for a mouse event that the system made from a pen or a finger, for programs that
+/// support only mice.
 bool is_made_up(const QMouseEvent& event) {
   if (event.source() != Qt::MouseEventNotSynthesized) return true;
   const QPointingDevice* device = event.pointingDevice();
@@ -37,7 +38,7 @@ PenInput::PenInput(Canvas& canvas)
       keys_(canvas, hand_) {
   canvas.setTabletTracking(true);
   canvas.installEventFilter(this);
-  qApp->installEventFilter(this);  // a tablet's pen comes near and leaves by the application
+  qApp->installEventFilter(this);  // proximity events of a tablet's pen go to the application
   connect(&tablet_, &TabletInput::came, &touch_, &TouchInput::cancel);
   connect(&tablet_, &TabletInput::pressure_seen_changed, this, &PenInput::say_pressure);
   connect(&keys_, &KeyboardPen::said, &canvas,
@@ -85,7 +86,7 @@ bool PenInput::eventFilter(QObject* watched, QEvent* event) {
       let_go();
       return false;
     case QEvent::Leave:
-      // While a button is held the mouse is ours wherever it goes, and this does not come.
+      // While a button is held, the mouse events arrive even outside, and this one does not.
       if (hand_.is_down(PenHand::Source::kMouse)) let_go();
       canvas_.set_pen_visible(hand_.is_down());
       return false;
@@ -98,15 +99,16 @@ bool PenInput::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
-/// A pointer that rests where the window opens does not move; it is shown where it is.
+/// Shows the pointer that rests where the window opens, because no move event arrives.
 void PenInput::come(QPointF px) {
   const std::int64_t now_ns = canvas_.studio().now_ns();
   if (!hand_.is_known()) hand_.point(PenHand::Source::kMouse, px, now_ns, false, {});
   canvas_.set_pen_visible(true);
 }
 
-/// The keys of the sheet (Space, Shift, the letters of the tools) work where the pointer is: after
-/// a click on a medium or a slider, too. Where somebody types a text, the focus stays.
+/// Moves the focus to the canvas, so that its keys (Space, Shift, the letters of the tools) work
+/// where the pointer is, also after a click on a medium or a slider. The focus stays if the user
+/// types a text.
 void PenInput::take_focus() {
   QWidget* focus = QApplication::focusWidget();
   if (!focus || focus == &canvas_ || focus->window() != canvas_.window()) return;
@@ -127,7 +129,7 @@ bool PenInput::take_pointer(QEvent* event) {
       keys_.stop_leading();
       canvas_.set_tablet_in_hand(false);
       mouse_.take(mouse);
-      // A press gives the focus, which the widget itself does.
+      // The widget itself takes the focus on a press.
       return event->type() != QEvent::MouseButtonPress;
     }
     case QEvent::TabletPress:
@@ -165,7 +167,7 @@ bool PenInput::take_pointer(QEvent* event) {
 bool PenInput::take_keys(QEvent* event) {
   auto& key = static_cast<QKeyEvent&>(*event);
   if (event->type() == QEvent::ShortcutOverride) {
-    // No shortcut may take the keys of the pen while the sheet has the focus.
+    // No shortcut may use the pen's keys while the canvas has the focus.
     const bool ours = key.key() == Qt::Key_Space || keys_.wants(key);
     if (ours) event->accept();
     return ours;
@@ -180,7 +182,7 @@ bool PenInput::press_key(QKeyEvent& event) {
     return true;
   }
   if (keys_.press(event)) return true;
-  // The event itself still says what was held before it.
+  // The event contains the modifiers from before it.
   Qt::KeyboardModifiers held = event.modifiers();
   if (event.key() == Qt::Key_Shift) held |= Qt::ShiftModifier;
   if (event.key() == Qt::Key_Control) held |= Qt::ControlModifier;
@@ -190,7 +192,7 @@ bool PenInput::press_key(QKeyEvent& event) {
 
 void PenInput::use_modifiers(Qt::KeyboardModifiers held) {
   if (space_) offer_drag(held);
-  // Of the pen that keys lead, Shift makes small steps.
+  // For the keyboard pen, Shift makes small steps.
   if (hand_.is_down(PenHand::Source::kKeys)) held &= ~Qt::KeyboardModifiers(Qt::ShiftModifier);
   hand_.set_keys(held);
 }
@@ -215,7 +217,7 @@ void PenInput::offer_drag(Qt::KeyboardModifiers keys) {
   drag_.offer(keys.testFlag(Qt::ShiftModifier) ? ViewDrag::Kind::kTurn : ViewDrag::Kind::kPan);
 }
 
-/// Nobody will tell what is released now.
+/// Ends everything that is held, because no release events will arrive.
 void PenInput::let_go() {
   hand_.lift();
   tablet_.let_go();

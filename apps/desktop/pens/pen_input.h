@@ -13,11 +13,12 @@
 
 namespace felt::desktop {
 
-/// Mouse, tablet, touch and keys over a canvas, as a hand: an event filter that turns them into
+/// Handles mouse, tablet, touch and keys over a canvas: an event filter that converts them into
 /// Studio::point(), and into panning, zooming and turning of the view. The canvas must outlive it.
 ///
-/// Space and a drag move the view, with Ctrl zoom it, with Shift turn it. However the input ends
-/// (the window is left, a release is lost, the pen goes out of reach), the pen is lifted then.
+/// Space and a drag pan the view, with Ctrl zoom it, with Shift turn it. If the input ends without
+/// a release (the window loses the focus, a release is lost, the pen leaves the range), the pen is
+/// lifted.
 class PenInput : public QObject {
   Q_OBJECT
 

@@ -154,7 +154,7 @@ TEST_F(PenInputTest, ATabletDraws) {
   EXPECT_EQ(strokes(), 1u);
 }
 
-// Bunched as a window system does it: each place that was told is a sample, exactly.
+// Events in bunches, as a window system delivers them: each position is exactly one sample.
 TEST_F(PenInputTest, EveryPlaceIsASample) {
   hover({100, 100});
   std::vector<Point> told;
@@ -177,8 +177,8 @@ TEST_F(PenInputTest, EveryPlaceIsASample) {
   }
 }
 
-// A tablet that senses tilt tells how the pen leans; one that does not says nothing of it, whatever
-// its events hold.
+// A tablet that senses tilt reports the pen's tilt; for another the tilt stays unknown, whatever
+// its events contain.
 TEST_F(PenInputTest, ThePenLeansAsTheTabletSays) {
   const auto* tilting =
       new QPointingDevice(QStringLiteral("tilting pen"), 13, QInputDevice::DeviceType::Stylus,
@@ -206,7 +206,7 @@ TEST_F(PenInputTest, ThePenLeansAsTheTabletSays) {
   EXPECT_EQ(samples_.back().lean_deg, std::nullopt);
 }
 
-// However a stroke ends, the pen is up then, and the ink is there.
+// For every way that a stroke can end, the pen is up afterwards and the ink is there.
 TEST_F(PenInputTest, NoPenStaysDown) {
   const std::vector<std::function<void()>> ends = {
       [this] { leave_proximity(); },
@@ -264,7 +264,8 @@ TEST_F(PenInputTest, TheEraserEndBorrowsTheEraser) {
   EXPECT_EQ(tool(), "pencil");
 }
 
-// The end of the erasing is erasing: what the hand said last is played a moment later.
+// The eraser works to the end of its line, although the hand's last positions are played a moment
+// later.
 TEST_F(PenInputTest, TheRightButtonErasesToItsEnd) {
   mouse_line({100, 100}, {500, 100});
   ASSERT_EQ(strokes(), 1u);
@@ -418,7 +419,7 @@ TEST_F(PenInputTest, APalmIsNoFinger) {
   QTest::touchEvent(&canvas_, screen).move(1, {350, 300});
   wait(20);
   ASSERT_TRUE(is_down());
-  hover({100, 100});  // the pen comes: what the hand did on its way never was
+  hover({100, 100});  // the pen arrives: what the finger drew is discarded
   wait(60);
   EXPECT_FALSE(is_down());
   QTest::touchEvent(&canvas_, screen).move(1, {380, 300});
@@ -456,7 +457,7 @@ TEST_F(PenInputTest, AFingerDrawsWhereItMay) {
   EXPECT_NE(canvas_.view(), before);
 }
 
-/// A device that moves in the plane only, held by a person who draws a line to the right with it.
+/// A device that moves only in the plane, held by a user who draws a line to the right with it.
 class PlanarPen final : public DriverDevice {
  public:
   explicit PlanarPen(const Capabilities& capabilities) {
@@ -486,7 +487,7 @@ class PlanarPen final : public DriverDevice {
   bool is_down_ = false;
 };
 
-// What the person with a 2DIY does: one hand leads it, the other holds a key while it draws.
+// The case of a user with a 2DIY: one hand moves it, the other holds a key while it draws.
 TEST_F(PenInputTest, AKeyThatIsHeldPutsAPlanarDevicesPenDown) {
   PenDeviceInfo info;
   info.id = QStringLiteral("planar:1");
@@ -494,7 +495,7 @@ TEST_F(PenInputTest, AKeyThatIsHeldPutsAPlanarDevicesPenDown) {
   info.capabilities.sensed_axes = info.capabilities.actuated_axes = 2;
   info.capabilities.workspace_min = {0, 0, -1};
   info.capabilities.workspace_max = {100, 80, 1};
-  info.has_own_frame = true;  // as the 2DIY: it is seen through its person's plane
+  info.has_own_frame = true;  // like the 2DIY: it needs the user's plane
   const int driver = add_pen_driver(
       {[info] { return std::vector<PenDeviceInfo>{info}; },
        [info](const QString&, const DeviceSetup& asked) -> Result<std::unique_ptr<OpenDevice>> {
@@ -508,11 +509,11 @@ TEST_F(PenInputTest, AKeyThatIsHeldPutsAPlanarDevicesPenDown) {
   for (int line = 1; line <= 2; ++line) {
     key(QEvent::KeyPress, Qt::Key_Return);
     wait(200);
-    key(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier, true);  // the keyboard repeats it
+    key(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier, true);  // auto-repeat
     wait(200);
     if (line == 1) {
       key(QEvent::KeyRelease, Qt::Key_Return);
-    } else {  // the window is left: nobody says that the key was let go
+    } else {  // the window loses the focus: no release arrives
       QFocusEvent out(QEvent::FocusOut);
       QApplication::sendEvent(&canvas_, &out);
     }
@@ -523,7 +524,7 @@ TEST_F(PenInputTest, AKeyThatIsHeldPutsAPlanarDevicesPenDown) {
   remove_pen_driver(driver);
 }
 
-// Keys alone: a line, an eraser across it, undone; and the same keys make the same line.
+// With keys alone: a line, an eraser across it, undo; and the same keys make the same line.
 TEST_F(PenInputTest, KeysDrawAndEdit) {
   tap(Qt::Key_Return);
   EXPECT_FALSE(is_down()) << "an Enter that was meant for a text field";
@@ -570,7 +571,7 @@ TEST_F(PenInputTest, TheViewFollowsTheKeys) {
   EXPECT_LT(px.y(), 600);
 }
 
-// Qt 6.4 rounds the position of a mouse for child widgets; that in the window has the fraction.
+// Qt 6.4 rounds a mouse position for child widgets; the position in the window has the fraction.
 TEST_F(PenInputTest, AMouseIsExactToAFractionOfAPixel) {
   const QPointF exact(200.5, 150.25);
   QMouseEvent event(QEvent::MouseMove, QPointF(exact.toPoint()), exact,

@@ -1,12 +1,12 @@
 #pragma once
 
-/// What the settings keep of pens (engine/settings.h), with the defaults.
+/// The settings of pens (engine/settings.h), with their defaults.
 namespace felt::desktop::pen_keys {
 
-/// Whether pressure makes lines wide and thin; else every pen draws at the middle of it.
+/// Whether pressure changes the width of lines; otherwise every pen draws with half pressure.
 inline constexpr auto kPressureOn = "pens/pressure";
 inline constexpr bool kPressureOnDefault = true;
-/// Below this, 0..0.5 of the tablet's range, the pen does not touch yet.
+/// Below this pressure, 0..0.5 of the tablet's range, the pen does not touch.
 inline constexpr auto kThreshold = "pens/pressure_threshold";
 inline constexpr double kThresholdDefault = 0.0;
 /// The pressure curve's two handles, each 0..1.
@@ -14,17 +14,17 @@ inline constexpr auto kFirstHandleX = "pens/pressure_curve_x1";
 inline constexpr auto kFirstHandleY = "pens/pressure_curve_y1";
 inline constexpr auto kSecondHandleX = "pens/pressure_curve_x2";
 inline constexpr auto kSecondHandleY = "pens/pressure_curve_y2";
-/// How hard a pen presses that senses no pressure: "constant" or "speed" (slower is harder).
+/// Pressure of a pen that senses none: "constant" or "speed" (slower is harder).
 inline constexpr auto kMousePressure = "pens/mouse_pressure";
 inline constexpr auto kMousePressureDefault = "constant";
-/// What the buttons do (ButtonRole's names): of the pen's side, and the mouse's right one.
+/// What the buttons do (ButtonRole's names): the two on the pen's side, and the mouse's right one.
 inline constexpr auto kLowerButton = "pens/lower_button";
 inline constexpr auto kLowerButtonDefault = "eraser";
 inline constexpr auto kUpperButton = "pens/upper_button";
 inline constexpr auto kUpperButtonDefault = "pan";
 inline constexpr auto kRightButton = "pens/right_button";
 inline constexpr auto kRightButtonDefault = "eraser";
-/// What one finger does: "pan", "draw" or "off" (no touch at all).
+/// Action of one finger: "pan", "draw" or "off" (no touch at all).
 inline constexpr auto kTouch = "pens/touch";
 inline constexpr auto kTouchDefault = "pan";
 

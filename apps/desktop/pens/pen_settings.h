@@ -13,8 +13,8 @@ namespace felt::desktop {
 /// What one finger does on the canvas.
 enum class TouchMode : std::uint8_t { kPan, kDraw, kOff };
 
-/// What the settings say of pens, in a form that is quick to ask for every event. A value; load()
-/// again when a setting of pens/ changed.
+/// The settings of pens, in a form that is quick to read for every event. A value; load() it again
+/// after a setting of pens/ has changed.
 struct PenSettings {
   bool pressure_on = true;
   PressureCurve curve;
@@ -27,7 +27,7 @@ struct PenSettings {
   static PenSettings load();
 };
 
-/// "pan", "draw", "off": as the settings keep it.
+/// Returns the name in the settings: "pan", "draw", "off".
 QString name_of(TouchMode mode);
 
 }  // namespace felt::desktop

@@ -14,7 +14,8 @@ namespace {
 constexpr double kLeastPx = 0.8;
 constexpr double kMostPx = 14.0;
 constexpr double kMiddlePressure = 0.5;
-// As PointerHand's: 0.8 at rest down to 0.2 from 300 mm/s on, on a screen of about 4 pixels a mm.
+// As in PointerHand: 0.8 at rest down to 0.2 from 300 mm/s on, on a screen of about 4 pixels per
+// mm.
 constexpr double kSlowPressure = 0.8;
 constexpr double kFastPressure = 0.2;
 constexpr double kFastPxPerMs = 1.2;
@@ -28,7 +29,7 @@ bool senses(const QTabletEvent& event) {
 }  // namespace
 
 PenTestArea::PenTestArea(QWidget* parent) : QWidget(parent) {
-  setTabletTracking(true);  // how it leans is shown before it touches
+  setTabletTracking(true);  // shows the tilt before the pen touches
   setAccessibleName(tr("Test area"));
   setAccessibleDescription(tr("Scribble here to try the pen; nothing of it is kept."));
   setCursor(Qt::CrossCursor);

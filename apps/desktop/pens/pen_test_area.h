@@ -9,8 +9,8 @@
 
 namespace felt::desktop {
 
-/// A piece of paper to try a pen on: what is scribbled there is as wide as the settings make it,
-/// and is no part of any drawing. Mouse and tablet.
+/// An area to try a pen: a line there is as wide as the settings make it, and is not part of a
+/// drawing. For mouse and tablet.
 class PenTestArea : public QWidget {
   Q_OBJECT
 
@@ -22,10 +22,10 @@ class PenTestArea : public QWidget {
   [[nodiscard]] QSize sizeHint() const override;
 
  Q_SIGNALS:
-  /// The pen presses: what the tablet says (none: a mouse), and what becomes of it, 0..1. Both 0:
-  /// it was lifted.
+  /// The pen presses: the tablet's raw pressure (none: a mouse), and the pressure after the curve,
+  /// 0..1. Both are 0 when it was lifted.
   void pressed(std::optional<double> raw, double curved);
-  /// How far the pen leans from the upright, degrees; none: it does not say.
+  /// The tilt of the pen from the upright, in degrees; none if it does not report it.
   void leaned(std::optional<double> lean_deg);
 
  protected:

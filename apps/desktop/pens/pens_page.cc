@@ -180,7 +180,7 @@ QWidget* PensPage::make_buttons() {
   return group;
 }
 
-/// A copy: the editor's own follows the settings, one by one.
+/// Takes a copy, because the editor's own curve changes as the settings are stored one by one.
 void PensPage::set_curve(PressureCurve curve) {
   loads_ = true;
   curve.store();

@@ -14,8 +14,8 @@
 
 namespace felt::desktop {
 
-/// The page "Pens" of the preferences: pressure with its curve and a piece of paper to try it on,
-/// what the buttons do, and what fingers do. Every change counts at once.
+/// The page "Pens" of the preferences: pressure with its curve and an area to try it, what the
+/// buttons do, and what fingers do. Every change applies immediately.
 class PensPage : public QWidget {
   Q_OBJECT
 

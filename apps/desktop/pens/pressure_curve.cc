@@ -9,9 +9,9 @@
 namespace felt::desktop {
 namespace {
 
-/// How far the handles leave the diagonal when the curve is as soft or firm as it gets.
+/// Distance of the handles from the diagonal for the softest or firmest curve.
 constexpr double kMostBend = 0.3;
-constexpr int kHalvings = 40;  // of the parameter: beyond the last bit of any tablet
+constexpr int kHalvings = 40;  // of the parameter: finer than the last bit of any tablet
 
 QPointF in_square(QPointF p) {
   const auto inside = [](double v, double otherwise) {

@@ -7,8 +7,8 @@
 
 namespace felt::desktop {
 
-/// The pressure curve as a picture whose two handles can be dragged, or moved by the arrow keys
-/// (Space takes the other handle). Shows what the pen says now as a dot on the curve.
+/// The pressure curve as a plot with two handles that can be dragged or moved by the arrow keys
+/// (Space selects the other handle). Shows the pen's present pressure as a dot on the curve.
 class PressureCurveEditor : public QWidget {
   Q_OBJECT
 
@@ -17,13 +17,13 @@ class PressureCurveEditor : public QWidget {
 
   void set_curve(const PressureCurve& curve);
   [[nodiscard]] const PressureCurve& curve() const noexcept { return curve_; }
-  /// What the tablet says now, 0..1; 0 hides the dot.
+  /// Sets the tablet's raw pressure, 0..1; 0 hides the dot.
   void show_raw(double raw);
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
-  /// By a person.
+  /// The user edited the curve.
   void edited(const felt::desktop::PressureCurve& curve);
 
  protected:

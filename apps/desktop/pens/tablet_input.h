@@ -12,35 +12,35 @@
 
 namespace felt::desktop {
 
-/// A pen of a tablet as the hand: pressure by the person's curve, lean as it is, the eraser end and
-/// the buttons on its side as borrowed tools, times of the device. What it is given must outlive
-/// it.
+/// A tablet's pen as the hand: pressure through the user's curve, tilt unchanged, the eraser end
+/// and the side buttons as borrowed tools, the device's own time stamps. The arguments of the
+/// constructor must outlive it.
 class TabletInput : public QObject {
   Q_OBJECT
 
  public:
-  /// After this time without the pen, fingers are meant again.
+  /// A touch this long after the pen's last event is not a palm.
   static constexpr qint64 kPalmMs = 500;
 
   TabletInput(Canvas& canvas, PenHand& hand, ViewDrag& drag, const PenSettings& settings);
 
-  /// Press, move and release over the canvas.
+  /// Handles press, move and release over the canvas.
   void take(const QTabletEvent& event);
-  /// The pen went out of reach: what it did ends as if it were lifted.
+  /// Handles a pen that left the range: its gesture ends as if the pen had been lifted.
   void leave();
-  /// The window is no longer in use: likewise, and no button is held.
+  /// Does the same when the window is no longer active, and treats all buttons as released.
   void let_go();
-  /// The pen is over the tablet, or was a moment ago: a touch is a palm.
+  /// Returns true if the pen is over the tablet, or was a moment ago: then a touch is a palm.
   [[nodiscard]] bool is_near() const;
 
   enum class Pressure : std::uint8_t { kNotSeen, kNone, kSeen };
-  /// Whether the pen has shown that it senses pressure.
+  /// Returns whether the pen has shown that it senses pressure.
   [[nodiscard]] Pressure pressure_seen() const noexcept { return pressure_seen_; }
 
  Q_SIGNALS:
-  /// The pen comes near.
+  /// The pen comes into range.
   void came();
-  /// `raw` as the tablet says it.
+  /// `raw` is the tablet's pressure before the curve.
   void pressed(double raw);
   void pressure_seen_changed();
 

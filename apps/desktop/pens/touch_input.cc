@@ -37,7 +37,7 @@ void TouchInput::take(const QTouchEvent& event, bool pen_is_near) {
   if (is_palm_) return;
   const QList<QEventPoint> down = fingers_down(event);
   if (down.size() > 1 && use_ == Use::kDraw) {
-    hand_.cancel();  // the first of two fingers drew nothing that was meant
+    hand_.cancel();  // the first of two fingers was not meant to draw
     use_ = Use::kNothing;
   }
   const bool draws = settings_.touch == TouchMode::kDraw && down.size() == 1 && use_ != Use::kView;
@@ -65,7 +65,7 @@ void TouchInput::move_view(const QTouchEvent& event) {
     middle += point.position() / double(down.size());
   }
   if (down.size() > 1) first = down[1].position() - down[0].position();
-  // Where fingers come and go, the view stays; it goes on from how they lie then.
+  // When fingers are added or lifted, the view stays and continues from their new positions.
   if (ids == ids_ && !ids.isEmpty()) {
     CanvasView view = canvas_.view();
     view.pan(middle - middle_);

@@ -11,18 +11,18 @@
 
 namespace felt::desktop {
 
-/// Fingers on the canvas: two move, zoom and turn the view at once; one moves it or draws, as the
-/// settings say. While a pen is near, and from then on until all fingers are up, a touch is a palm.
-/// What it is given must outlive it.
+/// Fingers on the canvas: two pan, zoom and turn the view together; one pans it or draws, according
+/// to the settings. A touch while a pen is near is treated as a palm, until all fingers are up. The
+/// arguments of the constructor must outlive it.
 class TouchInput : public QObject {
   Q_OBJECT
 
  public:
   TouchInput(Canvas& canvas, PenHand& hand, const PenSettings& settings);
 
-  /// `pen_is_near`: it is a palm.
+  /// Handles a touch event. `pen_is_near`: treats it as a palm.
   void take(const QTouchEvent& event, bool pen_is_near);
-  /// A pen came: what the fingers began is no more.
+  /// Discards what the fingers have begun, because a pen came near.
   void cancel();
 
  private:

@@ -9,8 +9,8 @@
 
 namespace felt::desktop {
 
-/// Moves the view of a canvas by a drag: of the middle button, of the pen or mouse while Space is
-/// held. The cursor says so.
+/// Moves the view of a canvas by a drag, with the middle button, or with pen or mouse while Space
+/// is held. Shows it by the cursor.
 class ViewDrag {
  public:
   enum class Kind : std::uint8_t { kPan, kZoom, kTurn };
@@ -18,7 +18,7 @@ class ViewDrag {
   /// The canvas must outlive it.
   explicit ViewDrag(Canvas& canvas) : canvas_(canvas) {}
 
-  /// The next drag will be of this kind (Space is held); none: no drag. Says so by the cursor.
+  /// Sets the kind of the next drag (Space is held), and shows it by the cursor; none: no drag.
   void offer(std::optional<Kind> kind);
   [[nodiscard]] std::optional<Kind> offered() const noexcept { return offered_; }
 
@@ -33,7 +33,7 @@ class ViewDrag {
   Canvas& canvas_;
   std::optional<Kind> offered_, kind_;
   QPointF start_, last_;
-  std::optional<QCursor> before_;  // what the canvas had
+  std::optional<QCursor> before_;  // the cursor of the canvas before
 };
 
 }  // namespace felt::desktop

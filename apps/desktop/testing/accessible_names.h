@@ -5,9 +5,9 @@
 
 namespace felt::desktop {
 
-/// The controls under `root` that a screen reader has no name for, each as "QToolButton \"zoom\" in
-/// FeelPanel". Hidden ones count: somebody will see them. What Qt makes for itself (the editor of a
-/// spin box, scroll bars) is left out.
+/// Returns the controls under `root` without an accessible name, each as "QToolButton \"zoom\" in
+/// FeelPanel". Includes hidden ones, because they may be shown later. Skips parts that Qt makes
+/// itself (the editor of a spin box, scroll bars).
 QStringList nameless_controls(QWidget& root);
 
 }  // namespace felt::desktop

@@ -6,8 +6,8 @@
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
-  // No display, and nobody's settings, whatever the environment says; nor those of a test that runs
-  // at the same time.
+  // No display, and empty settings in a separate folder, whatever the environment says, so that
+  // tests that run at the same time do not share them.
   const QTemporaryDir home;
   if (!home.isValid()) return 1;
   qputenv("HOME", home.path().toLocal8Bit());

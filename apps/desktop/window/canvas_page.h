@@ -4,7 +4,7 @@
 
 namespace felt::desktop {
 
-/// What the sheet shows besides the drawing.
+/// The page "Canvas" of the preferences: what the canvas shows besides the drawing.
 class CanvasPage : public QWidget {
   Q_OBJECT
 

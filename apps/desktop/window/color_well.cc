@@ -23,7 +23,7 @@ ColorWell::ColorWell(Studio& studio, QWidget* parent) : QToolButton(parent), stu
   setFocusPolicy(Qt::TabFocus);
   setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(this);
-  // Made when it is first wanted: most people use the panel.
+  // Made when first needed, because most users use the panel.
   connect(menu, &QMenu::aboutToShow, this, [this, menu] {
     if (!menu->isEmpty()) return;
     auto* colors = new ColorsPanel(studio_, menu);
@@ -46,11 +46,11 @@ void ColorWell::follow() {
   const double dpr = devicePixelRatioF();
   QPixmap picture(kSizePx * dpr);
   picture.setDevicePixelRatio(dpr);
-  // On the paper, so that a thin colour looks as it will.
+  // Over the paper, so that a transparent colour looks as it will on the page.
   picture.fill(qcolor(studio_.page().paper));
   QPainter painter(&picture);
   painter.fillRect(QRectF(QPointF(), QSizeF(kSizePx)), qcolor(color));
-  painter.setPen(Qt::gray);  // seen beside black ink on a dark bar, and white ink on a light one
+  painter.setPen(Qt::gray);  // visible beside black ink on a dark bar, and white ink on a light one
   painter.drawRect(QRectF(QPointF(), QSizeF(kSizePx)).adjusted(0.5, 0.5, -0.5, -0.5));
   painter.end();
   setIcon(QIcon(picture));

@@ -6,8 +6,8 @@
 
 namespace felt::desktop {
 
-/// The colour of new ink, always in sight: a button filled with it. A click opens the colours
-/// beside it.
+/// The colour of new ink, always visible: a button filled with it. A click opens the colours beside
+/// it.
 class ColorWell : public QToolButton {
   Q_OBJECT
 

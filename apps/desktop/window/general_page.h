@@ -5,7 +5,7 @@
 
 namespace felt::desktop {
 
-/// Theme, language, what happens at the start, sound.
+/// The page "General" of the preferences: theme, language, behaviour at the start, sound.
 class GeneralPage : public QWidget {
   Q_OBJECT
 

@@ -29,7 +29,7 @@ void KeyEdit::set_key(const QKeySequence& key) {
 
 bool KeyEdit::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
-    event->accept();  // the key is ours, whatever it does elsewhere
+    event->accept();  // the field uses the key, even if it is a shortcut elsewhere
     return true;
   }
   return QLineEdit::event(event);

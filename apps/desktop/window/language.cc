@@ -38,7 +38,7 @@ QString use_language(const QString& language) {
   } else {
     chosen = chosen.section(QLatin1Char('_'), 0, 0).section(QLatin1Char('-'), 0, 0);
     if (!languages().contains(chosen)) chosen = QStringLiteral("en");
-    // Dates and decimal signs go with the words.
+    // Dates and decimal separators match the language.
     if (QLocale::system().name().section(QLatin1Char('_'), 0, 0) != chosen) {
       QLocale::setDefault(
           QLocale(chosen == QStringLiteral("en") ? QStringLiteral("en_GB") : chosen));
@@ -48,7 +48,7 @@ QString use_language(const QString& language) {
     load(QStringLiteral("qtbase_") + chosen, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     load(QStringLiteral("feltline_") + chosen, QStringLiteral(":/i18n"));
   }
-  // QApplication took over the system's; decimal commas in our files would be nobody's wish.
+  // QApplication has set the system's locale; decimal commas in our files would be wrong.
   std::setlocale(LC_NUMERIC, "C");
   return chosen;
 }

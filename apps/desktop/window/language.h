@@ -5,12 +5,12 @@
 
 namespace felt::desktop {
 
-/// "en", "de", "nl": what the program speaks.
+/// Returns the languages of the program: "en", "de", "nl".
 QStringList languages();
 
-/// Has the program speak from now on; before the first widget is made. "" means what a person chose
-/// in the preferences, or the system's. An unknown one is English. Numbers in files are not touched
-/// by it. Returns what it is.
+/// Sets the language of the program; call it before the first widget is made. "" means the user's
+/// choice in the preferences, or the system's language. An unknown language gives English. Numbers
+/// in files are not affected. Returns the language that is used.
 QString use_language(const QString& language);
 
 }  // namespace felt::desktop

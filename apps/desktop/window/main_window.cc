@@ -37,13 +37,13 @@
 namespace felt::desktop {
 namespace {
 
-/// Of the layout that restoreState() knows; another one starts anew.
+/// Version of the layout for restoreState(); another version falls back to the original layout.
 constexpr int kLayoutVersion = 1;
 constexpr QSize kFirstWindowSize{1280, 820};
-/// Of a screen, for the frame that the window manager adds.
+/// Part of the screen for the frame that the window manager adds.
 constexpr QSize kFrame{0, 40};
 constexpr int kLeastLines = 8;  // of a panel that scrolls
-/// Of the height, in per cent: a tool has more options than a drawing has layers.
+/// Share of the height, in per cent; a tool has more options than a drawing has layers.
 constexpr int kOptionsShare = 64;
 
 Viewport stored_view(const CanvasView& view) {
@@ -56,7 +56,7 @@ Viewport stored_view(const CanvasView& view) {
           view.is_mirrored()};
 }
 
-/// The same place in a window of whatever size.
+/// Returns the stored view, adapted to the present size of the widget.
 CanvasView canvas_view(const Viewport& stored, const CanvasView& present) {
   CanvasView view;
   view.set_size(present.size());
@@ -80,7 +80,7 @@ DrawingLooks looks_of(Canvas& canvas, ColorsPanel& colors) {
               }};
 }
 
-/// A panel that scrolls up and down where the screen is too small for it.
+/// Wraps a panel so that it scrolls vertically if the screen is too small for it.
 QWidget* scrolled(QWidget* panel, const QString& name) {
   auto* area = new QScrollArea;
   area->setWidget(panel);
@@ -148,7 +148,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   canvas_->setFocus();
 }
 
-/// The sheet, and above it what happened to the device, and what could not be taken of a file.
+/// Returns the canvas with the messages about the device and about unsupported content above it.
 QWidget* MainWindow::sheet_with_notices() {
   auto* middle = new QWidget(this);
   auto* column = new QVBoxLayout(middle);
@@ -181,7 +181,7 @@ QDockWidget* MainWindow::add_panel(const QString& name, const QString& title, QW
                              dock->setVisible(on);
                              if (on) dock->raise();
                            });
-  // Not by visibility: a panel behind another one of its tabs is shown, too.
+  // Does not use the visibility, because a panel behind another tab counts as shown.
   connect(dock->toggleViewAction(), &QAction::toggled, action, &QAction::setChecked);
   return dock;
 }
@@ -207,7 +207,7 @@ void MainWindow::make_panels() {
   add_color_actions(*actions_, *colors);
   files_->set_looks(looks_of(*canvas_, *colors));
   add_panel(QStringLiteral("history"), tr("History"), new HistoryPanel(*studio_));
-  // Its words may need many lines: a small screen scrolls them, and the window stays as it is.
+  // Its text may need many lines: on a small screen it scrolls, and the window keeps its size.
   add_panel(QStringLiteral("forces"), tr("Forces"),
             scrolled(new ForcePanel(*studio_), tr("Forces")));
 }
@@ -222,13 +222,13 @@ void MainWindow::place_panels() {
     panel->show();
   }
   addDockWidget(Qt::RightDockWidgetArea, dock("options"));
-  // Splitting goes first: beside a panel that has tabs it would only make one more tab.
+  // Must come first, because splitting beside a tabbed panel only adds a tab.
   splitDockWidget(dock("options"), dock("layers"), Qt::Vertical);
   tabifyDockWidget(dock("options"), dock("feel"));
   tabifyDockWidget(dock("layers"), dock("colors"));
   tabifyDockWidget(dock("colors"), dock("history"));
   addDockWidget(Qt::BottomDockWidgetArea, dock("forces"));
-  dock("forces")->hide();  // a calm window first
+  dock("forces")->hide();  // hidden at first, for a calm window
   check_panel_actions();
   dock("options")->raise();
   dock("layers")->raise();
@@ -236,7 +236,8 @@ void MainWindow::place_panels() {
               Qt::Vertical);
 }
 
-/// A dock says that it is hidden only once it was shown.
+/// Sets the panel actions directly, because a dock reports that it is hidden only after it was
+/// shown once.
 void MainWindow::check_panel_actions() {
   for (const QDockWidget* panel : panels_) {
     QAction* action = actions_->find(QStringLiteral("view.panel_") + panel->objectName());
@@ -327,7 +328,7 @@ void MainWindow::set_full_screen(bool on) {
   setWindowState(windowState().setFlag(Qt::WindowFullScreen, on));
 }
 
-/// By keys to every part: the sheet, the bars, the panels that are seen.
+/// Moves the focus by keys to the next part: the canvas, the bars, the visible panels.
 void MainWindow::go_to_next_part() {
   QList<QWidget*> parts{canvas_};
   for (QToolBar* bar : findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) parts.push_back(bar);
@@ -352,7 +353,7 @@ void MainWindow::go_to_next_part() {
 }
 
 void MainWindow::show_title() {
-  // In a title "[*]" is the place of the mark for changes, and twice "[*]" is those three letters.
+  // In a window title "[*]" is the placeholder for the changed mark; doubled, it stands for itself.
   QString name = files_->display_name();
   name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
   if (files_->is_read_only()) name += tr(" (read-only)");
@@ -362,8 +363,8 @@ void MainWindow::show_title() {
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  // On the sheet Tab hides the panels; everywhere else it goes on to the next control, as always.
-  // An override that the sheet leaves alone goes on to its parents: the focus says whose key it is.
+  // With the focus on the canvas Tab hides the panels; elsewhere it moves the focus as usual. A
+  // ShortcutOverride that the canvas ignores goes on to its parents, so the focus is checked here.
   if (event->type() == QEvent::ShortcutOverride && !canvas_->hasFocus() &&
       watched->isWidgetType() && static_cast<QWidget*>(watched)->window() == this) {
     const auto* key = static_cast<QKeyEvent*>(event);

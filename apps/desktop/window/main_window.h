@@ -16,10 +16,10 @@
 
 namespace felt::desktop {
 
-/// One drawing with all around it: canvas, tool bar, panels, menus, status line.
+/// The window of one drawing: canvas, tool bar, panels, menus, status line.
 ///
-/// What it looks like (size, place, panels) is kept from one window to the next. Several windows
-/// live in one process (windows.h).
+/// Its layout (size, position, panels) is kept for the next window. One process may have several
+/// windows (windows.h).
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -33,20 +33,20 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] DeviceCare& care() noexcept { return *care_; }
   [[nodiscard]] MaterialDesk& materials() noexcept { return *materials_; }
   [[nodiscard]] const MediaPictures& media_pictures() const noexcept { return *media_pictures_; }
-  /// The window where sheets and media are made, made when it is first asked for.
+  /// Returns the window in which surfaces and media are edited; makes it on the first call.
   MaterialEditor& material_editor();
   [[nodiscard]] DeviceNotice& device_notice() noexcept { return *device_notice_; }
-  /// Shows a panel by its name ("layers", "forces"); false where there is none of that name.
+  /// Shows a panel by its name ("layers", "forces"). Returns false if there is none of that name.
   bool show_panel(const QString& name);
-  /// Panels and bars as they come with the program.
+  /// Restores the original layout of panels and bars.
   void reset_layout();
-  /// Where window, panels and bars are is kept for the next start.
+  /// Stores the layout of window, panels and bars for the next start.
   void keep_layout();
 
  Q_SIGNALS:
-  /// "edit.preferences" was asked for.
+  /// "edit.preferences" was triggered.
   void wants_preferences();
-  /// An example: here where nothing has been drawn, else in a window of its own.
+  /// An example: opened here if nothing was drawn, otherwise in its own window.
   void wants_drawing(const felt::Document& drawing, const QString& title);
 
  protected:
@@ -76,7 +76,7 @@ class MainWindow : public QMainWindow {
   DeviceNotice* device_notice_ = nullptr;
   DeviceCare* care_ = nullptr;
   QList<QDockWidget*> panels_;
-  QList<QWidget*> hidden_;  // by hide_panels
+  QList<QWidget*> hidden_;  // the widgets that hide_panels() has hidden
   QPointer<QDialog> preferences_;
   QPointer<MaterialEditor> material_editor_;
 };

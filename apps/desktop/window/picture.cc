@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::int64_t kFrameNs = 16'000'000;
 
-/// Stands for a device that somebody has plugged in: no picture shows what happens to be there.
+/// A made-up connected device, so that pictures do not depend on the hardware of this machine.
 PenDeviceInfo shown_pen() {
   PenDeviceInfo info;
   info.id = QStringLiteral("openhaptics:default");
@@ -39,7 +39,7 @@ int complain(const QString& text) {
   return 1;
 }
 
-/// What a screen would do meanwhile.
+/// Processes events, as a program with a screen would.
 void settle() {
   for (int i = 0; i < 30; ++i) {
     QApplication::processEvents(QEventLoop::AllEvents, 20);
@@ -56,7 +56,7 @@ bool lacks_pictures(const MainWindow& window) {
   return false;
 }
 
-/// Until what is made beside Qt's thread is there, too: pictures of sheets and media.
+/// Waits until the pictures of surfaces and media that other threads make are finished.
 void wait_for_pictures(const MainWindow& window) {
   constexpr int kMostWaits = 500, kWaitMs = 20;
   for (int i = 0; i < kMostWaits && lacks_pictures(window); ++i) {
@@ -79,7 +79,7 @@ QString play(Studio& studio, const PictureRequest& request) {
   return {};
 }
 
-/// The editor with this sheet or medium, and what comes of it.
+/// Opens the editor with this surface or medium, and waits for its previews.
 QWidget* open_materials(MainWindow& window, const QString& id) {
   MaterialEditor& editor = window.material_editor();
   const bool is_sheet = window.studio().materials().find_surface(id.toStdString()) != nullptr;

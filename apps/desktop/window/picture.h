@@ -4,8 +4,8 @@
 
 namespace felt::desktop {
 
-/// Makes the picture that is asked for: a window, or one of its dialogs, after a script was played.
-/// The exit code of the program; says on stderr what went wrong.
+/// Makes the requested picture of a window or one of its dialogs, after playing a script. Returns
+/// the exit code of the program; prints errors to stderr.
 int make_picture(const PictureRequest& request);
 
 }  // namespace felt::desktop

@@ -10,15 +10,16 @@
 
 namespace felt::desktop {
 
-/// What a person can choose, page by page. Everything takes effect at once and is kept; there is
-/// nothing to confirm. A page is made when it is first looked at.
+/// The settings, page by page. Every change takes effect immediately and is kept; there is no
+/// confirmation. A page is made when it is first shown.
 class Preferences : public QDialog {
   Q_OBJECT
 
  public:
   explicit Preferences(MainWindow& window);
 
-  /// "general", "pen", "device", "canvas", "shortcuts"; false where there is none of that name.
+  /// Shows "general", "pen", "device", "canvas" or "shortcuts". Returns false if there is none of
+  /// that name.
   bool show_page(const QString& name);
   [[nodiscard]] QStringList page_names() const;
   [[nodiscard]] QWidget* page(const QString& name);

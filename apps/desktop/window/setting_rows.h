@@ -10,15 +10,15 @@
 
 namespace felt::desktop {
 
-/// Controls that show a setting and change it, and follow it wherever else it is changed.
+/// Returns a control that shows and changes a setting, and follows changes from elsewhere.
 QCheckBox* setting_switch(const QString& key, bool fallback, const QString& text,
                           const QString& tip, QWidget* parent);
-/// `choices`: what is kept, and what is shown for it.
+/// `choices`: stored values and the texts shown for them.
 QComboBox* setting_choice(const QString& key, const QString& fallback,
                           const std::vector<std::pair<QString, QString>>& choices,
                           const QString& name, QWidget* parent);
 
-/// A share, 0..1, in steps of a hundredth.
+/// Returns a slider for a share, 0..1, in steps of 0.01.
 QSlider* setting_slider(const QString& key, double fallback, const QString& name, QWidget* parent);
 
 }  // namespace felt::desktop

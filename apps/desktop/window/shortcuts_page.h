@@ -11,21 +11,21 @@
 
 namespace felt::desktop {
 
-/// All actions and their keys, to search and to change. A key that another action has is taken only
-/// when the person says so; that one has no key then.
+/// All actions and their keys, with search and editing. A key that belongs to another action is
+/// reassigned only if the user confirms; the other action then has no key.
 class ShortcutsPage : public QWidget {
   Q_OBJECT
 
  public:
   ShortcutsPage(Actions& actions, QWidget* parent = nullptr);
 
-  /// Shows that action in the list.
+  /// Selects that action in the list.
   void select(const QString& action);
-  /// What is pressed in the key field.
+  /// Handles a key pressed in the key field.
   void press(const QKeySequence& key);
-  /// The key belongs to another action, which is named in the conflict line.
+  /// Returns true if the key belongs to another action, which the conflict line names.
   [[nodiscard]] bool has_conflict() const noexcept { return conflict_ != nullptr; }
-  /// Takes it from there.
+  /// Reassigns the key from that action.
   void take_over();
 
  private:

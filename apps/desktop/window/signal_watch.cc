@@ -25,7 +25,7 @@ void set(void (*handler)(int)) {
 extern "C" void note_signal(int signal) {
   const int kept_errno = errno;
   const int fd = ear.exchange(-1);
-  if (fd < 0 || write(fd, "!", 1) != 1) {  // the second one, or nobody would hear of it
+  if (fd < 0 || write(fd, "!", 1) != 1) {  // the second signal, or one that could not be reported
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
@@ -35,7 +35,7 @@ extern "C" void note_signal(int signal) {
 }  // namespace
 
 SignalWatch::SignalWatch(QObject* parent) : QObject(parent) {
-  if (pipe2(pipe_.data(), O_CLOEXEC | O_NONBLOCK) != 0) return;  // signals end us as ever
+  if (pipe2(pipe_.data(), O_CLOEXEC | O_NONBLOCK) != 0) return;  // signals end the process as usual
   notifier_ = std::make_unique<QSocketNotifier>(pipe_[0], QSocketNotifier::Read);
   connect(notifier_.get(), &QSocketNotifier::activated, this, [this] {
     notifier_->setEnabled(false);
@@ -49,7 +49,7 @@ SignalWatch::~SignalWatch() {
   if (!notifier_) return;
   set(SIG_DFL);
   ear = -1;
-  notifier_.reset();  // before what it listens to is closed
+  notifier_.reset();  // before the descriptor that it watches is closed
   for (const int fd : pipe_) close(fd);
 }
 

@@ -7,9 +7,9 @@
 
 namespace felt::desktop {
 
-/// While one lives, SIGTERM, SIGINT and SIGHUP (a logout, `kill`, Ctrl-C, a terminal that closes)
-/// ask for an end instead of ending us on the spot, with a device's last force still on. The second
-/// one ends us as ever. One per process, main thread.
+/// While it exists, SIGTERM, SIGINT and SIGHUP (a logout, `kill`, Ctrl-C, a terminal that closes)
+/// emit `asked`. Otherwise they would end the process immediately, with the device's last force
+/// still on. The second signal ends it as usual. One per process, main thread.
 class SignalWatch : public QObject {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class SignalWatch : public QObject {
   ~SignalWatch() override;
 
  Q_SIGNALS:
-  /// From the event loop.
+  /// A signal asks the program to end. Emitted from the event loop.
   void asked();
 
  private:

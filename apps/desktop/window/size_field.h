@@ -7,7 +7,7 @@
 namespace felt::desktop {
 
 /// The size of the current tool (tool_size.h) as one number in the top bar; its arrows and the
-/// wheel go by the round numbers of the keys [ and ].
+/// wheel use the same round numbers as the keys [ and ].
 class SizeField : public QDoubleSpinBox {
   Q_OBJECT
 

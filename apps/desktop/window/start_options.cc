@@ -9,7 +9,7 @@ namespace {
 struct Row {
   const char* name;
   const char* value;  // "" for a switch
-  const char* help;   // null: for makers of the documents, not shown
+  const char* help;   // null: hidden, used only for making the documents
 };
 
 constexpr Row kRows[] = {

@@ -7,12 +7,13 @@
 
 namespace felt::desktop {
 
-/// A picture of a window, for the documents: nobody's settings, no display, a virtual clock.
+/// A request for a picture of a window, for the documents: default settings, no display, a virtual
+/// clock.
 struct PictureRequest {
   QString path;  ///< "" for none
   QSize size{1280, 800};
   QString theme = QStringLiteral("light");
-  QStringList panels;  ///< to be shown
+  QStringList panels;  ///< names of the panels to show
   QString tool;
   QString script;                  ///< an event script that is played first
   std::optional<qint64> until_ms;  ///< stops it there
@@ -20,7 +21,7 @@ struct PictureRequest {
   QString dialog;                  ///< "preferences/pen", "shortcuts", "about", "guide", "tour/2"
 };
 
-/// What the command line says.
+/// The options of the command line.
 struct StartOptions {
   QStringList files;
   bool new_window = false;
@@ -30,10 +31,10 @@ struct StartOptions {
   PictureRequest picture;
 };
 
-/// Reads the arguments, as QCoreApplication has them. Error: a sentence for stderr; exit code 2.
+/// Reads the arguments of QCoreApplication. Returns an error for stderr (exit code 2), or nothing.
 std::optional<QString> read_arguments(const QStringList& arguments, StartOptions& options);
 
-/// What --help prints.
+/// Returns the text of --help.
 QString help_text();
 
 }  // namespace felt::desktop

@@ -8,9 +8,9 @@
 
 namespace felt::desktop {
 
-/// The line at the bottom: what the tool does and what its modifiers are, and at the right where
-/// the pen is, zoom, turn, pressure, device, and whether the drawing is saved. What the session
-/// refuses stands there for some seconds; nothing takes the focus.
+/// The status bar. Left: what the tool does and its modifiers. Right: pen position, zoom, rotation,
+/// pressure, device, and whether the drawing is saved. Messages of Studio::refused are shown for
+/// some seconds; nothing takes the focus.
 class StatusLine : public QStatusBar {
   Q_OBJECT
 

@@ -18,10 +18,10 @@ namespace {
 constexpr int kRowPx = 6;
 constexpr int kGripDots = 5;
 
-/// Fusion with a ring around what has the focus that can be seen across a desk.
+/// Fusion with a clearly visible focus ring.
 class DeskStyle final : public QProxyStyle {
  public:
-  /// A panel whose tab has its name already.
+  /// Returns true if the panel is one of several tabs, so that its tab shows its name.
   static bool is_tabbed(const QWidget* widget) {
     const auto* dock = qobject_cast<const QDockWidget*>(widget);
     const auto* window = dock ? qobject_cast<const QMainWindow*>(dock->parentWidget()) : nullptr;
@@ -31,7 +31,7 @@ class DeskStyle final : public QProxyStyle {
                        [](const QDockWidget* other) { return !other->isHidden(); });
   }
 
-  /// Where to take hold of it.
+  /// Draws the grip for dragging.
   static void draw_grip(const QStyleOption& option, QPainter& painter) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -70,14 +70,14 @@ class DeskStyle final : public QProxyStyle {
   QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
                          const QWidget* widget) const override {
     QSize needed = QProxyStyle::sizeFromContents(type, option, size, widget);
-    // Rows that a pen can hit.
+    // Rows are high enough to hit with a pen.
     if (type == CT_ItemViewItem) needed.rheight() += kRowPx;
     return needed;
   }
 
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* data) const override {
-    // A hint that follows the pen about hides what is drawn.
+    // A tool tip that appears wherever the pen rests would hide the drawing.
     if (hint == SH_ToolTip_WakeUpDelay) return 900;
     return QProxyStyle::styleHint(hint, option, widget, data);
   }
@@ -127,7 +127,7 @@ QPalette make_palette(const Colors& c) {
   return p;
 }
 
-/// As the desktop had it before we chose anything.
+/// Returns whether the desktop was dark before the program set a palette.
 bool desktop_is_dark() {
   static const bool is_dark = QApplication::palette().color(QPalette::Window).lightness() < 128;
   return is_dark;

@@ -5,20 +5,20 @@
 
 namespace felt::desktop {
 
-/// How the program looks.
+/// The colour theme of the program.
 enum class Theme { kSystem, kLight, kDark };
 
-/// "system", "light", "dark"; anything else is kSystem.
+/// Returns the theme of "system", "light" or "dark"; kSystem for any other name.
 Theme theme_of(const QString& name);
 
-/// Our own colours. Of kSystem: light or dark as the desktop is. Text has a contrast of 4.5 : 1 at
-/// least to what it stands on (WCAG 2.1, 1.4.3), wherever it is enabled.
+/// Returns our palette; for kSystem light or dark as on the desktop. Enabled text has a contrast of
+/// at least 4.5 : 1 to its background (WCAG 2.1, 1.4.3).
 QPalette palette_of(Theme theme);
 
-/// Style and palette of the whole program, at once, windows that are open included.
+/// Sets style and palette of the whole program, including open windows.
 void apply_theme(Theme theme);
 
-/// The one that the settings name; follows them from now on.
+/// Applies the theme of the settings, and follows the setting.
 void follow_theme_setting();
 
 }  // namespace felt::desktop

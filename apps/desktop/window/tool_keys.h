@@ -8,22 +8,22 @@
 
 namespace felt::desktop {
 
-/// A key for each tool: a tap takes the tool for good; a key that is held while its tool is used
-/// gives the former tool back when it is released ("hold to borrow"). What counts as held is
-/// kHoldMs; a gesture that is still going on then is waited for. Losing the window counts as a
-/// release.
+/// A key for each tool. A tap selects the tool permanently. A key that is held while its tool is
+/// used gives the former tool back when it is released ("hold to borrow"). A key counts as held
+/// after kHoldMs; a gesture in progress is finished first. Losing the focus of the window counts as
+/// a release.
 ///
-/// "tool.swap" (X) borrows the eraser for as long as it is held, or the pencil from the eraser.
+/// "tool.swap" (X) borrows the eraser while it is held, or the pencil if the eraser is selected.
 ///
-/// Adds the actions "tool.ID" where no other room has them, and watches the program's key events.
+/// Adds the actions "tool.ID" that no other folder has added, and watches the program's key events.
 class ToolKeys : public QObject {
   Q_OBJECT
 
  public:
-  /// Shorter is a tap.
+  /// A shorter press is a tap.
   static constexpr int kHoldMs = 250;
 
-  /// All must outlive this; `window` is where the keys count.
+  /// All arguments must outlive this; the keys work in `window`.
   ToolKeys(Actions& actions, Studio& studio, QWidget* window);
 
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -48,9 +48,9 @@ class ToolKeys : public QObject {
   Studio& studio_;
   QWidget* window_;
   Held held_;
-  QString before_;    // the tool in hand when that key was pressed
-  int last_key_ = 0;  // the key event that is being turned into a shortcut
-  QString owed_;      // the tool that comes back when the pen is lifted
+  QString before_;    // the current tool when that key was pressed
+  int last_key_ = 0;  // the key event that may trigger a shortcut now
+  QString owed_;      // the tool to give back when the pen is lifted
 };
 
 }  // namespace felt::desktop

@@ -9,8 +9,7 @@
 
 namespace felt::desktop {
 
-/// What one reaches for all the time: undo, redo, zoom, what is drawn with, the sheet's material,
-/// the forces.
+/// The controls that are used all the time: undo, redo, zoom, medium, surface, forces.
 class TopBar : public QToolBar {
   Q_OBJECT
 

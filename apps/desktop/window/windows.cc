@@ -10,7 +10,7 @@
 namespace felt::desktop {
 namespace {
 
-/// Beside the window that is there already.
+/// Offset from the window before.
 constexpr QPoint kStep{28, 28};
 
 }  // namespace
@@ -20,7 +20,8 @@ Windows::Windows(StudioOptions first, QObject* parent)
 
 MainWindow* Windows::make() {
   auto* window = new MainWindow(options_);
-  options_ = {.device = options_.device, .live = options_.live};  // a recording is of one window
+  options_ = {.device = options_.device, .live = options_.live};  // a recording contains one window
+                                                                  // only
   window->setAttribute(Qt::WA_DeleteOnClose);
   if (!windows_.isEmpty()) window->move(windows_.back()->pos() + kStep);
   windows_.push_back(window);
@@ -52,7 +53,7 @@ MainWindow* Windows::open_file(const QString& path) {
   }
   MainWindow* window = pristine();
   if (!window) window = open();
-  // Where it cannot be opened, the window stays: it says why.
+  // If the file cannot be opened, the window stays, because it shows the error.
   if (!window->files().open(path)) {
     std::fprintf(stderr, "feltline-desktop: %s could not be opened\n", qPrintable(path));
   }
@@ -70,11 +71,11 @@ void Windows::end() {
   let_go();
   for (MainWindow* window : QList<MainWindow*>(windows_)) {
     window->keep_layout();
-    delete window;  // its device is closed without force; its autosave stays if it is needed
+    delete window;  // closes its device without force; its autosave stays if it is needed
   }
 }
 
-/// A window with nothing in it, or null.
+/// Returns a pristine window, or null.
 MainWindow* Windows::pristine() const {
   const auto found = std::find_if(windows_.begin(), windows_.end(), [](MainWindow* window) {
     return window->files().is_pristine() && !window->files().worker().is_busy();

@@ -7,28 +7,28 @@
 
 namespace felt::desktop {
 
-/// The windows of this process, each with a drawing of its own.
+/// The windows of this process, each with its own drawing.
 class Windows : public QObject {
   Q_OBJECT
 
  public:
-  /// `first` is what the first window's studio gets; the others get the same, but what they do is
-  /// told to nobody.
+  /// `first` are the options of the first window's studio. The others get the same device and the
+  /// same `live`, but are not recorded.
   explicit Windows(StudioOptions first, QObject* parent = nullptr);
 
-  /// A window with a fresh sheet.
+  /// Opens a window with an empty page.
   MainWindow* open();
-  /// A window with this file: the one that has it already, one with nothing in it, or another one.
-  /// Where it cannot be read, the window says so over a fresh sheet.
+  /// Returns a window with this file: one that shows it already, a pristine one, or another one. If
+  /// the file cannot be read, the window shows the error over an empty page.
   MainWindow* open_file(const QString& path);
-  /// Likewise with an example; in `here` where nothing was drawn there.
+  /// Opens an example; in `here` if nothing was drawn there.
   MainWindow* open_drawing(const Document& drawing, const QString& title, MainWindow* here);
-  /// Nobody is asked any more, as the program is told to end: forces go off at once. What was drawn
-  /// is on the disk when this returns; what is not saved is offered at the next start.
+  /// Ends without questions, because the program is told to end: switches forces off immediately.
+  /// When it returns, the drawings are on the disk; unsaved ones are offered at the next start.
   void let_go();
-  /// Likewise, and closes them all; not from within a dialog.
+  /// Does let_go() and closes all windows. Must not be called from within a dialog.
   void end();
-  /// What was open when the program was used last, "" for nothing.
+  /// Returns the path of the file that was open last, or "".
   [[nodiscard]] static QString last_file();
 
  private:

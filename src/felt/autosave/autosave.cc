@@ -19,19 +19,20 @@ namespace {
 constexpr int kBasePartsPerCommit =
     8;  // half a MiB, so that edits need not wait for the whole base
 
-/// The process number may be used again; the random number tells the two processes apart.
+/// Returns a name for this process. The system may reuse process numbers, so it contains a random
+/// number, too.
 std::string process_name() {
   std::uint32_t random = 0;
   static_cast<void>(::getrandom(&random, sizeof random, GRND_NONBLOCK));
   return std::to_string(::getpid()) + '-' + std::to_string(random);
 }
 
-/// A gesture of these tools begins with the selection.
+/// Returns true if a gesture of the current tool depends on the selection.
 bool depends_on_selection(const Session& session) {
   return session.tool().info().id == "transform";
 }
 
-/// What the next gesture depends on, of a session that begins.
+/// Returns the events that set what the next gesture of a new session depends on.
 std::vector<Event> context_of(const Session& session) {
   std::vector<Event> events;
   const auto add = [&events](decltype(Event::what) what) {
@@ -200,12 +201,12 @@ void Autosave::run() {
   finish();
 }
 
-/// True if no part of a base waits to be written.
+/// Returns true if no part of a base is left to write.
 bool Autosave::is_idle() const {
   return !database_ || !database_->base_in_progress();
 }
 
-/// Requires ring_mutex_.
+/// Copies the samples out of the ring. Requires that ring_mutex_ is held.
 void Autosave::take_samples() {
   if (!ring_) return;
   std::array<PenSample, 256> batch;
@@ -218,8 +219,8 @@ void Autosave::take_samples() {
 }
 
 void Autosave::process() {
-  // The ring first: every event in the queue then has its sample in front of it. In the other order
-  // a sample could look like ink that the session has not received.
+  // Reads the ring before the queue, so that the sample of every queued event is read before the
+  // event. In the other order a sample could look like ink that the session has not received.
   std::vector<PenSample> samples;
   {
     const std::lock_guard lock(ring_mutex_);
@@ -265,7 +266,7 @@ void Autosave::apply(AutosaveMessage& message) {
   }
   if (message.edit) {
     live_ink_.edit_applied();
-    // It fits, because the session's document has just applied it.
+    // Cannot fail, because the session's document has just applied the edit.
     if (const Result<void> done = drawing_.document.apply(*message.edit); !done) {
       why_ = done.error().message;
     }
@@ -278,9 +279,9 @@ void Autosave::apply(AutosaveMessage& message) {
   }
 }
 
-/// The previous database is removed when the base of the next one is complete. One whose own base
-/// is not complete is worth nothing if there is an older one; removing it at once keeps repeated
-/// attempts from filling the disk.
+/// The previous database is removed when the base of the next one is complete. If its own base is
+/// not complete and there is an older database, it is removed immediately, because it is useless
+/// and repeated attempts must not fill the disk.
 void Autosave::replace_drawing(Drawing drawing) {
   drawing_ = std::move(drawing);
   info_ = {};
@@ -300,7 +301,7 @@ void Autosave::set_modified(bool modified) {
   if (std::exchange(info_.modified, modified) != modified) is_info_written_ = false;
 }
 
-/// Some events change the drawing outside its document.
+/// Applies events that change the drawing outside its document.
 void Autosave::apply_to_head(const Event& event) {
   if (const auto* layer = std::get_if<LayerEvent>(&event.what)) {
     if (layer->what != LayerEvent::Do::kUse) return;
@@ -319,7 +320,7 @@ void Autosave::apply_to_head(const Event& event) {
   }
 }
 
-/// Writes to the database in use, or to a new one in the first folder that works.
+/// Writes to the current database, or to a new one in the first folder that works.
 void Autosave::write_out() {
   if (!has_drawing_) return;
   const Clock::time_point now = Clock::now();
@@ -330,7 +331,7 @@ void Autosave::write_out() {
     if (written) break;
     fail_over(written.error());
   }
-  live_changes_ = {};  // another database begins with all chunks
+  live_changes_ = {};  // a new database starts with all chunks
   if (!database_) {
     root_ = 0;
     next_try_ = now + options_.retry;
@@ -343,7 +344,8 @@ void Autosave::write_out() {
                  : AutosaveStatus{AutosaveStatus::State::kElsewhere, why_, database_->folder()});
 }
 
-/// False if there is no database in use, and none can be made in the folders that are left.
+/// Creates a database in the next folder that works if there is none. Returns false if no folder is
+/// left.
 bool Autosave::open_next_database() {
   while (!database_ && root_ < options_.roots.size()) {
     if (const Result<void> made = create_database(root_); !made) fail_over(made.error());
@@ -351,7 +353,8 @@ bool Autosave::open_next_database() {
   return database_.has_value();
 }
 
-/// The database elsewhere is kept until the one in the first folder is complete.
+/// Tries to return to the first folder. The database elsewhere is kept until the new one is
+/// complete.
 void Autosave::try_first_root() {
   next_try_first_ = Clock::now() + options_.retry_first;
   std::optional<AutosaveDatabase> elsewhere = std::exchange(database_, {});
@@ -391,7 +394,7 @@ Result<void> Autosave::write() {
     if (auto added = database_->add_edit(edit); !added) return tl::unexpected(added.error());
   }
   if (!is_info_written_) {
-    // Everything but the document, which may be large.
+    // Copies everything but the document, because that may be large.
     Document document = std::exchange(drawing_.document, {});
     info_.head = drawing_;
     drawing_.document = std::move(document);
@@ -410,7 +413,8 @@ Result<void> Autosave::write() {
   return {};
 }
 
-/// Some parts of a new base, or else deletes some rows that no base needs any more.
+/// Writes some parts of a new base. If there is none to write, deletes some rows that no base needs
+/// any more.
 Result<void> Autosave::write_base() {
   if (is_idle() && database_->edit_bytes() > options_.max_log_bytes) {
     auto begun = database_->begin_base(std::make_shared<const Drawing>(drawing_));

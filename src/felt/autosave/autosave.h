@@ -23,12 +23,12 @@
 
 namespace felt {
 
-/// How well a drawing is protected against a crash.
+/// Whether and where the autosave works.
 struct AutosaveStatus {
   enum class State {
     kWorking,    ///< in the first folder
     kElsewhere,  ///< the first folder failed; a later one works
-    kFailing,    ///< in no folder; retried regularly
+    kFailing,    ///< no folder works; retried regularly
   };
   State state = State::kWorking;
   std::string why;     ///< the last failure, for the user; "" if kWorking
@@ -38,42 +38,44 @@ struct AutosaveStatus {
 };
 
 struct AutosaveOptions {
-  /// Folders for databases, the preferred one first: autosave_roots().
+  /// Folders for databases, the preferred one first; see autosave_roots().
   std::vector<std::string> roots;
-  /// Called when the status changes; the first time only if it is not kWorking. Autosave thread.
+  /// Called on the autosave thread when the status changes. Not called for the initial status
+  /// kWorking.
   std::function<void(const AutosaveStatus&)> on_status = {};
-  /// Called after each commit: everything that the session received up to this time of its clock
-  /// is on the disk, and all ink that the haptic loop has read. Autosave thread.
+  /// Called on the autosave thread after each commit. Everything that the session received up to
+  /// this time of its clock, in ns, is then on the disk, and so is all ink that the haptic loop has
+  /// read.
   std::function<void(std::int64_t)> on_commit = {};
-  /// How long messages are gathered before a commit.
+  /// Time for which messages are collected before a commit.
   std::chrono::milliseconds gather{20};
-  /// Time before the next try after all folders failed, and after the first one failed.
+  /// Time until the next attempt: after all folders failed, and after the first one failed.
   std::chrono::milliseconds retry{5'000}, retry_first{60'000};
-  /// A new base is written once the edits since the last one have this size.
+  /// Size of the edits since the last base that triggers a new base.
   std::uint64_t max_log_bytes = std::uint64_t{32} << 20;
-  /// For tests of faults: SQLite's name of a file system.
+  /// For tests of faults: the name of an SQLite file system (VFS); null is the system's.
   const char* vfs = nullptr;
-  /// False: there is no thread, and a test calls process().
+  /// If false, there is no thread and a test calls process().
   bool live = true;
 };
 
-/// A change that the autosave keeps. Each member that is set is applied, in the order of the
+/// A change that the autosave saves. It applies each member that is set, in the order of the
 /// members.
 struct AutosaveMessage {
-  /// Another drawing replaces the current one, which is saved or not wanted any more.
+  /// Replaces the current drawing, which has been saved or discarded.
   std::unique_ptr<Drawing> drawing = {};
-  /// Page, palette, view and everything else that no event reports. The document and the layer in
-  /// use are ignored.
+  /// Page, palette, view and everything else that no event reports. Its document and layer in use
+  /// are ignored.
   std::unique_ptr<Drawing> head = {};
   std::optional<std::string> name = {};  ///< what the user calls the drawing
   std::optional<std::string> path = {};  ///< of the user's file, "" if there is none
-  /// Whether there are unsaved changes. An edit sets it, too.
+  /// Whether there are unsaved changes. An edit sets it to true, too.
   std::optional<bool> modified = {};
   std::optional<Selection> selection = {};
-  std::optional<Event> event = {};   ///< that the session handled
-  bool gesture_in_progress = false;  ///< just before `event`
-  std::optional<Edit> edit = {};     ///< that the document applied
-  /// What the next gesture depends on: options, tool, device, layer in use.
+  std::optional<Event> event = {};   ///< the session handled it
+  bool gesture_in_progress = false;  ///< whether one was in progress just before `event`
+  std::optional<Edit> edit = {};     ///< the document applied it
+  /// Events that set what the next gesture depends on: options, tool, device, layer in use.
   std::vector<Event> context = {};
 };
 
@@ -100,32 +102,33 @@ struct AutosaveMessage {
 class Autosave {
  public:
   explicit Autosave(AutosaveOptions options);
-  /// Commits what is in the queue, and stops. Deletes the database if there are no unsaved changes
-  /// (`modified`), otherwise leaves it, as a crash does.
+  /// Commits the queue and stops the thread. Deletes the database if there are no unsaved changes
+  /// (`modified`), otherwise leaves it for recovery, as a crash does.
   ~Autosave();
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  /// Starts with a session that has this drawing.
+  /// Starts saving a session that has this drawing.
   void session_began(const Session& session, Drawing drawing, std::string name, std::string path,
                      bool modified);
-  /// For SessionOptions::on_event.
+  /// Queues an event that the session handled. Call from SessionOptions::on_event.
   void event_applied(const Session& session, const Event& event);
-  /// For SessionOptions::on_edit.
+  /// Queues an edit that the document applied. Call from SessionOptions::on_edit.
   void edit_applied(const Session& session, const Edit& edit);
   /// Adds a message to the queue.
   void post(AutosaveMessage message);
 
-  /// The haptic loop's samples come from this ring from now on; `offset_ns` is the session's clock
+  /// Reads the haptic loop's samples from this ring from now on. `offset_ns` is the session's clock
   /// minus the loop's. The ring must live until detach(), which does not wait for a disk.
   void attach(Servo::Ring& ring, std::int64_t offset_ns);
   void detach();
 
-  /// Waits until the queue is committed, or cannot be. For tests and for the end of the program.
+  /// Waits until the queue is committed or the commit has failed. For tests and for the end of the
+  /// program.
   void flush();
-  /// Any thread.
+  /// Returns the current status. Any thread.
   [[nodiscard]] AutosaveStatus status() const;
-  /// Processes the queue and commits. Only if not live.
+  /// Processes the queue and commits. Requires AutosaveOptions::live == false.
   void process();
 
  private:
@@ -156,9 +159,9 @@ class Autosave {
   [[nodiscard]] bool is_idle() const;
 
   const AutosaveOptions options_;
-  const std::string process_;  // unlike that of any other process
+  const std::string process_;  // unique name of this process
 
-  // Edit thread: what the last messages said.
+  // Edit thread: the state that the last messages contained.
   LayerId layer_;
   std::uint64_t selection_count_ = 0;
 

@@ -19,7 +19,7 @@ namespace felt {
 namespace {
 
 constexpr int kMaxNames = 1000;
-constexpr int kGrowBytes = 1 << 20;  // a full disk is met early, and as one refusal
+constexpr int kGrowBytes = 1 << 20;  // growth in steps, so that a full disk is noticed early
 constexpr int kCheckpointFrames = 1000;
 
 bool sync_folder(const std::string& path) {
@@ -109,14 +109,14 @@ Result<AutosaveDatabase> AutosaveDatabase::create(const std::string& root, const
     }
     Result<FolderLock> lock = FolderLock::take(folder);
     if (!lock) {
-      // A process that looks for what dead processes left has just locked it, and removes it.
+      // A process that searches for abandoned autosaves has just locked it, and will remove it.
       if (lock.error().code != ErrorCode::kIo) continue;
       return tl::unexpected(lock.error());
     }
     AutosaveDatabase database;
     database.folder_ = std::move(folder);
     database.lock_ = *std::move(lock);
-    // Under another name until the schema is complete.
+    // Uses another file name until the schema is complete.
     Result<void> made = database.open(kNewDatabaseFile, vfs);
     if (made) {
       std::string schema = "BEGIN";
@@ -141,7 +141,7 @@ Result<AutosaveDatabase> AutosaveDatabase::create(const std::string& root, const
     }
     if (made) made = database.open(kAutosaveDatabaseFile, vfs);
     if (made) return database;
-    static_cast<void>(std::move(database).remove());  // nobody has seen it
+    static_cast<void>(std::move(database).remove());  // no other process has opened it
     return tl::unexpected(made.error());
   }
   return fail(ErrorCode::kIo, root + '/' + name + ": there are too many of this name");
@@ -152,7 +152,7 @@ Result<void> AutosaveDatabase::open(const std::string& name, const char* vfs) {
   const int flags =
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_PRIVATECACHE;
   if (sqlite3_open_v2(path.c_str(), &db_, flags, vfs) != SQLITE_OK) return error();
-  // The WAL of the last commit is enough; a file that failed must not be touched again.
+  // No checkpoint on closing: the WAL is sufficient, and a file that failed must not be used again.
   sqlite3_db_config(db_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
   sqlite3_extended_result_codes(db_, 1);
   int grow = kGrowBytes;
@@ -268,7 +268,7 @@ Result<void> AutosaveDatabase::complete_base() {
 Result<bool> AutosaveDatabase::tidy() {
   if (!untidy_ || base_) return false;
   if (auto ok = want_transaction(); !ok) return tl::unexpected(ok.error());
-  // A few pages at a time, so that no commit waits long for it.
+  // Deletes a few rows at a time, so that no commit takes long.
   const std::string sql = "DELETE FROM base WHERE id IN (SELECT id FROM base WHERE id < " +
                           std::to_string(base_row(generation_, 0)) +
                           " LIMIT 4); DELETE FROM generation WHERE id < " +

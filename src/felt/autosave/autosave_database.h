@@ -15,88 +15,91 @@ struct sqlite3;
 
 namespace felt {
 
-/// What the database has of its drawing besides the ink.
+/// The content of a database besides the ink.
 struct AutosaveInfo {
   std::string name;       ///< what the user calls it
   std::string path;       ///< of the user's file, "" if there is none
   bool modified = false;  ///< there are unsaved changes
-  /// Page, material, colour, palette, view, layer in use. The document in it is ignored.
+  /// Page, material, colour, palette, view, layer in use. Its document is ignored.
   Drawing head;
 };
 
-/// Kinds of live chunks, the pieces of the unfinished gesture (live_ink.h).
+/// Kinds of live chunks, which hold the unfinished gesture (live_ink.h).
 enum class LiveKind : std::uint8_t {
   kContext = 1,  ///< what the gesture depends on besides the document
   kEvents = 2,   ///< lines of an event script: what the session handled
   kSamples = 3,  ///< samples of the haptic loop that the session has not handled yet
-  kLeaning = 4,  ///< the same, of a pen whose tilt is known
+  kLeaning = 4,  ///< the same, with the tilt of the pen
 };
 
 /// An autosave of a drawing: an SQLite database in WAL mode, each commit synchronised
-/// (synchronous=FULL), in a folder of its own of mode 0700 that is locked by its process
-/// (FolderLock). It holds
-///   - the drawing as it was once, the *base*, in parts of some 64 KiB;
-///   - every edit since, by a serial number that grows by one;
+/// (synchronous=FULL), in a private folder (mode 0700) that its process has locked (FolderLock). It
+/// holds
+///   - the *base*: an earlier state of the whole drawing, in parts of about 64 KiB;
+///   - every edit since the base, with a serial number that grows by one;
 ///   - `AutosaveInfo`;
-///   - the live chunks: what was drawn and is no edit yet.
-/// Every row carries a CRC-32C over its numbers and bytes. Recovery (recovery.h) needs no more than
-/// this folder.
+///   - the live chunks: the gesture that is not an edit yet.
+/// Every row has a CRC-32C of its numbers and bytes. Recovery (recovery.h) needs only this folder.
 ///
 ///   Result<AutosaveDatabase> database = AutosaveDatabase::create(root, "a");
 ///   database->write_base(drawing);             // or begin_base, and write_base_part() until done
 ///   database->put_info({name, path, false, {}});
 ///   database->commit();
-///   database->add_edit(edit); database->clear_live(); database->commit();     // a finished
-///   gesture database->add_live(LiveKind::kEvents, lines); database->commit();         // or an
-///   unfinished one std::move(*database).remove();             // if everything is in the user's
-///   file
+///   database->add_edit(edit);                  // a finished gesture
+///   database->clear_live();
+///   database->commit();
+///   database->add_live(LiveKind::kEvents, lines);   // or an unfinished one
+///   database->commit();
+///   std::move(*database).remove();             // if everything is in the user's file
 ///
-/// What was added since the last commit is missing after a crash, whole or in part; what was
-/// committed is there, also after a power cut on a disk that keeps its word. A new base replaces
-/// the last one, and the edits up to its beginning, in the commit that completes it.
+/// After a crash, everything that was committed is there, even after a power failure if the disk
+/// honours fsync. What was added since the last commit may be missing. A new base replaces the last
+/// one, and the edits that it contains, in the commit that completes it.
 ///
-/// After an error nothing in this database may be tried again: an fsync that failed once succeeds
-/// the next time, whatever was lost. Create another one, from memory, in another folder. Messages
-/// begin with the folder. One thread at a time.
+/// After an error, do not use this database again, because an fsync after a failed one succeeds
+/// even if data was lost. Create a new one, from memory, in another folder. Messages begin with the
+/// folder. Thread: one at a time.
 class AutosaveDatabase {
  public:
   /// Creates a database without a base in a new folder `root`/`name`, or `name`-2, -3 ... if that
-  /// exists. `vfs`: SQLite's name of a file system, for tests of faults; null is the system's.
+  /// exists. `vfs` is the name of an SQLite file system, for tests of faults; null is the system's.
   static Result<AutosaveDatabase> create(const std::string& root, const std::string& name,
                                          const char* vfs = nullptr);
 
   AutosaveDatabase(AutosaveDatabase&& other) noexcept;
   AutosaveDatabase& operator=(AutosaveDatabase&& other) noexcept;
-  /// Closes it and leaves the files, as a crash does.
+  /// Closes the database and leaves the files, as a crash does.
   ~AutosaveDatabase();
 
-  /// Writes a whole base, which is valid from the next commit on.
+  /// Writes a whole base. It is valid after the next commit.
   Result<void> write_base(const Drawing& drawing);
-  /// Starts a base: the drawing after the last edit that was added. Requires !base_in_progress().
+  /// Starts a base. `drawing` is the drawing after the last edit that was added. Requires
+  /// !base_in_progress().
   Result<void> begin_base(std::shared_ptr<const Drawing> drawing);
-  /// Writes the next part of it. True after the last one: the base is valid from the next commit
-  /// on.
+  /// Writes the next part of the base. Returns true after the last part; the base is valid after
+  /// the next commit.
   Result<bool> write_base_part();
   [[nodiscard]] bool base_in_progress() const noexcept { return base_ != nullptr; }
-  /// Deletes a few of the rows that no base needs any more. False if there are none left.
+  /// Deletes a few of the rows that no base needs any more. Returns false if none are left.
   Result<bool> tidy();
 
-  /// Returns its serial: 1, 2, 3 ...
+  /// Adds an edit and returns its serial number: 1, 2, 3 ...
   Result<std::uint64_t> add_edit(const Edit& edit);
   Result<void> put_info(const AutosaveInfo& about);
   Result<void> add_live(LiveKind kind, std::string_view bytes);
-  /// The unfinished gesture has become an edit, or nothing.
+  /// Deletes the live chunks. Call when the unfinished gesture has become an edit or was discarded.
   Result<void> clear_live();
   /// Makes everything since the last commit durable.
   Result<void> commit();
 
-  /// Of the last edit that was added.
+  /// Returns the serial number of the last edit that was added.
   [[nodiscard]] std::uint64_t serial() const noexcept { return serial_; }
-  /// Bytes of edits since the newest base: when this has grown large, a new base saves time later.
+  /// Returns the size in bytes of the edits since the newest base. If it is large, a new base makes
+  /// recovery faster.
   [[nodiscard]] std::uint64_t edit_bytes() const noexcept { return edit_bytes_; }
   [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
 
-  /// Closes it and deletes the folder with all that is in it.
+  /// Closes the database and deletes its folder.
   Result<void> remove() &&;
 
  private:

@@ -47,7 +47,7 @@ void damage(const std::string& path, std::mt19937& random) {
   std::fclose(file);
 }
 
-/// A damaged store gives what is intact, nothing that never was, and says that it is damaged.
+/// A damaged database gives what is intact, nothing that never existed, and reports the damage.
 TEST(AutosaveDatabase, DamageCostsWhatWasDamaged) {
   constexpr int kBase = 9000, kEdits = 60, kRounds = 40;
   const std::string root = folder_for_test();
@@ -90,7 +90,7 @@ TEST(AutosaveDatabase, DamageCostsWhatWasDamaged) {
         ASSERT_TRUE(original && *original == *document.find(id)) << "seed " << seed;
       }
     }
-    // A journal that is cut off looks like one that was never longer.
+    // A truncated WAL looks like one that was never longer.
     if (seed % 4 != 0 && document.stroke_count() < kBase) {
       EXPECT_FALSE(recovered->problems.empty()) << "seed " << seed;
     }

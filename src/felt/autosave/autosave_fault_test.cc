@@ -34,8 +34,8 @@ class AutosaveFault : public ::testing::Test {
   TestFolder folder_;
 };
 
-/// While the disk stands still, whatever is told returns at once (this test would stand still,
-/// too), samples keep coming, and afterwards all of it is there: 12 s of a hand at 1 kHz.
+/// While the disk stalls, every call returns immediately (otherwise this test would stall, too),
+/// samples keep arriving, and afterwards all of them are saved: 12 s of a hand at 1 kHz.
 TEST_F(AutosaveFault, AStalledDiskHoldsNobodyUp) {
   AutosaveOptions how = options();
   AutosaveFixture desk({.roots = {folder_.at("unused")}});
@@ -67,7 +67,7 @@ TEST_F(AutosaveFault, AStalledDiskHoldsNobodyUp) {
   EXPECT_GT(recovered->drawing.document.stroke_count(), 190u);
 }
 
-/// ... nor does one that stalls while the edit thread hangs lose what the loop made.
+/// A disk that stalls while the edit thread hangs does not lose the loop's samples either.
 TEST_F(AutosaveFault, AStalledDiskAndAHungEditThreadLoseNothing) {
   AutosaveFixture desk({.roots = {folder_.at("unused")}});
   Autosave autosave(options());
@@ -93,7 +93,7 @@ TEST_F(AutosaveFault, AStalledDiskAndAHungEditThreadLoseNothing) {
   EXPECT_TRUE(recovered->drawing.document == desk.ended());
 }
 
-/// Each call of a kind fails once: the store is never touched again, another takes its place, and
+/// Each call of a kind fails once: the database is never used again, another one replaces it, and
 /// nothing is lost.
 TEST_F(AutosaveFault, WhateverFailsIsNeverTriedAgainInTheSameFile) {
   for (const DiskCall kind : {DiskCall::kOpen, DiskCall::kWrite, DiskCall::kSync}) {
@@ -108,7 +108,7 @@ TEST_F(AutosaveFault, WhateverFailsIsNeverTriedAgainInTheSameFile) {
         FaultyVfs::the().judge = [&](DiskCall call, const std::string& path) {
           if (!path.starts_with(folder.at("first"))) return SQLITE_OK;
           if (seen >= nth) {
-            // One that is not made yet holds nothing, and goes.
+            // A database that is not complete yet holds nothing, and is removed.
             if (path.find(kAutosaveDatabaseFile) != std::string::npos) ++after;
             return code;
           }
@@ -134,7 +134,7 @@ TEST_F(AutosaveFault, WhateverFailsIsNeverTriedAgainInTheSameFile) {
   }
 }
 
-/// What a store holds that failed in the middle of a commit is what was committed before.
+/// A database that failed in the middle of a commit has what was committed before.
 TEST_F(AutosaveFault, AStoreThatFailedHoldsItsLastCommit) {
   for (int nth = 12; nth < 60; nth += 3) {
     const TestFolder folder;
@@ -163,7 +163,7 @@ TEST_F(AutosaveFault, AStoreThatFailedHoldsItsLastCommit) {
   }
 }
 
-/// The disk is full, then it is not.
+/// The disk is full, then has space again.
 TEST_F(AutosaveFault, AFullDiskIsSaidAndFoundMended) {
   AutosaveOptions how = options();
   how.retry = how.retry_first = std::chrono::milliseconds(0);

@@ -10,13 +10,13 @@
 namespace felt {
 namespace {
 
-constexpr std::int64_t kMostMissing = 4096;  // rows of a page that is damaged, and some more
+constexpr std::int64_t kMostMissing = 4096;  // more than the rows of one damaged page
 
 tl::unexpected<Error> no_database(sqlite3* db) {
   return fail(ErrorCode::kInvalidData, db ? sqlite3_errmsg(db) : "not enough memory");
 }
 
-/// The first key from `next` on that can be looked up by itself.
+/// Returns the first key from `next` on that can be looked up by itself.
 std::optional<std::int64_t> probe(sqlite3* db, const std::string& sql, std::int64_t next) {
   const Result<Statement> row = Statement::of(db, sql.c_str());
   if (!row) return {};
@@ -69,7 +69,7 @@ Result<void> AutosaveReader::check(std::vector<std::string>& problems) {
   sqlite3_db_config(db_, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(db_, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
   sqlite3_db_config(db_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
-  // Nobody else sees a copy: no shared memory file.
+  // No other process opens a copy, so no shared memory file is needed.
   constexpr const char* kSetup =
       "PRAGMA locking_mode=EXCLUSIVE; PRAGMA cell_size_check=ON; PRAGMA mmap_size=0; "
       "PRAGMA temp_store=MEMORY";
@@ -119,7 +119,7 @@ bool AutosaveReader::rows(const std::string& table, const std::string& key,
       if (!more) break;
       next = row->integer(0) + 1;
       each(*row);
-      look_at_memory();  // without it, a blob comes out empty
+      look_at_memory();  // if memory runs out, SQLite returns an empty blob
     }
     is_whole = false;
     const std::optional<std::int64_t> behind = probe(db_, one, next);

@@ -11,26 +11,26 @@
 namespace felt {
 
 /// Reads an autosave database that may be damaged: skips rows that cannot be read, and reads those
-/// before and behind them. Moves the WAL that a dead process left into the file, so it is for
-/// copies only. One thread.
+/// before and after them. Opening moves the WAL of a dead process into the file, so open only
+/// copies. Thread: one at a time.
 class AutosaveReader {
  public:
-  /// Fails if it is no autosave database of this version, or nothing of it can be read. Adds what
-  /// quick_check finds to `problems`.
+  /// Opens a database. Fails if it is not an autosave database of this version, or if nothing of it
+  /// can be read. Adds what SQLite's quick_check finds to `problems`.
   static Result<AutosaveReader> open(const std::string& path, std::vector<std::string>& problems);
 
   AutosaveReader(AutosaveReader&& other) noexcept;
   AutosaveReader& operator=(AutosaveReader&& other) noexcept;
   ~AutosaveReader();
 
-  /// Calls `each` with every row of a table that can be read, by ascending key from `first` on.
-  /// `columns` come after the key. Keys are consecutive numbers, except for deleted rows. False if
-  /// some rows could not be read.
+  /// Calls `each` with every readable row of a table, by ascending key from `first` on. `columns`
+  /// come after the key. Requires that keys are consecutive numbers, except for deleted rows.
+  /// Returns false if some rows could not be read.
   bool rows(const std::string& table, const std::string& key, const std::string& columns,
             std::int64_t first, const std::function<void(const Statement&)>& each) const;
 
-  /// True if rows were skipped because memory ran out, not because they are damaged: then nothing
-  /// that was read is valid.
+  /// Returns true if rows were skipped because memory ran out and not because they are damaged.
+  /// Then nothing that was read is valid.
   [[nodiscard]] bool ran_out_of_memory() const noexcept { return ran_out_of_memory_; }
 
  private:

@@ -18,9 +18,9 @@ constexpr std::size_t kMaxHeadBytes = std::size_t{1} << 30;
 constexpr std::size_t kMinLayerBytes = 13, kMinRunStrokeBytes = 12;
 constexpr std::uint8_t kRowVisible = 1, kRowLocked = 2;
 
-/// All of a drawing but strokes and layers, as a drawing of its own.
+/// Appends everything of a drawing but strokes and layers, as the bytes of a .felt file.
 Result<void> append_sheet(ByteWriter& out, const Drawing& drawing) {
-  Drawing sheet;  // without extras, which are rows of strokes: these stand elsewhere
+  Drawing sheet;  // without document and extras
   sheet.page = drawing.page;
   sheet.color = drawing.color;
   sheet.palette = drawing.palette;
@@ -32,7 +32,7 @@ Result<void> append_sheet(ByteWriter& out, const Drawing& drawing) {
   return {};
 }
 
-/// The layers of a base, as an edit of the document that every drawing starts as.
+/// Reads the layers of a base into a new document.
 Result<void> read_layers(ByteReader& in, Document& document) {
   const std::uint32_t count = in.u32();
   if (!in.has(count, kMinLayerBytes) || count == 0) return invalid_data("the layers are cut off");
@@ -59,11 +59,12 @@ Result<void> read_layers(ByteReader& in, Document& document) {
 }  // namespace
 
 Result<void> remove_autosave_folder(const std::string& folder) {
-  // The database first: what is without one holds no drawing. The lock last.
+  // Deletes the database first, because a folder without one holds no drawing. The lock is last.
   for (const char* name : {kAutosaveDatabaseFile, kNewDatabaseFile, kCopiedDatabaseFile}) {
     for (const char* end : {"", "-wal", "-shm", "-journal"}) {
       const std::string path = folder + '/' + name + end;
-      // A database that stays keeps its journal: without it, it would be an older drawing.
+      // Stops at the first failure: a database must not lose its WAL, or it would be an older
+      // drawing.
       if (::unlink(path.c_str()) != 0 && errno != ENOENT) {
         return fail(ErrorCode::kIo, path + ": cannot be removed: " + std::strerror(errno));
       }

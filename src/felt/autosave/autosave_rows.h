@@ -14,8 +14,8 @@ namespace felt {
 
 // The rows of an autosave database, for writing and reading.
 
-/// "FltW", and the version of this format. Other versions are not read, because the file never
-/// leaves the machine.
+/// "FltW", and the version of this format. Other versions are not read; that is acceptable because
+/// the file never leaves the machine.
 inline constexpr std::uint32_t kAutosaveApplicationId = 0x466c7457;
 inline constexpr std::uint32_t kAutosaveVersion = 1;
 
@@ -23,7 +23,7 @@ inline constexpr std::uint32_t kAutosaveVersion = 1;
 inline constexpr std::array kAutosaveTables = {
     // Parts of bases; id = generation << 32 | part.
     "CREATE TABLE base(id INTEGER PRIMARY KEY, crc INTEGER NOT NULL, bytes BLOB NOT NULL)",
-    // Complete bases, the edits that they contain, and how many parts they have.
+    // Complete bases: the serial of the last edit that each contains, and its number of parts.
     "CREATE TABLE generation(id INTEGER PRIMARY KEY, serial INTEGER NOT NULL, "
     "parts INTEGER NOT NULL, crc INTEGER NOT NULL)",
     "CREATE TABLE edit(serial INTEGER PRIMARY KEY, crc INTEGER NOT NULL, bytes BLOB NOT NULL)",
@@ -31,8 +31,8 @@ inline constexpr std::array kAutosaveTables = {
     "CREATE TABLE live(sequence INTEGER PRIMARY KEY, kind INTEGER NOT NULL, "
     "length INTEGER NOT NULL, crc INTEGER NOT NULL, bytes BLOB NOT NULL)"};
 
-inline constexpr std::size_t kBasePartBytes = std::size_t{64}
-                                              << 10;  ///< usually; a damaged page costs eight
+inline constexpr std::size_t kBasePartBytes =
+    std::size_t{64} << 10;  ///< usual size of a part; a damaged page costs up to eight of them
 inline constexpr std::size_t kMinTextBytes = 4;
 
 constexpr std::int64_t base_row(std::uint64_t generation, std::uint64_t part) noexcept {
@@ -43,29 +43,30 @@ constexpr std::int64_t base_row(std::uint64_t generation, std::uint64_t part) no
 inline constexpr const char* kNewDatabaseFile = "store.new";
 /// Name of the copy that recovery reads.
 inline constexpr const char* kCopiedDatabaseFile = "copy.db";
-/// Deletes our files in such a folder, and the folder if nothing else is in it.
+/// Deletes the autosave's files in a folder, and the folder if nothing else is in it.
 Result<void> remove_autosave_folder(const std::string& folder);
 
-/// Checksum of a row: of its numbers, then of its bytes.
+/// Returns the checksum of a row: of its numbers, then of its bytes.
 std::int64_t row_crc(std::uint64_t a, std::uint64_t b, std::string_view bytes) noexcept;
 
-/// The first part of a base: everything but the strokes.
+/// Returns the first part of a base: everything but the strokes.
 Result<std::string> base_head_bytes(const Drawing& drawing);
-/// Returns the drawing without its strokes: all its layers, and the ids that were ever used.
+/// Reads the drawing without its strokes: all its layers, and the highest ids ever used.
 Result<Drawing> read_base_head(std::string_view bytes);
 
-/// Further parts: a run of strokes of one layer.
+/// The content of each further part: consecutive strokes of one layer.
 struct BaseRun {
   LayerId layer;
   std::vector<std::pair<StrokeId, StrokePtr>> strokes;
 };
-/// Appends strokes from `index` on and advances it, until the part is full or the layer ends.
+/// Returns a part with the strokes from `index` on, until the part is full or the layer ends.
+/// Advances `index`.
 Result<std::string> base_run_bytes(const Document& document, const Layer& layer,
                                    std::size_t& index);
 Result<BaseRun> read_base_run(std::string_view bytes);
 
 Result<std::string> info_bytes(const AutosaveInfo& about);
-/// The head's document is empty.
+/// Reads an AutosaveInfo. The document of its head is empty.
 Result<AutosaveInfo> read_info(std::string_view bytes);
 
 }  // namespace felt

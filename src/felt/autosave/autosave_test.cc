@@ -32,7 +32,7 @@ TEST(Autosave, WhateverWasDrawnIsThereAtAnyStep) {
   }
 }
 
-/// Every tool but the pencil, at work on what is there when the process dies.
+/// Every tool except the pencil is in the middle of a gesture when the process dies.
 TEST(Autosave, EveryToolsGestureIsThere) {
   for (const char* tool : {"pull", "smooth", "width", "eraser", "lasso", "transform", "connect"}) {
     for (const int steps : {20, 35, 52, 90}) {
@@ -54,7 +54,7 @@ TEST(Autosave, EveryToolsGestureIsThere) {
   }
 }
 
-/// The edit thread stops at every point of a gesture, and the hand draws on.
+/// The edit thread stops at every point of a gesture, and the hand continues to draw.
 TEST(Autosave, AHungEditThreadCostsNoInk) {
   for (const char* tool : {"pencil", "pull", "eraser", "transform"}) {
     for (int told = 40; told <= 125; told += 5) {
@@ -85,8 +85,8 @@ TEST(Autosave, AHungEditThreadCostsNoInk) {
   }
 }
 
-/// What the session was not told of a pen that leans is kept with its lean; of one that does not,
-/// as it ever was.
+/// Samples of a tilted pen that the session has not received are saved with their tilt; samples
+/// without tilt are saved in the older form.
 TEST(LiveInk, KeepsHowThePenLeans) {
   for (const std::optional<double> lean : {std::optional<double>(), std::optional(32.5)}) {
     LiveInk live;
@@ -111,8 +111,8 @@ TEST(LiveInk, KeepsHowThePenLeans) {
   }
 }
 
-/// Another tool is chosen in the middle of a line, which ends it: what the pen does until it is
-/// lifted is no gesture, here as there.
+/// Another tool is chosen in the middle of a line, which ends the line. The rest of the contact is
+/// not a gesture, neither in the session nor after recovery.
 TEST(Autosave, TheRestOfALineIsNoOtherGesture) {
   for (const char* tool : {"eraser", "pull", "pencil"}) {
     for (const int told : {22, 30, 49, 52, 60}) {
@@ -140,7 +140,8 @@ TEST(Autosave, TheRestOfALineIsNoOtherGesture) {
   }
 }
 
-/// ... and it wakes again: what it tells then is what the loop had told.
+/// The edit thread wakes up again: its late events are the samples that the loop had already
+/// reported.
 TEST(Autosave, WhatIsToldLateIsNoInkTwice) {
   for (int told = 44; told <= 120; told += 4) {
     const TestFolder folder;
@@ -241,7 +242,7 @@ TEST(Autosave, APlaceThatFailsIsLeftForTheNext) {
   desk.autosave->process();
   EXPECT_TRUE(desk.crashed().drawing.document == desk.session->document());
   EXPECT_EQ(told.size(), 1u);
-  // The first place is mended.
+  // The first folder works again.
   std::filesystem::remove(no_folder);
   desk.draw(3);
   desk.autosave->process();

@@ -65,7 +65,8 @@ LayerChange read_layer(ByteReader& in) {
   return c;
 }
 
-/// Where the strokes that change stand now: one walk over the layers for many, a look-up for few.
+/// Fills in the current places of the strokes that change: walks over all layers once if there are
+/// many, looks each up if there are few.
 Result<void> find_strokes(const Document& document, std::vector<StrokeChange>& changes) {
   constexpr std::size_t kFew = 8;
   std::unordered_map<std::uint64_t, StrokePlace> places;
@@ -117,7 +118,7 @@ Result<void> append_edit_blob(std::string& out, const Edit& edit) {
 
 namespace {
 
-/// What the bytes say, without what was there before.
+/// Parses the bytes. The state before the edit is not filled in.
 Result<Edit> parse(std::string_view bytes) {
   ByteReader in(bytes);
   if (in.u8() != kVersion) return invalid_data("the edit is of an unknown version");
@@ -138,7 +139,7 @@ Result<Edit> parse(std::string_view bytes) {
   return edit;
 }
 
-/// One change, as an edit of its own.
+/// Applies one change as a separate edit, as far as possible.
 void force(StrokeChange change, Document& document) {
   change.before = document.find(change.id);
   if (!change.before && !change.after) return;

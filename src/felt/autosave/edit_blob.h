@@ -9,19 +9,19 @@
 
 namespace felt {
 
-/// Appends what an edit leaves behind as bytes, for the autosave: which strokes and layers it
-/// makes, changes and removes, and where they stand. What they were before is not written; the
-/// document that the edit is applied to knows that.
+/// Appends the result of an edit as bytes, for the autosave: the strokes and layers that it adds,
+/// changes and removes, and their places. Their state before is not written, because the document
+/// that the edit is applied to has it.
 Result<void> append_edit_blob(std::string& out, const Edit& edit);
 
-/// Returns the complete edit that these bytes describe, to be applied to this document. Fails if
-/// the bytes are damaged, or name something that the document does not have.
+/// Returns the complete edit that these bytes describe, for this document. Fails if the bytes are
+/// damaged, or if they name a stroke or layer that the document does not have.
 Result<Edit> read_edit_blob(std::string_view bytes, const Document& document);
 
-/// Applies as much of the edit as fits this document, which is not the one that it was written for:
-/// a stroke that is missing is added on top of its layer, or of the highest one; one that is there
-/// is replaced. For the rest of a damaged database. Fails without a change if the bytes are
-/// damaged.
+/// Applies as much of the edit as fits this document, which may differ from the one that it was
+/// written for. A missing stroke is added on top of its layer, or of the highest one if the layer
+/// is missing; an existing one is replaced. Used for damaged databases. Fails without a change if
+/// the bytes are damaged.
 Result<void> apply_what_fits(std::string_view bytes, Document& document);
 
 }  // namespace felt

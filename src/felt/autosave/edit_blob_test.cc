@@ -16,7 +16,7 @@ TEST(EditBlob, ARowOfEditsGivesTheSameDocument) {
     for (int i = 0; i < 60; ++i) {
       Edit edit = edits.next(document);
       ASSERT_TRUE(document.apply(edit));
-      if (i % 7 == 3) {  // undo is an edit too
+      if (i % 7 == 3) {  // undo is an edit, too
         edit = edit.inverse();
         ASSERT_TRUE(document.apply(edit));
         Edit back = edit.inverse();

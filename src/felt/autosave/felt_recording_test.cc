@@ -21,7 +21,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A session in which a pencil with forces draws, is undone, draws again, and is recorded.
+/// Records a session in which a pencil with forces draws, the user undoes, and it draws again.
 struct Recorded {
   FeltRecording recording;
   Document document;
@@ -96,7 +96,7 @@ TEST(FeltRecording, IsCarriedUnreadAndOthersAreAdded) {
   EXPECT_TRUE(recordings_of(Drawing()).value().empty());
 }
 
-/// What draw() recorded, by a pen that leans in its middle part.
+/// The recording of draw(), with a pen that is tilted in the middle part.
 FeltRecording leaning() {
   FeltRecording recording = draw().recording;
   for (std::size_t i = 100; i < 700; ++i) {
@@ -114,7 +114,7 @@ TEST(FeltRecording, APensLeanIsKept) {
   EXPECT_EQ(felt_bytes(back).value(), once) << "carried as it is";
 }
 
-/// Recordings of a time when no pen leaned, and those that know of none: as they ever were.
+/// Recordings without tilt give the same files as before tilt was recorded.
 TEST(FeltRecording, WithoutLeanItIsTheSameFileAsEver) {
   const std::string bytes = felt_bytes(drawing_of(draw())).value();
   EXPECT_EQ(bytes.find("lean"), std::string::npos);
@@ -133,7 +133,7 @@ TEST(FeltRecording, OneThatLeansStandsBesideOneThatDoesNot) {
   }
 }
 
-/// The autosave does not have them: they are where they were.
+/// The autosave does not contain recordings: they are still in the user's file.
 TEST(FeltRecording, IsThereAfterARecovery) {
   const felt::testing::TestFolder folder;
   ASSERT_TRUE(write_felt(folder.at("a.felt"), drawing_of(draw())));
@@ -151,7 +151,7 @@ TEST(FeltRecording, IsThereAfterARecovery) {
   EXPECT_EQ(recordings_of(recovered.drawing).value().size(), 1u);
 }
 
-/// As any program does that knows SQLite, and nothing of us.
+/// Reads the file as any program does that uses SQLite and does not know Feltline.
 class Queries : public ::testing::Test {
  protected:
   Queries() : recorded_(draw()) {
@@ -211,7 +211,7 @@ TEST_F(Queries, PlainSqlReadsTheLean) {
   EXPECT_EQ(number("SELECT lean_deg FROM recorded_samples WHERE sample = 325"), 32.5);
 }
 
-/// A lean that was changed, or taken away, is damage that the sum of the leans shows.
+/// A tilt that was changed or removed is damage, which the checksum of the tilts detects.
 TEST_F(Queries, AChangedLeanIsDamage) {
   sqlite3_close(db_);
   Drawing drawing;

@@ -13,7 +13,8 @@
 namespace felt {
 namespace {
 
-/// True if the path still names this file: nobody has removed the folder meanwhile.
+/// Returns true if the path still names this file, that is, if the folder has not been removed
+/// meanwhile.
 bool is_at(int fd, const std::string& path) {
   struct stat here {};
   struct stat there {};
@@ -63,7 +64,7 @@ FolderLock::~FolderLock() {
 
 Result<void> make_private_folder(const std::string& path) {
   for (std::size_t at = 1; (at = path.find('/', at)) != std::string::npos; ++at) {
-    ::mkdir(path.substr(0, at).c_str(), 0700);  // what is missing; the last one says the rest
+    ::mkdir(path.substr(0, at).c_str(), 0700);  // an error of the last one is reported below
   }
   if (::mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) {
     return lock_error(path, "cannot be made");

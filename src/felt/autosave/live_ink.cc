@@ -29,7 +29,7 @@ PenSample sample_of(const Event& event, const PenEvent& pen) {
   return sample;
 }
 
-/// NaN stands for none.
+/// Returns the value, or NaN if there is none.
 double number_or_nan(std::optional<double> value) {
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
@@ -100,8 +100,8 @@ void LiveInk::event_applied(const Event& event, bool gesture_in_progress) {
   if (touches && !open_) open();
   if (in_contact(sample)) last_contact_ns_ = event.time_ns;
   if (!open_) {
-    // With the pen down, its gesture is over: the rest of the contact does nothing, and must not
-    // look like another gesture.
+    // If the pen is still down, its gesture has ended. The rest of the contact does nothing, and
+    // must not be saved as another gesture.
     if (contact_.is_down()) return hover_.clear();
     hover_.push_back(event);
     if (hover_.size() > kHoverSamples) hover_.pop_front();
@@ -120,7 +120,7 @@ void LiveInk::add_loop_sample(const PenSample& sample) {
   if (sample.time_ns > session_ns_ && overhang_.size() < kMaxOverhang) overhang_.push_back(sample);
 }
 
-/// True if some option names the material of this key.
+/// Returns true if some option names the material of this key.
 bool LiveInk::is_chosen(std::string_view key) const {
   const std::string_view id = key.substr(key.find(' ') + 1);
   return std::any_of(options_.begin(), options_.end(), [&](const auto& option) {
@@ -129,7 +129,8 @@ bool LiveInk::is_chosen(std::string_view key) const {
   });
 }
 
-/// Starts a stretch with what the ink of the gesture depends on besides the document, as events.
+/// Starts a stretch. Its first chunk has everything that the ink of the gesture depends on besides
+/// the document, as events and the selection.
 void LiveInk::open() {
   open_ = true;
   const std::int64_t time_ns = hover_.empty() ? 0 : hover_.front().time_ns;
@@ -154,7 +155,8 @@ void LiveInk::open() {
     out.u64(id.value);
     out.text({reinterpret_cast<const char*>(marks.data()), marks.size()});
   }
-  // Before the session's first event, the script has no later event than these.
+  // If the stretch has no contact yet, its time out of contact counts from the session's last
+  // event.
   last_contact_ns_ = std::max(last_contact_ns_, session_ns_);
 }
 
@@ -168,8 +170,8 @@ void LiveInk::close() {
   kept_ns_ = INT64_MIN;
 }
 
-/// True if the pen comes down in the overhang. Samples that belong to a gesture that is over are
-/// removed from it.
+/// Returns true if the pen comes down in the overhang. If so, removes its samples that belong to a
+/// gesture that has ended.
 bool LiveInk::overhang_touches() {
   Contact contact = contact_;
   std::size_t over = 0;

@@ -23,45 +23,44 @@ struct LiveChunk {
 };
 
 /// The part of a drawing that is not an edit yet, as chunks of an AutosaveDatabase: the gesture in
-/// progress, with everything that its ink depends on besides the document. It gets the same from
-/// two sides:
+/// progress, with everything that its ink depends on besides the document. It has two sources:
 ///   - the events that the session handled, in order, from the edit thread;
 ///   - the samples of the haptic loop, from the autosave's own ring, whether the session has
-///   handled
-///     them or not. Those after the session's last event are the *overhang*. It grows while the
-///     edit thread hangs, and its ink counts as drawn.
-/// A stretch of chunks begins when the pen touches the surface and ends with the edit of that
-/// gesture, or when there is none. No clock, thread or file; one thread.
+///     handled them or not. Those after the session's last event are the *overhang*. It grows while
+///     the edit thread hangs, and its ink counts as drawn.
+/// A stretch of chunks begins when the pen touches the surface. It ends with the edit of that
+/// gesture, or when it is clear that there will be none (kNoEditNs). Uses no clock, thread or file.
+/// Thread: one at a time.
 class LiveInk {
  public:
   static constexpr std::size_t kHoverSamples = 64;  ///< enough for velocity and contact to settle
-  /// A gesture without an edit is over after so long in the air.
+  /// A gesture that made no edit ends after the pen has been out of contact for this time.
   static constexpr std::int64_t kNoEditNs = 200'000'000;
-  /// Largest stretch: ten minutes without a lift. What comes after it is not kept.
+  /// Largest stretch: ten minutes without a lift. Anything beyond is not saved.
   static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
-  /// Another session: forgets everything but the device.
+  /// Starts with a new session: discards everything but the device.
   void clear();
-  /// Adds an event that says what the next gesture depends on.
+  /// Adds an event that sets what the next gesture depends on: options, tool, device, layer.
   void add_context(const Event& event);
   void set_selection(Selection selection) { selection_ = std::move(selection); }
-  /// The session handled this event. `gesture_in_progress`: just before it.
+  /// Adds an event that the session handled. `gesture_in_progress` is the state just before it.
   void event_applied(const Event& event, bool gesture_in_progress);
-  /// The document applied an edit, which contains the gesture.
+  /// Ends the stretch, because the document has applied an edit that contains the gesture.
   void edit_applied();
   /// Adds a sample of the haptic loop, on the session's clock.
   void add_loop_sample(const PenSample& sample);
 
-  /// What happened to the stretch since the last call: whether the chunks in the database are void
-  /// now, and which ones to add.
+  /// Changes of the stretch since the last call. If `clear` is set, the chunks in the database are
+  /// void. `chunks` are to be added after that.
   struct Changes {
     bool clear = false;
     std::vector<LiveChunk> chunks;
   };
   Changes take_changes();
-  /// The whole stretch up to the last take_changes(), for another database.
+  /// Returns the whole stretch up to the last take_changes(), for a new database.
   [[nodiscard]] const std::vector<LiveChunk>& chunks() const noexcept { return chunks_; }
-  /// Time of the newest sample of the overhang in chunks(); INT64_MIN if there is none.
+  /// Returns the time of the newest sample of the overhang in chunks(); INT64_MIN if there is none.
   [[nodiscard]] std::int64_t kept_ns() const noexcept { return kept_ns_; }
 
  private:
@@ -77,10 +76,10 @@ class LiveInk {
   std::string tool_;
   LayerId layer_;
   Selection selection_;
-  std::deque<Event> hover_;         // the session's last samples above the surface
-  std::deque<PenSample> overhang_;  // and before it samples that hover
+  std::deque<Event> hover_;         // the session's last hover samples
+  std::deque<PenSample> overhang_;  // may begin with hover samples
   std::int64_t session_ns_ = INT64_MIN, last_contact_ns_ = INT64_MIN, kept_ns_ = INT64_MIN;
-  Contact contact_;  // after the session's last sample
+  Contact contact_;  // contact state after the session's last sample
   bool open_ = false, clear_ = false;
   std::string context_, events_;  // not in chunks_ yet
   std::vector<LiveChunk> chunks_;
@@ -91,7 +90,7 @@ class LiveInk {
 struct LiveStretch {
   Selection selection;
   std::string script;               ///< events as lines
-  std::vector<PenSample> overhang;  ///< in order; the script may have some of them, too
+  std::vector<PenSample> overhang;  ///< in order; the script may contain some of them, too
 };
 
 /// Adds a chunk to `stretch`. Fails if its bytes are damaged.

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// When a file was written last, seconds since 1970; 0 where it is not there.
+/// Returns when a file was last written, seconds since 1970; 0 if it does not exist.
 std::int64_t changed_at(const std::string& path) {
   struct stat info {};
   return ::stat(path.c_str(), &info) == 0 ? std::int64_t{info.st_mtime} : 0;
@@ -67,7 +67,7 @@ class DatabaseCopy {
     std::string name = place + "/copy-XXXXXX";
     if (!::mkdtemp(name.data())) return fail(ErrorCode::kIo, place + ": cannot be written to");
     folder_ = name;
-    // Locked, so that nobody deletes it as something that a dead process left.
+    // Locked, so that no process deletes it as an abandoned autosave.
     Result<FolderLock> lock = FolderLock::take(folder_);
     if (!lock) return tl::unexpected(lock.error());
     lock_ = *std::move(lock);
@@ -87,7 +87,7 @@ class DatabaseCopy {
   std::optional<FolderLock> lock_;
 };
 
-/// Puts a drawing together from the rows of a database.
+/// Assembles a drawing from the rows of a database.
 class Assembly {
  public:
   explicit Assembly(const AutosaveReader& database, std::vector<std::string> problems)
@@ -112,7 +112,8 @@ class Assembly {
     std::int64_t id = 0, serial = 0, parts = 0;
   };
 
-  /// What is damaged is left out. What fails for another reason (memory) may be whole another time.
+  /// Notes an error. Damaged data is left out. An error of another kind (kIo, for example too
+  /// little memory) fails the recovery, because the data may be intact.
   void note(const Error& error) {
     if (error.code == ErrorCode::kIo && !failure_) failure_ = error;
   }
@@ -140,7 +141,7 @@ class Assembly {
     return felt::read_info(bytes);
   }
 
-  /// The newest base that is whole.
+  /// Returns the newest complete base.
   std::optional<Generation> find_generation() {
     std::optional<Generation> found;
     database_.rows("generation", "id", "serial, parts, crc", 0, [&found](const Statement& row) {
@@ -159,7 +160,7 @@ class Assembly {
       first_serial_ = generation->serial;
       return read_parts(generation->id, generation->parts);
     }
-    // The process died while a drawing that it had just opened was copied.
+    // The process died before the base of a drawing that it had just opened was complete.
     if (!out_.path.empty()) {
       if (Result<Drawing> file = read_felt(out_.path)) {
         out_.drawing = *std::move(file);
@@ -171,7 +172,7 @@ class Assembly {
     problem("the drawing was not copied wholly yet: strokes that it began with are missing");
   }
 
-  /// `parts`: as many as there should be; 0: as many as there are.
+  /// Reads the parts of a base. `parts` is the expected number, or 0 if it is not known.
   void read_parts(std::int64_t generation, std::int64_t parts) {
     std::map<std::int64_t, std::string> rows;
     const auto first = base_row(static_cast<std::uint64_t>(generation), 0);
@@ -279,7 +280,7 @@ class Assembly {
     if (!stretch.script.empty()) play(stretch);
   }
 
-  /// Draws the gesture that was in work from its samples.
+  /// Draws the gesture that was in progress from its samples.
   void play(LiveStretch& stretch) {
     SessionOptions options;
     options.document = std::move(out_.drawing.document);
@@ -290,12 +291,12 @@ class Assembly {
     sink.event = [&](const Event& event) {
       told_ns = std::max(told_ns, event.time_ns);
       Result<void> done = session.apply(event);
-      // The layer in use may have gone with the last edit, before its successor was told: then the
-      // highest one is in use, here as there.
+      // The last edit may have removed the layer in use before the new one was saved. The session
+      // then uses the highest layer, as the original one did.
       if (!done && std::holds_alternative<LayerEvent>(event.what)) done = {};
       return done;
     };
-    // An error ends it there, with the ink so far.
+    // If an event fails, the gesture ends there, with the ink so far.
     if (const Result<void> done = read_script("line", read_text(stretch.script), sink); !done) {
       problem("the line that was being drawn could not be drawn to its end: " +
               done.error().message);
@@ -336,7 +337,7 @@ std::vector<AbandonedAutosave> find_abandoned_autosaves(const std::vector<std::s
       Result<FolderLock> lock = FolderLock::take(folder);
       if (!lock) continue;  // its process lives
       const fs::file_status there = fs::status(folder + '/' + kAutosaveDatabaseFile, error);
-      // What cannot be looked at may be a drawing.
+      // If the file cannot be examined, it may be a drawing, so it is left alone.
       if (there.type() == fs::file_type::none) continue;
       if (fs::exists(there)) {
         const std::int64_t when = autosave_changed_at(folder);
@@ -361,8 +362,8 @@ Result<Recovered> recover_autosave(const std::string& folder) {
   Result<Recovered> out = Assembly(*database, std::move(problems)).run();
   if (!out) return tl::unexpected(with_context(out.error(), folder));
   out->changed_at_s = autosave_changed_at(folder);
-  // Recordings, and what a newer Feltline keeps, never change while one draws: they are still in
-  // the person's file. Without it there is the drawing at least.
+  // Recordings, and content of a newer Feltline, do not change while drawing, so they are read from
+  // the user's file. If it cannot be read, only the drawing is recovered.
   if (!out->drawing.extras && !out->path.empty()) {
     if (const Result<Drawing> file = read_felt(out->path)) out->drawing.extras = file->extras;
   }

@@ -21,33 +21,34 @@ struct Recovered {
   /// Time of the newest sample in the drawing, on the session's clock; -1 if no gesture was in
   /// progress.
   std::int64_t last_sample_ns = -1;
-  /// What could not be read, and what happened to it, a sentence each; usually none.
+  /// What could not be read, and how it was handled: one sentence each. Usually empty.
   std::vector<std::string> problems;
 };
 
-/// The autosave of a dead process. It stays locked while this object lives.
+/// The autosave of a dead process. It is locked as long as this object lives.
 struct AbandonedAutosave {
   std::string folder;
   FolderLock lock;
   std::int64_t changed_at_s = 0;  ///< when it was last written, seconds since 1970
 
-  /// Deletes it: the user discarded the drawing, or saved it.
+  /// Deletes the autosave. Call after the user has discarded or saved the drawing.
   Result<void> remove() &&;
 };
 
-/// Returns all autosaves below these folders whose process is gone, the newest first. Folders that
-/// do not exist have none. Deletes what a killed start or recovery left that holds no drawing.
+/// Returns all autosaves below these folders whose process has ended, the newest first. Ignores
+/// folders that do not exist. Deletes folders that hold no drawing, which a killed start or
+/// recovery left.
 std::vector<AbandonedAutosave> find_abandoned_autosaves(const std::vector<std::string>& roots);
 
-/// Returns the drawing as it was last: base, edits, and the unfinished gesture drawn from its
-/// samples. Works on a copy that it makes beside the folder (or in the folder for temporary files,
-/// if that fails) and deletes. The autosave itself is only read, so recovery can be repeated
-/// whatever happens.
+/// Returns the last state of the drawing: base, edits, and the unfinished gesture drawn from its
+/// samples. Works on a copy beside the folder (or in the folder for temporary files, if that
+/// fails), and deletes it afterwards. The autosave itself is only read, so recovery can always be
+/// repeated.
 ///
-/// From a damaged autosave it returns what is intact, and reports what is not: rows with a wrong
-/// checksum are skipped, an incomplete base is replaced by the user's file, and the strokes of
-/// edits that do not fit any more are kept. Fails if nothing can be read; names the folder. Any
-/// thread.
+/// From a damaged autosave it returns what is intact, and reports the rest in `problems`: it skips
+/// rows with a wrong checksum, replaces an incomplete base by the user's file, and keeps the
+/// strokes of edits that no longer fit. Fails if nothing can be read; the message names the folder.
+/// Any thread.
 Result<Recovered> recover_autosave(const std::string& folder);
 
 }  // namespace felt

@@ -2,7 +2,7 @@
 
 namespace felt {
 
-/// Returns the lower case of an ASCII letter, and every other character as it is.
+/// Returns an ASCII letter in lower case; returns any other character unchanged.
 constexpr char ascii_lower(char c) noexcept {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }

@@ -30,14 +30,14 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
   if (path != "-") file.target_ = resolved(path);
   struct stat info {};
   const bool exists = path != "-" && ::stat(file.target_.c_str(), &info) == 0;
-  // What cannot be looked at may be anything: it is not taken for nothing.
+  // If stat fails for another reason, a file may be there: don't treat it as missing.
   if (path != "-" && !exists && errno != ENOENT) return file.error("cannot be looked at");
   const bool replaceable = path != "-" && (!exists || S_ISREG(info.st_mode));
   if (exists && S_ISDIR(info.st_mode)) {
     errno = EISDIR;
     return file.error("cannot write");
   }
-  // Nobody may look into the new file who may not look into the old one, whatever fails later.
+  // The new file never has wider permissions than the old one, even if a later step fails.
   const unsigned permissions = exists ? info.st_mode & 0777 : 0666;
   auto ok = replaceable ? file.open_beside_target(permissions) : file.open_spool();
   if (ok && replaceable && exists) ok = file.take_after_target();
@@ -92,11 +92,12 @@ Result<void> AtomicFile::open_beside_target(unsigned permissions) {
   return error(is_refused ? "its folder may not be written" : "cannot create");
 }
 
-/// The file that is there is left alone where its owner said so, though its folder would let us.
+/// A rename would replace a read-only file, because it needs permission for the folder only. So
+/// check the permission of the file itself.
 Result<void> AtomicFile::take_after_target() {
   if (::access(target_.c_str(), W_OK) != 0) return error("may not be written");
   old_fd_ = open_file(target_, O_RDONLY);
-  if (old_fd_ < 0) return {};  // may be written and not read: nothing to take over
+  if (old_fd_ < 0) return {};  // writable but not readable: no attributes to copy
   hold_lock(old_fd_);
   copy_attributes(old_fd_, fd_);
   return {};
@@ -181,8 +182,7 @@ Result<void> AtomicFile::replace_target(const std::string_view* expected) {
     if (errno != 0) return error("cannot read back what was written");
     return fail(ErrorCode::kIo, shown_name_ + ": the disk does not keep what is written to it");
   }
-  // A second name is more than a rename needs, which replaces whole files only: where there can be
-  // none, this save is as good as most.
+  // The second name is an extra: rename() itself is atomic. If there can be none, save without it.
   if (old_fd_ >= 0) previous_ = keep_beside(target_);
   return put_in_place().and_then([&] { return check_in_place(*expected); });
 }
@@ -190,12 +190,12 @@ Result<void> AtomicFile::replace_target(const std::string_view* expected) {
 Result<void> AtomicFile::put_in_place() {
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
     const auto failed = error("cannot replace");
-    if (!previous_.empty()) ::unlink(previous_.c_str());  // nothing but the same file
+    if (!previous_.empty()) ::unlink(previous_.c_str());  // the old file still has its own name
     return failed;
   }
   temporary_.clear();
-  // The rename itself survives a power cut only once the folder is on the disk. Until then the old
-  // file stays, and the next save that is sure of itself removes it.
+  // The rename survives a power cut only once the folder is on the disk. If this fails, the second
+  // name of the old file stays, and the next verified save removes it.
   if (!sync_folder(folder_of(target_))) return error("cannot write the folder to the disk");
   return {};
 }
@@ -205,7 +205,7 @@ Result<void> AtomicFile::check_in_place(std::string_view expected) {
     if (!previous_.empty()) ::unlink(previous_.c_str());
     return {};
   }
-  // Somebody else's file in our place is newer than the one that we could put back.
+  // If another program has replaced the file, its file is newer than ours: don't restore the old.
   struct stat ours {
   }, there{};
   const bool is_ours = ::fstat(fd_, &ours) == 0 && ::stat(target_.c_str(), &there) == 0 &&

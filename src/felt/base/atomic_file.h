@@ -10,36 +10,38 @@ namespace felt {
 
 /// A file that appears whole or not at all.
 ///
-/// Life-cycle:
-///   1. `create(path)` opens a temporary file in the folder of `path`, without a name where the
-///      file system can do that (else hidden), so that a killed process leaves nothing behind;
-///   2. `write` any number of times; `overwrite` mends what was written;
-///   3. `commit` makes it durable and puts it in the place of `path`: flush, fsync, rename,
-///      fsync of the folder.
-/// Destroyed without `commit`, it leaves nothing behind and `path` as it was.
+/// Life cycle:
+///   1. `create(path)` opens a temporary file in the folder of `path`. The file has no name if the
+///      file system supports that, so that a killed process leaves nothing behind; otherwise it
+///      has a hidden name.
+///   2. `write` appends, any number of times; `overwrite` corrects bytes already written.
+///   3. `commit` makes the file durable and replaces `path`: flush, fsync, rename, fsync of the
+///      folder.
+/// If it is destroyed without `commit`, nothing is left behind and `path` is unchanged.
 ///
-/// A symbolic link is followed. An existing file keeps its permissions and extended attributes, and
-/// its owner where the system allows it; one that may not be written is not replaced. What is not a
-/// regular file (a pipe, /dev/stdout) cannot be replaced; it gets the bytes at `commit`, and so
-/// does stdout, which is named "-". Every error names the file and the reason. An fsync that fails
-/// is not tried again, for the system may have dropped the bytes: another call makes another file.
+/// Symbolic links are followed. An existing file keeps its permissions and extended attributes, and
+/// its owner if the system allows it; a read-only file is not replaced. If `path` is not a regular
+/// file (a pipe, /dev/stdout), it cannot be replaced: `commit` copies the bytes into it. The same
+/// goes for stdout, which is named "-". Every error names the file and the reason. A failed fsync
+/// is not retried, because the system may have dropped the bytes: start again with a new file.
 class AtomicFile {
  public:
+  /// Opens the temporary file. Fails if `path` is empty, a folder, or may not be written.
   static Result<AtomicFile> create(const std::string& path);
 
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&& other) noexcept;
   ~AtomicFile();
 
-  /// Appends bytes; small pieces are gathered.
+  /// Appends bytes; small pieces are buffered.
   Result<void> write(std::string_view bytes);
-  /// Replaces bytes that were written before, for example a header once its values are known.
+  /// Replaces bytes written before, for example a header once its values are known.
   /// Requires offset + bytes.size() <= bytes written so far.
   Result<void> overwrite(std::uint64_t offset, std::string_view bytes);
   /// Completes the file. Call once; nothing may be written afterwards.
   Result<void> commit();
-  /// The same with more care, for what a person made and has nowhere else (save_file). `bytes`: all
-  /// that was written.
+  /// Commits like commit(), and verifies the file as described for save_file(). For drawings, which
+  /// exist nowhere else. Requires `bytes` to be everything that was written.
   Result<void> commit_verified(std::string_view bytes);
 
  private:
@@ -58,22 +60,24 @@ class AtomicFile {
 
   std::string shown_name_;  ///< for messages
   std::string target_;      ///< links resolved; empty for stdout
-  std::string temporary_;   ///< name of the file in work; empty while it has none
+  std::string temporary_;   ///< name of the temporary file; empty while it has none
   std::string previous_;    ///< another name of the old file, until the new one is verified
-  bool is_spool_ = false;   ///< to be copied at `commit`, not renamed
+  bool is_spool_ = false;   ///< `commit` copies the file instead of renaming it
   std::string buffer_;
   int fd_ = -1;
-  int old_fd_ = -1;  ///< the file that is there; locked, so that nobody takes it for litter
+  int old_fd_ = -1;  ///< the existing file; locked, so that no process removes it as a leftover
 };
 
 /// Writes a whole file at once, or bytes to stdout for "-".
 Result<void> write_file(const std::string& path, std::string_view bytes);
 
-/// Writes a document. What write_file() does, and: the new file is opened again and compared with
-/// `bytes` before the rename and after it, from the disk where the system can; until then the file
-/// that was there keeps a second, hidden name, and it comes back where the new one is not what was
-/// written; then what saves of killed processes left is removed. No error means: `bytes` are on the
+/// Writes a document: like write_file(), with verification. Success means that `bytes` are on the
 /// disk under this name.
+///  * The new file is reopened and compared with `bytes` before and after the rename, reading from
+///    the disk if the system allows it.
+///  * Until then the old file keeps a second, hidden name. It is restored if the new file turns out
+///    to be different from `bytes`.
+///  * Afterwards the leftovers of killed processes are removed.
 Result<void> save_file(const std::string& path, std::string_view bytes);
 
 }  // namespace felt

@@ -222,7 +222,7 @@ TEST_F(AtomicFileTest, LitterOfTheDeadIsRemovedAndNobodyElses) {
   }
 }
 
-/// As somebody who may not do everything: root asks nobody.
+/// As root, the child becomes an unprivileged user, because permissions do not apply to root.
 TEST_F(AtomicFileTest, WhatMayNotBeWrittenIsSaidAndLeftAlone) {
   ASSERT_TRUE(save_file(path("a"), "old"));
   fs::create_directory(folder_ / "closed");

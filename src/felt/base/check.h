@@ -1,16 +1,16 @@
 #pragma once
 
 /// Checks for programmer errors: on in every build, except inside the haptic tick (style.md 5).
-/// Bad data and devices are not programmer errors; they are reported as `Result`.
+/// Bad data and faulty devices are not programmer errors; they are reported as `Result`.
 
 namespace felt::detail {
 
-/// Prints the failed condition with its place to stderr and aborts.
+/// Prints the failed condition with its file and line to stderr and aborts.
 [[noreturn]] void check_failed(const char* condition, const char* file, int line) noexcept;
 
 }  // namespace felt::detail
 
-/// Aborts with file and line when `condition` does not hold.
+/// Aborts with file and line if `condition` is false.
 #define FELT_CHECK(condition)         \
   ((condition) ? static_cast<void>(0) \
                : ::felt::detail::check_failed(#condition, __FILE__, __LINE__))

@@ -8,10 +8,10 @@
 
 namespace felt {
 
-/// A sequence that grows at its end without ever moving what it holds, so that appending one
-/// element costs the same at the millionth as at the first: ink is appended to in the sample path,
-/// where the copy that a growing `std::vector` makes would be a stall. `clear()` keeps the memory,
-/// so a reused one does not allocate after warm-up (`std::deque` gives its chunks back).
+/// A sequence that grows at its end and never moves its elements, so that appending the millionth
+/// element costs the same as the first. Ink grows while samples are processed, where the copy made
+/// by a growing `std::vector` would be a stall. `clear()` keeps the memory, so that a reused vector
+/// does not allocate after warm-up (`std::deque` frees its chunks).
 ///
 /// Requires: T is default constructible and copyable. Not thread-safe.
 template <class T, std::size_t kChunk = 256>
@@ -41,7 +41,7 @@ class ChunkedVector {
   [[nodiscard]] const T& back() const noexcept { return (*this)[size_ - 1]; }
   [[nodiscard]] T& back() noexcept { return (*this)[size_ - 1]; }
 
-  /// Appends one element; allocates only when a new chunk is entered for the first time.
+  /// Appends one element; allocates only when it uses a new chunk for the first time.
   void push_back(const T& value) {
     if (size_ == chunks_.size() * kChunk) chunks_.push_back(std::make_unique<Chunk>());
     (*this)[size_] = value;
@@ -49,12 +49,12 @@ class ChunkedVector {
   }
   /// Removes the last element. Requires: not empty.
   void pop_back() noexcept { --size_; }
-  /// Forgets the elements, keeps the memory.
+  /// Removes all elements and keeps the memory.
   void clear() noexcept { size_ = 0; }
-  /// Forgets the elements from `size` on. Requires: size <= size().
+  /// Removes all elements after the first `size`. Requires: size <= size().
   void truncate(std::size_t size) noexcept { size_ = size; }
 
-  /// Copies all elements into one contiguous vector.
+  /// Returns a copy of all elements in one contiguous vector.
   [[nodiscard]] std::vector<T> to_vector() const { return std::vector<T>(begin(), end()); }
 
   /// Forward iteration over const elements.

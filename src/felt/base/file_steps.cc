@@ -20,9 +20,9 @@ namespace felt::file_steps {
 namespace {
 
 constexpr int kNameAttempts = 100;
-constexpr int kMostLinks = 40;  // as many as the system itself follows
+constexpr int kMostLinks = 40;  // the system's own limit
 constexpr std::size_t kChunkBytes = std::size_t{1} << 16;
-/// So that a hidden name is not too long where the name itself is as long as can be.
+/// Only this many bytes of the name go into a hidden name, so that it is never too long.
 constexpr std::size_t kNamePart = 200;
 constexpr std::string_view kNewEnding = ".tmp", kOldEnding = ".old";
 
@@ -34,18 +34,18 @@ std::string prefix_of(const std::string& target) {
   return "." + name_of(target).substr(0, kNamePart) + ".";
 }
 
-/// The name under which the system shows an open file, also one without a name of its own.
+/// Returns the path by which the system shows an open file, even one without a name.
 std::string descriptor_path(int fd) {
   return "/proc/self/fd/" + std::to_string(fd);
 }
 
-/// "1234-5"
+/// Returns true for "1234-5".
 bool is_mark(std::string_view text) noexcept {
   return !text.empty() && std::all_of(text.begin(), text.end(),
                                       [](char c) { return (c >= '0' && c <= '9') || c == '-'; });
 }
 
-/// ".NAME." + mark + ending
+/// Returns true for prefix + mark + ending; the prefix is ".NAME.".
 bool is_name_beside(std::string_view name, std::string_view prefix, std::string_view ending) {
   if (!name.starts_with(prefix) || !name.ends_with(ending)) return false;
   if (name.size() < prefix.size() + ending.size()) return false;
@@ -62,7 +62,7 @@ void copy_xattr(int from, int to, const char* name) noexcept {
   static_cast<void>(::fsetxattr(to, name, value.data(), static_cast<std::size_t>(got), 0));
 }
 
-/// Reads until `size` bytes or the end. -1 with errno.
+/// Reads `size` bytes, or fewer at the end of the file. Returns -1 with errno on an error.
 ssize_t read_some(int fd, char* into, std::size_t size) noexcept {
   std::size_t have = 0;
   while (have < size) {
@@ -118,7 +118,7 @@ std::string copy_beside(const std::string& path) {
   return {};
 }
 
-/// Whether nobody works on it any more. What cannot be asked is left alone.
+/// Returns true if no process holds a lock on the file. False if that cannot be found out.
 bool is_abandoned(const std::string& path) noexcept {
   const int fd = open_file(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
   if (fd < 0) return false;
@@ -148,7 +148,7 @@ std::string resolved(const std::string& path) {
     std::array<char, 4096> text{};
     const ssize_t size = ::readlink(at.c_str(), text.data(), text.size() - 1);
     if (size < 0) return at;
-    // A link to what is not there yet: that is the file to make.
+    // A link to a file that does not exist yet: that is the file to create.
     const std::string next(text.data(), static_cast<std::size_t>(size));
     at = next.starts_with('/') ? next : folder_of(at) + "/" + next;
   }
@@ -216,7 +216,7 @@ void copy_attributes(int from, int to) noexcept {
   if (::fstat(from, &info) != 0 || ::fstat(to, &present) != 0) return;
   if (info.st_gid != present.st_gid) static_cast<void>(::fchown(to, uid_t(-1), info.st_gid) == 0);
   if (info.st_uid != present.st_uid) static_cast<void>(::fchown(to, info.st_uid, gid_t(-1)) == 0);
-  static_cast<void>(::fchmod(to, info.st_mode & 01777));  // no set-uid: other content
+  static_cast<void>(::fchmod(to, info.st_mode & 01777));  // no set-uid: the content is new
   const ssize_t size = ::flistxattr(from, nullptr, 0);
   if (size <= 0) return;
   std::vector<char> names(static_cast<std::size_t>(size));
@@ -231,7 +231,7 @@ void copy_attributes(int from, int to) noexcept {
 bool holds(const std::string& path, std::string_view bytes) noexcept {
   const int fd = open_file(path, O_RDONLY);
   if (fd < 0) return false;
-  // Clean pages leave the memory, so that what follows reads what the disk has.
+  // Drops the clean pages from the page cache, so that the reads below come from the disk.
   static_cast<void>(::posix_fadvise(fd, 0, 0, POSIX_FADV_DONTNEED));
   const bool same = is_same(fd, bytes);
   const int reason = errno;
@@ -251,7 +251,7 @@ std::string keep_beside(const std::string& path) {
 
 bool sync_folder(const std::string& folder) noexcept {
   const int fd = open_file(folder, O_RDONLY | O_DIRECTORY);
-  if (fd < 0) return errno == EACCES;  // a folder that may be written and not read
+  if (fd < 0) return errno == EACCES;  // the folder is writable but not readable
   const bool synced = ::fsync(fd) == 0 || errno == EINVAL;
   const int reason = errno;
   ::close(fd);

@@ -24,7 +24,7 @@ class Fnv1a {
     add(std::as_bytes(std::span<const T, 1>(&value, 1)));
   }
 
-  /// The fingerprint of all that was added.
+  /// Returns the fingerprint of everything added so far.
   [[nodiscard]] constexpr std::uint64_t value() const noexcept { return state_; }
 
  private:

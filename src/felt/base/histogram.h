@@ -9,8 +9,8 @@
 namespace felt {
 
 /// Counts whole numbers, such as durations in ns or distances in nm, in buckets of 1/64 relative
-/// width (exact below 128). Memory is constant; histograms of several threads add up. The idea is
-/// that of Gil Tene's HdrHistogram.
+/// width (exact below 128). Memory is constant, and histograms of several threads can be added.
+/// After Gil Tene's HdrHistogram.
 class Histogram {
  public:
   /// Counts one number; a negative one counts as 0.
@@ -27,10 +27,10 @@ class Histogram {
     max_ = std::max(max_, other.max_);
   }
 
-  /// Returns the largest number, exact; 0 if there are none.
+  /// Returns the exact largest number, or 0 if there are none.
   [[nodiscard]] std::uint64_t max() const noexcept { return max_; }
 
-  /// Returns the smallest bucket edge that at least `fraction` of the numbers do not exceed.
+  /// Returns the smallest bucket edge that is not below at least `fraction` of the numbers.
   [[nodiscard]] std::uint64_t quantile(double fraction) const noexcept {
     const double wanted = fraction * static_cast<double>(total_);
     std::uint64_t seen = 0;

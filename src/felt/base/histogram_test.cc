@@ -19,7 +19,7 @@ TEST(Histogram, EmptyHasZeros) {
 TEST(Histogram, SmallOnesAreExact) {
   Histogram histogram;
   for (int i = 0; i < 100; ++i) histogram.add(i);
-  histogram.add(-5);  // the clock's own cost was overestimated: 0
+  histogram.add(-5);  // counts as 0: happens if the clock's own cost was overestimated
   EXPECT_EQ(histogram.quantile(0.5), 49U);
   EXPECT_EQ(histogram.max(), 99U);
 }

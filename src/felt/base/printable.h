@@ -6,8 +6,8 @@
 namespace felt {
 
 /// Returns `text` as one line that is safe to print on a terminal: control characters, characters
-/// that turn the direction of writing, and bytes that are not UTF-8 become escapes ("\n", "\x1b",
-/// "\u202e"). For names and other text that comes out of files.
+/// that change the writing direction, and bytes that are not UTF-8 become escapes ("\n", "\x1b",
+/// "\u202e"). For names and other text read from files.
 std::string printable(std::string_view text);
 
 }  // namespace felt

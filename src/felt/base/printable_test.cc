@@ -18,7 +18,7 @@ TEST(Printable, EscapesWhatATerminalObeys) {
             "\\u009b31m");  // CSI of one character
   EXPECT_EQ(printable("\xe2\x80\xae"
                       "gnp"),
-            "\\u202egnp");  // turns the direction of writing
+            "\\u202egnp");  // changes the writing direction
   EXPECT_EQ(printable(std::string_view("a\0b", 3)), "a\\x00b");
 }
 

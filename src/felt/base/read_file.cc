@@ -28,7 +28,7 @@ Result<std::string> read_all(int fd, const std::string& name, std::size_t max_by
   struct stat info {};
   if (::fstat(fd, &info) == 0 && S_ISREG(info.st_mode)) {
     if (static_cast<std::uint64_t>(info.st_size) > max_bytes) return too_large(name, max_bytes);
-    // A chunk more than there is: the end is found by reading, which must not double the memory.
+    // One chunk more than the file: the last read, which finds the end, must not reallocate.
     bytes.reserve(static_cast<std::size_t>(info.st_size) + kChunkBytes);
   }
   for (;;) {
@@ -56,12 +56,12 @@ Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
 }
 
 Result<std::string> read_regular_file(const std::string& path, std::size_t max_bytes) {
-  // Opening a pipe would wait for its writer already.
+  // O_NONBLOCK, because opening a pipe would wait for its writer.
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
   if (fd < 0) return system_error(path, errno);
   Result<std::string> bytes = fail(ErrorCode::kUnsupported, path + ": not a regular file");
   struct stat info {};
-  // Of a folder the system itself says what it is.
+  // A folder is read, too: the error of read(2) says that it is a folder.
   if (::fstat(fd, &info) == 0 && (S_ISREG(info.st_mode) || S_ISDIR(info.st_mode))) {
     bytes = read_all(fd, path, max_bytes);
   }

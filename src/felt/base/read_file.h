@@ -7,13 +7,13 @@
 
 namespace felt {
 
-/// All bytes of a file, or of stdin for "-". Reads what there is, whatever size the system states,
-/// so that pipes and devices work. Error: it cannot be read, it is a folder, or it holds more than
-/// `max_bytes`; names the file and the reason.
+/// Returns all bytes of a file, or of stdin for "-". Reads to the end, whatever size the system
+/// reports, so that pipes and devices work. Fails if the file cannot be read, is a folder, or has
+/// more than `max_bytes`; the error names the file and the reason.
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
 
-/// The same of a file on a disk, for names that somebody else wrote: neither a pipe nor a device,
-/// which would be waited for or has no end, nor stdin. Error: also that it is one; names it.
+/// Returns all bytes of a regular file. For names from an untrusted source: also fails for a pipe
+/// or a device, because it may block or never end; "-" is an ordinary name here, not stdin.
 Result<std::string> read_regular_file(const std::string& path, std::size_t max_bytes);
 
 }  // namespace felt

@@ -6,33 +6,33 @@
 
 namespace felt {
 
-/// What kind of thing went wrong; the message says the rest.
+/// The kind of an error; the message has the details.
 enum class ErrorCode {
-  kInvalidArgument,  ///< the caller's values make no sense together
-  kInvalidData,      ///< a file or stream says something that it must not
+  kInvalidArgument,  ///< the caller's values are invalid, alone or together
+  kInvalidData,      ///< the content of a file or stream is invalid
   kLimitExceeded,    ///< well-formed, but larger than we accept
-  kNotFound,         ///< no such file, tool, device
+  kNotFound,         ///< no such file, tool or device
   kIo,               ///< the operating system refused or failed
-  kUnsupported,      ///< known, and not done here
+  kUnsupported,      ///< recognised, but not supported here
 };
 
-/// An error for a person: a code, and a message that names the place and the reason.
+/// An error that can be shown to the user: a code, and a message with the location and the reason.
 struct Error {
   ErrorCode code = ErrorCode::kInvalidData;
   std::string message;
 };
 
-/// A value, or the reason why there is none. The only error channel across the public API:
+/// A value, or the error why there is none. This is the only error channel of the public API:
 /// no function of the library throws, apart from `std::bad_alloc`.
 template <class T>
 using Result = tl::expected<T, Error>;
 
-/// Makes the error side of a `Result`.
+/// Returns an error to be returned as a `Result`.
 tl::unexpected<Error> fail(ErrorCode code, std::string message);
-/// The same with ErrorCode::kInvalidData.
+/// Returns fail(ErrorCode::kInvalidData, message).
 tl::unexpected<Error> invalid_data(std::string message);
 
-/// Puts `where` in front of the message ("drawing.ndjson:12: " + "...").
+/// Returns the error with `where` and ": " in front of its message, as in "drawing.ndjson:12: ...".
 Error with_context(Error error, const std::string& where);
 
 }  // namespace felt

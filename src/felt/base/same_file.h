@@ -4,8 +4,9 @@
 
 namespace felt {
 
-/// True if two paths name one regular file, through links of both kinds too, or will name one once
-/// it is written. Pipes and devices are never the same: several may write to them.
+/// Returns true if both paths name the same regular file, also through symbolic or hard links, or
+/// will name the same file once it is written. Returns false for pipes and devices, because several
+/// writers may share them.
 bool is_same_file(const std::string& a, const std::string& b);
 
 }  // namespace felt

@@ -10,8 +10,8 @@ namespace felt {
 void open_standard_streams() noexcept {
   for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; ++fd) {
     if (::fcntl(fd, F_GETFD) >= 0 || errno != EBADF) continue;
-    // open() takes the lowest free number, which is this one. In the wrong direction: using it
-    // fails.
+    // open() returns the lowest free descriptor, which is this one. It is opened for the opposite
+    // direction on purpose, so that using it fails.
     static_cast<void>(::open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY));
   }
 }

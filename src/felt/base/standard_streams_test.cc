@@ -8,7 +8,7 @@
 namespace felt::standard_streams_test {
 namespace {
 
-/// Runs `check` in a process whose standard streams are closed; its exit code.
+/// Runs `check` in a process with closed standard streams and returns its exit code.
 template <typename Check>
 int in_process_without_streams(Check check) {
   const pid_t child = fork();

@@ -7,7 +7,7 @@
 namespace felt::utf8_test {
 namespace {
 
-/// The textbook encoder, the other way round.
+/// A textbook encoder, to check the decoder.
 std::string encoded(std::uint32_t c) {
   const auto byte = [](std::uint32_t b) { return static_cast<char>(b); };
   if (c < 0x80) return {byte(c)};
@@ -38,7 +38,7 @@ TEST(Utf8, NoOtherFormIsTaken) {
   EXPECT_TRUE(is_utf8("Entwürfe ✎"));
   EXPECT_FALSE(is_utf8("\x80"));
   EXPECT_FALSE(is_utf8("\xc0\xaf"));          // overlong
-  EXPECT_FALSE(is_utf8("\xf4\x90\x80\x80"));  // beyond the last
+  EXPECT_FALSE(is_utf8("\xf4\x90\x80\x80"));  // beyond U+10FFFF
   EXPECT_FALSE(is_utf8("\xff"));
 }
 

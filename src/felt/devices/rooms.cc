@@ -1,4 +1,4 @@
-// The one file that knows all rooms with drivers: a new one is a line here.
+// The only file that lists all folders with drivers: a new driver needs one line here.
 #include "felt/devices/cue/cue_driver.h"
 #include "felt/devices/drivers.h"
 #include "felt/devices/evdev/evdev_driver.h"

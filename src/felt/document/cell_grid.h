@@ -13,12 +13,11 @@ namespace felt {
 
 /// Row and column of a square cell of a grid over the page.
 using CellAddress = std::pair<std::int64_t, std::int64_t>;
-/// The cells that hold something, in order of rows.
+/// The non-empty cells, row by row.
 template <class Entry>
 using CellGrid = std::map<CellAddress, std::vector<Entry>>;
 
-/// Returns the row or column of a coordinate. Everything farther out than 10^12 cells is in the
-/// last one.
+/// Returns the row or column of a coordinate. The last one, 10^12, contains everything beyond it.
 inline std::int64_t grid_line(double mm, double cell_mm) noexcept {
   constexpr double kLastLine = 1e12;
   return static_cast<std::int64_t>(std::clamp(std::floor(mm / cell_mm), -kLastLine, kLastLine));
@@ -28,9 +27,9 @@ inline CellAddress grid_cell(Point p, double cell_mm) noexcept {
   return {grid_line(p.y, cell_mm), grid_line(p.x, cell_mm)};
 }
 
-/// Calls visit(iterator) for every cell that meets the area. It returns the iterator of the next
-/// cell, so that it may erase the one it got. Only cells that hold something are visited: a huge
-/// area costs no more than all of them.
+/// Calls visit(iterator) for every non-empty cell that meets the area. `visit` returns the iterator
+/// of the next cell, so that it may erase the current one. A huge area costs no more than visiting
+/// all non-empty cells.
 template <class Cells, class Visit>
 void for_each_cell_in(Cells& cells, const Rect& area, double cell_mm, Visit visit) {
   const auto [top, left] = grid_cell({area.x0, area.y0}, cell_mm);

@@ -20,7 +20,7 @@ tl::unexpected<Error> misfit(std::string what) {
   return fail(ErrorCode::kInvalidArgument, std::move(what));
 }
 
-/// Error when an id changes twice, or is none. Which change would win is not for us to choose.
+/// Fails if an id changes twice or is none, because it is not defined which change would win.
 template <class Change>
 Result<void> check_ids(const std::vector<Change>& changes) {
   std::vector<decltype(Change::id)> ids;
@@ -38,12 +38,13 @@ Result<void> check_ids(const std::vector<Change>& changes) {
 
 }  // namespace
 
-/// What an edit comes to, worked out and checked before anything changes.
+/// The result of an edit, worked out and checked before anything changes: prepare() finds every
+/// error, so that carry_out() cannot fail.
 class Document::Plan {
  public:
   Plan(Document& document, const Edit& edit) : document_(document), edit_(edit) {}
 
-  /// Everything that can be wrong is found here ...
+  /// Checks everything that can be wrong with the edit.
   Result<void> prepare() {
     return check_ids(edit_.changes)
         .and_then([&] { return check_ids(edit_.layers); })
@@ -52,7 +53,7 @@ class Document::Plan {
         .and_then([&] { return check_removed_layers(); });
   }
 
-  /// ... so that nothing can fail here.
+  /// Changes the document. Requires that prepare() succeeded.
   void carry_out() {
     for (const LayerChange& c : edit_.layers) change_layer(c);
     for (auto& [id, order] : orders_) order.apply_to(layer(id)->strokes);
@@ -137,7 +138,7 @@ class Document::Plan {
     return {};
   }
 
-  /// True when the layer is there after the edit.
+  /// Returns true if the layer exists after the edit.
   [[nodiscard]] bool is_kept(LayerId id) const {
     return std::find(layer_order_.begin(), layer_order_.end(), id) != layer_order_.end();
   }
@@ -173,7 +174,7 @@ class Document::Plan {
                    is_in_place)) {
       return;
     }
-    // By id first: looking for each among all would make n new layers cost n^3.
+    // Sorts by id first, because a linear search for each layer would make n new layers cost n^3.
     std::sort(layers.begin(), layers.end(),
               [](const Layer& a, const Layer& b) { return a.id < b.id; });
     std::vector<Layer> arranged;
@@ -188,7 +189,7 @@ class Document::Plan {
 
   void change_stroke(const StrokeChange& c) {
     if (c.after) {
-      // Strokes of a file come in the order of their ids.
+      // Inserts at the end, because strokes of a file come in the order of their ids.
       document_.strokes_.insert_or_assign(document_.strokes_.end(), c.id,
                                           Entry{c.after, c.after_place.layer});
     } else {
@@ -228,7 +229,7 @@ LayerId Document::layer_of(StrokeId id) const {
 StrokePlace Document::place(StrokeId id) const {
   const LayerId in = layer_of(id);
   const auto& strokes = layer(in)->strokes;
-  // From the top: what was drawn last is what people touch first.
+  // Searches from the top, because users mostly change what they drew last.
   const auto found = std::find(strokes.rbegin(), strokes.rend(), id);
   FELT_CHECK(found != strokes.rend());
   return {in, static_cast<std::size_t>(std::distance(found, strokes.rend())) - 1};

@@ -23,45 +23,47 @@ struct Layer {
   friend bool operator==(const Layer&, const Layer&) = default;
 };
 
-/// A table of immutable strokes by id, in layers. Changes by edits only, so that undo, autosave and
-/// the display all see the same thing. Copies are cheap in strokes (shared) and linear in their
-/// number. One thread; snapshots go to others by copy.
+/// A table of immutable strokes by id, in layers. It changes only by edits, so that undo, autosave
+/// and display see the same changes. A copy shares the strokes and is linear in their number.
+/// Thread: one at a time; give other threads a copy.
 ///
-/// Every stroke stands in exactly one layer, once; there is at least one layer; an id never comes
-/// to name another stroke. Locked layers are a matter between tools and people: the document
-/// itself takes every edit that fits, or undo would get stuck.
+/// Every stroke is in exactly one layer, once. There is at least one layer. An id never refers to
+/// another stroke later. Only tools respect locked layers: the document applies every edit that
+/// fits, because undo would fail otherwise.
 class Document {
  public:
-  /// One empty layer, "Ink".
+  /// Creates a document with one empty layer, "Ink".
   Document();
 
-  /// Carries an edit out, all of it or nothing. Error: it does not fit this document (a `before`
-  /// that is not there, an unknown layer, a place beyond the end or taken twice); the message names
-  /// the edit, the stroke or layer, and the reason. Time: linear in the changes, and in the strokes
+  /// Applies an edit, all or nothing. Fails if it does not fit this document: a `before` that the
+  /// document does not have, an unknown layer, a place beyond the end or used twice. The message
+  /// names the edit, the stroke or layer, and the reason. Linear in the changes, and in the strokes
   /// above the lowest one that changes its place.
   Result<void> apply(const Edit& edit);
 
-  /// The stroke, or null.
+  /// Returns the stroke, or null if there is none with this id.
   [[nodiscard]] StrokePtr find(StrokeId id) const;
-  /// Where it stands. Requires that it is there. Linear in the strokes above it.
+  /// Returns the place of a stroke. Requires that the document has it. Linear in the strokes above
+  /// it.
   [[nodiscard]] StrokePlace place(StrokeId id) const;
-  /// The layer of a stroke. Requires that it is there.
+  /// Returns the layer of a stroke. Requires that the document has it.
   [[nodiscard]] LayerId layer_of(StrokeId id) const;
-  /// The lowest first.
+  /// Returns the layers, the lowest first.
   [[nodiscard]] std::span<const Layer> layers() const noexcept { return layers_; }
-  /// The layer, or null.
+  /// Returns the layer, or null if there is none with this id.
   [[nodiscard]] const Layer* layer(LayerId id) const noexcept;
   [[nodiscard]] std::size_t stroke_count() const noexcept { return strokes_.size(); }
-  /// An id that no stroke of this document ever had; the n-th after the next for n > 0. It is taken
-  /// once an edit that makes it is applied, and stays taken when that is undone.
+  /// Returns an id that no stroke of this document ever had: the next one, or the n-th after it. It
+  /// counts as used once an edit that adds it is applied, even if that edit is undone.
   [[nodiscard]] StrokeId new_id(std::uint64_t n = 0) const noexcept { return {last_id_ + 1 + n}; }
-  /// Likewise for layers.
+  /// Returns an id that no layer of this document ever had.
   [[nodiscard]] LayerId new_layer_id() const noexcept { return {last_layer_id_ + 1}; }
 
-  /// Counts ids up to these as taken: a document that is read from a file remembers what it had.
+  /// Counts ids up to these as used. Readers call this, so that ids from before the save are not
+  /// reused.
   void reserve_ids(StrokeId stroke, LayerId layer) noexcept;
 
-  /// The same strokes, by value, in the same places of the same layers.
+  /// Returns true if the same strokes, by value, are in the same places of the same layers.
   friend bool operator==(const Document& a, const Document& b);
 
  private:

@@ -18,7 +18,7 @@ StrokePtr line(double x) {
   return std::make_shared<const Stroke>(testing::straight_stroke({x, 0}, {x, 10}, 1, 1));
 }
 
-/// A document with strokes 1..n in layer 1.
+/// Returns a document with strokes 1..n in layer 1.
 Document with_strokes(int n) {
   Document d;
   EditBuilder edit(d);
@@ -204,7 +204,7 @@ TEST(Document, ReservedIdsNameNothingNew) {
   document.reserve_ids({41}, {6});
   EXPECT_EQ(document.new_id(), StrokeId{42});
   EXPECT_EQ(document.new_layer_id(), LayerId{7});
-  document.reserve_ids({3}, {2});  // never back
+  document.reserve_ids({3}, {2});  // never lowers the ids
   EXPECT_EQ(document.new_id(), StrokeId{42});
   EXPECT_EQ(document.new_layer_id(), LayerId{7});
 }

@@ -12,13 +12,13 @@
 
 namespace felt {
 
-/// A typed number that names a thing of a document. Zero names nothing. Ids are never reused
-/// within a document, so an id in an undo step still means the same thing later.
+/// A typed number that names a stroke or layer of a document. Zero names nothing. Ids are never
+/// reused within a document, so an id in an undo step always means the same object.
 template <class Tag>
 struct Id {
   std::uint64_t value = 0;
 
-  /// True when the id names something.
+  /// Returns true if the id is not zero.
   [[nodiscard]] constexpr explicit operator bool() const noexcept { return value != 0; }
   friend constexpr auto operator<=>(Id, Id) noexcept = default;
 };
@@ -28,7 +28,7 @@ using LayerId = Id<struct LayerTag>;
 
 using StrokePtr = std::shared_ptr<const Stroke>;
 
-/// Where a stroke stands: its layer, and its place in that layer's drawing order (0 is the lowest).
+/// The place of a stroke: its layer, and its index in that layer's drawing order (0 is the lowest).
 struct StrokePlace {
   LayerId layer;
   std::size_t index = 0;
@@ -36,11 +36,11 @@ struct StrokePlace {
   friend bool operator==(const StrokePlace&, const StrokePlace&) noexcept = default;
 };
 
-/// What becomes of one stroke: made (before is null), removed (after is null), or replaced.
+/// The change of one stroke: added (`before` is null), removed (`after` is null), or replaced.
 ///
-/// Places are absolute: `before_place` is where it stands in the document before the whole edit,
-/// `after_place` where it stands after the whole edit. So the order of the changes in an edit means
-/// nothing, and no change has to know what the others shift. EditBuilder works the places out.
+/// Places are absolute: `before_place` is the place in the document before the whole edit,
+/// `after_place` the place after the whole edit. So the order of the changes in an edit does not
+/// matter, and no change depends on what the others shift. EditBuilder works the places out.
 struct StrokeChange {
   StrokeId id;
   StrokePtr before;
@@ -60,9 +60,9 @@ struct LayerState {
   friend bool operator==(const LayerState&, const LayerState&) = default;
 };
 
-/// What becomes of one layer: made (before is empty), removed (after is empty; its strokes must be
-/// removed or moved by the same edit), renamed, hidden, locked, or moved. Indices are absolute, as
-/// places of strokes are: among the layers before and after the whole edit, 0 is the lowest.
+/// The change of one layer: added (`before` is empty), removed (`after` is empty; the same edit
+/// must remove or move its strokes), renamed, hidden, locked, or moved. Indices are absolute, like
+/// the places of strokes: among the layers before and after the whole edit. 0 is the lowest.
 struct LayerChange {
   LayerId id;
   std::optional<LayerState> before;
@@ -73,15 +73,15 @@ struct LayerChange {
   friend bool operator==(const LayerChange&, const LayerChange&) = default;
 };
 
-/// The one kind of change of a document: a label for the undo menu and what becomes of which
-/// stroke or layer. One gesture is one edit.
+/// The only way to change a document: a label for the undo menu, and the changes of strokes and
+/// layers. One gesture is one edit.
 struct Edit {
-  std::string label;  ///< "Draw", "Pull": for people
+  std::string label;  ///< shown to the user: "Draw", "Pull"
   std::vector<StrokeChange> changes;
   std::vector<LayerChange> layers = {};
 
   [[nodiscard]] bool empty() const noexcept { return changes.empty() && layers.empty(); }
-  /// Undoes this edit when applied after it: before and after swapped. Its inverse is this edit.
+  /// Returns the edit that undoes this one: before and after are swapped. Its inverse is this edit.
   [[nodiscard]] Edit inverse() const;
   friend bool operator==(const Edit&, const Edit&) = default;
 };

@@ -41,7 +41,7 @@ Edit StrokeReplacement::with(StrokePtr after, std::string label) const {
 void EditBuilder::find_places() {
   std::map<StrokeId, StrokeChange*> present;
   std::map<LayerId, std::vector<StrokeChange*>> made;
-  std::map<LayerId, std::size_t> sizes;  // of each layer that changes, afterwards
+  std::map<LayerId, std::size_t> sizes;  // of each layer that changes, after the edit
   for (StrokeChange& c : changes_) {
     if (c.before) {
       present[c.id] = &c;
@@ -65,7 +65,7 @@ void EditBuilder::find_places() {
     }
     for (StrokeChange* c : made[layer]) c->after_place.index = size++;
   }
-  // A place that means nothing is the same everywhere, so that equal edits compare equal.
+  // Unused places get the same value, so that equal edits compare equal.
   for (StrokeChange& c : changes_) {
     if (!c.after) c.after_place = {};
   }

@@ -7,26 +7,27 @@
 
 namespace felt {
 
-/// Makes an edit that fits a document, with the places worked out:
+/// Builds an edit that fits a document, and works out the places of its strokes:
 ///
 ///   EditBuilder edit(document);
 ///   edit.remove(old);
 ///   edit.add(layer, stroke);
 ///   Edit done = std::move(edit).build("Erase");
 ///
-/// The document must not change in between, and each stroke is named at most once.
+/// The document must not change before build(). Name each stroke at most once.
 class EditBuilder {
  public:
   explicit EditBuilder(const Document& document) noexcept : document_(document) {}
 
-  /// A new stroke on top of its layer; several come in order. Requires that the layer is there.
+  /// Adds a new stroke on top of its layer, in the order of the calls. Returns its id. Requires
+  /// that the document has the layer.
   StrokeId add(LayerId layer, StrokePtr stroke);
-  /// Another shape for a stroke, in its place. Requires that it is there.
+  /// Replaces a stroke by another shape in the same place. Requires that the document has it.
   void replace(StrokeId id, StrokePtr stroke);
-  /// Requires that it is there.
+  /// Removes a stroke. Requires that the document has it.
   void remove(StrokeId id);
 
-  /// Linear in the changes and in the layers they touch.
+  /// Returns the edit. Linear in the changes and in the layers that they touch.
   [[nodiscard]] Edit build(std::string label) &&;
 
  private:
@@ -37,17 +38,18 @@ class EditBuilder {
   std::uint64_t made_ = 0;
 };
 
-/// Says what becomes of one stroke, again and again while a gesture lasts, without looking its
-/// place up each time: previews at 1 kHz in a layer of 10^5 strokes. The document must not change.
+/// Builds edits that replace one stroke, again and again during a gesture, and looks its place up
+/// only once: for previews at 1 kHz in a layer of 10^5 strokes. The document must not change
+/// meanwhile.
 class StrokeReplacement {
  public:
-  /// Linear in the layer. Requires that the stroke is there.
+  /// Looks the stroke up. Linear in the layer. Requires that the document has the stroke.
   StrokeReplacement(const Document& document, StrokeId id);
 
   [[nodiscard]] StrokeId id() const noexcept { return id_; }
-  /// The stroke as it is in the document.
+  /// Returns the stroke as it is in the document.
   [[nodiscard]] const StrokePtr& before() const noexcept { return before_; }
-  /// The stroke becomes this, in its place; null removes it.
+  /// Returns an edit that replaces the stroke by `after` in the same place; null removes it.
   [[nodiscard]] Edit with(StrokePtr after, std::string label) const;
 
  private:

@@ -10,13 +10,13 @@
 
 namespace felt {
 
-/// What was done to a document, so that it can be undone and done again: one step a gesture (R52).
-/// The steps hold the strokes themselves, so undo restores them bit for bit.
+/// The edits of a document, for undo and redo: one step per gesture (R52). The steps hold the
+/// strokes themselves, so undo restores them bit for bit.
 ///
-/// Memory: any number of steps up to `memory_limit_bytes` of strokes and lists; beyond that the
-/// oldest are forgotten, silently as far as the document goes. The newest step is always kept, or
-/// the largest change would be the one that cannot be undone. A stroke is charged to every step
-/// that holds it, so the true use is lower than what is counted, never higher. One thread.
+/// Memory: any number of steps up to `memory_limit_bytes` of strokes and lists. Beyond that the
+/// oldest steps are discarded; the document does not change. The newest step is always kept,
+/// because otherwise the largest change could not be undone. A stroke is charged to every step that
+/// holds it, so the true use is lower than the counted one, never higher. Thread: one at a time.
 class History {
  public:
   static constexpr std::size_t kDefaultLimitBytes = std::size_t{256} << 20;
@@ -24,36 +24,37 @@ class History {
   explicit History(std::size_t memory_limit_bytes = kDefaultLimitBytes) noexcept
       : limit_(memory_limit_bytes) {}
 
-  /// Remembers an edit that has just been applied. What had been undone is forgotten. An empty edit
-  /// is no step.
+  /// Records an edit that has just been applied, and discards the undone steps. Ignores an empty
+  /// edit.
   void record(Edit edit);
 
-  /// Takes the last step back and returns the edit that did so, already applied. Error: there is
-  /// none, or the document was changed behind the history's back; nothing changes then.
+  /// Undoes the last step and returns the edit that did so, already applied. Fails without a change
+  /// if there is no step, or if the document was changed without record().
   Result<Edit> undo(Document& document);
-  /// Does the last undone step again; likewise.
+  /// Redoes the last undone step and returns the edit that did so. Fails as undo() does.
   Result<Edit> redo(Document& document);
 
   [[nodiscard]] bool can_undo() const noexcept { return done_ > 0; }
   [[nodiscard]] bool can_redo() const noexcept { return done_ < steps_.size(); }
-  /// Label of what undo() would take back, "" for nothing. Valid until the next call that changes.
+  /// Returns the label of the step that undo() would undo, "" if there is none. Valid until the
+  /// next call that changes the history.
   [[nodiscard]] std::string_view undo_label() const noexcept;
   [[nodiscard]] std::string_view redo_label() const noexcept;
-  /// Which step was done last, 0 for none: the same number means the same document, whatever was
-  /// undone and done again in between.
+  /// Returns the number of the step that was done last, 0 if there is none. The same number means
+  /// the same document, whatever was undone and redone in between.
   [[nodiscard]] std::uint64_t position() const noexcept {
     return done_ > 0 ? steps_[done_ - 1].number : forgotten_number_;
   }
-  /// Steps that can be undone.
+  /// Returns the number of steps that can be undone.
   [[nodiscard]] std::size_t undo_count() const noexcept { return done_; }
-  /// All that are remembered: those that can be undone, the oldest first, then those that can be
-  /// done again.
+  /// Returns the number of all recorded steps: first those that can be undone, the oldest first,
+  /// then those that can be redone.
   [[nodiscard]] std::size_t step_count() const noexcept { return steps_.size(); }
-  /// Label of the step with this index. Requires i < step_count(). Valid as undo_label() is.
+  /// Returns the label of step i. Requires i < step_count(). Valid as long as that of undo_label().
   [[nodiscard]] std::string_view label(std::size_t i) const noexcept {
     return steps_[i].edit.label;
   }
-  /// Steps that were forgotten for want of memory.
+  /// Returns the number of steps that were discarded because of the memory limit.
   [[nodiscard]] std::size_t forgotten_count() const noexcept { return forgotten_; }
   [[nodiscard]] std::size_t memory_bytes() const noexcept { return bytes_; }
 
@@ -70,10 +71,10 @@ class History {
   std::size_t limit_;
   std::size_t forgotten_ = 0;
   std::uint64_t recorded_ = 0;
-  std::uint64_t forgotten_number_ = 0;  // of the last step that was forgotten
+  std::uint64_t forgotten_number_ = 0;  // of the last step that was discarded
 };
 
-/// Memory that an edit keeps alive, in bytes; each stroke counted once per mention.
+/// Returns the memory that an edit keeps alive, in bytes; a stroke counts once for each mention.
 std::size_t memory_of(const Edit& edit) noexcept;
 
 }  // namespace felt

@@ -70,7 +70,7 @@ TEST(History, R52_ThousandRandomStepsBackAndForth) {
   testing::RandomStroke dice(8);
   Document d;
   History history;
-  std::vector<Document> states{d};  // what each number of done steps must look like
+  std::vector<Document> states{d};  // states[k]: the document after k done steps
   for (int k = 0; k < 1000; ++k) {
     const double what = dice.uniform(0, 1);
     if (what < 0.5) {

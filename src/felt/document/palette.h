@@ -18,12 +18,13 @@ struct NamedColor {
 /// Colours to choose from. Files hold a palette within PaletteLimits.
 struct Palette {
   std::string name;         ///< "" if it has none
-  std::size_t columns = 0;  ///< to show it in; 0 for any number
+  std::size_t columns = 0;  ///< in which to show it; 0 for any number
   std::vector<NamedColor> colors;
   friend bool operator==(const Palette&, const Palette&) = default;
 };
 
-/// The largest palette that a file may hold. Readers fail with the line of what exceeds it.
+/// The largest palette that a file may hold. If a limit is exceeded, readers fail and name the
+/// line.
 struct PaletteLimits {
   static constexpr std::size_t kMaxBytes = std::size_t{1} << 20;  ///< of a .gpl file
   static constexpr std::size_t kMaxColors = 10'000;

@@ -11,7 +11,7 @@
 
 namespace felt {
 
-/// The new order of a list from `from` on; below it nothing changes.
+/// The new order of a list from index `from` on; what is below keeps its place.
 template <class Id>
 struct Reordered {
   std::size_t from = 0;
@@ -25,22 +25,23 @@ struct Reordered {
   }
 };
 
-/// What leaves a list and what enters it, by absolute places: those that leave by their index
-/// before, those that enter by their index after. What stays keeps its order and fills the gaps.
+/// Elements that leave and enter a list, by absolute index: those that leave by the index before,
+/// those that enter by the index after. The others keep their order and fill the gaps.
 template <class Id>
 class Moves {
  public:
   void remove(std::size_t index_before) { removed_.push_back(index_before); }
   void add(std::size_t index_after, Id id) { added_.push_back({index_after, id}); }
-  /// It has the same index before and after.
+  /// Keeps the element at the same index before and after.
   void keep(std::size_t index, Id id) { kept_.push_back({index, id}); }
 
-  /// The order that comes of it. Requires that what leaves is in the list, each index once. Error:
-  /// a place beyond the end, or taken twice. Costs only what lies above the lowest move.
+  /// Returns the new order. Requires that the indices of remove() are in the list and unique. Fails
+  /// if an index of add() is beyond the end or used twice. Linear in the elements above the lowest
+  /// move.
   template <class T>
   Result<Reordered<Id>> reorder(std::span<const T> old) {
     if (removed_.empty() && added_.empty()) {
-      return Reordered<Id>{old.size(), {}, old.size()};  // replaced where they stand
+      return Reordered<Id>{old.size(), {}, old.size()};  // replaced in place
     }
     for (const Placed& k : kept_) {
       removed_.push_back(k.index);

@@ -7,15 +7,15 @@
 namespace felt {
 namespace {
 
-/// Coordinates in the tree of boxes; SegmentBvh clamps its own likewise.
+/// Limit of the coordinates in the tree of boxes; SegmentBvh clamps its own in the same way.
 constexpr double kFarthest = 1e18;
-/// Segments up to this size are small; each further class is four times as large.
+/// Largest segment of the first size class; each further class is four times as large.
 constexpr double kSmallMm = 16.0;
 constexpr int kLargestClass = 20;
-/// A fresh leaf of a full build: room is left for what comes.
+/// Segments of a leaf after a full build: leaves room for more.
 constexpr std::size_t kFreshSegments = SegmentForest::kLeafSegments * 3 / 4;
 
-/// Distances are compared with this much room where losing one at the same distance is the risk.
+/// Relative margin in comparisons of distances, so that none at the same distance is lost.
 constexpr double kSlack = 1e-12;
 
 constexpr Point kHole{std::numeric_limits<double>::quiet_NaN(),
@@ -39,7 +39,7 @@ bool is_inside(const Rect& inner, const Rect& outer) {
   return joined(outer, inner) == outer;
 }
 
-/// In halves: the sum of huge coordinates is infinite.
+/// Halves the coordinates first, because the sum of huge ones would be infinite.
 Point middle_of(const Rect& box) {
   return {0.5 * box.x0 + 0.5 * box.x1, 0.5 * box.y0 + 0.5 * box.y1};
 }
@@ -61,7 +61,7 @@ Cubic diagonal(const Rect& box) {
   return {{a, a, b, b}};
 }
 
-/// What is known of a segment while it is sorted.
+/// Data of a segment while it is sorted.
 struct Key {
   Point middle;
   int size_class = 0;
@@ -156,7 +156,7 @@ void SegmentForest::change(StrokeId id, const Stroke& after) {
     } else {
       places.emplace_back();
     }
-    // Segments that a cut moves learn their place by their stroke, this one's too.
+    // If this splits a leaf, it updates the places of the moved segments, also of this stroke.
     places[i] = insert(segment);
   }
 }
@@ -207,8 +207,8 @@ void SegmentForest::erase(Place place) {
   show_box(place.leaf);
 }
 
-/// The leaf of this size class near the middle of the box that has to grow least; a new one where
-/// the class has none.
+/// Returns the leaf near the middle of the box that has the box's size class and has to grow least.
+/// Makes a new one if the class has none.
 std::uint32_t SegmentForest::leaf_for(const Rect& box) {
   const int size_class = class_of(box);
   const Point middle = middle_of(box);
@@ -329,7 +329,7 @@ void SegmentForest::build(std::vector<BvhSegment> segments) {
   std::vector<Key> keys = keys_of(segments);
   std::stable_sort(keys.begin(), keys.end(),
                    [](const Key& a, const Key& b) { return a.size_class < b.size_class; });
-  // Runs of keys of one class are halved until each makes a leaf.
+  // Runs of keys of one size class are halved until each fits into a leaf.
   std::vector<std::span<Key>> waiting;
   for (std::span<Key> rest(keys); !rest.empty();) {
     const auto end = std::find_if(rest.begin(), rest.end(), [&](const Key& k) {
@@ -376,7 +376,7 @@ struct SegmentForest::Search {
       if (d > known || (d == known && ref > other)) return;
     }
     best = Hit{StrokeId{ref.stroke}, static_cast<int>(ref.segment), hit.nearest};
-    // A hair more, so that others at the same distance are met.
+    // Slightly more, so that others at the same distance are visited.
     reach_mm = std::min(reach_mm, std::sqrt(hit.nearest.distance_squared) * (1.0 + kSlack));
   }
 };
@@ -385,7 +385,7 @@ std::optional<SegmentForest::Hit> SegmentForest::nearest(Point place, double rad
                                                          Work* work) const {
   if (!(radius_mm >= 0.0)) return std::nullopt;
   Search search{place, radius_mm};
-  // First the leaves around the place: what is found there rules most others out.
+  // First the leaves around the place, because a segment found there rules out most others.
   Rect area{place.x, place.y, place.x, place.y};
   leaf_boxes_.for_each_in(area, [&](std::uint32_t i) {
     if (leaves_[i].box.contains(place)) search.ask(leaves_[i]);

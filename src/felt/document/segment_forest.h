@@ -14,27 +14,28 @@
 
 namespace felt {
 
-/// The segments of strokes that come, go and change all the time: nearest one, those in a
-/// rectangle.
+/// Finds the segments nearest to a point or in a rectangle, of strokes that are added, changed and
+/// removed all the time.
 ///
-/// One SegmentBvh over everything cannot take new segments without sorting all of them again, half
-/// a second for 10^6. So there are many small ones, the *leaves*, of at most kLeafSegments, and one
-/// over their boxes (an R-tree of two storeys). What changes concerns a leaf or a few:
+/// A single SegmentBvh cannot add segments without sorting all of them again, which takes half a
+/// second for 10^6. So there are many small trees, the *leaves*, of at most kLeafSegments each, and
+/// one tree over their boxes (an R-tree of two levels). A change concerns only one leaf or a few:
 ///
 ///  * a segment that stays within the box of its leaf is refitted in place;
-///  * one that leaves it, or is new, goes to the leaf around its middle that has to grow least;
-///  * a full leaf is cut in two, a degraded one sorted again: both sort kLeafSegments at most.
+///  * one that leaves the box, or is new, goes to the leaf near its middle that has to grow least;
+///  * a full leaf is split in two, and a degraded one is sorted again: both sort at most
+///    kLeafSegments.
 ///
-/// So there is no rare big rebuild: the worst that an edit can meet is a cut in two for each of its
+/// So no edit pays for a rebuild of everything: the worst case is one split for each of its
 /// segments and one sort of the leaves' boxes. Segments of very different size never share a leaf,
-/// or a line across the sheet would make a small leaf a big one.
+/// because a line across the page would make a small leaf large.
 ///
-/// Queries are const, and any number of threads may ask at once; they do not allocate. A value.
+/// Queries are const, do not allocate, and may run on any number of threads at once.
 class SegmentForest {
  public:
   static constexpr std::size_t kLeafSegments = 512;
 
-  /// What becomes of a stroke; null for one that goes.
+  /// The change of a stroke; `after` is null if it is removed.
   struct Change {
     StrokeId id;
     std::shared_ptr<const Stroke> after;
@@ -53,17 +54,17 @@ class SegmentForest {
     int pieces = 0;  ///< of curves (nearest.h)
   };
 
-  /// Brings these strokes in, changes and removes them. Linear in their segments times the
-  /// logarithm of all; many new ones at once are sorted in, together with what is there.
+  /// Adds, changes and removes these strokes. Linear in their segments times the logarithm of all
+  /// segments. Many new ones at once are sorted together with those that are there.
   void update(std::span<const Change> changes);
 
-  /// The segment nearest to `place`, within radius_mm. Of several at the same distance the lowest
-  /// stroke and segment, as far as they were met. Its work is bounded as SegmentBvh's is. `work`,
-  /// if asked for, is what it took.
+  /// Returns the segment nearest to `place` within radius_mm, or nullopt if there is none. Of
+  /// several visited ones at the same distance the one with the lowest stroke id and segment. The
+  /// work is bounded as that of SegmentBvh. Sets `work`, if not null, to the work done.
   [[nodiscard]] std::optional<Hit> nearest(Point place, double radius_mm,
                                            Work* work = nullptr) const;
-  /// Calls visit(StrokeId, int segment) for every segment whose box (of the curve, without its
-  /// width) meets the area, in no particular order.
+  /// Calls visit(StrokeId, int segment) for every segment if its box (of the curve, without its
+  /// width) meets the area. The order is not defined.
   template <class Visit>
   void for_each_in(const Rect& area, Visit visit) const {
     leaf_boxes_.for_each_in(area, [&](std::uint32_t leaf) {
@@ -79,24 +80,24 @@ class SegmentForest {
 
   [[nodiscard]] std::size_t stroke_count() const noexcept { return places_.size(); }
   [[nodiscard]] std::size_t segment_count() const noexcept { return segments_; }
-  /// Leaves that hold anything.
+  /// Returns the number of leaves that are not empty.
   [[nodiscard]] std::size_t leaf_count() const noexcept {
     return leaves_.size() - free_leaves_.size();
   }
-  /// Segments that were sorted because a leaf was cut, sorted again or made, since the beginning:
-  /// what edits cost beyond their own segments, for tests.
+  /// Returns the number of segments that were sorted since construction because a leaf was split,
+  /// sorted again or built: the cost of edits beyond their own segments, for tests.
   [[nodiscard]] std::uint64_t sorted_count() const noexcept { return sorted_; }
-  /// Leaves whose boxes were sorted likewise.
+  /// Returns the number of leaves' boxes that were sorted since construction.
   [[nodiscard]] std::uint64_t sorted_leaf_count() const noexcept { return sorted_leaves_; }
 
  private:
   struct Leaf {
     SegmentBvh tree;  // holes have a curve of NaN
-    Rect box;         // around all segments; only grows between two tidyings
+    Rect box;         // around all segments; only grows until the leaf is sorted again
     int size_class = 0;
     std::size_t live = 0;
-    std::size_t changes = 0;           // since it was tidied
-    std::vector<std::uint32_t> holes;  // handles that are free
+    std::size_t changes = 0;           // since it was sorted
+    std::vector<std::uint32_t> holes;  // free handles
   };
   /// Where a segment is.
   struct Place {
@@ -111,7 +112,7 @@ class SegmentForest {
   void erase(Place place);
   [[nodiscard]] std::uint32_t leaf_for(const Rect& box);
   std::uint32_t new_leaf(int size_class);
-  /// Replaces the content, with some holes to spare.
+  /// Replaces the content of a leaf, with some spare holes.
   void fill(std::uint32_t leaf, std::span<const BvhSegment> segments);
   void cut(std::uint32_t leaf);
   void tidy_if_due(std::uint32_t leaf);
@@ -122,7 +123,7 @@ class SegmentForest {
 
   std::vector<Leaf> leaves_;
   std::vector<std::uint32_t> free_leaves_;
-  SegmentBvh leaf_boxes_;  // handle = leaf; the diagonal of its box stands for it
+  SegmentBvh leaf_boxes_;  // handle = leaf; the diagonal of its box represents it
   std::map<StrokeId, std::vector<Place>> places_;  // by segment
   std::size_t segments_ = 0;
   std::size_t box_changes_ = 0;  // since the boxes were sorted

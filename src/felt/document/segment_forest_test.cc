@@ -91,7 +91,7 @@ void expect_right(const SegmentForest& forest, const Strokes& strokes, RandomStr
   }
 }
 
-/// What a user does: new strokes, erased ones, moved, cut, made longer, of all sizes.
+/// Makes changes like a user: strokes of all sizes are drawn, erased, moved, cut and made longer.
 std::vector<SegmentForest::Change> random_changes(const Strokes& strokes, std::uint64_t& last_id,
                                                   RandomStroke& random) {
   std::map<StrokeId, StrokePtr> changes;
@@ -221,7 +221,7 @@ TEST(SegmentForest, ClaimsNothingOfNonsenseAndLosesNothingFarAway) {
   EXPECT_EQ(in_area(forest, {-kInfinity, -kInfinity, kInfinity, kInfinity}).size(), 4u);
 }
 
-/// A sheet that grows with its strokes: about as dense at any size.
+/// A page that grows with its strokes, so that the density stays about the same.
 struct Sheet {
   explicit Sheet(int count, std::uint64_t seed = 1)
       : random(seed), side_mm(8.0 * std::sqrt(count)) {

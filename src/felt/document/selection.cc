@@ -12,7 +12,7 @@ bool all_set(const Selection::Marks& marks) {
   return std::find(marks.begin(), marks.end(), 0) == marks.end();
 }
 
-/// Requires that it is there.
+/// Returns true if the stroke's layer is visible and not locked. Requires that the document has it.
 bool is_editable(const Document& document, StrokeId id) {
   const Layer& layer = *document.layer(document.layer_of(id));
   return layer.visible && !layer.locked;

@@ -11,7 +11,7 @@ std::size_t points_of(const Document& document, StrokeId id) {
   return document.find(id)->data().points.size();
 }
 
-/// Some strokes whole, some in part.
+/// Selects some strokes whole and some in part.
 void select_some(Selection& selection, const Document& document, testing::RandomStroke& random) {
   for (const Layer& layer : document.layers()) {
     if (!layer.visible || layer.locked) continue;
@@ -24,7 +24,8 @@ void select_some(Selection& selection, const Document& document, testing::Random
   }
 }
 
-/// Every selected stroke is there, may be edited, has a mark for each point, and one set at least.
+/// Expects that every selected stroke exists, is editable, and has a mark for each point, at least
+/// one of them set.
 void expect_consistent(const Selection& selection, const Document& document) {
   for (const auto& [id, marks] : selection.strokes()) {
     const StrokePtr stroke = document.find(id);

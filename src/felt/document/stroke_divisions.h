@@ -10,30 +10,31 @@
 
 namespace felt {
 
-/// Says of many strokes what each is divided into, again and again while a gesture lasts: previews
-/// of erasing and cutting at 1 kHz. The parts of a stroke, none, one or several, stand where it
-/// stood in the drawing order and are new strokes.
+/// Builds edits that divide strokes into parts, again and again during a gesture: for previews of
+/// erasing and cutting at 1 kHz. A stroke has none, one or several parts. They are new strokes in
+/// its place in the drawing order.
 ///
 ///   StrokeDivisions cut;
 ///   cut.set(document, id, {left, right});      // as often as the parts change
 ///   Edit preview = cut.build(document, "Erase");
 ///
-/// The document must not change from the first set() to the last build(). The places of strokes
-/// are looked up once each. A stroke that the document does not have must not be named.
+/// The document must not change from the first set() to the last build(). The place of each stroke
+/// is looked up once. Requires that the document has every stroke that is named.
 class StrokeDivisions {
  public:
-  /// From now on the stroke is divided into these, the first the lowest. The first time for a
-  /// stroke: logarithmic where the ids of its layer ascend, else linear in it.
+  /// Sets the parts of a stroke, the lowest first, and replaces those set before. The first call
+  /// for a stroke is logarithmic in its layer if ids ascend there, else linear.
   void set(const Document& document, StrokeId id, std::vector<StrokePtr> parts);
-  /// It stays whole after all.
+  /// Removes the stroke from the division: it stays whole.
   void unset(StrokeId id);
   void clear() noexcept;
 
   [[nodiscard]] bool empty() const noexcept { return divided_.empty(); }
-  /// Strokes and parts: the changes that build() makes.
+  /// Returns the number of changes that build() makes: of divided strokes and of parts.
   [[nodiscard]] std::size_t size() const noexcept { return divided_.size() + parts_; }
-  /// Linear in the strokes and their parts, whatever the size of the document. New ids are given in
-  /// drawing order, so the edit depends on the parts only and not on the order of the calls.
+  /// Returns the edit. Linear in the divided strokes and their parts, for any size of the document.
+  /// New ids are given in drawing order, so the edit depends only on the parts and not on the order
+  /// of the calls.
   [[nodiscard]] Edit build(const Document& document, std::string label) const;
 
  private:

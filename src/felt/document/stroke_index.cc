@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array kTips = {StrokeTip::kStart, StrokeTip::kEnd};
 
-/// The first circle in which the nearest stroke is looked for, and the last before all of it.
+/// Radii of the first and the last circle that nearest() searches before the whole radius.
 constexpr double kFirstReachMm = 8.0;
 constexpr double kLastReachMm = 1e7;
 
@@ -121,7 +121,8 @@ void StrokeIndex::update_segments(const Edit& edit, const Document& document) {
   }
 }
 
-/// Counts its ends and notes how far it reaches beyond its segments. Returns half of its width.
+/// Counts the stroke's ends and updates the largest width and handle distance. Returns half of the
+/// stroke's width.
 double StrokeIndex::measure(const Stroke& stroke) {
   const double half_mm = half_width_mm(stroke);
   widest_half_mm_ = std::max(widest_half_mm_, half_mm);
@@ -158,7 +159,7 @@ void StrokeIndex::remove(StrokeId id, const Stroke& stroke) {
 }
 
 std::optional<StrokeHit> StrokeIndex::nearest(Point place, double radius_mm) const {
-  // In growing circles, or a large one would ask for all leaves at once.
+  // Searches in growing circles, because a large one would visit all leaves at once.
   for (double reach = kFirstReachMm; reach < std::min(radius_mm, kLastReachMm); reach *= 8.0) {
     if (const auto found = nearest_within_reach(place, reach)) return found;
   }

@@ -16,7 +16,7 @@
 
 namespace felt {
 
-/// One end of a stroke of a document, by name.
+/// Names one end of a stroke of a document.
 struct TipId {
   StrokeId stroke;
   StrokeTip tip = StrokeTip::kStart;
@@ -24,14 +24,14 @@ struct TipId {
   friend auto operator<=>(const TipId&, const TipId&) noexcept = default;
 };
 
-/// An end that was found.
+/// The result of a search for ends.
 struct TipHit {
   TipId id;
   Point point;
   double distance_mm = 0.0;
 };
 
-/// A place on a stroke that was found.
+/// The result of a search for the nearest point on strokes.
 struct StrokeHit {
   StrokeId stroke;
   double u = 0.0;  ///< segment index + t
@@ -39,38 +39,40 @@ struct StrokeHit {
   double distance_mm = 0.0;
 };
 
-/// Where the strokes of a document are, for tools: the ends of open strokes, for snapping, and the
-/// segments of all strokes that may be edited, those of visible and unlocked layers.
+/// A spatial index of a document's strokes, for tools. It finds the ends of open strokes, for
+/// snapping, and the segments of all editable strokes: those in visible and unlocked layers.
 ///
-/// Segments lie in a forest of trees a layer (SegmentForest): a query costs the logarithm of their
-/// number in each layer that may be edited, an edit about a microsecond a segment. Hiding, locking
-/// and showing a layer costs nothing.
-/// Ends lie in a uniform grid: a query costs the cells that its circle covers and that are not
-/// empty, and the ends in them. Answers do not depend on the order in which strokes came.
+/// The segments of each layer are in a forest of trees (SegmentForest). A query is logarithmic in
+/// the segments of each editable layer; an edit costs about a microsecond per segment. Hiding,
+/// locking and showing a layer costs nothing. Ends are in a uniform grid. A query visits the
+/// non-empty cells that its circle covers, and the ends in them. Results do not depend on the order
+/// in which strokes were added.
 ///
-/// Opening a document of more than kIndexedAtOnce strokes sorts none of them: strokes are sorted
-/// when a query or an edit comes near (UnindexedStrokes), about 2 us a segment. One thread; queries
-/// change what is sorted.
+/// Opening a document of more than kIndexedAtOnce strokes sorts none of them: a stroke is sorted
+/// when a query or an edit comes near it (UnindexedStrokes), at about 2 us per segment. Thread: one
+/// at a time, because queries sort strokes.
 class StrokeIndex {
  public:
-  /// Strokes of a larger width are few: they are kept in a list beside the others.
+  /// Strokes of a larger width are few, so they are kept in a separate list.
   static constexpr double kBroadMm = 50.0;
   static constexpr std::size_t kIndexedAtOnce = 20'000;
 
-  /// Of an empty document. Cells are about as large as the usual radius (specification 5g, M).
+  /// Creates the index of an empty document. Cells are about as large as the usual search radius
+  /// (specification 5g, M).
   explicit StrokeIndex(double cell_mm = 8.0) : cell_mm_(cell_mm) {}
   explicit StrokeIndex(const Document& document, double cell_mm = 8.0,
                        std::size_t indexed_at_once = kIndexedAtOnce);
 
-  /// Follows an edit that was applied, `document` being what it made. Must see all of them, in
-  /// order.
+  /// Updates the index for an edit that was applied; `document` is the document after it. Call for
+  /// every edit, in order.
   void update(const Edit& edit, const Document& document);
 
-  /// The place on a stroke that may be edited nearest to `place`, within radius_mm, or nothing
-  /// (R19, R20). Of several at the same distance the lower stroke and u, as far as they were met.
+  /// Returns the point on an editable stroke nearest to `place` within radius_mm, or nullopt if
+  /// there is none (R19, R20). Of several visited points at the same distance the one with the
+  /// lower stroke id and u.
   [[nodiscard]] std::optional<StrokeHit> nearest(Point place, double radius_mm) const;
-  /// Calls visit(StrokeId, int segment) for every segment of a stroke that may be edited whose box
-  /// (of the curve, without its width) meets the area; in no particular order.
+  /// Calls visit(StrokeId, int segment) for every segment of an editable stroke if the segment's
+  /// box (of the curve, without its width) meets the area. The order is not defined.
   template <class Visit>
   void for_each_segment_in(const Rect& area, Visit visit) const {
     index_strokes_in(area);
@@ -78,9 +80,10 @@ class StrokeIndex {
       if (layer.editable) layer.segments.for_each_in(area, visit);
     }
   }
-  /// Calls visit(StrokeId, int segment) once for every segment of a stroke that may be edited whose
-  /// ink could meet the area, and for some around; in no particular order. Strokes broader than
-  /// kBroadMm do not widen the search for all others: each of them is compared with the area.
+  /// Calls visit(StrokeId, int segment) once for every segment of an editable stroke if its ink
+  /// could meet the area, and for some others near it. The order is not defined. Strokes broader
+  /// than kBroadMm do not widen the search for the others, because each of them is tested by
+  /// itself.
   template <class Visit>
   void for_each_ink_in(const Rect& area, Visit visit) const {
     const Rect reach = area.inflated(usual_half_mm_);
@@ -94,15 +97,16 @@ class StrokeIndex {
       for (const auto& [stroke, line] : broad) line.for_each_in(area, stroke, visit);
     }
   }
-  /// The strokes that may be edited with a segment there, ascending.
+  /// Returns the ids of the editable strokes with a segment in the area, ascending.
   [[nodiscard]] std::vector<StrokeId> strokes_in(const Rect& area) const;
 
-  /// The nearest end within radius_mm of a place on visible layers, or nothing. Ends in `except`
-  /// do not count. Of several at the same distance the lowest id. `document` is the one indexed.
+  /// Returns the end nearest to `place` on visible layers within radius_mm, or nullopt if there is
+  /// none. Ignores the ends in `except`. Of several at the same distance the one with the lowest
+  /// id. Requires that `document` is the indexed one.
   [[nodiscard]] std::optional<TipHit> nearest_tip(const Document& document, Point place,
                                                   double radius_mm,
                                                   std::span<const TipId> except = {}) const;
-  /// Calls visit(TipId, Point) for every end in the area, of all layers, in no particular order.
+  /// Calls visit(TipId, Point) for every end in the area, in all layers. The order is not defined.
   template <class Visit>
   void for_each_tip_in(const Rect& area, Visit visit) const {
     index_strokes_in(area);
@@ -113,14 +117,15 @@ class StrokeIndex {
       return std::next(cell);
     });
   }
-  /// Half of the largest width of any stroke that was ever indexed.
+  /// Returns half of the largest width of any stroke that was ever indexed, in mm.
   [[nodiscard]] double widest_half_mm() const noexcept { return widest_half_mm_; }
-  /// How far a handle of any stroke that was ever indexed lies beyond the box around the two ends
-  /// of its segment, hence beyond that of for_each_segment_in(), at most.
+  /// Returns the largest distance of a handle from the box around the two ends of its segment, over
+  /// all strokes that were ever indexed. No handle is farther than this outside the box that
+  /// for_each_segment_in() tests.
   [[nodiscard]] double farthest_handle_mm() const noexcept { return farthest_handle_mm_; }
-  /// Number of ends known.
+  /// Returns the number of ends.
   [[nodiscard]] std::size_t tip_count() const noexcept { return tips_; }
-  /// Number of strokes that no query or edit has come near yet.
+  /// Returns the number of strokes that no query or edit has come near yet.
   [[nodiscard]] std::size_t unindexed_count() const noexcept { return unindexed_.size(); }
 
  private:
@@ -161,13 +166,13 @@ class StrokeIndex {
   };
 
   double cell_mm_;
-  // Queries move strokes from the last of these to the others.
+  // Queries move strokes from `unindexed_` to the other two.
   mutable std::map<LayerId, LayerSegments> layers_;
   mutable CellGrid<Entry> cells_;
   mutable UnindexedStrokes unindexed_;
   std::size_t tips_ = 0;
   double widest_half_mm_ = 0.0;
-  double usual_half_mm_ = 0.0;  // the same of strokes that are not broad
+  double usual_half_mm_ = 0.0;  // the same, of strokes that are not broad
   double farthest_handle_mm_ = 0.0;
 };
 

@@ -123,7 +123,7 @@ TEST(StrokeIndex, AnswersNonsenseWithNothing) {
   EXPECT_EQ(index.nearest_tip(d, {-1e300, 1e300}, 1)->distance_mm, 0.0);
 }
 
-/// The same, one segment after the other.
+/// Searches by brute force, one segment after the other.
 std::optional<StrokeHit> nearest_by_hand(const Document& d, Point q, double radius_mm) {
   std::optional<StrokeHit> best;
   double least = radius_mm * radius_mm;
@@ -241,7 +241,7 @@ TEST(StrokeIndex, OpeningALargeDocumentSortsOnlyWhatIsAskedFor) {
   ASSERT_GT(d.stroke_count(), StrokeIndex::kIndexedAtOnce);
   StrokeIndex index(d);
   constexpr std::size_t kAll = std::size_t{kSide} * kSide;
-  EXPECT_EQ(index.unindexed_count(), kAll);  // the long one is there at once
+  EXPECT_EQ(index.unindexed_count(), kAll);  // the long one is indexed immediately
   EXPECT_EQ(index.tip_count(), 2 * (kAll + 1));
   EXPECT_EQ(index.nearest({1002, 1001}, 8)->point, (Point{1002, 1000}));
   EXPECT_EQ(index.nearest_tip(d, {1400, 1400}, 8)->point, (Point{1400, 1400}));

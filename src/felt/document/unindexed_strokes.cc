@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSmallestCellMm = 32.0;
 constexpr double kCellGrowth = 4.0;
-/// Half a cell, and a little for rounding.
+/// Half a cell, and a margin for rounding.
 constexpr double kReachCells = 0.51;
 
 double cell_mm(std::size_t grid) noexcept {
@@ -18,7 +18,7 @@ double cell_mm(std::size_t grid) noexcept {
 
 }  // namespace
 
-/// Nothing if the stroke is too large for every grid.
+/// Returns nullopt if the stroke is too large for every grid.
 std::optional<UnindexedStrokes::Place> UnindexedStrokes::place_of(const Stroke& stroke) noexcept {
   Rect box;
   for (const Point& p : stroke.data().points) box.extend(p);

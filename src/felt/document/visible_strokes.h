@@ -8,7 +8,7 @@
 
 namespace felt {
 
-/// Which layers of a document are meant.
+/// The layers of a document to include.
 enum class LayerChoice { kAll, kVisible };
 
 /// Returns the strokes of visible layers in drawing order. They are shared, not copied.
@@ -17,7 +17,7 @@ std::vector<StrokePtr> visible_strokes(const Document& document);
 /// Returns the bounds of the ink in these layers; empty if there is none.
 Rect ink_bounds(const Document& document, LayerChoice layers = LayerChoice::kVisible);
 
-/// The name that files give a stroke: "s12".
+/// Returns the name of a stroke in files, for example "s12".
 std::string stroke_name(StrokeId id);
 
 }  // namespace felt

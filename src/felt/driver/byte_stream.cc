@@ -29,8 +29,8 @@ std::int64_t monotonic_ns() noexcept {
   return std::int64_t{now.tv_sec} * kSecond + now.tv_nsec;
 }
 
-// Until `until_ns` on the monotonic clock. False: not in time. What is wrong with the descriptor
-// shows in the transfer after it.
+// Waits until `until_ns` on the monotonic clock. Returns false if the descriptor was not ready in
+// time. Errors of the descriptor show in the transfer that follows.
 bool wait_for(int descriptor, short events, std::int64_t until_ns) noexcept {
   for (;;) {
     const std::int64_t left_ns = std::max<std::int64_t>(0, until_ns - monotonic_ns());
@@ -90,7 +90,7 @@ std::optional<Address> numeric_address(const std::string& host, std::uint16_t po
   return std::nullopt;
 }
 
-// 0, or errno.
+// Returns 0, or errno.
 int connect_within(int socket, const Address& address, std::int64_t within_ns) {
   const std::int64_t until_ns = monotonic_ns() + within_ns;
   if (::connect(socket, reinterpret_cast<const sockaddr*>(&address.storage), address.size) == 0) {
@@ -104,7 +104,7 @@ int connect_within(int socket, const Address& address, std::int64_t within_ns) {
   return error;
 }
 
-// 0, or errno.
+// Returns 0, or errno.
 int make_raw(int port) {
   if (flock(port, LOCK_EX | LOCK_NB) != 0) return errno;
   if (ioctl(port, TIOCEXCL) != 0) return errno;
@@ -114,7 +114,7 @@ int make_raw(int port) {
   settings.c_cflag |= CLOCAL | CREAD;
   settings.c_cc[VMIN] = 1;  // so that "nothing there" (EAGAIN) and "unplugged" (0) differ
   settings.c_cc[VTIME] = 0;
-  // Of no effect on USB, but never 1200: that rate sends boards into their boot loader.
+  // Has no effect on USB, but must never be 1200: that rate sends boards into their boot loader.
   cfsetspeed(&settings, B115200);
   if (tcsetattr(port, TCSANOW, &settings) != 0) return errno;
   return tcflush(port, TCIOFLUSH) == 0 ? 0 : errno;
@@ -159,7 +159,7 @@ tl::expected<void, StreamFault> DescriptorStream::send(std::span<const std::byte
     }
     if (wait_for(descriptor_, POLLOUT, until_ns)) continue;
     if (sent == 0) return tl::unexpected(StreamFault::kTimedOut);
-    return end(StreamFault::kFailed, ETIMEDOUT);  // half a message cannot be taken back
+    return end(StreamFault::kFailed, ETIMEDOUT);  // half a message cannot be undone
   }
   return {};
 }
@@ -207,7 +207,7 @@ Result<std::unique_ptr<ByteStream>> TcpStream::connect(const std::string& host, 
       setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
       return std::unique_ptr<ByteStream>(new TcpStream(socket.release(), true));
     }
-    if (error == 0) error = refused;  // what IPv4 said
+    if (error == 0) error = refused;  // the error of IPv4
   }
   return fail(error == ECONNREFUSED ? ErrorCode::kNotFound : ErrorCode::kIo,
               place + ": " + std::strerror(error));

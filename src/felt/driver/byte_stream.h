@@ -13,18 +13,19 @@
 
 namespace felt {
 
-/// Why bytes did not go or come. An enumeration, because the haptic thread must not make strings.
+/// Why a transfer failed. An enumeration, because the haptic thread must not allocate strings.
 enum class StreamFault : std::uint8_t {
-  kTimedOut,  ///< not within the time given; nothing was lost, and it may be tried again
-  kClosed,    ///< the other side ended it, or was unplugged
-  kFailed,    ///< the system refuses; last_errno() says why. Or a part went and the rest did not
+  kTimedOut,  ///< not within the given time; nothing was lost, and it may be retried
+  kClosed,    ///< the other side closed it, or the device was unplugged
+  kFailed,    ///< the system refused, see last_errno(); or only a part was sent
 };
 
-/// A connection to a device or its service that is used on the haptic thread: bytes in order, each
-/// way. What answers is a socket, a serial port, or in tests a fake without thread or clock.
+/// A byte stream to a device or its service that is used on the haptic thread: a socket, a serial
+/// port, or in tests a fake without thread or clock.
 ///
-/// send() and receive() block for their time at most, and neither allocate nor throw. After
-/// kClosed or kFailed the stream is of no use: it says the same again. Closed by its destructor.
+/// send() and receive() block for at most the given time, and neither allocate nor throw. After
+/// kClosed or kFailed the stream is unusable: every call returns the same fault. The destructor
+/// closes it.
 class ByteStream {
  public:
   ByteStream() = default;
@@ -32,40 +33,43 @@ class ByteStream {
   ByteStream& operator=(const ByteStream&) = delete;
   virtual ~ByteStream() = default;
 
-  /// Sends all of it, within `within_ns` (0 = only what goes at once). kTimedOut: none of it went.
+  /// Sends all bytes within `within_ns` (0: only if they can be sent without waiting). kTimedOut:
+  /// nothing was sent.
   virtual tl::expected<void, StreamFault> send(std::span<const std::byte> bytes,
                                                std::int64_t within_ns) noexcept = 0;
-  /// What has come, at least one byte, at most `room`. 0 = does not wait. Waits for the first byte
-  /// only, so that a caller who knows how much must come calls again with the time that is left.
+  /// Receives between 1 and `room.size()` bytes. 0 ns does not wait. Waits for the first byte only:
+  /// a caller that needs more calls again with the time that is left (StreamDeadline).
   virtual tl::expected<std::size_t, StreamFault> receive(std::span<std::byte> room,
                                                          std::int64_t within_ns) noexcept = 0;
-  /// errno of the newest kFailed; 0 = none.
+  /// Returns the errno of the newest kFailed, 0 if there was none.
   [[nodiscard]] virtual int last_errno() const noexcept { return 0; }
-  /// From now on a process of its own sends `last_words` when nothing has been sent for so long, or
-  /// when this program ends however (PortGuard). Edit thread. In the place of the one
-  /// before, which then speaks; without words: none any more. False: there is none.
+  /// Starts a process (PortGuard) that sends `last_words` when nothing has been sent for
+  /// `patience_ns`, or when this program ends for any reason. Replaces an earlier guard, which
+  /// sends its own words as it ends; empty words only end that one. Returns false if no guard runs.
+  /// Edit thread.
   virtual bool keep_guard(std::span<const std::byte> last_words, std::int64_t patience_ns) {
     static_cast<void>(last_words);
     static_cast<void>(patience_ns);
     return false;
   }
-  /// False: the guard that keep_guard() had made has ended, though nobody asked it to. Known once
-  /// something was sent after that. The sender's thread.
+  /// Returns false if the guard of keep_guard() has ended unexpectedly. This is detected by the
+  /// next send(). The sender's thread.
   [[nodiscard]] virtual bool is_guarded() const noexcept { return true; }
 };
 
-/// How much of a time is left, on the system's monotonic clock: for who receives several times.
+/// Measures how much of a time limit is left, on the system's monotonic clock, so that several
+/// calls can share one limit.
 class StreamDeadline {
  public:
   explicit StreamDeadline(std::int64_t within_ns) noexcept;
-  /// 0 when it is over, and always for one of 0.
+  /// Returns 0 when the time is over, and always if the limit was 0.
   [[nodiscard]] std::int64_t left_ns() const noexcept;
 
  private:
   std::int64_t until_ns_;
 };
 
-/// A stream over a file descriptor of our own that does not block.
+/// A stream over a non-blocking file descriptor that it owns.
 class DescriptorStream : public ByteStream {
  public:
   ~DescriptorStream() override;
@@ -76,7 +80,7 @@ class DescriptorStream : public ByteStream {
   [[nodiscard]] int last_errno() const noexcept override { return errno_; }
 
  protected:
-  /// Takes `descriptor` over. `is_socket`: write() would raise SIGPIPE.
+  /// Takes ownership of `descriptor`. `is_socket`: write() would raise SIGPIPE.
   DescriptorStream(int descriptor, bool is_socket) noexcept
       : descriptor_(descriptor), is_socket_(is_socket) {}
   [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
@@ -87,15 +91,16 @@ class DescriptorStream : public ByteStream {
   int descriptor_;
   bool is_socket_;
   bool is_over_ = false;
-  StreamFault fault_ = StreamFault::kClosed;  // while is_over_
+  StreamFault fault_ = StreamFault::kClosed;  // if is_over_
   int errno_ = 0;
 };
 
-/// A TCP connection without Nagle's delay.
+/// A TCP connection with Nagle's algorithm disabled.
 class TcpStream final : public DescriptorStream {
  public:
-  /// Connects, on the edit thread. `host` is "localhost" (IPv4 first, then IPv6) or a number: no
-  /// name is looked up, which could block for a minute. Error: the system's own words.
+  /// Connects, on the edit thread. `host` is "localhost" (IPv4 first, then IPv6) or a numeric
+  /// address; names are not looked up, because that could block for a minute. Fails with the
+  /// system's message.
   static Result<std::unique_ptr<ByteStream>> connect(const std::string& host, std::uint16_t port,
                                                      std::int64_t within_ns);
 
@@ -103,11 +108,12 @@ class TcpStream final : public DescriptorStream {
   using DescriptorStream::DescriptorStream;
 };
 
-/// A serial port: raw bytes, locked against other programs, what waited in it thrown away.
+/// A serial port in raw mode, locked against other programs. Opening it discards bytes that were
+/// waiting.
 class SerialStream final : public DescriptorStream {
  public:
-  /// Opens on the edit thread. Error: there is none, another program has it, permission denied, or
-  /// it is no serial port; with the system's words.
+  /// Opens a port, on the edit thread. Fails if it does not exist, is in use by another program, is
+  /// not a serial port, or access is denied; with the system's message.
   static Result<std::unique_ptr<ByteStream>> open(const std::string& path);
 
   tl::expected<void, StreamFault> send(std::span<const std::byte> bytes,
@@ -122,7 +128,7 @@ class SerialStream final : public DescriptorStream {
   bool is_guarded_ = true;
 };
 
-/// How a driver reaches a service; tests put a fake in its place.
+/// How a driver connects to a service; tests pass a fake.
 using TcpConnect = std::function<Result<std::unique_ptr<ByteStream>>(
     const std::string& host, std::uint16_t port, std::int64_t within_ns)>;
 /// How a driver opens a serial port.

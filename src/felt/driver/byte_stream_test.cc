@@ -91,8 +91,8 @@ TEST(TcpStream, SendsAndReceivesAndSaysWhenTheOtherSideLeft) {
   EXPECT_EQ((*stream)->send(bytes_of("x"), kLongNs).error(), StreamFault::kClosed);
 }
 
-// The other side reads nothing: what goes fits into buffers, then send() gives up, and after half
-// a message the stream is over, because the other side could not tell where the next begins.
+// The other side does not read. Sends fill the buffers, then send() times out. After half a message
+// the stream is over, because the other side could not find the start of the next one.
 TEST(TcpStream, HalfAMessageEndsTheStream) {
   Listener listener;
   auto stream = TcpStream::connect("127.0.0.1", listener.port(), kLongNs);
@@ -146,7 +146,7 @@ class Pty {
   std::string path_;
 };
 
-// Bytes that a terminal would change or act on: they come as they are.
+// Bytes that a terminal would change or interpret must arrive unchanged.
 TEST(SerialStream, BytesAreRaw) {
   Pty pty;
   auto port = SerialStream::open(pty.path());
@@ -193,7 +193,7 @@ TEST(SerialStream, AGuardSpeaksAtTheEndAndFreesThePort) {
   EXPECT_TRUE(SerialStream::open(pty.path()).has_value());
 }
 
-// Only what was sent is a sign of life.
+// Only sent bytes count as a sign of life.
 TEST(SerialStream, AGuardSpeaksAfterASilence) {
   Pty pty;
   auto port = SerialStream::open(pty.path());

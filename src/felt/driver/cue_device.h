@@ -10,10 +10,10 @@ namespace felt {
 
 struct DeviceDescriptor;
 
-/// A device that plays waveforms and knows no newtons: a haptic pen, a mouse, a touchpad, a game
-/// controller (architecture section 5: every tool feeds both classes). Edit thread; closed, and
-/// silent, by its destructor. Fed by a CueLaw as a rule, 50 times a second at most; drivers leave
-/// out what the device could not follow.
+/// A device that plays waveforms instead of forces: a haptic pen, a mouse, a touchpad, a game
+/// controller (architecture section 5: every tool feeds both classes). Usually driven by a CueLaw,
+/// at most 50 times a second; drivers skip cues that come too fast for the device. Edit thread. The
+/// destructor silences and closes it.
 class CueDevice {
  public:
   CueDevice() = default;
@@ -22,12 +22,12 @@ class CueDevice {
   virtual ~CueDevice() = default;
 
   [[nodiscard]] virtual const DeviceDescriptor& descriptor() const noexcept = 0;
-  /// Can it play this, itself or by its nearest relative?
+  /// Returns true if the device plays this waveform, directly or as the nearest one it supports.
   [[nodiscard]] virtual bool plays(CueWaveform waveform) const noexcept = 0;
-  /// `now_ns` is any clock that only grows. Error: kDisconnected, then for ever; kOther where it
-  /// refuses this cue, and may take another.
+  /// Plays a cue. `now_ns` is any clock that never goes back. Fails with kDisconnected, then
+  /// permanently; with kOther if the device refuses this cue but may accept others.
   virtual tl::expected<void, DeviceFault> play(const Cue& cue, std::int64_t now_ns) noexcept = 0;
-  /// Silence, at once. Must work in any state.
+  /// Silences the device immediately. Must work in any state.
   virtual void stop() noexcept = 0;
 };
 

@@ -7,27 +7,27 @@
 
 namespace felt {
 
-/// A kind of force device that people own, and what may be asked of it: the one place where the
-/// figures of devices stand. The simulated styluses take theirs from here.
+/// A model of force device that people own, and its limits. All figures of devices are in this
+/// table; the simulated styluses use them, too.
 struct DeviceModel {
-  std::string_view id;     ///< "omega.3": DeviceDescriptor::model, and what settings keep
-  std::string_view label;  ///< for people, with the maker: "Force Dimension omega.3"
+  std::string_view id;     ///< "omega.3": DeviceDescriptor::model, and the key in settings
+  std::string_view label;  ///< for the user, with the maker: "Force Dimension omega.3"
   std::string_view maker;  ///< "Force Dimension"
-  /// The device's own axes, the workspace around its own origin as a driver reports it: as the
-  /// table of the maker's axes in the room's README says. period_ns is its nominal rate.
+  /// In the device's own axes (see the README of the driver's folder), with the workspace around
+  /// its own origin as the driver reports it. period_ns is the nominal rate.
   Capabilities capabilities;
-  /// Where the figures are from. What nobody could check on a data sheet is called an estimate; a
-  /// driver that learns better from the device itself only ever lowers forces.
+  /// Where the figures are from. A figure that nobody could check on a data sheet is called an
+  /// estimate. If the device itself reports better figures, a driver only ever lowers forces.
   std::string_view source;
-  /// Some driver of ours opens it. The others are listed for those who ask.
+  /// One of our drivers opens it. The others are listed for reference.
   bool is_driven = true;
 };
 
-/// All of them, in the order of makers. Constant.
+/// Returns all models, ordered by maker. Constant.
 std::span<const DeviceModel> device_models() noexcept;
-/// By id, or null.
+/// Returns the model with this id, or null.
 const DeviceModel* find_device_model(std::string_view id) noexcept;
-/// What is assumed of a force device that nobody knows: "generic-3dof", the least of everything.
+/// Returns the limits assumed for an unknown force device: "generic-3dof", the lowest of all.
 const DeviceModel& generic_device_model() noexcept;
 
 }  // namespace felt

@@ -19,12 +19,12 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kMaxProfileBytes = 64 * 1024;
-constexpr std::size_t kLongestName = 120;  // of a file, before its fingerprint
+constexpr std::size_t kLongestName = 120;  // of a file, without its fingerprint
 constexpr std::size_t kLongestText = 200;  // of a value
 constexpr double kMaxProfileNumber = 1e6;
 constexpr double kLargestAreaMm = 1e4;
 
-/// The parts of a plane as they come, line by line.
+/// The parts of a plane, collected line by line.
 struct PlaneParts {
   std::array<std::optional<Vec3>, 3> rows;
   std::optional<Vec3> origin;
@@ -38,7 +38,7 @@ struct HandParts {
   PlaneParts right, left;
 };
 
-constexpr std::string_view kLeft = "left_";  // before the keys of the left hand's plane
+constexpr std::string_view kLeft = "left_";  // prefix of the keys of the left hand's plane
 
 std::string_view trimmed(std::string_view text) noexcept {
   constexpr std::string_view kBlank = " \t\r";
@@ -47,7 +47,7 @@ std::string_view trimmed(std::string_view text) noexcept {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-/// Exactly this many finite numbers, separated by blanks.
+/// Parses exactly this many finite numbers, separated by blanks.
 template <std::size_t Count>
 Result<std::array<double, Count>> numbers(std::string_view text) {
   std::array<double, Count> values{};
@@ -117,7 +117,7 @@ Result<void> set_area(PlaneParts& parts, std::string_view text) {
   return {};
 }
 
-/// False: the key is not one of a plane.
+/// Sets a part of a plane. Returns false if `key` is not a key of a plane.
 Result<bool> set_part(PlaneParts& parts, std::string_view key, std::string_view text) {
   Result<void> done;
   if (key == "plane_x" || key == "plane_y" || key == "plane_z") {
@@ -137,7 +137,7 @@ Result<bool> set_part(PlaneParts& parts, std::string_view key, std::string_view 
   return true;
 }
 
-/// False: the key is not one that we know.
+/// Sets a value. Returns false if `key` is unknown.
 Result<bool> set_value(DeviceProfile& profile, HandParts& parts, std::string_view key,
                        std::string_view text) {
   Result<void> done;
@@ -270,7 +270,7 @@ Capabilities limited_by(const DeviceProfile& profile, Capabilities device) noexc
 
 Result<std::string> device_profiles_folder() {
   constexpr const char* kBelow = "/feltline/devices";
-  // What is no absolute path must be ignored (XDG Base Directory Specification).
+  // A path that is not absolute must be ignored (XDG Base Directory Specification).
   if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && *config == '/') {
     return std::string(config) + kBelow;
   }
@@ -369,7 +369,7 @@ Result<DeviceProfile> load_device_profile(const std::string& folder, std::string
 Result<void> save_device_profile(const std::string& folder, const DeviceProfile& profile) {
   const std::string path = device_profile_path(folder, profile.device_id);
   const std::string text = device_profile_text(profile);
-  // What we could not read again is not written.
+  // Reads the text back, so that nothing is written that could not be loaded.
   const Result<DeviceProfile> again = parse_device_profile(text, path);
   if (!again) return tl::unexpected(again.error());
   if (*again != profile) {

@@ -12,9 +12,9 @@
 
 namespace felt {
 
-/// What a person has set for one device, apart from any program: where its drawing plane lies, how
-/// much of it they want to feel, and with which hand. Kept by the device's id in a small text file
-/// that a person can read, and mend:
+/// The user's settings for one device, independent of any program: where its drawing plane lies,
+/// its force limits, and which hand holds it. Stored under the device's id in a small text file
+/// that a user can read and repair:
 ///
 ///   # Feltline: what was set for one device.
 ///   device = haply:049D
@@ -31,21 +31,22 @@ namespace felt {
 ///   area_middle_mm = 0 20 -15
 ///   area_mm = 160 120
 ///
-/// Each hand has its plane and area: a device stands on the side of the hand that holds it.
-/// plane_..., area_... are the right hand's, left_plane_..., left_area_... the left one's.
+/// Each hand has its own plane and area, because the device stands on the side of the hand that
+/// holds it. plane_... and area_... are for the right hand, left_plane_... and left_area_... for
+/// the left.
 struct DeviceProfile {
-  std::string device_id;     ///< of its DeviceDescriptor
-  std::string serial = {};   ///< of the device that it was made with; empty: not known then
-  std::string name = {};     ///< the person's own; empty: the maker's
-  bool left_handed = false;  ///< the hand that holds it now: switch_hand()
-  std::optional<PlaneCalibration> plane = {};        ///< that hand's; none: nobody has shown it yet
-  std::optional<DrawingArea> area = {};              ///< that was shown with it
-  std::optional<PlaneCalibration> other_plane = {};  ///< likewise of the other hand
+  std::string device_id;                       ///< DeviceDescriptor::id
+  std::string serial = {};                     ///< of the device it was made with; empty: unknown
+  std::string name = {};                       ///< given by the user; empty: the maker's
+  bool left_handed = false;                    ///< the hand that holds it now, see switch_hand()
+  std::optional<PlaneCalibration> plane = {};  ///< for that hand; empty: not calibrated yet
+  std::optional<DrawingArea> area = {};        ///< set together with the plane
+  std::optional<PlaneCalibration> other_plane = {};  ///< the same for the other hand
   std::optional<DrawingArea> other_area = {};
-  /// The most that this person wants of it. Never raises anything: see limited_by().
+  /// The user's limits. They never raise anything: see limited_by().
   std::optional<double> force_limit_n = {};
   std::optional<double> stiffness_cap_n_per_m = {};
-  /// Lines of a newer program, kept as they are.
+  /// Lines that a newer program wrote, kept unchanged.
   std::vector<std::string> unknown = {};
 
   friend bool operator==(const DeviceProfile&, const DeviceProfile&) = default;
@@ -54,35 +55,35 @@ struct DeviceProfile {
 inline constexpr double kLeastForceLimitN = 0.1;
 inline constexpr double kLeastStiffnessCap = 50.0;  ///< N/m
 
-/// True unless both serials are known and differ: then the file is of another one of its kind, and
-/// its plane says nothing.
+/// Returns false if both serials are known and differ. Then the profile was made with another unit
+/// of the same kind, and its planes are invalid.
 bool is_of(const DeviceProfile& profile, std::string_view serial) noexcept;
 
-/// The other hand holds it from now on, and its plane and area are those in use.
+/// Switches the device to the other hand, with that hand's plane and area.
 void switch_hand(DeviceProfile& profile) noexcept;
-/// Unless is_of(): no plane and no area are kept. The serial is this one from now on, if it is
-/// known.
+/// Removes all planes and areas unless is_of(). Sets the serial to `serial` if it is not empty.
 void forget_planes_of_another(DeviceProfile& profile, std::string_view serial);
 
-/// Capabilities with the person's limits, which only ever lower them.
+/// Returns `device` with the user's limits, which only ever lower it.
 Capabilities limited_by(const DeviceProfile& profile, Capabilities device) noexcept;
 
-/// "$XDG_CONFIG_HOME/feltline/devices", or below "$HOME/.config". Error: neither is set.
+/// Returns "$XDG_CONFIG_HOME/feltline/devices", or the folder below "$HOME/.config". Fails if
+/// neither variable is set.
 Result<std::string> device_profiles_folder();
-/// The file of an id in a folder: letters, digits, "-", "_" stay, ":" becomes "+", all else "%41";
-/// so that no two ids share one and none leads out of the folder. A very long id ends in a
-/// fingerprint.
+/// Returns the file of an id in a folder. Letters, digits, "-" and "_" stay, ":" becomes "+",
+/// anything else is escaped ("%41"), so that no two ids share a file and none leads out of the
+/// folder. A very long id is cut and ends in a fingerprint.
 std::string device_profile_path(const std::string& folder, std::string_view device_id);
 
-/// Reads the text of a profile; `where` is for messages ("FILE:LINE: reason").
+/// Parses the text of a profile; `where` is for messages ("FILE:LINE: reason").
 Result<DeviceProfile> parse_device_profile(std::string_view text, const std::string& where);
 std::string device_profile_text(const DeviceProfile& profile);
 
-/// What is kept for a device; where there is no file, a profile with nothing set. Error: it cannot
-/// be read or makes no sense; names file, line and reason, and nothing of it should be used.
+/// Loads the profile of a device; without a file, a profile with nothing set. Fails if the file
+/// cannot be read or is invalid, with file, line and reason; then use none of it.
 Result<DeviceProfile> load_device_profile(const std::string& folder, std::string_view device_id);
-/// Writes it whole or not at all; makes the folder. Error: names file and reason, or the value that
-/// makes no sense.
+/// Writes the profile atomically, and creates the folder. Fails with file and reason, or with the
+/// invalid value.
 Result<void> save_device_profile(const std::string& folder, const DeviceProfile& profile);
 
 }  // namespace felt

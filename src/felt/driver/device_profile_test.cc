@@ -221,7 +221,7 @@ TEST(DeviceProfile, APersonsLimitsOnlyLower) {
   profile.stiffness_cap_n_per_m = 250;
   EXPECT_EQ(limits_for(limited_by(profile, touch)).peak_force_n, 0.4);
   EXPECT_EQ(limited_by(profile, touch).max_stiffness_n_per_m, 250);
-  // A device that gives no advice still keeps to its nominal force.
+  // A device without an advised force is still limited by its nominal force.
   touch.advised_force_n = 0.0;
   profile.force_limit_n = 9.0;
   EXPECT_EQ(limits_for(limited_by(profile, touch)).peak_force_n, limits_for(touch).peak_force_n);
@@ -246,7 +246,7 @@ TEST(DeviceProfile, EachHandHasItsPlaneAndArea) {
   EXPECT_EQ(right.area, left.other_area);
   EXPECT_EQ(right.other_plane, left.plane);
   EXPECT_EQ(parse_device_profile(device_profile_text(right), "f").value(), right);
-  // The planes keep their names in the file, whichever hand is at work.
+  // The planes keep their names in the file, whichever hand is active.
   const auto lines = [](std::string text) {
     const std::string hand = "hand = left\n";
     if (const std::size_t at = text.find(hand); at != std::string::npos)

@@ -19,7 +19,8 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kMaxFileBytes = 64 * 1024;
-constexpr std::int64_t kListensNs = 1'000'000'000;  // a host that is down does not answer at all
+constexpr std::int64_t kListensNs =
+    1'000'000'000;  // because a host that is down does not answer at all
 
 std::string group_name(gid_t id) {
   const group* entry = getgrgid(id);

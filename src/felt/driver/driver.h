@@ -20,8 +20,8 @@ namespace felt {
 
 class CueDevice;
 
-/// A short text that is copied as bytes, so that the haptic thread can hand a vendor's own words
-/// over. What does not fit is cut at the end, never inside a UTF-8 character.
+/// A short text without allocation, so that the haptic thread can pass on a vendor's message.
+/// Longer text is cut at the end, never inside a UTF-8 character.
 class ShortText {
  public:
   static constexpr std::size_t kBytes = 191;
@@ -46,95 +46,98 @@ class ShortText {
   std::uint8_t size_ = 0;
 };
 
-/// How an open device is. Trivially copyable: made on the haptic thread, read on the edit side
-/// through a LatestValue.
+/// The state of an open device. Trivially copyable: written on the haptic thread, read on the edit
+/// thread through a LatestValue.
 struct DeviceStatus {
-  std::optional<DeviceFault> fault;         ///< that holds at present; none: it reads and writes
-  std::optional<DeviceFault> last_fault;    ///< the newest one, though it be over
-  ShortText vendor_words;                   ///< the maker's own text for the newest fault, verbatim
-  std::int64_t vendor_code = 0;             ///< and its number
-  ShortText notice;                         ///< its newest word that is no fault: a flat battery,
-                                            ///< a filter of its own that acts on our forces
+  std::optional<DeviceFault> fault;       ///< active now; empty: it reads and writes
+  std::optional<DeviceFault> last_fault;  ///< the newest, even if it is over
+  ShortText vendor_words;                 ///< the maker's own text for the newest fault, verbatim
+  std::int64_t vendor_code = 0;           ///< the maker's number for it
+  ShortText notice;  ///< newest message that is not a fault: a flat battery, a filter of the device
+                     ///< that changes our forces
   std::uint64_t faults = 0;                 ///< since it was opened
-  std::uint64_t reads = 0;                  ///< that succeeded, since it was opened
+  std::uint64_t reads = 0;                  ///< successful ones since it was opened
   std::optional<double> motor_temperature;  ///< 0 cold .. 1 too warm, the warmest motor
-  double rate_hz = 0.0;  ///< that the device itself says it is served at; 0 = says nothing
+  double rate_hz = 0.0;                     ///< at which the device says it is served; 0: unknown
 };
 
-/// What kind of output a device has (architecture section 5).
+/// The kind of output of a device (architecture section 5).
 enum class DeviceKind : std::uint8_t {
-  kForce,  ///< reads a pose and takes newtons: opened by Driver::open
+  kForce,  ///< reports a pose and accepts forces: opened by Driver::open
   kCue,    ///< plays waveforms: opened by Driver::open_cue
 };
 
-/// A device that a driver knows of, open or not.
+/// A device that a driver has found, open or not.
 struct DeviceDescriptor {
-  /// "driver:what", unique on this machine and the same each time it is plugged in; what settings
-  /// keep and `--device` takes: "haply:049D", "openhaptics:default".
+  /// "driver:what", unique on this machine and the same each time the device is plugged in. Used in
+  /// settings and by `--device`: "haply:049D", "openhaptics:default".
   std::string id;
   std::string driver;  ///< "openhaptics"
   DeviceKind kind = DeviceKind::kForce;
-  std::string label;    ///< for people: "3D Systems Touch"
-  std::string model;    ///< row of device_models(); empty: unknown
+  std::string label;    ///< for the user: "3D Systems Touch"
+  std::string model;    ///< id of device_models(); empty: unknown
   std::string serial;   ///< empty: unknown
-  std::string version;  ///< of library, service or firmware, as it says; empty: unknown
-  /// It is known to be connected. False: the vendor has no way to look, only opening tells.
+  std::string version;  ///< of library, service or firmware, as reported; empty: unknown
+  /// It is known to be connected. False: the maker's software cannot check without opening it.
   bool is_connected = true;
-  /// It says where it is in a frame of its own: the drawing plane must be shown to it.
+  /// It reports positions in a frame of its own: the user must calibrate the drawing plane.
   bool has_own_frame = true;
-  Capabilities capabilities;  ///< as far as they are known while it is closed
+  Capabilities capabilities;  ///< as far as known while it is closed
 };
 
-/// What a device needs before it knows where it is.
+/// What a device needs to find its reference position.
 enum class Homing : std::uint8_t {
-  kNone,      ///< it knows
-  kByItself,  ///< its arm moves: hands off, and only when a person agrees
-  kRestPose,  ///< a person brings the arm to its rest pose
-  kInkwell,   ///< a person puts the stylus into its inkwell
+  kNone,      ///< nothing
+  kByItself,  ///< its arm moves by itself: hands off, and only if the user agrees
+  kRestPose,  ///< the user moves the arm to its rest pose
+  kInkwell,   ///< the user puts the stylus into its inkwell
 };
 
 struct OpenOptions {
-  /// A device that moves in the plane only cannot tell whether its pen touches: it does from the
-  /// beginning, or not before DriverDevice::set_pen_down() says so (a key that is held).
+  /// For a device that moves in the plane only and cannot sense contact: the pen starts down, or
+  /// else stays up until DriverDevice::set_pen_down() is called (a key is held).
   bool pen_begins_down = true;
 };
 
-/// A device that a driver has opened; closed by its destructor, without force.
+/// A device that a driver has opened. The destructor closes it, without force.
 ///
-/// Its frame is the device's own, in mm and N, with its axes as the maker has them: a
-/// `OpenDevice` maps it to the sheet. A device that takes no force at present (its button, a
-/// guard, warm motors) is still read: write() says kForcesOff or kOverheated then, read() goes on,
-/// and so does the drawing. Threads: read(), write(), stop() as in Device; the rest
-/// on the edit thread. Once read() has said kDisconnected it says so for ever: whoever owns it
-/// closes it, and opens what Driver::find() sees again. A force bound of its own (ForceGate) stands
-/// behind the safety chain: nothing makes it ask for more than its model's row allows.
+/// Values are in the device's own frame, in mm and N, with the maker's axes; `OpenDevice` maps them
+/// to the page. If a device accepts no force at the moment (its button, a guard, warm motors),
+/// write() returns kForcesOff or kOverheated, but read() still works and drawing goes on. After
+/// read() has returned kDisconnected it does so permanently: the owner closes the device and opens
+/// what Driver::find() returns. Every driver limits forces again behind the safety chain
+/// (ForceGate), so that it never asks for more than its row of device_models() allows. Threads:
+/// read(), write(), stop() as in Device; the rest on the edit thread.
 class DriverDevice : public Device {
  public:
   [[nodiscard]] virtual const DeviceDescriptor& descriptor() const noexcept = 0;
   [[nodiscard]] bool is_arm() const noexcept override { return true; }
-  /// The newest; cheap.
+  /// Returns the newest status; cheap.
   [[nodiscard]] virtual DeviceStatus status() noexcept = 0;
-  /// The maker's own servo loop, which must run this device; null: any thread may.
+  /// Returns the maker's own servo loop, which must run this device; null: any thread may.
   [[nodiscard]] virtual LoopHost* loop_host() noexcept { return nullptr; }
-  /// Does its pen touch? For a device that cannot tell by itself (sensed_axes is 2, no pressure):
-  /// whoever has a key for it says so; its samples are then just below or above the plane, z =
-  /// -0.25 or 0.25 mm of its own frame (more in a tick would be a jump). False: this one knows by
-  /// itself, and nothing was done. Any thread.
+  /// Sets whether the pen touches, for a device that cannot sense it (sensed_axes is 2, no
+  /// pressure). Samples are then just below or above the plane, z = -0.25 or 0.25 mm in the
+  /// device's frame (a larger step in one tick would count as a jump). Returns false, and does
+  /// nothing, if the device senses contact itself. Any thread.
   virtual bool set_pen_down(bool is_down) noexcept {
     static_cast<void>(is_down);
     return false;
   }
-  /// What it needs before read() says anything but kNotCalibrated. While no loop runs.
+  /// Returns what the device needs before read() returns anything but kNotCalibrated. Only while no
+  /// loop runs.
   [[nodiscard]] virtual Homing homing() noexcept { return Homing::kNone; }
-  /// What a person should do for it, or see happen; one or two sentences. Empty for kNone.
+  /// Returns what the user should do for it, or will see happen, in one or two sentences. Empty for
+  /// kNone.
   [[nodiscard]] virtual std::string homing_words() { return {}; }
-  /// Finds home: after a person said yes to kByItself, or while they hold it as asked. Blocks, some
-  /// seconds at most. While no loop runs. Error: the maker's words, and what to try.
+  /// Homes the device: call it after the user agreed to kByItself, or while the user holds it as
+  /// asked. Blocks for some seconds at most. Only while no loop runs. Fails with the maker's
+  /// message and what to try.
   virtual Result<void> find_home() { return {}; }
 };
 
-/// All that is known of one maker's way to talk to devices. Edit thread. Making one costs nothing
-/// and touches nothing: libraries are loaded and ports opened when asked.
+/// The interface to one maker's devices. Constructing one costs and touches nothing: libraries are
+/// loaded and ports opened on demand. Edit thread.
 class Driver {
  public:
   Driver() = default;
@@ -144,27 +147,30 @@ class Driver {
 
   /// "openhaptics", "forcedimension", "haply", "pantograph", "evdev", "cue".
   [[nodiscard]] virtual std::string_view name() const noexcept = 0;
-  /// For people: "3D Systems (OpenHaptics)".
+  /// For the user: "3D Systems (OpenHaptics)".
   [[nodiscard]] virtual std::string_view label() const noexcept = 0;
-  /// What is there now. Some ms at most, asked once a second while a list is shown; must not
-  /// disturb what is open. Nothing where its library or service is missing: diagnose() says why.
+  /// Returns the devices that are present. Takes some ms at most and is called once a second while
+  /// a list is shown; must not disturb open devices. Empty if the maker's library or service is
+  /// missing: diagnose() says why.
   virtual std::vector<DeviceDescriptor> find() = 0;
-  /// Opens a force device that find() gave. Error: what is wrong and the next step, with the
-  /// maker's words; nothing moves, and nothing stays open.
+  /// Opens a force device that find() returned. Fails with what is wrong, the maker's message and
+  /// the next step; then nothing moves and nothing stays open.
   virtual Result<std::unique_ptr<DriverDevice>> open(const DeviceDescriptor& device,
                                                      const OpenOptions& options) = 0;
-  /// Likewise a cue device.
+  /// The same for a cue device.
   virtual Result<std::unique_ptr<CueDevice>> open_cue(const DeviceDescriptor& device);
-  /// How it usually stands on a desk: where the drawing plane lies until a person has shown it. The
-  /// middle of what the device reaches there is the sheet's (0, 0). Here: a right-handed frame with
-  /// x to the right, y up and z to the person, and the sheet upright before it, like an easel.
+  /// Returns the drawing plane for the usual place of the device on a desk, until the user has
+  /// calibrated one. The centre of the reachable part of the plane is the page's (0, 0). By
+  /// default: a right-handed frame with x to the right, y up and z towards the user, and the page
+  /// upright in front of the device, like an easel.
   [[nodiscard]] virtual PlaneCalibration default_plane(const DeviceDescriptor& device,
                                                        const OpenOptions& options) const {
     static_cast<void>(device), static_cast<void>(options);
     return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}}, {});
   }
-  /// What is there, what is missing, and the exact next step, for a person who never heard of any
-  /// of it; in the order in which one mends things. Looks at the system through `system` only.
+  /// Returns what is present, what is missing, and the exact next step, for a user who knows
+  /// nothing about drivers; in the order in which to fix things. Uses the system only through
+  /// `system`.
   virtual std::vector<Finding> diagnose(const SystemView& system) = 0;
 };
 

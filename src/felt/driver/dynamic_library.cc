@@ -10,7 +10,7 @@ Result<DynamicLibrary> DynamicLibrary::open(std::span<const std::string> names, 
       RTLD_LAZY | RTLD_LOCAL | (life == LibraryLife::kAsLongAsProgram ? RTLD_NODELETE : 0);
   std::string tries;
   for (const std::string& name : names) {
-    // An empty name would be this very program.
+    // dlopen() of an empty name would return this program itself.
     void* handle = name.empty() ? nullptr : dlopen(name.c_str(), mode);
     if (handle != nullptr) return DynamicLibrary(handle, name);
     const char* words = name.empty() ? nullptr : dlerror();

@@ -10,14 +10,15 @@
 
 namespace felt {
 
-/// What becomes of a library when its `DynamicLibrary` goes.
+/// When a library is unloaded.
 enum class LibraryLife : std::uint8_t {
-  kAsLongAsUsed,     ///< it is unloaded with its last user
+  kAsLongAsUsed,     ///< with its last user
   kAsLongAsProgram,  ///< never: for libraries with threads of their own, whose code must stay
+                     ///< loaded
 };
 
-/// A library that is loaded while the program runs: a maker's, which may be absent. Its names are
-/// not shown to other libraries, and what it needs is bound when it is needed. Edit thread.
+/// A library that is loaded at run time, because it may be absent: a device maker's. Its symbols
+/// are invisible to other libraries and bound lazily. Edit thread.
 ///
 ///   auto library = DynamicLibrary::open(names, LibraryLife::kAsLongAsProgram);
 ///   if (!library) return fail(library.error()...);
@@ -26,11 +27,11 @@ enum class LibraryLife : std::uint8_t {
 ///   if (auto all = symbols.done(); !all) ...
 class DynamicLibrary {
  public:
-  /// Loads the first of `names` that there is: plain names ("libHD.so") are looked for where the
-  /// system keeps libraries, names with a slash are paths.
+  /// Loads the first of `names` that can be loaded. Plain names ("libHD.so") are searched where the
+  /// system keeps libraries; names with a slash are paths.
   ///
-  /// Error: kNotFound; each name with the loader's own words, since these name what is missing
-  /// behind it ("libncurses.so.5: cannot open shared object file ...").
+  /// Fails with kNotFound; the message has each name with the loader's text, because it names
+  /// missing dependencies ("libncurses.so.5: cannot open shared object file ...").
   static Result<DynamicLibrary> open(std::span<const std::string> names, LibraryLife life);
 
   DynamicLibrary(DynamicLibrary&& other) noexcept
@@ -40,11 +41,11 @@ class DynamicLibrary {
   DynamicLibrary& operator=(const DynamicLibrary&) = delete;
   ~DynamicLibrary() { close(); }
 
-  /// The one of the names that was found.
+  /// Returns the name that was loaded.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
-  /// The file that it came from; its name where the system does not say.
+  /// Returns the file that was loaded; the name if the system does not say.
   [[nodiscard]] std::string path() const;
-  /// The address of a function, or null.
+  /// Returns the address of a function, or null.
   [[nodiscard]] void* symbol(const char* name) const noexcept;
 
  private:
@@ -56,25 +57,26 @@ class DynamicLibrary {
   std::string name_;
 };
 
-/// Looks functions up by name, each into a pointer of its type, and collects what is missing, so
-/// that a person hears of all of it at once.
+/// Looks up functions by name, each into a pointer of its type, and collects the missing ones, so
+/// that the message names all of them.
 class SymbolLoader {
  public:
   /// `library` must outlive this.
   explicit SymbolLoader(const DynamicLibrary& library) noexcept : library_(library) {}
 
-  /// A function that must be there; null and noted where it is not.
+  /// Looks up a required function; null and remembered as missing if it is absent.
   template <class Function>
   void require(Function*& function, const char* name) {
     if (!find(function, name)) missing_.emplace_back(name);
   }
-  /// One that older versions lack: false, and null, where it is not.
+  /// Looks up a function that older versions lack; null, and false, if it is absent.
   template <class Function>
   bool find(Function*& function, const char* name) noexcept {
     function = reinterpret_cast<Function*>(library_.symbol(name));
     return function != nullptr;
   }
-  /// Error: kUnsupported; names the library's file and all functions that it lacks.
+  /// Fails with kUnsupported if required functions are missing; names the library's file and all of
+  /// them.
   [[nodiscard]] Result<void> done() const;
 
  private:

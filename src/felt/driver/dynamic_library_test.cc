@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 using Names = std::vector<std::string>;
 
-// Both come with every glibc; nothing in this program needs the second.
+// Both come with every glibc; nothing in this program uses the second.
 const std::string kPresent = "libm.so.6";
 const std::string kUnused = "libanl.so.1";
 

@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The numbers of the kernel's input interface that drivers of ours use, under names of our own, so
-/// that a build does not depend on how new its kernel headers are (FF_HAPTIC came with Linux 6.18).
-/// As in the kernel's documentation of input event codes and of force feedback; evdev_port_test.cc
-/// compares those that the headers at hand have.
+/// The numbers of the kernel's input interface that our drivers use, under our own names, so that
+/// the build does not depend on new kernel headers (FF_HAPTIC came with Linux 6.18). From the
+/// kernel's documentation of input event codes and of force feedback; evdev_port_test.cc compares
+/// them with the installed headers.
 namespace felt::evdev {
 
 inline constexpr std::uint16_t kSyn = 0x00, kKey = 0x01, kAbs = 0x03, kFf = 0x15;  // types
@@ -16,9 +16,9 @@ inline constexpr std::uint16_t kAbsX = 0x00, kAbsY = 0x01, kAbsZ = 0x02, kAbsRz 
 inline constexpr std::uint16_t kAbsThrottle = 0x06, kAbsWheel = 0x08, kAbsGas = 0x09;
 inline constexpr std::uint16_t kAbsBrake = 0x0A;
 
-inline constexpr std::uint16_t kButtonTrigger = 0x120;  ///< the first of a joystick
+inline constexpr std::uint16_t kButtonTrigger = 0x120;  ///< first of a joystick
 inline constexpr std::uint16_t kButtonJoystickEnd = 0x130;
-inline constexpr std::uint16_t kButtonSouth = 0x130;  ///< the first of a game pad
+inline constexpr std::uint16_t kButtonSouth = 0x130;  ///< first of a game pad
 inline constexpr std::uint16_t kButtonGamepadEnd = 0x140;
 inline constexpr std::uint16_t kButtonGearDown = 0x150;  ///< BTN_WHEEL
 inline constexpr std::uint16_t kButtonGearUp = 0x151;

@@ -11,7 +11,7 @@
 namespace felt {
 namespace {
 
-/// Of Linux 6.18; older headers have no such member in the union.
+/// From Linux 6.18; older headers have no such member in the union.
 struct HapticBytes {
   std::uint16_t hid_usage;
   std::uint16_t vendor_id;

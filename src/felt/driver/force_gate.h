@@ -9,28 +9,28 @@
 
 namespace felt {
 
-/// The last bound of a driver, in its own write(), behind the safety chain: whatever calls the
-/// driver, and whenever, the device is asked for no more than its model's row allows, and the force
-/// rises by at most kRiseNPerMs.
+/// The last limit of a driver, in its write(), behind the safety chain. Whoever calls the driver,
+/// and whenever, the device is asked for no more than its row of device_models() allows, and the
+/// force rises by at most kRiseNPerMs.
 ///
 ///   const ForceGate::Passed passed = gate_.pass(asked, now_ns);      // now of the last read()
 ///   send(passed.force);
 ///   if (!passed.was_finite) return tl::unexpected(DeviceFault::kBadData);
 ///
-/// The bounds lie above those of the chain (limits_for takes the same figures, the user's 3 N and
-/// 80 % of the continuous force), so that a chain that works never meets them: a force that comes
-/// from one passes as it is, to the bit. They bind when the driver does what the chain cannot see:
-/// it holds a force because the other side answers late, or sends none for a while.
+/// The limits lie above those of the chain (limits_for uses the same figures, the user's 3 N and 80
+/// % of the continuous force), so that a force from a working chain passes unchanged, to the bit.
+/// They matter if the driver does something that the chain cannot see: it holds a force because the
+/// other side answers late, or sends none for a while.
 ///
-/// Haptic thread; real-time safe. A copy is a snapshot: assign it back when sending failed.
+/// Haptic thread; real-time safe. A copy is a snapshot: assign it back if sending failed.
 class ForceGate {
  public:
-  /// Of docs/safety.md, "rise". A call is credited with the time since the last one, two periods of
-  /// the device at most.
+  /// From docs/safety.md, "rise". A call is credited with the time since the last one, at most two
+  /// periods of the device.
   static constexpr double kRiseNPerMs = 0.3;
 
-  /// Of a device. One that says nonsense about its force gets none; one without a continuous force
-  /// has no bound of that kind.
+  /// Sets the limits of a device. A device with an invalid force limit gets no force; one without a
+  /// continuous force has no limit of that kind.
   explicit ForceGate(const Capabilities& device) noexcept;
 
   struct Passed {
@@ -38,17 +38,18 @@ class ForceGate {
     bool was_finite = true;  ///< false: NaN or infinity was asked, and the force is zero
     bool was_cut = false;    ///< more was asked than is allowed, or it rose too fast
   };
-  /// The force that may be sent at `now_ns`, which then is taken as held until the next call. A
-  /// clock that stands still or runs backwards counts as no time.
+  /// Returns the force that may be sent at `now_ns`, and assumes that it is held until the next
+  /// call. A clock that stands still or goes back counts as no time.
   Passed pass(const Force& asked, std::int64_t now_ns) noexcept;
-  /// The driver sent this instead of what pass() returned last. Requires that it is no longer.
+  /// Sets the force that was sent instead of the one that pass() returned last. Requires that it is
+  /// not larger.
   void sent_less(const Force& force) noexcept { held_ = force; }
-  /// The device was stopped, or let go by itself: no force holds any more.
+  /// Records that the device was stopped, or let go by itself: it holds no force.
   void let_go() noexcept { held_ = {}; }
 
-  /// The force that the device was last told to hold.
+  /// Returns the force that the device was last ordered to hold.
   [[nodiscard]] const Force& held() const noexcept { return held_; }
-  /// No force is ever longer, N: min(advised, 0.9 of the nominal maximum).
+  /// Returns the largest force that pass() allows, N: min(advised, 0.9 of the nominal maximum).
   [[nodiscard]] double most_n() const noexcept { return most_n_; }
 
  private:

@@ -19,7 +19,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double any_double() {
-  // Any bits at all: denormals, NaN, infinities.
+  // Any bit pattern: denormals, NaN, infinities.
   const auto bits = *rc::gen::arbitrary<std::uint64_t>();
   double value = 0.0;
   std::memcpy(&value, &bits, sizeof value);
@@ -31,7 +31,7 @@ const DeviceModel& any_model() {
   return models[*rc::gen::inRange<std::size_t>(0, models.size())];
 }
 
-// Asks until the force has risen as far as it may.
+// Repeats a request until the force has risen as far as allowed.
 ForceGate::Passed pass_long(ForceGate& gate, const Force& asked, std::int64_t from_ns = 0) {
   ForceGate::Passed passed;
   // Long enough to rise to any model's force at 0.3 N/ms.
@@ -61,7 +61,7 @@ RC_GTEST_PROP(ForceGate, TheDirectionIsKept, ()) {
   const double scale = std::pow(10.0, *rc::gen::inRange(-3, 300));
   const Force asked{scale * part(), scale * part(), scale * part()};
   const Force sent = pass_long(gate, asked).force;
-  // Relative to the largest part, since squares overflow.
+  // Relative to the largest component, because squares may overflow.
   const double most = std::max({std::abs(asked.x), std::abs(asked.y), std::abs(asked.z)});
   RC_PRE(most > 0.0);
   const Force wanted{asked.x / most, asked.y / most, asked.z / most};
@@ -182,7 +182,7 @@ TEST(ForceGate, WhatWasLetGoHeatsNoMotor) {
   EXPECT_NEAR(norm(pass_long(let_go, {2.5, 0, 0}, 60'000 * kMs).force), 2.5, 1e-9);
 }
 
-// docs/safety.md, "rise": whatever a driver is asked for, and however seldom.
+// docs/safety.md, "rise": for any requested force and any rate of calls.
 TEST(ForceGate, TheForceRisesByThreeTenthsOfANewtonAMillisecond) {
   for (const std::int64_t tick_ns : {kMs / 5, kMs, 2 * kMs, 7 * kMs, 500 * kMs}) {
     ForceGate gate(find_device_model("inverse3")->capabilities);

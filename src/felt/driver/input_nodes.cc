@@ -38,7 +38,7 @@ std::bitset<kBits> bits_of(const SystemView& system, const std::string& path) {
   return bits;
 }
 
-/// Names that are a word and a number, in the order of numbers.
+/// Returns the names of the form `word` + number, ordered by number.
 std::vector<std::string> numbered(const SystemView& system, const std::string& folder,
                                   std::string_view word) {
   std::vector<std::pair<unsigned, std::string>> found;
@@ -57,7 +57,7 @@ std::vector<std::string> numbered(const SystemView& system, const std::string& f
   return names;
 }
 
-/// The value of KEY=value lines.
+/// Returns the value of `key` in lines KEY=value.
 std::string_view value_of(std::string_view lines, std::string_view key) {
   while (!lines.empty()) {
     const std::size_t end = std::min(lines.find('\n'), lines.size());

@@ -12,16 +12,17 @@ namespace {
 // capabilities(7).
 constexpr int kCapIpcLock = 14;
 constexpr int kCapSysNice = 23;
-/// RealtimeOptions::fifo_priority: the loop asks for no more.
+/// RealtimeOptions::fifo_priority: the loop asks for no higher one.
 constexpr int kWantedPriority = 80;
-/// hid-haptic came with it (kernel documentation, "HID haptic").
+/// The first kernel with hid-haptic (kernel documentation, "HID haptic").
 constexpr KernelVersion kKernelWithHaptics{6, 18};
 
 constexpr const char* kLetFeltline = "Let Feltline write the permission:\nfeltline doctor --fix";
 constexpr const char* kLogInAgain =
     "Log out and in again (or restart the computer): limits are given at the log-in.";
 
-/// What follows a name in a file of lines, without blanks around it: of /proc/self/status.
+/// Returns the text behind a name in a file of lines such as /proc/self/status, without blanks
+/// around it.
 std::string_view field_of(std::string_view text, std::string_view name) {
   std::size_t at = text.starts_with(name) ? 0 : text.find("\n" + std::string(name));
   if (at == std::string_view::npos) return {};
@@ -40,7 +41,7 @@ bool has_capability(const SystemView& system, int bit) {
   return error == std::errc() && ((bits >> bit) & 1U) != 0;
 }
 
-/// The soft limit, as proc_pid_limits(5) shows it; -1 is "unlimited", nothing where it says none.
+/// Returns the soft limit as in proc_pid_limits(5); -1 for "unlimited", nullopt if there is none.
 std::optional<std::int64_t> soft_limit(const SystemView& system, std::string_view name) {
   const std::string limits = system.read("/proc/self/limits").value_or("");
   const std::string_view value = field_of(limits, name);
@@ -61,7 +62,7 @@ bool may_lock_memory(const SystemView& system) {
   return has_capability(system, kCapIpcLock) || soft_limit(system, "Max locked memory") == -1;
 }
 
-/// A name that can stand in a file of limits: anything else would be a line of somebody's own.
+/// Returns true if the name is safe in a limits file: any other text could add lines of its own.
 bool is_plain(const std::string& user) {
   return !user.empty() && user.size() <= 32 && std::all_of(user.begin(), user.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -96,7 +97,7 @@ Finding real_time(const SystemView& system) {
   return finding;
 }
 
-/// The folder itself, or the nearest one above it that is there.
+/// Returns the folder, or its nearest parent that exists.
 std::string nearest(const SystemView& system, std::string folder) {
   while (folder.size() > 1 && !system.exists(folder)) {
     folder.resize(std::max<std::size_t>(1, folder.rfind('/')));
@@ -106,13 +107,13 @@ std::string nearest(const SystemView& system, std::string folder) {
 
 std::string xdg_folder(const SystemView& system, const char* variable, const char* below_home) {
   const std::string set = system.environment(variable).value_or("");
-  if (set.starts_with('/')) return set + "/feltline";  // anything else is to be ignored, says XDG
+  if (set.starts_with('/')) return set + "/feltline";  // others are ignored (XDG)
   const std::string home = system.environment("HOME").value_or("");
   return home.starts_with('/') ? home + below_home + "/feltline" : std::string();
 }
 
-/// What gives the user a folder that they may not write. Only what lies below their home is theirs
-/// to take: anything else is for whoever looks after the computer.
+/// Returns the command that lets the user write to a folder. Only a folder below their home is
+/// theirs to change; for any other the answer is to ask the administrator.
 std::string way_into(const SystemView& system, const std::string& folder) {
   const std::string home = system.environment("HOME").value_or("");
   const bool is_theirs = home.size() > 1 && folder.starts_with(home + "/") &&

@@ -15,7 +15,7 @@
 namespace felt::open_device_test {
 namespace {
 
-// A table that leans by 30 degrees, mirrored as a sheet is before a right-handed device.
+// A table tilted by 30 degrees, mirrored as for a page in front of a right-handed device.
 PlaneCalibration leaning() {
   const double c = std::cos(0.5235987755982988), s = std::sin(0.5235987755982988);
   return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -c, s}, Vec3{0, s, c}}, {40, 30, -5});
@@ -41,17 +41,17 @@ TEST(OpenDevice, MapsPlacesInAndForcesOut) {
   EXPECT_GT(inner.force.z, 0.0);
 }
 
-// The same pen in the same hand leans more or less with how the board is set up before it.
+// The tilt of the same pen in the same hand depends on how the board is tilted.
 TEST(OpenDevice, ThePenLeansAgainstTheSheetNotTheDevice) {
   ScriptedDevice inner;
   OpenDevice device(inner, leaning());
   EXPECT_EQ(device.read(1)->lean_deg, std::nullopt) << "no device, no lean";
   const PlaneCalibration map = leaning();
-  inner.axis = map.rows()[2];  // out of the sheet
+  inner.axis = map.rows()[2];  // normal to the page
   EXPECT_EQ(device.read(2)->lean_deg, 0.0);
-  inner.axis = Vec3{0, 0, 1};  // the device's own upright: the table leans by 30 degrees
+  inner.axis = Vec3{0, 0, 1};  // the device's own upright: the table is tilted by 30 degrees
   EXPECT_EQ(device.read(3)->lean_deg, 30.0);
-  inner.axis = 7.5 * map.rows()[0];  // of any length, in the sheet
+  inner.axis = 7.5 * map.rows()[0];  // of any length, within the page
   EXPECT_EQ(device.read(4)->lean_deg, 90.0);
   inner.axis = map.rows()[2] - map.rows()[1];
   EXPECT_EQ(device.read(5)->lean_deg, 45.0);
@@ -79,7 +79,7 @@ TEST(OpenDevice, AnAxisWithoutDirectionIsNoLean) {
   }
 }
 
-// A pen that was somewhere between two ticks, in its own frame.
+// A device with a sample between two ticks, in its own frame.
 class BetweenTicks final : public Device {
  public:
   [[nodiscard]] std::string_view name() const noexcept override { return "between"; }

@@ -7,7 +7,7 @@
 namespace felt {
 namespace {
 
-/// How far from the middle of a box, either way, one gets in this direction.
+/// Returns the distance from the centre of a box to its boundary in this direction.
 double half_way(const Vec3& direction, const Vec3& half) noexcept {
   double way = std::numeric_limits<double>::infinity();
   const auto bound = [&way](double share, double most) {
@@ -40,7 +40,7 @@ PlaneCalibration fit_to_page(const PlaneCalibration& plane, const DrawingArea& a
   const auto turned = PlaneCalibration::from(plane.rows(), {}, wanted);
   if (!turned) return plane;
   const Vec3 middle = turned->to_sheet(area.middle_mm);
-  // Heights above the sheet grow as all lengths do.
+  // Heights above the page scale as all lengths do.
   const Vec3 offset{0.5 * (page.x0 + page.x1) - middle.x, 0.5 * (page.y0 + page.y1) - middle.y,
                     plane.offset().z * wanted / plane.scale()};
   return PlaneCalibration::from(plane.rows(), offset, wanted).value_or(plane);

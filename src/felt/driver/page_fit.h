@@ -7,22 +7,23 @@
 
 namespace felt {
 
-/// The part of the drawing plane that a person draws in.
+/// The part of the drawing plane that the user draws in.
 struct DrawingArea {
   Vec3 middle_mm;          ///< in the device's frame
-  double width_mm = 0.0;   ///< along the sheet's x, as the hand feels it
-  double height_mm = 0.0;  ///< along its y
+  double width_mm = 0.0;   ///< along the page's x, as the hand moves
+  double height_mm = 0.0;  ///< along the page's y
 
   friend constexpr bool operator==(const DrawingArea&, const DrawingArea&) noexcept = default;
 };
 
-/// All that the device reaches through the middle of its workspace: as far as a straight way along
-/// each axis of the sheet stays within the box.
+/// Returns the reachable area through the centre of the device's workspace: along each axis of the
+/// page, as far as a straight line stays within the box.
 DrawingArea reach_of(const PlaneCalibration& plane, const Capabilities& device) noexcept;
 
-/// The same plane with the area's middle on the middle of the page. `scale` is millimetres of the
-/// sheet for one of the hand, clamped to 0.5..2; none: the smallest of these with which the whole
-/// page can be reached. The sheet does not move towards the hand or away from it.
+/// Returns `plane` moved so that the centre of `area` is the centre of `page`. `scale` is
+/// millimetres on the page per millimetre of the hand, clamped to 0.5..2; without it, the smallest
+/// scale in this range with which the whole page can be reached. The page does not move towards the
+/// hand or away from it.
 PlaneCalibration fit_to_page(const PlaneCalibration& plane, const DrawingArea& area,
                              const Rect& page, std::optional<double> scale) noexcept;
 

@@ -49,10 +49,10 @@ TEST(PageFit, TheMiddleLiesOnTheMiddleOfThePageAndTheSheetStaysWhereItIs) {
     const Vec3 middle = fit.to_sheet(area.middle_mm);
     EXPECT_NEAR(middle.x, 148.5, 1e-9);
     EXPECT_NEAR(middle.y, 105.0, 1e-9);
-    // What lies on the sheet lies on it still.
+    // Points on the page stay on the page.
     const Vec3 on_sheet = plane.to_device(Vec3{any.between(0, 300), any.between(0, 200), 0});
     EXPECT_NEAR(fit.to_sheet(on_sheet).z, 0.0, 1e-9);
-    // A way of the hand is so many times longer on the sheet.
+    // A distance of the hand is multiplied by the scale on the page.
     const Vec3 a = any.place(60), b = any.place(60);
     EXPECT_NEAR(norm(fit.to_sheet(a) - fit.to_sheet(b)), wanted * norm(a - b), 1e-9);
     EXPECT_NEAR(norm(fit.to_device(fit.to_sheet(a)) - a), 0.0, 1e-9);
@@ -97,7 +97,7 @@ TEST(PageFit, ReachIsWhatAStraightWayThroughTheMiddleHas) {
   }
 }
 
-// What plane_calibration.h derives, measured at the device through OpenDevice.
+// The relations in plane_calibration.h, measured at the device through OpenDevice.
 TEST(ScaledSheet, ForceStiffnessDampingAndWorkAreWhatTheHeaderSays) {
   for (std::uint32_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -107,7 +107,7 @@ TEST(ScaledSheet, ForceStiffnessDampingAndWorkAreWhatTheHeaderSays) {
     ScriptedDevice inner;
     OpenDevice device(inner, plane);
     const double stiffness = any.between(100, 900), damping = any.between(0, 3);
-    // A spring and a damper on the sheet, about the sheet's (100, 80, 0).
+    // A spring and a damper on the page, around (100, 80, 0).
     const auto force_at = [&](const Vec3& hand_mm, const Vec3& hand_mm_per_s) {
       inner.sample.position = hand_mm;
       inner.sample.velocity = hand_mm_per_s;
@@ -134,7 +134,7 @@ TEST(ScaledSheet, NoCapOfTheDeviceIsExceededAtTheHand) {
   touch.max_force_n = 3.3;
   touch.continuous_force_n = 0.88;
   touch.advised_force_n = 2.5;
-  touch.max_stiffness_n_per_m = 1e9;  // so that the budget is what binds
+  touch.max_stiffness_n_per_m = 1e9;  // so that the budget is the limit
   touch.max_damping_n_s_per_m = 4;
   touch.position_step_mm = 0.055;
   const SafetyLimits plain = limits_for(touch);

@@ -22,7 +22,8 @@ bool is_near(const Vec3& a) noexcept {
   return is_finite(a) && std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}) <= kMaxCornerMm;
 }
 
-/// A symmetric matrix, by Jacobi's rotations: its eigenvectors, that of the largest value first.
+/// Eigenvectors and eigenvalues of a symmetric matrix, by Jacobi rotations, the largest value
+/// first.
 struct Axes {
   std::array<Vec3, 3> vectors;
   std::array<double, 3> values;
@@ -98,11 +99,11 @@ Result<void> check(std::span<const PlaneTouch> touches) {
   return {};
 }
 
-/// The best turn of the plane, in its own axes u and v: sheet = turn * (u, v), with or without a
-/// mirror.
+/// The best rotation within the plane, in its own axes u and v: page = turn * (u, v), with or
+/// without a mirror.
 struct Turn {
   double a = 1.0, b = 0.0;  // cosine and sine
-  double gain = 0.0;        // sum of products: the larger, the smaller is the rest
+  double gain = 0.0;        // sum of products: the larger, the smaller the residual
 };
 
 Turn best_turn(std::span<const PlaneTouch> touches, const Vec3& middle, Point sheet_middle,
@@ -171,6 +172,9 @@ std::array<PlaneTouch, 3> corner_touches(const Vec3& upper_left, const Vec3& upp
            {lower_left, origin + Vec{0.0, norm(lower_left - upper_left)}}}};
 }
 
+// The plane goes through the mean of the touches. The two largest principal axes of their spread
+// span it, and the third is its normal. The rotation within the plane is fitted twice, plain and
+// mirrored, and the better fit is kept. `device` chooses the sign of the normal. The scale is 1.
 Result<PlaneFit> fit_plane(std::span<const PlaneTouch> touches, Handedness device) {
   if (Result<void> checked = check(touches); !checked) return tl::unexpected(checked.error());
   const double share = 1.0 / static_cast<double>(touches.size());
@@ -193,7 +197,7 @@ Result<PlaneFit> fit_plane(std::span<const PlaneTouch> touches, Handedness devic
   const bool flip = mirrored.gain > plain.gain;
   const Turn& turn = flip ? mirrored : plain;
   const Vec3 w = flip ? -v : v;
-  // The sheet's frame is left-handed: a right-handed device must come out mirrored.
+  // The page's frame is left-handed, so a right-handed device must come out mirrored.
   const double wanted = device == Handedness::kRight ? -1.0 : 1.0;
   const std::array<Vec3, 3> rows{turn.a * u - turn.b * w, turn.b * u + turn.a * w,
                                  (flip ? -wanted : wanted) * normal};

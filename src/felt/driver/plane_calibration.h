@@ -12,44 +12,44 @@
 
 namespace felt {
 
-/// Where the drawing plane lies in front of a device: the map from the device's frame into that of
-/// the sheet (R55: "a driver maps into it"), a turn, a shift, and one scale for all directions. The
-/// sheet's frame (x right, y down, z towards the hand) is left-handed; that of most devices is not,
-/// so that the map mirrors as a rule.
+/// Where the drawing plane lies in front of a device: the map from the device's frame to the page's
+/// (R55: "a driver maps into it"), made of a rotation, an offset, and one scale for all directions.
+/// The page's frame (x right, y down, z towards the hand) is left-handed; most devices' frames are
+/// not, so the map usually mirrors.
 ///
-/// With the turn R and the scale s (mm of the sheet for one of the hand, 0.5..2, 1 as a rule):
+/// With the rotation R and the scale s (mm on the page per mm of the hand, 0.5..2, usually 1):
 ///
-///   place     x = s R p + o        velocity  v = s R u        force  f = R^T F, so |f| = |F|
+///   position  x = s R p + o        velocity  v = s R u        force  f = R^T F, so |f| = |F|
 ///
-/// Forces are handed over as they are: a newton that a tool asks for is a newton at the hand, and
-/// every limit in newtons holds where the motors are. What follows from that, at the hand:
-///   - stiffness k = s K and damping b = s B, since a way of the hand is s of it on the sheet: the
-///     sheet may ask for K <= k/s, and limits_for() lowers its budgets likewise;
-///   - depth: a force F = K d bends the sheet by d/s at the hand;
-///   - speed u = V/s: with s < 1 the hand is faster than the pen, so the bounds of speed are
+/// Forces are not scaled: a newton that a tool asks for is a newton at the hand, and every limit in
+/// newtons holds where the motors are. What follows from that, at the hand:
+///   - stiffness k = s K and damping b = s B, because 1 mm of the hand is s mm on the page: the
+///     page may ask for K <= k/s, and limits_for() lowers its budgets in the same way;
+///   - depth: a force F = K d lets the pen sink in by d/s at the hand;
+///   - speed u = V/s: with s < 1 the hand is faster than the pen, so the speed limits are
 ///     multiplied by s;
-///   - work f u = F V / s: what is passive on the sheet (no more work out of it than into it, over
-///     any time) is passive at the hand, as the factor 1/s is positive and does not change.
+///   - work f u = F V / s: a force model that is passive on the page (it never gives out more work
+///     than was put in) is passive at the hand, because the factor 1/s is positive and constant.
 ///
-/// A value; trivially copyable; the maps are real-time safe.
+/// Value type; trivially copyable; the maps are real-time safe.
 class PlaneCalibration {
  public:
-  /// Device and sheet have the same frame.
+  /// The identity: device and page have the same frame.
   constexpr PlaneCalibration() noexcept = default;
-  /// From rows(), offset() and scale() as they were stored. Nothing when that is no such map: axes
-  /// that are not of length 1 and at right angles within 1e-6, numbers that are not finite or
-  /// beyond 1e6 mm, or a scale that is not within 0.5..2.
+  /// Restores a map from stored rows(), offset() and scale(). Returns nullopt if it is invalid: the
+  /// axes are not of length 1 and at right angles within 1e-6, a number is not finite or exceeds
+  /// 1e6 mm, or the scale is not within 0.5..2.
   static std::optional<PlaneCalibration> from(const std::array<Vec3, 3>& rows, const Vec3& offset,
                                               double scale = 1.0);
 
-  /// A place, mm.
+  /// Maps a position, mm.
   [[nodiscard]] constexpr Vec3 to_sheet(const Vec3& device_mm) const noexcept {
     return turn_to_sheet(device_mm) + offset_;
   }
   [[nodiscard]] constexpr Vec3 to_device(const Vec3& sheet_mm) const noexcept {
     return turn_to_device(sheet_mm - offset_);
   }
-  /// A displacement or a velocity.
+  /// Maps a displacement or a velocity.
   [[nodiscard]] constexpr Vec3 turn_to_sheet(const Vec3& v) const noexcept {
     return {scale_ * dot(rows_[0], v), scale_ * dot(rows_[1], v), scale_ * dot(rows_[2], v)};
   }
@@ -57,7 +57,7 @@ class PlaneCalibration {
     const double share = 1.0 / scale_;
     return (share * v.x) * rows_[0] + (share * v.y) * rows_[1] + (share * v.z) * rows_[2];
   }
-  /// A force: turned, never made longer or shorter.
+  /// Maps a force: rotated, never scaled.
   [[nodiscard]] constexpr Force turn_to_device(const Force& f) const noexcept {
     const Vec3 v = f.x * rows_[0] + f.y * rows_[1] + f.z * rows_[2];
     return {v.x, v.y, v.z};
@@ -66,20 +66,19 @@ class PlaneCalibration {
     const Vec3 v{f.x, f.y, f.z};
     return {dot(v, rows_[0]), dot(v, rows_[1]), dot(v, rows_[2])};
   }
-  /// What the device can do, as the sheet sees it: the box around its workspace, its caps of
-  /// stiffness and damping divided by the scale, its resolution times the scale.
+  /// Returns the device's capabilities in the page's frame: the box around its workspace, its
+  /// maximum stiffness and damping divided by the scale, its resolution multiplied by it.
   [[nodiscard]] Capabilities to_sheet(const Capabilities& device) const noexcept;
 
-  /// The sheet's axes as the device sees them, each of length 1.
+  /// Returns the page's axes in the device's frame, each of length 1.
   [[nodiscard]] constexpr const std::array<Vec3, 3>& rows() const noexcept { return rows_; }
-  /// Millimetres of the sheet for one of the hand.
+  /// Returns millimetres on the page per millimetre of the hand.
   [[nodiscard]] constexpr double scale() const noexcept { return scale_; }
-  /// Where the device's origin lies on the sheet, mm.
+  /// Returns the position of the device's origin on the page, mm.
   [[nodiscard]] constexpr const Vec3& offset() const noexcept { return offset_; }
-  /// Left becomes right-handed or the other way round.
+  /// Returns true if the map turns a left-handed frame into a right-handed one, or the reverse.
   [[nodiscard]] bool mirrors() const noexcept;
-  /// How far the plane leans away from the device's own horizontal or whichever plane is its x-y,
-  /// degrees, 0..90.
+  /// Returns the angle between the drawing plane and the device's own x-y plane, degrees, 0..90.
   [[nodiscard]] double tilt_deg() const noexcept;
 
   friend constexpr bool operator==(const PlaneCalibration&,
@@ -91,33 +90,33 @@ class PlaneCalibration {
   double scale_ = 1.0;
 };
 
-/// A place that the pen touched, and where that is on the sheet.
+/// A position that the pen touched, and where it is on the page.
 struct PlaneTouch {
   Vec3 device_mm;
   Point sheet_mm;
 };
 
-/// Which hand's fingers a frame's axes are like.
+/// Handedness of a frame.
 enum class Handedness { kRight, kLeft };
 
 struct PlaneFit {
   PlaneCalibration calibration;
-  double rms_mm = 0.0;    ///< distance between where touches come to lie and where they should
-  double worst_mm = 0.0;  ///< the largest of them
+  double rms_mm = 0.0;    ///< between the mapped touches and their positions on the page
+  double worst_mm = 0.0;  ///< the largest of these distances
 };
 
-/// The touches of a person who does not measure: three corners of what shall be the drawing area,
-/// which then lies with its upper left corner at `origin`. How far its corner is from a right angle
-/// becomes the fit's residual.
+/// Returns touches from three corners of the wanted drawing area, which then lies with its upper
+/// left corner at `origin`, so that the user need not measure. If the corner is not a right angle,
+/// the difference shows in the residual of the fit.
 std::array<PlaneTouch, 3> corner_touches(const Vec3& upper_left, const Vec3& upper_right,
                                          const Vec3& lower_left, Point origin);
 
-/// The rigid map that fits touches best: the plane with the least squares of distances, and in it
-/// the turn with the least squares (Procrustes). `device` says which way up its frame is, since
-/// three touches cannot tell above from below.
+/// Finds the rigid map that fits the touches best: the plane with the least squares of distances,
+/// and the rotation within it with the least squares (Procrustes). `device` is the handedness of
+/// its frame, because three touches cannot tell above from below.
 ///
-/// Error: fewer than three touches, not finite or beyond 1e6 mm, two closer than kLeastApartMm, or
-/// all of them closer than kLeastBesideMm to one line.
+/// Fails if there are fewer than three touches, one is not finite or exceeds 1e6 mm, two are closer
+/// than kLeastApartMm, or all are closer than kLeastBesideMm to one line.
 Result<PlaneFit> fit_plane(std::span<const PlaneTouch> touches,
                            Handedness device = Handedness::kRight);
 inline constexpr double kLeastApartMm = 15.0;

@@ -10,7 +10,7 @@
 namespace felt::plane_calibration_test {
 namespace {
 
-// A turn about some axis by some angle, mirrored or not, and a shift: any rigid map.
+// A rotation around any axis by any angle, mirrored or not, and an offset: any rigid map.
 struct AnyMap {
   explicit AnyMap(std::uint32_t seed) : random(seed) {}
 
@@ -48,7 +48,7 @@ TEST(PlaneCalibration, ThereAndBackIsTheSamePlaceAndPowerIsKept) {
     expect_near(map.to_device(map.to_sheet(p)), p, 1e-9);
     expect_near(map.turn_to_device(map.turn_to_sheet(v)), v, 1e-9);
     EXPECT_NEAR(norm(map.turn_to_sheet(v)), norm(v), 1e-9);
-    // What the hand does in the sheet's frame is done in the device's.
+    // Work in the page's frame equals work in the device's.
     const Force sheet_force{f.x, f.y, f.z};
     EXPECT_NEAR(work_mj(sheet_force, map.turn_to_sheet(v)),
                 work_mj(map.turn_to_device(sheet_force), v), 1e-9);
@@ -105,22 +105,22 @@ TEST(PlaneCalibration, NoisyTouchesGiveTheirResidualAndAPlaneThatIsNoWorse) {
 }
 
 TEST(PlaneCalibration, ForcesPointTheRightWayOnEachAxis) {
-  // A device on a desk as most are: x right, y up (away from the desk), z towards the person. The
-  // sheet stands upright before it, like an easel.
+  // A typical device on a desk: x right, y up (away from the desk), z towards the user. The page is
+  // upright in front of it, like an easel.
   const auto corners = corner_touches({-60, 50, -20}, {60, 50, -20}, {-60, -40, -20}, {0, 0});
   const Result<PlaneFit> fit = fit_plane(corners);
   ASSERT_TRUE(fit.has_value());
   const PlaneCalibration& map = fit->calibration;
   EXPECT_TRUE(map.mirrors());
   expect_near(map.to_sheet(Vec3{-60, 50, -20}), {0, 0, 0}, 1e-9);
-  expect_near(map.to_sheet(Vec3{60, -40, -15}), {120, 90, 5}, 1e-9);  // above the sheet: z > 0
+  expect_near(map.to_sheet(Vec3{60, -40, -15}), {120, 90, 5}, 1e-9);  // above the page: z > 0
   const auto device = [&](const Force& f) {
     const Force g = map.turn_to_device(f);
     return Vec3{g.x, g.y, g.z};
   };
   expect_near(device({1, 0, 0}), {1, 0, 0}, 1e-9);
-  expect_near(device({0, 1, 0}), {0, -1, 0}, 1e-9);  // down the sheet
-  expect_near(device({0, 0, 1}), {0, 0, 1}, 1e-9);   // out of the sheet, to the person
+  expect_near(device({0, 1, 0}), {0, -1, 0}, 1e-9);  // down the page
+  expect_near(device({0, 0, 1}), {0, 0, 1}, 1e-9);   // out of the page, towards the user
 }
 
 TEST(PlaneCalibration, ASkewCornerIsTold) {
@@ -145,7 +145,7 @@ TEST(PlaneCalibration, TouchesThatMeanNoPlaneAreRefused) {
       {touch(0, 0, 0), touch(100, 0, 0), {{0, 80, 0}, {nan, 0}}},
   };
   for (const auto& touches : bad) EXPECT_FALSE(fit_plane(touches).has_value());
-  // Sheet places that all fall together say nothing about the turn, but must not break it.
+  // If all page positions coincide, the rotation is undefined, but nothing must break.
   const std::vector<PlaneTouch> heap{
       {{0, 0, 0}, {5, 5}}, {{100, 0, 0}, {5, 5}}, {{0, 80, 0}, {5, 5}}};
   if (const auto fit = fit_plane(heap)) {

@@ -18,7 +18,7 @@
 namespace felt {
 namespace {
 
-constexpr int kTries = 20;  // for the last words, each waits for room
+constexpr int kTries = 20;  // for the last words; each waits until the port accepts more
 constexpr int kTryMs = 50;
 
 struct Watch {
@@ -29,11 +29,11 @@ struct Watch {
   timespec patience{};
 };
 
-// From here on, in the new process: only calls that are safe between fork() and exec() of a program
-// with threads (signal-safety(7)), no memory, no locks, no objects with destructors.
+// Everything below runs in the new process. It may only make calls that are safe between fork() and
+// exec() of a program with threads (signal-safety(7)): no allocation, no locks, no destructors.
 
 void close_all(unsigned from, unsigned to) noexcept {
-  constexpr unsigned kMost = 65'535;  // where the kernel is older than the call (5.9)
+  constexpr unsigned kMost = 65'535;  // for kernels older than close_range() (5.9)
   if (close_range(from, to, 0) == 0) return;
   for (unsigned i = from; i <= std::min(to, kMost); ++i) ::close(static_cast<int>(i));
 }
@@ -93,7 +93,7 @@ std::unique_ptr<PortGuard> PortGuard::start(int port, std::span<const std::byte>
   std::copy(last_words.begin(), last_words.end(), watch.words.begin());
   watch.size = last_words.size();
   watch.patience = {.tv_sec = patience_ns / kSecond, .tv_nsec = patience_ns % kSecond};
-  // Signals are blocked before, so that no handler of ours ever runs there.
+  // Signals are blocked first, so that none of our handlers ever runs in the guard.
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
@@ -116,7 +116,7 @@ PortGuard::~PortGuard() {
 
 bool PortGuard::beat() noexcept {
   const char life = 1;
-  // It may be full when the guard has no time to read: then it has enough of them.
+  // The socket may be full if the guard has had no time to read: then enough beats are waiting.
   const ssize_t sent = ::send(connection_, &life, 1, MSG_DONTWAIT | MSG_NOSIGNAL);
   return sent >= 0 || (errno != EPIPE && errno != ECONNRESET);
 }

@@ -9,30 +9,31 @@
 
 namespace felt {
 
-/// A small process that lets go of a device which has no watchdog of its own, when our program
-/// cannot: killed, crashed, stopped (Ctrl-Z, a debugger) or hung.
+/// A small process that releases a device without a watchdog when our program cannot: killed,
+/// crashed, stopped (Ctrl-Z, a debugger) or unresponsive.
 ///
-/// It holds a copy of the port and one end of a connection to us. When beats stop for the patience,
-/// it writes the last words once, until beats come again; when the connection ends, which the
-/// system sees to however we end, it writes them and ends too. It has a session of its own and
-/// hears no signal but SIGKILL, holds nothing else of ours open, and runs only what is safe after a
-/// fork of a program with threads. While it lives it shares our memory until we write to it: start
-/// it before the loop runs.
+/// It holds a copy of the port and one end of a connection to us. If no beat arrives for the
+/// patience, it writes the last words once, and again only after new beats and another silence.
+/// When the connection ends, which the system ensures however our program ends, it writes them and
+/// exits. It has a session of its own, receives no signal but SIGKILL, keeps nothing else of ours
+/// open, and calls only functions that are safe after a fork of a program with threads. Its memory
+/// is shared with ours until we write to it: start it before the loop runs.
 class PortGuard {
  public:
   static constexpr std::size_t kMostBytes = 64;
 
-  /// Edit thread. `port` stays the caller's. Null: `last_words` are too many, or there is no
-  /// process or connection to be had.
+  /// Starts a guard. The caller keeps `port`. Returns null if `last_words` are longer than
+  /// kMostBytes, or no process or connection can be created. Edit thread.
   static std::unique_ptr<PortGuard> start(int port, std::span<const std::byte> last_words,
                                           std::int64_t patience_ns);
-  /// Ends it, with the last words, and waits until it has ended and the port is free.
+  /// Ends the guard, which writes the last words, and waits until it has exited and the port is
+  /// free.
   ~PortGuard();
   PortGuard(const PortGuard&) = delete;
   PortGuard& operator=(const PortGuard&) = delete;
 
-  /// We live. Any thread; real-time safe: one transfer that never waits. False: the guard has ended
-  /// (somebody killed it), and nothing guards any more.
+  /// Sends a sign of life. Returns false if the guard has ended (it was killed) and protects
+  /// nothing any more. Any thread; real-time safe: one transfer that never waits.
   bool beat() noexcept;
 
  private:

@@ -29,7 +29,7 @@ constexpr std::int64_t kNeverNs = 3'600'000 * kMs;
 constexpr int kLongMs = 8000;  // an upper bound that no test waits for
 constexpr std::string_view kWords("\x02\x05\0\0\0\0\0\0\0\0", 10);
 
-// A terminal: the board's end, and the port as a program has it.
+// A terminal: the board's end, and the port as a program opens it.
 class Port {
  public:
   Port() {
@@ -54,7 +54,7 @@ class Port {
   std::unique_ptr<PortGuard> guard(std::int64_t patience_ns) const {
     return PortGuard::start(port_, std::as_bytes(std::span(kWords)), patience_ns);
   }
-  // What the board hears next, as long as the words.
+  // Returns the next bytes that the board receives, as many as the last words have.
   std::string hear() const {
     std::string heard;
     while (heard.size() < kWords.size()) {
@@ -100,7 +100,7 @@ TEST(PortGuard, SpeaksOnceForEachSilenceAfterABeat) {
   }
 }
 
-// A program of its own that beats each millisecond, until something happens to it.
+// A separate program that beats each millisecond until it is disturbed.
 class Program {
  public:
   Program(const Port& port, std::int64_t patience_ns) {
@@ -117,7 +117,7 @@ class Program {
     }
     char one = 0;
     for (int i = 0; i < 5; ++i) EXPECT_EQ(::read(ready[0], &one, 1), 1);
-    fcntl(ready[1], F_SETFL, O_NONBLOCK);  // shared with it: it goes on when nobody reads
+    fcntl(ready[1], F_SETFL, O_NONBLOCK);  // shared with it: it goes on if nobody reads
     ::close(ready[1]);
     ready_ = ready[0];
   }
@@ -150,7 +150,7 @@ TEST(PortGuard, SpeaksForAProgramThatWasStopped) {
   EXPECT_EQ(port.hear(), kWords);
 }
 
-// Or the guard of another port would hold the connection of this one open for ever.
+// Otherwise the guard of another port would keep this one's connection open.
 TEST(PortGuard, HoldsNothingElseOpen) {
   std::array<int, 2> ends{};
   ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
@@ -165,7 +165,8 @@ TEST(PortGuard, HoldsNothingElseOpen) {
   ::close(ends[0]);
 }
 
-// Threads that allocate all the time: one of them holds the lock of the memory at some fork.
+// Threads that allocate all the time, so that one of them holds the allocator's lock during some
+// fork.
 TEST(PortGuard, StartsFromAProgramWithThreads) {
   const Port port;
   std::atomic<bool> is_over{false};
@@ -183,7 +184,7 @@ TEST(PortGuard, StartsFromAProgramWithThreads) {
   other.join();
 }
 
-// The process whose parent we are (proc_pid_stat(5): its fourth field); 0: there is none.
+// Returns a child process of ours (proc_pid_stat(5): its fourth field); 0 if there is none.
 pid_t child_of_ours() {
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
     std::ifstream stat(entry.path() / "stat");
@@ -199,7 +200,7 @@ pid_t child_of_ours() {
   return 0;
 }
 
-// Somebody may kill it; who beats then hears of it.
+// The guard may be killed; the next beat reports it.
 TEST(PortGuard, TellsThatItWasKilled) {
   const Port port;
   const auto guard = port.guard(kNeverNs);
@@ -220,7 +221,7 @@ TEST(PortGuard, BeatsNeverWait) {
   const Port port;
   const auto guard = port.guard(kNeverNs);
   ASSERT_NE(guard, nullptr);
-  for (int i = 0; i < 200'000; ++i) guard->beat();  // more than it can read: never waits
+  for (int i = 0; i < 200'000; ++i) guard->beat();  // more than it can read: must not wait
   EXPECT_TRUE(port.is_quiet());
   EXPECT_EQ(PortGuard::start(-1, {}, kMs), nullptr);
 }

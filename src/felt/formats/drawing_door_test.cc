@@ -24,7 +24,7 @@ using felt::testing::strokes_in;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// A folder that goes away.
+/// A folder that is deleted after the test.
 class Door : public ::testing::Test {
  protected:
   Door() {

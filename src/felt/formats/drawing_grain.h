@@ -7,9 +7,9 @@
 
 namespace felt {
 
-/// The grain of the sheet that a drawing says it is made on (SheetPage::surface), and how its media
-/// look on it; of paper where it says none. They are those that it brings along, and those that are
-/// known here. Error: a sheet that is neither, by its id.
+/// Returns the grain of a drawing's surface (SheetPage::surface), or of paper if it names none, and
+/// how its media look on it. Searches the drawing's own materials and those in `here`. Fails if the
+/// surface is in neither; the message names its id.
 Result<Grain> grain_of(const Drawing& drawing, const Materials& here = Materials::built_in());
 
 }  // namespace felt

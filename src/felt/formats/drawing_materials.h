@@ -11,19 +11,20 @@
 
 namespace felt {
 
-/// The texts that a drawing must bring along: of its sheet and of the media of its strokes, as far
-/// as Feltline does not have them, or has them otherwise. `also`: media that it may use next. One
-/// that no text can hold, or more than limits::kMaxMaterialTexts, is left out.
+/// Returns the material texts that a drawing must contain: those of its surface and of the media of
+/// its strokes, if they are not built in or differ from the built-in ones. `also` are media that it
+/// may use next. Leaves out a material that no text can describe, and those beyond
+/// limits::kMaxMaterialTexts.
 std::vector<std::string> texts_of_used(const Document& document, std::string_view surface,
                                        const Materials& known,
                                        std::span<const std::string> also = {});
 
-/// The known materials, those that a drawing brings along in their place where ids are the same:
-/// in it they are what it says. A text that says none is passed over.
+/// Returns the known materials and those of a drawing's texts. If the ids are the same, the
+/// drawing's material replaces the known one. Ignores a text that is not a valid material.
 Materials with_texts(std::span<const std::string> texts, Materials known = Materials::built_in());
 
-/// Removes texts that say no material; `report` names each with the reason. For drawings that were
-/// read: nobody vouches for them.
+/// Removes texts that are not valid materials, and reports each in `report` with the reason. For
+/// drawings that were read, because files are not trusted.
 void drop_bad_texts(std::vector<std::string>& texts, ImportReport& report);
 
 }  // namespace felt

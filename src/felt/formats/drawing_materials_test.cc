@@ -34,7 +34,7 @@ Medium my_pen(const std::string& id) {
   return medium;
 }
 
-/// One stroke of that medium, on that sheet.
+/// Returns a drawing with one stroke of that medium on that surface.
 Drawing drawing_of(const std::string& medium, const std::string& surface) {
   StrokeData data = testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
   data.material = medium;
@@ -75,7 +75,7 @@ TEST(DrawingMaterials, TravelInEveryFormatThatHasASheet) {
     EXPECT_TRUE(opened.report.empty());
     EXPECT_TRUE(opened.drawing == drawing) << static_cast<int>(format);
     EXPECT_EQ(drawing_bytes(opened.drawing, format).value(), bytes);
-    // Told or not, the same grain.
+    // The drawing's own texts are sufficient.
     EXPECT_TRUE(grain_of(opened.drawing));
   }
 }
@@ -121,7 +121,7 @@ TEST(DrawingMaterials, WhatIsKnownHereCountsWhereTheDrawingSaysNothing) {
   EXPECT_TRUE(grain_of(drawing, here).value().is_smooth());
 }
 
-// A picture of a part of the sheet, or one whose size nobody chose, names what it is drawn on.
+// A picture of a part of the page, or of a drawing without a page size, names its surface.
 TEST(DrawingMaterials, TheSheetIsNamedWithoutAPage) {
   Drawing drawing = drawing_of("pencil", "wood");
   const auto expect_surface = [&](FileFormat format, const WriteOptions& options) {

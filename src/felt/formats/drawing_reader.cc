@@ -22,7 +22,7 @@ std::string shown(const std::string& path) {
   return path == "-" ? "stdin" : path;
 }
 
-/// A name that says something else than the content.
+/// Reports a file name whose ending does not match the content.
 void note_wrong_ending(const std::string& path, FileFormat found, ImportReport& report) {
   const Result<FileFormat> named = format_of_path(path);
   if (!named || *named == found) return;
@@ -53,7 +53,7 @@ Result<Imported> import_foreign(std::string_view bytes, FileFormat format,
   return fail(ErrorCode::kUnsupported, "is not read this way");
 }
 
-/// A .felt file; where it is damaged and that is wanted, what can be had of it.
+/// Reads a .felt file. If it is damaged and `salvage` is set, recovers what is intact.
 Result<Imported> read_own(std::string_view bytes, bool salvage) {
   Imported result;
   Result<Drawing> drawing = parse_felt(bytes);
@@ -73,7 +73,7 @@ Result<Imported> read_own(std::string_view bytes, bool salvage) {
   return result;
 }
 
-/// Our own mark in the first bytes of a format that holds everything.
+/// Returns true if the first bytes have Feltline's own mark of a lossless format.
 bool is_ours(std::string_view bytes, FileFormat format) {
   return traits_of(format).lossless &&
          bytes.substr(0, kFormatHeadBytes).find("feltline") != std::string_view::npos;
@@ -81,7 +81,7 @@ bool is_ours(std::string_view bytes, FileFormat format) {
 
 Result<void> check_kind(const std::string& path, bool files_only) {
   struct stat info {};
-  if (path == "-" || ::stat(path.c_str(), &info) != 0) return {};  // open says why
+  if (path == "-" || ::stat(path.c_str(), &info) != 0) return {};  // reading reports the reason
   if (S_ISDIR(info.st_mode)) return fail(ErrorCode::kUnsupported, path + ": is a folder");
   if (S_ISREG(info.st_mode) || !files_only) return {};
   return fail(ErrorCode::kUnsupported, path + ": not a regular file");
@@ -92,7 +92,7 @@ Result<void> check_kind(const std::string& path, bool files_only) {
 Result<FileFormat> readable_format(std::string_view head, const std::string& path) {
   std::optional<FileFormat> found = format_of_bytes(head.substr(0, kFormatHeadBytes));
   const Result<FileFormat> named = format_of_path(path);
-  // Compressed SVG begins as a compressed .xopp does.
+  // Compressed SVG begins with the same bytes as a compressed .xopp.
   if (found == FileFormat::kXopp && named == FileFormat::kSvg && head[0] == '\x1f') found = *named;
   if (!found && !named) {
     if (head.empty()) return fail(ErrorCode::kInvalidData, "is empty");

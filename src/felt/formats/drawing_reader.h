@@ -11,33 +11,33 @@
 
 namespace felt {
 
-/// Largest file of a foreign format, or of lines, that is read as a whole.
+/// Largest file of another format than .felt that is read.
 inline constexpr std::size_t kMaxDrawingBytes = std::size_t{1} << 30;
 
-/// How a drawing is read.
+/// Options for reading a drawing.
 struct ReadOptions {
   ImportOptions import{};
-  /// Refuses pipes and devices, which may never end: where a person waits before a window.
+  /// Refuses pipes and devices, because they may never end: for programs with a window.
   bool files_only = false;
-  /// Of a damaged .felt file takes what can be had (felt_salvage.h); the report says what is not.
+  /// Recovers what is intact in a damaged .felt file (felt_salvage.h), and reports what is missing.
   bool salvage = false;
 };
 
-/// Reads a whole drawing of any format (docs/formats/README.md) that is read. "-" is stdin. What
-/// the first bytes show is believed, not the name; a name that says otherwise becomes a notice. A
-/// record of .ndjson that is no stroke becomes a notice as well and the rest is taken; raw pen
-/// samples become ink.
+/// Reads a whole drawing of any readable format (docs/formats/README.md). "-" is stdin. The first
+/// bytes determine the format, not the name; a name that differs is reported. A record of .ndjson
+/// that is not a stroke is skipped and reported. Raw pen samples become ink.
 ///
-/// The file is not trusted. Error: it cannot be read, is a folder, larger than the format's limit,
-/// of no known format, or damaged; the message begins with the path. Any thread.
+/// The file is not trusted. Fails if it cannot be read, is a folder, exceeds the format's size
+/// limit, has no known format, or is damaged; the message begins with the path. Any thread.
 Result<Imported> read_drawing(const std::string& path, const ReadOptions& options = {});
 
-/// The same, of bytes in memory that came by the name `path`. Messages do not begin with it.
+/// The same, for bytes in memory that were read from `path`. Messages do not begin with the path.
 Result<Imported> parse_drawing(std::string_view bytes, const std::string& path,
                                const ReadOptions& options = {});
 
-/// What a file is, by its first bytes or, where they show nothing, by its name. Error: neither
-/// tells, or a format that is not read; the message does not begin with the path.
+/// Returns the format of a file: by its first bytes or, if they are not recognised, by its name.
+/// Fails if neither is known or if the format cannot be read; the message does not begin with the
+/// path.
 Result<FileFormat> readable_format(std::string_view head, const std::string& path);
 
 }  // namespace felt

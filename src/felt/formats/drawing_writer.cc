@@ -29,7 +29,7 @@ Result<std::string> png_bytes(const Drawing& drawing, const WriteOptions& option
   return encode_png(page->image(), options.dpi);
 }
 
-/// What is made as a whole.
+/// A file that is made as a whole.
 class WholeFile final : public DrawingParts {
  public:
   using Bytes = std::function<Result<std::string>()>;
@@ -96,7 +96,7 @@ Result<void> write_drawing(const std::string& path, const Drawing& drawing, File
   if (is_compressed_name(path)) parts = gzip_parts(*std::move(parts));
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return tl::unexpected(file.error());
-  bool is_disk = false;  // whose errors name the file
+  bool is_disk = false;  // errors of the disk name the file already
   const Result<void> done = write_parts(**parts, [&](std::string_view bytes) {
     Result<void> written = file->write(bytes);
     is_disk = !written;

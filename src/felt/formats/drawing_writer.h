@@ -14,31 +14,34 @@ namespace felt {
 
 class DrawingParts;
 
-/// How a drawing is written. Each counts where the format can say it (FormatTraits).
+/// Options for writing a drawing. Each is ignored by formats that do not support it (FormatTraits).
 struct WriteOptions {
-  /// The part of the sheet that a picture shows (.svg, .pdf, .png); without it, the page.
+  /// Area that a picture shows (.svg, .pdf, .png), in mm; if absent, the page.
   std::optional<Rect> area{};
-  /// Behind the ink, in place of the page's colour; alpha 0 leaves it out.
+  /// Background colour, instead of the page's colour; alpha 0 draws none.
   std::optional<Rgba> paper{};
   double dpi = 300.0;  ///< of a .png
-  Grain grain{};       ///< the relief of the sheet in the ink of a .png
-  /// The same of an .svg or .pdf, whose strokes stay outlines (GrainPrint); none: it is not shown.
+  Grain grain{};       ///< relief of the surface in the ink of a .png
+  /// The same for .svg and .pdf, in which strokes stay outlines (GrainPrint); if absent, the grain
+  /// is not shown.
   std::optional<GrainPrint> grain_print{};
 };
 
-/// A drawing as a file in the making: what drawing_bytes() gives, in parts that several threads may
-/// make, without all of it in memory (.felt and .png are one part). Valid as long as the drawing.
+/// Returns the content of a file in parts, so that several threads can make them and they need not
+/// all be in memory (.felt and .png are one part). Together they are what drawing_bytes() returns.
+/// Valid as long as the drawing. Fails as drawing_bytes() does.
 Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, FileFormat format,
                                                     const WriteOptions& options = {});
 
-/// A drawing as the bytes of a file. Formats with layers keep hidden ones hidden; all others hold
-/// what is seen. Equal drawings give equal bytes. Error: what the format cannot hold, or a format
-/// that is not written; the message does not name a file. Any thread.
+/// Returns a drawing as the bytes of a file. Formats with layers keep hidden layers hidden; all
+/// others contain only what is visible. Equal drawings give equal bytes. Fails if the format does
+/// not support something in the drawing, or cannot be written; the message does not name a file.
+/// Any thread.
 Result<std::string> drawing_bytes(const Drawing& drawing, FileFormat format,
                                   const WriteOptions& options = {});
 
-/// Writes it whole or not at all, and durably; "-" is stdout. Error: begins with the path, and what
-/// was there before is as it was. Any thread.
+/// Writes a drawing completely or not at all, and durably; "-" is stdout. If it fails, an existing
+/// file is unchanged, and the message begins with the path. Any thread.
 Result<void> write_drawing(const std::string& path, const Drawing& drawing, FileFormat format,
                            const WriteOptions& options = {});
 

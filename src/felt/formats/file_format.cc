@@ -15,7 +15,7 @@ bool ends_with(std::string_view text, std::string_view ending) noexcept {
                     [](char a, char b) { return ascii_lower(a) == b; });
 }
 
-/// A file's own name: ".felt" in a folder has no ending.
+/// Returns the name without its folders, because ".felt" in a folder has no ending.
 std::string_view file_name(std::string_view path) noexcept {
   return path.substr(path.find_last_of('/') + 1);
 }
@@ -28,7 +28,7 @@ void skip_space(std::string_view& text) noexcept {
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
 }
 
-/// Drops what stands before `mark` and the mark itself; false where it does not come.
+/// Removes the text up to and including `mark`. Returns false if there is no `mark`.
 bool skip_past(std::string_view& text, std::string_view mark) noexcept {
   const std::size_t at = text.find(mark);
   if (at == std::string_view::npos) return false;
@@ -36,7 +36,7 @@ bool skip_past(std::string_view& text, std::string_view mark) noexcept {
   return true;
 }
 
-/// Drops a document type, which may hold declarations in brackets.
+/// Removes a document type, which may contain declarations in brackets.
 bool skip_document_type(std::string_view& text) noexcept {
   const std::size_t end = text.find('>');
   const std::size_t bracket = text.find('[');
@@ -44,7 +44,7 @@ bool skip_document_type(std::string_view& text) noexcept {
   return skip_past(text, ">");
 }
 
-/// The name of the first element, without its prefix; "" where there is none.
+/// Returns the name of the first element, without its prefix; "" if there is none.
 std::string_view root_element(std::string_view text) noexcept {
   for (;;) {
     skip_space(text);
@@ -66,7 +66,7 @@ std::string_view root_element(std::string_view text) noexcept {
   }
 }
 
-/// UTF-16 as the plain letters in it, which are all that marks are made of.
+/// Converts UTF-16 to its ASCII characters, which are sufficient to recognise the marks.
 std::string narrowed(std::string_view head, std::size_t low_byte) {
   std::string text;
   for (std::size_t i = 2; i + 1 < head.size(); i += 2) {

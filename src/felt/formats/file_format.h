@@ -8,7 +8,7 @@
 
 namespace felt {
 
-/// What a file holds.
+/// File formats.
 enum class FileFormat {
   kFelt,    ///< everything, exactly
   kNdjson,  ///< lines of JSON: fitted strokes, raw pen samples, or drawings of Quick, Draw!
@@ -19,25 +19,26 @@ enum class FileFormat {
   kPng,  ///< written only
 };
 
-/// The format that the ending of `path` names, in either case. Error: another ending, or none; it
-/// names the path and lists those there are.
+/// Returns the format for the ending of `path`, in upper or lower case. Fails if the ending is
+/// unknown or missing; the message names the path and lists the known endings.
 Result<FileFormat> format_of_path(const std::string& path);
 
-/// Whether a file of this name is compressed as a whole by gzip: .svgz, in either case.
+/// Returns true if a file of this name is compressed by gzip as a whole: .svgz, in upper or lower
+/// case.
 bool is_compressed_name(const std::string& path);
 
-/// How many bytes of a file format_of_bytes wants to see.
+/// Number of bytes of a file that format_of_bytes() needs.
 inline constexpr std::size_t kFormatHeadBytes = 4096;
 
-/// The format that the first bytes of a file show, whatever its name says: the marks of SQLite,
-/// gzip, zip, PDF and PNG; the first element of XML, in UTF-8 or UTF-16, behind comments and a
-/// document type; a brace for lines of JSON. None for anything else, or nothing. Bytes are not
-/// trusted.
+/// Returns the format that the first bytes of a file show, for any file name: by the marks of
+/// SQLite, gzip, zip, PDF and PNG; by the first element of XML, in UTF-8 or UTF-16, after comments
+/// and a document type; by a brace for lines of JSON. Returns nullopt for anything else. The bytes
+/// are not trusted.
 std::optional<FileFormat> format_of_bytes(std::string_view head);
 
-/// What lines of JSON hold, by the keys of the first record that tells.
+/// The content of lines of JSON, determined by the keys of the first line that identifies it.
 enum class NdjsonContent {
-  kStrokes,    ///< fitted strokes or raw pen samples (docs/formats/ndjson.md), or not known
+  kStrokes,    ///< fitted strokes or raw pen samples (docs/formats/ndjson.md), or unknown
   kQuickdraw,  ///< drawings of Quick, Draw!
   kEvents,     ///< an event script or a recording (docs/formats/events.md), which holds no strokes
 };

@@ -118,7 +118,7 @@ bool same_word(std::string_view a, std::string_view b) noexcept {
                     [](char x, char y) { return ascii_lower(x) == ascii_lower(y); });
 }
 
-/// "a, b or c"
+/// Returns the names of the formats for which `does` is true: "a, b or c".
 std::string names(bool FormatTraits::*does) {
   std::string text;
   const auto wanted = std::count_if(kTable.begin(), kTable.end(),

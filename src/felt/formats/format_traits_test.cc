@@ -37,7 +37,7 @@ TEST(FormatTraits, NamesAreUnderstoodInEitherCaseAndWithADot) {
   }
 }
 
-// What the table promises is what the door does.
+// Reading and writing do what the table says.
 TEST(FormatTraits, WhatIsWrittenAndReadIsWhatTheTableSays) {
   for (const FormatTraits& row : format_table()) {
     const auto bytes = drawing_bytes(Drawing{}, row.format, {.dpi = 10.0});

@@ -14,15 +14,18 @@
 
 namespace felt {
 
-/// Makes a stroke of a line of JSON (docs/formats/ndjson.md): a fitted one as it is, raw pen
-/// samples in mm as ink. Reusable; what comes of a line depends on that line alone. One thread.
+/// Makes a stroke from a line of JSON (docs/formats/ndjson.md): a fitted stroke exactly as given,
+/// raw pen samples (in mm) by fitting them. Reusable; the result depends only on the line. Thread:
+/// one at a time.
 class LineStrokes {
  public:
   explicit LineStrokes(const InkFitOptions& fit = {}) : fitter_(fit) {}
 
-  /// None for a header. The id is "" where the line has none. Error: the line is no stroke.
+  /// Returns the stroke of a line, or nullopt for a header. Its id is "" if the line has none.
+  /// Fails if the line is not a stroke.
   Result<std::optional<NamedStroke>> read(const NdjsonLine& line);
-  /// True if the stroke of the last line had rounded coordinates that were mended (mend_rounding).
+  /// Returns true if the stroke of the last line had rounded coordinates that were corrected
+  /// (mend_rounding).
   [[nodiscard]] bool was_mended() const noexcept { return was_mended_; }
 
  private:
@@ -35,21 +38,22 @@ class LineStrokes {
   bool was_mended_ = false;
 };
 
-/// What to say about strokes whose rounded coordinates were mended, once a file.
+/// The message about strokes whose rounded coordinates were corrected, reported once per file.
 inline constexpr const char* kMendedNotice =
     "has rounded coordinates; smooth joints were moved by less than 0.001 mm or became corners";
 
-/// Reads lines of JSON (docs/formats/ndjson.md): fitted strokes as they are, raw pen samples in mm
-/// as ink, one layer, no sheet. A line that is no stroke becomes a notice, and the rest is taken.
-/// Strokes without a name are called after their line's number among the strokes.
+/// Reads lines of JSON (docs/formats/ndjson.md) into one layer without a page: fitted strokes
+/// exactly as given, raw pen samples (in mm) by fitting them. A line that is not a stroke is
+/// skipped and reported. A stroke without a name is named after its number among the strokes.
 ///
-/// Error: nothing could be taken though there are lines (the first reason), or they hold events.
+/// Fails if there are lines but none could be read (with the first reason), or if they contain
+/// events.
 Result<Imported> import_lines(std::string_view text, const ImportOptions& options = {});
 
-/// Whether the first line says what the file is.
+/// Whether a first line that identifies the file is written.
 enum class LineHeader { kWritten, kLeftOut };
 
-/// The strokes of visible layers as lines, in parts.
+/// Returns the strokes of visible layers as lines, in parts. Valid as long as the drawing.
 std::unique_ptr<DrawingParts> line_parts(const Drawing& drawing,
                                          LineHeader header = LineHeader::kWritten);
 

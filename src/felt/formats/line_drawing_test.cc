@@ -32,7 +32,7 @@ std::string lines_of(const Drawing& drawing) {
   return bytes_of(*line_parts(drawing)).value();
 }
 
-// The text with every number that has a point printed with so many decimals.
+// Returns the text with every number that has a decimal point printed with `decimals` decimals.
 std::string printed_with(const std::string& text, int decimals) {
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
@@ -67,7 +67,8 @@ TEST(LineDrawing, ASketchPrintedWithFewDecimalsIsReadWholeAndSaidOnce) {
     ASSERT_TRUE(read) << read.error().message;
     const std::vector<Stroke> back = testing::strokes_in(read->drawing.document);
     ASSERT_EQ(back.size(), strokes.size());
-    // Half of the last decimal is lost in each coordinate, and mending moves by less than 0.001 mm.
+    // Half of the last decimal is lost in each coordinate, and correcting it moves points by less
+    // than 0.001 mm.
     const double lost = std::sqrt(0.5) * std::pow(10.0, -decimals);
     for (std::size_t i = 0; i < back.size(); ++i) {
       EXPECT_LE(largest_move(back[i], strokes[i]), lost + 0.002) << i;

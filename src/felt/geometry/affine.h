@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// An affine map of the sheet, in the order of SVG's matrix(a b c d e f):
+/// An affine map of the page, in the order of SVG's matrix(a b c d e f):
 ///   x' = a x + c y + e,   y' = b x + d y + f      (e and f in mm)
 /// A cubic maps exactly by mapping its control points.
 struct Affine {
@@ -16,34 +16,35 @@ struct Affine {
   friend constexpr bool operator==(const Affine&, const Affine&) noexcept = default;
 };
 
-/// The place that p is moved to.
+/// Returns the image of a point.
 constexpr Point apply(const Affine& m, Point p) noexcept {
   return {m.a * p.x + m.c * p.y + m.e, m.b * p.x + m.d * p.y + m.f};
 }
 
-/// The displacement that v becomes: only the linear part counts.
+/// Returns the image of a displacement: only the linear part applies.
 constexpr Vec apply(const Affine& m, Vec v) noexcept {
   return {m.a * v.x + m.c * v.y, m.b * v.x + m.d * v.y};
 }
 
-/// The image of a segment.
+/// Returns the image of a segment.
 constexpr Cubic apply(const Affine& m, const Cubic& c) noexcept {
   return Cubic{{apply(m, c.p[0]), apply(m, c.p[1]), apply(m, c.p[2]), apply(m, c.p[3])}};
 }
 
-/// `first` and then `second`: apply(then(first, second), p) == apply(second, apply(first, p)).
+/// Returns the map that applies `first` and then `second`:
+/// apply(then(first, second), p) == apply(second, apply(first, p)).
 constexpr Affine then(const Affine& first, const Affine& second) noexcept {
   const Vec x = apply(second, Vec{first.a, first.b}), y = apply(second, Vec{first.c, first.d});
   const Point origin = apply(second, Point{first.e, first.f});
   return {x.x, x.y, y.x, y.y, origin.x, origin.y};
 }
 
-/// Moves by v.
+/// Returns the map that moves by v.
 constexpr Affine translation(Vec v) noexcept {
   return {1.0, 0.0, 0.0, 1.0, v.x, v.y};
 }
 
-/// The linear map (a b c d) about a centre, which stays where it is.
+/// Returns the map with the linear part (a b c d) that leaves `centre` fixed.
 constexpr Affine about(Point centre, double a, double b, double c, double d) noexcept {
   return {a,
           b,
@@ -53,29 +54,30 @@ constexpr Affine about(Point centre, double a, double b, double c, double d) noe
           centre.y - (b * centre.x + d * centre.y)};
 }
 
-/// Turns by `angle_rad` from +x to +y about `centre`.
+/// Returns the rotation by `angle_rad` from +x to +y about `centre`.
 inline Affine rotation(double angle_rad, Point centre = {}) noexcept {
   const double cosine = std::cos(angle_rad), sine = std::sin(angle_rad);
   return about(centre, cosine, sine, -sine, cosine);
 }
 
-/// Scales each axis by its own factor about `centre`; a negative factor mirrors.
+/// Returns the map that scales each axis by its own factor about `centre`; a negative factor
+/// mirrors.
 constexpr Affine scaling(double factor_x, double factor_y, Point centre = {}) noexcept {
   return about(centre, factor_x, 0.0, 0.0, factor_y);
 }
 
-/// Scales both axes alike about `centre`.
+/// Returns the map that scales both axes by the same factor about `centre`.
 constexpr Affine scaling(double factor, Point centre = {}) noexcept {
   return scaling(factor, factor, centre);
 }
 
-/// The factor by which areas grow; negative when the map mirrors.
+/// Returns the factor by which areas grow; negative if the map mirrors.
 constexpr double determinant(const Affine& m) noexcept {
   return m.a * m.d - m.b * m.c;
 }
 
-/// The map that undoes m; nothing when m flattens the sheet to a line, as far as rounding can
-/// tell (|det| at most 1e-14 of the products it is made of), or when m is not finite.
+/// Returns the inverse map, or nullopt if m is singular up to rounding (|det| at most 1e-14 of the
+/// sum of its two products) or not finite.
 constexpr std::optional<Affine> inverse(const Affine& m) noexcept {
   const double ad = m.a * m.d, bc = m.b * m.c, det = ad - bc;
   const double size = (ad < 0.0 ? -ad : ad) + (bc < 0.0 ? -bc : bc);

@@ -1,4 +1,4 @@
-// Building and changing the tree; the queries are in bvh_query.cc.
+// Builds and changes the tree; the queries are in bvh_query.cc.
 #include "felt/geometry/bvh.h"
 
 #include <algorithm>
@@ -9,15 +9,16 @@
 
 namespace felt {
 
-// Orders segments so that runs of 8, 64, 512, ... of them lie close together.
+// Orders segments so that each run of 8, 64, 512, ... of them is close together.
 struct SegmentBvh::Sorter {
   struct Key {
     float x, y;  // centre of the box
     std::uint32_t handle;
   };
 
-  // Halves [first, last) at a multiple of the largest power of 8 below its size, along the axis in
-  // which the centres spread more, until runs fit one node. Depth: log2 of the size.
+  // Splits [first, last) near the middle, at a multiple of the largest power of 8 below its size,
+  // along the axis in which the centres spread more, until each run fits into one node. Depth: log2
+  // of the size.
   static void sort(Key* first, Key* last) noexcept {
     const auto count = static_cast<std::size_t>(last - first);
     if (count <= kFanOut) return;
@@ -47,7 +48,8 @@ struct SegmentBvh::Sorter {
     return x1 - x0 >= y1 - y0;
   }
 
-  // Where the box of a segment is; far away when it is not finite, so that it disturbs no other.
+  // Returns the centre of the box of a segment. One that is not finite sorts far away, so that it
+  // does not enlarge the boxes of others.
   static Key key(const Cubic& curve, std::uint32_t handle) noexcept {
     const Rect box = bounds(curve);
     if (box.empty()) return {float_above(kBvhFarthest), float_above(kBvhFarthest), handle};
@@ -136,7 +138,7 @@ void SegmentBvh::set_box(std::uint32_t slot, const Box& box) noexcept {
   for (unsigned level = 0; level < levels_; ++level) {
     Node& node = nodes_[level_begin_[level] + child / kFanOut];
     const Box before(node, child % kFanOut);
-    if (before == changed) return;  // then nothing above changes either
+    if (before == changed) return;  // then the boxes above do not change either
     if (level > 0) inner_half_perimeters_ += changed.half_perimeter() - before.half_perimeter();
     changed.store(node, child % kFanOut);
     changed = Box(node);

@@ -14,8 +14,8 @@
 
 namespace felt {
 
-/// What a segment in the tree belongs to, in the caller's numbers; the tree only carries it, and
-/// prefers the lower one at equal distances.
+/// Identifies a segment by the caller's numbers. The tree only stores it, and prefers the lower
+/// one at equal distances.
 struct SegmentRef {
   std::uint64_t stroke = 0;
   std::uint32_t segment = 0;
@@ -23,103 +23,107 @@ struct SegmentRef {
   friend constexpr auto operator<=>(const SegmentRef&, const SegmentRef&) noexcept = default;
 };
 
-/// One segment given to the tree.
+/// One segment to be stored in the tree.
 struct BvhSegment {
   Cubic curve;
   SegmentRef ref;
 };
 
-/// Limit on the work of one nearest query. The default keeps any query, adversarial ones included,
-/// near 100 us of CPU: a node costs about 20 ns (100 ns when it has to come from memory), a piece
-/// of a curve (nearest.h) about 80 ns.
+/// Limit on the work of one nearest query. The default keeps any query, even an adversarial one,
+/// near 100 us of CPU: a node costs about 20 ns (100 ns if it is not in the cache), a piece of a
+/// curve (nearest.h) about 80 ns.
 struct BvhWorkCap {
   int nodes = 384;
   int pieces = 640;
 };
 
-/// A bounding-volume hierarchy over cubic segments: nearest segment, segments in a rectangle.
+/// A bounding-volume hierarchy over cubic segments. Finds the nearest segment and the segments in a
+/// rectangle.
 ///
-/// Shape: every node has up to 8 children and holds their 8 boxes as four rows of 8 floats, rounded
-/// outwards, so that one pass of vector arithmetic tests them all. There are no pointers: levels
-/// are arrays packed to the left, and the children of node j of a level are the nodes 8j .. 8j + 7
-/// of the level below. The lowest level holds the tight boxes of the segments, which lie in an
-/// array in the same order. 10^6 segments: 7 levels, 107 bytes a segment with the curve itself.
+/// Structure: every node has up to 8 children and stores their boxes as four rows of 8 floats,
+/// rounded outwards, so that one pass of vector arithmetic tests them all. There are no pointers:
+/// each level is an array without gaps, and the children of node j of a level are the nodes
+/// 8j .. 8j + 7 of the level below. The lowest level has the tight boxes of the segments, which are
+/// stored in an array in the same order. 10^6 segments take 7 levels and 107 bytes a segment,
+/// including the curve.
 ///
-/// Life of a tree:
+/// Life cycle:
 ///  1. `build` sorts the segments (allocates). Their *handles* are 0, 1, ... in the order given.
-///  2. `nearest`, `for_each_in`: const, no allocation, any number of threads at once.
-///  3. `refit` or `erase` when a segment changed: no allocation, under 1 us; not during a query.
-///     A copy of the tree is an independent snapshot.
-///  4. When `rebuild_advised`, `rebuild` sorts again (allocates); handles stay.
+///  2. `nearest` and `for_each_in` are const, allocate nothing, and may run on several threads.
+///  3. If a segment changes, call `refit` or `erase`, but not during a query: no allocation, under
+///     1 us. A copy of the tree is an independent snapshot.
+///  4. If `rebuild_advised`, `rebuild` sorts again (allocates); handles stay the same.
 ///
-/// Segments with a coordinate that is not finite are kept but never found. Coordinates beyond
+/// Segments with a coordinate that is not finite are stored but never found. Segments beyond
 /// 1e18 mm are found, but without pruning among them.
 class SegmentBvh {
  public:
-  /// Names no segment.
+  /// The handle that refers to no segment.
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// A question: what is nearest to `point`?
+  /// A query for the segment nearest to `point`.
   struct Query {
     Point point;
-    /// Nothing farther is reported; NaN finds nothing.
+    /// Segments farther away are not reported; NaN finds nothing.
     double radius_mm = std::numeric_limits<double>::infinity();
-    /// Handle of a segment likely to be near, such as the last hit; it only saves time.
+    /// Handle of a segment that is probably near, such as the last hit. It only saves time.
     std::uint32_t seed = kNone;
     BvhWorkCap cap{};
   };
 
-  /// The answer, the best known when the work cap was reached.
+  /// The result: the nearest segment, or the best found until the work cap was reached.
   struct Hit {
-    std::uint32_t handle = kNone;  ///< the segment; kNone when nothing was found in the radius
-    SegmentRef ref;                ///< what it belongs to
-    Nearest nearest;               ///< the point on it; meaningless when nothing was found
-    /// True when no segment in the tree is nearer (up to 1e-14 of the sizes involved); false when
-    /// the cap ended the search first.
+    std::uint32_t handle = kNone;  ///< the segment; kNone if nothing was found within the radius
+    SegmentRef ref;                ///< the caller's reference of the segment
+    Nearest nearest;               ///< the point on it; unspecified if nothing was found
+    /// True if no segment in the tree is nearer (up to 1e-14 of the sizes involved); false if the
+    /// work cap ended the search first.
     bool proven = true;
     BvhWorkCap used{0, 0};  ///< work done
 
-    /// True when something was found.
+    /// Returns true if a segment was found.
     [[nodiscard]] explicit operator bool() const noexcept { return handle != kNone; }
   };
 
-  /// An empty tree: finds nothing.
+  /// Creates an empty tree, which finds nothing.
   SegmentBvh() = default;
 
   /// Replaces the content. Requires at most 2^31 segments.
   void build(std::span<const BvhSegment> segments);
-  /// Sorts the present segments anew.
+  /// Sorts the current segments again; handles stay the same. Resets degradation().
   void rebuild();
 
-  /// The segment nearest to the query's point. Of segments at exactly the same distance the lowest
-  /// reference, then the lowest handle, as far as the search met them.
+  /// Returns the segment nearest to the query's point. Among the segments at exactly the same
+  /// distance that the search visited, returns the one with the lowest reference, then the lowest
+  /// handle.
   [[nodiscard]] Hit nearest(const Query& query) const noexcept;
 
-  /// Calls visit(handle) for every segment whose tight box shares a point with `area`, in no
-  /// particular order; boxes are rounded outwards to float.
+  /// Calls visit(handle) for every segment whose tight box (rounded outwards to float) intersects
+  /// `area`, in no particular order.
   template <class Visit>
   void for_each_in(const Rect& area, Visit visit) const {
     walk(
         area, [](void* to, std::uint32_t handle) { (*static_cast<Visit*>(to))(handle); }, &visit);
   }
 
-  /// Changes the curve of a segment; boxes above follow. Requires handle < size().
+  /// Changes the curve of a segment and updates the boxes above it. Requires handle < size().
   void refit(std::uint32_t handle, const Cubic& curve) noexcept;
-  /// The handle stands for another segment from now on: how a freed handle is used again, likewise.
+  /// Assigns another segment to a handle, for example to reuse that of an erased one. Requires
+  /// handle < size().
   void replace(std::uint32_t handle, const BvhSegment& segment) noexcept;
-  /// Makes a segment unfindable until it is refitted: its curve becomes NaN. Requires
+  /// Removes a segment from all results until `refit` or `replace`: its curve becomes NaN. Requires
   /// handle < size().
   void erase(std::uint32_t handle) noexcept;
 
-  /// Sum of the half perimeters of the inner boxes against that after the last build; queries slow
-  /// down in proportion. 1 for a fresh tree.
+  /// Returns the sum of the half perimeters of the inner boxes, divided by that after the last
+  /// build. Queries slow down in proportion. 1 for a new tree.
   [[nodiscard]] double degradation() const noexcept;
-  /// True once degradation() exceeds 1.3.
+  /// Returns true if degradation() exceeds 1.3.
   [[nodiscard]] bool rebuild_advised() const noexcept { return degradation() > 1.3; }
 
-  /// Number of segments, erased ones included.
+  /// Returns the number of segments, including erased ones.
   [[nodiscard]] std::size_t size() const noexcept { return curves_.size(); }
-  /// The segment's present curve. Requires handle < size().
+  /// Returns the current curve of a segment. Requires handle < size().
   [[nodiscard]] const Cubic& curve(std::uint32_t handle) const noexcept {
     return curves_[slots_[handle]];
   }
@@ -138,7 +142,7 @@ class SegmentBvh {
   struct Sorter;
   class NearestSearch;
 
-  // A function pointer and its argument, so that there is neither std::function nor allocation.
+  // Takes a function pointer and its argument instead of a std::function, which could allocate.
   void walk(const Rect& area, void (*visit)(void*, std::uint32_t), void* argument) const;
   static unsigned children_in(const Box& box, const Node& n) noexcept;
   [[nodiscard]] const Node& node(NodeAt at) const noexcept;

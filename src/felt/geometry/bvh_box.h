@@ -1,6 +1,7 @@
 #pragma once
 
-// Private to the bvh sources: single-precision boxes that surely contain what they stand for.
+// Private to the bvh sources: single-precision boxes, rounded outwards, so that they always contain
+// the exact box.
 
 #include <algorithm>
 #include <cmath>
@@ -11,17 +12,17 @@
 namespace felt {
 
 /// Coordinates are clamped to this before they become floats, so that squares stay finite. Clamping
-/// shortens distances, hence keeps them lower bounds.
+/// can only shorten distances, so they stay lower bounds.
 inline constexpr double kBvhFarthest = 1e18;
 
-/// The largest float not above v.
+/// Returns the largest float not above v.
 inline float float_below(double v) noexcept {
   v = std::clamp(v, -kBvhFarthest, kBvhFarthest);
   const auto f = static_cast<float>(v);
   return static_cast<double>(f) <= v ? f : std::nextafter(f, -std::numeric_limits<float>::max());
 }
 
-/// The smallest float not below v.
+/// Returns the smallest float not below v.
 inline float float_above(double v) noexcept {
   return -float_below(-v);
 }
@@ -34,20 +35,20 @@ struct SegmentBvh::Box {
   float y1 = -std::numeric_limits<float>::infinity();
 
   Box() = default;
-  /// Around a rectangle, rounded outwards.
+  /// The box of a rectangle, rounded outwards.
   explicit Box(const Rect& r) noexcept {
     if (r.empty()) return;
     x0 = float_below(r.x0), y0 = float_below(r.y0);
     x1 = float_above(r.x1), y1 = float_above(r.y1);
   }
-  /// Around all children of a node.
+  /// The box of all children of a node.
   explicit Box(const Node& n) noexcept {
     for (unsigned i = 0; i < kFanOut; ++i) {
       x0 = std::min(x0, n.x0[i]), y0 = std::min(y0, n.y0[i]);
       x1 = std::max(x1, n.x1[i]), y1 = std::max(y1, n.y1[i]);
     }
   }
-  /// Child i of a node.
+  /// The box of child i of a node.
   Box(const Node& n, unsigned i) noexcept : x0(n.x0[i]), y0(n.y0[i]), x1(n.x1[i]), y1(n.y1[i]) {}
 
   void store(Node& n, unsigned i) const noexcept {

@@ -1,4 +1,5 @@
-// The queries of SegmentBvh.
+// The queries of SegmentBvh. A nearest query walks the tree depth first and visits the nearest
+// child box first. It skips every box that is farther than the best segment found so far.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -12,20 +13,20 @@
 namespace felt {
 namespace {
 
-// Four floats that are computed with at once, and what comparing them gives, -1 for true. Vector
-// extensions of GCC and Clang, one SSE2 or NEON register each: neither compiler finds the vectors
-// in the plain loop, and GCC takes wider comparisons apart where the target has no AVX.
+// Four floats in one SSE2 or NEON register, and the result of comparing them (-1 is true). Uses the
+// vector extensions of GCC and Clang, because neither compiler vectorises the plain loop, and GCC
+// splits wider comparisons if the target has no AVX.
 using Floats [[gnu::vector_size(16)]] = float;
 using Flags [[gnu::vector_size(16)]] = std::int32_t;
 
-// Half h, 0 or 1, of a row of eight.
+// Returns half h, 0 or 1, of a row of eight.
 inline Floats half_of(const std::array<float, 8>& row, unsigned h) noexcept {
   Floats half;
   std::memcpy(&half, &row[4 * h], sizeof half);
   return half;
 }
 
-// Bit i is set where lane i is true.
+// Returns a mask in which bit i is set if lane i is true.
 inline unsigned bits_of(const Flags& flags) noexcept {
   const Flags bits = flags & Flags{1, 2, 4, 8};
   std::array<std::uint64_t, 2> words{};
@@ -36,9 +37,9 @@ inline unsigned bits_of(const Flags& flags) noexcept {
 
 }  // namespace
 
-// Where a node is.
+// The position of a node in the tree.
 struct SegmentBvh::NodeAt {
-  // Room for what can wait during a depth first search.
+  // The most nodes that can wait during a depth-first search.
   static constexpr unsigned kStack = (kFanOut - 1) * kMaxLevels + kFanOut;
 
   unsigned level;       // 0: children are segments
@@ -49,15 +50,15 @@ const SegmentBvh::Node& SegmentBvh::node(NodeAt at) const noexcept {
   return nodes_[level_begin_[at.level] + at.index];
 }
 
-// One nearest query: depth first, nearest box first, everything on the stack.
+// One nearest query; all its memory is on the stack.
 class SegmentBvh::NearestSearch {
  public:
-  // Does not clear waiting_, which is filled before it is read.
+  // Does not clear waiting_, because it is written before it is read.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
   NearestSearch(const SegmentBvh& tree, const Query& query) noexcept
       : tree_(tree),
         query_(query),
-        // The interval of floats that holds the point.
+        // The smallest box of floats that contains the point.
         x0_(float_below(query.point.x)),
         y0_(float_below(query.point.y)),
         x1_(float_above(query.point.x)),
@@ -99,15 +100,16 @@ class SegmentBvh::NearestSearch {
 
   void push(const Waiting& w) noexcept { waiting_[count_++] = w; }
 
-  // Floats compare conservatively: the box distance below errs by at most 4 x 2^-24 of itself, the
-  // factor gives it 16 times that, and the least normal float covers underflow.
+  // Rounds the limit up for comparisons in floats: the box distance below has a relative error of
+  // at most 4 x 2^-24, the factor allows 16 times that, and the least normal float covers
+  // underflow.
   void limit_to(double distance_squared) noexcept {
     limit_ = distance_squared;
     limit_float_ = static_cast<float>(std::min(distance_squared * (1.0 + 0x1p-18), 1e38)) +
                    std::numeric_limits<float>::min();
   }
 
-  // The children within the limit, nearest first; returns their number.
+  // Stores the children within the limit in `near`, nearest first, and returns their number.
   unsigned near_children(const Node& n, std::array<Child, kFanOut>& near) const noexcept {
     std::array<float, kFanOut> d{};
     unsigned mask = 0;
@@ -185,7 +187,7 @@ SegmentBvh::Hit SegmentBvh::nearest(const Query& query) const noexcept {
   return NearestSearch(*this, query).run();
 }
 
-// Bit i is set where child i shares a point with the box.
+// Returns a mask in which bit i is set if child i intersects the box.
 unsigned SegmentBvh::children_in(const Box& box, const Node& n) noexcept {
   unsigned mask = 0;
   for (unsigned h = 0; h < 2; ++h) {

@@ -10,8 +10,8 @@
 namespace felt {
 namespace {
 
-// The blossom of c at (r, s, t): de Casteljau with its own parameter at each step. Symmetric in
-// exact arithmetic; callers keep the order so that shared points are shared bit for bit.
+// The blossom of c at (r, s, t): de Casteljau with a different parameter at each step. Symmetric in
+// exact arithmetic; callers keep the order so that shared points are equal bit for bit.
 Point blossom(const Cubic& c, double r, double s, double t) noexcept {
   const Point a = lerp(c.p[0], c.p[1], r), b = lerp(c.p[1], c.p[2], r), d = lerp(c.p[2], c.p[3], r);
   return lerp(lerp(a, b, s), lerp(b, d, s), t);
@@ -29,7 +29,7 @@ Rect bounds(const Cubic& c) noexcept {
   if (!is_finite(c)) return box;
   box.extend(c.p[0]);
   box.extend(c.p[3]);
-  // An inner control point outside the box of the ends is needed for the curve to leave it.
+  // The curve can leave the box of its ends only if an inner control point is outside.
   if (box.contains(c.p[1]) && box.contains(c.p[2])) return box;
   const Vec d0 = c.p[1] - c.p[0], d1 = c.p[2] - c.p[1], d2 = c.p[3] - c.p[2];
   const Vec linear = 2.0 * (d1 - d0), square = (d2 - d1) - (d1 - d0);
@@ -55,8 +55,8 @@ double flatness(const Cubic& c) noexcept {
 Vec tangent(const Cubic& c, double t) noexcept {
   const double side = t < 1.0 ? 1.0 : -1.0;  // the limit from inside
   const Vec first = t <= 0.0 ? c.p[1] - c.p[0] : t >= 1.0 ? c.p[3] - c.p[2] : derivative(c, t);
-  // Inside, f' is a sum whose rounding noise must not pass for a direction; the end handles are
-  // differences of given numbers and count as long as they are not zero.
+  // Inside the segment, f' is a sum, and its rounding noise must not be mistaken for a direction.
+  // The end handles are differences of given numbers: any that is not zero has a direction.
   const double noise = t > 0.0 && t < 1.0 ? 1e-14 * control_length(c) : 0.0;
   if (norm(first) > noise) return normalized(first);
   const Vec second = side * (t <= 0.0   ? c.p[2] - c.p[1]

@@ -19,10 +19,10 @@ struct Speed {
 
   double operator()(double t) const noexcept { return norm(v0 + t * (v1 + t * v2)); }
 
-  // True when the speed is analytic in the disc of radius 3/4 width about t, in complex numbers.
-  // With v = f'(t), its square at t + z is v.v + 2 v.e + e.e, e = z (v1 + 2 t v2) + z^2 v2, which
-  // has no zero while |v| > (1 + sqrt 2) |e|. Then the rule converges on the interval of that
-  // width like 2.6^-23 or better.
+  // Returns true if the speed is analytic in the complex disc of radius 3/4 width about t. With
+  // v = f'(t), its square at t + z is v.v + 2 v.e + e.e, e = z (v1 + 2 t v2) + z^2 v2, which has no
+  // zero while |v| > (1 + sqrt 2) |e|. Then the rule converges on the interval of that width like
+  // 2.6^-23 or better.
   [[nodiscard]] bool smooth_around(double t, double width) const noexcept {
     const double r = 0.75 * width;
     return (*this)(t) > 2.4143 * r * (norm(v1 + (2.0 * t) * v2) + r * norm(v2));
@@ -33,7 +33,7 @@ struct Speed {
 
 struct Integral {
   double value;
-  double error;  // upper estimate: the distance between the 7 point and the 15 point rule
+  double error;  // upper estimate: the difference of the 7 point and the 15 point rule
 };
 
 // Gauss-Kronrod (7, 15) on [t0, t1]. Nodes and weights: QUADPACK, qk15.
@@ -65,7 +65,7 @@ double integrate(const Speed& speed, double t0, double t1, double accuracy) noex
   struct Piece {
     double t0, t1, accuracy;
   };
-  // The right halves that wait, at most one a level; filled before they are read.
+  // The right halves still to do, at most one a level; written before they are read.
   std::array<Piece, kMaxDepth + 1> stack;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   int waiting = 0, pieces = 0;
   double sum = 0.0;
@@ -74,13 +74,13 @@ double integrate(const Speed& speed, double t0, double t1, double accuracy) noex
     const Integral part = gauss_kronrod(speed, piece.t0, piece.t1);
     ++pieces;
     const double middle = 0.5 * (piece.t0 + piece.t1);
-    // Near a cusp the two rules can agree by accident; a piece there has to be short as well.
+    // Near a cusp the two rules can agree by accident, so a piece there must be short as well.
     const bool good =
         part.error <= piece.accuracy &&
         (speed.smooth_around(middle, piece.t1 - piece.t0) || part.value <= 0.25 * accuracy);
     if (!good && waiting < kMaxDepth && pieces < kMaxPieces) {
-      // Only the half with the cusp comes back here, with a quarter of the error. Elsewhere the 15
-      // point rule errs far less than the estimate. So the shares need not add up to 1.
+      // The shares of the halves need not add up to 1: only the half with the cusp is halved again,
+      // with a quarter of the error, and elsewhere the 15 point rule is far better than estimated.
       const double share = 0.7 * piece.accuracy;
       stack[static_cast<unsigned>(waiting++)] = {middle, piece.t1, share};
       piece = {piece.t0, middle, share};
@@ -113,7 +113,7 @@ double parameter_at_length(const Cubic& c, double length_mm, double accuracy_mm)
   if (!(length_mm < total)) return 1.0;
   double lo = 0.0, hi = 1.0, length_at_lo = 0.0;
   double t = length_mm / total;
-  // Newton's step kept inside the bracket; every third step halves it, so 64 steps are enough.
+  // Newton steps that stay inside the bracket; every third step halves it.
   for (int i = 0; i < 96 && hi - lo > std::numeric_limits<double>::epsilon(); ++i) {
     const double length_at_t = length_at_lo + integrate(speed, lo, t, 0.25 * accuracy);
     const double excess = length_at_t - length_mm;

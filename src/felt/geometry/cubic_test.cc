@@ -14,7 +14,8 @@
 namespace felt::cubic_test {
 namespace {
 
-// A cubic of any of the kinds, from one random number that RapidCheck prints when a case fails.
+// Returns a cubic of one of the kinds, from one random number that RapidCheck prints if a case
+// fails.
 Cubic any_cubic() {
   std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
   const auto kind = static_cast<CaseKind>(*rc::gen::inRange(0, kCaseKinds));
@@ -104,7 +105,7 @@ TEST(Cubic, TangentFallsBackToTheNextDistinctControlPoint) {
 }
 
 TEST(Cubic, TangentAtACuspIsTheDirectionOfLeaving) {
-  // x = t (1-t) * 3, run forth and back over itself would not stop; this one stops at t = 1/2.
+  // The curve stops at t = 1/2 and leaves along -y.
   const Cubic c{{Point{0, 0}, {1, 1}, {0, 1}, {1, 0}}};
   ASSERT_NEAR(norm(derivative(c, 0.5)), 0.0, 1e-15);
   EXPECT_NEAR(distance(Point{} + tangent(c, 0.5), Point{0, -1}), 0.0, 1e-12);

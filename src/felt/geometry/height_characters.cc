@@ -5,8 +5,8 @@
 
 #include "felt/geometry/height_tile.h"
 
-// The characters of HeightField. Each draws its relief as it likes; keep_band then takes away what
-// is too short for a hand. Distances here are in steps between heights, kSide to a tile.
+// The characters of HeightField. Each function draws a relief; keep_band then removes the waves
+// that are too short. Distances are in steps between heights, kSide to a tile.
 namespace felt::height_tile {
 namespace {
 
@@ -36,8 +36,8 @@ void add(Tile& tile, const Tile& other) noexcept {
   for (std::size_t i = 0; i < tile.size(); ++i) tile[i] += other[i];
 }
 
-/// Rounds off what stands out, to `most` rms at most. A hand is given as much of a relief as its
-/// highest and steepest place allows: the fewer places stand out, the more is felt of the rest.
+/// Rounds off extreme heights so that none exceeds `most` times the rms it had. The highest and
+/// steepest place limits the force of the whole relief, so flatter extremes make the rest stronger.
 void round_off(Tile& tile, double most) noexcept {
   double mean = 0.0;
   for (const double h : tile) mean += h / static_cast<double>(tile.size());
@@ -46,7 +46,7 @@ void round_off(Tile& tile, double most) noexcept {
   for (double& h : tile) h /= std::sqrt(1.0 + h * h);
 }
 
-/// cos and sin of a turn of 1; between the values of the table runs a straight line.
+/// Cosine and sine of an angle in turns, linearly interpolated in a table.
 class Circle {
  public:
   [[nodiscard]] double cosine(double turns) const noexcept {
@@ -56,7 +56,7 @@ class Circle {
     return table_[i] + part * (table_[(i + 1) % kSide] - table_[i]);
   }
   [[nodiscard]] double sine(double turns) const noexcept { return cosine(turns - 0.25); }
-  /// At a whole number of steps of the table.
+  /// Returns the cosine of `step` / kSide turns.
   [[nodiscard]] double at(int step) const noexcept {
     return table_[static_cast<std::size_t>(step & (kSide - 1))];
   }
@@ -65,7 +65,8 @@ class Circle {
   std::array<double, kSide> table_ = cosines();
 };
 
-/// Waves whose numbers per tile lie within a box and a ring.
+/// A number of waves. Their waves per tile in x and y are within a box, and their length is in a
+/// ring `least`..`most`.
 struct Waves {
   int count;
   int most_x, most_y;
@@ -82,7 +83,7 @@ void add_waves(Tile& tile, const Circle& circle, Random& random, const Waves& wa
     ++wave;
     for (int y = 0; y < kSide; ++y) {
       for (int x = 0; x < kSide; ++x) {
-        // kx < 0: the mask of a negative int is its remainder, as two's complement is asked for.
+        // The angle may be negative: at() masks it, which gives the remainder in two's complement.
         tile[index_of(x, y)] += circle.at(kx * x + ky * y + phase);
       }
     }
@@ -109,19 +110,19 @@ Tile grain(Random& random) {
   return tile;
 }
 
-/// Hills of several sizes with narrow valleys between them, as the felt of the press leaves them.
+/// Hills of several sizes with narrow valleys between them, as made by the felt of a paper press.
 Tile rough(Random& random) {
   const Circle circle;
   Tile tile = smooth_noise(circle, random, ring(12.0, 64), 1.0);
   add(tile, smooth_noise(circle, random, ring(24.0, 64), 0.6));
-  // Round hills: what is low gets lower.
+  // Makes the hills round and the valleys narrow.
   for (double& h : tile) h = h - 0.22 * h * h;
-  // The felt's own mark: long waves to one side.
+  // The mark of the felt: long waves in one direction.
   add(tile, smooth_noise(circle, random, {24, 4, 6, 3.0, 7.0}, 0.35));
   return tile;
 }
 
-/// Plain weave: two systems of 32 threads, at each crossing another one on top.
+/// Plain weave: two systems of 32 threads that pass over and under each other in turn.
 Tile weave(Random& random) {
   constexpr int kThreads = 32;
   constexpr double kPitch = static_cast<double>(kSide) / kThreads;
@@ -155,7 +156,7 @@ Tile weave(Random& random) {
   return tile;
 }
 
-/// Fibres that lie across each other, each a walk that turns a little at every step.
+/// Fibres that cross each other. Each is a walk that changes its direction a little at every step.
 Tile fibres(Random& random) {
   const Circle circle;
   Tile tile = empty_tile();
@@ -181,14 +182,14 @@ Tile fibres(Random& random) {
   return tile;
 }
 
-/// Distance round the tile, -kSide/2 .. kSide/2.
+/// Returns the signed distance on the repeating tile, -kSide/2 .. kSide/2.
 double round_trip(double from, double to) noexcept {
   const double d = to - from;
   return d - kSide * std::floor(d / kSide + 0.5);
 }
 
-/// Year rings cut lengthwise: lines along x that bend, close up and part, and flow round a knot;
-/// each rises slowly (early wood) and falls at once (late wood). Between them runs the fibre.
+/// Annual rings cut lengthwise: lines along x that bend, converge, diverge and go round a knot.
+/// Each rises slowly (early wood) and falls steeply (late wood). Fine fibre is added.
 Tile wood(Random& random) {
   constexpr double kRings = 18.0;
   const Circle circle;
@@ -219,7 +220,7 @@ Tile heights_of(const HeightFieldSpec& spec) {
   switch (spec.character) {
     case HeightCharacter::kGrain:
     case HeightCharacter::kPicture:
-      return grain(random);  // a ring of waves: nothing is left to take away
+      return grain(random);  // already a ring of waves: nothing to filter
     case HeightCharacter::kRough:
       tile = rough(random);
       break;
@@ -228,7 +229,7 @@ Tile heights_of(const HeightFieldSpec& spec) {
       break;
     case HeightCharacter::kFibres:
       tile = fibres(random);
-      least = 4.0;  // by chance more fibres lie here than there: no hills of that
+      least = 4.0;  // removes the long hills made by the uneven density of random fibres
       break;
     case HeightCharacter::kWood:
       tile = wood(random);

@@ -11,8 +11,8 @@ namespace felt {
 namespace {
 
 constexpr int kSide = HeightField::kSide;
-/// Cubic B-spline weights of the four heights around, for value, first and second derivative per
-/// height step; f in [0, 1) is the way past the second of them.
+/// Cubic B-spline weights of four neighbouring heights, for the value and the first and second
+/// derivative per height step. f in [0, 1) is the position between the second and the third.
 struct Weights {
   std::array<double, 4> value, first, second;
 };
@@ -84,7 +84,7 @@ void HeightField::size() {
 std::shared_ptr<const HeightField::Tile> HeightField::tile_of(const std::vector<double>& heights) {
   auto tile = std::make_shared<Tile>();
   tile->heights.assign(heights.begin(), heights.end());
-  // The spline lowers waves this short by a tenth: measure what it gives, not what it is given.
+  // Measures the rms of the spline, not of its coefficients: the spline lowers short waves by 10 %.
   const std::array<double, 4> at_height = weights(0.0).value;
   double squares = 0.0;
   for (int y = 0; y < kSide; ++y) {
@@ -100,8 +100,8 @@ std::shared_ptr<const HeightField::Tile> HeightField::tile_of(const std::vector<
 }
 
 void HeightField::find_bounds(Tile& tile) noexcept {
-  // At every height and half way between: the waves are at least 6.4 heights long, so the true
-  // extremes are less than 3 % away from the largest seen.
+  // Samples every height and every midpoint. The waves are at least 6.4 heights long, so the true
+  // extremes are less than 3 % above the largest sample.
   constexpr double kMargin = 1.03;
   constexpr double kPerWave = kSide / kWavesPerTile;
   const std::array<Weights, 2> w{weights(0.0), weights(0.5)};
@@ -115,7 +115,7 @@ void HeightField::find_bounds(Tile& tile) noexcept {
         const double xx = at(wx.second, wy.value);
         const double yy = at(wx.value, wy.second);
         const double xy = at(wx.first, wy.first);
-        // The larger eigenvalue of the symmetric 2 x 2 matrix, by size.
+        // The largest absolute eigenvalue of the symmetric 2 x 2 matrix.
         const double curvature =
             0.5 * (std::abs(xx + yy) + std::sqrt((xx - yy) * (xx - yy) + 4.0 * xy * xy));
         tile.max_height = std::max(tile.max_height, kMargin * std::abs(at(wx.value, wy.value)));
@@ -132,7 +132,7 @@ HeightField::Sample HeightField::at(Point p) const noexcept {
   if (!tile_) return {};
   if (!(std::abs(p.x) <= kFarthestMm) || !(std::abs(p.y) <= kFarthestMm)) return {};
   const double per_mm = kSide / tile_mm();
-  // In units of heights; remainders first, so that tiny wavelengths do not overflow an int.
+  // In height steps. The remainder comes first, so that tiny wavelengths do not overflow an int.
   const double x = std::fmod(p.x * per_mm, static_cast<double>(kSide));
   const double y = std::fmod(p.y * per_mm, static_cast<double>(kSide));
   const double floor_x = std::floor(x);

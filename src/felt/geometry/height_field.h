@@ -8,57 +8,60 @@
 
 namespace felt {
 
-/// What a relief looks like. None has waves shorter than wavelength_mm / 1.25.
+/// The pattern of a relief. None has waves shorter than wavelength_mm / 1.25.
 enum class HeightCharacter : std::uint8_t {
-  kGrain,    ///< even in all directions, all waves within a factor 1.25 of the wavelength
+  kGrain,    ///< equal in all directions, all waves within a factor 1.25 of the wavelength
   kRough,    ///< cold-pressed paper: round hills of several sizes, and the mark of the felt
-  kWeave,    ///< canvas: two crossed systems of threads, a wavelength apart
-  kFibres,   ///< fibres that lie across each other
-  kWood,     ///< year rings cut lengthwise, along x, and fine fibre between them
-  kPicture,  ///< somebody's own (height_picture.h)
+  kWeave,    ///< canvas: two crossed systems of threads, one wavelength apart
+  kFibres,   ///< fibres that cross each other
+  kWood,     ///< annual rings cut lengthwise, along x, and fine fibre between them
+  kPicture,  ///< a custom picture (height_picture.h)
 };
 
-/// What relief to make.
+/// The parameters of a relief.
 struct HeightFieldSpec {
-  double wavelength_mm = 1.0;  ///< > 0; the tile is 32 of it
+  double wavelength_mm = 1.0;  ///< > 0; the tile is 32 wavelengths wide
   double rms_um = 2.0;         ///< >= 0
   std::uint32_t seed = 1;
   HeightCharacter character = HeightCharacter::kGrain;
 };
 
-/// The relief of a surface: one for the hand and the eye (R47; specification 5i). A square tile
-/// that repeats without a seam, made from a seed, immutable; any thread may read it.
+/// The relief of a surface, the same for the hand and the eye (R47; specification 5i). A square
+/// tile that repeats without a seam, made from a seed. Immutable; any thread may read it.
 ///
-/// Band-limited, so that the stiffness that a hand feels in it is bounded. Grain is that by
-/// construction, 96 waves of equal height whose wave numbers lie on the lattice of the tile, in a
-/// ring around the wavelength, with phases at random; what another character draws goes through a
-/// Fourier transform that leaves nothing shorter. Between the 256 x 256 heights of the tile runs a
-/// cubic B-spline: height, slope and curvature are all continuous, or the hand would feel texels.
+/// It is band-limited, so that the stiffness felt in it is bounded. Grain is band-limited by
+/// construction: it is the sum of 96 waves of equal height and random phase, whose wave numbers are
+/// on the lattice of the tile in a ring around the wavelength. The other characters are filtered
+/// with a Fourier transform that removes shorter waves. The 256 x 256 heights of the tile are
+/// interpolated with a cubic B-spline, so that height, slope and curvature are continuous;
+/// otherwise the hand would feel the texels.
 ///
-/// Made with + - * / and sqrt alone: the same seed gives the same heights on every machine.
+/// Uses only + - * / and sqrt, so that a seed gives the same heights on every machine.
 class HeightField {
  public:
   static constexpr int kSide = 256;            ///< heights along a side of the tile
   static constexpr double kWavesPerTile = 32;  ///< side of the tile = 32 wavelengths
-  static constexpr double kBand = 1.25;
+  static constexpr double kBand = 1.25;        ///< shortest wave = wavelength / kBand
 
   struct Sample {
     double height_mm = 0.0;
     Vec slope{};  ///< gradient, mm per mm
   };
 
-  /// 20 to 60 ms: not on the haptic thread. A character kPicture without a picture is grain.
+  /// Makes the relief of a character; kPicture gives grain here. Takes 20 to 60 ms: not on the
+  /// haptic thread.
   explicit HeightField(const HeightFieldSpec& spec);
-  /// From kSide x kSide heights in any unit, row by row, that repeat without a seam and hold no
-  /// wave shorter than wavelength_mm / 1.25 (height_picture.h makes such); they get the rms of
-  /// `spec`. Anything else than that many finite numbers is flat.
+  /// Makes a relief from kSide x kSide heights in any unit, row by row, which are scaled to the rms
+  /// of `spec`. They should repeat without a seam and have no wave shorter than
+  /// wavelength_mm / 1.25, as those of height_picture.h do. The relief is flat if the number of
+  /// heights is wrong or one is not finite.
   HeightField(const HeightFieldSpec& spec, const std::vector<double>& tile);
-  /// The same relief in another size, without making it again: shares the tile. Flat where a figure
-  /// is not finite or not > 0.
+  /// Returns the same relief in another size. Shares the tile, so it is cheap. Flat if a value is
+  /// not finite or not > 0.
   [[nodiscard]] HeightField scaled(double wavelength_mm, double rms_um) const;
 
-  /// Height and slope at a point. Real-time safe; points that are not finite or beyond 1e6 mm read
-  /// as flat.
+  /// Returns the height and slope at a point. Flat for points that are not finite or beyond 1e6 mm.
+  /// Real-time safe.
   [[nodiscard]] Sample at(Point p) const noexcept;
 
   [[nodiscard]] const HeightFieldSpec& spec() const noexcept { return spec_; }
@@ -66,14 +69,14 @@ class HeightField {
   [[nodiscard]] double shortest_wavelength_mm() const noexcept {
     return spec_.wavelength_mm / kBand;
   }
-  // Upper bounds over the tile, found when it was made.
+  // Upper bounds over the whole tile.
   [[nodiscard]] double max_height_mm() const noexcept { return max_height_mm_; }
   [[nodiscard]] double max_slope() const noexcept { return max_slope_; }
-  /// Largest second derivative in any direction, 1/mm.
+  /// Returns an upper bound of the second derivative in any direction, 1/mm.
   [[nodiscard]] double max_curvature_per_mm() const noexcept { return max_curvature_per_mm_; }
 
  private:
-  /// Of wavelength 1 and rms 1; coefficients of the spline, row by row.
+  /// The spline coefficients of a tile of wavelength 1 and rms 1, row by row.
   struct Tile {
     std::vector<float> heights;
     double max_height = 0.0, max_slope = 0.0, max_curvature = 0.0;

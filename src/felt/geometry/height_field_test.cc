@@ -73,7 +73,8 @@ TEST(HeightField, R47_EveryCharacterTilesIsSmoothAndKeepsToItsBounds) {
         squares += here.height_mm * here.height_mm;
       }
       EXPECT_NEAR(1e3 * std::sqrt(squares / kCount), 10.0, 0.5) << "seed " << seed;
-      // Stiffness of the steepest place against that of a single wave of the shortest length.
+      // Compares the stiffness of the steepest place with that of a single wave of the shortest
+      // length.
       const double wave = 6.283185307179586 / field.shortest_wavelength_mm();
       EXPECT_LT(field.max_curvature_per_mm(), field.max_height_mm() * wave * wave);
     }
@@ -86,7 +87,7 @@ TEST(HeightField, R48_NoCharacterHasWavesShorterThanItSays) {
     const HeightField field(
         {.wavelength_mm = 1.0, .rms_um = 10.0, .seed = 4, .character = character});
     const double step = field.tile_mm() / kSide;
-    // By the definition of the Fourier transform, along some directions.
+    // Uses the definition of the Fourier transform, along some directions.
     for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {2, -1}, {-1, 3}}) {
       double within = 0.0, beyond = 0.0;
       for (int n = 1; n * std::max(std::abs(dx), std::abs(dy)) <= 100; ++n) {
@@ -124,7 +125,7 @@ TEST(HeightField, R47_CharactersAreTheSameOnEveryMachine) {
 }
 
 TEST(HeightField, WoodRunsAlongXAndAWeaveInBothDirections) {
-  // Mean square of the slope across, over that along x.
+  // Mean square slope along y, divided by that along x.
   const auto across = [](HeightCharacter character) {
     const HeightField field(
         {.wavelength_mm = 1.5, .rms_um = 10.0, .seed = 2, .character = character});

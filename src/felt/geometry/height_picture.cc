@@ -11,7 +11,8 @@ namespace {
 
 using height_tile::Tile;
 
-/// Which of `count` pixels a place of the tile covers, and how far into the next one it lies.
+/// The pixels that one cell of the tile covers. If the picture is enlarged, these are the two
+/// neighbouring pixels, and `part` is the position between them, 0..1.
 struct Covered {
   int first = 0, last = 0;
   double part = 0.0;
@@ -28,7 +29,8 @@ Covered covered(int place, int count) noexcept {
   return {first, std::min(first + 1, count - 1), at - first};
 }
 
-/// The mean of the pixels that a place covers, or what lies between the two next to it.
+/// Returns the weight of a pixel in a cell: all covered pixels count the same if the picture is
+/// shrunk; otherwise the two neighbours are interpolated linearly.
 double share_of(const Covered& covered, int pixel, bool is_shrunk) noexcept {
   if (is_shrunk) return 1.0 / (covered.last - covered.first + 1);
   const double second = covered.first == covered.last ? 0.0 : covered.part;
@@ -72,7 +74,8 @@ double at(const Tile& tile, int x, int y, bool turned) noexcept {
                                        (column & (height_tile::kSide - 1)))];
 }
 
-/// True where the last column goes on in the first as any column goes on in the next.
+/// Returns true if the seam is as smooth as the inside: the mean squared step from the last column
+/// to the first is at most kLikely times that between other neighbouring columns.
 bool meets(const Tile& tile, bool turned) noexcept {
   double seam = 0.0, within = 0.0;
   for (int y = 0; y < height_tile::kSide; ++y) {
@@ -85,9 +88,8 @@ bool meets(const Tile& tile, bool turned) noexcept {
   return seam <= kLikely * within / (height_tile::kSide - 1);
 }
 
-/// Fades the edges of the columns into the tile moved by half, and keeps the height of its hills:
-/// the sum of two reliefs that have nothing to do with each other is lower by the root of the sum
-/// of squares.
+/// Blends both edges with the tile shifted by half. Divides by the root of the sum of the squared
+/// weights, so that the rms height stays the same: the two reliefs are uncorrelated.
 Tile joined(const Tile& tile, bool turned) {
   Tile out(tile.size());
   for (int y = 0; y < height_tile::kSide; ++y) {
@@ -131,7 +133,7 @@ Result<HeightField> height_field_of(const HeightPicture& picture, const HeightPi
   double squares = 0.0;
   for (const double h : tile) squares += h * h;
   const double rms = std::sqrt(squares / static_cast<double>(tile.size()));
-  constexpr double kLeast = 1e-5;  // of the way from black to white
+  constexpr double kLeast = 1e-5;  // of the range from black to white
   if (!(rms > kLeast)) {
     return fail(ErrorCode::kInvalidData, "the picture has no relief that is coarse enough to feel");
   }

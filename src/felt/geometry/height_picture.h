@@ -7,27 +7,27 @@
 
 namespace felt {
 
-/// A relief as somebody's own picture has it: white is high.
+/// A custom relief as a picture: white is high.
 struct HeightPicture {
   int width = 0;
   int height = 0;
   std::vector<float> heights;  ///< 0 (black) .. 1 (white), row by row
-  double width_mm = 0.0;       ///< where the file says; 0 is not known
+  double width_mm = 0.0;       ///< from the file; 0 if unknown
 };
 
-/// How large it is on the sheet, and how high.
+/// The size of the relief on the page, and its height.
 struct HeightPictureSpec {
   double tile_mm = 40.0;    ///< side of the square that the picture fills and that repeats, 5..500
   double height_um = 60.0;  ///< from black to white, 0..1000
 };
 
-/// The height field of a picture. It is fitted into the square tile (what is not square is
-/// stretched), and where its edges do not meet, each fades into the picture moved by half, so that
-/// it repeats without a seam; what is shorter than tile_mm / 40 is taken away. A hand is given as
-/// much of it as keeps to the stiffness that a loop bears (Texture), however high it is said to be.
+/// Returns the height field of a picture. The picture is stretched to the square tile. If opposite
+/// edges do not match, they are blended with the picture shifted by half its size, so that it
+/// repeats without a seam. Waves shorter than tile_mm / 40 are removed. However high the relief is,
+/// the force is limited to the stiffness that the haptic loop can render (Texture).
 ///
-/// Error: sizes outside of the above, not as many heights as width x height, one that is not
-/// finite, or a picture of one grey.
+/// Fails if a size is out of range, the number of heights is not width x height, a height is not
+/// finite, or no relief is left (a picture of a single grey, for example).
 Result<HeightField> height_field_of(const HeightPicture& picture,
                                     const HeightPictureSpec& spec = {});
 

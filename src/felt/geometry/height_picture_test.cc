@@ -46,14 +46,14 @@ TEST(HeightPicture, APictureThatRepeatsComesOutAsItIs) {
       const Point p{0.37 * i, 0.73 * i};
       const double meant =
           0.0125 * (std::cos(kTau * 5.0 * p.x / 40.0) + std::cos(kTau * 3.0 * p.y / 40.0));
-      // The first height stands for the middle of the first pixel: half a step of 0.16 mm.
+      // The first height is at the middle of the first pixel: half a step of 0.16 mm.
       EXPECT_NEAR(field->at(p).height_mm, meant, 0.0035) << side;
     }
   }
 }
 
 TEST(HeightPicture, WhatDoesNotRepeatGetsNoSeam) {
-  // A slope from black to white, with hills: its edges are as far apart as can be.
+  // A slope from black to white, with hills: its edges differ as much as possible.
   const auto field = height_field_of(picture_of(300, 200, [](double x, double y) {
     return 0.7 * x + 0.15 + 0.15 * std::sin(40.0 * x) * std::sin(31.0 * y);
   }));

@@ -17,7 +17,7 @@ unsigned reversed(unsigned i) noexcept {
   return r;
 }
 
-/// Radix-2 Fourier transform in place, without a factor (Cooley and Tukey 1965).
+/// Radix-2 Fourier transform in place, not normalised (Cooley and Tukey 1965).
 void transform(Line& line, const std::array<double, kSide>& cosine, bool back) noexcept {
   for (unsigned i = 0; i < kSide; ++i) {
     if (i < reversed(i)) std::swap(line[i], line[reversed(i)]);
@@ -39,7 +39,7 @@ void transform(Line& line, const std::array<double, kSide>& cosine, bool back) n
   }
 }
 
-/// All rows, then all columns.
+/// Transforms all rows, then all columns.
 void transform(std::vector<Complex>& tile, bool back) {
   const std::array<double, kSide> cosine = cosines();
   Line line;
@@ -63,7 +63,7 @@ double share_of(double waves, double least, double fade_from, double most) noexc
 }  // namespace
 
 std::array<double, kSide> cosines() {
-  double c = 0.0;  // of a quarter turn
+  double c = 0.0;  // cosine and sine of a quarter turn
   double s = 1.0;
   for (int n = 4; n < kSide; n *= 2) {
     const double half = std::sqrt(0.5 * (1.0 + c));

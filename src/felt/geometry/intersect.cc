@@ -11,9 +11,9 @@ namespace felt {
 namespace {
 
 constexpr double kMinSpan = 0x1p-48;
-constexpr std::size_t kStack = 128;  // two curves, 48 halvings each, and the pairs to begin with
+constexpr std::size_t kStack = 128;  // two curves, 48 halvings each, and the first pairs
 constexpr double kSamePlaceMm = 1e-7;
-constexpr int kOverlapSamples = 12;  // more than the nine places at which different cubics meet
+constexpr int kOverlapSamples = 12;  // more than the nine points at which different cubics meet
 
 double largest_coordinate(const Cubic& c) noexcept {
   double most = 0.0;
@@ -21,7 +21,7 @@ double largest_coordinate(const Cubic& c) noexcept {
   return most;
 }
 
-/// A part of a curve: its control points, and where it lies in the whole.
+/// A part of a curve: its control points, and its parameter range on the whole curve.
 struct Piece {
   Cubic c;
   double t0 = 0.0;
@@ -62,7 +62,7 @@ bool apart_along(Vec axis, const Cubic& a, const Cubic& b, double gap_mm) noexce
   return ra.high + gap_mm < rb.low || rb.high + gap_mm < ra.low;
 }
 
-/// True when the hulls are surely more than the gap apart.
+/// Returns true if the hulls are certainly more than the gap apart.
 bool hulls_apart(const Cubic& a, const Cubic& b, double gap_mm) noexcept {
   if (!control_bounds(a).inflated(gap_mm).intersects(control_bounds(b))) return true;
   for (const Cubic* c : {&a, &b}) {
@@ -73,8 +73,8 @@ bool hulls_apart(const Cubic& a, const Cubic& b, double gap_mm) noexcept {
   return false;
 }
 
-/// True when every direction of travel of one is strictly to the same side of every one of the
-/// other: they meet once at most.
+/// Returns true if every direction of travel of one is strictly on the same side of every one of
+/// the other, so that they meet at most once.
 bool cross_once(const Cubic& a, const Cubic& b) noexcept {
   constexpr double kNoise = 1e-12;
   int side = 0;
@@ -94,7 +94,7 @@ bool cross_once(const Cubic& a, const Cubic& b) noexcept {
   return side != 0;
 }
 
-/// The nearest places of two straight segments, as shares 0..1 of each.
+/// The nearest points of two straight segments, as parameters 0..1 on each.
 struct Closest {
   double a = 0.0, b = 0.0;
   double distance_squared = std::numeric_limits<double>::infinity();
@@ -149,7 +149,7 @@ class Search {
   }
 
  private:
-  /// A place with the part of both curves that it stands for.
+  /// A meeting point, and the parts of both curves that it represents.
   struct Found {
     Crossing crossing;
     std::array<double, 2> first, second;
@@ -185,7 +185,7 @@ class Search {
     }
   }
 
-  /// Newton, held within the pair. False when it does not arrive.
+  /// Finds a crossing by Newton, clamped to the pair. Returns false if it does not converge.
   bool solve(const Pair& pair) noexcept {
     const Closest guess = closest_of_chords(pair.a.c, pair.b.c);
     double s = guess.a, t = guess.b;
@@ -207,8 +207,8 @@ class Search {
     return true;
   }
 
-  /// Two pieces that are straight but do not cross once: the place where they are nearest, and how
-  /// far along both they are as near as makes no difference.
+  /// Adds a touch of two straight pieces that step 2 could not handle: the point where they are
+  /// nearest, and the parts of both within 2 meet_mm_ of each other.
   void touch(const Pair& pair) noexcept {
     const Closest chords = closest_of_chords(pair.a.c, pair.b.c);
     const double limit = 4.0 * meet_mm_ * meet_mm_;
@@ -237,15 +237,15 @@ class Search {
     add(now);
   }
 
-  /// True when next to nothing of a curve lies between two parts of it.
+  /// Returns true if two parts of a curve are less than kSamePlaceMm apart along the curve.
   static bool adjoin(const Cubic& c, const std::array<double, 2>& a,
                      const std::array<double, 2>& b) noexcept {
     const double from = std::min(a[1], b[1]), to = std::max(a[0], b[0]);
     return from >= to || control_length(sub_segment(c, from, to)) <= kSamePlaceMm;
   }
 
-  /// What was found beside what was found before is the same place: shares of an overlap first,
-  /// then what passes, then what is nearer.
+  /// Adds a result, merged with all results next to it. An end of an overlap has priority, then a
+  /// crossing, then the smaller gap.
   void add(Found now) noexcept {
     for (std::size_t i = 0; i < found_count_;) {
       const Found& old = found_[i];
@@ -281,12 +281,13 @@ class Search {
     return 2;
   }
 
-  /// The parameters of a place on both.
+  /// The parameters of a point on both curves.
   struct Match {
     double s = 0.0, t = 0.0;
   };
 
-  /// Where an f(s) lies on g; of several places the one next to `near`.
+  /// Returns the parameter of f(s) on g, or nullopt if it is not on g. If g passes there at one of
+  /// its ends too, returns the parameter closest to `near`.
   [[nodiscard]] std::optional<double> on_second(double s, double near) const noexcept {
     const Point p = evaluate(f_, s);
     const double limit = 4.0 * meet_mm_ * meet_mm_;
@@ -300,7 +301,7 @@ class Search {
     return t;
   }
 
-  /// The lowest and the highest s at which an end of one curve lies on the other.
+  /// Returns the lowest and the highest s at which an end of one curve lies on the other.
   [[nodiscard]] Range ends_that_lie_on_the_other() const noexcept {
     Range s;
     const double limit = meet_mm_ * meet_mm_;
@@ -315,14 +316,14 @@ class Search {
     return s;
   }
 
-  /// Finds a shared part. True when there is one: its ends are found, the rest waits.
+  /// Returns true if the curves share a part. Then adds its ends and pushes the remaining pairs.
   bool begin_with_overlap() noexcept {
     const Range s = ends_that_lie_on_the_other();
     if (!(s.low < s.high)) return false;
     if (control_length(sub_segment(f_, s.low, s.high)) <= 1e-3) return false;
     std::array<Match, kOverlapSamples> shared{};
     for (std::size_t i = 0; i < shared.size(); ++i) {
-      // From the middle of the first gap on, so that a place next door is known; ends come last.
+      // Starts inside, so that each match guides the next; the ends come last.
       const double share = (static_cast<double>(i) + 0.5) / kOverlapSamples;
       const double at = s.low + share * (s.high - s.low);
       const auto t = on_second(at, i > 0 ? shared[i - 1].t : 0.5);
@@ -373,7 +374,7 @@ class Search {
   int most_pairs_;
   double meet_mm_;
   Crossings result_;
-  std::array<Pair, kStack> stack_;  // filled before it is read
+  std::array<Pair, kStack> stack_;  // written before it is read
   std::size_t count_ = 0;
   std::array<Found, Crossings::kMost> found_{};
   std::size_t found_count_ = 0;

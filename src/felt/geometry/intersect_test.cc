@@ -25,7 +25,7 @@ struct Place {
   double t1, t2;
 };
 
-/// Where chords of two finely sampled curves properly cross; `apart` chords of the same curve.
+/// Returns the proper crossings of the chords of two finely sampled curves.
 std::vector<Place> sampled_crossings(const std::vector<Point>& a, const std::vector<Point>& b,
                                      bool same) {
   std::vector<Place> places;
@@ -68,7 +68,8 @@ bool has(const Crossings& found, double t1, double t2, double within) {
 TEST(Intersect, FindsEveryCrossingThatDenseSamplingFindsOnAnyKindOfCubic) {
   int crossings = 0;
   for (int k = 0; k < kCaseKinds; ++k) {
-    if (static_cast<CaseKind>(k) == CaseKind::kTiny) continue;  // below the tolerance of the check
+    if (static_cast<CaseKind>(k) == CaseKind::kTiny)
+      continue;  // smaller than the check's tolerance
     for (unsigned seed = 0; seed < 24; ++seed) {
       std::mt19937_64 random(1000U * static_cast<unsigned>(k) + seed);
       const Cubic f = make_case(static_cast<CaseKind>(k), random).curve;
@@ -109,7 +110,7 @@ RC_GTEST_PROP(Intersect, TheOrderOfTheTwoDoesNotMatter, ()) {
   const Crossings one = intersections(f, g), other = intersections(g, f);
   for (const Crossing& c : one) {
     if (c.kind != Crossing::Kind::kCross) continue;
-    // By place: at a zero handle t is not known well.
+    // Compares points, because t is inaccurate at a zero handle.
     RC_ASSERT(std::any_of(other.begin(), other.end(),
                           [&](const Crossing& o) { return distance(o.point, c.point) <= 1e-6; }));
   }
@@ -125,7 +126,7 @@ TEST(Intersect, StraightLinesCrossWhereTheyShould) {
 }
 
 TEST(Intersect, NineCrossingsOfTwoCubics) {
-  // Each a wave through the other's three branches.
+  // Each is a wave that crosses the three branches of the other.
   const Cubic f{{Point{0, 0}, {40, 100}, {-10, -60}, {30, 35}}};
   const Cubic g{{Point{0, 0}, {100, 40}, {-60, -10}, {35, 30}}};
   const Crossings found = intersections(f, g);
@@ -142,7 +143,7 @@ TEST(Intersect, EndsOnTheOtherAndSharedEndsCount) {
   ASSERT_EQ(tee.count, 1u);
   EXPECT_NEAR(tee.places[0].t1, 0.4, 1e-12);
   EXPECT_NEAR(tee.places[0].t2, 0.0, 1e-12);
-  // A smooth joint: the next segment goes on where this one ends.
+  // A smooth joint: the next segment starts where this one ends.
   const auto [left, right] = split(Cubic{{Point{0, 0}, {10, 20}, {30, -20}, {40, 5}}}, 0.4);
   const Crossings joint = intersections(left, right);
   ASSERT_EQ(joint.count, 1u);
@@ -162,7 +163,7 @@ TEST(Intersect, ATangentIsOnePlace) {
     EXPECT_EQ(touch.places[0].kind, Crossing::Kind::kTouch);
     EXPECT_NEAR(touch.places[0].t1, 0.5, 1e-4);
     EXPECT_LT(touch.pairs, 1000);
-    // A hair lower it is two crossings, a hair higher none.
+    // Slightly lower there are two crossings, slightly higher none.
     EXPECT_EQ(intersections(arch, straight({-5, top - 1e-5}, {50, top - 1e-5})).count, 2u);
     EXPECT_EQ(intersections(arch, straight({-5, top + 1e-5}, {50, top + 1e-5})).count, 0u);
   }
@@ -193,7 +194,7 @@ TEST(Intersect, OverlapsReportTheirTwoEnds) {
 }
 
 TEST(Intersect, WorkIsBounded) {
-  // Nearly the same curve: apart by less than a fat line of any reasonable size.
+  // Nearly the same curve: closer than the width of a fat line of any reasonable size.
   const Cubic c{{Point{0, 0}, {100, 200}, {300, -200}, {400, 50}}};
   Cubic near = c;
   for (Point& p : near.p) p.y += 1e-8;

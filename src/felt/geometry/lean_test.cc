@@ -30,7 +30,7 @@ TEST(Lean, OfNoDirectionIsNone) {
                            Vec3{kEndless, 0, 1}, Vec3{0, 0, -kEndless}}) {
     EXPECT_EQ(lean_of_axis(axis), std::nullopt);
   }
-  // So small that its squares are nothing, so large that they are infinite: still a direction.
+  // The squares underflow to 0 or overflow to infinity, but the axis still has a direction.
   EXPECT_EQ(lean_of_axis({1e-300, 0, 1e-300}), 45.0);
   EXPECT_EQ(lean_of_axis({1e300, 0, 1e300}), 45.0);
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr unsigned kMaxHalvings = 48;
 constexpr double kLeastWidth = 0x1p-48;  // kMaxHalvings halvings
 
-// Part [t0, t0 + width] of the segment, its control points seen from the query point.
+// Part [t0, t0 + width] of the segment, with its control points relative to the query point.
 struct CurvePiece {
   std::array<Vec, 4> a;
   double t0 = 0.0;
@@ -25,7 +25,7 @@ Vec middle(Vec a, Vec b) noexcept {
   return 0.5 * (a + b);
 }
 
-// Splits in the middle: `left` becomes the left half, the right one is returned.
+// Splits in the middle: `left` becomes the left half; returns the right half.
 CurvePiece halve(CurvePiece& left) noexcept {
   const Vec b0 = middle(left.a[0], left.a[1]), b1 = middle(left.a[1], left.a[2]);
   const Vec b2 = middle(left.a[2], left.a[3]);
@@ -55,8 +55,8 @@ struct Distance {
   double size;   // no product in c is larger; the rounding error of c is below 4 eps size
 };
 
-// Most sign changes that six differences can have, where bit k of `minus` and `plus` says that
-// difference k is surely negative or surely positive, and neither bit that it may be both.
+// Returns the most sign changes that six differences can have. Bit k of `minus` or `plus` is set if
+// difference k is certainly negative or positive; if neither is set, it may be either.
 int most_sign_changes(unsigned minus, unsigned plus) noexcept {
   if ((minus | plus) == 63U) return std::popcount((minus ^ (minus >> 1U)) & 31U);
   constexpr int kImpossible = -8;
@@ -81,14 +81,15 @@ int most_sign_changes(const Distance& d, double noise) noexcept {
   return most_sign_changes(minus, plus);
 }
 
-// A place on a piece, and the squared distance there.
+// A parameter on a piece, and the squared distance there.
 struct Candidate {
   double u;
   double distance_squared;
 };
 
-// The only stationary point of |a|^2 inside the piece, where the distance falls at u = 0 and rises
-// at u = 1. Newton on a . a' = 0; steps that leave the bracket, and every fourth, halve it.
+// Returns the only stationary point of |a|^2 inside the piece. Requires that the distance falls at
+// u = 0 and rises at u = 1. Newton on a . a' = 0; a step that leaves the bracket, and every fourth
+// step, is replaced by halving it.
 Candidate stationary_point(const std::array<Vec, 4>& a, double guess) noexcept {
   const Vec k1 = 3.0 * (a[1] - a[0]), k2 = 3.0 * ((a[2] - a[1]) - (a[1] - a[0]));
   const Vec k3 = (a[3] - a[0]) - 3.0 * (a[2] - a[1]);
@@ -106,13 +107,13 @@ Candidate stationary_point(const std::array<Vec, 4>& a, double guess) noexcept {
     if (!newton) next = 0.5 * (lo + hi);
     const double step = std::fabs(next - u);
     u = next;
-    // Newton's error is then of the order of the square of its last step.
+    // The error of Newton is then of the order of the square of its last step.
     if (step <= (newton ? 1e-10 : kEpsilon)) break;
   }
   return {u, norm_squared(a[0] + u * (k1 + u * (k2 + u * k3)))};
 }
 
-// Where the control polygon of the derivative changes its sign: a first guess of the root.
+// Returns a first guess of the root: the sign change of the control polygon of the derivative.
 double guess_root(const Distance& d) noexcept {
   unsigned k = 1;
   while (k < 5 && d.c[k + 1] < d.c[k]) ++k;
@@ -128,12 +129,12 @@ class NearestSearch {
       : limit_(max_distance_squared),
         root_{{c.p[0] - q, c.p[1] - q, c.p[2] - q, c.p[3] - q}, 0.0, 1.0} {}
 
-  // False when nothing is within the limit, or the work ran out before anything was.
+  // Returns false if nothing is within the limit, or the work ran out before anything was found.
   bool run(int& pieces_left) noexcept {
     Distance d(root_.a);
     if (!(d.c[0] + d.c[2] + d.c[4] + d.c[6] < std::numeric_limits<double>::infinity()))
       return false;
-    // A distance that cannot be told from zero: the control points are not known better.
+    // A distance that rounding makes indistinguishable from zero.
     const double zero = 256.0 * kEpsilon * kEpsilon * d.size;
     if (d.lower > limit_ + 4.0 * kEpsilon * d.size) {
       --pieces_left;
@@ -141,7 +142,6 @@ class NearestSearch {
     }
     offer(0.0, d.c[0]);
     offer(1.0, d.c[6]);
-    // Not cleared: it is filled before it is read, and often not needed.
     // Not initialised, because this is the hot path: pieces are written before they are read.
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
     std::array<CurvePiece, kMaxHalvings> waiting;
@@ -166,7 +166,7 @@ class NearestSearch {
   [[nodiscard]] double distance_squared() const noexcept { return limit_; }
 
  private:
-  // Takes the point when it is nearer than the best, or as near with a lower t.
+  // Keeps the point if it is nearer than the best, or as near with a lower t.
   void offer(double t, double distance_squared) noexcept {
     constexpr double kTie = 4.0 * kEpsilon;
     if (!found_ ? distance_squared <= limit_
@@ -178,12 +178,12 @@ class NearestSearch {
     }
   }
 
-  // True when nothing on the piece can be nearer than the best found, which then includes the
-  // nearest point of the piece.
+  // Returns true if nothing on the piece can be nearer than the best point. If the piece has at
+  // most one stationary point, offers the nearest point of the piece first.
   bool finished(const CurvePiece& piece, const Distance& d) noexcept {
     const double noise = 4.0 * kEpsilon * d.size;
     if (d.lower >= limit_ * (1.0 - 64.0 * kEpsilon) + noise) return true;
-    // While the piece is wide against the distance, noise could hide a nearer point.
+    // If the piece is large compared with the distance, noise could hide a nearer point.
     const int changes = most_sign_changes(d, d.size > 16.0 * limit_ ? 2.0 * noise : 0.0);
     if (changes > 1) return false;
     const auto& a = piece.a;
@@ -194,7 +194,7 @@ class NearestSearch {
     return true;
   }
 
-  double limit_;  // squared distance of the best point, of the caller's limit before there is one
+  double limit_;  // squared distance of the best point, or the caller's limit before there is one
   double t_ = 0.0;
   bool found_ = false;
   CurvePiece root_;

@@ -73,7 +73,7 @@ TEST(Nearest, OfEqualDistancesTheLowestT) {
   // Symmetric about x = 5: two feet at t and 1 - t.
   const Cubic arch{{Point{0, 0}, {0, 10}, {10, 10}, {10, 0}}};
   for (double y = -3.0; y < 6.0; y += 0.1) EXPECT_LE(nearest(arch, {5, y}).t, 0.5);
-  // Out and back along a line: the point is passed twice.
+  // Forward and back along a line: the point is passed twice.
   const Cubic fold{{Point{0, 0}, {8, 0}, {8, 0}, {0, 0}}};
   EXPECT_LT(nearest(fold, {3, 0}).t, 0.5);
 }

@@ -11,7 +11,7 @@ namespace felt::polygon_test {
 namespace {
 
 const std::vector<Point> kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-// A pentagram: its middle is gone round twice.
+// A pentagram: its middle has winding number 2.
 const std::vector<Point> kStar{{0, -10}, {6, 8}, {-9.5, -3}, {9.5, -3}, {-6, 8}};
 
 std::vector<Point> any_points(std::size_t most) {

@@ -88,8 +88,8 @@ bool on_edge(Point a, Point b, Point p) noexcept {
   return nearest_on_line(a, b, p).distance_squared <= width * width;
 }
 
-// 1 or -1 when the ray from p along +x crosses the edge, by the edge's direction; else 0. Half-open
-// in y, so that a ray through a corner crosses exactly one of its two edges.
+// Returns 1 or -1, by the edge's direction, if the ray from p along +x crosses the edge; else 0.
+// Edges are half-open in y, so that a ray through a corner crosses exactly one of its two edges.
 int crossing(Point a, Point b, Point p) noexcept {
   const double side = cross(b - a, p - a);
   if (a.y <= p.y && b.y > p.y && side > 0.0) return 1;

@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// An axis-parallel rectangle in mm, edges included. The default one is empty: it contains
-/// nothing and extending it by a point gives that point.
+/// An axis-parallel rectangle in mm, including its edges. The default one is empty: it contains
+/// nothing, and extending it by a point gives that point.
 struct Rect {
   double x0 = std::numeric_limits<double>::infinity();
   double y0 = std::numeric_limits<double>::infinity();
@@ -17,17 +17,17 @@ struct Rect {
 
   friend constexpr bool operator==(const Rect&, const Rect&) noexcept = default;
 
-  /// True when it contains no point.
+  /// Returns true if it contains no point.
   [[nodiscard]] constexpr bool empty() const noexcept { return !(x0 <= x1 && y0 <= y1); }
-  /// Width in mm; 0 when empty.
+  /// Returns the width in mm; 0 if empty.
   [[nodiscard]] constexpr double width() const noexcept { return empty() ? 0.0 : x1 - x0; }
-  /// Height in mm; 0 when empty.
+  /// Returns the height in mm; 0 if empty.
   [[nodiscard]] constexpr double height() const noexcept { return empty() ? 0.0 : y1 - y0; }
-  /// True when p lies inside or on the edge.
+  /// Returns true if p is inside or on the edge.
   [[nodiscard]] constexpr bool contains(Point p) const noexcept {
     return p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1;
   }
-  /// True when the two share a point.
+  /// Returns true if the two have a common point.
   [[nodiscard]] constexpr bool intersects(const Rect& o) const noexcept {
     return x0 <= o.x1 && o.x0 <= x1 && y0 <= o.y1 && o.y0 <= y1;
   }
@@ -45,13 +45,13 @@ struct Rect {
     x1 = std::max(x1, o.x1);
     y1 = std::max(y1, o.y1);
   }
-  /// The rectangle grown by `margin_mm` on each side; an empty one stays empty.
+  /// Returns the rectangle grown by `margin_mm` on each side; an empty one stays empty.
   [[nodiscard]] constexpr Rect inflated(double margin_mm) const noexcept {
     return empty() ? *this : Rect{x0 - margin_mm, y0 - margin_mm, x1 + margin_mm, y1 + margin_mm};
   }
 };
 
-/// Smallest distance from p to the rectangle, squared; 0 inside, infinity when empty.
+/// Returns the squared distance in mm^2 from p to the rectangle; 0 inside, infinity if empty.
 constexpr double distance_squared(const Rect& r, Point p) noexcept {
   if (r.empty()) return std::numeric_limits<double>::infinity();
   const double dx = std::max({r.x0 - p.x, 0.0, p.x - r.x1});

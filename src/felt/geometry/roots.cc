@@ -18,8 +18,9 @@ struct CubicPolynomial {
   }
 };
 
-// The root in [lo, hi], where f(lo) and f(hi) have different signs and f is monotone. A Newton
-// step that leaves the bracket, or every third step, is replaced by halving.
+// Returns the root in [lo, hi]. Requires that f is monotone there and that f(lo) and f(hi) have
+// different signs. A Newton step that leaves the bracket, or every third step, is replaced by
+// halving.
 double bracketed_root(const CubicPolynomial& f, double lo, double hi) noexcept {
   const bool rising = f.value(hi) > 0.0;
   double t = 0.5 * (lo + hi);
@@ -79,7 +80,7 @@ UnitRoots cubic_roots(double c0, double c1, double c2, double c3) noexcept {
   for (int i = 0; i <= extrema.size(); ++i) {
     const double hi = i < extrema.size() ? extrema[i] : 1.0;
     const double at_lo = f.value(lo), at_hi = f.value(hi);
-    const double noise = 4.0 * kEpsilon;  // of the value, since the coefficients are at most 1
+    const double noise = 4.0 * kEpsilon;  // of the value, because the coefficients are at most 1
     if (std::fabs(at_lo) <= noise) {
       if (i == 0 || roots.size() == 0 || lo - roots[roots.size() - 1] > 1e-7) roots.insert(lo);
     } else if (std::fabs(at_hi) > noise && (at_lo < 0.0) != (at_hi < 0.0)) {

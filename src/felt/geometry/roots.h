@@ -4,7 +4,7 @@
 
 namespace felt {
 
-/// Up to three roots in [0, 1], ascending; iterate over it.
+/// Up to three roots in [0, 1], in ascending order; iterate over it.
 class UnitRoots {
  public:
   [[nodiscard]] const double* begin() const noexcept { return t_.data(); }
@@ -12,7 +12,7 @@ class UnitRoots {
   [[nodiscard]] int size() const noexcept { return count_; }
   [[nodiscard]] double operator[](int i) const noexcept { return t_[static_cast<unsigned>(i)]; }
 
-  /// Adds t when it lies in [0, 1] and differs from the roots already there; keeps the order.
+  /// Adds t if it is in [0, 1] and differs from the roots already there; keeps the order.
   void insert(double t) noexcept;
 
  private:
@@ -24,12 +24,12 @@ class UnitRoots {
 ///
 /// A multiple root is reported once. A leading coefficient of zero lowers the degree. The zero
 /// polynomial and coefficients that are not finite have no roots. Rounding may move a root by a
-/// few ulp of the coefficients over the slope there; a double root that rounding has lifted off
-/// the axis by no more than that is still reported.
+/// few ulp of the coefficients divided by the slope there; a double root that rounding has lifted
+/// off the axis by no more than that is still reported.
 UnitRoots linear_roots(double c0, double c1) noexcept;
 
-/// By the form that never subtracts like numbers: q = -(c1 + sign(c1) sqrt(disc)) / 2, roots
-/// q / c2 and c0 / q. Source: Press et al., Numerical Recipes, 5.6.
+/// Uses the form without cancellation: q = -(c1 + sign(c1) sqrt(disc)) / 2, roots q / c2 and
+/// c0 / q. Source: Press et al., Numerical Recipes, 5.6.
 UnitRoots quadratic_roots(double c0, double c1, double c2) noexcept;
 
 /// Splits [0, 1] at the extrema (roots of the derivative) and brackets one root in each monotone

@@ -6,8 +6,8 @@
 
 namespace felt {
 
-/// A place or a displacement above the sheet: x right, y down, z out of the sheet towards the hand.
-/// In mm, or in mm/s for a velocity; where it stands says which.
+/// A position or a displacement above the page: x right, y down, z away from the page towards the
+/// hand. In mm, or in mm/s for a velocity; the context says which.
 struct Vec3 {
   double x = 0.0;
   double y = 0.0;
@@ -38,31 +38,31 @@ constexpr Vec3& operator-=(Vec3& a, const Vec3& b) noexcept {
   return a = a - b;
 }
 
-/// Scalar product.
+/// Returns the scalar product.
 constexpr double dot(const Vec3& a, const Vec3& b) noexcept {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-/// Squared length.
+/// Returns the squared length.
 constexpr double norm_squared(const Vec3& a) noexcept {
   return dot(a, a);
 }
-/// Length.
+/// Returns the length.
 inline double norm(const Vec3& a) noexcept {
   return std::sqrt(norm_squared(a));
 }
-/// The point of the sheet straight below.
+/// Returns the point of the page straight below.
 constexpr Point on_sheet(const Vec3& a) noexcept {
   return {a.x, a.y};
 }
-/// The part that lies in the sheet.
+/// Returns the component in the plane of the page.
 constexpr Vec in_plane(const Vec3& a) noexcept {
   return {a.x, a.y};
 }
-/// Linear interpolation: a at t = 0, b at t = 1 (exact at both ends).
+/// Interpolates linearly: a at t = 0, b at t = 1 (exact at both ends).
 constexpr Vec3 lerp(const Vec3& a, const Vec3& b, double t) noexcept {
   return (1.0 - t) * a + t * b;
 }
-/// True when all three are finite.
+/// Returns true if all three are finite.
 inline bool is_finite(const Vec3& a) noexcept {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }

@@ -4,37 +4,38 @@
 
 namespace felt {
 
-/// Waveforms that consumer haptics know: those of page 0x0E of the HID Usage Tables, which other
-/// families are mapped to. The first group goes on while it lasts, the second plays once.
+/// Waveforms of consumer haptics: those of page 0x0E of the HID Usage Tables, to which other
+/// families are mapped. Waveforms of the first group are continuous; those of the second play once.
 enum class CueWaveform : std::uint8_t {
   kNone,
-  // Continuous: what the nib does on the sheet.
+  // Continuous: what the nib does on the surface.
   kInk,
   kPencil,
   kMarker,
   kChiselMarker,
   kBrush,
   kEraser,
-  kBuzz,  ///< anything else that rubs
+  kBuzz,  ///< any other rubbing
   // Single: something happened.
-  kClick,    ///< a tool took hold of something
+  kClick,    ///< a tool grabbed something
   kPress,    ///< the nib touches
-  kRelease,  ///< it lets go
-  kHover,    ///< something can be taken here
+  kRelease,  ///< the nib lifts
+  kHover,    ///< there is something to grab here
   kSuccess,  ///< an end snapped, a curve closed
-  kError,    ///< nothing to take here
+  kError,    ///< there is nothing to grab here
 };
 
-/// How long a continuous waveform lasts that is not said again.
+/// How long a continuous waveform plays if it is not repeated.
 inline constexpr std::int64_t kCueHoldNs = 400'000'000;
 
+/// True for the waveforms that play until the next cue.
 constexpr bool is_continuous(CueWaveform waveform) noexcept {
   return waveform >= CueWaveform::kInk && waveform <= CueWaveform::kBuzz;
 }
 
-/// What a cue device is asked for: a waveform and how strong, 0..1. A continuous one holds until
-/// the next cue, whatever that is, or until kCueHoldNs have passed: whoever wants it longer says it
-/// again, so that nothing hums on beside a program that hangs. kNone is silence. Trivially
+/// A request to a cue device: a waveform and its intensity, 0..1. A continuous waveform plays until
+/// the next cue of any kind, or until kCueHoldNs have passed. To play it for longer, send it again;
+/// so a program that stops responding does not leave a device humming. kNone is silence. Trivially
 /// copyable.
 struct Cue {
   CueWaveform waveform = CueWaveform::kNone;

@@ -13,17 +13,17 @@ namespace {
 constexpr double kRestMmPerS = 2.0;
 constexpr double kFullPowerMw = 75.0;
 constexpr double kFollowNs = 15e6;
-constexpr double kSmooth = 0.4;      // roughness of a sheet without grain
+constexpr double kSmooth = 0.4;      // roughness of a surface without grain
 constexpr double kRoughUm = 3.0;     // grain that brings 63 % of the rest
 constexpr double kLongAgoNs = 1e18;  // far beyond any session
 
 struct Single {
   CueWaveform waveform;
-  int rank;  ///< the higher one is said
+  int rank;  ///< the cue with the higher rank is sent
   double intensity;
 };
 
-// Estimates. What tells a person something is stronger than what they know they did.
+// Estimates. A cue that informs the user is stronger than one that confirms the user's own action.
 constexpr std::array<Single, 6> kSingles{{
     {CueWaveform::kHover, 1, 0.30},
     {CueWaveform::kRelease, 2, 0.35},
@@ -130,7 +130,7 @@ void CueLaw::want(CueWaveform waveform) noexcept {
 }
 
 std::optional<Cue> CueLaw::step(const CueInput& now) noexcept {
-  // In double: the difference of two hostile times does not fit into 64 bits.
+  // In double, because the difference of two arbitrary times may not fit into 64 bits.
   const double passed_ns =
       has_stepped_
           ? std::clamp(static_cast<double>(now.time_ns) - static_cast<double>(last_ns_), 0.0, 1e15)
@@ -164,7 +164,7 @@ void CueLaw::follow_contact(const CueInput& now, double passed_ns) noexcept {
   want(CueWaveform::kRelease);
 }
 
-/// A pen that is off the sheet for a moment hums on as it did: the gap is no rest.
+/// If the pen is off the surface for a moment, humming continues unchanged.
 void CueLaw::follow_level(const CueInput& now, double passed_ns) noexcept {
   if (!is_down_) {
     level_ = 0.0;

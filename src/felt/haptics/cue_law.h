@@ -12,93 +12,96 @@
 
 namespace felt {
 
-/// How a tool rubs on a sheet, as far as a cue device can tell.
+/// How a medium rubs on a surface, as far as a cue device can render it.
 struct CueFeel {
   CueWaveform waveform = CueWaveform::kPencil;
-  double friction = 0.25;   ///< mu of the pair
-  double roughness = 0.75;  ///< how much of the rubbing becomes humming, 0..1
-  double grain = 0.0;       ///< 0..1, how much of the relief comes through (Medium::grain)
-  double wear = 0.0;        ///< 0..1, share of it that a firm push flattens (Medium::wear)
-  const HeightField* relief = nullptr;  ///< of the sheet (surface_grain); null: smooth
+  double friction = 0.25;   ///< mu of the medium on the surface
+  double roughness = 0.75;  ///< share of the rubbing that becomes humming, 0..1
+  double grain = 0.0;       ///< 0..1, share of the relief that is felt through it (Medium::grain)
+  double wear = 0.0;        ///< 0..1, share of that which a firm push flattens (Medium::wear)
+  const HeightField* relief = nullptr;  ///< of the surface (surface_grain); null: smooth
 };
 
-/// Of a pair. The waveform follows from what the medium feels like to the hand, a person's own
-/// included: what rubs out; hairs and fibres, which carry little grain, light or dragging; a nib
-/// that glides; wax, a broad marker; a pencil, which on a sheet without any grain glides like ink;
-/// and what drags more than a pencil, charcoal and chalk, buzzes. The roughness grows with the
-/// relief and with how much of it comes through the tool: 0.4 on glass, 0.81 pencil on paper,
-/// towards 1 chalk on a blackboard; estimates, to be tuned. Looks for the relief: not on the haptic
-/// thread.
+/// Returns the cue feel of a medium on a surface. The waveform follows from the medium's
+/// properties, so that user-defined media get one too: an eraser if it does not draw; if little
+/// grain is felt through it (hairs and fibres), brush or marker by its friction; ink if it glides;
+/// a chisel marker if it is waxy; a pencil, which on a surface without grain glides like ink; and a
+/// buzz if it drags more than a pencil (charcoal, chalk). The roughness grows with the relief and
+/// with the share of it that is felt: 0.4 on glass, 0.81 for a pencil on paper, towards 1 for chalk
+/// on a blackboard. These figures are estimates. It looks up the relief, so don't call it on the
+/// haptic thread.
 CueFeel cue_feel_of(const Medium& tool, const SurfaceMaterial& surface);
 
-/// What the pen does at one moment.
+/// The state of the pen at one moment.
 struct CueInput {
-  std::int64_t time_ns = 0;     ///< on any clock that only grows
+  std::int64_t time_ns = 0;     ///< on any monotonic clock
   bool touches = false;         ///< in_contact() of the sample
-  double height_mm = 0.0;       ///< above the sheet
-  double speed_mm_per_s = 0.0;  ///< along the sheet
-  double push_n = 0.0;          ///< onto it
-  Point place{};                ///< where on it, mm
+  double height_mm = 0.0;       ///< above the surface
+  double speed_mm_per_s = 0.0;  ///< along the surface
+  double push_n = 0.0;          ///< onto the surface
+  Point place{};                ///< position on it, mm
 };
 
-/// Of a sample: pressure stands for kFullPushN where the device senses it, else the depth in the
-/// sheet's spring.
+/// Converts a sample. If the device senses pressure, a pressure of 1 counts as kFullPushN;
+/// otherwise the push follows from the depth in the surface's spring.
 CueInput cue_input_of(const PenSample& sample, const SurfaceMaterial& surface) noexcept;
 inline constexpr double kFullPushN = 2.0;  ///< full width of a line (R17)
 
-/// How strong rubbing is felt, 0..1: continuous, growing with speed up to 1, and with push as far
-/// as the medium does not wear the relief away (relief_left of push/kFullPushN, the law of the hand
-/// and the eye; it grows all the way up to a wear of 0.5).
+/// Returns how strongly rubbing is felt, 0..1. It is continuous and grows with speed up to 1. It
+/// also grows with push as long as the medium does not wear the relief away (relief_left of
+/// push/kFullPushN, the same law as for the hand and the eye); with a wear of up to 0.5 it always
+/// grows.
 ///
 ///   I = r sqrt(P / 75 mW), at most 1,    P = mu Fn (v - 2 mm/s)+
 ///   r = 0.4 + (roughness - 0.4) relief_left
 ///
-/// Nothing at rest or without push: the first 2 mm/s are a hand that trembles. Why a root of the
-/// power of friction: where a fixed share of what rubbing costs becomes vibration, its amplitude is
-/// the root of it. Recordings of tools dragged over materials agree in kind: vibration grows with
-/// speed and with normal force (Romano and Kuchenbecker, IEEE Trans. Haptics 5(2), 2012), and felt
-/// texture grows with the amplitude of vibration that is coupled to the motion (Strohmeier and
-/// Hornbaek, CHI 2017). 75 mW: a pencil pressed with 1.5 N at 200 mm/s. The constants are
-/// estimates.
+/// It is 0 at rest and without push: the first 2 mm/s are ignored because they may be hand tremor.
+/// It is the root of the power of friction because, if a fixed share of that power becomes
+/// vibration, the amplitude of the vibration grows with the root. Recordings of tools dragged over
+/// materials agree in kind: vibration grows with speed and with normal force (Romano and
+/// Kuchenbecker, IEEE Trans. Haptics 5(2), 2012), and felt texture grows with the amplitude of
+/// vibration that is coupled to the motion (Strohmeier and Hornbaek, CHI 2017). 75 mW is a pencil
+/// pressed with 1.5 N at 200 mm/s. The constants are estimates.
 double rub_intensity(const CueFeel& feel, double speed_mm_per_s, double push_n) noexcept;
 
-/// The rhythm of the hills that the pen crosses, of the relief that hand, eye and ear have: a
-/// factor of the intensity around 1, 1 + told grain relief_left h/(2 rms), h at most 2 rms either
-/// way. Cues come 20 times a second where a device is used with care, so hills can be told while
-/// at most kToldHillsPerS of them pass a second; from kLostHillsPerS on, where a hand that draws
-/// mostly is, they are a steady humming: told falls from 0.6 to 0 between. 0.4 to 1.6, continuous
-/// in all, 1 without a relief.
+/// Returns a factor of the intensity, around 1, that renders the hills of the relief that the pen
+/// crosses: 1 + told grain relief_left h/(2 rms), with h limited to 2 rms in either direction. The
+/// relief is the one that is also felt, seen and heard. A device that is used sparingly receives
+/// some 20 cues a second, so hills can be rendered only while at most kToldHillsPerS of them pass
+/// per second. From kLostHillsPerS on, which is typical of drawing, they merge into steady humming:
+/// `told` falls from 0.6 to 0 between the two rates. The result is 0.4 to 1.6, continuous, and 1
+/// without a relief.
 double hill_swell(const CueFeel& feel, const CueInput& now) noexcept;
 inline constexpr double kToldHillsPerS = 3.0;
 inline constexpr double kLostHillsPerS = 7.0;
 
-/// What only the edit side knows.
+/// Events that only the edit thread can report.
 enum class CueEvent : std::uint8_t {
-  kFound,    ///< a hovering pen came to something that can be taken
-  kTook,     ///< a tool took hold of something
+  kFound,    ///< a hovering pen reached something that can be grabbed
+  kTook,     ///< a tool grabbed something
   kSnapped,  ///< an end found its target, a curve closed
-  kRefused,  ///< there was nothing to take, or the drawing says no
+  kRefused,  ///< there was nothing to grab, or the drawing does not allow it
 };
 
-/// From what happens to cues: touching and lifting, events, and the humming of the stroke. A
-/// deterministic state machine that may be fed at any rate, from 1 kHz to some ten a second:
+/// Decides which cues to play: for touching and lifting, for events, and the humming of the stroke.
+/// A deterministic state machine that may be updated at any rate, from about ten times a second to
+/// 1 kHz:
 ///
-///   law.set_feel(cue_feel_of(tool, sheet));
+///   law.set_feel(cue_feel_of(medium, surface));
 ///   law.tell(CueEvent::kSnapped);                        // when it happens
-///   if (auto cue = law.step(cue_input_of(pen, sheet))) device.play(*cue, now_ns);
+///   if (auto cue = law.step(cue_input_of(pen, surface))) device.play(*cue, now_ns);
 ///
-/// * At most one cue every kLeastApartNs, and single ones of one kind kSameApartNs apart. What
-/// could
-///   not be said within kStaleNs is forgotten; of two events the more important one is said.
-/// * Contact has the same hysteresis as ink (a pen is lifted when it is 0.5 mm up or away for 25
-///   ms): a pen that chatters on the sheet touches once.
-/// * Humming begins at 0.06 and ends below 0.03, follows within some 15 ms, and is said anew when
-/// it
-///   differs by 0.08 or each kSayAgainNs; a single cue interrupts it for kSingleNs.
-/// * Above the sheet there is no humming; numbers that are not finite count as 0, times that run
-///   back as no time.
+/// * It sends at most one cue every kLeastApartNs; single cues of one kind are kSameApartNs apart.
+///   A cue that could not be sent within kStaleNs is dropped; of two events the more important one
+///   is sent.
+/// * Contact has the same hysteresis as ink: a pen counts as lifted when it is 0.5 mm above the
+///   surface or has been away for 25 ms. So a pen that chatters on the surface touches once.
+/// * Humming starts at 0.06, ends below 0.03, follows changes within some 15 ms, and is sent again
+///   if it differs by 0.08 or every kSayAgainNs; a single cue interrupts it for kSingleNs.
+/// * There is no humming above the surface. Numbers that are not finite count as 0, and if time
+///   runs backwards, no time has passed.
 ///
-/// A value; no allocation. Edit thread as a rule, though nothing in it is forbidden on the other.
+/// A value type that does not allocate. Normally used on the edit thread, but real-time safe, too.
 class CueLaw {
  public:
   static constexpr std::int64_t kLeastApartNs = 20'000'000;
@@ -108,17 +111,18 @@ class CueLaw {
   static constexpr std::int64_t kSayAgainNs = kCueHoldNs / 2;
   static constexpr std::int64_t kLiftNs = 25'000'000;
   static constexpr double kLiftMm = 0.5;
-  static constexpr double kStart = 0.06;  ///< intensity from which it hums
-  static constexpr double kEnd = 0.03;    ///< below which it no longer does
+  static constexpr double kStart = 0.06;  ///< intensity at which humming starts
+  static constexpr double kEnd = 0.03;    ///< intensity below which it ends
   static constexpr double kStep = 0.08;
 
-  /// Of the next step on.
+  /// Sets the feel, from the next step on.
   void set_feel(const CueFeel& feel) noexcept { feel_ = feel; }
-  /// Is said by one of the next steps, unless something more important is.
+  /// Requests the cue of an event. One of the next steps sends it, unless a more important one
+  /// replaces it.
   void tell(CueEvent event) noexcept;
-  /// What is to be played now; nothing as a rule: what plays goes on.
+  /// Returns the cue to play now. Usually nullopt: the current cue goes on.
   std::optional<Cue> step(const CueInput& now) noexcept;
-  /// As new but for the feel: the device was changed and plays nothing.
+  /// Resets all state except the feel. Call it if the device was replaced and plays nothing.
   void reset() noexcept { *this = CueLaw(feel_); }
 
   CueLaw() noexcept : CueLaw(CueFeel{}) {}
@@ -136,18 +140,18 @@ class CueLaw {
   std::optional<Cue> say_humming() noexcept;
 
   CueFeel feel_;
-  std::int64_t last_ns_ = 0;  // of the step before
+  std::int64_t last_ns_ = 0;  // of the previous step
   bool has_stepped_ = false;
   bool is_down_ = false;
-  double away_ns_ = 0.0;  // since it was last in contact, while it is down
+  double away_ns_ = 0.0;  // since the last contact, while is_down_
   double level_ = 0.0;    // follows rub_intensity with its hill_swell
   bool hums_ = false;
-  Cue playing_;                     // the continuous one that was asked for last
+  Cue playing_;                     // the continuous cue that was sent last
   double quiet_ns_ = kLongAgo;      // since the last cue
-  double since_single_ = kLongAgo;  // likewise, single
+  double since_single_ = kLongAgo;  // since the last single cue
   CueWaveform wanted_ = CueWaveform::kNone;
   double wanted_ns_ = 0.0;              // how long it has been waiting
-  std::array<double, kKinds> since_{};  // by kind, since it was said; set by the constructor
+  std::array<double, kKinds> since_{};  // since a cue of this kind was sent; set by the constructor
 };
 
 }  // namespace felt

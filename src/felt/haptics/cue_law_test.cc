@@ -25,7 +25,7 @@ struct Said {
   Cue cue;
 };
 
-/// A law with somebody who feeds it and keeps what it says.
+/// A CueLaw with its input, which records the cues.
 struct Desk {
   CueLaw law;
   std::vector<Said> said;
@@ -71,7 +71,7 @@ RC_GTEST_PROP(RubIntensity, GrowsWithSpeedAndPushAndStaysWithinOne, ()) {
   const auto& sheet =
       surface_materials()[*rc::gen::inRange<std::size_t>(0, surface_materials().size())];
   CueFeel feel = cue_feel_of(tool, sheet);
-  feel.wear = std::min(feel.wear, 0.5);  // more of it may take away more than the push adds
+  feel.wear = std::min(feel.wear, 0.5);  // more may remove more than the push adds
   const double v = 0.1 * *rc::gen::inRange(0, 10000), f = 0.01 * *rc::gen::inRange(0, 500);
   const double more_v = v + 0.1 * *rc::gen::inRange(0, 1000);
   const double more_f = f + 0.01 * *rc::gen::inRange(0, 100);
@@ -80,7 +80,7 @@ RC_GTEST_PROP(RubIntensity, GrowsWithSpeedAndPushAndStaysWithinOne, ()) {
   RC_ASSERT(rub_intensity(feel, more_v, f) >= i);
   RC_ASSERT(rub_intensity(feel, v, more_f) >= i);
   RC_ASSERT(rub_intensity(feel, more_v, more_f) <= 1.0);
-  // Continuous: a root's modulus of continuity, sqrt(a + h) - sqrt(a) <= sqrt(h).
+  // Continuous, with the modulus of continuity of a root: sqrt(a + h) - sqrt(a) <= sqrt(h).
   const double dp = feel.friction * (more_f * std::max(more_v - 2, 0.0) - f * std::max(v - 2, 0.0));
   RC_ASSERT(rub_intensity(feel, more_v, more_f) - i <= std::sqrt(dp / 75.0) + 1e-12);
 }
@@ -99,7 +99,7 @@ TEST(CueFeel, FollowsToolAndSheet) {
   EXPECT_NEAR(feel("pencil", "paper").roughness, 0.81, 0.01);
   EXPECT_GT(feel("chalk", "blackboard").roughness, feel("pencil", "paper").roughness);
   EXPECT_GT(feel("chalk", "blackboard").friction, feel("chalk", "paper").friction);
-  // 1.5 N at 200 mm/s on a sheet as rough as can be is all there is.
+  // 1.5 N at 200 mm/s on the roughest surface gives the maximum.
   EXPECT_NEAR(rub_intensity({.friction = 0.25, .roughness = 1.0}, 202, 1.5), 1.0, 1e-12);
   EXPECT_EQ(feel("pencil-hard", "paper").waveform, CueWaveform::kPencil);
   EXPECT_EQ(feel("pencil-soft", "paper").waveform, CueWaveform::kPencil);
@@ -128,7 +128,7 @@ TEST(RubIntensity, AFirmPushWearsTheRoughnessButNotTheRubbing) {
   CueFeel worn = feel;
   worn.wear = 1.0;
   EXPECT_NEAR(rub_intensity(worn, 60, 0.01) / rub_intensity(feel, 60, 0.01), 1.0, 0.01);
-  // At a firm push nothing is left but what a sheet without grain gives.
+  // At a firm push only the intensity of a surface without grain remains.
   EXPECT_NEAR(rub_intensity(worn, 20, kFullPushN) / rub_intensity(feel, 20, kFullPushN),
               0.4 / feel.roughness, 1e-12);
 }
@@ -152,7 +152,7 @@ RC_GTEST_PROP(HillSwell, IsBoundedContinuousAndTellsTheHillsOfTheSheet, ()) {
   const double height = feel.relief->at(now.place).height_mm;
   RC_ASSERT((swell - 1.0) * height >= 0.0);
   if (now.speed_mm_per_s / sheet.grain_mm >= kLostHillsPerS) RC_ASSERT(swell == 1.0);
-  // A little aside, faster or harder it is a little different.
+  // A small change of position, speed or push changes the intensity only slightly.
   CueInput beside = now;
   beside.place.x += 0.001;
   const double slope = feel.relief->max_slope() / (2e-3 * sheet.grain_um);
@@ -177,9 +177,9 @@ TEST(HillSwell, OddNumbersAreNoHills) {
   }
 }
 
-// What a device is asked for while the pen creeps over a coarse sheet swells once a hill, at the
-// places where the hand has the hill; where the hills are too fine it does not, and the less the
-// less of them the medium carries.
+// While the pen creeps over a coarse surface, the intensity swells once per hill, at the same
+// points as the felt relief. If the hills are too fine it does not swell, and it swells less if the
+// medium carries less of the relief.
 TEST(CueLaw, R47_CreepingOverHillsIsFeltHillByHill) {
   const auto swells = [](const char* tool, const char* sheet) {
     Desk desk;
@@ -188,7 +188,7 @@ TEST(CueLaw, R47_CreepingOverHillsIsFeltHillByHill) {
     double with = 0.0, of_cues = 0.0, of_hills = 0.0, mean = 0.0;
     int count = 0;
     CueInput input{.touches = true, .speed_mm_per_s = 8.0, .push_n = 0.8};
-    std::vector<std::pair<double, double>> pairs;  // intensity that plays, height
+    std::vector<std::pair<double, double>> pairs;  // intensity of the playing cue, height
     for (int ms = 0; ms < 10'000; ++ms) {
       input.place.x = 0.008 * ms;
       desk.step(input);
@@ -260,7 +260,7 @@ TEST(CueLaw, AStrokeIsATouchAHumAndALift) {
   EXPECT_EQ(desk.said.back().cue.waveform, CueWaveform::kRelease);
   EXPECT_EQ(desk.count(CueWaveform::kPress), 1);
   EXPECT_EQ(desk.count(CueWaveform::kRelease), 1);
-  // A steady stroke is said again five times a second, not more.
+  // A steady stroke is sent again at most five times a second.
   EXPECT_EQ(desk.count(CueWaveform::kPencil), 5);
   EXPECT_NEAR(desk.said[1].cue.intensity, rub_intensity(pencil_on_paper(), 120, 1), 0.02);
 }
@@ -303,7 +303,7 @@ TEST(CueLaw, IntensityAroundTheThresholdDoesNotChatter) {
   Desk desk;
   for (int t = 0; t < 4000; ++t) {
     CueInput input = kStroke;
-    input.push_n = t % 60 < 30 ? 0.016 : 0.010;  // about the threshold of beginning
+    input.push_n = t % 60 < 30 ? 0.016 : 0.010;  // around the threshold at which humming starts
     desk.step(input);
   }
   EXPECT_EQ(desk.count(CueWaveform::kNone), 0);
@@ -315,11 +315,11 @@ TEST(CueLaw, TheMoreImportantEventIsSaidAndNoneLate) {
   desk.run(300, kStroke);
   desk.law.tell(CueEvent::kSnapped);
   desk.law.tell(CueEvent::kTook);
-  desk.run(200, kAir);  // lifted at the same moment: less important
+  desk.run(200, kAir);  // lifted at the same moment, which is less important
   EXPECT_EQ(desk.count(CueWaveform::kSuccess), 1);
   EXPECT_EQ(desk.count(CueWaveform::kClick), 0);
   EXPECT_EQ(desk.count(CueWaveform::kRelease), 0);
-  // Said 200 ms before anybody asks again: nobody wants to hear it any more.
+  // The event is 200 ms older than the next step, so it is dropped.
   desk.law.tell(CueEvent::kRefused);
   desk.step(kAir, 200 * kMs);
   EXPECT_EQ(desk.count(CueWaveform::kError), 0);
@@ -358,7 +358,7 @@ TEST(CueLaw, ResetPlaysNothingAndKeepsTheFeel) {
   EXPECT_EQ(desk.said[1].cue.waveform, CueWaveform::kEraser);
 }
 
-/// Whatever happens, at whatever rate.
+/// For any input at any rate.
 RC_GTEST_PROP(CueLaw, IsBoundedInRateAndIntensityAndDeterministic, ()) {
   Desk desk, again;
   const int steps = *rc::gen::inRange(50, 600);
@@ -391,7 +391,7 @@ RC_GTEST_PROP(CueLaw, IsBoundedInRateAndIntensityAndDeterministic, ()) {
   }
 }
 
-/// The same stroke told at 1 kHz, 250 Hz and 60 Hz hums alike.
+/// The same stroke gives the same humming at 1 kHz, 250 Hz and 60 Hz.
 TEST(CueLaw, FeelsTheSameAtAnyRate) {
   std::vector<double> levels;
   for (const int step_ms : {1, 4, 16}) {

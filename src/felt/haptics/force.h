@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// A force on the pen, in N, along the axes of the sheet: +z pushes the pen out of it.
+/// A force on the pen, in N, along the axes of the surface; +z pushes the pen away from it.
 struct Force {
   double x = 0.0;
   double y = 0.0;
@@ -34,19 +34,20 @@ constexpr Force& operator+=(Force& a, const Force& b) noexcept {
   return a = a + b;
 }
 
-/// Scalar product, N^2.
+/// Returns the scalar product, N^2.
 constexpr double dot(const Force& a, const Force& b) noexcept {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-/// Magnitude in N.
+/// Returns the magnitude in N.
 inline double norm(const Force& a) noexcept {
   return std::sqrt(dot(a, a));
 }
-/// True when all three are finite.
+/// True if all three components are finite.
 inline bool is_finite(const Force& a) noexcept {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
-/// Work in mJ of a force over a displacement in mm (N mm = mJ), or power in mW for mm/s.
+/// Returns the work in mJ of a force over a displacement in mm (N mm = mJ), or its power in mW at a
+/// velocity in mm/s.
 constexpr double work_mj(const Force& f, const Vec3& d) noexcept {
   return f.x * d.x + f.y * d.y + f.z * d.z;
 }

@@ -10,12 +10,12 @@
 
 namespace felt {
 
-/// Upper bounds of the stiffness (dF/dx, N/m) that a force model shows the hand, by what they are
-/// for: the budget of R56 shrinks friction first, then the rest. Slopes along the same axis add.
+/// Upper bounds of the stiffness (dF/dx, N/m) that a force model presents to the hand, by purpose:
+/// the budget of R56 reduces friction first, then the others. Slopes along the same axis add.
 struct Slopes {
-  double normal_n_per_m = 0.0;    ///< out of the sheet: plane
-  double friction_n_per_m = 0.0;  ///< in the sheet: bristles
-  double lateral_n_per_m = 0.0;   ///< in the sheet: everything else (edit, well, tether, texture)
+  double normal_n_per_m = 0.0;    ///< away from the surface: plane
+  double friction_n_per_m = 0.0;  ///< along the surface: bristles
+  double lateral_n_per_m = 0.0;   ///< along the surface: all others (edit, well, tether, texture)
 
   friend constexpr Slopes operator+(const Slopes& a, const Slopes& b) noexcept {
     return {a.normal_n_per_m + b.normal_n_per_m, a.friction_n_per_m + b.friction_n_per_m,
@@ -24,7 +24,7 @@ struct Slopes {
   friend constexpr bool operator==(const Slopes&, const Slopes&) noexcept = default;
 };
 
-/// How much of its stiffness each kind of brick may use, 0..1; the limiter's budget sets it.
+/// The share of its stiffness that each kind of brick may use, 0..1. Set from the limiter's budget.
 struct StiffnessScale {
   double normal = 1.0;
   double friction = 1.0;
@@ -33,8 +33,9 @@ struct StiffnessScale {
   friend constexpr bool operator==(const StiffnessScale&, const StiffnessScale&) noexcept = default;
 };
 
-/// The parts of which a force is the sum, by name, for logs and plots. Every brick adds itself on
-/// each tick; what does not fit is summed into the last entry, so that the sum stays the force.
+/// The named parts that a force is the sum of, for logs and plots. Every brick adds its own part on
+/// each tick. If there are more than kMax, the rest is summed into the last entry, so that the
+/// parts always add up to the force.
 class ForceTerms {
  public:
   static constexpr std::size_t kMax = 8;
@@ -63,8 +64,9 @@ class ForceTerms {
   std::size_t count_ = 0;
 };
 
-/// A point that follows the pen in its own way, remembered by the brick that moves it. `gesture`
-/// is the number that the tool gave its gesture: another number starts the follower afresh.
+/// A point that follows the pen, such as a towed nib; the brick that moves it stores it here.
+/// `gesture` is the number that the tool gave its gesture: if the number changes, the follower
+/// starts again.
 struct Follower {
   Point position{};  ///< mm
   Vec velocity{};    ///< mm/s, of followers that have one
@@ -72,24 +74,25 @@ struct Follower {
   bool is_set = false;
 };
 
-/// What force bricks remember from tick to tick, and what the loop tells them about this one. One
-/// per model in use; when a model takes over from another it starts with a copy of the other's
-/// memory, so that a bristle stays where it was. Constant size, trivially copyable.
+/// The state of force bricks from tick to tick, and the data that the loop gives them for this
+/// tick. There is one per active model. When one model replaces another it starts with a copy of
+/// the other's memory, so that, for example, a bristle stays anchored. Constant size, trivially
+/// copyable.
 struct ForceMemory {
   // Set by the loop before each evaluation.
   double dt_s = 0.001;                ///< measured since the last tick, clamped to 0.2..5 ms
   double period_s = 0.001;            ///< nominal
-  StiffnessScale scale;               ///< budget of R56
-  double material_cap_n_per_m = 0.0;  ///< stiffest plane that the device bears (R55); 0 = no bound
-  // Set by bricks, read by later bricks of the same model: the plane before the friction.
+  StiffnessScale scale;               ///< from the budget of R56
+  double material_cap_n_per_m = 0.0;  ///< stiffest plane of the device (R55); 0 = no bound
+  // Set by bricks and read by later bricks of the same model, such as the friction after the plane.
   double normal_force_n = 0.0;  ///< total push of the plane, this tick
-  double spring_force_n = 0.0;  ///< its spring part alone: what the width is made of (R14)
-  // Set by the texture, used up by the friction after it.
+  double spring_force_n = 0.0;  ///< its spring part alone, which determines the width (R14)
+  // Set by the texture; the friction after it uses and resets it.
   double friction_factor = 1.0;  ///< mu(x) / mu of this tick
-  // Belongs to one kind of brick each.
+  // Each of these belongs to one kind of brick.
   Point bristle{};                     ///< where the friction's bristle is anchored, mm
-  bool bristle_is_set = false;         ///< false while the pen is in the air
-  double normal_speed_mm_per_s = 0.0;  ///< low-passed dz/dt of the plane brick
+  bool bristle_is_set = false;         ///< false while the pen is above the surface
+  double normal_speed_mm_per_s = 0.0;  ///< low-pass filtered dz/dt of the plane brick
   double last_z_mm = 0.0;
   std::int64_t last_z_time_ns = 0;
   bool has_last_z = false;
@@ -100,7 +103,8 @@ struct ForceMemory {
 
   ForceTerms terms;  ///< of this tick
 
-  /// Before each evaluation: this tick's time, no terms, no push of a plane yet.
+  /// Prepares for an evaluation: sets the measured time and clears the terms and the push of the
+  /// plane.
   constexpr void begin_tick(double measured_dt_s) noexcept {
     dt_s = measured_dt_s;
     normal_force_n = 0.0;

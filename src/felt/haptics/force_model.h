@@ -13,11 +13,13 @@
 
 namespace felt {
 
-/// Largest force functor, in bytes: three cubics, a few wells, tethers and a pointer to a texture.
+/// Largest size of a force functor in bytes: three cubics, a few wells, tethers and a pointer to a
+/// texture.
 inline constexpr std::size_t kForceFunctorBytes = 2048;
 
-/// What may run on the haptic thread as a force: constant size, copied as bytes, never throwing.
-/// `slopes()` is the stiffness budget it claims (R56). Pointers inside must outlive the loop.
+/// A force that may run on the haptic thread: constant size, copied as bytes, never throws.
+/// `slopes()` is the stiffness that it claims from the budget (R56). Pointers inside it must
+/// outlive the loop.
 template <class F>
 concept ForceFunctor = std::is_trivially_copyable_v<F> && sizeof(F) <= kForceFunctorBytes &&
                        alignof(F) <= alignof(std::max_align_t) &&
@@ -28,14 +30,14 @@ concept ForceFunctor = std::is_trivially_copyable_v<F> && sizeof(F) <= kForceFun
   noexcept->std::same_as<Slopes>;
 };
 
-/// Any force functor behind one type, itself trivially copyable: what a tool publishes and the
-/// haptic loop evaluates at each tick. The default is no force.
+/// Holds any force functor in one trivially copyable type. A tool publishes a ForceModel and the
+/// haptic loop evaluates it at each tick. A default ForceModel has no force.
 ///
 ///   ForceModel model(Compose(Plane(...), Friction(...)));   // edit thread
-///   servo.publish(model);                                   // wait-free hand-over
+///   servo.publish(model);                                   // wait-free
 ///
-/// Haptic thread: operator() and slopes() are real-time safe. The functor's names of terms must be
-/// string literals.
+/// operator() and slopes() are real-time safe and may be called on the haptic thread. Term names
+/// that the functor adds must be string literals.
 class ForceModel {
  public:
   ForceModel() noexcept = default;
@@ -49,18 +51,19 @@ class ForceModel {
     ::new (static_cast<void*>(storage_.data())) F(functor);
   }
 
-  /// The force on the pen, in N. Adds its parts to memory.terms.
+  /// Returns the force on the pen, in N, and adds its parts to memory.terms.
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
     return call_ ? call_(storage_.data(), sample, memory) : Force{};
   }
-  /// The stiffness it claims.
+  /// Returns the stiffness that the functor claims.
   [[nodiscard]] const Slopes& slopes() const noexcept { return slopes_; }
-  /// True when there is a functor inside.
+  /// True if there is a functor inside.
   [[nodiscard]] explicit operator bool() const noexcept { return call_ != nullptr; }
 
-  /// Which feel this is. The loop cross-fades over 20 ms between models of different ids (another
-  /// tool, material, target); one with the same id replaces the last at once: the same feel with
-  /// parameters that moved on smoothly.
+  /// Returns the id that controls cross-fading. When the id changes (another tool, material or
+  /// target), the loop cross-fades between the two models over 20 ms. A model with the same id
+  /// replaces the previous one immediately; use that for the same forces with parameters that
+  /// change smoothly.
   [[nodiscard]] std::uint32_t fade_id() const noexcept { return fade_id_; }
   void set_fade_id(std::uint32_t id) noexcept { fade_id_ = id; }
 
@@ -75,12 +78,12 @@ class ForceModel {
 
 static_assert(std::is_trivially_copyable_v<ForceModel>);
 
-/// The sum of some force bricks, evaluated in the order in which they are written: what reads the
-/// push of the plane stands behind the plane. Itself a brick; slopes add.
+/// The sum of several force bricks, evaluated in the order given: a brick that reads the push of
+/// the plane must come after the plane. A Compose is itself a brick; slopes add.
 ///
 ///   ForceModel model(Compose(Plane(plane), Texture(grain), Friction(friction), Wells(...)));
 ///
-/// Not a std::tuple, whose copy is not trivial.
+/// It is not a std::tuple, because a std::tuple is not trivially copyable.
 template <ForceFunctor... Bricks>
 class Compose;
 
@@ -98,7 +101,7 @@ class Compose<First, Rest...> {
       : first_(first), rest_(rest...) {}
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
-    const Force force = first_(sample, memory);  // before the rest: order matters
+    const Force force = first_(sample, memory);  // before the rest, because order matters
     return force + rest_(sample, memory);
   }
   [[nodiscard]] Slopes slopes() const noexcept { return first_.slopes() + rest_.slopes(); }

@@ -23,7 +23,7 @@ static_assert(ForceFunctor<Inertia> && ForceFunctor<SheetForce>);
 static_assert(ForceFunctor<ForceModel> == false, "a model is no brick: it would be 2 KiB in 2 KiB");
 static_assert(std::is_trivially_copyable_v<ForceModel>);
 
-/// Everything at once.
+/// A model of all bricks.
 auto all_bricks(const Capabilities& device = {}) {
   const SurfaceMaterial& paper = surface_materials()[0];
   return Compose(make_sheet_force(paper, media()[0], device, surface_grain(paper)),
@@ -32,7 +32,7 @@ auto all_bricks(const Capabilities& device = {}) {
                  Damping({.where = DampingWhere::kEverywhere}));
 }
 
-/// A pen on some way, for comparisons.
+/// A pen on some path, for comparisons.
 PenSample pen_on_its_way(int i) {
   const double t = 0.001 * i;
   return rig::pen_at({9 * std::sin(7 * t), 5 * std::sin(11 * t), std::sin(3 * t) - 0.5},
@@ -94,7 +94,7 @@ TEST(ForceModel, WhatDoesNotFitIsSummedUp) {
 TEST(Compose, SlopesAddAndOrderIsThatOfWriting) {
   const Compose sum(Plane{}, Friction{}, EditSpring({0, 0}), Wells(Point{0, 0}));
   EXPECT_EQ(sum.slopes(), (Slopes{500.0, 600.0, 600.0}));
-  // The friction reads the push of the plane of the same tick.
+  // The friction uses the push of the plane of the same tick.
   ForceMemory memory;
   memory.begin_tick(0.001);
   const Compose sheet(Plane{}, Friction{});

@@ -8,48 +8,49 @@
 
 namespace felt {
 
-/// What a device says of the pen at one tick. Sheet frame: the drawing plane is z = 0, a pressing
-/// pen has z < 0 (architecture section 3).
+/// What a device reports about the pen at one tick. Positions are in the frame of the surface: the
+/// drawing plane is z = 0, and a pressing pen has z < 0 (architecture section 3).
 struct PenSample {
   std::int64_t time_ns = 0;        ///< since the drawing session began
   Vec3 position;                   ///< mm
-  Vec3 velocity;                   ///< mm/s, low-passed; 0 where nothing is known
+  Vec3 velocity;                   ///< mm/s, low-pass filtered; 0 if unknown
   std::optional<double> pressure;  ///< 0..1, only from devices that sense it
-  std::uint32_t buttons = 0;       ///< bit i is set while button i is down
-  /// Between the pen and the upright, degrees, 0..90; only from devices that know it.
+  std::uint32_t buttons = 0;       ///< bit i is set while button i is pressed
+  /// Tilt: the angle between the pen and the normal of the surface, degrees, 0..90. Only from
+  /// devices that sense it.
   std::optional<double> lean_deg{};
 
   friend constexpr bool operator==(const PenSample&, const PenSample&) noexcept = default;
 };
 
-/// Depth of the pen in the plane, mm, never negative.
+/// Returns how deep the pen is below the plane, mm; never negative.
 constexpr double depth_mm(const PenSample& sample) noexcept {
   return sample.position.z < 0.0 ? -sample.position.z : 0.0;
 }
 
-/// True where the pen touches: below the plane, or pressing by its own account (architecture
-/// section 7).
+/// True if the pen touches: it is below the plane, or it reports pressure (architecture section 7).
 constexpr bool in_contact(const PenSample& sample) noexcept {
   return sample.position.z < 0.0 || sample.pressure.value_or(0.0) > 0.0;
 }
 
-/// Velocity from positions as a driver makes it: first differences through a first-order low-pass
-/// (specification decision 3.5: 100 Hz). Backward Euler, v += (dx/dt - v) dt / (tau + dt): stable
-/// and without overshoot for every dt, and without a transcendental function.
+/// Computes a velocity from positions, as drivers do: first differences through a first-order
+/// low-pass filter (specification decision 3.5: 100 Hz). It uses backward Euler, v += (dx/dt - v)
+/// dt / (tau + dt), because that is stable and does not overshoot for any dt, and needs no
+/// transcendental function.
 ///
 /// Real-time safe, trivially copyable.
 class VelocityFilter {
  public:
   static constexpr double kDefaultCutoffHz = 100.0;
 
-  /// A cut-off of 0 or less, or NaN, switches the low-pass off.
+  /// If the cut-off is 0 or less, or NaN, the low-pass filter is off.
   explicit constexpr VelocityFilter(double cutoff_hz = kDefaultCutoffHz) noexcept
       : time_constant_s_(cutoff_hz > 0.0 ? 1.0 / (6.283185307179586 * cutoff_hz) : 0.0) {}
 
-  /// Forgets everything; the next position starts at rest.
+  /// Forgets all state. The velocity at the next position is 0.
   constexpr void reset() noexcept { has_last_ = false; }
-  /// The next position (mm), dt_s after the last one. Returns the velocity in mm/s. Where no time
-  /// has passed, the last one stays.
+  /// Adds a position (mm), measured dt_s after the previous one, and returns the velocity in mm/s.
+  /// If no time has passed, the velocity does not change.
   constexpr Vec3 update(const Vec3& position_mm, double dt_s) noexcept {
     if (!has_last_) {
       velocity_ = {};
@@ -70,17 +71,19 @@ class VelocityFilter {
   bool has_last_ = false;
 };
 
-/// Speeds below this are not damped.
+/// Dampers ignore this part of a speed.
 inline constexpr double kUnknownSpeedMmPerS = 6.0;
 
-/// The velocity in the sheet that dampers may trust: shortened by 6 mm/s, zero below.
+/// Returns the velocity along the surface that dampers may rely on: the measured one shortened by 6
+/// mm/s, or zero if it is slower than that.
 ///
-/// One step of a position sensor (0.03 mm) shows in a velocity low-passed at 100 Hz as 12 mm/s at
-/// 1 kHz and 17 mm/s at 5 kHz, whether the pen made a step or crept over an edge. At rest, dampers
-/// of 3 N s/m in sum turn that into kicks that keep a frictionless pen dancing between two steps:
-/// 0.031 N above 30 Hz at 1 kHz and 0.038 N at 5 kHz beside stiffnesses of 900 N/m, and with this
-/// 0.018 and 0.023 N (spring_test.cc holds the bound). What is left undamped is smaller than 0.05
-/// mm at 20 Hz. Shortening keeps the direction, so a damper still only takes energy.
+/// One step of a position sensor (0.03 mm) appears in a velocity that is low-pass filtered at 100
+/// Hz as 12 mm/s at 1 kHz and 17 mm/s at 5 kHz, whether the pen moved by a step or crept over an
+/// edge. At rest, dampers of 3 N s/m in total turn that into kicks that keep a frictionless pen
+/// oscillating between two steps: 0.031 N above 30 Hz at 1 kHz and 0.038 N at 5 kHz beside
+/// stiffnesses of 900 N/m. With this function it is 0.018 and 0.023 N (spring_test.cc checks the
+/// bound). Motion that remains undamped is smaller than 0.05 mm at 20 Hz. Shortening keeps the
+/// direction, so a damper can still only remove energy.
 inline Vec known_velocity(const PenSample& sample) noexcept {
   const Vec v = in_plane(sample.velocity);
   const double speed = norm(v);

@@ -11,11 +11,11 @@
 namespace felt {
 namespace {
 
-/// The largest id that a name may ask for is below this: far below the largest that a file can hold
-/// (2^53), so that new strokes get ids that can be saved.
+/// An id that a name requests must be below this. It is far below the largest id that a file can
+/// hold (2^53), so that new strokes get ids that can be saved.
 constexpr std::uint64_t kMaxId = std::uint64_t{1} << 40;
 
-/// 12 of "s12"; 0 of anything else.
+/// Returns 12 for "s12", and 0 for any other name.
 std::uint64_t id_of_name(std::string_view name) noexcept {
   if (name.size() < 2 || name[0] != 's' || name[1] == '0') return 0;
   std::uint64_t id = 0;

@@ -10,7 +10,7 @@
 
 namespace felt {
 
-/// Builds a drawing from layers and strokes in the order in which a file has them.
+/// Builds a drawing from layers and strokes, which are added in the order of the file.
 ///
 ///   DrawingBuilder builder;
 ///   builder.drawing().page = page;
@@ -19,30 +19,31 @@ namespace felt {
 ///   builder.add(layer, stroke, "s12");
 ///   return std::move(builder).build();
 ///
-/// A stroke that is called "s12" becomes stroke 12, the first of that name; all others get ids
-/// above the largest one, layer by layer in their order. So a file that was written with
-/// stroke_name() comes back with its ids.
+/// A stroke named "s12" gets id 12, if it is the first of that name. All others get ids above the
+/// largest id in use, layer by layer in order. A file that was written with stroke_name() therefore
+/// gets its ids back.
 class DrawingBuilder {
  public:
-  /// Everything but the document: page, materials, extras. It has no page until `has_page` is set.
+  /// Returns everything but the document: page, materials, extras. There is no page until
+  /// `has_page` is set.
   [[nodiscard]] Drawing& drawing() noexcept { return drawing_; }
 
-  /// Adds a layer on top and returns its index. A layer without a name, or with one that is not
-  /// UTF-8, holds a NUL or is too long, is called after its place: "Layer 3".
+  /// Adds a layer on top and returns its index. If the name is empty, too long, not UTF-8 or has a
+  /// NUL, the layer is named after its position: "Layer 3".
   std::size_t add_layer(LayerState state);
   [[nodiscard]] std::size_t layer_count() const noexcept { return layers_.size(); }
-  /// Adds a stroke on top of that layer. Requires that the layer is there.
+  /// Adds a stroke on top of that layer. Requires an index from add_layer().
   void add(std::size_t layer, Stroke stroke, std::string_view name = {});
-  /// The same for a stroke that another document holds as `id`, which it keeps.
+  /// Same, for a stroke that another document holds as `id`. The stroke keeps that id.
   void add(std::size_t layer, StrokePtr stroke, StrokeId id);
 
-  /// Returns the drawing. Without any layer it has an empty one, "Ink". A page beyond the size that
-  /// pages may have gets the default size, a surface with an invalid name none.
+  /// Returns the drawing. If no layer was added, it has an empty one, "Ink". A page larger than
+  /// allowed gets the default size. A surface with an invalid name is dropped.
   [[nodiscard]] Drawing build() &&;
 
  private:
   struct Entry {
-    std::uint64_t id = 0;  // that it asks for; 0: any
+    std::uint64_t id = 0;  // the requested id; 0: any
     StrokePtr stroke;
   };
   struct NewLayer {

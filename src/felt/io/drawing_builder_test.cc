@@ -21,7 +21,7 @@ TEST(DrawingBuilder, NamesThatAreNoIdOfOursGetNewOnes) {
   DrawingBuilder builder;
   builder.add_layer({"a"});
   builder.add_layer({"b"});
-  // The layers' order counts, not the order in which strokes came.
+  // The order of the layers counts, not the order in which strokes were added.
   for (const char* name : {"s3", "s03", "s0", "s99999999999999999999"}) {
     builder.add(1, testing::random_stroke(1), name);
   }

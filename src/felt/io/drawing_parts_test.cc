@@ -55,7 +55,7 @@ std::vector<std::size_t> largest_parts(std::size_t strokes) {
   return largest;
 }
 
-/// What a writer holds at a time does not grow with the number of strokes.
+/// The memory of a writer at any time does not grow with the number of strokes.
 TEST(DrawingParts, R53_TheLargestPartDoesNotGrowWithTheDrawing) {
   const std::vector<std::size_t> small = largest_parts(4 * kPartStrokes);
   const std::vector<std::size_t> large = largest_parts(16 * kPartStrokes);
@@ -64,7 +64,7 @@ TEST(DrawingParts, R53_TheLargestPartDoesNotGrowWithTheDrawing) {
   }
 }
 
-/// Threads finish in any order: a part is the same whatever was made before it.
+/// Threads finish in any order, so a part must not depend on the parts made before it.
 TEST(DrawingParts, PartsDoNotDependOnEachOther) {
   const Drawing drawing = drawing_of(700);
   for (const Made& made : all_formats(drawing)) {

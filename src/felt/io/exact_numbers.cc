@@ -13,11 +13,11 @@ namespace {
 constexpr std::string_view kNumberDigits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr unsigned kBits = 6;
-/// Digits that hold 64 bits.
+/// Digits that are enough for 64 bits.
 constexpr std::size_t kMaxDigits = 11;
 constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
 
-/// The doubles in their order as whole numbers, neighbours next to each other.
+/// Returns the rank of a double in the order of all doubles: neighbours differ by 1.
 std::uint64_t rank_of(double value) noexcept {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & kSign) != 0 ? ~bits : bits | kSign;
@@ -27,7 +27,7 @@ double of_rank(std::uint64_t rank) noexcept {
   return std::bit_cast<double>((rank & kSign) != 0 ? rank ^ kSign : ~rank);
 }
 
-/// How far a value is from its guess: 0, -1, 1, -2, ... as 0, 1, 2, 3, ...
+/// Returns the difference in rank between value and guess; 0, -1, 1, -2, ... become 0, 1, 2, 3, ...
 std::uint64_t folded_difference(double value, double guess) noexcept {
   const std::uint64_t d = rank_of(value) - rank_of(guess);
   return (d << 1) ^ ((d & kSign) != 0 ? ~std::uint64_t{0} : 0);

@@ -20,7 +20,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-/// Takes the next line off the text, without its end.
+/// Removes the next line from the text and returns it without its terminator.
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
   std::string_view line = text.substr(0, end);
@@ -29,7 +29,7 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// Takes a whole number up to `most` off the line; none where there is another thing.
+/// Removes a whole number up to `most` from the line. Returns nullopt if there is none.
 std::optional<unsigned> take_number(std::string_view& line, unsigned most) {
   line.remove_prefix(std::min(line.find_first_not_of(kSpace), line.size()));
   unsigned number = 0;
@@ -41,8 +41,8 @@ std::optional<unsigned> take_number(std::string_view& line, unsigned most) {
   return number;
 }
 
-/// Bytes of the UTF-8 character that the text begins with; 0 where it begins with none, or with a
-/// control character.
+/// Returns the number of bytes of the UTF-8 character at the start of the text, or 0 if the text
+/// starts with none or with a control character.
 std::size_t character(std::string_view text) {
   const auto byte = [&text](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -62,7 +62,7 @@ std::size_t character(std::string_view text) {
   return code < kLeast[length] || code > 0x10ffff || is_surrogate || is_control ? 0 : length;
 }
 
-/// Why a name cannot be one; "" where it can.
+/// Returns why this is not a valid name, or "" if it is.
 std::string_view fault_of(std::string_view name) {
   if (name.size() > PaletteLimits::kMaxNameBytes) return "the name is longer than 200 bytes";
   while (!name.empty()) {
@@ -73,7 +73,7 @@ std::string_view fault_of(std::string_view name) {
   return {};
 }
 
-/// Reads a file line by line; each says what is wrong with it, or "".
+/// Reads a file line by line. The functions return an error message, or "" if the line is valid.
 class GplReader {
  public:
   std::string_view first(std::string_view line) {
@@ -83,7 +83,7 @@ class GplReader {
 
   std::string_view next(std::string_view line) {
     if (trimmed(line).empty() || line.front() == '#') return {};
-    // No colour looks like these, so they need no place of their own.
+    // No colour looks like these lines, so they are accepted anywhere.
     if (line.starts_with(kName)) return name(trimmed(line.substr(kName.size())));
     if (line.starts_with(kColumns)) return columns(line.substr(kColumns.size()));
     return color(line);

@@ -8,17 +8,17 @@
 
 namespace felt {
 
-/// Reads the text of a .gpl file: the line "GIMP Palette"; then "Name: ..." and "Columns: N" if
-/// any; then a line "R G B name" for each colour, 0..255, parted by spaces or tabs. Lines that
-/// begin with # and empty lines mean nothing; lines may end in CR LF.
+/// Reads the text of a .gpl file: the line "GIMP Palette"; then "Name: ..." and "Columns: N", both
+/// optional; then a line "R G B name" for each colour, 0..255, separated by spaces or tabs. Empty
+/// lines and lines that begin with # are ignored. Lines may end in CR LF.
 ///
-/// Error: the first line that is none of these, or a limit; the message is "file:line: reason".
-/// Names are held to UTF-8 without control characters.
+/// Fails at the first line that is none of these, or if a limit is exceeded. The message is
+/// "file:line: reason". Names must be UTF-8 without control characters.
 Result<Palette> read_gpl(const std::string& file, std::string_view text);
 
-/// The text of a .gpl file that read_gpl() reads back as the same palette. Alpha is not written:
-/// the format has none. Requires a palette within the limits whose names are what read_gpl() takes
-/// and neither begin nor end with a space.
+/// Returns the text of a .gpl file that read_gpl() reads back as the same palette. Alpha is not
+/// written, because the format has none. Requires a palette within the limits, with names that
+/// read_gpl() accepts and that neither begin nor end with a space.
 std::string write_gpl(const Palette& palette);
 
 }  // namespace felt

@@ -12,20 +12,19 @@
 
 namespace felt {
 
-/// One kind of thing that a reader could not take as it was, for people: "line 12: text 'title': is
-/// no ink and was left out (and 3 more)".
+/// A kind of content that a reader skipped or changed, as a notice for the user (notice_text).
 struct ImportNotice {
-  std::int64_t line = 0;   ///< where it was met first, from 1; 0 where the format has no lines
-  std::string element;     ///< "path 'leaf'", "trace 7": the first of them
-  std::string what;        ///< what became of it, a clause that follows the element
-  std::int64_t count = 1;  ///< how often in this file
+  std::int64_t line = 0;   ///< line of the first occurrence, from 1; 0 if the format has no lines
+  std::string element;     ///< "path 'leaf'", "trace 7": the first occurrence
+  std::string what;        ///< what was done with it: a clause that follows the element
+  std::int64_t count = 1;  ///< number of occurrences in this file
 
   friend bool operator==(const ImportNotice&, const ImportNotice&) = default;
 };
 
-/// Notices of one file in the order in which they first came. The same `what` is counted together;
-/// of those that differ in numbers and quoted names only, the first three are kept.
-/// Bounded, whatever the file: beyond kMostKinds all others become one.
+/// Notices of one file, in the order in which they first occurred. Notices with the same `what` are
+/// counted together. Of those that differ only in numbers and quoted names, the first three are
+/// kept. The size is bounded for any file: beyond kMostKinds, all others become one notice.
 class ImportReport {
  public:
   static constexpr std::size_t kMostKinds = 100;
@@ -38,40 +37,41 @@ class ImportReport {
 
  private:
   std::vector<ImportNotice> notices_;
-  std::vector<std::string> kinds_;  // of each
+  std::vector<std::string> kinds_;  // kind of each notice
 };
 
-/// Returns `text` without numbers and names in single quotes: messages of the same kind are equal.
+/// Returns `text` without numbers and without names in single quotes, so that messages of the same
+/// kind are equal.
 std::string notice_kind(std::string_view text);
 
-/// "line 12: text 'title' is no ink and was left out (and 3 more like it)".
+/// Returns "line 12: text 'title' is no ink and was left out (and 3 more like it)".
 std::string notice_text(const ImportNotice& notice);
 
 enum class FileFormat;
 
-/// What a reader returns: the drawing and a report of what was skipped or changed.
+/// The result of a reader: the drawing and a report of what was skipped or changed.
 struct Imported {
   Drawing drawing;
   ImportReport report;
-  FileFormat format{};  ///< by its content
-  /// The drawing is all that the file holds, number for number: Feltline wrote it in a lossless
-  /// format, and nothing was skipped.
+  FileFormat format{};  ///< detected from the content
+  /// True if the drawing is exactly the content of the file, number for number: Feltline wrote it
+  /// in a lossless format, and nothing was skipped.
   bool is_exact = false;
 };
 
-/// The medium of lines that come from a program without media: it is shown solid and in exactly the
-/// colour of the line.
+/// Medium of lines from programs that have no media. It is drawn solid, in exactly the colour of
+/// the line.
 inline constexpr const char* kSolidMedium = "ink-pen";
 
-/// `fit` with the solid medium, unless the caller chose another than the default.
+/// Returns `fit` with the solid medium, unless the caller chose a medium other than the default.
 inline InkFitOptions solid_fit(InkFitOptions fit) {
   if (fit.material == InkFitOptions{}.material) fit.material = kSolidMedium;
   return fit;
 }
 
-/// What readers of foreign formats need to know.
+/// Settings for readers of foreign formats.
 struct ImportOptions {
-  /// How samples of a pen become ink, where a format holds samples and no curves.
+  /// How pen samples become ink, for formats that hold samples instead of curves.
   InkFitOptions fit{};
 };
 

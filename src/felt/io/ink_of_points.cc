@@ -12,14 +12,16 @@
 namespace felt {
 namespace {
 
-/// How often the fit looks at a drawn line: near its points, and at least, in between.
+/// Distance between the points at which the fit checks a drawn line: near its ends, and the largest
+/// one in between.
 constexpr double kFirstStepMm = 0.15, kMostStepMm = 1.0;
-/// Points put between others in one file; beyond that pieces of a line stay straight segments, so
-/// that a file of few bytes and long lines cannot keep us busy.
+/// Largest number of points inserted between others in one file. After that, the pieces of a line
+/// stay straight segments, so that a small file with long lines cannot keep us busy.
 constexpr std::size_t kMostInserted = 4'000'000;
 /// A longer run is fitted in parts that meet in corners, so that memory stays bounded.
 constexpr std::size_t kLongestRun = 100'000;
-/// Past that, shorter pieces than this are left to the fit as they are.
+/// Replaces kRuledMm once kMostInserted points were inserted: pieces up to this length go to the
+/// fit without extra points.
 constexpr double kLeastRuledMm = 1.0;
 
 InkFitOptions drawn_line_options() {
@@ -41,12 +43,12 @@ bool is_usable(const WidePoint& p) {
 
 }  // namespace
 
-/// A stroke in the making out of straight and of fitted parts, which meet in corners.
+/// Builds a stroke from straight and fitted parts, which meet in corners.
 class InkOfPoints::Pieces {
  public:
   [[nodiscard]] bool empty() const noexcept { return data_.points.empty(); }
 
-  /// A straight segment to `to`. Requires one of at least kMinSegmentMm.
+  /// Adds a straight segment to `to`. Requires a length of at least kMinSegmentMm.
   void add_straight(const WidePoint& from, const WidePoint& to) {
     const Point start = empty() ? from.position : data_.points.back();
     begin_part(start, from.width_mm);
@@ -56,14 +58,15 @@ class InkOfPoints::Pieces {
     after_straight_ = true;
   }
 
-  /// What the fit made of a run. A straight segment before it ends where the run begins.
+  /// Adds the curve that was fitted to a run. If a straight segment precedes it, that segment is
+  /// moved to end where the curve begins.
   void add_fitted(StrokeData&& run) {
     if (after_straight_) {
       const std::size_t last = data_.points.size() - 1;
       const Cubic line = straight(data_.points[last - 3], run.points.front());
       std::copy(line.p.begin(), line.p.end(), data_.points.end() - 4);
     }
-    // Two runs meet where the first one ended, within the tolerance of where the second begins.
+    // If a run precedes it, the new one begins where that one ended, which is within the tolerance.
     if (!empty() && !after_straight_) run.points.front() = data_.points.back();
     const double offset = segments();
     begin_part(run.points.front(), run.widths.front().width_mm);
@@ -73,7 +76,8 @@ class InkOfPoints::Pieces {
     after_straight_ = false;
   }
 
-  /// The stroke; closed, where it ends within `reach_mm` of its start and that may be.
+  /// Returns the stroke. It is closed if it ends within `reach_mm` of its start and the closed
+  /// stroke satisfies the invariants.
   StrokeData finish(double reach_mm) && {
     if (reach_mm > 0.0 && distance(data_.points.front(), data_.points.back()) <= reach_mm) {
       StrokeData ring = data_;
@@ -97,7 +101,7 @@ class InkOfPoints::Pieces {
       data_.joints.push_back(JointKind::kCorner);
     }
   }
-  // Where two parts meet, the first one's width stands.
+  // Where two parts meet, the width of the first one is kept.
   void add_width(double u, double width_mm) {
     if (data_.widths.empty() || u > data_.widths.back().u) {
       data_.widths.push_back({u, std::max(width_mm, kMinWidthMm)});
@@ -186,7 +190,7 @@ Result<StrokeData> InkOfPoints::of_line(std::span<const WidePoint> line) {
   return whole;
 }
 
-// Continues the run to `to` in steps that the fit cannot overlook.
+// Extends the run to `to`, with points in between so that the fit cannot leave the line.
 void InkOfPoints::add_between(const WidePoint& from, const WidePoint& to) {
   if (inserted_ < kMostInserted) {
     line_steps(distance(from.position, to.position), kFirstStepMm, kMostStepMm, steps_);

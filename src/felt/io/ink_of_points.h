@@ -11,40 +11,42 @@
 
 namespace felt {
 
-/// A point of a line that another program drew, and how wide the line is there.
+/// A point of a line that another program drew, with the width of the line there.
 struct WidePoint {
-  Point position;  ///< mm, sheet frame
+  Point position;  ///< mm, page frame
   double width_mm = 0.0;
 
   friend constexpr bool operator==(const WidePoint&, const WidePoint&) noexcept = default;
 };
 
-/// How far the curve may be from the points of a drawn line, and from those that the fit looks at
-/// on the straight lines between them, at most 1 mm apart. In between it stays within twice that.
+/// Largest distance between the curve and the points of a drawn line. The fit also checks points on
+/// the straight lines between them, at most 1 mm apart. Elsewhere the curve stays within twice this
+/// distance.
 inline constexpr double kDrawnLineToleranceMm = 0.05;
-/// How far the width profile may be from the widths of a drawn line.
+/// Largest difference between the width profile and the widths of a drawn line.
 inline constexpr double kDrawnWidthToleranceMm = 0.02;
-/// A piece of a drawn line longer than this was drawn with a ruler: it becomes one straight
+/// A piece of a drawn line that is longer than this was drawn with a ruler: it becomes one straight
 /// segment.
 inline constexpr double kRuledMm = 20.0;
 
-/// Makes strokes of what other programs store: samples of a pen, or lines with widths. One for a
-/// file, so that buffers are kept and the work it takes on is bounded. Thread: one.
+/// Makes strokes of the data of other programs: pen samples, or lines with widths. Use one object
+/// for each file: it reuses its buffers, and its work for the file is bounded. Thread: one at a
+/// time.
 class InkOfPoints {
  public:
-  /// `fit` is for samples; drawn lines keep to the tolerances above.
+  /// `fit` applies to samples. Drawn lines use the tolerances above.
   explicit InkOfPoints(const InkFitOptions& fit);
 
-  /// Samples of a pen, in mm: what the pencil would have made of them, a dab of a single place.
-  /// Error: none of them is usable.
+  /// Converts pen samples, in mm, to the stroke that the pencil tool would have drawn. Samples at a
+  /// single position become a dab. Fails if no sample is usable.
   Result<StrokeData> of_samples(std::span<const InkSample> samples);
-  /// The same with another map from pressure to width.
+  /// Same, with another map from pressure to width.
   Result<StrokeData> of_samples(std::span<const InkSample> samples, const WidthMapOptions& widths);
 
-  /// A drawn line. The curve follows the straight lines between the points; where the last point is
-  /// the first, the stroke is closed. A single place becomes a dab. Points that are not finite or
-  /// beyond 1e9 mm are left out, widths below kMinWidthMm are raised to it. Error: no point is
-  /// left.
+  /// Converts a drawn line. The curve follows the straight lines between the points. If the last
+  /// point equals the first, the stroke is closed. A single position becomes a dab. Points that are
+  /// not finite or beyond 1e9 mm are skipped, widths below kMinWidthMm are raised to it. Fails if
+  /// no point is left.
   Result<StrokeData> of_line(std::span<const WidePoint> line);
 
  private:
@@ -55,7 +57,7 @@ class InkOfPoints {
   InkFitOptions fit_;
   InkFitter pencil_;
   InkFitter ruler_;
-  std::size_t inserted_ = 0;           // points put between others so far
+  std::size_t inserted_ = 0;           // points inserted between others so far
   std::vector<WidePoint> line_, run_;  // buffers of of_line()
   std::vector<double> steps_;
 };

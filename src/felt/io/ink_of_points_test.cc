@@ -29,8 +29,8 @@ double distance_to_line(Point p, const std::vector<WidePoint>& line) {
   return least;
 }
 
-/// The largest distance of any place of the stroke's centre line from the drawn line, and the other
-/// way round at its points.
+/// Returns the largest distance of the stroke's centre line from the drawn line, or of a point of
+/// the drawn line from the centre line.
 double largest_distance(const Stroke& stroke, const std::vector<WidePoint>& line) {
   std::vector<Dab> dabs;
   flatten(stroke, 0.001, dabs);

@@ -5,10 +5,10 @@
 
 namespace felt {
 
-/// Where to look at a straight line of a length so that a fit sees its ends, which may be corners,
-/// and cannot leave it in between: at `first` from each end, at twice that, and so on, never more
-/// than `most` apart. Replaces `steps` by parameters 0 < t < 1, ascending. Requires first > 0 and
-/// first <= most.
+/// Computes positions on a straight line of this length at which a fit must check it, so that the
+/// fit meets its ends, which may be corners, and cannot leave it in between: at distance `first`
+/// from each end, at twice that, and so on, never more than `most` apart. Replaces `steps` by
+/// parameters 0 < t < 1, ascending. Requires first > 0 and first <= most.
 inline void line_steps(double length, double first, double most, std::vector<double>& steps) {
   steps.clear();
   double gap = first, at = first;

@@ -8,13 +8,13 @@
 
 namespace felt {
 
-/// Takes numbers off the front of a text in which white space separates them, in any locale.
+/// Reads numbers separated by white space from the front of a text, in any locale.
 class NumberList {
  public:
   enum class Next {
     kNumber,
     kEnd,
-    kBad,  ///< no number, not finite, of more than 64 characters, or beyond 1e9
+    kBad,  ///< not a number, not finite, longer than 64 characters, or beyond 1e9
   };
 
   explicit NumberList(std::string_view text) noexcept : text_(text) {}
@@ -34,7 +34,7 @@ class NumberList {
     return Next::kNumber;
   }
 
-  /// The word at which next() stopped.
+  /// Returns the word at which next() stopped.
   [[nodiscard]] std::string_view word() const noexcept { return word_; }
 
  private:
@@ -42,7 +42,7 @@ class NumberList {
   std::string_view text_, word_;
 };
 
-/// The one number that a text holds, if it holds one.
+/// Reads the only number in `text`. Returns false if there is none or more than one.
 inline bool single_number(std::string_view text, double& value) noexcept {
   NumberList list(text);
   double more = 0.0;

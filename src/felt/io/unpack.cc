@@ -53,7 +53,7 @@ Result<std::string> gunzip(std::string_view bytes, const UnpackLimits& limits) {
   FELT_CHECK(inflateInit2(stream.get(), kGzipWindow) == Z_OK);
   std::string text;
   std::array<char, kBlock> block;
-  // zlib counts in 32 bits; inputs are at most kMaxImportBytes.
+  // zlib uses 32-bit sizes; inputs are at most kMaxImportBytes.
   if (bytes.size() > limits::kMaxImportBytes) return too_large();
   stream->next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   stream->avail_in = static_cast<uInt>(bytes.size());
@@ -132,7 +132,7 @@ std::string packed_by(z_stream& stream, std::string_view text) {
 std::string gzip(std::string_view text) {
   z_stream stream{};
   FELT_CHECK(deflateInit2(&stream, 9, Z_DEFLATED, kGzipWindow, 9, Z_DEFAULT_STRATEGY) == Z_OK);
-  // No time, no name; 255: unknown system, so that all machines write the same.
+  // No time and no name. 255 means an unknown system, so that all machines write the same bytes.
   gz_header header{};
   header.os = 255;
   FELT_CHECK(deflateSetHeader(&stream, &header) == Z_OK);
@@ -146,14 +146,14 @@ std::string zlib_packed(std::string_view bytes) {
 }
 
 std::string gzip_head() {
-  // Deflate, no flags, no time, no extra flags, 255: unknown system.
+  // Deflate, no flags, no time, no extra flags; 255 means an unknown system.
   return std::string("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10);
 }
 
 void append_deflated(std::string& out, std::string_view bytes) {
   constexpr int kRaw = -15;  // the largest window, no header
   constexpr int kMemory = 9;
-  constexpr int kFast = 3;  // a third of the time of the usual 6, a tenth larger
+  constexpr int kFast = 3;  // takes a third of the time of the default 6; output is a tenth larger
   if (bytes.empty()) return;
   z_stream stream{};
   FELT_CHECK(deflateInit2(&stream, kFast, Z_DEFLATED, kRaw, kMemory, Z_DEFAULT_STRATEGY) == Z_OK);
@@ -167,7 +167,7 @@ void append_deflated(std::string& out, std::string_view bytes) {
     }
     stream.next_out = reinterpret_cast<Bytef*>(block.data());
     stream.avail_out = static_cast<uInt>(block.size());
-    // Ends on a whole byte, and what follows does not look back.
+    // A full flush ends on a whole byte, and later pieces do not refer back to this one.
     deflate(&stream, bytes.empty() ? Z_FULL_FLUSH : Z_NO_FLUSH);
     out.append(block.data(), block.size() - stream.avail_out);
     more = stream.avail_out == 0 || !bytes.empty();
@@ -176,7 +176,7 @@ void append_deflated(std::string& out, std::string_view bytes) {
 }
 
 void append_deflate_end(std::string& out) {
-  out += std::string("\x03\0", 2);  // a last block, which is empty
+  out += std::string("\x03\0", 2);  // an empty final block
 }
 
 namespace {

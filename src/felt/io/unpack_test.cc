@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A zip archive of these files, made by the library that we read with.
+/// Returns a zip archive of these files, made by the library that we read with.
 std::string zip_of(const std::vector<std::pair<std::string, std::string>>& files) {
   zip_error_t error;
   zip_source_t* archive = zip_source_buffer_create(nullptr, 0, 0, &error);

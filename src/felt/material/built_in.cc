@@ -6,14 +6,14 @@
 
 namespace felt {
 
-// The figures are in share/materials, each with where it comes from.
+// The values are in share/materials, each with its source.
 const Materials& Materials::built_in() {
   static const Materials all = [] {
     Materials made;
     for (const BuiltInText& built_in : built_in_texts()) {
       Result<AnyMaterial> material =
           read_material(built_in.text, {.name = std::string(built_in.id), .load_picture = {}});
-      FELT_CHECK(material.has_value());  // material_library_test says what is wrong with which
+      FELT_CHECK(material.has_value());  // if it fails, material_library_test says why
       felt::put(made, *std::move(material));
     }
     return made;

@@ -37,7 +37,7 @@ std::string without(const Field& field) {
   return number_text(value);
 }
 
-/// The table as the document must have it.
+/// Returns the table that the document must contain.
 template <class Field>
 std::string table_of(std::span<const Field> fields) {
   std::string table = "| key | allowed | without it | |\n|---|---|---|---|\n";

@@ -18,7 +18,7 @@ constexpr auto& part_of(auto& whole) noexcept {
   }
 }
 
-/// A row about the member that the path leads to.
+/// Returns the field for the member that `Path`, a chain of member pointers, leads to.
 template <class Material, auto... Path>
 constexpr MaterialField<Material> row(std::string_view id, std::string_view label,
                                       std::string_view unit, Kind kind, double min, double max,

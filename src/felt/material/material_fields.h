@@ -11,7 +11,7 @@
 
 namespace felt {
 
-/// What a figure of a material is.
+/// The type of a field of a material.
 enum class MaterialFieldKind : std::uint8_t {
   kNumber,
   kWhole,   ///< a whole number
@@ -20,45 +20,46 @@ enum class MaterialFieldKind : std::uint8_t {
   kColor,   ///< "#rrggbb", as 0xRRGGBB
 };
 
-/// One figure of a material: a line of its text, a row of the editor, a line of
-/// docs/formats/material.md. Beside these a text has `kind`, `id`, `label`, a sheet's own relief
-/// (`grain.picture`, `grain.heights`) and a medium's table `pairs`.
+/// One field of a material: a line of its text, a row of the editor, a line of
+/// docs/formats/material.md. A text also has `kind`, `id` and `label`, a surface may have a custom
+/// relief (`grain.picture`, `grain.heights`), and a medium may have the table `pairs`.
 template <class Material>
 struct MaterialField {
-  std::string_view id;     ///< "grain.height_um": table and key, the unit in the name
-  std::string_view label;  ///< for people: "Height of the grain"
-  std::string_view unit;   ///< "um", "" for none
+  std::string_view id;     ///< table and key, with the unit in the name: "grain.height_um"
+  std::string_view label;  ///< the name in the user interface: "Height of the grain"
+  std::string_view unit;   ///< "um"; "" if there is none
   MaterialFieldKind kind = MaterialFieldKind::kNumber;
-  double min = 0.0;  ///< kNumber, kWhole
+  double min = 0.0;  ///< range, for kNumber and kWhole
   double max = 0.0;
   std::span<const std::string_view> choices = {};
-  std::string_view help;  ///< one sentence
+  std::string_view help;  ///< one sentence for the user
   double (*get)(const Material&) noexcept = nullptr;
-  /// Requires a value within the range.
+  /// Sets the field. Requires a value that allows() accepts.
   void (*set)(Material&, double) noexcept = nullptr;
 
-  /// What a material has whose text does not say.
+  /// Returns the value used if the text does not have the field.
   [[nodiscard]] double fallback() const { return get(Material{}); }
-  /// A wavelength of 0 stands for no grain at all: outside of its range, and not written.
+  /// Returns true if the value is in range. A wavelength of 0 means "no grain": it is out of range,
+  /// and is not written.
   [[nodiscard]] bool allows(double value) const noexcept;
 };
 
 using SheetField = MaterialField<SurfaceMaterial>;
 using MediumField = MaterialField<Medium>;
 
-/// In the order of the text: figures of one table follow each other, those of none come first.
+/// Returns all fields in the order of the text: those without a table first, then table by table.
 std::span<const SheetField> sheet_fields() noexcept;
 std::span<const MediumField> medium_fields() noexcept;
 
-/// By id, or null.
+/// Returns the field with this id, or null.
 const SheetField* find_sheet_field(std::string_view id) noexcept;
 const MediumField* find_medium_field(std::string_view id) noexcept;
 
-/// What it may be, for messages and documents: "0 to 200 um", "one of grain, rough".
+/// Returns the allowed values, for messages and documents: "0 to 200 um", "one of grain, rough".
 std::string allowed_text(const SheetField& field);
 std::string allowed_text(const MediumField& field);
 
-/// The words of HeightCharacter, in its order.
+/// The names of the values of HeightCharacter, in its order.
 inline constexpr std::array<std::string_view, 6> kGrainCharacters = {"grain",  "rough", "weave",
                                                                      "fibres", "wood",  "picture"};
 
@@ -82,7 +83,7 @@ bool MaterialField<Material>::allows(double value) const noexcept {
     case MaterialFieldKind::kNumber:
       break;
   }
-  return value >= min && value <= max;  // NaN is not
+  return value >= min && value <= max;  // false for NaN
 }
 
 }  // namespace felt

@@ -150,7 +150,7 @@ TEST(MaterialFile, RefusesWhatIsNoMaterial) {
   EXPECT_THAT(error_of(sheet_with("label = \"" + std::string(81, 'a') + "\"")), HasSubstr(":3:"));
 }
 
-// Some editors write it before everything.
+// Some editors write it at the start of a file.
 TEST(MaterialFile, ReadsATextWithAByteOrderMark) {
   const std::string mark = "\xEF\xBB\xBF";
   const std::string text = sheet_with("label = \"Bütten\"\ncolor = \"#d8d4cc\"");
@@ -235,7 +235,7 @@ std::string text_with(const Material& material, std::string_view id, double valu
   return write_material(changed);
 }
 
-/// Each figure at the ends of its range, and beyond.
+/// Sets each field to the ends of its range, and beyond.
 template <class Material, class Field>
 void check_ranges(const Material& any, std::span<const Field> fields) {
   std::set<std::string_view> ids;
@@ -329,7 +329,7 @@ TEST(MaterialFile, SaysWhatATextOfItWouldBeRefusedFor) {
   EXPECT_NE(material_error(medium), "");
 }
 
-/// A hill at the side of a picture.
+/// A picture with a hill at its side.
 HeightPicture hill(int width, int height) {
   HeightPicture picture{.width = width, .height = height, .heights = {}};
   for (int y = 0; y < height; ++y) {

@@ -15,23 +15,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFiles = 1000;  // of one folder
+constexpr std::size_t kMostFiles = 1000;  // in one folder
 constexpr const char* kBelow = "/feltline/materials";
 
-/// What an environment variable says, if it is a folder that can be meant.
+/// Returns the value of an environment variable if it is an absolute path; otherwise "".
 std::string folder_in(const char* variable) {
   const char* value = std::getenv(variable);
   return value != nullptr && *value == '/' ? value : "";
 }
 
-/// Names of the *.toml files of a folder, in their order.
+/// Returns the sorted names of the *.toml files of a folder.
 std::vector<std::string> files_of(const std::string& folder, std::vector<std::string>& problems) {
   std::vector<std::string> names;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     std::error_code unknown;
     const std::string name = at->path().filename().string();
-    // Whatever else may be called so: a pipe would be waited for.
+    // Only regular files, because reading a pipe could block.
     if (!at->is_regular_file(unknown) || !name.ends_with(".toml") || name[0] == '.') continue;
     if (names.size() == kMostFiles) {
       problems.push_back(folder + ": only " + std::to_string(kMostFiles) +
@@ -48,7 +48,7 @@ std::vector<std::string> files_of(const std::string& folder, std::vector<std::st
   return names;
 }
 
-/// The materials of one folder, those with ids of `known` left out.
+/// Adds the materials of one folder, except those with ids in `known`.
 void add_folder(const std::string& folder, const LoadPicture& load_picture,
                 const std::set<std::string>& known, MaterialLibrary& library) {
   std::set<std::string> here;
@@ -78,7 +78,7 @@ const MaterialEntry* find_own(const MaterialLibrary& library, std::string_view i
 }
 
 MaterialLibrary library_of(const std::string& folder) {
-  // Pictures are named only, for the ids alone count.
+  // A dummy picture saves reading the pictures, because only the ids are needed.
   return load_materials(std::span(&folder, 1), [](const std::string&) -> Result<HeightPicture> {
     return HeightPicture{.width = 2, .height = 1, .heights = {0.0F, 1.0F}};
   });
@@ -99,7 +99,7 @@ std::vector<std::string> material_folders() {
     const std::size_t end = std::min(dirs.find(':'), dirs.size());
     std::string folder(dirs.substr(0, end));
     while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
-    // What is not absolute is to be passed over (XDG base directory specification).
+    // Relative paths must be ignored (XDG base directory specification).
     if (folder.starts_with('/')) folders.push_back(folder + kBelow);
     dirs.remove_prefix(std::min(end + 1, dirs.size()));
   }

@@ -11,69 +11,70 @@
 
 namespace felt {
 
-/// Reads a grey picture from a file; io/png.h, read_height_png. Without one, a material that names
-/// a picture is a problem.
+/// Reads a greyscale picture from a file, for example read_height_png of io/png.h. If it is empty,
+/// a material that names a picture is an error.
 using LoadPicture = std::function<Result<HeightPicture>(const std::string& path)>;
 
-/// A material that is not built in, and where it is.
+/// A material that is not built in, and the path of its file.
 struct MaterialEntry {
   AnyMaterial material;
   std::string path;
 };
 
-/// What there is to draw on and with.
+/// All available materials.
 struct MaterialLibrary {
   Materials materials = Materials::built_in();  ///< the built-in ones, then those of the folders
-  std::vector<MaterialEntry> own;               ///< by folder, then by file name
-  /// One sentence each, by file: the others are there all the same.
+  std::vector<MaterialEntry> own;  ///< those of the folders, by folder, then by file name
+  /// The files that could not be read, one sentence each. The other files are loaded all the same.
   std::vector<std::string> problems;
 };
 
-/// Where materials are looked for, the first one a person's own: feltline/materials in
-/// XDG_DATA_HOME (else ~/.local/share), then in each of XDG_DATA_DIRS (else /usr/local/share and
-/// /usr/share). The first is "" where neither XDG_DATA_HOME nor HOME says where. Reads the
-/// environment: not while another thread changes it.
+/// Returns the folders that may contain materials: feltline/materials in XDG_DATA_HOME (default
+/// ~/.local/share), then in each of XDG_DATA_DIRS (default /usr/local/share and /usr/share). The
+/// first one is the user's folder; it is "" if neither XDG_DATA_HOME nor HOME is set. Reads the
+/// environment, so no other thread may change it meanwhile.
 std::vector<std::string> material_folders();
 
-/// All *.toml of these folders (not of folders in them). A folder that is not there is none.
+/// Loads all *.toml files of these folders (not of their subfolders). Missing folders are skipped.
 ///
-/// Ids: a material has one of its own, which no built-in one has, sheet or medium, so that a
-/// drawing says the same to everybody who gets it. Where two files of a folder have one id, the
-/// second is a problem; what an earlier folder has is left out of a later one.
+/// The id of a material must not be that of a built-in surface or medium, so that a drawing means
+/// the same on every computer. If two files of a folder have the same id, the second one is a
+/// problem. If a later folder has an id of an earlier folder, its file is skipped.
 MaterialLibrary load_materials(std::span<const std::string> folders,
                                const LoadPicture& load_picture = {});
 
-/// Reads one file, with the picture beside it that it may name. Error: it cannot be read, or what
-/// read_material refuses; names the file.
+/// Reads one file, and the picture that it may name in the same folder. Fails if the file cannot be
+/// read or read_material fails; the error names the file.
 Result<AnyMaterial> read_material_file(const std::string& path,
                                        const LoadPicture& load_picture = {});
 
-/// For the text of a file: its name, and pictures beside it.
+/// Returns the MaterialSource for the text of a file: its name, and pictures in the same folder.
 MaterialSource material_source(const std::string& path, const LoadPicture& load_picture = {});
 
-/// The file of a folder that has a material of this one's kind and id, whatever its figures; ""
-/// where none has, that can be read.
+/// Returns the path of the file in a folder that has a material of the same kind and id, even if
+/// its other fields differ; "" if no readable file has.
 std::string material_path(const std::string& folder, const AnyMaterial& material);
 
-/// Writes a person's own into a folder, which is made: over the file that has its kind and id, else
-/// as ID.toml. The old file or the new one, whole. Returns its path. Error: the id of a built-in
-/// one, what material_error says, a file that has its id and is of the other kind, another material
-/// in ID.toml, or the disk.
+/// Saves a user-defined material in a folder, which is created if necessary. Replaces the file with
+/// the same kind and id; otherwise writes ID.toml. The file is replaced as a whole or not at all.
+/// Returns its path. Fails if the id is built in, material_error() is not "", a file has the same
+/// id but the other kind, ID.toml has another material, or the disk fails.
 Result<std::string> save_material(const std::string& folder, const AnyMaterial& material);
 
-/// Deletes the file that has this one's kind and id. Error: no file of this folder has them, or the
-/// disk.
+/// Deletes the file with the kind and id of this material. Fails if the folder has no such file, or
+/// the disk fails.
 Result<void> delete_material(const std::string& folder, const AnyMaterial& material);
 
-/// "" for an id that a material of one's own may have; else why it may not.
+/// Returns "" if a user-defined material may have this id; otherwise the reason why not.
 std::string own_id_error(std::string_view id);
 
-/// The text of a built-in material as Feltline brings it, with where its figures come from.
+/// The text of a built-in material, with comments that name the sources of its values.
 struct BuiltInText {
   std::string_view id;
   std::string_view text;
 };
-/// Sheets first, in the order of Materials::built_in().
+/// Returns the texts of all built-in materials, surfaces first, in the order of
+/// Materials::built_in().
 std::span<const BuiltInText> built_in_texts() noexcept;
 
 }  // namespace felt

@@ -22,7 +22,7 @@ using ::testing::StartsWith;
 
 namespace fs = std::filesystem;
 
-/// A folder of materials that goes with the test.
+/// A temporary folder of materials, deleted at the end of the test.
 class Folder {
  public:
   explicit Folder(const std::string& name)
@@ -129,7 +129,7 @@ TEST(MaterialLibrary, NamesABadFileAndLoadsTheOthers) {
   EXPECT_EQ(*library.materials.find_surface("paper"), *find_surface("paper"));
 }
 
-// A pipe would be waited for, as a text and as the picture of one; a device has no end.
+// Reading a pipe could block, and a device never ends, be it as a text or as its picture.
 TEST(MaterialLibrary, WaitsForNoPipe) {
   const Folder own("pipe");
   ASSERT_EQ(::mkfifo((own.path() + "/a.toml").c_str(), 0600), 0);
@@ -210,7 +210,7 @@ TEST(MaterialLibrary, SavesNothingThatItWouldNotRead) {
   EXPECT_EQ(own.files(), 0u);
 }
 
-/// An environment variable that is as it was afterwards.
+/// Sets an environment variable and restores it afterwards.
 class Variable {
  public:
   Variable(const char* name, const char* value) : name_(name) {

@@ -51,7 +51,8 @@ std::optional<double> color_of(const std::string& text) noexcept {
   return rgb;
 }
 
-/// The value as the table has it; none where it is of another type or not allowed.
+/// Returns the value of an entry as a number, or nullopt if it has the wrong type or is out of
+/// range.
 template <class Field>
 std::optional<double> value_for(const Field& field, const TomlEntry& entry) {
   std::optional<double> value;
@@ -78,7 +79,7 @@ std::optional<double> value_for(const Field& field, const TomlEntry& entry) {
   return value;
 }
 
-/// Reads entries into a material and keeps what is wrong.
+/// Reads entries into a material and collects the problems.
 class Reading {
  public:
   explicit Reading(const MaterialSource& source) : source_(source) {}
@@ -96,7 +97,7 @@ class Reading {
     return std::nullopt;
   }
 
-  /// In the order of the text.
+  /// Returns the problems in the order of the text.
   std::vector<Error> problems() && {
     std::stable_sort(problems_.begin(), problems_.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -216,7 +217,7 @@ class Reading {
   void take_picture(const TomlEntry& entry, SurfaceMaterial& sheet) {
     const auto* file = std::get_if<std::string>(&entry.value);
     if (!file || file->empty()) return refuse(entry, "the name of a .png beside this file");
-    // A name and no way, so that a text of somebody else's cannot ask for any file there is.
+    // Only a file name, so that a text from another user cannot read arbitrary files.
     if (file->find_first_of("/\\") != std::string::npos || *file == ".." || !is_label(*file)) {
       return refuse(entry, "the name of a .png beside this file, without folders");
     }
@@ -251,7 +252,7 @@ class Reading {
       if (!key.starts_with(in + ".")) continue;
       there += (there.empty() ? "" : ", ") + key.substr(in.size() + 1);
     }
-    if (!there.empty() && entry.key == in && is_empty_table) return;  // [feel] and nothing in it
+    if (!there.empty() && entry.key == in && is_empty_table) return;  // an empty [feel] is fine
     if (!there.empty()) {
       return say(entry.line, entry.key + " is unknown; [" + in + "] of a " + std::string(kind) +
                                  " has " + there);
@@ -292,7 +293,8 @@ class Reading {
   std::vector<std::pair<int, Error>> problems_;
 };
 
-/// What the parser must not see: it builds as many levels as a line has points.
+/// Returns an error if the text or a line is too long. Must be called before the parser, because it
+/// nests as many tables as a line has dots.
 std::optional<Error> too_long(std::string_view text, const std::string& name) {
   if (text.size() > kMaxMaterialBytes) {
     return Error{ErrorCode::kLimitExceeded, name + ": is longer than 64 KiB"};

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kHex = "0123456789abcdef";
 
-/// A basic string of TOML.
+/// Returns the text as a basic string of TOML.
 std::string toml_text(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -56,7 +56,7 @@ std::string comment(const std::string& allowed, std::string_view help) {
   return "  # " + allowed + ". " + std::string(help) + "\n";
 }
 
-/// Its figures in their order; `after` adds what else is in a table.
+/// Appends all fields in their order. `after` appends the other entries of a table.
 template <class Material, class Field, class After>
 void append_figures(std::string& out, const Material& material, std::span<const Field> fields,
                     const After& after) {
@@ -70,7 +70,7 @@ void append_figures(std::string& out, const Material& material, std::span<const 
       out += "\n[" + std::string(table) + "]\n";
     }
     const double value = field.get(material);
-    // What stands for none says so by not being there.
+    // A value that means "none" is not written: its line is commented out.
     const bool is_none = !field.allows(value) && value == field.fallback();
     out += (is_none ? "# " : "") + std::string(field.id.substr(dot + 1)) + " = " +
            value_text(field, is_none ? field.min : value) +

@@ -41,7 +41,7 @@ TEST(Materials, PuttingOneReplacesTheOneOfThatIdInItsPlace) {
   all.put(mine);
   EXPECT_EQ(all.media().size(), count + 1);
   EXPECT_EQ(all.media().back().id, "my-chalk");
-  EXPECT_EQ(find_medium("my-chalk"), nullptr);  // those that Feltline brings stay as they are
+  EXPECT_EQ(find_medium("my-chalk"), nullptr);  // the built-in ones do not change
 }
 
 TEST(Materials, APairsOwnFrictionGoesBeforeTheProduct) {

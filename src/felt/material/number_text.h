@@ -7,7 +7,8 @@
 
 namespace felt {
 
-/// The shortest text that reads back as the same number: "0.25", "500", "nan". No locale.
+/// Returns the shortest text that reads back as the same number: "0.25", "500", "nan". Independent
+/// of the locale.
 inline std::string number_text(double number) {
   std::array<char, 32> buffer{};
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);

@@ -19,10 +19,10 @@ constexpr std::size_t kLineLetters = 76;
 constexpr std::string_view kLetters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Two bytes a height, high byte first.
+/// Heights of two bytes each, high byte first.
 using Bytes = std::vector<std::uint8_t>;
 
-/// g++ 12 at -O3 warns about the order that vectors of bytes have by themselves, in its own header.
+/// Compares as text, because g++ 12 at -O3 warns in its own header about operator< of byte vectors.
 struct ByText {
   bool operator()(const Bytes& a, const Bytes& b) const noexcept { return text(a) < text(b); }
   static std::string_view text(const Bytes& bytes) noexcept {
@@ -30,7 +30,7 @@ struct ByText {
   }
 };
 
-/// Those that are in use, by their heights.
+/// The custom reliefs that are in use, by their heights.
 class OwnReliefs {
  public:
   Result<std::shared_ptr<const HeightField>> of(Bytes bytes) {
@@ -47,7 +47,7 @@ class OwnReliefs {
     return made;
   }
 
-  /// Empty for one that is not from here.
+  /// Returns the heights of a relief; empty if this object did not make it.
   Bytes bytes_of(const HeightField& relief) {
     const std::lock_guard lock(mutex_);
     for (const auto& [bytes, known] : known_) {
@@ -75,7 +75,7 @@ OwnReliefs& own_reliefs() {
   return reliefs;
 }
 
-/// From the lowest to the highest of them.
+/// Quantises heights to 16 bits, with 0 for the lowest and 65535 for the highest.
 Bytes bytes_of(const std::vector<double>& heights) {
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   const double span = *high - *low;
@@ -90,7 +90,7 @@ Bytes bytes_of(const std::vector<double>& heights) {
   return bytes;
 }
 
-/// Of `count` pixels, the part that cell `i` of kSide covers: for each pixel its weight.
+/// The pixels, of `count`, that cell `i` of kSide covers, and the weight of each.
 struct Cover {
   int first = 0;
   std::vector<double> weights;
@@ -98,7 +98,7 @@ struct Cover {
 
 Cover cover_of(std::size_t i, int count) {
   const double scale = static_cast<double>(count) / static_cast<double>(kSide);
-  if (scale < 1.0) {  // between the two pixels that it lies between
+  if (scale < 1.0) {  // fewer pixels than cells: interpolate between two pixels
     const double at = std::clamp(scale * (static_cast<double>(i) + 0.5) - 0.5, 0.0, count - 1.0);
     const int first = std::max(std::min(static_cast<int>(at), count - 2), 0);
     if (count == 1) return {0, {1.0}};
@@ -112,7 +112,7 @@ Cover cover_of(std::size_t i, int count) {
   return cover;
 }
 
-/// Means of the pixels that lie in each cell of a square grid.
+/// Returns the mean of the pixels in each cell of a square grid.
 std::vector<double> cells_of(const HeightPicture& picture) {
   std::vector<Cover> columns;
   for (std::size_t i = 0; i < kSide; ++i) columns.push_back(cover_of(i, picture.width));
@@ -181,7 +181,7 @@ Result<Bytes> bytes_of(std::string_view text) {
 }  // namespace
 
 Result<std::shared_ptr<const HeightField>> own_relief(const HeightPicture& picture) {
-  // It says what is wrong with a picture; its tile is of the picture as it was.
+  // Only checks the picture: the relief itself is made from the 16-bit heights.
   if (const Result<HeightField> fits = height_field_of(picture); !fits) {
     return tl::unexpected(fits.error());
   }

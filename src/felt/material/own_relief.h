@@ -9,21 +9,22 @@
 
 namespace felt {
 
-/// Side of the square of heights that the text of a material holds; the finest wave of a relief has
-/// three of them (HeightField::kBand).
+/// The number of heights along each side of the square in the text of a material. The shortest wave
+/// of a relief is about three heights long (HeightField::kBand).
 inline constexpr int kOwnReliefSide = 128;
 
-/// A person's own relief, for SurfaceMaterial::picture, as a text can hold it: kOwnReliefSide^2
-/// heights of 16 bits, whatever the picture had. The same heights are the same object, so that
-/// materials of equal texts are equal and a relief is made once (60 ms). Any thread but the haptic
-/// one. Error: what height_field_of refuses.
+/// Returns a custom relief, for SurfaceMaterial::picture, from a picture. Resamples it to
+/// kOwnReliefSide^2 heights of 16 bits, as the text of a material has them. The same heights give
+/// the same object, so that materials with equal texts are equal and a relief is made only once
+/// (60 ms). Any thread except the haptic one. Fails if height_field_of fails.
 Result<std::shared_ptr<const HeightField>> own_relief(const HeightPicture& picture);
 
-/// The same from what own_relief_text wrote; white space counts for nothing. Error: anything else.
+/// Returns the custom relief of a text written by own_relief_text; white space is ignored. Fails if
+/// the text is anything else.
 Result<std::shared_ptr<const HeightField>> own_relief(std::string_view text);
 
-/// Its heights, 16 bits each, high byte first, row by row, in base64 (RFC 4648) of 76 letters a
-/// line. One that was not made here is looked at where the heights lie.
+/// Returns the heights of a relief, 16 bits each, high byte first, row by row, in base64 (RFC 4648)
+/// of 76 letters a line. A relief that was not made by own_relief() is sampled.
 std::string own_relief_text(const HeightField& relief);
 
 }  // namespace felt

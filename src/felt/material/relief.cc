@@ -10,12 +10,12 @@
 namespace felt {
 namespace {
 
-/// What makes a tile: two reliefs of one shape differ in size alone.
+/// The key of a tile: reliefs of the same shape differ only in size.
 using Shape = std::tuple<HeightCharacter, std::uint32_t, const HeightField*>;
 
-/// All reliefs that were asked for. Nothing is taken away again: force models point at them, and a
-/// view of a tile is a hundred bytes. A tile is made outside the lock: whoever wants another
-/// relief, or one that is there, does not wait for it.
+/// All reliefs requested so far. They are never deleted, because force models point to them, and a
+/// view of a tile takes only a hundred bytes. A tile is made outside the lock, so that threads that
+/// need another relief do not wait for it.
 class Reliefs {
  public:
   const HeightField* of(const SurfaceMaterial& surface) {
@@ -46,7 +46,7 @@ class Reliefs {
   struct Tile {
     std::once_flag once;
     std::optional<HeightField> field;
-    std::shared_ptr<const HeightField> picture;  // its name, an address, is kept
+    std::shared_ptr<const HeightField> picture;  // kept, because Shape has its address
   };
 
   std::mutex mutex_;
@@ -58,7 +58,7 @@ class Reliefs {
 
 const HeightField* surface_grain(const SurfaceMaterial& surface) {
   if (!(surface.grain_um > 0.0) || !(surface.grain_mm > 0.0)) return nullptr;
-  static Reliefs& reliefs = *new Reliefs;  // outlives every thread that may still feel one
+  static Reliefs& reliefs = *new Reliefs;  // never deleted: outlives every thread that uses it
   return reliefs.of(surface);
 }
 

@@ -5,10 +5,10 @@
 
 namespace felt {
 
-/// The relief of a surface: one object for the hand, the eye and the ear (R47). Made when first
-/// asked for, 20 to 60 ms, and kept for good, so that a force model may point at it; two surfaces
-/// that differ in height or wavelength alone share its tile, so that trying values costs nothing.
-/// Null for a smooth one. Any thread but the haptic one.
+/// Returns the relief of a surface, the same object for the hand, the eye and the ear (R47); null
+/// if the surface is smooth. The first call for a relief takes 20 to 60 ms. The relief is kept
+/// until the program ends, so that a force model may point to it. Surfaces that differ only in
+/// height or wavelength share a tile, so trying values is cheap. Any thread except the haptic one.
 const HeightField* surface_grain(const SurfaceMaterial& surface);
 
 }  // namespace felt

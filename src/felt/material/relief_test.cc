@@ -22,11 +22,11 @@ TEST(Relief, R47_OneSurfaceHasOneReliefForAll) {
   }
 }
 
-// Made outside the lock: whoever asks at the same time gets the same object all the same.
+// A relief is made outside the lock; threads that ask at the same time must get the same object.
 TEST(Relief, R47_ThreadsThatAskAtOnceGetOneObject) {
   SurfaceMaterial surface = *find_surface("rough-paper");
   for (std::uint32_t seed = 901; seed < 904; ++seed) {
-    surface.grain_seed = seed;  // nobody has asked for it yet
+    surface.grain_seed = seed;  // not requested before
     std::vector<const HeightField*> got(6, nullptr);
     std::vector<std::thread> threads;
     threads.reserve(got.size());

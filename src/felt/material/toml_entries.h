@@ -1,6 +1,6 @@
 #pragma once
 
-/// TOML as a flat list. Private to this layer; the only place that knows the parser.
+/// TOML as a flat list. Private to this layer; only toml_entries.cc uses the parser.
 
 #include <string>
 #include <string_view>
@@ -11,9 +11,9 @@
 
 namespace felt {
 
-/// A value of a kind that no material has: an array, a date.
+/// A value of a type that no material has, such as an array or a date.
 struct TomlOther {
-  std::string_view what;  ///< "a list"
+  std::string_view what;  ///< the type, for messages: "a list"
 };
 
 inline constexpr std::string_view kTomlEmptyTable = "an empty table";
@@ -23,15 +23,15 @@ struct TomlEntry {
   int line = 0;
   int column = 0;
   std::variant<double, bool, std::string, TomlOther> value;
-  bool is_whole = false;  ///< of a number: written without a point
+  bool is_whole = false;  ///< a number written without a decimal point
 };
 
-/// What it says, in the order of the text; `name` and the line begin the message of an error. A
-/// table is the entries in it, and one without any is an entry. Error: not TOML, deeper than a
-/// material is.
+/// Returns all entries of a TOML text in their order. The entries of a table have its name in their
+/// key; an empty table is an entry itself. Fails if the text is not TOML or nested deeper than a
+/// material; the message starts with `name` and the line.
 Result<std::vector<TomlEntry>> read_toml(std::string_view text, const std::string& name);
 
-/// "file.toml:7: "
+/// Returns "file.toml:7: ".
 std::string toml_place(const std::string& name, int line);
 
 }  // namespace felt

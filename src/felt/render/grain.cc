@@ -11,14 +11,14 @@
 namespace felt {
 namespace {
 
-/// A sheet of this RMS height is half as grainy as the coarsest.
+/// A surface of this RMS height shows half as much grain as the coarsest.
 constexpr double kHalfDepthUm = 2.0;
 
-/// More looks than that are made anew now and then: ten media at six scales.
+/// The cache of looks is emptied when it has this many: ten media at six scales.
 constexpr std::size_t kMostLooks = 64;
 
-/// The dust of all media, of wavelength 1. Hills of several sizes: those of one size alone, as even
-/// grain has them, look like a weave.
+/// The dust of all media, with wavelength 1. Its hills have several sizes, because hills of one
+/// size, as in even grain, look like a weave.
 const HeightField& dust() {
   static const HeightField field(
       {.wavelength_mm = 1.0, .rms_um = 1.0, .seed = 77, .character = HeightCharacter::kRough});
@@ -30,12 +30,13 @@ ReliefTexture& dust_texture() {
   return texture;
 }
 
-/// Of the dust's map: its hills are 1.3 and 2.7 wavelengths long (height_characters.cc).
+/// Converts to the wavelength of the dust's map: its hills are 1.3 and 2.7 wavelengths long
+/// (height_characters.cc).
 double crumb_mm_of(const MediumLook& look) noexcept {
   return 0.55 * (look.crumb_mm > 1e-3 ? look.crumb_mm : 1e-3);
 }
 
-/// Solid whatever the tone and wherever in the line.
+/// Returns true if the medium is solid at any tone and anywhere in the line.
 bool is_solid(const MediumLook& look) noexcept {
   return relief_weights(look).all == 0.0 && look.opacity_light == 1.0 &&
          look.opacity_heavy == 1.0 && look.edge == 0.0 && look.rim == 0.0;

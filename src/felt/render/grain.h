@@ -10,52 +10,54 @@ namespace felt {
 
 struct InkLook;
 
-/// How media look on a sheet (paper, "future work"; specification 5i; R47): dry ink lies on the
-/// hills of the relief and leaves the valleys bare, and the harder it is pressed on, the deeper it
-/// goes. For a medium's MediumLook, tone t and push q = t (1 - 0.45 rho^2) at rho radii from the
-/// middle of the line, where the tip presses less:
+/// The look of media on a surface (paper, "future work"; specification 5i; R47): dry ink lies on
+/// the hills of the relief and leaves the valleys bare; the higher the pressure, the deeper it
+/// reaches. For a medium's MediumLook, tone t and push q = t (1 - 0.45 rho^2) at rho radii from the
+/// middle of the line (the tip presses less towards its edge):
 ///
 ///   alpha = opacity(t) (1 - G (1 - seen)),  seen = smoothstep(1/2 + (w r - cut(q)) / (2 soft))
 ///   r = (grain d s(x) + crumb c(x) + streaks b(n)) / n,   n = |(grain, crumb, streaks)|
 ///   G = min(1, n),  w = 1 - wear q,  cut = cut_light + (cut_heavy - cut_light) q
 ///
-/// The smoothstep of h - h_cut(p) is the specification's; all that it is made of is our own choice:
-/// s  the very height h that the hand feels at x, and a *tooth*: the same map finer and turned.
-///    Grain shorter than 1 mm cannot be given to a hand at 1 kHz, stable and strong enough to be
-///    felt (decision 10), but an eye misses it. In its own RMS;
-/// d  = R / (R + 2 um) of its RMS height R: a sheet of fine paper is not as grainy as canvas;
-/// c  the medium's own dust: a map of its own, as coarse as crumb_mm, fixed to the page;
-/// b  hairs, by the place n across the line: of a dry brush they are seen one by one.
-/// Within `edge` radii of the rim q falls on to -1/3, where nothing is reached any more: dust
-/// frays. At the rim wet ink dries darker: alpha (1 + rim). From afar, where a pixel is larger than
-/// the grain, alpha is that of the mean over what it no longer shows. Nothing here depends on what
-/// was drawn before: any order of painting gives the same picture.
+/// The smoothstep of h - h_cut(p) is the specification's; all its terms are our own choice:
+/// s  the same height h that the hand feels at x, plus a *tooth*: the same map, finer and rotated.
+///    Grain shorter than 1 mm cannot be rendered to a hand at 1 kHz so that it is both stable and
+///    strong enough to be felt (decision 10), but the eye misses it. In units of its own RMS;
+/// d  = R / (R + 2 um) for the relief's RMS height R: fine paper is less grainy than canvas;
+/// c  the medium's own dust: a separate map, as coarse as crumb_mm, fixed to the page;
+/// b  hairs, by the position n across the line: those of a dry brush are seen one by one.
+/// Within `edge` radii of the rim, q falls to -1/3, where the ink reaches no part of the relief:
+/// dust frays. At the rim wet ink dries darker: alpha (1 + rim). If a pixel is larger than the
+/// grain, alpha is the mean over the detail that it cannot show. Nothing here depends on earlier
+/// strokes, so any order of painting gives the same picture.
 ///
-/// A value; copies share what was made for them, 1.4 MiB of relief, from 32 pixels a wavelength on
-/// 5 MiB more, and 32 KiB a medium and scale. Any thread.
+/// A value; copies share their tables: 1.4 MiB of relief, 5 MiB more from 32 pixels a wavelength
+/// on, and 32 KiB for each medium and scale. Thread: any.
 class Grain {
  public:
-  /// Plain: every medium is solid ink.
+  /// Creates a plain grain: every medium is solid ink.
   Grain() noexcept = default;
-  /// `field` must outlive all copies; null is a smooth sheet, on which media look like themselves.
+  /// Requires that `field` outlives all copies. Null is a smooth surface, on which media keep their
+  /// own look.
   explicit Grain(const HeightField* field, const Materials& materials = Materials::built_in());
 
   [[nodiscard]] bool is_plain() const noexcept { return !state_; }
-  /// There is no relief: plain, or a smooth sheet.
+  /// Returns true if there is no relief: plain, or a smooth surface.
   [[nodiscard]] bool is_smooth() const noexcept;
-  /// What it looks at: the same function of the same object that a Texture feels.
+  /// Returns the height at a point: the same function of the same object that a Texture feels.
   [[nodiscard]] HeightField::Sample at(Point place) const noexcept;
-  /// s in its RMS; 0 where there is no relief.
+  /// Returns s in units of its RMS; 0 if there is no relief.
   [[nodiscard]] double relief(Point place) const noexcept;
-  /// alpha in the middle of a line of a medium, by its id, without streaks; an unknown one looks
-  /// like the pencil. Plain: 1.
+  /// Returns alpha in the middle of a line of a medium, by its id, without streaks. An unknown
+  /// medium looks like the pencil. Returns 1 if plain.
   [[nodiscard]] double alpha(Point place, double tone, std::string_view material) const noexcept;
 
-  /// The same as tables for a scale, for whoever fills pixels (ink_look.h). Null: solid ink.
+  /// Returns the same as tables for a scale, for code that fills pixels (ink_look.h). Null: solid
+  /// ink.
   [[nodiscard]] std::shared_ptr<const InkLook> look(std::string_view material,
                                                     double px_per_mm) const;
 
-  /// Both draw the same pixels: of one relief, and with media that look alike.
+  /// Returns true if both draw the same pixels: same relief, and media with the same look.
   friend bool operator==(const Grain& a, const Grain& b) noexcept;
 
  private:
@@ -63,7 +65,7 @@ class Grain {
   std::shared_ptr<const State> state_;
 };
 
-/// Grain in a file whose strokes are outlines (.svg, .pdf): on which relief, and how fine.
+/// Grain in a file with strokes as outlines (.svg, .pdf): the relief, and the resolution.
 struct GrainPrint {
   static constexpr double kLeastDpi = 20.0;
   static constexpr double kMostDpi = 1200.0;

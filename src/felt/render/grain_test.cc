@@ -36,7 +36,7 @@ Stroke of_material(const Stroke& stroke, const char* material) {
   return Stroke::create(data).value();
 }
 
-/// A line of tone 0 at its left end and 1 at its right one.
+/// Returns a line with tone 0 at its left end and 1 at its right end.
 Stroke swelling(const char* material) {
   StrokeData data = straight_stroke({10, 10}, {90, 10}, 5.0, 5.0).data();
   data.material = material;
@@ -51,7 +51,7 @@ Image page_of(const Stroke& stroke, const Grain& grain) {
   return picture_of(stroke, options).value();
 }
 
-/// Share of the ink that is seen of a wide, straight line of a tone.
+/// Returns the visible fraction of the ink of a wide, straight line of a tone.
 double seen_of(double tone, const char* material, const Grain& grain) {
   StrokeData data = straight_stroke({10, 10}, {90, 10}, 5.0, 5.0).data();
   data.material = material;
@@ -75,14 +75,14 @@ TEST(Grain, R47_TheEyeSeesTheHeightsThatTheFieldHas) {
     const HeightField::Sample eye = grain.at(p), hand = paper().at(p);
     ASSERT_EQ(eye.height_mm, hand.height_mm);
     ASSERT_EQ(eye.slope, hand.slope);
-    // A place that is pressed on harder is never less inked.
+    // More pressure never gives less ink at a point.
     ASSERT_GE(grain.alpha(p, 0.6, "pencil"), grain.alpha(p, 0.3, "pencil"));
     const double h = hand.height_mm / (1e-3 * paper().spec().rms_um), r = grain.relief(p);
     together += h * r;
     squares += r * r;
     ++count;
   }
-  // Hills that are felt are hills that are seen: the rest is the tooth.
+  // Hills that are felt are also seen; the rest is the tooth.
   EXPECT_GT(together / count, 0.65);
   EXPECT_NEAR(squares / count, 1.0, 0.1);
 }
@@ -121,7 +121,7 @@ TEST(Grain, PlainIsSolidInkAndSoAreMediaWithoutALook) {
       other.grain = Grain(field, materials);
       EXPECT_EQ(picture_of(stroke, other).value(), as_before) << seed;
     }
-    // Of what nobody knows, and on a sheet of glass: like the pencil there.
+    // An unknown medium looks like the pencil, also on a surface of glass.
     other.grain = Grain(&flat, materials);
     const auto drawn = [&](const char* material) {
       return picture_of(of_material(stroke, material), other).value();
@@ -212,7 +212,7 @@ TEST(Grain, R47_ThePictureIsTheSameFromRunToRun) {
   EXPECT_EQ(picture(), picture());
 }
 
-/// Tiles of any cut, each in a view of its own as a display's are, of strokes of all media.
+/// Strokes of all media in tiles of any division, each with its own view, as in a display.
 TEST(Grain, TilesGiveTheSamePixelsAsOnePicture) {
   constexpr int kWide = 300, kHigh = 220;
   const HeightField rough({.wavelength_mm = 1.3, .rms_um = 11.0, .seed = 4});
@@ -268,7 +268,7 @@ TEST(PressureMap, IsTheToneInTheMiddleOfTheLineAndLessBesideIt) {
   EXPECT_EQ(map.push_at(5, 5), PressureMap::kLeastPush);
 }
 
-/// Every pixel within the tip is found, whichever way the tip went and however it grew.
+/// Every pixel within the tip is covered, in whatever direction the tip moved and however it grew.
 TEST(PressureMap, HasNoHoles) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     std::mt19937_64 random(seed);

@@ -18,7 +18,7 @@ struct PixelRect {
   [[nodiscard]] constexpr int width() const noexcept { return x1 > x0 ? x1 - x0 : 0; }
   [[nodiscard]] constexpr int height() const noexcept { return y1 > y0 ? y1 - y0 : 0; }
   [[nodiscard]] constexpr bool empty() const noexcept { return x1 <= x0 || y1 <= y0; }
-  /// The pixels that both have.
+  /// Returns the pixels that are in both.
   [[nodiscard]] constexpr PixelRect intersected(const PixelRect& o) const noexcept {
     return {x0 > o.x0 ? x0 : o.x0, y0 > o.y0 ? y0 : o.y0, x1 < o.x1 ? x1 : o.x1,
             y1 < o.y1 ? y1 : o.y1};
@@ -28,10 +28,10 @@ struct PixelRect {
 /// Order of the four bytes of a pixel in memory.
 enum class PixelOrder : std::uint8_t {
   kRgba,  ///< PNG
-  kBgra,  ///< what desktop windows take (32-bit ARGB on a little-endian machine)
+  kBgra,  ///< used by desktop windows (32-bit ARGB on a little-endian machine)
 };
 
-/// Pixels that somebody else keeps: 8-bit sRGB, premultiplied alpha, rows top to bottom.
+/// A view of pixels that the caller owns: 8-bit sRGB, premultiplied alpha, rows top to bottom.
 struct Pixels {
   std::uint8_t* data = nullptr;
   int width = 0;
@@ -42,7 +42,7 @@ struct Pixels {
   [[nodiscard]] PixelRect rect() const noexcept { return {0, 0, width, height}; }
 };
 
-/// Sets every pixel of `area` (limited to the picture) to one colour.
+/// Sets every pixel of `area`, clipped to the picture, to one colour.
 void fill(Pixels target, PixelRect area, Rgba color) noexcept;
 
 /// A picture in memory, RGBA, premultiplied.
@@ -51,7 +51,8 @@ class Image {
   /// Largest picture: 2^28 pixels, 1 GiB.
   static constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
 
-  /// A transparent picture. Error: a side is not positive, or more pixels than kMaxPixels.
+  /// Creates a transparent picture. Fails if a side is not positive, or if there are more pixels
+  /// than kMaxPixels.
   static Result<Image> create(int width, int height);
 
   [[nodiscard]] int width() const noexcept { return width_; }
@@ -60,7 +61,7 @@ class Image {
     return {bytes_.data(), width_, height_, std::ptrdiff_t{4} * width_, PixelOrder::kRgba};
   }
   [[nodiscard]] const std::vector<std::uint8_t>& bytes() const noexcept { return bytes_; }
-  /// The premultiplied pixel at (x, y). Requires it to be inside.
+  /// Returns the premultiplied pixel at (x, y). Requires a point inside the picture.
   [[nodiscard]] Rgba at(int x, int y) const noexcept;
 
   friend bool operator==(const Image&, const Image&) = default;

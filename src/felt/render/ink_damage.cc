@@ -8,7 +8,7 @@
 namespace felt {
 namespace {
 
-/// How many segments two strokes have in common at the beginning.
+/// Returns the number of equal segments at the beginning of two strokes.
 int common_head(const Stroke& a, const Stroke& b) noexcept {
   const auto& p = a.data().points;
   const auto& q = b.data().points;
@@ -20,7 +20,7 @@ int common_head(const Stroke& a, const Stroke& b) noexcept {
   return std::min(static_cast<int>((points - 1) / 3), static_cast<int>(std::floor(u)));
 }
 
-/// Likewise at the end.
+/// Same, at the end.
 int common_tail(const Stroke& a, const Stroke& b) noexcept {
   const auto& p = a.data().points;
   const auto& q = b.data().points;
@@ -61,7 +61,7 @@ void add_difference(const Stroke& before, const Stroke& after, InkDamage& damage
   const int fewer = std::min(before.segment_count(), after.segment_count());
   const int head = std::min(common_head(before, after), fewer);
   const int tail = std::min(common_tail(before, after), fewer - head);
-  // The neighbours of what differs too: a round end may stick out of the difference into them.
+  // Includes the neighbours of the difference, because a round end may reach into them.
   const auto add = [&](const Stroke& stroke) {
     add_segments(stroke, std::max(0, head - 1),
                  std::min(stroke.segment_count(), stroke.segment_count() - tail + 1), damage);

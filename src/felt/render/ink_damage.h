@@ -6,14 +6,15 @@
 
 namespace felt {
 
-/// What of the sheet is to be painted again, in mm: small rectangles that may overlap.
+/// The area of the page to repaint, in mm: small rectangles that may overlap.
 using InkDamage = std::vector<Rect>;
 
-/// Everything that a stroke inks, segment by segment.
+/// Adds the area of all ink of a stroke, segment by segment.
 void add_ink(const Stroke& stroke, InkDamage& damage);
 
-/// Where two shapes of a stroke differ: of a line that is pulled in one place, that place. What
-/// both begin and end with alike is left out, to the bit.
+/// Adds the area in which two shapes of a stroke differ: if a line is pulled at one point, the area
+/// around that point. Equal segments at the beginning and the end are left out; equal means to the
+/// bit.
 void add_difference(const Stroke& before, const Stroke& after, InkDamage& damage);
 
 }  // namespace felt

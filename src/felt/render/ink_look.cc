@@ -7,24 +7,26 @@
 namespace felt {
 namespace {
 
-/// The cut at the rim of a soft edge lies so far above that of a breath: no grain reaches it.
+/// At the rim of a soft edge the cut is this much higher than that of the lightest push, so that no
+/// grain reaches it.
 constexpr double kOutOfReach = 3.5;
 
-constexpr int kHairs = 44;  // that a line falls apart into
+constexpr int kHairs = 44;  // number of hairs of a dry brush
 
 double smoothstep(double x) noexcept {
   const double y = std::clamp(x, 0.0, 1.0);
   return y * y * (3.0 - 2.0 * y);
 }
 
-/// -1..1, the same on every machine.
+/// Returns -1..1, the same on every machine.
 double noise(std::uint32_t n) noexcept {
   n = (n ^ (n >> 16U)) * 0x7FEB352DU;
   n = (n ^ (n >> 15U)) * 0x846CA68BU;
   return static_cast<double>(n ^ (n >> 16U)) / 2147483648.0 - 1.0;
 }
 
-/// Hairs of unequal thickness, by x in 0..1 across the line, about 1 RMS high.
+/// Returns the height of the hairs at x in 0..1 across the line, about 1 RMS. The hairs have
+/// different thicknesses.
 double hair(double x) noexcept {
   const auto smooth = [](double at, std::uint32_t seed) {
     const double f = at - std::floor(at);
@@ -41,7 +43,7 @@ inline void add_hairs(const InkLook& look, const std::int32_t* packed, int count
   }
 }
 
-/// Takes from the coverage of `count` pixels what their relief and pressure leave bare.
+/// Reduces the coverage of `count` pixels by the part that their relief and push leave bare.
 inline void shade(const InkLook& look, const std::int32_t* packed, const int* reliefs, int count,
                   std::uint8_t* alpha) {
   for (int i = 0; i < count; ++i) {
@@ -74,7 +76,7 @@ double ink_alpha(const MediumLook& look, double wear, double push, double relief
   const double per_rms = 0.5 / std::max(look.soft, 0.05);
   const auto seen_at = [&](double r) { return smoothstep(0.5 + (height * r - cut) * per_rms); };
   double seen = seen_at(relief);
-  if (blur > 0.0) {  // a normal distribution by seven points of equal weight
+  if (blur > 0.0) {  // a normal distribution, as seven points of equal weight
     constexpr std::array<double, 3> kAt{0.366, 0.792, 1.466};
     for (const double at : kAt) seen += seen_at(relief - at * blur) + seen_at(relief + at * blur);
     seen /= 7.0;
@@ -130,7 +132,7 @@ void InkShade::row(const PressureMap& pressure, int x, int y, int count,
     const int pixels = std::min(kPiece, count - from);
     const std::int32_t* packed = pressure.row(y) + (x + from - pressure.area().x0);
     int reliefs[kPiece];
-    std::fill_n(reliefs, pixels, 0);  // no more than are needed: most runs of a line are short
+    std::fill_n(reliefs, pixels, 0);  // only as many as needed: most runs are short
     if (!sheet_.is_flat()) sheet_.add_row(x + from, y, pixels, look.sheet_weight, reliefs);
     if (!crumb_.is_flat()) crumb_.add_row(x + from, y, pixels, look.crumb_weight, reliefs);
     if (look.hair_weight > 0) add_hairs(look, packed, pixels, reliefs);

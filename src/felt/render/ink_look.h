@@ -12,47 +12,49 @@
 
 namespace felt {
 
-/// What of a sheet shows in a medium: how much of its relief's height (Grain: d), and which share
-/// of the variance of relief and crumbs a pixel is still small enough to show.
+/// How much of a relief a medium shows: the factor of its height (Grain: d), and the fraction of
+/// the variance of relief and dust that pixels of this size can still show.
 struct SeenRelief {
   double depth = 0.0;
   double kept = 1.0;
   double crumb_kept = 1.0;
 };
 
-/// alpha of Grain's formula, 0..1, where relief and dust are `relief` high, r as a whole; `blur` is
-/// the RMS of what of r is too fine to be seen: the mean over it.
+/// Returns alpha of Grain's formula, 0..1, for r = `relief`, the weighted height of relief and
+/// dust. `blur` is the RMS of the part of r that is too fine to see; the result is the mean over
+/// it.
 double ink_alpha(const MediumLook& look, double wear, double push, double relief,
                  double blur) noexcept;
 
-/// Weights of relief, dust and hairs in r, and |r| as a whole.
+/// Weights of relief, dust and hairs in r, and |r| in total.
 struct ReliefWeights {
   double sheet = 0.0, crumb = 0.0, hairs = 0.0;
   double all = 0.0;
 };
 ReliefWeights relief_weights(const MediumLook& look) noexcept;
 
-/// A medium on a sheet at a scale, as tables. Immutable; any thread.
+/// The look of a medium on a surface at a scale, as tables. Immutable. Thread: any.
 struct InkLook {
   InkLook(const MediumLook& look, double wear, const SeenRelief& seen);
 
   static constexpr int kReliefs = 256;
-  /// By push (PressureMap's row), then relief: 128 is in the middle, 32 are one RMS.
+  /// Indexed by push (PressureMap's row), then relief: 128 is the middle, 32 steps are one RMS.
   std::vector<std::uint8_t> alphas;
-  std::array<std::uint16_t, 64> rim{};                      ///< by rho^2, 256 is no change
-  std::array<std::int16_t, PressureMap::kAcross> hairs{};   ///< by the place across, in 1/32 RMS
+  std::array<std::uint16_t, 64> rim{};                      ///< by rho^2; 256 is no change
+  std::array<std::int16_t, PressureMap::kAcross> hairs{};   ///< by position across, in 1/32 RMS
   int sheet_weight = 0, crumb_weight = 0, hair_weight = 0;  ///< of 256
   bool has_rim = false;
   double edge = 0.0;
-  std::shared_ptr<const ReliefLevel> sheet, crumb;  ///< null: not to be seen
+  std::shared_ptr<const ReliefLevel> sheet, crumb;  ///< null: not visible
   double sheet_tile_mm = 1.0, crumb_tile_mm = 1.0;
 };
 
-/// A look in a view: what shades the pixels of a line. `look` must outlive it.
+/// A look in a view: shades the pixels of a line. `look` must outlive it.
 class InkShade {
  public:
   InkShade(const InkLook& look, const View& view);
-  /// Multiplies the alphas of `count` pixels from (x, y) on by what is seen of the ink there.
+  /// Multiplies the alphas of `count` pixels from (x, y) on by the visible fraction of the ink
+  /// there.
   void row(const PressureMap& pressure, int x, int y, int count,
            std::uint8_t* alphas) const noexcept;
 

@@ -14,7 +14,7 @@ tl::unexpected<Error> misfit(StrokeId id, const char* why) {
   return fail(ErrorCode::kInvalidArgument, "stroke " + std::to_string(id.value) + " " + why);
 }
 
-/// Every change is another shape in the same place.
+/// Returns true if every change only replaces the shape of a stroke, at the same position.
 bool only_replaces(const Edit& edit) noexcept {
   return edit.layers.empty() &&
          std::all_of(edit.changes.begin(), edit.changes.end(), [](const StrokeChange& c) {
@@ -26,15 +26,15 @@ void add_ids(const Edit& edit, std::vector<StrokeId>& ids) {
   for (const StrokeChange& c : edit.changes) ids.push_back(c.id);
 }
 
-/// What comes and goes in one layer.
+/// The strokes that one layer gains and loses.
 struct LayerWork {
-  std::vector<std::size_t> removed;                                // places before
-  std::vector<std::pair<std::size_t, const StrokeChange*>> added;  // places after
+  std::vector<std::size_t> removed;                                // positions before
+  std::vector<std::pair<std::size_t, const StrokeChange*>> added;  // positions after
   std::vector<const StrokeChange*> kept;
 };
 
-/// By layer. Where something comes or goes, places that are named are to be kept actively, as
-/// Moves does (reorder.h).
+/// Groups the changes by layer. If a layer gains or loses strokes, its replaced strokes are removed
+/// and inserted again too, so that they keep the positions in the edit, as in Moves (reorder.h).
 std::map<LayerId, LayerWork> plan(const Edit& edit) {
   std::map<LayerId, LayerWork> work;
   for (const StrokeChange& c : edit.changes) {
@@ -88,7 +88,8 @@ Result<void> InkScene::show(const std::optional<Edit>& preview, InkDamage& damag
   return change(preview ? &*preview : nullptr, true, damage);
 }
 
-/// Takes the preview back and carries the next edit out; what looks different is damage.
+/// Undoes the preview and applies the next edit. Compares the strokes of both before and after, and
+/// adds only visible differences to the damage.
 Result<void> InkScene::change(const Edit* next, bool is_preview, InkDamage& damage) {
   std::vector<StrokeId> ids;
   if (preview_) add_ids(*preview_, ids);
@@ -148,8 +149,8 @@ InkScene::SeenStrokes InkScene::look(const std::vector<StrokeId>& ids) const {
   return seen;
 }
 
-/// Adds what looks different. Strokes that change neither shape nor what lies below them look as
-/// they did, wherever their places have moved.
+/// Adds the visible differences. A stroke looks the same if neither its shape nor the strokes below
+/// it change, even if its index does.
 void InkScene::compare(SeenStrokes before, SeenStrokes after, InkDamage& damage) {
   const auto by_id = [](const Seen& a, const Seen& b) { return a.id < b.id; };
   const auto stays = [&](const SeenStrokes& in, const SeenStrokes& other) {
@@ -187,7 +188,7 @@ void InkScene::compare(SeenStrokes before, SeenStrokes after, InkDamage& damage)
   }
 }
 
-/// All ink of the layers that are shown, hidden or moved; called before and after the change.
+/// Adds all ink of the layers that are shown, hidden or moved. Call before and after the change.
 void InkScene::add_layers(const Edit& edit, InkDamage& damage) const {
   for (const LayerChange& c : edit.layers) {
     const auto found = layers_.find(c.id);
@@ -202,7 +203,7 @@ void InkScene::add_layers(const Edit& edit, InkDamage& damage) const {
   }
 }
 
-/// The layers as they will stand. Error: a layer is not as the edit says.
+/// Returns the order of layers after the edit. Fails if a layer does not match the edit.
 Result<std::vector<LayerId>> InkScene::new_order(const Edit& edit) const {
   Moves<LayerId> moves;
   for (const LayerChange& c : edit.layers) {
@@ -286,7 +287,7 @@ void InkScene::replace(const Edit& edit) {
   }
 }
 
-/// Requires that it fits.
+/// Applies the edit. Requires that it is valid.
 void InkScene::carry_out(const Edit& edit) {
   std::vector<LayerId> order_after = *new_order(edit);
   for (const LayerChange& c : edit.layers) {

@@ -19,12 +19,12 @@ namespace felt {
 struct SceneLayer {
   LayerId id;
   bool is_visible = true;
-  std::size_t position = 0;  ///< among the layers, 0 is the lowest
+  std::size_t position = 0;  ///< among the layers; 0 is the lowest
   StrokeOrder order;
   StrokeGrid grid;
 };
 
-/// How high a stroke lies: compares as what is drawn first compares with what is drawn later.
+/// Position of a stroke in the drawing order. A smaller value is drawn first.
 struct InkHeight {
   std::size_t layer = 0;
   std::size_t rank = 0;
@@ -32,12 +32,12 @@ struct InkHeight {
   friend constexpr auto operator<=>(const InkHeight&, const InkHeight&) noexcept = default;
 };
 
-/// What a display knows of a document: it follows it by its edits, and says at once which strokes a
-/// part of the sheet shows, in drawing order. Nothing in here is linear in the sketch but opening
-/// it and changes of whole layers. A preview is carried out in here too, and taken back when the
-/// next one or an edit comes; only what looks different after that is damage.
+/// A display's copy of a document. It is updated by the document's edits, and quickly finds the
+/// strokes that a part of the page shows, in drawing order. Only opening a document and changes of
+/// whole layers take time linear in the sketch. A preview is applied to this copy, and undone when
+/// the next preview or edit arrives; only strokes that look different afterwards are damage.
 ///
-/// One thread. Strokes are shared with the document, which may live elsewhere.
+/// Thread: one at a time. Strokes are shared with the document, which may be on another thread.
 class InkScene {
  public:
   InkScene() : InkScene(Document{}) {}
@@ -45,35 +45,37 @@ class InkScene {
   InkScene(const InkScene&) = delete;
   InkScene& operator=(const InkScene&) = delete;
 
-  /// The document took this edit. The preview is over. Adds what must be painted again to `damage`.
-  /// Error: it does not fit, as Document::apply would say; then only the preview is gone.
+  /// Applies an edit of the document and ends the preview. Adds the area to repaint to `damage`.
+  /// Fails as Document::apply does; then only the preview is removed.
   Result<void> apply(const Edit& edit, InkDamage& damage);
-  /// The document with this edit is to be seen, or, without one, as it is. Likewise.
+  /// Shows `preview` applied to the document, or the document itself if there is none. Damage and
+  /// errors are the same as above.
   Result<void> show(const std::optional<Edit>& preview, InkDamage& damage);
 
-  /// Replaces `found` by the strokes of visible layers whose boxes touch the area, lowest first.
-  /// They are there until the next change. `above`: only of the layers above that one.
+  /// Replaces `found` by the strokes of visible layers with bounds that touch the area, lowest
+  /// first. The pointers are valid until the next change. `above`: only of the layers above that
+  /// one.
   void find(const Rect& area, std::vector<const SceneStroke*>& found,
             std::optional<LayerId> above = {}) const;
   [[nodiscard]] static InkHeight height(const SceneStroke& stroke) noexcept {
     return {stroke.layer->position, stroke.rank()};
   }
-  /// The stroke, or null.
+  /// Returns the stroke, or null.
   [[nodiscard]] const SceneStroke* find(StrokeId id) const;
-  /// The strokes that the preview changes, ascending; some may not be there.
+  /// Returns the ids of the strokes that the preview changes, ascending; some may not exist.
   [[nodiscard]] const std::vector<StrokeId>& previewed() const noexcept { return previewed_; }
-  /// Another number whenever the document changed, previews aside.
+  /// Returns a number that changes with every change of the document, but not with previews.
   [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
 
  private:
-  /// A stroke as it was seen before a change.
+  /// A stroke as it looked before a change.
   struct Seen {
     StrokeId id;
     StrokePtr stroke;
     LayerId layer;
     bool is_visible = false;
     InkHeight height;
-    std::size_t below = 0;  // strokes below it in its layer that do not change
+    std::size_t below = 0;  // unchanged strokes below it in its layer
   };
   using SeenStrokes = std::vector<Seen>;  // by height
 
@@ -91,7 +93,7 @@ class InkScene {
 
   std::map<StrokeId, SceneStroke> strokes_;
   std::map<LayerId, SceneLayer> layers_;
-  std::vector<LayerId> layer_order_;  // the lowest first
+  std::vector<LayerId> layer_order_;  // lowest first
   std::optional<Edit> preview_;
   std::vector<StrokeId> previewed_;
   std::uint64_t revision_ = 0;

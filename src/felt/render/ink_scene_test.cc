@@ -11,7 +11,7 @@
 namespace felt::ink_scene_test {
 namespace {
 
-/// What a part of the sheet shows, by looking at every stroke.
+/// Returns the strokes that a part of the page shows, by checking every stroke.
 std::vector<StrokePtr> seen_in(const Document& document, const Rect& area) {
   std::vector<StrokePtr> seen;
   for (const Layer& layer : document.layers()) {
@@ -59,7 +59,7 @@ TEST(InkScene, FindsWhatTheDocumentShowsInItsOrder) {
       }
       const Rect area = random_area(random);
       EXPECT_EQ(found_in(scene, area), seen_in(shown, area));
-      // What is no damage shows what it did.
+      // Areas without damage look the same as before.
       for (const Rect& r : damage) EXPECT_FALSE(r.empty());
     }
     InkDamage damage;
@@ -116,7 +116,7 @@ TEST(InkScene, APullInOnePlaceIsDamageThere) {
   data.widths = {{0, 1.0}, {50, 1.0}};
   const auto before = std::make_shared<const Stroke>(Stroke::create(data).value());
   for (std::size_t k = 74; k <= 76; ++k) data.points[k].y += 2.0;
-  // A width breakpoint more, as after a division, moves none of the others.
+  // An additional width breakpoint, as after a division, moves none of the others.
   data.widths = {{0, 1.0}, {25, 1.0}, {50, 1.0}};
   const auto after = std::make_shared<const Stroke>(Stroke::create(data).value());
   InkDamage damage;

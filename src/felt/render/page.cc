@@ -8,7 +8,8 @@ namespace {
 constexpr double kFinestDpi = 100'000.0;
 constexpr double kWidestMarginMm = 10'000.0;
 
-/// Pixels that cover a length: the last one may stick out, but not by rounding alone.
+/// Returns the number of pixels that cover a length. The last one may extend beyond it, but not
+/// because of rounding alone.
 int pixels_for(double mm, double px_per_mm) noexcept {
   const double px = std::ceil(mm * px_per_mm - 1e-6);
   return px < 1.0 ? 1 : px < 1e9 ? static_cast<int>(px) : 1'000'000'000;

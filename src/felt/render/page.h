@@ -14,28 +14,28 @@
 
 namespace felt {
 
-/// What a picture of a sketch looks like.
+/// How a picture of a sketch looks.
 struct PageOptions {
   double dpi = 300.0;
-  /// The part of the sheet to show; without it, all ink and the margin around it.
+  /// The part of the page to show; if not set, all ink and the margin around it.
   std::optional<Rect> sheet{};
   double margin_mm = 5.0;
   Rgba paper{255, 255, 255, 255};  ///< alpha 0 gives a transparent picture
-  Grain grain{};                   ///< the relief of the sheet, in the ink; smooth without
+  Grain grain{};                   ///< the relief of the surface, shown in the ink; default: none
 };
 
 /// Returns the bounds of all ink; empty for no strokes.
 Rect ink_bounds(std::span<const StrokePtr> strokes) noexcept;
 
-/// Returns the part of the page that the options show: `sheet`, or the ink and its margin, or
-/// without ink a square of the margin around the origin.
+/// Returns the area that the options show: `sheet`, or the ink and its margin, or a square of the
+/// margin around the origin if there is no ink.
 Rect page_area(const Rect& ink, const PageOptions& options) noexcept;
 
-/// Draws strokes one by one onto the paper of a page.
+/// Draws strokes one by one onto the paper.
 class PagePainter {
  public:
-  /// Prepares a page that shows `ink` or what the options say. Error: options that make no sense
-  /// (a resolution or margin that is not finite, an empty sheet), or a picture larger than
+  /// Prepares a page that shows `ink`, or the area in the options. Fails if an option is invalid (a
+  /// resolution or margin that is not finite, an empty page), or if the picture is larger than
   /// Image::kMaxPixels.
   static Result<PagePainter> create(const Rect& ink, const PageOptions& options);
 
@@ -54,7 +54,7 @@ class PagePainter {
   Rasterizer rasterizer_;
 };
 
-/// Returns a picture of the strokes in their order. Error: see PagePainter.
+/// Returns a picture of the strokes in their order. Fails like PagePainter::create.
 Result<Image> render_page(std::span<const StrokePtr> strokes, const PageOptions& options);
 
 }  // namespace felt

@@ -10,24 +10,24 @@
 namespace felt {
 namespace {
 
-/// What a value axis shows.
+/// The range of a value axis.
 struct PlotRange {
   double low = 0.0;
   double high = 1.0;
 };
 
-/// One panel of a plot while it is drawn: knows where times and values lie. Drawn in this order.
+/// Draws one panel of a plot: maps times and values to points. Call its functions in this order.
 class PlotPanelDrawing {
  public:
   /// The axes fill the rectangle from (x0, y0) to (x1, y0 + panel.height), in units.
   PlotPanelDrawing(PlotCanvas& canvas, const PlotPanel& panel, const Plot& plot, double x0,
                    double y0, double x1);
 
-  /// Shades, grid, the numbers at the left, title and legend above.
+  /// Draws shades, grid, the numbers at the left, title and legend.
   void draw_background();
-  /// Signals and limits.
+  /// Draws signals and limits.
   void draw_signals();
-  /// Times below the axes.
+  /// Draws the times below the axes.
   void draw_times(bool with_name);
 
   [[nodiscard]] double bottom() const noexcept { return y0_ + panel_.height; }
@@ -69,7 +69,7 @@ int value_ticks(const PlotPanel& panel) {
   return std::max(2, static_cast<int>(panel.height / kUnitsPerValueTick));
 }
 
-/// All that the panel shows, and a little air.
+/// Returns the range of all values in the panel, with a small margin.
 PlotRange range_of(const PlotPanel& panel, const PlotSpan& span) {
   PlotTrace::Stretch all;
   const auto extend = [&all](double value) {
@@ -180,7 +180,8 @@ void PlotPanelDrawing::draw_signals() {
 
 void PlotPanelDrawing::draw_line(const PlotLine& line) {
   const PlotTrace& trace = line.trace;
-  // No finer than half a unit: a stretch becomes a stroke from its smallest to its largest value.
+  // Merges intervals to at least half a unit. Each becomes a vertical line from its smallest to its
+  // largest value.
   const double column_s = 0.5 * (span_.end_s - span_.start_s) / (x1_ - x0_);
   const auto merged = static_cast<std::size_t>(std::max(1.0, column_s / trace.stretch_s()));
   std::vector<Vec> points;
@@ -198,7 +199,7 @@ void PlotPanelDrawing::draw_line(const PlotLine& line) {
   canvas_.polyline(points, {.width = line.width, .color = line.color});
 }
 
-/// From the end that is nearer to where the line is.
+/// Begins at the end that is closer to the last point of the line.
 void PlotPanelDrawing::add_column(double x, const PlotTrace::Stretch& column,
                                   std::vector<Vec>& points) const {
   Vec near{x, y_of(column.low)}, far{x, y_of(column.high)};
@@ -212,7 +213,7 @@ void PlotPanelDrawing::add_column(double x, const PlotTrace::Stretch& column,
 void PlotPanelDrawing::draw_limit(const PlotLimit& limit) {
   const double y = y_of(limit.value);
   canvas_.line({x0_, y}, {x1_, y}, {.width = 1.1, .color = kLimit, .on = 6.0, .off = 4.0});
-  const bool below = y - y0_ < kTextSize + 5.0;  // no room above
+  const bool below = y - y0_ < kTextSize + 5.0;  // there is no room above
   canvas_.text({x1_ - 4.0, below ? y + kTextSize + 4.0 : y - 4.0}, limit.name,
                {.size = kTextSize - 0.6, .color = kLimit, .align = PlotAlign::kRight});
 }

@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-/// The largest nice step that still gives `count` of them over `width`.
+/// Returns the largest nice step that still gives `count` ticks over `width`.
 double nice_step(double width, int count) {
   const double rough = width / std::max(count, 1);
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -39,7 +39,7 @@ PlotTicks plot_ticks(double low, double high, int count) {
   if (!is_useful(low, high)) return ticks;
   ticks.step = nice_step(high - low, count);
   if (std::floor(high / ticks.step + 1e-9) - std::ceil(low / ticks.step - 1e-9) < 1.0) {
-    ticks.step = nice_step(high - low, 2 * count + 1);  // a range between two ticks
+    ticks.step = nice_step(high - low, 2 * count + 1);  // the range lies between two ticks
   }
   const auto first = static_cast<std::int64_t>(std::ceil(low / ticks.step - 1e-9));
   const auto last = static_cast<std::int64_t>(std::floor(high / ticks.step + 1e-9));

@@ -10,13 +10,13 @@ struct PlotTicks {
   double step = 1.0;
   std::vector<double> values;  ///< from `low` to `high` inclusive, ascending
 
-  /// The text of a tick, with as many decimals as the step needs; never "-0".
+  /// Returns the text of a tick, with as many decimals as the step needs; never "-0".
   [[nodiscard]] std::string label(double value) const;
 };
 
-/// Ticks of a range such that there are about `count` of them, at least 2 in any range that is
-/// wider than nothing. None where the range is narrower than 1e-9, wider than 1e9, a billionth of
-/// its distance from 0 or less, or not finite.
+/// Returns about `count` ticks for a range, at least 2 in any range that is not empty. Returns none
+/// if the range is narrower than 1e-9, wider than 1e9, at most a billionth of its distance from 0,
+/// or not finite.
 PlotTicks plot_ticks(double low, double high, int count);
 
 }  // namespace felt

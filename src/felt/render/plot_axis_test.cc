@@ -28,7 +28,7 @@ TEST(PlotTicks, AnyRangeHasAboutAsManyAsAsked) {
         for (std::size_t i = 0; i < ticks.values.size(); ++i) {
           EXPECT_GE(ticks.values[i], low - 1e-6 * width);
           EXPECT_LE(ticks.values[i], low + width * (1.0 + 1e-6));
-          // The text says the value.
+          // The text equals the value.
           EXPECT_NEAR(std::stod(ticks.label(ticks.values[i])), ticks.values[i],
                       1e-9 + 1e-6 * width);
         }

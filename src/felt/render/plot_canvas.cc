@@ -20,14 +20,14 @@
 namespace felt {
 namespace {
 
-/// AGG's own default of 1024 blocks drops what a long jagged line needs on a large picture.
+/// AGG's default of 1024 blocks loses parts of a long jagged line on a large picture.
 constexpr unsigned kCellBlocks = 16384;
 
 using Format = agg::pixfmt_rgba32_pre;
 
-/// Of a letter's strokes, as a part of the height of a capital.
+/// Line width of a letter, as a fraction of the height of a capital.
 constexpr double kTextWeight = 0.125;
-/// Width of a letter relative to the font's own proportion: a little narrower reads better.
+/// Width of a letter relative to the font's own proportion. Slightly narrower reads better.
 constexpr double kTextNarrowing = 0.92;
 
 agg::rgba8 to_agg(Rgba color) {
@@ -66,7 +66,7 @@ struct PlotCanvas::State {
     blend(outline, color);
   }
 
-  /// `turn`: what is done to the text before it is put into its place.
+  /// `turn` is applied to the text before it is moved to `at`.
   void text(Vec at, std::string_view string, const PlotFont& font, agg::trans_affine turn) {
     agg::gsv_text letters;
     letters.size(font.size * scale, font.size * scale * kTextNarrowing);

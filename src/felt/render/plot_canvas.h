@@ -9,10 +9,10 @@
 
 namespace felt {
 
-/// Where a text stands relative to the point it is given.
+/// Horizontal alignment of a text relative to its point.
 enum class PlotAlign { kLeft, kCenter, kRight };
 
-/// How a line looks: `on` and `off` are the lengths of dashes and gaps, 0 for none.
+/// Style of a line. `on` and `off` are the lengths of dashes and gaps, 0 for none.
 struct PlotPen {
   double width = 1.0;
   Rgba color;
@@ -20,7 +20,7 @@ struct PlotPen {
   double off = 0.0;
 };
 
-/// How a text looks: `size` is the height of a capital letter, `weight` makes its strokes broader.
+/// Style of a text. `size` is the height of a capital letter; `weight` makes its strokes wider.
 struct PlotFont {
   double size = 8.0;
   Rgba color;
@@ -28,31 +28,31 @@ struct PlotFont {
   double weight = 1.0;
 };
 
-/// The pen that plots are drawn with: lines and plain ASCII text into a picture, in units that are
-/// `scale` pixels each, x right, y down. Text is made of strokes, so it needs no font of the
-/// machine and looks the same everywhere.
+/// Draws the lines and plain ASCII text of plots into a picture, in units of `scale` pixels, x
+/// right, y down. Text is drawn as strokes, so it needs no installed font and looks the same
+/// everywhere.
 class PlotCanvas {
  public:
-  /// Draws into `target`, which must outlive it.
+  /// Requires that `target` outlives it.
   PlotCanvas(Pixels target, double scale);
   ~PlotCanvas();
   PlotCanvas(const PlotCanvas&) = delete;
   PlotCanvas& operator=(const PlotCanvas&) = delete;
 
-  /// Nothing is drawn outside this rectangle until it is set again.
+  /// Restricts drawing to this rectangle until the next call.
   void clip(double x0, double y0, double x1, double y1);
-  /// The whole picture again.
+  /// Allows drawing in the whole picture again.
   void clip_nothing();
 
   void rectangle(double x0, double y0, double x1, double y1, Rgba color);
   void line(Vec from, Vec to, const PlotPen& pen);
-  /// Joined lines; fewer than two points are nothing.
+  /// Draws connected lines. Draws nothing for fewer than two points.
   void polyline(std::span<const Vec> points, const PlotPen& pen);
-  /// One line of text whose base line runs through `at`.
+  /// Draws one line of text with `at` on its base line.
   void text(Vec at, std::string_view text, const PlotFont& font);
-  /// The same, turned so that it reads upwards; `at` is on its base line.
+  /// Same, rotated to read upwards; `at` is on its base line.
   void text_upwards(Vec at, std::string_view text, const PlotFont& font);
-  /// How long a text is.
+  /// Returns the length of a text.
   [[nodiscard]] double text_width(std::string_view text, double size) const;
 
  private:

@@ -14,7 +14,7 @@ namespace {
 constexpr Rgba kBlue{0, 0, 255, 255};
 constexpr Rgba kWhite{255, 255, 255, 255};
 
-/// One panel with one signal over 10 s, without words: nothing but the axes and the line.
+/// Returns one panel with one signal over 10 s, without text: only axes and line.
 Plot plot_of(const std::function<double(double)>& signal) {
   PlotTrace trace(0.0, 0.01);
   for (int i = 0; i < 1000; ++i) trace.add(signal(0.01 * i));
@@ -32,7 +32,7 @@ int count_pixels(const Image& image, PixelRect area, Rgba color) {
   return count;
 }
 
-/// The mean height in pixels of what has that colour in a column; NaN for nothing.
+/// Returns the mean height in pixels of that colour in a column; NaN if there is none.
 double height_in_column(const Image& image, int x, Rgba color) {
   double sum = 0.0;
   int count = 0;

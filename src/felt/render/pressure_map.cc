@@ -8,59 +8,64 @@
 namespace felt {
 namespace {
 
-/// Pixels that are worked on at once; rows have room for that many more.
+/// Pixels that are processed at once. Rows have room for this many more.
 constexpr int kLanes = 8;
 
-/// What is left of the tone at the edge of the tip: 1 - this.
+/// Fraction of the tone that is lost at the edge of the tip.
 constexpr float kLessAtEdge = 0.45F;
 
-/// The outermost pixels of a line are inked in part.
+/// The outermost pixels of a line are covered only in part.
 constexpr double kRimPx = 1.0;
-/// A tip is that much broader than its ink: of a hair the pixels beside its middle are no rim.
+/// The tip counts as this much wider than its ink, so that on a hairline the pixels next to the
+/// middle are not the rim.
 constexpr double kSoftPx = 0.5;
-/// Of a way that is broader by more than that per length the dabs do not end where it is square.
+/// If the radius changes by more than this per length, a dab reaches beyond the straight end of its
+/// strip.
 constexpr double kTaper = 0.1;
 constexpr auto kBesidePx = static_cast<float>(kRimPx - kSoftPx);
 
 constexpr float kMostKey = 4095.0F, kMostRim = 1023.0F, kMostAcross = 511.0F;
 
-/// One choice after the other: of nested ones a compiler makes no vectors.
+/// Two separate choices, because compilers do not vectorize nested ones.
 inline float clamped(float x, float low, float high) noexcept {
   const float least = x < low ? low : x;
   return least > high ? high : least;
 }
 
-/// Of length 1, or 0.
+/// Returns a vector of length 1, or 0.
 Vec direction(Vec from, Vec to) noexcept {
   const double length = norm(to - from);
   return length > 0.0 ? (to - from) / length : Vec{};
 }
 
-/// To a fine grid: so that a place is the same one in a picture that begins some pixels farther on,
-/// whatever was rounded on the way there.
+/// Rounds to a fine grid, so that a point is the same in a picture that begins some pixels further
+/// on, despite earlier rounding.
 Vec on_grid(Vec px) noexcept {
   constexpr double kGrid = 1024.0;
   return {std::floor(kGrid * px.x + 0.5) / kGrid, std::floor(kGrid * px.y + 0.5) / kGrid};
 }
 
-/// What of a strip lies in the map, in single precision, and how to walk its rows.
+/// The part of a strip that lies in the map, in single precision, and how to walk its rows.
 struct Walk {
   float dx, dy, len, per_length, low, high;
-  float r0, dr, tone0, dtone, taper;  // taper: radius won on the way, per length
+  float r0, dr, tone0, dtone, taper;  // taper: change of radius per length
   float rest_x, rest_y, widest2;
   float edge_from;
   int home_x, home_y;
-  double from, to, cut_x, per_row, reach;  // in x: of the strip; of its breadth at row 0
+  double from, to, cut_x, per_row, reach;  // in x: of the strip; of its width at row 0
   bool is_steep = false;
   int y0, y1, x_end;
-  // The map: where it begins, and its pixel there.
+  // The map: its first pixel.
   int map_x0, map_y0;
   std::size_t stride;
   std::int32_t* values;
 };
 
-// Eight pixels at a time in plain numbers, so that a compiler makes vectors of it. Places are taken
-// from the strip's own begin: the same numbers wherever the picture begins.
+// Writes the push of one strip into the map. For each pixel: project it onto the strip's middle
+// line, find the dab there, compute rho^2 and from it the push, and keep the larger of the new and
+// the old value. Eight pixels are processed at a time in plain numbers, so that a compiler
+// vectorizes it. Positions are relative to the strip's start: the numbers do not depend on where
+// the picture begins.
 template <bool kTapers>
 [[gnu::always_inline]] inline void walk(const Walk& walk) noexcept {
   const Walk w = walk;
@@ -70,7 +75,7 @@ template <bool kTapers>
   constexpr float kPerPush = kMostKey / (1.0F - kLeast);
   for (int y = w.y0; y < w.y1; ++y) {
     double from = w.from, to = w.to;
-    if (w.is_steep) {  // what of the row lies within its breadth
+    if (w.is_steep) {  // only the part of the row within the strip's width
       const double middle = w.cut_x + w.per_row * y;
       from = std::max(from, middle - w.reach);
       to = std::min(to, middle + w.reach);
@@ -86,7 +91,7 @@ template <bool kTapers>
         const float along = px * w.dx + py * w.dy;
         const float across = px * w.dy - py * w.dx;
         float at = clamped(along, 0.0F, w.len);
-        if constexpr (kTapers) {  // the dab that a place belongs to lies towards the broader end
+        if constexpr (kTapers) {  // the dab of a point lies towards the wider end
           at = along + w.taper * across * across / (w.r0 + w.taper * at);
           at = clamped(at, 0.0F, w.len);
         }
@@ -128,8 +133,8 @@ FELT_WIDE_VECTORS void walk_tapering(const Walk& w) noexcept {
 
 }  // namespace
 
-/// From dab a to dab b, and how far beyond either it reaches: a cap at an end of the line, enough
-/// to close the wedge between two strips at a joint.
+/// The path from dab a to dab b, and how far it reaches beyond each: a cap at an end of the line,
+/// or enough to close the wedge between two strips at a joint.
 struct PressureMap::Strip {
   TipAt a, b;
   double before = 0.0, after = 0.0;
@@ -157,7 +162,7 @@ void PressureMap::lay(std::span<const TipAt> tips, Vec into, Vec out) {
   const std::vector<TipAt>& way = way_;
   const auto radius = [&](std::size_t i) { return way[i].radius_px + kRimPx; };
   if (way.size() == 1) return lay(Strip{way[0], way[0], radius(0), radius(0)});
-  /// How far two strips that meet in a dab must reach beyond it.
+  /// Returns how far two strips that meet in a dab must reach beyond it.
   const auto joint = [&](Vec from, Vec to, std::size_t dab) {
     const double turn = dot(from, to) > 0.0 ? std::abs(cross(from, to)) : 1.0;
     return turn * radius(dab) + kSoftPx;
@@ -168,7 +173,7 @@ void PressureMap::lay(std::span<const TipAt> tips, Vec into, Vec out) {
     const Vec next =
         i + 2 < way.size() ? direction(way[i + 1].center_px, way[i + 2].center_px) : out;
     const double after = joint(along, next, i + 1);
-    // A tip that grows as it moves covers what lies behind it.
+    // A tip that grows as it moves also covers points behind it.
     const double length = norm(way[i + 1].center_px - way[i].center_px);
     const double grows = way[i + 1].radius_px - way[i].radius_px;
     const double behind = grows > kTaper * length ? radius(i + 1) - length : 0.0;
@@ -179,7 +184,8 @@ void PressureMap::lay(std::span<const TipAt> tips, Vec into, Vec out) {
   }
 }
 
-/// Of a strip that is much longer than a picture only what lies near it, cut at places of its own.
+/// Adds a strip. If it is much longer than a picture, adds only the pieces near the picture, cut at
+/// fixed positions along the strip.
 void PressureMap::lay_in_pieces(const Strip& strip) {
   constexpr double kLongPx = 1024.0;
   const Vec way = strip.b.center_px - strip.a.center_px;

@@ -10,41 +10,43 @@
 
 namespace felt {
 
-/// Where the tip of a medium has been, in pixels: the middle of a dab, and the tone there, 0..1.
+/// A dab of the tip of a medium, in pixels: its middle, and the tone there, 0..1.
 struct TipAt {
   Vec center_px;
   double radius_px = 0.0;
   double tone = 1.0;
 };
 
-/// How hard each pixel of a line was pushed on (Grain: q), how far it lies from the middle (rho)
-/// and where across the line, for the looks of media. One thread; keeps its buffer.
+/// The push on each pixel of a line (Grain: q), its distance from the middle (rho) and its position
+/// across the line, for the looks of media. Thread: one at a time. Reuses its buffer.
 ///
-/// Each strip between two dabs writes what it pushed: tone (1 - 0.45 rho^2) at rho radii from its
-/// middle line, falling to kLeastPush within the soft edge of a medium. Where a line crosses itself
-/// the harder one stays, hence the order does not matter, nor which part of a picture is asked for.
+/// Each strip between two dabs writes its push: tone (1 - 0.45 rho^2) at rho radii from its middle
+/// line, falling to kLeastPush within the soft edge of a medium. If a line crosses itself, the
+/// larger push is kept, so the result depends neither on the order nor on which part of a picture
+/// is drawn.
 class PressureMap {
  public:
-  static constexpr double kLeastPush = -1.0 / 3.0;  ///< nothing of the sheet is reached
+  static constexpr double kLeastPush = -1.0 / 3.0;  ///< reaches no part of the relief
   static constexpr int kRows = 128;                 ///< steps of push
-  static constexpr int kAcross = 512;               ///< places across a line
+  static constexpr int kAcross = 512;               ///< steps across a line
 
-  /// Of nothing yet, for the pixels of `area`; `edge`: MediumLook::edge.
+  /// Starts an empty map for the pixels of `area`; `edge`: MediumLook::edge.
   void begin(PixelRect area, double edge);
-  /// Where the tip went, dab to dab in straight lines. `into`, `out`: the directions, of length 1,
-  /// in which it came there and goes on, of a ring; without them the way begins and ends in a cap.
+  /// Adds the path of the tip, with straight lines from dab to dab. If the path is a part of a
+  /// ring, `into` and `out` are the directions, of length 1, in which the tip arrived and
+  /// continues. Without them the path begins and ends with a cap.
   void lay(std::span<const TipAt> way, Vec into = {}, Vec out = {});
 
   [[nodiscard]] PixelRect area() const noexcept { return area_; }
-  /// From pixel area().x0 on.
+  /// Returns the row of pixels, starting at area().x0.
   [[nodiscard]] const std::int32_t* row(int y) const noexcept {
     return values_.data() + static_cast<std::size_t>(y - area_.y0) * stride_;
   }
-  /// kLeastPush..1 for a pixel of the area; kLeastPush where the tip has not been.
+  /// Returns kLeastPush..1 for a pixel of the area; kLeastPush if the tip did not touch it.
   [[nodiscard]] double push_at(int x, int y) const noexcept;
 
-  // What a value of a row says: 12 bits of push above 10 of rho^2 above 9 of the place across, so
-  // that the larger number is the harder push.
+  // The bits of a value: 12 of push above 10 of rho^2 above 9 of the position across, so that the
+  // larger number is the larger push.
   static constexpr int kRimShift = 9, kPushShift = 19;
   static std::size_t row_of(std::int32_t value) noexcept {
     return static_cast<std::size_t>(value >> (kPushShift + 5));
@@ -55,7 +57,7 @@ class PressureMap {
   static std::size_t across_of(std::int32_t value) noexcept {
     return static_cast<std::size_t>(value & (kAcross - 1));
   }
-  /// The push in the middle of a step.
+  /// Returns the push in the middle of a step.
   static double push_of_row(int row) noexcept {
     return kLeastPush + (1.0 - kLeastPush) * (row + 0.5) / kRows;
   }
@@ -66,7 +68,7 @@ class PressureMap {
   void lay_in_pieces(const Strip& strip);
 
   PixelRect area_;
-  float edge_from_ = 2.0F;  // rho^2 where the soft edge begins
+  float edge_from_ = 2.0F;  // rho^2 at which the soft edge begins
   std::size_t stride_ = 0;
   std::vector<std::int32_t> values_;
   std::vector<TipAt> way_;

@@ -12,7 +12,7 @@
 namespace felt::pressure_map_test {
 namespace {
 
-/// From the generator's own numbers: a distribution's differ from library to library.
+/// Uses the generator's numbers directly, because distributions differ from library to library.
 class Chance {
  public:
   double between(double low, double high) {
@@ -24,7 +24,8 @@ class Chance {
   std::mt19937 next_{5};
 };
 
-/// Somewhere in the area and on from there, often out of it; every other one of changing width.
+/// Returns a random path that starts in the area and often leaves it; radii change if
+/// `has_changing_width`.
 std::vector<TipAt> random_way(Chance& chance, PixelRect area, bool has_changing_width) {
   TipAt tip{{chance.between(area.x0, area.x1), chance.between(area.y0, area.y1)},
             chance.between(0.1, 30.0)};
@@ -40,8 +41,8 @@ std::vector<TipAt> random_way(Chance& chance, PixelRect area, bool has_changing_
   return way;
 }
 
-// A golden value: processors with wide vectors (wide_vectors.h), others, and other compilers must
-// all come to it, or a picture would depend on who draws it (R47).
+// A golden value: all processors, with wide vectors (wide_vectors.h) or without, and all compilers
+// must compute it. Otherwise a picture would depend on the machine (R47).
 TEST(PressureMap, R47_IsTheSameOnEveryProcessor) {
   Chance chance;
   PressureMap map;

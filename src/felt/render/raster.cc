@@ -25,14 +25,14 @@
 namespace felt {
 namespace {
 
-/// AGG silently drops what exceeds its limit of 4096-cell blocks; 64 million cells are the edge
+/// AGG silently drops cells beyond its limit of 4096-cell blocks. 64 million cells are the edge
 /// pixels of any stroke on the largest picture.
 constexpr unsigned kRasterCellBlocks = 16384;
 
-/// Of the tolerance, for the centre line: as much as StrokeOutliner gives it.
+/// Fraction of the tolerance for the centre line, the same as in StrokeOutliner.
 constexpr double kTraceShare = 0.5;
 
-/// How far the way of a tip may be from where the tip went: what a medium makes of it is soft.
+/// Largest distance between the path of a tip and its approximation; the look of a medium is soft.
 constexpr double kWayTolerancePx = 0.25;
 
 /// Clips in floating point, so that no coordinate overflows AGG's integers.
@@ -50,7 +50,7 @@ void blend(Cells& cells, agg::scanline_u8& line, PixelRect clip, Rgba color, Pix
   agg::render_scanlines_aa_solid(cells, line, renderer, ink.premultiply());
 }
 
-/// A rectangle around the ink, not the smallest one, in a fraction of the time of that.
+/// Returns a rectangle around the ink. It is not the smallest one, but much faster to compute.
 Rect rough_bounds(const Stroke& stroke) noexcept {
   Rect area;
   for (const Point& p : stroke.data().points) area.extend(p);
@@ -59,12 +59,12 @@ Rect rough_bounds(const Stroke& stroke) noexcept {
   return area.inflated(0.5 * widest);
 }
 
-/// What of the sheet a part of a picture shows, and two pixels more.
+/// Returns the area of the page that a part of a picture shows, and two pixels more.
 Rect shown_by(PixelRect part, const View& view) noexcept {
   return view.area_mm({part.x0 - 2.0, part.y0 - 2.0}, {part.x1 + 2.0, part.y1 + 2.0});
 }
 
-/// The pixels that a stroke may touch.
+/// Returns the pixels that a stroke may touch.
 PixelRect pixels_of(const Stroke& stroke, const View& view, PixelRect clip) noexcept {
   const Rect area = view.area_px(rough_bounds(stroke));
   const Vec from{area.x0, area.y0}, to{area.x1, area.y1};
@@ -81,18 +81,19 @@ constexpr unsigned over_255(unsigned product) noexcept {  // rounded
   return (product + 128U + ((product + 128U) >> 8U)) >> 8U;
 }
 
-/// Every other byte of a pixel, with 16 bits of room each.
+/// Selects every other byte of a pixel, with 16 bits of room each.
 constexpr std::uint32_t kEveryOther = 0x00FF00FFU;
 
-/// Two channels of ink over two of a pixel, each as over_255 has it. Alpha and what it leaves are
-/// 255 together, so no sum exceeds 255 * 255, and none carries into the next.
+/// Blends two channels of ink over two of a pixel, each as in over_255. The alpha of the ink and
+/// the weight of the pixel add up to 255, so no sum exceeds 255 * 255, and none carries into the
+/// next.
 constexpr std::uint32_t over_two(std::uint32_t ink, std::uint32_t alpha,
                                  std::uint32_t under) noexcept {
   const std::uint32_t sum = ink * alpha + under * (255U - alpha) + 0x00800080U;
   return ((sum + ((sum >> 8U) & kEveryOther)) >> 8U) & kEveryOther;
 }
 
-/// Ink with these alphas over premultiplied pixels; `ink` is one pixel of it.
+/// Blends ink with these alphas over premultiplied pixels. `ink` is one pixel of it.
 FELT_WIDE_VECTORS void blend_row(std::uint8_t* __restrict pixels, std::uint32_t ink,
                                  unsigned opacity, const std::uint8_t* __restrict alphas,
                                  int count) noexcept {
@@ -107,7 +108,7 @@ FELT_WIDE_VECTORS void blend_row(std::uint8_t* __restrict pixels, std::uint32_t 
   }
 }
 
-/// A pixel of solid ink.
+/// Returns a pixel of solid ink.
 std::uint32_t solid(Rgba color, PixelOrder order) noexcept {
   const bool rgba = order == PixelOrder::kRgba;
   return std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{rgba ? color.r : color.b, color.g,
@@ -117,26 +118,26 @@ std::uint32_t solid(Rgba color, PixelOrder order) noexcept {
 }  // namespace
 
 struct Rasterizer::State {
-  /// Rows that are worked on at a time, so that the map of a large stroke stays small.
+  /// Rows that are processed at a time, so that the map of a large stroke stays small.
   static constexpr int kBandRows = 64;
   static constexpr std::size_t kMostLooks = 32;
-  /// A piece of where the tip went; how it came there and went on, of a ring.
+  /// A piece of the tip's path. If it is a part of a ring, also the directions before and after it.
   struct Way {
     std::vector<TipAt> tips;
     Vec into, out;
   };
 
-  /// Of a ring the last run goes on with the first.
+  /// Returns true if the last run of a ring continues with the first.
   [[nodiscard]] bool goes_round(const Stroke& stroke) const noexcept {
     const auto& found = runs.runs();
     return stroke.closed() && found.size() > 1 && found.front().first == 0 &&
            found.back().last == stroke.segment_count();
   }
-  /// Where the tip of the stroke went, in pixels, in the runs that trace_near() found last.
+  /// Computes the path of the stroke's tip, in pixels, in the runs that trace_near() found last.
   void walk(const Stroke& stroke, const View& view);
-  /// The pressure in a band of rows, of the ways that walk() found.
+  /// Computes the push in a band of rows from the paths of walk().
   void lay_tip(PixelRect band, double edge);
-  /// The line that was swept last, shaded, over what `part` of the target holds.
+  /// Blends the scanline that was swept last, shaded, over `part` of the target.
   void blend_line(const InkShade& shade, PixelRect part, std::uint32_t ink, std::uint8_t alpha,
                   Pixels target);
 
@@ -148,7 +149,7 @@ struct Rasterizer::State {
   Outline joined;
   PressureMap pressure;
   std::vector<Way> ways;
-  Grain grain;  // that the looks are of
+  Grain grain;  // the grain of the cached looks
   double looks_px_per_mm = 0.0;
   std::vector<std::pair<std::string, std::shared_ptr<const InkLook>>> looks;
 };
@@ -213,7 +214,7 @@ void Rasterizer::fill(const Outline& outline, const View& view, PixelRect clip, 
   }
 }
 
-/// The outline, as cells of what it covers within a part.
+/// Loads the outline as cells of its coverage within a part.
 void Rasterizer::load(const Outline& outline, const View& view, PixelRect part) {
   Cells& cells = state_->cells;
   cells.reset();
@@ -230,7 +231,7 @@ void Rasterizer::load(const Outline& outline, const View& view, PixelRect part) 
   }
 }
 
-/// The outline of what a stroke inks in `shown`; of a stroke that lies there as a whole, its own.
+/// Returns the outline of a stroke's ink in `shown`; the complete outline if all of it is there.
 const Outline& Rasterizer::trace_near(const Stroke& stroke, const View& view, const Rect& shown) {
   State& s = *state_;
   const double tolerance_mm = kRasterTolerancePx / view.px_per_mm;
@@ -274,7 +275,7 @@ void Rasterizer::draw_center_line(const Stroke& stroke, const View& view, PixelR
        {color.r, color.g, color.b, 255}, target);
 }
 
-/// The same look as the last time, in most cases.
+/// Returns the look; usually it is the same as last time.
 const InkLook* Rasterizer::look_of(const Stroke& stroke, const View& view, const Grain& grain) {
   State& s = *state_;
   if (!(grain == s.grain) || view.px_per_mm != s.looks_px_per_mm) {

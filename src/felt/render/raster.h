@@ -9,18 +9,18 @@
 
 namespace felt {
 
-/// How far, in pixels, the drawn edge of a stroke may be from the true one.
+/// Largest distance, in pixels, between the drawn edge of a stroke and the true one.
 inline constexpr double kRasterTolerancePx = 0.05;
 
 /// Fills outlines into pixels with 256 levels of coverage (anti-aliasing).
 ///
 /// An outline is filled by the non-zero rule and covers each pixel once, so that a transparent
-/// stroke does not darken where it crosses itself. What lies outside `clip` is not touched;
-/// filling an area in one go or in tiles gives the same pixels, to 2 of 255 levels at the seams.
+/// stroke is not darker where it crosses itself. Pixels outside `clip` do not change. Filling an
+/// area at once or in tiles gives the same pixels, up to 2 of 255 levels at the seams.
 ///
-/// Of a long stroke only the segments near the clip are traced.
+/// For a long stroke, only the segments near the clip are traced.
 ///
-/// The object keeps its buffers: no allocation per outline after warm-up. One thread at a time.
+/// Reuses its buffers: no allocation per outline after warm-up. Thread: one at a time.
 class Rasterizer {
  public:
   Rasterizer();
@@ -31,16 +31,16 @@ class Rasterizer {
   /// Fills an outline given in mm.
   void fill(const Outline& outline, const View& view, PixelRect clip, Rgba color, Pixels target);
 
-  /// Traces a stroke as finely as this view asks for and fills it in its colour. Does nothing
-  /// when it lies outside the clip.
+  /// Traces a stroke with the precision that this view needs and fills it in its colour. Does
+  /// nothing if it is outside the clip.
   void draw(const Stroke& stroke, const View& view, PixelRect clip, Pixels target);
 
-  /// Only its centre line, `width_px` wide and opaque: outline view.
+  /// Draws only its centre line, `width_px` wide and opaque: outline view.
   void draw_center_line(const Stroke& stroke, const View& view, PixelRect clip, double width_px,
                         Pixels target);
 
-  /// The same as `draw` with the stroke's medium as it looks on a sheet (R47); a plain grain gives
-  /// the pixels of the above.
+  /// Same as `draw`, with the look of the stroke's medium on a surface (R47). A plain grain gives
+  /// the same pixels as `draw` without one.
   void draw(const Stroke& stroke, const View& view, PixelRect clip, const Grain& grain,
             Pixels target);
 

@@ -6,7 +6,7 @@
 namespace felt {
 namespace {
 
-/// The whole screen, outlines traced anew.
+/// The whole screen, with all outlines traced again.
 void FullScreen(benchmark::State& state) {
   const std::vector<Stroke> strokes = testing::screen_of_strokes(static_cast<int>(state.range(0)));
   Image image = Image::create(1920, 1080).value();
@@ -21,7 +21,7 @@ void FullScreen(benchmark::State& state) {
 }
 BENCHMARK(FullScreen)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
-/// The same with the look of a medium on a relief: 0 is plain, then those of media() in order.
+/// Same, with the look of a medium on a relief: 0 is plain, then those of media() in order.
 void FullScreenOfMedium(benchmark::State& state) {
   const auto n = static_cast<std::size_t>(state.range(0));
   static const HeightField relief(
@@ -47,7 +47,7 @@ void FullScreenOfMedium(benchmark::State& state) {
 }
 BENCHMARK(FullScreenOfMedium)->DenseRange(0, 9)->Unit(benchmark::kMillisecond);
 
-/// A dirty patch of 64 x 64 pixels; every stroke is asked whether it touches it.
+/// A dirty patch of 64 x 64 pixels; each stroke is checked against it.
 void DirtyPatch(benchmark::State& state) {
   const std::vector<Stroke> strokes = testing::screen_of_strokes(static_cast<int>(state.range(0)));
   Image image = Image::create(1920, 1080).value();

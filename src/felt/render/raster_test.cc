@@ -44,7 +44,7 @@ TEST(Rasterizer, CoverageIsTheAreaOfThePixel) {
 }
 
 TEST(Rasterizer, AlphaCoversEachPixelOnce) {
-  // A stroke that runs to and fro over itself and crosses itself.
+  // A stroke that runs back and forth over itself and crosses itself.
   const Stroke stroke =
       inked(Stroke::create({.points = {{1, 5}, {12, 5}, {12, 5}, {1, 5}, {9, -5}, {9, 15}, {5, 5}},
                             .joints = {JointKind::kCorner},

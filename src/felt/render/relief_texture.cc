@@ -7,9 +7,9 @@
 namespace felt {
 namespace {
 
-constexpr int kFraction = 40;  // bits of a texel: no rounding shows in a picture of any size
+constexpr int kFraction = 40;  // bits of a texel: no rounding is visible at any size
 
-/// x -> (a x - b y, b x + a y) + shift, in tiles.
+/// Rotation and scale: x -> (a x - b y, b x + a y) + shift, in tiles.
 struct Turning {
   int a = 1, b = 0;
   double shift_x = 0.0, shift_y = 0.0;
@@ -19,7 +19,8 @@ struct Tooth {
   double share = 0.0;
 };
 
-/// A weave again in small, and again, would be a pattern that no cloth has.
+/// A weave gets a weak tooth, because a weave repeated at smaller scales is a pattern that no cloth
+/// has.
 Tooth tooth_of(HeightCharacter character) noexcept {
   const Turning finer{4, 2, 0.3125, 0.0625}, finest{7, -4, 0.5625, 0.8125};
   if (character == HeightCharacter::kWood) {
@@ -28,7 +29,7 @@ Tooth tooth_of(HeightCharacter character) noexcept {
   return {finer, finest, character == HeightCharacter::kWeave ? 0.3 : 0.75};
 }
 
-/// Square of heights that repeats.
+/// A square of heights that repeats.
 struct Square {
   int side = 0;
   std::vector<float> heights;
@@ -53,7 +54,8 @@ Square base_of(const HeightField& field) {
   return base;
 }
 
-/// Twice as fine: the new ones by the cubic through four. A wave has 13 heights at least.
+/// Doubles the resolution. New heights are interpolated by a cubic through four. A wave has at
+/// least 13 heights.
 Square doubled(const Square& from) {
   const int side = 2 * from.side;
   Square wide{side,
@@ -176,8 +178,8 @@ ReliefPlane::ReliefPlane(const ReliefLevel& level, double tile_mm, const View& v
   is_between_ = per_mm < view.px_per_mm / 0.75;
   const Point corner = view.to_mm({0.5, 0.5});
   const Vec right = view.to_mm({1.5, 0.5}) - corner, down = view.to_mm({0.5, 1.5}) - corner;
-  // So that no pixel of a whole number of texels lies on the edge of one. Between texels, the
-  // middle of one is where it begins.
+  // The shift keeps pixels off the edges of texels when a pixel is a whole number of texels. When
+  // interpolating, the value of a texel is that at its start.
   const double shift = is_between_ ? 0.0 : 0.3717;
   u0_ = fixed(std::fmod(per_mm * corner.x + shift, side));
   v0_ = fixed(std::fmod(per_mm * corner.y + shift, side));

@@ -15,30 +15,30 @@ struct SceneStroke;
 struct OrderBlock {
   static constexpr std::size_t kMost = 512;
   std::vector<SceneStroke*> strokes;
-  std::size_t first = 0;     ///< place of its lowest stroke in the layer
-  bool is_numbered = false;  ///< its strokes know their slots
+  std::size_t first = 0;     ///< position of its lowest stroke in the layer
+  bool is_numbered = false;  ///< the slots in its strokes are up to date
 };
 
-/// Strokes of about the same size whose middles lie in the same square of the sheet.
+/// Strokes of about the same size with their middles in the same square of the page.
 struct StrokeCell {
   std::vector<SceneStroke*> strokes;
 };
 
-/// A stroke of a display: what it looks like, where it stands, where to find it again.
+/// A stroke of a display: its look, its position in the order, and its entries in the indexes.
 struct SceneStroke {
   StrokeId id;
   StrokePtr stroke;
-  Rect box;  ///< around its ink
+  Rect box;  ///< bounds of its ink
   SceneLayer* layer = nullptr;
-  bool is_previewed = false;  ///< as a preview shows it, not as the document has it
-  // Of StrokeOrder.
+  bool is_previewed = false;  ///< shown as in a preview, not as in the document
+  // Used by StrokeOrder.
   OrderBlock* block = nullptr;
   std::size_t slot = 0;
-  // Of StrokeGrid.
+  // Used by StrokeGrid.
   StrokeCell* cell = nullptr;
   std::size_t cell_slot = 0;
 
-  /// Its place in the drawing order of its layer, 0 is the lowest.
+  /// Returns its position in the drawing order of its layer; 0 is the lowest.
   [[nodiscard]] std::size_t rank() const noexcept { return block->first + slot; }
 };
 

@@ -10,7 +10,7 @@ constexpr int kFinest = 2;  // squares of 4 mm
 constexpr int kCoarsest = 62;
 
 std::int64_t column(double mm, int level) noexcept {
-  // A place so far away that its column is no number of 64 bits shares the last one with others.
+  // Columns beyond the range of 64-bit integers are merged into the outermost one.
   constexpr double kFarthest = 4e18;
   return static_cast<std::int64_t>(
       std::floor(std::clamp(std::ldexp(mm, -level), -kFarthest, kFarthest)));
@@ -59,7 +59,8 @@ void StrokeGrid::remove(SceneStroke& stroke) {
 void StrokeGrid::find(const Rect& area, std::vector<const SceneStroke*>& found) const {
   for (const auto& [level, squares] : levels_) {
     const auto& cells = squares.cells;
-    // A stroke sticks out of its square by half a square at most; the coarsest hold any size.
+    // A stroke extends beyond its square by at most half a square. The coarsest level holds any
+    // size.
     const bool is_all = level == kCoarsest;
     const Rect reach = area.inflated(std::ldexp(0.5, level));
     const std::int64_t y0 = column(reach.y0, level), y1 = column(reach.y1, level);

@@ -9,15 +9,15 @@
 
 namespace felt {
 
-/// Finds the strokes of a rectangle: squares of the sheet, as many sizes of them as there are sizes
-/// of strokes, each stroke in one square that is at least as large as it. Adding and removing is
-/// logarithmic, finding linear in what is found and in the squares around.
+/// Finds the strokes in a rectangle. There is one grid of squares for each size of strokes, and
+/// each stroke is in one square that is at least as large as the stroke. Adding and removing is
+/// logarithmic; finding is linear in the results and in the squares around.
 class StrokeGrid {
  public:
-  /// By its `box`, which must not change while it is in here.
+  /// Adds a stroke by its `box`, which must not change until it is removed.
   void add(SceneStroke& stroke);
   void remove(SceneStroke& stroke);
-  /// Appends those whose boxes share a point with the area, in no useful order.
+  /// Appends the strokes with boxes that share a point with the area, in unspecified order.
   void find(const Rect& area, std::vector<const SceneStroke*>& found) const;
 
  private:

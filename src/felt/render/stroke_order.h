@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// The drawing order of a layer, in blocks: a stroke knows its place without a search, and one that
-/// comes or goes in the middle of 10^5 moves some hundred others, not all of them.
+/// The drawing order of a layer, in blocks. A stroke finds its position without a search, and
+/// adding or removing one in the middle of 10^5 moves some hundred others, not all of them.
 class StrokeOrder {
  public:
   StrokeOrder() = default;
@@ -16,16 +16,16 @@ class StrokeOrder {
   StrokeOrder& operator=(StrokeOrder&&) noexcept = default;
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
-  /// Takes the stroke out that stands at `index`. Requires index < size().
+  /// Removes the stroke at `index`. Requires index < size().
   void erase(std::size_t index);
-  /// Requires index <= size().
+  /// Inserts a stroke. Requires index <= size().
   void insert(std::size_t index, SceneStroke& stroke);
-  /// On top of all.
+  /// Adds a stroke on top.
   void append(SceneStroke& stroke);
-  /// Brings SceneStroke::rank up to date after any of the above: linear in what changed and in the
-  /// blocks.
+  /// Updates SceneStroke::rank after any of the above. Linear in the changed blocks and in the
+  /// number of blocks.
   void number();
-  /// All of them, the lowest first.
+  /// Visits all strokes, lowest first.
   template <class Visit>
   void for_each(Visit visit) const {
     for (const auto& block : blocks_) {

@@ -7,13 +7,13 @@
 namespace felt {
 namespace {
 
-/// Fewer strokes around those of a preview than this are drawn as quickly as a picture is copied.
+/// With fewer strokes than this around those of a preview, drawing is as fast as copying a picture.
 constexpr std::size_t kWorthKeeping = 4;
 
-/// So many strokes above those of a preview are drawn one after another, which is exact.
+/// Up to this many strokes above those of a preview are drawn one after another, which is exact.
 constexpr std::size_t kFewAbove = 24;
 
-/// A split is made wider by this than what is asked for: strokes of a preview move.
+/// A split is made larger than requested by this margin, because strokes of a preview move.
 constexpr int kMarginPx = 48;
 
 constexpr PixelRect kTile{0, 0, kTileSide, kTileSide};
@@ -26,7 +26,7 @@ bool contains(PixelRect outer, PixelRect inner) noexcept {
   return outer.intersected(inner) == inner;
 }
 
-/// Pixels of a vector that shows `valid`, as a picture in which (0, 0) is the tile's corner.
+/// Returns a vector with the pixels of `valid` as a picture with (0, 0) at the tile's corner.
 Pixels pixels_of(std::vector<std::uint8_t>& bytes, PixelRect valid, PixelOrder order) noexcept {
   return {bytes.data(), valid.width(), valid.height(), std::ptrdiff_t{4} * valid.width(), order};
 }
@@ -42,7 +42,7 @@ void blend_row(const std::uint8_t* from, std::uint8_t* to, int pixels) noexcept 
   }
 }
 
-/// Height limits of a split: what lies strictly between is drawn anew.
+/// Height limits of a split: strokes strictly between them are drawn again.
 struct Gap {
   InkHeight above;  ///< of the lowest stroke above
   InkHeight below;  ///< of the highest stroke below
@@ -92,7 +92,7 @@ void TilePainter::draw_next(InkJob& job, const InkStyle& style, Pixels target) {
   draw(*job.strokes[job.next++], job.view, job.part, style, target);
 }
 
-/// What it keeps is still what the sheet shows apart from the preview.
+/// Returns true if the kept content still matches the scene without the preview.
 bool TilePainter::is_valid(const InkScene& scene, const View& view, const TileSplit& split) {
   if (split.valid.empty() || split.revision != scene.revision()) return false;
   if (split.previewed == scene.previewed()) return true;
@@ -112,7 +112,7 @@ bool TilePainter::is_valid(const InkScene& scene, const View& view, const TileSp
   });
 }
 
-/// It has all of `part`, and the strokes of the preview in `found_` lie in its gap.
+/// Returns true if it covers `part`, and the strokes of the preview in `found_` lie in its gap.
 bool TilePainter::fits(const InkScene& scene, const TileSplit& split, PixelRect part) const {
   if (!contains(split.valid, part)) return false;
   const Gap gap = gap_of(scene, split);
@@ -155,6 +155,9 @@ bool TilePainter::make(const InkScene& scene, const View& view, PixelRect valid,
   return true;
 }
 
+// Copies the picture of the strokes below, draws the strokes in the gap, then blends the picture of
+// the strokes above; if only a few strokes are above, draws these instead. If the split does not
+// fit, it is made for a larger area first.
 bool TilePainter::paint_split(const InkScene& scene, const View& view, PixelRect part,
                               const InkStyle& style, TileSplit& split, Pixels target) {
   if (scene.previewed().empty()) return false;

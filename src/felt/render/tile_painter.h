@@ -10,18 +10,18 @@
 
 namespace felt {
 
-/// Tiles are squares of so many pixels.
+/// Side of a square tile, in pixels.
 inline constexpr int kTileSide = 256;
 
 /// How ink is drawn.
 struct InkStyle {
   Grain grain{};
-  /// Above 0: only centre lines, so wide.
+  /// Above 0: draws only centre lines of this width.
   double hair_px = 0.0;
 };
 
-/// Strokes that a part of a picture shows, drawn one after another, so that a long work can be laid
-/// down and taken up again. Holds the strokes: the scene may change meanwhile.
+/// The strokes that a part of a picture shows, drawn one at a time, so that a long job can be
+/// interrupted and resumed. Shares the strokes, so the scene may change meanwhile.
 struct InkJob {
   View view;
   PixelRect part;
@@ -31,37 +31,38 @@ struct InkJob {
   [[nodiscard]] bool is_done() const noexcept { return next == strokes.size(); }
 };
 
-/// What a tile shows below and above the strokes of a preview, kept while they change.
+/// The content of a tile below and above the strokes of a preview, kept while they change.
 struct TileSplit {
-  PixelRect valid;                  ///< what the pictures show; empty: nothing is kept
+  PixelRect valid;                  ///< area of the pictures; empty: nothing is kept
   std::vector<std::uint8_t> below;  ///< of `valid`
-  std::vector<std::uint8_t> above;  ///< likewise, on nothing
+  std::vector<std::uint8_t> above;  ///< same, on a transparent background
   StrokeId below_top;               ///< the highest stroke in `below`, or none
   StrokeId above_bottom;            ///< the lowest stroke in `above`, or none
   std::vector<StrokeId> drawn;      ///< all strokes of both, ascending
-  std::vector<StrokeId> previewed;  ///< when it was made, ascending
+  std::vector<StrokeId> previewed;  ///< at the time it was made, ascending
   std::uint64_t revision = 0;       ///< of the scene
-  /// Some of the tile was put together from `above`, a pile of strokes that was blended in one go:
-  /// up to 4 of 255 levels off where dozens of transparent strokes lie on one another.
+  /// A part of the tile was composed from `above`, where many strokes are blended in one step: up
+  /// to 4 of 255 levels wrong if dozens of transparent strokes overlap.
   bool is_rounded = false;
 };
 
-/// Paints parts of pictures of a scene, ink on nothing. One thread at a time.
+/// Paints parts of pictures of a scene, on a transparent background. Thread: one at a time.
 class TilePainter {
  public:
-  /// What draws `part` of this picture, straight. `above`: only the layers above that one.
+  /// Returns the job that draws `part` of this picture directly. `above`: only the layers above
+  /// that one.
   [[nodiscard]] static InkJob job_of(const InkScene& scene, const View& view, PixelRect part,
                                      std::optional<LayerId> above = {});
-  /// Draws the next stroke of a job. The part must have been cleared before the first one.
+  /// Draws the next stroke of a job. Requires that the part was cleared before the first one.
   void draw_next(InkJob& job, const InkStyle& style, Pixels target);
   /// Draws one stroke.
   void draw(const Stroke& stroke, const View& view, PixelRect part, const InkStyle& style,
             Pixels target);
 
-  /// Paints `part` anew while a preview is shown, with what lies below and above its strokes from
-  /// `split`, which is made or widened where it does not fit; the cost is then that of the strokes
-  /// of the preview and between them, however many lie around. False: there is nothing to gain
-  /// here, and nothing was painted: draw it straight.
+  /// Repaints `part` while a preview is shown, with the content below and above its strokes from
+  /// `split`, which is made or extended if it does not fit. The cost is then that of the strokes of
+  /// the preview and those between them, however many others there are. Returns false, and paints
+  /// nothing, if this is not faster than drawing directly.
   bool paint_split(const InkScene& scene, const View& view, PixelRect part, const InkStyle& style,
                    TileSplit& split, Pixels target);
 

@@ -31,8 +31,8 @@ int worst_difference(const Bytes& a, const Bytes& b) {
   return worst;
 }
 
-/// Strokes of a preview anywhere in a pile of transparent ones: the tile that is put together from
-/// what lies below, between and above them is the one that is drawn straight.
+/// Strokes of a preview anywhere in a pile of transparent ones: the tile composed of the strokes
+/// below, between and above them equals the one that is drawn directly.
 void compare_splits(int strokes, std::uint64_t seeds, int bound) {
   int splits = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -57,7 +57,7 @@ void compare_splits(int strokes, std::uint64_t seeds, int bound) {
     const auto first = static_cast<std::size_t>(random.pick(4, strokes - 4));
     for (int sample = 0; sample < 12; ++sample) {
       EditBuilder preview(document);
-      const std::size_t count = sample < 8 ? 1 : 3;  // the eraser finds more and more
+      const std::size_t count = sample < 8 ? 1 : 3;  // the eraser finds more and more strokes
       for (std::size_t k = 0; k < count; ++k) {
         StrokeData data = document.find(ids[first + k])->data();
         for (Point& p : data.points) p = p + Vec{0.3 * sample, 0.2 * sample};
@@ -92,14 +92,14 @@ TEST(TilePainter, ASplitTileIsTheStraightOne) {
   compare_splits(28, 6, 2);
 }
 
-/// Levels are whole numbers: where dozens of transparent strokes lie above one another, blending
-/// them as one picture rounds otherwise than one by one. The desk draws such tiles again when the
-/// preview is over.
+/// Levels are whole numbers, so blending dozens of overlapping transparent strokes as one picture
+/// rounds differently than blending them one by one. The desktop program draws such tiles again
+/// after the preview.
 TEST(TilePainter, ASplitOfADeepPileIsTheStraightOneButForRounding) {
   compare_splits(90, 2, 4);
 }
 
-/// Drawn turned is turned when drawn.
+/// Drawing with a rotated view equals rotating the drawn picture.
 TEST(TilePainter, AQuarterTurnAndAMirrorMovePixelsOnly) {
   Document document;
   EditBuilder builder(document);

@@ -18,7 +18,8 @@ tl::unexpected<Error> csv_error(const char* doing) {
                                   std::generic_category().message(errno));
 }
 
-/// Adding 0 makes a negative zero positive, which is less surprising to read.
+/// Adds 0, which turns a negative zero into a positive one, because that is less surprising to
+/// read.
 void append(std::string& row, double value) {
   append_number(row, value + 0.0);
   row += ',';

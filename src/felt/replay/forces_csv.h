@@ -19,20 +19,20 @@ namespace felt {
 ///
 ///   t_ms,x,y,z,vx,vy,vz,pressure,ask_x,ask_y,ask_z,sent_x,sent_y,sent_z,plane_x,plane_y,plane_z,..
 ///
-/// in ms, mm, mm/s and N. After the fixed columns come three for each force term that occurs, in
-/// the order in which they first do; a term is 0 on ticks without it. `pressure` is empty if it is
+/// in ms, mm, mm/s and N. The fixed columns are followed by three for each force term that occurs,
+/// in order of first occurrence; a term is 0 on ticks without it. `pressure` is empty if it is
 /// unknown.
 ///
-/// Which terms occur is known at the end only, so rows wait in a temporary file without a name, and
-/// memory does not grow with the ticks.
+/// The terms are only known at the end, so rows are kept in an unnamed temporary file, and memory
+/// does not grow with the number of ticks.
 class ForcesCsv {
  public:
   using Write = std::function<Result<void>(std::string_view bytes)>;
 
-  /// Fails if there is no temporary file.
+  /// Fails if no temporary file can be created.
   static Result<ForcesCsv> create();
 
-  /// Adds a tick. `pressure` 0..1 decides the width.
+  /// Adds a tick. `pressure` 0..1 determines the width.
   Result<void> add(const TickReport& tick, std::optional<double> pressure);
   /// Writes the whole table, a piece at a time. Call once.
   Result<void> finish(const Write& write);
@@ -41,7 +41,7 @@ class ForcesCsv {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  /// From this row on, rows have a group of columns for each of the first `terms` names.
+  /// From this row on, rows have columns for the first `terms` names.
   struct Growth {
     std::int64_t row;
     std::size_t terms;
@@ -50,14 +50,14 @@ class ForcesCsv {
   ForcesCsv() = default;
   std::size_t group_of(std::string_view name);
   Result<void> spool();
-  /// Returns what a row lacks to be as wide as the header.
+  /// Returns the text that a row needs at its end to be as wide as the header.
   [[nodiscard]] std::string padding_of(std::int64_t row) const;
-  /// Adds a piece of the rows, padded; `row` is the number of the one that it begins in.
+  /// Appends a piece of the rows, padded. `row` is the number of the row in which it begins.
   void pad_rows(std::span<const char> bytes, std::int64_t& row, std::string& text) const;
   Result<void> copy_rows(const Write& write);
 
   std::unique_ptr<std::FILE, Close> spool_;
-  std::string rows_;                // not yet in the spool
+  std::string rows_;                // not yet in the temporary file
   std::vector<std::string> names_;  // of the terms, by group
   std::vector<Force> forces_;       // of this row, by group
   std::vector<Growth> growth_;

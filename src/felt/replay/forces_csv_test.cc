@@ -46,7 +46,7 @@ TEST(ForcesCsv, TermsThatComeLaterAreZeroBefore) {
   ASSERT_TRUE(csv.add(tick, {}));
   tick.terms.clear();
   tick.terms.add("well", {2, 0, 0});
-  tick.terms.add("well", {1, 0, 0});  // twice the same: their sum
+  tick.terms.add("well", {1, 0, 0});  // the same term twice: the sum of both
   ASSERT_TRUE(csv.add(tick, {}));
   std::istringstream lines(text_of(csv));
   std::string line;

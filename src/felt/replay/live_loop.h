@@ -10,27 +10,28 @@
 
 namespace felt {
 
-/// A real device in the haptic loop, from opening to unplugging. Forces are off at first. Closed
-/// without force by its destructor.
+/// A real device in the haptic loop, from opening to unplugging. Forces are off at first. The
+/// destructor closes it without force.
 class LiveLoop {
  public:
-  /// Asks the user, with the maker's instructions, whether the arm may move by itself.
+  /// Asks the user, with the maker's instructions, whether the arm may move on its own.
   using MayMove = std::function<bool(const std::string& instructions)>;
 
-  /// Opens the device, finds its home if it needs that (without asking if `may_move` is null), and
-  /// starts the loop. If no plane was calibrated, the centre of the device's reach is the centre of
-  /// `page`. The error has the maker's words, and what to try.
+  /// Opens the device, runs its homing if it needs that (without asking if `may_move` is null), and
+  /// starts the loop. If no plane was calibrated, the centre of the device's workspace is the
+  /// centre of `page`. On failure, the error has the maker's message and a suggestion.
   static Result<std::unique_ptr<LiveLoop>> start(const RealDevice& device, const Rect& page,
                                                  double force_limit_n, const MayMove& may_move);
   LiveLoop(const LiveLoop&) = delete;
   LiveLoop& operator=(const LiveLoop&) = delete;
   ~LiveLoop();
 
-  /// Ends it without force. False: the device hangs in its maker's call (RealtimeThread::stop());
-  /// device and loop are given up then, and nothing here but the destructor may be called any more.
-  /// Neither may the driver: its own calls may wait for that one.
+  /// Stops the loop without force. Returns false if the device is unresponsive in a call of its
+  /// maker's library (RealtimeThread::stop()). Device and loop are then abandoned: only the
+  /// destructor may be called. The driver must not be used either, because its calls may wait for
+  /// that one.
   [[nodiscard]] bool stop() noexcept;
-  /// After stop() that was true: ticks again, forces off. Error: as start().
+  /// Restarts the ticks, with forces off. Requires that stop() returned true. Fails like start().
   Result<void> go_on();
 
   [[nodiscard]] OpenDevice& device() noexcept { return *device_; }

@@ -7,11 +7,11 @@
 
 namespace felt {
 
-/// Reads text as the kind of value that an option has now ("on" for a boolean one). Fails if it is
-/// no such value.
+/// Parses text as the same kind of value as the option has now ("on" for a boolean one). Fails if
+/// the text is not such a value.
 Result<OptionValue> value_like(const OptionValue& present, const std::string& text);
 
-/// Returns the event of "TOOL.OPTION=VALUE". Fails if there is no such option or value.
+/// Returns the event for "TOOL.OPTION=VALUE". Fails if there is no such option or value.
 Result<SetOption> option_event(const Session& session, const std::string& text);
 
 }  // namespace felt

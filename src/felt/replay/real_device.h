@@ -10,15 +10,15 @@
 
 namespace felt {
 
-/// A device that was named on the command line, its driver, and what a person has set for it.
+/// A device that was named on the command line, its driver, and the user's settings for it.
 struct RealDevice {
   Driver* driver = nullptr;
   DeviceDescriptor found;
-  DeviceProfile profile;  ///< of this id: perhaps of another unit, whose serial is known once open
+  DeviceProfile profile;  ///< of this id; the unit may differ: its serial is not known yet
 };
 
-/// Finds a device by its id ("haply:049D"), or by its driver's name where that has one device.
-/// Error: there is none; says what there is instead, and what to try.
+/// Finds a device by its id ("haply:049D"), or by its driver's name if that driver has one device.
+/// Fails if there is none; the message lists the devices that are there and a suggestion.
 Result<RealDevice> find_real_device(const std::vector<std::unique_ptr<Driver>>& drivers,
                                     const std::string& id);
 

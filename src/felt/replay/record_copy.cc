@@ -25,7 +25,7 @@
 namespace felt {
 namespace {
 
-/// The pause before the next copy is at least this many times as long as the last one took to make.
+/// The pause before the next copy is at least this many times as long as making the last one.
 constexpr int kPausePerWork = 50;
 constexpr std::string_view kMark = ".unsaved-", kEnding = ".ndjson";
 
@@ -39,7 +39,7 @@ std::string path_for(const std::string& output) {
          std::string(kEnding);
 }
 
-/// A stroke of the segments of wet ink that follow each other. Short ones become part of the next.
+/// Returns a stroke of consecutive segments of wet ink. Short ones are joined to the next.
 StrokeData wet_stroke(std::span<const Overlay::InkSegment> ink) {
   StrokeData data;
   for (const Overlay::InkSegment& segment : ink) {
@@ -59,7 +59,7 @@ StrokeData wet_stroke(std::span<const Overlay::InkSegment> ink) {
   return data;
 }
 
-/// Adds the stroke that the pen is drawing, if there is one.
+/// Appends the stroke that the pen is drawing, if there is one.
 void append_stroke_in_progress(std::string& text, const Session& session) {
   Overlay overlay;
   session.draw(overlay);
@@ -69,7 +69,7 @@ void append_stroke_in_progress(std::string& text, const Session& session) {
   if (std::string medium = drawing_medium(session); !medium.empty()) {
     data.material = std::move(medium);
   }
-  // The end of the line may be too short yet for a segment.
+  // The end of the line may still be too short for a segment.
   if (!check_invariants(data) && !data.joints.empty()) {
     data.points.resize(data.points.size() - 3);
     data.joints.pop_back();
@@ -78,7 +78,7 @@ void append_stroke_in_progress(std::string& text, const Session& session) {
   if (check_invariants(data)) append_sketch_line(text, "unfinished", data);
 }
 
-/// The number of the process that wrote a copy of this name; none: it is another file.
+/// Returns the id of the process that wrote a copy with this name; nullopt if it is another file.
 std::optional<pid_t> writer_of(std::string_view name) {
   const std::size_t mark = name.rfind(kMark);
   if (mark == std::string_view::npos || !name.ends_with(kEnding)) return std::nullopt;
@@ -90,9 +90,11 @@ std::optional<pid_t> writer_of(std::string_view name) {
   return number;
 }
 
-/// When the process began, in seconds since 1970. Nullopt if it is gone or nobody says.
+/// Returns the start time of a process, in seconds since 1970. Returns nullopt if the process is
+/// gone or the time is unknown.
 std::optional<double> start_of(pid_t process) {
-  // The 22nd word, in ticks since the boot; the second is in parentheses and may hold spaces.
+  // The 22nd word, in ticks since the boot. The second word is in parentheses and may contain
+  // spaces.
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string word;
   std::getline(file, word, '\0');
@@ -108,8 +110,9 @@ std::optional<double> start_of(pid_t process) {
   return boot_s + ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
-/// Whether the process of that number wrote the copy and may still do so. One that began after the
-/// last write has only got the number of a writer that is gone, as after a restart of the machine.
+/// Returns true if this process wrote the copy and may still be running. A process that began after
+/// the last write is a different one that reuses the id, for example after a restart of the
+/// machine.
 bool writer_lives(pid_t writer, const std::string& copy) {
   constexpr double kClocksDifferS = 2.0;
   if (::kill(writer, 0) != 0 && errno == ESRCH) return false;
@@ -131,19 +134,19 @@ void RecordCopy::keep(const Session& session) {
   if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
     return;
   }
-  is_changed_ = is_drawing;  // what comes of the stroke in progress replaces it
+  is_changed_ = is_drawing;  // the finished stroke will replace the stroke in progress
   std::string text;
   append_sketch_lines(text, session.document());
   append_stroke_in_progress(text, session);
-  // A copy without a stroke would be offered as something to recover.
+  // A copy without strokes would be offered for recovery.
   std::error_code none;
   if (text.empty() && !std::filesystem::exists(path_, none)) return;
   next_ = now + std::max(every_, kPausePerWork * (Clock::now() - now));
   try {
     writing_ = std::async(std::launch::async, [path = path_, text = std::move(text)] {
-      return write_file(path, text);  // what fails is tried again with the next change
+      return write_file(path, text);  // a failed write is repeated with the next change
     });
-  } catch (const std::system_error&) {  // there is no thread to be had now
+  } catch (const std::system_error&) {  // no thread is available now
     is_changed_ = true;
   }
 }

@@ -10,27 +10,29 @@
 
 namespace felt {
 
-/// A copy of a drawing in progress, as .ndjson beside the output to come: a vendor's library that
-/// crashes takes the program with it, and all the ink but this. It has the finished strokes and, as
-/// the last one, the stroke in progress as far as it is drawn. Written again every few seconds
-/// while the drawing changes, whole or not at all, by its own thread, so that a slow disk delays
+/// A copy of a drawing in progress, as .ndjson next to the future output, because a crash in a
+/// vendor's library would otherwise lose all ink. It has the finished strokes and, as the last one,
+/// the stroke in progress as far as it is drawn. It is rewritten every few seconds while the
+/// drawing changes, completely or not at all, on its own thread, so that a slow disk delays
 /// nothing. Call all functions on the thread that draws.
 class RecordCopy {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// For what will be `output`; the copy of one that is no file ("-", a pipe) is in the folder for
-  /// temporary files. Its name has our process's number, so that no other copy is overwritten.
+  /// Keeps a copy for a future file `output`. If that is not a file ("-", a pipe), the copy is in
+  /// the folder for temporary files. Its name contains our process id, so that no other copy is
+  /// overwritten.
   explicit RecordCopy(const std::string& output, Clock::duration every = std::chrono::seconds(3));
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
-  /// The drawing has changed.
+  /// Records that the drawing has changed.
   void note_edit() noexcept { is_changed_ = true; }
-  /// Each turn. Writes when it is time, never while the last copy is on its way.
+  /// Writes a copy when it is time, but not while the last one is still being written. Call each
+  /// turn.
   void keep(const Session& session);
-  /// Waits until the copy in progress is written.
+  /// Waits until the current copy is written.
   void wait();
-  /// The drawing is safe where it belongs: removes the copy.
+  /// Removes the copy, because the drawing was saved.
   void remove();
 
  private:
@@ -41,7 +43,7 @@ class RecordCopy {
   std::future<Result<void>> writing_;
 };
 
-/// The copies in these folders that processes which are gone left behind.
+/// Returns the copies in these folders that were left behind by processes that no longer exist.
 std::vector<std::string> find_record_copies(const std::vector<std::string>& folders);
 
 }  // namespace felt

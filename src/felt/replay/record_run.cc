@@ -96,7 +96,7 @@ Result<void> RecordRun::draw() {
                                   "kept. Disconnect it, connect it anew, and record again");
 }
 
-/// The program is suspended with its loop, so the device must not keep a force meanwhile. Forces
+/// Stops the device, because the program and its loop are suspended and no force may remain. Forces
 /// stay off afterwards.
 Result<void> RecordRun::pause() {
   if (!loop_) return {};
@@ -160,7 +160,7 @@ void RecordRun::report_faults(const TickReport& report) {
              " The ink so far is kept.");
     }
   }
-  // What the device said when it was opened is known already.
+  // The notice from opening the device was reported already.
   if (reported_notice_.value_or(status.notice) != status.notice && !status.notice.empty()) {
     notice(std::string(status.notice.view()));
   }
@@ -209,7 +209,7 @@ Result<void> RecordRun::reconnect(const std::string& why) {
   notice(why +
          " The ink so far is kept. Connect the device again, and drawing goes on; "
          "Ctrl-C saves and ends.");
-  // A lost device is a fault that latches: only the user lets forces begin again.
+  // Losing the device is a fault that latches: only the user can switch forces on again.
   const bool had_forces = std::exchange(wants_forces_, false);
   if (Result<void> finished = session_.finish(); !finished) return finished;
   end_loop();
@@ -220,7 +220,7 @@ Result<void> RecordRun::reconnect(const std::string& why) {
     std::this_thread::sleep_for(kLook);
     if (options_.wants_pause && options_.wants_pause()) options_.pause();  // no device, no force
     if (!is_back()) {
-      refusal.reset();  // plugged in again it is tried again
+      refusal.reset();  // retried after it is plugged in again
       continue;
     }
     last_ns_ = lost_ns + std::chrono::nanoseconds(Clock::now() - lost).count();
@@ -232,8 +232,8 @@ Result<void> RecordRun::reconnect(const std::string& why) {
   return {};
 }
 
-/// Begins again. Returns false if that failed; the reason is reported once. What the user refused
-/// waits for the user; a port that is not free yet is tried again.
+/// Opens the device again. Returns false if that failed; the reason is reported once. If the user
+/// refused, waits for the user; if a port is not free yet, tries again.
 bool RecordRun::tries_again(std::optional<Error>& refusal) {
   const auto waits = [](const Error& error) { return error.code == ErrorCode::kUnsupported; };
   const bool has_waited = refusal && waits(*refusal);

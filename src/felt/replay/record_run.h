@@ -11,7 +11,7 @@
 
 namespace felt {
 
-/// How a recording is doing.
+/// Status of a recording.
 struct RecordStatus {
   double rate_hz = 0.0;  ///< of the loop
   double sent_n = 0.0;
@@ -25,9 +25,9 @@ struct RecordOptions {
   Rect page;
   double force_limit_n = 3.0;
   bool forces = false;
-  std::optional<double> seconds = {};  ///< how long; none: until `is_over`
+  std::optional<double> seconds = {};  ///< duration; none: until `is_over`
   std::function<bool()> is_over = {};
-  /// Returns true if the program should be suspended; `pause` does it, once no force is left.
+  /// Returns true if the program should be suspended. `pause` suspends it once there is no force.
   std::function<bool()> wants_pause = {};
   std::function<void()> pause = {};
   LiveLoop::MayMove may_move = {};
@@ -39,30 +39,31 @@ struct RecordOptions {
   std::function<bool()> enter_pressed = {};
   std::function<void(const std::string&)> on_notice = {};
   std::function<void(const RecordStatus&)> on_status = {};  ///< every 4 ms
-  /// Receives reports of the loop, about 250 a second, with times of the session.
+  /// Receives reports of the loop, about 250 per second, with times of the session.
   std::function<Result<void>(const TickReport&)> on_tick = {};
   /// Called every 4 ms: saves a copy of the drawing that survives a crash.
   std::function<void(const Session&)> keep = {};
 };
 
-/// A drawing session with a real device, live: the edit side of the loop without a window. When the
-/// device fails, the ink stays, and the session continues when the device is connected again,
-/// without forces until the user allows them again.
+/// A live drawing session with a real device: the edit side of the loop without a window. If the
+/// device fails, the ink stays. The session continues when the device is connected again, without
+/// forces until the user allows them again.
 ///
-/// Enter switches forces off and on; notices say so.
+/// Enter switches forces off and on; a notice confirms it.
 class RecordRun {
  public:
-  /// Device and session must outlive it.
+  /// Requires that device and session outlive it.
   RecordRun(const RealDevice& device, Session& session, RecordOptions options);
 
-  /// Opens the device. Call it before the first event, because it tells the session what the device
-  /// can do.
+  /// Opens the device. Call it before the first event, because it informs the session of the
+  /// device's capabilities.
   Result<void> begin();
-  /// Draws until the end. Fails if the device hangs, or `on_tick` fails; the session has all ink so
-  /// far in any case.
+  /// Draws until the end. Fails if the device becomes unresponsive, or if `on_tick` fails. The
+  /// session has all ink so far in any case.
   Result<void> draw();
-  /// True if the device hung and was abandoned with its loop: its driver must not be used any more,
-  /// nor destroyed, and the program should exit without running the exit code of libraries.
+  /// Returns true if the device became unresponsive and was abandoned with its loop. Its driver
+  /// must then be neither used nor destroyed, and the program should exit without running the exit
+  /// code of libraries.
   [[nodiscard]] bool hangs() const noexcept { return hangs_; }
 
  private:
@@ -88,7 +89,7 @@ class RecordRun {
   RecordOptions options_;
   std::unique_ptr<LiveLoop> loop_;
   Clock::time_point start_ = Clock::now();
-  std::int64_t offset_ns_ = 0;  // of the loop's clock in the session's
+  std::int64_t offset_ns_ = 0;  // session time minus loop time
   std::int64_t last_ns_ = 0;    // of the session
   std::int64_t last_tick_ns_ = -1;
   std::uint32_t reported_faults_ = 0;  // of this loop

@@ -46,7 +46,7 @@ Drawn draw(ZigzagWorld& world, const std::function<bool(const Session&)>& is_eno
                                      },
                                  .on_edit = {}});
   options.forces = forces;
-  options.seconds = 60.0;  // a hang is a failure, not a hang
+  options.seconds = 60.0;  // if the program hangs, the test fails instead of hanging
   options.is_over = [&] { return is_enough(session); };
   RecordRun run(device, session, options);
   const Result<void> begun = run.begin();
@@ -102,7 +102,7 @@ TEST(RecordRunTest, APortThatIsNotFreeYetIsTriedAgain) {
   EXPECT_EQ(world.opened, 2);
 }
 
-// Or somebody who said no would be asked twice a second.
+// Otherwise a user who refused would be asked twice a second.
 TEST(RecordRunTest, WhatAPersonRefusedWaitsForThem) {
   ZigzagWorld world;
   world.refusals = 1 << 30;
@@ -111,7 +111,7 @@ TEST(RecordRunTest, WhatAPersonRefusedWaitsForThem) {
   bool pressed = false;
   RecordOptions options;
   options.enter_pressed = [&] {
-    if (world.refused > 0) ++turns;  // one look in half a second
+    if (world.refused > 0) ++turns;  // one attempt in half a second
     return turns == 3 && !std::exchange(pressed, true);
   };
   const Drawn drawn = draw(
@@ -136,7 +136,7 @@ TEST(RecordRunTest, ForcesComeOnlyWhenAskedFor) {
   world.gone_after_reads = 1 << 30;
   int turns = 0;
   RecordOptions options;
-  // Again and again: late ticks of a busy machine latch the chain.
+  // Repeatedly, because late ticks on a busy machine latch the chain.
   options.enter_pressed = [&] { return ++turns % 300 == 0; };
   draw(
       world, [&](const Session&) { return world.largest_n > 0.0; }, true, options);
@@ -153,7 +153,7 @@ TEST(RecordRunTest, ForcesStayOffAfterALostDeviceUntilSomebodyAllowsThem) {
   RecordOptions options;
   options.enter_pressed = [&] {
     if (world.opened < 2 || ++turns_without % 300 != 0) return false;
-    // Again and again: late ticks of a busy machine latch the chain.
+    // Repeatedly, because late ticks on a busy machine latch the chain.
     if (without_n < 0.0) without_n = world.largest_n;
     return true;
   };
@@ -211,7 +211,7 @@ TEST(RecordRunTest, WhileTheProgramIsStoppedThereIsNoForceAndNoneAfterwards) {
 }
 
 TEST(RecordRunTest, ADeviceThatHangsIsGivenUpAndTheInkStays) {
-  static ZigzagWorld world;  // the given-up one may come back at any time
+  static ZigzagWorld world;  // static, because the abandoned thread may resume at any time
   world.hangs_after_reads = 1000;
   world.gone_after_reads = 1 << 30;
   const Drawn drawn = draw(
@@ -255,7 +255,7 @@ TEST(RecordRunTest, ACopyOfTheDrawingIsThereWhileItIsMade) {
   EXPECT_TRUE(RecordCopy("-").path().starts_with(std::filesystem::temp_directory_path().string()));
 }
 
-/// A pen that is moved along a circle; no force, pressure says that it touches.
+/// Moves a pen along a circle without forces. Its pressure shows that it touches.
 void draw_arc(Session& session, int from, int to) {
   for (int i = from; i < to; ++i) {
     PenSample sample;
@@ -267,8 +267,8 @@ void draw_arc(Session& session, int from, int to) {
   }
 }
 
-/// Returns what a new copy holds, read as the program reads it. A copy is not due at every turn:
-/// the next one waits for 50 times as long as the last one took.
+/// Returns the content of a new copy, read as the program reads it. A copy is not due at every
+/// turn, because the next one waits for 50 times as long as the last one took.
 std::vector<StrokePtr> read_copy(RecordCopy& copy, const Session& session) {
   std::filesystem::remove(copy.path());
   for (int turn = 0; turn < 2000 && !std::filesystem::exists(copy.path()); ++turn) {
@@ -289,7 +289,7 @@ TEST(RecordCopyTest, HasTheStrokeInProgress) {
   ASSERT_EQ(session.document().stroke_count(), 0U);
   const std::vector<StrokePtr> one = read_copy(copy, session);
   ASSERT_EQ(one.size(), 1U);
-  draw_arc(session, 2000, 4000);  // more of the same stroke, and no edit
+  draw_arc(session, 2000, 4000);  // more of the same stroke, without an edit
   const std::vector<StrokePtr> more = read_copy(copy, session);
   ASSERT_EQ(more.size(), 1U);
   const auto length_mm = [](const Stroke& stroke) {
@@ -326,7 +326,7 @@ TEST(RecordCopyTest, CopiesOfDeadProcessesAreFound) {
     std::ofstream(name) << "{}\n";
   }
   EXPECT_EQ(find_record_copies({folder, folder + "/none"}), std::vector<std::string>{dead});
-  // After a restart of the machine another process has the number: it began after the last write.
+  // After a restart of the machine another process has this id: it began after the last write.
   const std::string older = folder + "/b.felt.unsaved-" + std::to_string(getpid()) + ".ndjson";
   std::filesystem::last_write_time(
       older, std::filesystem::file_time_type::clock::now() - std::chrono::hours(24 * 365));

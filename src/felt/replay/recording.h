@@ -8,11 +8,12 @@
 #include "felt/session/session.h"
 #include "felt/store/felt_file.h"
 
-/// Applies a recording to a session, every event as it is: its samples went through a device and a
-/// loop when it was made, and do not again. At the end the gesture in progress is ended.
+/// Applies a recording to a session, with every event unchanged: its samples went through a device
+/// and a loop when it was made, and do not go through them again. Finally ends the gesture in
+/// progress.
 ///
-/// Fails at an event that the session refuses, or whose file cannot be read; what preceded it has
-/// been applied.
+/// Fails at an event that the session refuses, or if a file that it names cannot be read. Earlier
+/// events have been applied.
 namespace felt {
 
 /// Reads the strokes of the file that an import event names.

@@ -9,13 +9,14 @@
 
 namespace felt {
 
-/// Returns the options, id and value as text, with which a session continues this drawing: its
-/// surface and its colour, if it has them. A surface that is not among `known` is left out.
+/// Returns the options, as ids and values in text form, with which a session continues this
+/// drawing: its surface and its colour, if it has them. A surface that is not in `known` is
+/// omitted.
 std::vector<std::pair<std::string, std::string>> options_of(const Drawing& drawing,
                                                             const Materials& known);
 
-/// Returns the drawing that results from a session that began with `start`: with this document,
-/// and with the surface, colour, layer and material texts that the session uses now.
+/// Returns the drawing after a session that began with `start`: with this document, and with the
+/// current surface, colour, layer and material texts of the session.
 Drawing drawing_after(Drawing start, const Session& session, Document document);
 
 /// Returns the document as it is shown, with the preview of the gesture in progress applied.

@@ -13,7 +13,7 @@
 namespace felt {
 namespace {
 
-/// What other tools do to ink is not compared with the path of the hand.
+/// Returns true if the tool draws. Only then is ink compared with the path of the hand.
 bool draws(const Session& session) {
   return session.tool().info().kind == ToolKind::kDraws;
 }
@@ -21,7 +21,7 @@ bool draws(const Session& session) {
 /// About 200 s of aims, 20 MB.
 constexpr std::size_t kManyEvents = 200'000;
 
-/// Half the workspace, in mm; beyond the largest coordinate that a script can name.
+/// Half the workspace, in mm: beyond the largest coordinate in a script.
 constexpr double kEndlessMm = 1e10;
 
 double drawing_number(const Session& session, std::string_view option, double otherwise) {
@@ -146,7 +146,7 @@ void ReplayMachine::begin_stroke() {
 }
 
 void ReplayMachine::stroke_drawn(const std::vector<Point>& meant) {
-  // The stroke is what was meant, not the aims, which compensate for mass and friction.
+  // The intended path is the stroke, not the aims, which compensate for mass and friction.
   meant_.back().path = meant;
   in_stroke_ = hand_is_down_ = false;
 }
@@ -224,7 +224,7 @@ void ReplayMachine::handle_edit(const Edit& edit) {
   }
 }
 
-/// Ink belongs to the last path that began before the ink was finished.
+/// Compares ink with the last path that began before the ink was finished.
 void ReplayMachine::compare_ink() {
   auto ink = ink_.begin();
   std::vector<Stroke> strokes;

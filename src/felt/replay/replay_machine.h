@@ -19,12 +19,12 @@
 
 namespace felt {
 
-/// The simulated pen of a replay, the hand that holds it, and how the loop runs.
+/// The simulated pen of a replay, the hand that holds it, and the settings of the loop.
 struct ReplaySettings {
   StylusPreset device;
   SimulatedHand hand;
   bool force = true;  ///< false: the loop sends no forces
-  /// How the hand draws raw strokes with it.
+  /// How the hand draws raw strokes.
   HandScriptOptions script;
   /// Surfaces and media that options may name.
   Materials materials = Materials::built_in();
@@ -32,36 +32,36 @@ struct ReplaySettings {
   std::function<Result<std::vector<StrokePtr>>(const std::string& path)> read_import{};
 };
 
-/// Returns the settings for a preset and a hand. `rate_hz` and `delay_ticks`: by default the
-/// device's.
+/// Returns the settings for a preset and a hand. `rate_hz` and `delay_ticks` default to the
+/// device's values.
 ///
-/// The workspace is endless in x and y, as if the paper were moved under the device. Without force
-/// the pressure tells the hand how hard it presses, because nothing stops it.
+/// The workspace is endless in x and y, as if the paper were moved under the device. Without force,
+/// the pressure controls how hard the hand presses, because nothing stops it.
 ReplaySettings replay_settings(const StylusPreset& device, const SimulatedHand& hand, bool force,
                                std::optional<double> rate_hz, std::optional<int> delay_ticks);
 
 /// One tick of the loop, as an observer sees it.
 struct ReplayTick {
   const TickReport& report;
-  std::optional<double> pressure;  ///< 0..1, decides the width
+  std::optional<double> pressure;  ///< 0..1, determines the width
   std::optional<double> width_mm;  ///< of the ink at the pen; none if the pen leaves no ink
 };
 
 /// Device, hand, loop, tools and document in one object: plays events on a virtual clock, and
-/// counts what happens. The same events give the same ticks and the same document.
+/// counts. The same events give the same ticks and the same document.
 ///
-/// An event that the session would refuse is an error when it is added. Events are kept until
-/// `play`, after which the loop starts again with what follows.
+/// Adding an event fails if the session would refuse it. Events are kept until `play`; the loop
+/// then starts again with the events that follow.
 class ReplayMachine {
  public:
   struct Observer {
     std::function<Result<void>(const ReplayTick&)> tick{};  ///< an error ends the play
     std::function<void(const Event&)> event{};              ///< each that the session handles
-    /// Called every 4 ms with the progress through what was added, 0..1.
+    /// Called every 4 ms with the progress through the added events, 0..1.
     std::function<void(const Session& session, double fraction)> turn{};
-    /// The play stops at this time, to 4 ms, even in the middle of a gesture.
+    /// Stops the play at this time, to 4 ms, even in the middle of a gesture.
     std::optional<std::int64_t> until_ns{};
-    /// Called then, before the gesture in progress is ended as at the end of a script.
+    /// Called at that stop, before the gesture in progress is ended as at the end of a script.
     std::function<void(const Session& session, const PenSample& pen)> stopped{};
   };
 
@@ -69,34 +69,35 @@ class ReplayMachine {
   ReplayMachine(const ReplayMachine&) = delete;
   ReplayMachine& operator=(const ReplayMachine&) = delete;
 
-  /// Sets an option before the first event, "pencil.snap" to "off" or "sheet.material" to "felt".
-  /// The text is read as the kind of value that the option has.
+  /// Sets an option before the first event, for example "pencil.snap" to "off" or "sheet.material"
+  /// to "felt". The text is parsed as the option's kind of value.
   Result<void> set_option(const std::string& id, const std::string& text);
 
-  /// Adds the next event; times never run backwards. Fails if an import cannot be read.
+  /// Adds the next event. Requires that times do not decrease. Fails if an import cannot be read.
   Result<void> add(const Event& event);
-  /// The next events draw a stroke ...
+  /// Begins a stroke: the next events draw it.
   void begin_stroke();
-  /// ... along this path, with which its ink is compared. Outside of such strokes ink is compared
+  /// Ends the stroke. Its ink is compared with this path. Outside such strokes, ink is compared
   /// with the aims of the hand while it presses.
   void stroke_drawn(const std::vector<Point>& meant);
-  /// True if so many events wait that they should be played as soon as the hand is in the air.
+  /// Returns true if so many events are queued that they should be played as soon as the pen is
+  /// lifted.
   [[nodiscard]] bool is_full() const noexcept;
-  /// Plays what was added. Does nothing once a play was stopped.
+  /// Plays the added events. Does nothing after a play was stopped.
   Result<void> play();
-  /// Returns the time from which the next event may come.
+  /// Returns the earliest time of the next event.
   [[nodiscard]] std::int64_t next_ns() const noexcept { return next_ns_; }
 
-  /// Returns what was counted since the last call, without the wall time; strokes and segments are
-  /// those of the document now.
+  /// Returns the counts since the last call, without the wall time. Strokes and segments are those
+  /// of the document now.
   ReplayStats take_stats();
 
-  /// Returns how the hand draws on the surface and with the medium chosen so far.
+  /// Returns how the hand draws on the current surface with the current medium.
   [[nodiscard]] HandScriptOptions hand_options() const;
   [[nodiscard]] const Session& session() const noexcept { return session_; }
 
  private:
-  /// A path that the hand meant to draw, from when to when.
+  /// A path that the hand intended to draw, with its time interval.
   struct Meant {
     std::int64_t start_ns = 0;
     std::vector<Point> path;
@@ -119,7 +120,7 @@ class ReplayMachine {
   Observer observer_;
   SimulatedStylus stylus_;
   Session session_;
-  Session probe_;  // has tools and options only: finds events that the session would refuse
+  Session probe_;  // has tools and options only; finds events that the session would refuse
   Player player_;
   std::vector<Event> events_;  // not played yet
   std::vector<Meant> meant_;   // of these events

@@ -11,18 +11,18 @@ namespace felt {
 /// Feeds scripts to a machine.
 class ReplayRun {
  public:
-  /// The machine must outlive this.
+  /// Requires that the machine outlives this.
   ReplayRun(ReplayMachine& machine, double mm_per_unit, std::uint64_t seed);
 
-  /// Announces the files to come, so that progress() knows their size.
+  /// Announces files to be read, so that progress() includes their size.
   void expect(const std::vector<std::string>& paths);
   /// Returns the progress through all scripts, 0..1, if the current play is at `part`, 0..1.
   [[nodiscard]] double progress(double part) const noexcept;
 
-  /// Reads a script. `name` is for errors, imports are relative to `folder`, which ends with
-  /// a slash ("": the working directory). The error is "NAME:LINE: reason".
+  /// Reads a script. `name` is for errors. Imports are relative to `folder`, which ends with a
+  /// slash ("": the working directory). The error is "NAME:LINE: reason".
   Result<void> script(const std::string& name, const std::string& folder, ReadBytes read);
-  /// Plays what was read so far; more may follow.
+  /// Plays everything read so far; more may follow.
   Result<void> play();
 
  private:

@@ -10,16 +10,16 @@
 
 namespace felt {
 
-/// How far ink is from the path that the hand meant: gathers the distances of many strokes in
-/// bounded memory. Measured in both directions, from points on the ink to the path and from points
-/// on the path to the ink, so that neither a detour nor a missing part goes unnoticed.
+/// Distances between ink and the path that the hand intended, of many strokes in bounded memory.
+/// Measured in both directions, from points on the ink to the path and from points on the path to
+/// the ink, so that both a detour and a missing part are noticed.
 class InkDistance {
  public:
-  /// Adds one meant stroke and what came of it.
+  /// Adds one intended stroke and its ink.
   void add(std::span<const Point> meant, std::span<const Stroke> ink);
 
   [[nodiscard]] double mean_mm() const noexcept;
-  /// 95 % of the points are no farther.
+  /// Returns the distance that 95 % of the points do not exceed.
   [[nodiscard]] double p95_mm() const noexcept { return mm_of(points_nm_.quantile(0.95)); }
   [[nodiscard]] double max_mm() const noexcept { return mm_of(points_nm_.max()); }
   [[nodiscard]] std::int64_t count() const noexcept { return count_; }
@@ -33,22 +33,22 @@ class InkDistance {
   std::int64_t count_ = 0;
 };
 
-/// What a replay counts.
+/// The counts of a replay.
 struct ReplayStats {
   std::int64_t ticks = 0;
   double simulated_s = 0.0;
-  double wall_s = 0.0;               ///< of the whole loop, reading and writing included
+  double wall_s = 0.0;               ///< of the whole loop, including reading and writing
   std::int64_t touches = 0;          ///< times that the pen came down
-  std::int64_t strokes_meant = 0;    ///< that the hand was told to draw
+  std::int64_t strokes_meant = 0;    ///< that the hand had to draw
   std::int64_t strokes_changed = 0;  ///< added, changed or removed; each counted once
   std::int64_t strokes = 0;          ///< in the document at the end
-  std::int64_t segments = 0;         ///< of these
-  std::int64_t edits = 0;            ///< of the document, undo and redo included
+  std::int64_t segments = 0;         ///< of these strokes
+  std::int64_t edits = 0;            ///< of the document, including undo and redo
   std::int64_t soft_faults = 0, hard_faults = 0;
   double max_asked_n = 0.0, max_sent_n = 0.0;
   double sent_sum_n = 0.0;  ///< over the ticks in contact
   std::int64_t ticks_in_contact = 0;
-  InkDistance distance;  ///< from the path that the hand meant to the ink
+  InkDistance distance;  ///< from the intended path to the ink
 
   [[nodiscard]] double times_real_time() const noexcept {
     return wall_s > 0.0 ? simulated_s / wall_s : 0.0;
@@ -58,7 +58,7 @@ struct ReplayStats {
   }
 };
 
-/// Returns one line of JSON. Without meant strokes "intended_to_ink_mm" is null.
+/// Returns one line of JSON. Without intended strokes, "intended_to_ink_mm" is null.
 std::string stats_json(const ReplayStats& stats);
 
 }  // namespace felt

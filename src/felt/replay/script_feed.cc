@@ -11,21 +11,21 @@
 namespace felt {
 namespace {
 
-// Paths between strokes, as in `script_hand`: minimum jerk, on average this fast.
+// Mean speed of paths between strokes, which are minimum jerk as in `script_hand`.
 constexpr double kAirMmPerS = 250.0;
 constexpr double kMinTravelS = 0.12;
 constexpr double kRestS = 0.25;  // after the last stroke
 constexpr double kMaxTravelS = 60.0;
 
-// Limits of one raw stroke: they bound memory, which is that of the longest stroke.
+// Limits of one raw stroke. They bound memory, which is that of the longest stroke.
 constexpr double kMaxLengthMm = 20'000.0;
 constexpr double kMaxDurationS = 600.0;
 constexpr double kMaxReachMm = 1e4;
-constexpr double kMaxPauseS = 1.0;  // longest one of script_hand
+constexpr double kMaxPauseS = 1.0;  // the longest pause in script_hand
 
 constexpr double kTremorRmsMm = 0.03;
 
-/// Fails for strokes that would take a hand very long.
+/// Fails for strokes that a hand would need very long for.
 Result<void> check_length(const RecordedPath& path) {
   double length_mm = 0.0, duration_s = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -65,7 +65,7 @@ Tremor::Tremor(std::uint64_t seed) {
   for (Tone& tone : tones_) {
     tone = {random.between(8.0, 12.0), random.between(0.0, kTau), random.between(0.0, kTau)};
   }
-  // Squares of tones of different frequencies add.
+  // The squares of tones with different frequencies add up.
   amplitude_mm_ = kTremorRmsMm * std::sqrt(2.0 / static_cast<double>(tones_.size()));
 }
 
@@ -119,7 +119,7 @@ Result<void> ScriptFeed::add_stroke(const RawStroke& stroke) {
   is_fresh_ = false;
   const std::vector<TimedAim> aims = script_hand(std::span<const RecordedPath>(&path, 1), hand);
   if (aims.empty()) return {};
-  // Between strokes the hand is where the pen should be; within a stroke its aims lead the pen.
+  // Between strokes the hand is at the pen's position; within a stroke its aims lead the pen.
   const auto [first, last] = ends_of(path, aims);
   if (Result<void> there = travel_to({first.x, first.y, hand.hover_mm}); !there) return there;
   if (sink_.stroke_begins) sink_.stroke_begins();

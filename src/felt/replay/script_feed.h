@@ -14,16 +14,17 @@
 
 namespace felt {
 
-/// Receives what a script says. All but `event` may be null.
+/// Receives the content of a script. All but `event` may be null.
 struct FeedSink {
-  /// Handles the next event; times never run backwards, over all scripts.
+  /// Handles the next event. Times never decrease, even across scripts.
   std::function<Result<void>(const Event&)> event;
   /// Called before the events of a raw stroke.
   std::function<void()> stroke_begins{};
-  /// Called when all events of a raw stroke were sent, and the hand has lifted the pen: `meant` is
+  /// Called after all events of a raw stroke were sent and the hand has lifted the pen. `meant` is
   /// its path in mm.
   std::function<Result<void>(const std::vector<Point>& meant)> stroke_drawn{};
-  /// Returns how the hand draws raw strokes with the current tool and surface. Null: FeedOptions.
+  /// Returns how the hand draws raw strokes with the current tool and surface. Null: uses
+  /// FeedOptions.
   std::function<HandScriptOptions()> hand{};
 };
 
@@ -34,8 +35,8 @@ struct FeedOptions {
   std::uint64_t seed = 0;  ///< of a tremor; 0 = none
 };
 
-/// Physiological tremor: a displacement of 0.03 mm rms on each axis at 8 to 12 Hz, which depends on
-/// nothing but the seed. Seed 0 is none.
+/// Physiological tremor: a displacement of 0.03 mm rms on each axis at 8 to 12 Hz. It depends only
+/// on the seed. Seed 0 means no tremor.
 class Tremor {
  public:
   explicit Tremor(std::uint64_t seed);
@@ -52,21 +53,21 @@ class Tremor {
 
 /// Reads scripts, with events and raw strokes in any order, and sends events in order of time.
 ///
-/// A raw stroke is drawn when what precedes it is done: the hand moves there through the air,
-/// lands, draws at the recorded pace, lifts. An event that follows comes at its own time, or when
-/// the stroke is done if that is later. Times of a second script count from the end of the first.
-/// Memory is that of the longest stroke.
+/// A raw stroke is drawn after everything before it is done: the hand moves there through the air,
+/// lands, draws at the recorded pace, lifts. An event after it is sent at its own time, or after
+/// the stroke if that is later. Times of a second script count from the end of the first. Memory is
+/// that of the longest stroke.
 class ScriptFeed {
  public:
   ScriptFeed(const FeedOptions& options, FeedSink sink);
 
-  /// Reads a whole script; its name is for errors. Stops at the first one, "NAME:LINE: reason".
+  /// Reads a whole script; `name` is for errors. Stops at the first error, "NAME:LINE: reason".
   Result<void> read(const std::string& name, ReadBytes read);
-  /// The loop starts again with the next event, at `from_ns` or later: the hand waits above the
-  /// first stroke until forces have faded in, so that this one feels like the others.
+  /// Starts the loop again with the next event, at `from_ns` or later. The hand waits above the
+  /// first stroke until forces have faded in, so that this stroke feels like the others.
   void begin_play(std::int64_t from_ns) noexcept;
-  /// Call it before a play: the hand that drew raw strokes stays for a moment, so that the pen,
-  /// which follows it, comes to rest, too.
+  /// Call before a play. The hand that drew raw strokes stays for a moment, so that the pen, which
+  /// follows it, comes to rest too.
   Result<void> rest();
 
   /// Time of the last event sent.

@@ -7,12 +7,12 @@
 namespace felt::script_feed_test {
 namespace {
 
-/// What came out of a script.
+/// The output of a script.
 struct Fed {
   Result<void> result;
   std::vector<Event> events;
   std::vector<std::vector<Point>> strokes;
-  std::vector<std::size_t> events_at_stroke;  // how many had come when the stroke was done
+  std::vector<std::size_t> events_at_stroke;  // number of events when the stroke was done
 };
 
 Fed feed(const std::vector<std::string>& scripts, FeedOptions options = {}) {
@@ -46,7 +46,7 @@ TEST(ScriptFeed, AStrokeIsDrawnBetweenTheEventsAroundIt) {
   ASSERT_EQ(fed.strokes.size(), 1u);
   EXPECT_EQ(fed.strokes[0], (std::vector<Point>{{10, 10}, {20, 10}, {20, 20}}));
   EXPECT_TRUE(std::holds_alternative<UndoEvent>(fed.events.front().what));
-  // The second undo: after the stroke, and after it the hand only rests.
+  // The second undo comes after the stroke; after it the hand only rests.
   const Event& second = fed.events[fed.events_at_stroke[0]];
   EXPECT_TRUE(std::holds_alternative<UndoEvent>(second.what));
   EXPECT_EQ(fed.events.size(), fed.events_at_stroke[0] + 2);

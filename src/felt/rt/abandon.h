@@ -6,15 +6,14 @@
 
 namespace felt {
 
-/// Keeps these, their owners' unique_ptrs, for the life of the program and never touches them
-/// again: a thread that hangs in a maker's call still uses them, and may come back at any time
-/// (RealtimeThread::stop() that was false). Whoever gives something away here has lost it on
-/// purpose. Edit thread.
+/// Keeps these objects, passed as unique_ptrs, until the program ends and never accesses them
+/// again. For objects that a thread still uses that hangs in a call of the vendor's driver and may
+/// return at any time (RealtimeThread::stop() returned false). The leak is intended. Edit thread.
 ///
 ///   if (!thread_->stop()) abandon(std::move(thread_), std::move(servo_), std::move(device_));
 template <class... Owned>
 void abandon(Owned&&... owned) {
-  // Reachable and never freed: a tool that looks for leaks has nothing to say.
+  // The objects stay reachable and are never freed, so leak checkers report nothing.
   static auto* const kKept = new std::vector<void*>();
   kKept->push_back(new std::tuple<std::decay_t<Owned>...>(std::forward<Owned>(owned)...));
 }

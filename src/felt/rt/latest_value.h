@@ -7,13 +7,13 @@
 
 namespace felt {
 
-/// The newest value from one publishing thread to one reading thread: what was not read in time is
-/// replaced, never queued. Both sides are wait-free: a triple buffer, in which the publisher owns
-/// one slot, the reader another, and the third changes hands by one atomic exchange. The reader
-/// never sees half a value, and never one older than it saw before.
+/// Passes the newest value from one publishing thread to one reading thread. A value that is not
+/// read in time is replaced, not queued. Both sides are wait-free. It is a triple buffer: the
+/// publisher owns one slot, the reader another, and one atomic exchange swaps the third. The reader
+/// never sees a partial value, nor one older than a value it has already seen.
 ///
-/// A seqlock would need one copy less, but its reader starts again when the writer comes between;
-/// here one of the readers is the haptic thread.
+/// A seqlock would save one copy, but its reader must retry if the writer interferes, and here one
+/// of the readers is the haptic thread.
 template <class T>
 class LatestValue {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -24,7 +24,7 @@ class LatestValue {
   LatestValue(const LatestValue&) = delete;
   LatestValue& operator=(const LatestValue&) = delete;
 
-  /// Publisher: from the reader's next update() on.
+  /// Publisher. Makes a value available to the reader's next update().
   void publish(const T& value) noexcept {
     slots_[writing_].value = value;
     const std::uint8_t old =
@@ -32,14 +32,14 @@ class LatestValue {
     writing_ = old & kIndex;
   }
 
-  /// Reader: takes the newest value; false when get() is it already.
+  /// Reader. Fetches the newest value; returns false if get() already returns it.
   bool update() noexcept {
     if ((shared_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
     reading_ = shared_.exchange(reading_, std::memory_order_acq_rel) & kIndex;
     return true;
   }
 
-  /// Reader: the value of the last update(); valid, and unchanged, until the next.
+  /// Reader. Returns the value of the last update(); it is valid and unchanged until the next.
   [[nodiscard]] const T& get() const noexcept { return slots_[reading_].value; }
 
  private:

@@ -11,7 +11,7 @@
 namespace felt::latest_value_test {
 namespace {
 
-// As large as a force model; every word says which value it belongs to.
+// As large as a force model; every word identifies its value.
 struct Value {
   std::array<std::uint64_t, 256> words{};
 };
@@ -28,7 +28,7 @@ RC_GTEST_PROP(LatestValue, IsTheNewestPublishedAtTheLastUpdate,
       RC_ASSERT(latest.update() == (newest != seen));
       seen = newest;
     }
-    RC_ASSERT(latest.get() == seen);  // publishing alone changes nothing for the reader
+    RC_ASSERT(latest.get() == seen);  // publishing alone does not change what the reader gets
   }
 }
 

@@ -47,7 +47,7 @@ std::optional<PenSample> LeapFilter::pass(const PenSample& sample, std::int64_t 
   return cut(sample.time_ns);
 }
 
-/// Starts again at this sample.
+/// Accepts this sample and starts checking again from it.
 PenSample LeapFilter::believe(const PenSample& sample, const TickTime& time) noexcept {
   leaps_.reset();
   static_cast<void>(leaps_.judge(sample.position, time));
@@ -55,7 +55,7 @@ PenSample LeapFilter::believe(const PenSample& sample, const TickTime& time) noe
   return last_ = sample;
 }
 
-/// Ends the stroke, if one is in progress, where it was last believed.
+/// Ends the stroke, if one is in progress, at the last accepted position.
 PenSample LeapFilter::cut(std::int64_t time_ns) noexcept {
   if (!is_lifted(last_)) ++cuts_;
   last_.time_ns = std::max(time_ns, last_.time_ns);

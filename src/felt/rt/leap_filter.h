@@ -8,16 +8,18 @@
 
 namespace felt {
 
-/// Keeps positions that an arm cannot have reached out of the ink, whether forces are on or off:
-/// the safety chain believes every position while no force can flow.
+/// Keeps positions that an arm cannot have reached out of the ink, whether forces are on or off. It
+/// is needed because the safety chain accepts every position while no force can be output.
 ///
-/// A single leap is left out. When a leap lasts (JumpGuard), or positions leap again and again, the
-/// stroke ends where the pen was last believed, and a new one may begin after positions have been
-/// steady for kSteadyNs. Only a leap between two samples that are clearly lifted is believed as
-/// soon as it lasts: a sample just above the surface may be a bounce within a stroke (Contact).
+/// A single jump is dropped. If a jump lasts (JumpGuard), or positions keep jumping, the stroke
+/// ends at the last accepted position, and a new one may begin after positions have been steady for
+/// kSteadyNs. There is one exception: a jump between two samples that are clearly lifted is
+/// accepted as soon as it lasts. A sample just above the surface is not enough, because it may be a
+/// bounce within a stroke (Contact).
 ///
-/// A loop that stood still (Lateness::kVeryLate) does not know what the pen did meanwhile. If it is
-/// then farther away than JumpGuard's longest reach, the stroke ends and a new one begins there.
+/// If the loop stood still (Lateness::kVeryLate), the motion of the pen meanwhile is unknown. If
+/// the pen is then farther away than JumpGuard's longest reach, the stroke ends and a new one
+/// begins there.
 ///
 /// Samples that repeat the last one (repeats()) are not passed on.
 ///
@@ -30,12 +32,12 @@ class LeapFilter {
   explicit LeapFilter(const SafetyLimits& limits) noexcept
       : clock_(limits), leaps_(limits), steady_(limits) {}
 
-  /// Takes the next finite sample of an arm. Returns the sample to hand on: the same one, or the
-  /// last believed one lifted off the surface, once, when leaps have lasted too long. Nullopt:
-  /// none.
+  /// Processes the next finite sample of an arm. Returns the sample to pass on: usually the same
+  /// one. If jumps have lasted too long, returns the last accepted one, lifted off the surface,
+  /// once. Nullopt: pass on nothing.
   std::optional<PenSample> pass(const PenSample& sample, std::int64_t now_ns) noexcept;
 
-  /// How often a stroke was ended by a leap.
+  /// Returns how many strokes were ended by a jump.
   [[nodiscard]] std::uint32_t cuts() const noexcept { return cuts_; }
 
  private:
@@ -45,10 +47,10 @@ class LeapFilter {
 
   TickClock clock_;
   JumpGuard leaps_, steady_;
-  std::optional<PenSample> seen_;  // the sample before
-  PenSample last_;                 // handed on
+  std::optional<PenSample> seen_;  // the previous sample
+  PenSample last_;                 // the last sample passed on
   bool is_lost_ = false;
-  bool was_held_ = false;  // the sample before
+  bool was_held_ = false;  // the previous sample was held
   double steady_s_ = 0.0;  // while lost
   std::uint32_t cuts_ = 0;
 };

@@ -20,7 +20,7 @@ class Pen {
     sample_.position = {x_mm, 0, z_mm};
     return pass();
   }
-  /// The device has nothing newer to say.
+  /// The device has nothing newer to report.
   std::optional<PenSample> wait() {
     now_ns_ += kMs;
     return pass();
@@ -58,8 +58,8 @@ TEST(LeapFilter, OneLeapIsLeftOut) {
   EXPECT_TRUE(pen.at(0.1, -1).has_value());
 }
 
-// The stroke ends where the pen was last believed. What it draws when the position has been steady
-// for a while is a stroke of its own.
+// The stroke ends at the last accepted position. Ink after the position has been steady for a while
+// is a new stroke.
 TEST(LeapFilter, ALastingLeapLiftsThePenWhereItWas) {
   Pen pen;
   for (int i = 0; i < 10; ++i) pen.at(0.1 * i, -1);
@@ -85,8 +85,8 @@ TEST(LeapFilter, ALeapInTheAirIsBelievedWhenItLasts) {
   EXPECT_EQ(pen.cuts(), 0u);
 }
 
-/// The longest line that the samples draw while the pen touches, or is so near that it may be a
-/// bounce of the pen within a stroke.
+/// Returns the longest line that the samples draw while the pen touches, or is so near that it may
+/// be bouncing within a stroke.
 double longest_line_mm(const std::vector<PenSample>& samples) {
   double longest = 0.0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -112,12 +112,12 @@ TEST(LeapFilter, R49_ALeapDuringABounceDrawsNoLine) {
   }
 }
 
-// A service that does not answer for a while, or a loop that stood still: the hand draws on.
+// The service does not answer for a while, or the loop stood still, while the hand moves on.
 TEST(LeapFilter, R49_AStallWhileDrawingLosesNoInk) {
   for (const int stall_ms : {5, 8, 12, 16, 20, 30, 60}) {
     for (const double mm_per_ms : {0.1, 0.2, 0.35, 0.5}) {
       for (const bool repeats : {true, false}) {
-        if (repeats && stall_ms > 20) continue;  // then it is a fault of the device
+        if (repeats && stall_ms > 20) continue;  // that is a fault of the device
         SCOPED_TRACE(std::to_string(stall_ms) + " ms at " + std::to_string(mm_per_ms));
         Pen pen;
         double x = 0.0;

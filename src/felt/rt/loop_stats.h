@@ -9,12 +9,12 @@
 
 namespace felt {
 
-/// How often which duration occurred: eight buckets for each doubling, from 1 ns to 18 min, so that
-/// a percentile is at most 1/8 too large and never too small. Constant size; adding is real-time
+/// A histogram of durations: eight buckets for each doubling, from 1 ns to 18 min, so that a
+/// percentile is at most 1/8 too large and never too small. Constant size; adding is real-time
 /// safe.
 class TimeHistogram {
  public:
-  /// One more. Negative counts as 0.
+  /// Adds a duration. A negative one counts as 0.
   constexpr void add(std::int64_t ns) noexcept {
     const auto value = static_cast<std::uint64_t>(std::max<std::int64_t>(ns, 0));
     ++buckets_[index_of(value)];
@@ -31,7 +31,8 @@ class TimeHistogram {
   [[nodiscard]] constexpr std::int64_t max_ns() const noexcept {
     return static_cast<std::int64_t>(max_ns_);
   }
-  /// Such that the fraction `q` (0..1) of all is at most this; 0 without any.
+  /// Returns the smallest bucket bound such that the fraction `q` (0..1) of all durations is at
+  /// most this; 0 if empty.
   [[nodiscard]] constexpr std::int64_t percentile_ns(double q) const noexcept {
     const double wanted = std::clamp(q, 0.0, 1.0) * static_cast<double>(count_);
     std::uint64_t seen = 0;
@@ -66,14 +67,14 @@ class TimeHistogram {
   std::uint64_t max_ns_ = 0;
 };
 
-/// How a haptic loop kept its time. Constant size, trivially copyable, so that it crosses threads
-/// as a value; the haptic thread adds, the edit side merges and prints.
+/// How a haptic loop kept its deadlines. Constant size and trivially copyable, so that it is passed
+/// between threads as a value: the haptic thread adds, the edit thread merges and prints.
 ///
-/// Whoever runs the loop knows what "late" means: RealtimeThread measures against the deadline that
-/// it slept for, Servo, which only sees when it is called, against one period after the last call.
+/// The code that runs the loop defines "late": RealtimeThread measures against the deadline that it
+/// slept for; Servo, which only sees when it is called, against one period after the previous call.
 class LoopStats {
  public:
-  /// A tick at `now_ns`, `late_ns` after it was due. Real-time safe.
+  /// Adds a tick at `now_ns` that was `late_ns` late. Real-time safe.
   constexpr void tick(std::int64_t now_ns, std::int64_t late_ns, std::int64_t period_ns) noexcept {
     if (lateness_.count() == 0) first_ns_ = now_ns;
     last_ns_ = now_ns;
@@ -82,13 +83,13 @@ class LoopStats {
       missed_ += static_cast<std::uint64_t>(late_ns / period_ns);
     }
   }
-  /// A pause between two ticks that was meant. Real-time safe.
+  /// Excludes an intentional pause between two ticks. Real-time safe.
   constexpr void leave_out(std::int64_t ns) noexcept {
     if (lateness_.count() > 0) first_ns_ += ns;
   }
-  /// CPU time of one tick, from those who measure it. Real-time safe.
+  /// Adds the CPU time of one tick, if it is measured. Real-time safe.
   constexpr void add_cpu(std::int64_t ns) noexcept { cpu_.add(ns); }
-  /// Of another run or another loop: rates are over the sum of the times.
+  /// Adds the statistics of another run or loop. Rates are over the sum of the times.
   constexpr void merge(const LoopStats& other) noexcept {
     const std::int64_t together = duration_ns() + other.duration_ns();
     last_ns_ = first_ns_ + together;
@@ -99,29 +100,29 @@ class LoopStats {
   }
 
   [[nodiscard]] constexpr std::uint64_t ticks() const noexcept { return lateness_.count(); }
-  /// Periods that went by without a tick.
+  /// Returns the number of periods without a tick.
   [[nodiscard]] constexpr std::uint64_t missed() const noexcept { return missed_; }
-  /// From the first tick to the last, without pauses.
+  /// Returns the time from the first tick to the last, without pauses.
   [[nodiscard]] constexpr std::int64_t duration_ns() const noexcept { return last_ns_ - first_ns_; }
-  /// Ticks per second; 0 before the second tick.
+  /// Returns ticks per second; 0 before the second tick.
   [[nodiscard]] constexpr double rate_hz() const noexcept {
     if (ticks() <= runs_ || duration_ns() <= 0) return 0.0;
     return 1e9 * static_cast<double>(ticks() - runs_) / static_cast<double>(duration_ns());
   }
   [[nodiscard]] constexpr const TimeHistogram& lateness() const noexcept { return lateness_; }
-  /// Empty where nobody measured it.
+  /// Returns the CPU times; empty if they were not measured.
   [[nodiscard]] constexpr const TimeHistogram& cpu() const noexcept { return cpu_; }
 
  private:
   std::int64_t first_ns_ = 0;
   std::int64_t last_ns_ = 0;
   std::uint64_t missed_ = 0;
-  std::uint64_t runs_ = 1;  // merged here; each has one interval less than ticks
+  std::uint64_t runs_ = 1;  // runs merged; each has one interval fewer than ticks
   TimeHistogram lateness_;
   TimeHistogram cpu_;
 };
 
-/// One line for a person: rate, lateness, missed ticks, CPU time. Edit side.
+/// Returns one line for the user: rate, lateness, missed ticks, CPU time. Edit thread.
 std::string describe(const LoopStats& stats);
 
 }  // namespace felt

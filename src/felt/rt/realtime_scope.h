@@ -11,16 +11,17 @@ void __rtsan_realtime_exit();
 
 namespace felt {
 
-/// How many RealtimeScopes this thread is in. The interposer of tests/devices/rt reads it. Its
-/// model is initial-exec, so that reading it calls nothing, not even where the library is in a
-/// plug-in.
+/// The number of RealtimeScopes that this thread is in, read by the interposer of tests/devices/rt.
+/// The TLS model is initial-exec so that reading it calls no function, even if the library is part
+/// of a plug-in.
 #if defined(__GNUC__)
 __attribute__((tls_model("initial-exec")))
 #endif
 inline constinit thread_local int realtime_depth = 0;
 
-/// Marks the block in which nothing may block: one tick of the haptic loop. Costs two additions.
-/// In tests/devices/rt an interposer watches the block, and with FELT_RTSAN RealtimeSanitizer.
+/// Marks a block in which nothing may block: one tick of the haptic loop. Costs two additions. The
+/// block is checked by an interposer in tests/devices/rt and, with FELT_RTSAN, by
+/// RealtimeSanitizer.
 class FELT_ROLE_ATTRIBUTE(scoped_lockable) RealtimeScope {
  public:
   RealtimeScope() noexcept FELT_ROLE_ATTRIBUTE(exclusive_lock_function(kHapticRole)) {

@@ -38,8 +38,9 @@ bool may_lock_all() noexcept {
          (data[0].effective & (1U << CAP_IPC_LOCK)) != 0;
 }
 
-// Not under a limit: once all future pages are to be locked, an allocation beyond the limit fails,
-// anywhere in the program. Pages are locked as they are first used, so that idle stacks stay small.
+// Locks all memory, unless there is a limit: with MCL_FUTURE, any allocation in the program beyond
+// the limit would fail. MCL_ONFAULT locks pages when they are first used, so that idle stacks stay
+// small.
 bool lock_memory() noexcept {
   return may_lock_all() && mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
 }
@@ -55,7 +56,7 @@ LoopScheduling schedule(int fifo_priority) noexcept {
   if (fifo_priority > 0 && pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted) == 0) {
     return LoopScheduling::kFifo;
   }
-  prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);  // of this thread; everybody may
+  prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);  // of this thread; needs no permission
   // On Linux the nice value belongs to the thread, too.
   const auto thread = static_cast<id_t>(syscall(SYS_gettid));
   return setpriority(PRIO_PROCESS, thread, -20) == 0 ? LoopScheduling::kNice
@@ -177,7 +178,7 @@ void RealtimeThread::set_up() noexcept {
   first_due_ns_ = now_ns() + servo_.options().period_ns;
 }
 
-// Returns the time at which it woke.
+// Sleeps until the deadline and returns the time at which the thread woke.
 std::int64_t RealtimeThread::wait_for(std::int64_t deadline_ns) const noexcept {
   const std::int64_t at_ns = epoch_ns_ + deadline_ns;
   timespec until{};
@@ -217,8 +218,8 @@ void RealtimeThread::loop() noexcept {
   stats_.publish(own_stats_);
 }
 
-// Between two ticks, so that nothing of a tick blocks. Returns the deadline of the next tick, whole
-// periods after the one given: who counts on first_due_ns() stays right.
+// Called between two ticks, so that nothing in a tick blocks. Returns the deadline of the next
+// tick, which is whole periods after the given one, so that first_due_ns() remains valid.
 std::int64_t RealtimeThread::sleep_until_resumed(std::int64_t deadline_ns) const noexcept {
   const std::int64_t period_ns = servo_.options().period_ns;
   pause_asked_.wait(true, std::memory_order_acquire);
@@ -236,8 +237,8 @@ void RealtimeThread::resume() noexcept {
   pause_asked_.notify_one();
 }
 
-// Edit thread; false when it lost patience. There is no event to wait for: the haptic thread wakes
-// nobody.
+// Polls the condition; returns false after `patience_ns`. There is no event to wait for, because
+// the haptic thread wakes no other thread. Edit thread.
 template <class Condition>
 bool RealtimeThread::wait_until(std::int64_t patience_ns, Condition condition) const {
   const std::int64_t until_ns = now_ns() + patience_ns;
@@ -270,16 +271,16 @@ Result<void> RealtimeThread::start_hosted() {
 }
 
 bool RealtimeThread::stop_hosted() noexcept {
-  // One that was asked to end before, in vain, may have done so since.
+  // A loop that an earlier stop() could not end may have ended since.
   if (hosted_.load(std::memory_order_acquire) == Hosted::kTicking) {
     hosted_.store(Hosted::kLastTick, std::memory_order_relaxed);
   }
   const auto is_done = [this] { return hosted_.load(std::memory_order_acquire) == Hosted::kDone; };
-  // Without a tick so far there is no reason to expect one.
+  // If there has been no tick so far, there is no reason to expect one.
   if (ticked_ns_.load(std::memory_order_relaxed) != kNever) {
     wait_until(options_.host_patience_ns, is_done);
   }
-  // The host would wait for that tick for ever, and the servo is its own until it ends.
+  // stop_loop() would wait for that tick forever, and the tick uses the servo until it ends.
   if (!is_done() && is_in_tick_.load(std::memory_order_acquire)) return false;
   host_->stop_loop();
   if (!is_done()) servo_.stop();

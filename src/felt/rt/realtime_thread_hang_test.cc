@@ -1,4 +1,5 @@
-// A device that hangs in its maker's call: the loop is given up, the program goes on.
+// A device that hangs in a call of its vendor's driver: the loop is abandoned, the program
+// continues.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +16,8 @@
 namespace felt::realtime_thread_hang_test {
 namespace {
 
-/// What a hung device tells a test, and the way out of its call. Outlives whoever gives it up.
+/// What a hanging device reports to a test, and how the test releases its call. Outlives the
+/// abandoned objects.
 struct Call {
   std::atomic<bool> hangs{false};
   std::atomic<bool> is_in{false};
@@ -47,7 +49,7 @@ class HangingDevice final : public Device {
   ScriptedDevice inner_;
 };
 
-// A maker's scheduler of which a callback may never return: then it cannot be stopped either.
+// A vendor's scheduler with a callback that may never return, so that it cannot be stopped either.
 class JoiningHost final : public LoopHost {
  public:
   ~JoiningHost() override { JoiningHost::stop_loop(); }
@@ -75,7 +77,7 @@ constexpr RealtimeOptions kImpatient{.fifo_priority = 0,
                                      .host_patience_ns = 20'000'000,
                                      .stop_patience_ns = 20'000'000};
 
-/// Calls may hang with a host and without.
+/// Calls may hang with and without a host.
 class HangingLoop : public ::testing::TestWithParam<bool> {
  protected:
   void hang() {
@@ -101,7 +103,7 @@ TEST_P(HangingLoop, StopGivesUpAndEndsItOnceTheCallIsBack) {
   EXPECT_EQ(call.stops, 0) << "the device is the loop's own until its call is back";
   EXPECT_FALSE(loop->stop());
   call.hangs = false;
-  wait_until([&] { return call.stops == 1; });  // by itself, nobody asked again
+  wait_until([&] { return call.stops == 1; });  // by itself, without another stop()
   wait_until([&] { return loop->stop(); });
   EXPECT_FALSE(loop->is_running());
   EXPECT_EQ(call.stops, 1);

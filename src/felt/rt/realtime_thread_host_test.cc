@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A maker's scheduler: calls about every 0.2 ms, until it is told to stop or has had enough.
+// A vendor's scheduler: calls about every 0.2 ms until it is stopped or reaches its limit of calls.
 class FakeHost final : public LoopHost {
  public:
   ~FakeHost() override { FakeHost::stop_loop(); }
@@ -51,7 +51,7 @@ class FakeHost final : public LoopHost {
   std::atomic<bool> stop_ = false;
 };
 
-// On which thread it was stopped, and whether the force was gone by then.
+// The thread on which it was stopped, and whether the force was zero by then.
 class WatchedDevice final : public Device {
  public:
   [[nodiscard]] std::string_view name() const noexcept override { return "watched"; }
@@ -83,7 +83,7 @@ struct Push {
 
 class HostedLoop : public ::testing::Test {
  protected:
-  // There is a force to be taken away.
+  // There is a force to remove.
   void press_until_there_is_force(RealtimeThread& loop) {
     wait_until([&] {
       servo->heartbeat(loop.now_ns());
@@ -108,7 +108,7 @@ TEST_F(HostedLoop, TicksOnTheHostsThreadAndEndsThereWithoutForce) {
   RealtimeThread loop(*servo, {}, &host);
   EXPECT_FALSE(loop.is_running());
   ASSERT_TRUE(loop.start().has_value());
-  ASSERT_TRUE(loop.start().has_value());  // it runs already
+  ASSERT_TRUE(loop.start().has_value());  // it is already running
   EXPECT_EQ(host.starts, 1);
   EXPECT_TRUE(loop.is_running());
   EXPECT_EQ(loop.status().scheduling, LoopScheduling::kHost);
@@ -188,7 +188,7 @@ TEST_F(HostedLoop, AHostThatCallsNoMoreIsToldAndStopsWithoutForceAllTheSame) {
   EXPECT_THAT(describe(loop.status()), HasSubstr("stands still"));
   EXPECT_TRUE(loop.stop());
   EXPECT_FALSE(loop.is_running());
-  EXPECT_EQ(device.stopped_on, std::this_thread::get_id());  // there was no other left
+  EXPECT_EQ(device.stopped_on, std::this_thread::get_id());  // there was no other thread left
   EXPECT_TRUE(device.zero_before_stop);
   EXPECT_FALSE(loop.status().is_silent);
 }

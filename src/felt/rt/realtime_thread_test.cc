@@ -12,7 +12,7 @@
 namespace felt::realtime_thread_test {
 namespace {
 
-/// Takes all samples that wait for the edit side. Returns how many there were.
+/// Removes all samples queued for the edit thread and returns how many there were.
 std::size_t drain(Servo& servo) {
   std::size_t count = 0;
   for (PenSample sample; servo.for_edit().pop(sample);) ++count;
@@ -88,7 +88,7 @@ TEST(RealtimeThread, EachStatusHasASentence) {
   EXPECT_NE(describe({LoopScheduling::kNice, false}).find("nice"), std::string::npos);
 }
 
-// Publishing, arming and reading while the loop runs: for ThreadSanitizer.
+// Publishes, arms and reads while the loop runs, for ThreadSanitizer.
 TEST(RealtimeThread, TheEditSideMayDoEverythingWhileItRuns) {
   NullDevice device;
   ServoOptions options;
@@ -127,7 +127,7 @@ TEST(RealtimeThread, APausedLoopDoesNotTickAndGoesOnAtOnce) {
   loop.pause();
   EXPECT_TRUE(loop.is_paused());
   EXPECT_FALSE(loop.status().is_silent);
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // the tick that was under way
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // for the tick in progress
   drain(*servo);
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   EXPECT_EQ(drain(*servo), 0U);
@@ -136,7 +136,7 @@ TEST(RealtimeThread, APausedLoopDoesNotTickAndGoesOnAtOnce) {
   PenSample sample;
   wait_until([&] { return servo->for_edit().pop(sample); });
   EXPECT_FALSE(loop.status().is_silent);
-  // Whoever counts periods from the first tick is right as before.
+  // Counting periods from the first tick is still correct.
   loop.pause();
   EXPECT_TRUE(loop.stop()) << "a paused loop ends, too";
   EXPECT_FALSE(loop.is_paused());

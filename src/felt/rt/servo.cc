@@ -1,5 +1,5 @@
-// The tick. Everything here runs on the haptic thread; tests/devices/rt looks at this object's
-// symbols.
+// The tick. Everything here runs on the haptic thread; tests/devices/rt inspects the symbols of
+// this object file.
 #include "felt/rt/servo.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ void Servo::stop() noexcept {
 }
 
 void Servo::take_orders() noexcept {
-  // "Off" first, so that off and on again between two ticks engages anew.
+  // "Off" first, so that off and on again between two ticks engages from zero.
   if (disarm_asked_.exchange(false, std::memory_order_acquire)) chain_.disarm();
   if (arm_asked_.exchange(false, std::memory_order_acquire)) chain_.arm();
   const std::int64_t heard_ns = heartbeat_ns_.load(std::memory_order_acquire);
@@ -64,7 +64,8 @@ void Servo::sense_and_act(std::int64_t now_ns) noexcept {
   report_.terms.clear();
   if (!sample) {
     chain_.device_failed();
-    // It has failed already; whichever way to let go still reaches it, counts.
+    // The device has failed already, so errors are ignored: any attempt to release it that still
+    // works is good.
     static_cast<void>(device_.write(Force{}));
     device_.stop();
     return;
@@ -84,7 +85,8 @@ void Servo::sense_and_act(std::int64_t now_ns) noexcept {
   hand_over_ink(*sample, now_ns);
 }
 
-// The filter of an arm sees what the chain does not believe, too: it must know that the pen leaped.
+// The filter of an arm also gets the samples that the chain rejected, because it must detect the
+// jumps.
 void Servo::hand_over_ink(const PenSample& sample, std::int64_t now_ns) noexcept {
   if (!is_finite(sample)) return;
   if (is_arm_) {
@@ -120,8 +122,8 @@ void Servo::take_model() noexcept {
   if (!model_waits_) return;
   const ForceModel& next = models_.get();
   if (next.fade_id() != current_.fade_id()) {
-    // Only two models are ever evaluated. A third waits until the first has faded out: the force
-    // stays continuous, and the tick bounded.
+    // At most two models are evaluated. A third one waits until the first has faded out, so that
+    // the force stays continuous and the tick bounded.
     if (fade_ < 1.0) return;
     outgoing_ = current_;
     outgoing_memory_ = memory_;
@@ -131,12 +133,15 @@ void Servo::take_model() noexcept {
   model_waits_ = false;
 }
 
+// During a cross-fade both models are evaluated, each with its own memory and with the same share
+// of the stiffness budget, which depends on their weighted slopes.
 Force Servo::evaluate(PenSample sample) noexcept {
-  // The loop's clock begins with the loop. Wraps: a device may say any time.
+  // Converts from the loop's clock, which starts with the loop. Wraps around, because a device may
+  // report any time.
   sample.time_ns = static_cast<std::int64_t>(static_cast<std::uint64_t>(sample.time_ns) +
                                              static_cast<std::uint64_t>(session_offset_ns()));
   if (fade_ < 1.0) fade_ = std::min(1.0, fade_ + report_.dt_s / options_.cross_fade_s);
-  take_model();  // after the weight has moved: a fade starts with the old force alone
+  take_model();  // after fade_ has changed, so that a fade starts with the old force alone
   const bool fading = fade_ < 1.0;
   const Slopes slopes =
       fading ? scaled(fade_, current_.slopes()) + scaled(1.0 - fade_, outgoing_.slopes())

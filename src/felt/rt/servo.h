@@ -18,88 +18,90 @@ namespace felt {
 
 class LeapFilter;
 
-/// Everything about one tick of the haptic loop: what `--forces` writes and the force panel plots.
+/// The report of one tick of the haptic loop: what `--forces` writes and the force panel plots.
 struct TickReport {
-  PenSample sample;        ///< as read; the last good one where reading failed
-  bool sample_ok = false;  ///< it was read, and the safety chain believes it
+  PenSample sample;        ///< as read; the last good one if reading failed
+  bool sample_ok = false;  ///< it was read, and the safety chain accepted it
   double dt_s = 0.0;
   Force asked;            ///< sum of the model's terms after the cross-fade, times the strength
-  Force sent;             ///< what the device holds: after the safety chain and the driver
+  Force sent;             ///< what the device holds after the safety chain and the driver
   ForceTerms terms;       ///< of the current model, before the cross-fade and without the strength
   double strength = 1.0;  ///< master strength on this tick, 0..1 (Servo::set_strength)
   SafetyReport safety;
-  std::uint32_t ink_cuts = 0;  ///< strokes ended by leaps of the arm since the start (LeapFilter)
+  std::uint32_t ink_cuts = 0;  ///< strokes ended by jumps of the arm since the start (LeapFilter)
 };
 
 struct ServoOptions {
   /// Loop period, 0.2..4 ms (R50). Clamped.
   std::int64_t period_ns = 1'000'000;
-  /// Cross-fade between models of different fade_id (architecture section 10). Clamped to 0..1 s.
+  /// Duration of the cross-fade between models of different fade_id (architecture section 10).
+  /// Clamped to 0..1 s.
   double cross_fade_s = 0.020;
-  /// limits_for(the device). Their period is set to the one above.
+  /// Usually limits_for(the device). The period inside is replaced by the one above.
   SafetyLimits limits;
 };
 
-/// The body of the haptic loop (architecture section 4): read, evaluate, limit, write, hand over.
+/// The body of the haptic loop (architecture section 4): read, evaluate, limit, write, queue the
+/// sample.
 ///
 /// step(now) is called by a real-time thread (`RealtimeThread`), by a vendor's servo callback, or
-/// with a virtual clock by replay and tests (`VirtualClock`); it neither knows nor cares. step() is
-/// real-time safe: no allocation, lock, I/O or exception, and denormals are zero within.
+/// with a virtual clock by replay and tests (`VirtualClock`); it works the same for all. step() is
+/// real-time safe: no allocation, lock, I/O or exception. Denormals are treated as zero inside.
 ///
-/// A vendor's callback needs nothing but step(now) with a monotonic clock, 0 when the session
-/// began, on the one thread that the vendor calls it from, and stop() at the end: `RealtimeThread`
-/// with a `LoopHost` does that. Which threads may call what is checked by clang (thread_roles.h).
-/// The object is large (tens of KiB) and lives on the heap as a rule.
+/// A vendor's callback only needs to call step(now), with a monotonic clock that was 0 when the
+/// session began, always on the vendor's one thread, and stop() at the end. `RealtimeThread` with a
+/// `LoopHost` does that. Clang checks which threads may call what (thread_roles.h). The object is
+/// large (tens of KiB), so allocate it on the heap.
 class Servo {
  public:
   static constexpr std::size_t kRingSamples = 16384;  ///< 16 s at 1 kHz
   using Ring = SpscRing<PenSample, kRingSamples>;
   static constexpr int kMostBetween = 32;          ///< samples between two ticks (Device::between)
-  static constexpr double kStrengthRampS = 0.050;  ///< from none to all
+  static constexpr double kStrengthRampS = 0.050;  ///< for a change from 0 to 1
 
-  /// The device must outlive the servo. Forces are off until arm().
+  /// Makes a servo for a device, which must outlive it. Forces are off until arm().
   Servo(Device& device, const ServoOptions& options);
   ~Servo();
 
-  /// One tick. Haptic thread.
+  /// Runs one tick. Haptic thread.
   const TickReport& step(std::int64_t now_ns) noexcept FELT_NONBLOCKING FELT_NOT_EDIT;
-  /// The end of the loop: forces off, in the device too. Haptic thread, or when no thread runs; a
-  /// servo can be stepped and armed again afterwards.
+  /// Ends the loop: forces off, in the device too. Haptic thread, or any thread if no loop runs.
+  /// Afterwards the servo can be armed and stepped again.
   void stop() noexcept FELT_NOT_EDIT;
 
   // Edit thread.
-  /// From the next tick on; one that changes the feel (another fade_id) while two others are still
-  /// being cross-faded waits for the end of that, 20 ms at most. Wait-free.
+  /// Sets the force model from the next tick on. If its fade_id differs while two other models are
+  /// still being cross-faded, it waits for the end of that, 20 ms at most. Wait-free.
   void publish(const ForceModel& model) noexcept FELT_NOT_HAPTIC;
-  /// "I am alive": call at least every 100 ms with the loop's clock.
+  /// Reports that the edit thread is alive. Call it at least every 100 ms with the loop's clock.
   void heartbeat(std::int64_t now_ns) noexcept FELT_NOT_HAPTIC;
-  /// The user allows forces. Any thread.
+  /// Enables forces on behalf of the user. Any thread.
   void arm() noexcept;
-  /// The user's force-off key. Any thread; takes effect on the next tick, and is never lost: an
-  /// arm() after it engages from zero.
+  /// Disables forces, for the user's force-off key. Any thread; takes effect on the next tick and
+  /// is never lost: an arm() after it engages from zero.
   void disarm() noexcept;
-  /// Master strength: how much of what the models ask for is asked of the device, 0..1 (clamped;
-  /// NaN is ignored). From the next tick on the loop goes there evenly, kStrengthRampS for all of
-  /// the way, so that the force stays continuous. 1 at first. Any thread.
+  /// Sets the master strength, the share of the model's force that is requested from the device,
+  /// 0..1 (clamped; NaN is ignored). The loop changes to it linearly, at a rate of kStrengthRampS
+  /// for the whole range, so that the force stays continuous. Initially 1. Any thread.
   void set_strength(double share) noexcept;
-  /// Session time minus loop time, ns; 0 at first. Force models are evaluated in session time, the
-  /// time of the samples that tools make them from, so that they know how old they are (R30). Set
-  /// it before publish() if the session began before this loop. Any thread.
+  /// Sets session time minus loop time, ns; initially 0. Force models are evaluated in session
+  /// time, which is the time of the samples that tools make them from, so that a model can compute
+  /// its age (R30). Set it before publish() if the session began before this loop. Any thread.
   void set_session_offset(std::int64_t offset_ns) noexcept;
   [[nodiscard]] std::int64_t session_offset_ns() const noexcept {
     return session_offset_ns_.load(std::memory_order_relaxed);
   }
-  /// Samples in order, all of them that are believed, for the session and for the autosave. A
-  /// device without forces is always believed (a mouse may jump), as long as it says finite
-  /// numbers; an arm that leaps is not, and its stroke ends (LeapFilter).
+  /// Return the queues of all accepted samples in order, for the session and for the autosave.
+  /// Samples of a device without forces are always accepted if they are finite, because a mouse may
+  /// jump. A jump of an arm is not accepted, and ends its stroke (LeapFilter).
   [[nodiscard]] Ring& for_edit() noexcept FELT_NOT_HAPTIC { return edit_ring_; }
   [[nodiscard]] Ring& for_autosave() noexcept FELT_NOT_HAPTIC { return autosave_ring_; }
-  /// The newest tick, for display; valid until the next call. Edit thread.
+  /// Returns the report of the newest tick, for display; valid until the next call. Edit thread.
   [[nodiscard]] const TickReport& latest() noexcept FELT_NOT_HAPTIC;
 
-  /// When step() was called. Haptic thread, or when no thread runs.
+  /// Returns when step() was called. Haptic thread, or any thread if no loop runs.
   [[nodiscard]] const LoopStats& stats() const noexcept { return stats_; }
-  /// As clamped. Any thread.
+  /// Returns the options after clamping. Any thread.
   [[nodiscard]] const ServoOptions& options() const noexcept { return options_; }
 
  private:
@@ -122,7 +124,7 @@ class Servo {
   bool has_force_;
   bool is_arm_;
 
-  // Edit side to haptic thread.
+  // From the edit thread to the haptic thread.
   LatestValue<ForceModel> models_;
   std::atomic<std::int64_t> heartbeat_ns_{kNever};
   std::atomic<bool> arm_asked_{false};
@@ -131,7 +133,7 @@ class Servo {
   std::atomic<std::int64_t> session_offset_ns_{0};
   static_assert(std::atomic<double>::is_always_lock_free);
 
-  // The haptic thread's own.
+  // Used by the haptic thread only.
   SafetyChain chain_;
   std::unique_ptr<LeapFilter> leaps_;
   ForceModel current_;
@@ -139,13 +141,13 @@ class Servo {
   ForceModel outgoing_;  // while fade_ < 1
   ForceMemory outgoing_memory_;
   double fade_ = 1.0;         // weight of current_
-  bool model_waits_ = false;  // models_.get() has not been taken over yet
+  bool model_waits_ = false;  // models_.get() has not been applied yet
   std::int64_t heard_ns_ = kNever;
   std::int64_t last_tick_ns_ = kNever;
   TickReport report_;
   LoopStats stats_;
 
-  // Haptic thread to edit side and autosave.
+  // From the haptic thread to the edit thread and the autosave.
   LatestValue<TickReport> reports_;
   Ring edit_ring_;
   Ring autosave_ring_;

@@ -1,4 +1,5 @@
-// The edit side of the servo, apart from the tick so that the tick's object shows what it calls.
+// The functions of the servo for the edit thread. They are separate from the tick, so that the
+// object file of the tick shows only what the tick calls.
 #include <algorithm>
 #include <cmath>
 

@@ -28,7 +28,7 @@ struct Constant {
   [[nodiscard]] Slopes slopes() const noexcept { return claimed; }
 };
 
-// Its force is what it remembers, in its bristle: shows whose memory a model works with.
+// A brick whose force is the content of its bristle: shows whose memory a model uses.
 struct Remembering {
   double adds = 0.0;
   Force operator()(const PenSample&, ForceMemory& memory) const noexcept {
@@ -38,7 +38,7 @@ struct Remembering {
   [[nodiscard]] static Slopes slopes() noexcept { return {}; }
 };
 
-// Writes down what the loop tells a brick, as a force.
+// A brick that outputs what the loop passes to it as a force.
 struct Telling {
   Force operator()(const PenSample&, ForceMemory& memory) const noexcept {
     return {memory.dt_s, memory.period_s, memory.material_cap_n_per_m};
@@ -53,7 +53,7 @@ struct TellingScale {
   [[nodiscard]] Slopes slopes() const noexcept { return claimed; }
 };
 
-/// Writes down, as a force, the time of the sample that a brick gets, s.
+/// A brick that outputs the time of its sample as a force, s.
 struct TellingTime {
   Force operator()(const PenSample& sample, ForceMemory&) const noexcept {
     return {1e-9 * static_cast<double>(sample.time_ns), 0.0, 0.0};
@@ -75,7 +75,7 @@ struct Loop {
     for (int i = 1; i < ticks; ++i) clock.tick();
     return clock.tick();
   }
-  // Armed, and through the ramp.
+  // Arms and waits until the ramp is over.
   void engage() {
     servo->arm();
     run(700);
@@ -149,18 +149,18 @@ TEST(Servo, R49_ADeviceThatCannotBeWrittenIsStopped) {
   EXPECT_EQ(loop.device.force, Force{});
 }
 
-// A device that is opened ten seconds after the session began.
+// A device opened ten seconds after the session began.
 TEST(Servo, R30_ModelsSeeTheTimeOfTheSession) {
   Loop loop;
   loop.servo->set_session_offset(10'000 * kMs);
   loop.servo->publish(model_of(TellingTime{}));
   const TickReport& report = loop.run(50);
   EXPECT_DOUBLE_EQ(report.asked.x, 1e-9 * static_cast<double>(report.sample.time_ns) + 10.0);
-  // Whatever is handed over is in the loop's time.
+  // The queued samples have the loop's time.
   EXPECT_LE(report.sample.time_ns, 50 * kMs);
 }
 
-// The curve goes on giving way between two publications, whenever the session began.
+// The curve goes on yielding between two publications, whenever the session began.
 TEST(Servo, R30_TheForceOfASweepAgesWhenTheLoopBeganLater) {
   const auto asked_n = [](std::int64_t offset_ns) {
     Loop loop;
@@ -188,7 +188,7 @@ TEST(Servo, R49_TheReportSaysWhatTheDeviceHolds) {
   EXPECT_EQ(loop.run(1).sent, loop.device.force);
 }
 
-// Forces on or off: no line leads to where the arm cannot be.
+// With forces on or off, no line leads to where the arm cannot be.
 TEST(Servo, R49_AnArmThatLeapsEndsItsStroke) {
   ScriptedDevice device;
   device.has_arm = true;
@@ -294,7 +294,7 @@ TEST(Servo, AThirdFeelWaitsForTheFadeAndTheNewestWins) {
   double last = loop.run(1).asked.x;
   for (int i = 0; i < 30; ++i) {
     const double x = loop.run(1).asked.x;
-    EXPECT_LE(std::abs(x - last), 0.0101);  // 0.2 N in 20 ms, twice; 3 never sounds
+    EXPECT_LE(std::abs(x - last), 0.0101);  // 0.2 N in 20 ms, twice; model 3 is never evaluated
     last = x;
   }
   EXPECT_DOUBLE_EQ(last, 0.5);
@@ -326,7 +326,7 @@ TEST(Servo, AFeelThatTakesOverStartsWithTheMemoryOfTheOther) {
   const double before = loop.run(50).asked.x;
   loop.servo->publish(model_of(Remembering{0.0}, 2));
   for (int i = 0; i < 40; ++i) {
-    // Without the other's memory the force would fall to zero; the old one keeps its own.
+    // Without the other model's memory the force would fall to zero; the old model keeps its own.
     EXPECT_GE(loop.run(1).asked.x, before - 1e-12);
   }
   EXPECT_NEAR(loop.run(1).asked.x, before, 1e-12);
@@ -440,8 +440,9 @@ TEST(Servo, AtFullStrengthNothingIsChanged) {
   }
 }
 
-// Whenever and however the strength is changed, at any period: within 0..1, evenly towards what was
-// asked last, never faster than the ramp, and the force in step with it.
+// Whenever and however the strength is changed, at any period: it stays within 0..1, changes
+// linearly towards the last requested value, never faster than the ramp, and the force changes with
+// it.
 RC_GTEST_PROP(Servo, StrengthIsBoundedContinuousAndMonotone, ()) {
   ServoOptions options;
   options.period_ns = *rc::gen::element<std::int64_t>(200'000, 250'000, kMs, 4 * kMs);
@@ -482,7 +483,7 @@ TEST(Servo, AtStrengthZeroTheDeviceGetsNoForceWhileTheModelGoesOn) {
     ASSERT_EQ(loop.device.force, Force{});
   }
   loop.servo->set_strength(1.0);
-  EXPECT_GT(norm(loop.run(60).asked), 0.3);  // the bristle was drawn on meanwhile
+  EXPECT_GT(norm(loop.run(60).asked), 0.3);  // the bristle was pulled along meanwhile
 }
 
 TEST(Servo, StoppingTakesTheForceOffTheDeviceAndItCanGoOnLater) {

@@ -10,17 +10,17 @@
 
 namespace felt {
 
-/// A queue from one producing thread to one consuming thread: everything arrives, in order. Both
-/// sides are wait-free. When the consumer falls N elements behind, new ones are dropped and
-/// counted; the producer never waits for it. N is a power of two.
+/// A queue from one producer thread to one consumer thread that delivers every element in order.
+/// Both sides are wait-free. If the consumer falls N elements behind, new elements are dropped and
+/// counted; the producer never waits. N is a power of two.
 ///
-/// All memory is taken and touched by the constructor, so that a push costs neither an allocation
+/// The constructor allocates and touches all memory, so that a push causes neither an allocation
 /// nor a page fault.
 ///
-/// Why not the packaged one (moodycamel's ReaderWriterQueue): it orders by stand-alone fences,
-/// which the ThreadSanitizer of g++ does not model, so the proof of this hand-over would be worth
-/// nothing; it counts no overflow; and every user of the installed headers would need its package.
-/// What is left to write is below.
+/// We don't use the usual library (moodycamel's ReaderWriterQueue) because it orders by stand-alone
+/// fences, which the ThreadSanitizer of g++ does not model, so that it could not check this queue;
+/// because it does not count overflows; and because every user of the installed headers would need
+/// its package.
 template <class T, std::size_t N>
 class SpscRing {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -33,7 +33,7 @@ class SpscRing {
 
   static constexpr std::size_t capacity() noexcept { return N; }
 
-  /// Producer. False, and one more dropped, when the ring is full.
+  /// Producer. Adds an element. If the ring is full, drops it, counts it and returns false.
   bool push(const T& value) noexcept {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
     if (tail - head_seen_ == N) {
@@ -48,10 +48,10 @@ class SpscRing {
     return true;
   }
 
-  /// Consumer. False when there is nothing.
+  /// Consumer. Removes the oldest element; returns false if there is none.
   bool pop(T& value) noexcept { return pop(std::span<T>(&value, 1)) == 1; }
 
-  /// Consumer. Fills `out` from its front with the oldest elements; how many there were.
+  /// Consumer. Fills `out` from its front with the oldest elements and returns how many there were.
   std::size_t pop(std::span<T> out) noexcept {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     const std::size_t count = std::min(tail_.load(std::memory_order_acquire) - head, out.size());
@@ -60,24 +60,24 @@ class SpscRing {
     return count;
   }
 
-  /// How many wait. Exact on the consumer's thread for what it can pop at least; elsewhere a
-  /// glance.
+  /// Returns the number of queued elements. On the consumer's thread at least that many can be
+  /// popped; on other threads it is an estimate.
   [[nodiscard]] std::size_t size() const noexcept {
     const std::size_t head = head_.load(std::memory_order_acquire);
     return std::min(tail_.load(std::memory_order_acquire) - head, N);
   }
 
-  /// How many were lost because the consumer was too slow. Any thread.
+  /// Returns the number of elements dropped because the consumer was too slow. Any thread.
   [[nodiscard]] std::uint64_t dropped() const noexcept {
     return dropped_.load(std::memory_order_relaxed);
   }
 
  private:
-  static constexpr std::size_t kCacheLine = 64;  // neither side's counter slows the other's
+  static constexpr std::size_t kCacheLine = 64;  // separates the counters of the two sides
 
   std::unique_ptr<T[]> slots_;
   alignas(kCacheLine) std::atomic<std::size_t> tail_{0};  // written by the producer
-  std::size_t head_seen_ = 0;                             // its last look at head_
+  std::size_t head_seen_ = 0;                             // its last copy of head_
   std::atomic<std::uint64_t> dropped_{0};
   alignas(kCacheLine) std::atomic<std::size_t> head_{0};  // written by the consumer
 };

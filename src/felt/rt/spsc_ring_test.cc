@@ -12,7 +12,7 @@
 namespace felt::spsc_ring_test {
 namespace {
 
-// Every word says which element it belongs to, so that a torn one shows.
+// Every word identifies its element, so that a torn one is detected.
 struct Element {
   std::array<std::uint64_t, 10> words{};
 };
@@ -57,7 +57,7 @@ TEST(SpscRing, TwoThreadsEverythingArrivesOnceInOrderAndWhole) {
   const auto ring = std::make_unique<SpscRing<Element, 64>>();
   std::thread producer([&] {
     for (std::uint64_t i = 0; i < kElements;) {
-      if (ring->push(element(i))) ++i;  // a full ring: the same again
+      if (ring->push(element(i))) ++i;  // if the ring is full, retries the same one
     }
   });
   std::array<Element, 7> out{};

@@ -9,30 +9,31 @@
 
 namespace felt {
 
-/// Steps a servo in virtual time: as fast as the processor can, and the same on each run. For
-/// replay, tests and the demonstration; nothing here knows the real time.
+/// Steps a servo in virtual time: as fast as the processor can, and identically on each run. For
+/// replay, tests and the demonstration; it does not use the real time.
 ///
-/// With a lateness sequence tick k, due at k periods, happens lateness_ns[k mod n] later, and
-/// periods that went by meanwhile are left out, as RealtimeThread does: recorded scheduler jitter
-/// can be replayed (performance 4.1, target 4).
+/// With a sequence of latenesses, tick k, due at k periods, happens lateness_ns[k mod n] later, and
+/// periods that pass meanwhile are skipped, as in RealtimeThread. So recorded scheduler jitter can
+/// be replayed (performance 4.1, target 4).
 ///
 ///   VirtualClock clock(servo);
 ///   for (...) { feed the device; const TickReport& report = clock.tick(); drain the rings; }
 class VirtualClock {
  public:
-  /// `lateness_ns` must outlive the clock; entries are never negative (those count as 0).
+  /// Makes a clock. `lateness_ns` must outlive it; negative entries count as 0.
   explicit VirtualClock(Servo& servo, std::span<const std::int64_t> lateness_ns = {}) noexcept
       : servo_(servo), lateness_ns_(lateness_ns) {}
 
-  /// When the next tick will happen: the time to which a simulated device will advance.
+  /// Returns when the next tick will happen, which is the time that a simulated device will advance
+  /// to.
   [[nodiscard]] std::int64_t next_ns() const noexcept { return due_ns_ + next_lateness(); }
-  /// When the last tick happened; -1 before the first.
+  /// Returns when the last tick happened; -1 before the first.
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
-  /// Whether tick() says "alive" for the edit side, which runs on this very thread (true). Tests of
-  /// a silent edit side switch it off.
+  /// Sets whether tick() sends the heartbeat of the edit thread, which here is the same thread
+  /// (default true). Tests of a silent edit thread switch it off.
   void set_heartbeat(bool on) noexcept { heartbeat_ = on; }
 
-  /// The next tick.
+  /// Runs the next tick.
   const TickReport& tick() noexcept {
     now_ns_ = next_ns();
     if (heartbeat_) servo_.heartbeat(now_ns_);
@@ -41,7 +42,7 @@ class VirtualClock {
     if (!lateness_ns_.empty()) at_ = (at_ + 1) % lateness_ns_.size();
     return servo_.step(now_ns_);
   }
-  /// All ticks up to and including `until_ns`; `each(report)` after each.
+  /// Runs all ticks up to and including `until_ns` and calls `each(report)` after each.
   template <class Each>
   void run(std::int64_t until_ns, Each&& each) {
     while (next_ns() <= until_ns) each(tick());

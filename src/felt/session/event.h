@@ -13,32 +13,32 @@
 
 namespace felt {
 
-/// {"event":"tool","id":"pencil"}
+/// Chooses a tool. {"event":"tool","id":"pencil"}
 struct SelectTool {
   std::string id;
   friend bool operator==(const SelectTool&, const SelectTool&) = default;
 };
 
-/// {"event":"option","id":"pencil.snap","value":"both"}. Besides the tools' own tables there is
-/// the sheet's: "sheet.material", "sheet.color".
+/// Sets an option of a tool or of the surface ("sheet.material", "sheet.color").
+/// {"event":"option","id":"pencil.snap","value":"both"}
 struct SetOption {
   std::string id;
   OptionValue value;
   friend bool operator==(const SetOption&, const SetOption&) = default;
 };
 
-/// {"event":"pen","x":..,"y":..,"z":..,"pressure":..,"buttons":0,"lean":32.5}: the sample as read.
-/// Velocity is no part of the text form; the player derives it as a device would.
+/// A pen sample as read. {"event":"pen","x":..,"y":..,"z":..,"pressure":..,"buttons":0,"lean":32.5}
+/// The text form has no velocity; the player computes it as a device would.
 struct PenEvent {
   Vec3 position;
   std::optional<double> pressure;
   std::uint32_t buttons = 0;
-  std::optional<double> lean_deg{};  ///< of the pen from the upright, 0..90; absent where unknown
+  std::optional<double> lean_deg{};  ///< tilt of the pen from the normal, 0..90; absent if unknown
   friend bool operator==(const PenEvent&, const PenEvent&) = default;
 };
 
-/// {"event":"hand","x":..,"y":..,"z":..}: where the simulated hand wants the pen; forces then move
-/// it. For the player, which owns the device; a session never sees it.
+/// Where the simulated hand wants the pen; forces then displace it. Only for the player, which owns
+/// the device; a session refuses it. {"event":"hand","x":..,"y":..,"z":..}
 struct HandEvent {
   Vec3 target;
   std::optional<double> pressure;
@@ -57,91 +57,93 @@ struct CancelEvent {
   friend bool operator==(const CancelEvent&, const CancelEvent&) = default;
 };
 
-/// {"event":"import","path":".."}: the strokes of a sketch file are added. Whoever reads the script
-/// reads the file; the session gets it as an edit.
+/// Adds the strokes of a file. {"event":"import","path":".."} The code that reads the script reads
+/// the file, and passes the strokes to Session::import().
 struct ImportEvent {
   std::string path;
-  bool select = false;  ///< the added strokes become the selection, which stays as it was otherwise
+  bool select = false;  ///< select the added strokes; if false, the selection does not change
   friend bool operator==(const ImportEvent&, const ImportEvent&) = default;
 };
 
-/// {"event":"select","what":"all"}: whole strokes of visible, unlocked layers.
+/// Selects whole strokes of visible, unlocked layers. {"event":"select","what":"all"}
 struct SelectStrokes {
   enum class What : std::uint8_t {
     kAll,
     kNone,
-    kInvert,  ///< what is wholly selected no longer is, all others wholly are
+    kInvert,  ///< deselects the strokes that are wholly selected and selects all others
   };
   What what = What::kAll;
   friend bool operator==(const SelectStrokes&, const SelectStrokes&) = default;
 };
 
-/// {"event":"delete"}: the strokes that are wholly selected go; of others nothing does.
+/// Deletes the strokes that are wholly selected, and no part of the others. {"event":"delete"}
 struct DeleteEvent {
   friend bool operator==(const DeleteEvent&, const DeleteEvent&) = default;
 };
-/// {"event":"duplicate"}: copies of the strokes that are wholly selected, a little beside them,
-/// each on top of its layer; they are what is selected then.
+/// Copies the strokes that are wholly selected, slightly shifted, each to the top of its layer, and
+/// selects the copies. {"event":"duplicate"}
 struct DuplicateEvent {
   friend bool operator==(const DuplicateEvent&, const DuplicateEvent&) = default;
 };
 
-/// {"event":"restyle","color":"#b02020","medium":"chalk"}: the selected strokes, those that are
-/// selected in part too, get this colour, this medium or both, as one step of undo. Their shapes
-/// and widths stay.
+/// Changes the colour, the medium or both of all strokes that are selected wholly or in part, as
+/// one undo step. Shapes and widths do not change.
+/// {"event":"restyle","color":"#b02020","medium":"chalk"}
 struct RestyleEvent {
-  std::string color = {};   ///< as "sheet.color" takes it; "" leaves it
-  std::string medium = {};  ///< the id of one that is known and draws; "" leaves it
+  std::string color = {};   ///< in the form of "sheet.color"; "" does not change it
+  std::string medium = {};  ///< id of a known medium that draws; "" does not change it
   friend bool operator==(const RestyleEvent&, const RestyleEvent&) = default;
 };
 
-/// {"event":"layer","do":"hide","id":2}, {"event":"layer","do":"add","name":"Ideas"}
+/// Changes a layer. {"event":"layer","do":"hide","id":2},
+/// {"event":"layer","do":"add","name":"Ideas"}
 struct LayerEvent {
   enum class Do : std::uint8_t {
-    kAdd,     ///< above the one in use, and in use from then on; "Layer N" where there is no name
+    kAdd,     ///< above the current one, and makes it current; "Layer N" if it has no name
     kRemove,  ///< with its strokes
     kRename,
     kShow,
     kHide,
     kLock,
     kUnlock,
-    kRaise,  ///< one place up; nothing at the top
-    kLower,  ///< one place down; nothing at the bottom
-    kUse,    ///< new ink goes there; no step of undo
-    kMove,   ///< to the place `index`
+    kRaise,  ///< one position up; no effect at the top
+    kLower,  ///< one position down; no effect at the bottom
+    kUse,    ///< makes it the current layer for new ink; not an undo step
+    kMove,   ///< to position `index`
   };
   Do what = Do::kAdd;
   LayerId layer;          ///< none for kAdd
   std::string name = {};  ///< of kAdd and kRename
-  std::size_t index = 0;  ///< of kMove: 0 is the lowest place, beyond the highest is the highest
+  std::size_t index = 0;  ///< for kMove: 0 is the lowest; above the highest is the highest
   friend bool operator==(const LayerEvent&, const LayerEvent&) = default;
 };
 
-/// The version of the tools' default options, which recordings name because they leave out options
+/// The version of the tools' default options. Recordings name it because they leave out options
 /// that have their default. 1: Feltline 0.1.0 (old_defaults.h).
 inline constexpr int kOptionDefaults = 2;
 
-/// {"event":"device","max_force_n":3.3,...}: what the samples come from and forces go to, from now
-/// on. The gesture in work is ended as if the pen were lifted. For recordings that are told to a
-/// session as they are; the Player, which has a device of its own, refuses it. The workspace, which
-/// tools do not look at, is no part of the text form.
+/// Sets the device that samples come from and forces go to, from now on.
+/// {"event":"device","max_force_n":3.3,...} A gesture in progress is committed as if the pen had
+/// been lifted. For recordings that are passed directly to a session; the Player refuses it because
+/// it has its own device. The text form has no workspace, because tools do not use it.
 struct UseDevice {
   Capabilities capabilities;
-  /// Of the program that recorded it. The first event with other defaults than the session's sets
-  /// the options that still have their default.
+  /// The version of the defaults in the program that recorded it. At the first event whose version
+  /// differs from the session's, options that still have their default are set to those of that
+  /// version.
   int defaults = kOptionDefaults;
   friend bool operator==(const UseDevice&, const UseDevice&) = default;
 };
 
-/// {"event":"material","text":"kind = \"sheet\"..."}: this sheet or medium is known from now on,
-/// and is the one of its id: what is in use is taken over at once. The text says all of it
+/// Adds a surface or medium, or replaces the one with the same id; one in use changes immediately.
+/// {"event":"material","text":"kind = \"sheet\"..."} The text defines it completely
 /// (docs/formats/material.md).
 struct UseMaterial {
   std::string text;
   friend bool operator==(const UseMaterial&, const UseMaterial&) = default;
 };
 
-/// Everything that can happen to a drawing session: its only input (architecture section 6). Times
+/// An event of a drawing session, the only input that a session has (architecture section 6). Times
 /// never run backwards.
 struct Event {
   std::int64_t time_ns = 0;

@@ -9,8 +9,8 @@ namespace felt {
 namespace {
 
 constexpr int kLookSamples = 64;
-constexpr double kLeastPushN = 0.02;  // what touches rubs
-constexpr double kUsualPushN = 0.6;   // of a mouse
+constexpr double kLeastPushN = 0.02;  // a touching pen always makes a sound
+constexpr double kUsualPushN = 0.6;   // for a device without depth or pressure, such as a mouse
 
 }  // namespace
 

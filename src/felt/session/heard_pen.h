@@ -5,19 +5,19 @@
 
 namespace felt {
 
-/// A session's pen as the ear has it (felt/sound): what rubs on what, and how hard. Keeps what is
-/// dear to ask for. Edit thread; one session.
+/// Converts the pen of a session to the input of the sound (felt/sound): what rubs on what, and how
+/// hard. Caches values that are expensive to compute. Edit thread; one session.
 class HeardPen {
  public:
   explicit HeardPen(const Session& session) : session_(&session) {}
 
-  /// Another session goes on with the same sound.
+  /// Continues the same sound with another session.
   void follow(const Session& session) noexcept { session_ = &session; }
 
-  /// Every sample that the session was told, after it was told.
+  /// Returns the input for a sample. Call it for every sample, after the session has processed it.
   RubbingSample sample(const PenSample& pen);
-  /// What rubs on what since the last sample(); looked at when the pen comes down, and each 64
-  /// samples.
+  /// Returns the medium and surface since the last sample(). Updated when the pen touches or lifts,
+  /// and every 64 samples.
   [[nodiscard]] const RubbingPair& pair() const noexcept { return pair_; }
 
  private:

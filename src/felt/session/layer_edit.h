@@ -6,23 +6,24 @@
 
 namespace felt {
 
-/// True when tools and people may work on it: visible and not locked.
+/// True if tools and the user may change the layer: it is visible and not locked.
 inline bool is_open(const Layer& layer) noexcept {
   return layer.visible && !layer.locked;
 }
 
-/// The layer for new ink when another is not to be had: the highest open one; none where there is
-/// none.
+/// Returns the highest open layer, which receives new ink if the current layer cannot; an empty id
+/// if no layer is open.
 LayerId highest_open_layer(const Document& document) noexcept;
 
-/// What a layer event does to a document, all of it, as one step of undo; empty where it changes
-/// nothing, as kUse never does. Where no open layer would be left, the edit adds one on top: ink
-/// must never go where nobody sees it.
+/// Returns the whole effect of a layer event on a document, as one undo step; empty if nothing
+/// changes, as always for kUse. If no open layer would be left, the edit also adds one on top, so
+/// that ink never goes to a layer that the user cannot see.
 ///
-/// Error: no such layer; kUse of one that is not open. The message names the layer and the reason.
+/// Fails if the layer does not exist, or for kUse if it is not open. The message names the layer
+/// and the reason.
 Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use);
 
-/// Adds an open layer on top.
+/// Returns an edit that adds an open layer on top.
 Edit add_layer_on_top(const Document& document);
 
 }  // namespace felt

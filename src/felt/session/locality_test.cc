@@ -1,4 +1,4 @@
-// Editing one stroke among many changes no other: not its bytes, not even where they lie.
+// Editing one stroke among many changes no other: neither its bytes nor its address.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ Point start_of(int i) {
   return {kApartMm * (i % kRow), kApartMm * std::floor(i / kRow)};
 }
 
-/// Strokes so far apart that a gesture on one of them reaches no other.
+/// Strokes so far apart that a gesture on one of them affects no other.
 Document large_document() {
   Document document;
   EditBuilder builder(document);
@@ -43,7 +43,7 @@ Strokes strokes_of(const Document& document) {
   return strokes;
 }
 
-/// A gesture across stroke i.
+/// Makes a gesture across stroke i.
 void gesture(Session& session, int i, std::int64_t& now_ns) {
   const auto pen = [&](Point at, double z) {
     now_ns += 1'000'000;
@@ -55,7 +55,7 @@ void gesture(Session& session, int i, std::int64_t& now_ns) {
   for (int k = 0; k < 60; ++k) pen(from + Vec{0, 3}, 0.1 * k);
 }
 
-/// What the edits of a session name, by its own account.
+/// The strokes that the edits of a session name.
 struct Touched {
   std::set<StrokeId> strokes;
   void operator()(const Edit& edit) {
@@ -92,7 +92,7 @@ TEST(Locality, AnEditAmongAHundredThousandStrokesLeavesAllOthersAsTheyAre) {
       if (!same && !touched.strokes.contains(stroke)) ++moved;
     }
     EXPECT_EQ(moved, 0u);
-    // The order of all others is as it was.
+    // The order of all others has not changed.
     std::vector<StrokeId> old_order = order, new_order = session.document().layers()[0].strokes;
     const auto is_touched = [&](StrokeId s) { return touched.strokes.contains(s); };
     std::erase_if(old_order, is_touched);

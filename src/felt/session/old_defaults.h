@@ -7,10 +7,12 @@
 
 namespace felt {
 
-/// Returns the options whose defaults were others in Feltline 0.1.0, with those. A recording leaves
-/// out options that have their default, so one from then needs these to give the same drawing.
-/// pull.keep_offset is new; on, it is how pull was.
-/// When a default changes: add one to kOptionDefaults, and a list of what the last version had.
+/// Returns the options whose defaults were different in Feltline 0.1.0, with the defaults of that
+/// version. A recording leaves out options that have their default, so a recording from that
+/// version needs these to give the same drawing. pull.keep_offset is new; pull worked as if it were
+/// on.
+///
+/// If you change a default, increment kOptionDefaults and add a list of the previous defaults.
 inline std::vector<SetOption> defaults_of_version_1() {
   using namespace std::string_literals;
   return {{"pencil.reach_mm", 8.0},     {"pencil.snap_radius_mm", 2.0},

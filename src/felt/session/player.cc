@@ -15,15 +15,15 @@
 namespace felt {
 namespace {
 
-/// A device under a script: while hand events rule, the hand of the device below is told where to
-/// go, and the device does the rest; while pen events rule, the pen is where the script says, and
-/// forces do not move it. Velocities of the latter are made as drivers make them.
+/// A device that a script moves. During hand events, it sets the aim of the hand of the device
+/// below, and that device does the rest. During pen events, the pen is where the script says and
+/// forces do not move it; velocities are then computed as drivers do.
 ///
 ///   scripted.set(track.at(now_ns));
 ///   servo.step(now_ns);                // calls read() and write()
 class ScriptedDevice final : public Device {
  public:
-  /// Both must outlive this; `hand` may be null where the script has no hand events.
+  /// Both must outlive this; `hand` may be null if the script has no hand events.
   ScriptedDevice(Device& below, HandInput* hand) noexcept : below_(below), hand_(hand) {}
 
   void set(const ScriptPose& pose) noexcept {
@@ -59,8 +59,8 @@ class ScriptedDevice final : public Device {
   std::int64_t last_ns_ = 0;
 };
 
-/// After the last event the pen needs this long to be off the sheet, a hand with mass and lag
-/// included; it gets up to kLongestSettleNs.
+/// After the last event the pen needs this long to be lifted off the surface, even with a hand that
+/// has mass and lag; it gets up to kLongestSettleNs.
 constexpr std::int64_t kSettleNs = 100'000'000;
 constexpr std::int64_t kLongestSettleNs = 500'000'000;
 
@@ -80,7 +80,7 @@ std::string place_of(std::size_t index, const Event& event) {
   return "event " + std::to_string(index + 1) + ", at " + milliseconds(event.time_ns);
 }
 
-/// What can be said against a script before playing it.
+/// Checks a script before it is played.
 Result<void> check(std::span<const Event> events, const PlayerOptions& options, bool has_hand) {
   std::int64_t last_ns = 0;
   for (std::size_t i = 0; i < events.size(); ++i) {
@@ -104,23 +104,23 @@ Result<void> check(std::span<const Event> events, const PlayerOptions& options, 
   return {};
 }
 
-/// The events of a script that are no poses, in their turn.
+/// The events of a script that are not poses, in order.
 class OtherEvents {
  public:
   explicit OtherEvents(std::span<const Event> events) : events_(events) {}
 
-  /// The next event that takes effect before a sample of this time, or null. Pose events pass by.
+  /// Returns the next event that takes effect before a sample of this time, or null. Skips poses.
   const Event* next_before(std::int64_t sample_ns) {
     return next([this, sample_ns](std::int64_t time_ns) {
-      // Behind a pose of its own time it waits for the sample of that time.
+      // If a pose of the same time precedes the event, the event waits for the sample of that time.
       return time_ns < sample_ns || (time_ns == sample_ns && time_ns != pose_ns_);
     });
   }
-  /// The next event of this time or before, or null.
+  /// Returns the next event of this time or earlier, or null.
   const Event* next_until(std::int64_t now_ns) {
     return next([now_ns](std::int64_t time_ns) { return time_ns <= now_ns; });
   }
-  /// Of the event given out last.
+  /// Returns the index of the event that was returned last.
   [[nodiscard]] std::size_t index() const noexcept { return at_ - 1; }
 
  private:
@@ -142,12 +142,12 @@ class OtherEvents {
 
   std::span<const Event> events_;
   std::size_t at_ = 0;
-  std::int64_t pose_ns_ = -1;  // of the last pose that passed by
+  std::int64_t pose_ns_ = -1;  // of the last pose that was skipped
 };
 
 }  // namespace
 
-/// One play: the loop, and the edit side beside it.
+/// One play: the loop, and the work of the edit thread.
 class Player::Run {
  public:
   Run(Player& player, std::span<const Event> events)
@@ -204,14 +204,15 @@ class Player::Run {
       samples_.push_back(sample);
       told = true;
     }
-    // The loop keeps from the session what it does not believe. A pen that the script moves is
-    // where the script says.
+    // The loop does not pass samples on that it rejected, but a pen that the script moves is where
+    // the script says.
     if (!told && !device_.by_hand()) samples_.push_back(tick.sample);
     pen_is_down_ = in_contact(tick.sample);
     if (options_.on_tick) options_.on_tick(tick);
   }
 
-  /// What the edit side does every few milliseconds.
+  /// Does the work of the edit thread, every few milliseconds: passes the collected samples and the
+  /// other events to the session in order of time, and publishes its force.
   Result<void> turn(std::int64_t now_ns) {
     ++report_.turns;
     Result<void> done;
@@ -270,7 +271,7 @@ class Player::Run {
   PoseTrack track_;
   ScriptedDevice device_;
   std::unique_ptr<Servo> servo_;    // large
-  std::vector<PenSample> samples_;  // since the last turn of the edit side
+  std::vector<PenSample> samples_;  // since the last turn()
   bool pen_is_down_ = false;
   std::uint64_t edits_before_ = 0;
   PlayReport report_;

@@ -12,32 +12,32 @@ namespace felt {
 struct PlayerOptions {
   /// Loop period, 0.2..4 ms (R50).
   std::int64_t period_ns = 1'000'000;
-  /// How often the edit side drains the loop's samples and publishes a force (architecture section
-  /// 4, step 6). At least one period.
+  /// How often the player does the work of the edit thread: drains the loop's samples and publishes
+  /// a force (architecture section 4, step 6). At least one period.
   std::int64_t edit_period_ns = 4'000'000;
-  /// Arms the loop at the start; off plays the same script without any force (R51).
+  /// Arms the loop at the start; if off, the same script is played without any force (R51).
   bool forces = true;
-  /// The user's limit of the force, 0..3 N.
+  /// The user's force limit, 0..3 N.
   double force_limit_n = 3.0;
-  /// Longest script, first event to last; beyond it is an error.
+  /// Largest duration of a script from first to last event; a longer one is an error.
   std::int64_t longest_ns = std::int64_t{24} * 3600 * 1'000'000'000;
 
-  /// Sees each tick of the loop: for the CSV of forces and for plots.
+  /// Called at each tick of the loop, for the CSV of forces and for plots.
   std::function<void(const TickReport&)> on_tick = {};
   /// Reads the strokes that an import event names. Without it, import events are errors.
   std::function<Result<std::vector<StrokePtr>>(const ImportEvent&)> read_import = {};
-  /// Asked on each turn of the edit side; true ends the play there, with the ink so far.
+  /// Called every edit_period_ns; if it returns true, the play ends there, with the ink so far.
   std::function<bool()> is_cancelled = {};
 };
 
-/// What happened, in numbers that do not depend on the machine.
+/// The results of a play, in numbers that do not depend on the machine.
 struct PlayReport {
   std::uint64_t ticks = 0;
-  std::uint64_t samples = 0;  ///< that the session was told
-  std::uint64_t events = 0;   ///< of the script, poses included
-  std::uint64_t edits = 0;    ///< that the document took, undo's and redo's too
-  std::uint64_t turns = 0;    ///< of the edit side
-  std::uint64_t unread = 0;   ///< ticks in which the device could not be read or believed
+  std::uint64_t samples = 0;  ///< processed by the session
+  std::uint64_t events = 0;   ///< of the script, including poses
+  std::uint64_t edits = 0;    ///< applied to the document, including those of undo and redo
+  std::uint64_t turns = 0;    ///< of the work of the edit thread (edit_period_ns)
+  std::uint64_t unread = 0;   ///< ticks whose sample could not be read or was not accepted
   std::int64_t start_ns = 0;  ///< of the first tick
   std::int64_t end_ns = 0;    ///< of the last
   double largest_asked_n = 0.0;
@@ -48,8 +48,8 @@ struct PlayReport {
   friend bool operator==(const PlayReport&, const PlayReport&) = default;
 };
 
-/// Plays a script: its poses through the device and the haptic loop, everything else to the
-/// session, on a virtual clock (decision 0006). Deterministic: the same script, device and options
+/// Plays a script on a virtual clock: its poses go through the device and the haptic loop, all
+/// other events to the session (decision 0006). Deterministic: the same script, device and options
 /// give the same document, report and forces, byte for byte.
 ///
 ///   SimulatedStylus stylus(...);
@@ -57,24 +57,24 @@ struct PlayReport {
 ///   Player player(stylus, &stylus, session, {});
 ///   const Result<PlayReport> report = player.play(events);
 ///
-/// How poses come between events, and when the others take effect: docs/formats/events.md. After
-/// the last event the pen is lifted; what gesture is in work even then is ended (Session::finish),
-/// forces are switched off and the device is stopped.
+/// docs/formats/events.md defines the poses between events and when the other events take effect.
+/// After the last event the pen is lifted, a gesture that is still in progress is committed
+/// (Session::finish), forces are switched off and the device is stopped.
 ///
-/// A pen that the script moves (pen events) draws whatever the safety chain thinks of its jumps, so
-/// that the document is the same with and without forces.
+/// If the script moves the pen (pen events), the pen draws even if the safety chain rejects its
+/// jumps, so that the document is the same with and without forces.
 class Player {
  public:
-  /// Device, hand and session must outlive this. `hand` is as a rule the device itself; null where
-  /// there is none.
+  /// Makes a player. Device, hand and session must outlive it. `hand` is usually the device itself;
+  /// null if there is none.
   Player(Device& device, HandInput* hand, Session& session, PlayerOptions options);
 
-  /// Plays it all. May be called again: the next script goes on with the session as it is, on a
-  /// loop of its own.
+  /// Plays the whole script. May be called again: the next script continues with the session as it
+  /// is, on a new loop.
   ///
-  /// Error: times that run backwards, a script that is too long, hand events without a hand; then
-  /// nothing was played. Or an event that the session refuses: "event 12, at 80 ms: no tool ...";
-  /// then the play ends there.
+  /// Fails before playing if times run backwards, the script is too long, or there are hand events
+  /// without a hand. Fails at an event that the session refuses, and ends the play there: "event
+  /// 12, at 80 ms: no tool ...".
   Result<PlayReport> play(std::span<const Event> events);
 
  private:

@@ -18,7 +18,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A pen of some mass on a spring that a hand holds, pushed by forces: enough of a device to feel.
+/// A pen with mass on a spring that a hand holds, pushed by forces: a simple force-feedback device.
 class SpringPen final : public Device, public HandInput {
  public:
   SpringPen() {
@@ -66,7 +66,7 @@ class SpringPen final : public Device, public HandInput {
   bool aimed_ = false, stopped_ = false;
 };
 
-/// What came of a script.
+/// The results of playing a script.
 struct Played {
   Result<PlayReport> report = PlayReport{};
   Document document;
@@ -154,7 +154,7 @@ TEST(Player, DrawsWhatThePenDoes) {
   EXPECT_EQ(played.report->start_ns, 700 * kMs);
 }
 
-/// Through the loop, and into what is recorded.
+/// Sends the script through the loop and the recorder.
 TEST(Player, ThePenLeansAsTheScriptSays) {
   const auto lean_at_the_end = [](auto pose) {
     pose.lean_deg = 41.5;
@@ -212,7 +212,7 @@ TEST(Player, R51_TheDocumentIsTheSameWithoutForces) {
 }
 
 TEST(Player, R51_APenThatJumpsDrawsTheSame) {
-  // 200 mm in 2 ms between strokes: the safety chain takes the forces away, not the ink.
+  // 200 mm in 2 ms between strokes: the safety chain removes the forces, but the ink stays.
   std::vector<Event> script;
   for (int i = 0; i < 4; ++i) {
     const std::int64_t ms = 700 + 300 * i;
@@ -261,7 +261,7 @@ TEST(Player, ARecordingGivesTheSameSessionAgain) {
     Session direct(fake_tools(), {});
     for (const Event& event : first.recorded) ASSERT_TRUE(direct.apply(event));
     EXPECT_EQ(direct.document(), first.document);
-    const Played again = play(first.recorded);  // now the pen is led
+    const Played again = play(first.recorded);  // now the script moves the pen
     ASSERT_TRUE(again.report);
     EXPECT_EQ(again.document, first.document);
   }
@@ -281,7 +281,7 @@ TEST(Player, LosesNoInkOfAnUnfinishedStroke) {
 }
 
 TEST(Player, EventsTakeEffectBetweenTheSamplesOfTheirTime) {
-  // The tool changes in the middle of a line: the ink up to there stays, and no more comes.
+  // The tool changes in the middle of a line: the ink up to there stays, and no more is added.
   std::vector<Event> script;
   add_line<PenEvent>(script, 0, 0, 0);
   script.insert(script.begin() + 2, {160 * kMs, SelectTool{"eraser"}});
@@ -291,7 +291,7 @@ TEST(Player, EventsTakeEffectBetweenTheSamplesOfTheirTime) {
   const Stroke& stroke = *visible_strokes(played.document)[0];
   EXPECT_NEAR(stroke.position(stroke.segment_count()).x, 9.9, 1e-9) << "the sample of 159 ms";
 
-  // Behind a pose of its own time it comes after that sample.
+  // If a pose of the same time precedes it, it comes after that sample.
   script.insert(script.begin() + 2, {160 * kMs, PenEvent{{10, 2.5, -1}, {}, 0}});
   const Played behind = play(script);
   ASSERT_EQ(behind.document.stroke_count(), 1U);

@@ -13,7 +13,7 @@ bool is_deep(const ScriptPose& pose) {
   return pose.position.z < 0.0;
 }
 
-/// The same pen, lifted to this height; none of its pressure is left.
+/// Returns the pose raised to this height above the surface, without pressure.
 ScriptPose lifted(const ScriptPose& pose, double height_mm, std::int64_t time_ns) {
   ScriptPose up = pose;
   up.time_ns = time_ns;
@@ -22,7 +22,8 @@ ScriptPose lifted(const ScriptPose& pose, double height_mm, std::int64_t time_ns
   return up;
 }
 
-/// Where it is before the first pose: above it, as high as it can come down from in time.
+/// Returns the pose at the start of a script: above the first pose, but only as high as it can come
+/// down from in time.
 ScriptPose before(const ScriptPose& first, std::int64_t start_ns) {
   if (!is_deep(first) && !presses(first)) return first;
   const double left_s = 1e-9 * static_cast<double>(first.time_ns - start_ns);
@@ -38,6 +39,8 @@ Vec3 on_line(const Vec3& a, std::int64_t a_ns, const Vec3& b, std::int64_t b_ns,
   return lerp(a, b, part(now_ns, a_ns, b_ns));
 }
 
+/// Interpolates linearly, except if the gap is long and the pen is down at one end only: then it
+/// moves up or down within kLandingNs above that end, and along the page at hover height.
 Vec3 place_between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns) {
   const bool upright = b.time_ns - a.time_ns > PoseTrack::kLongGapNs && is_deep(a) != is_deep(b);
   if (!upright) return on_line(a.position, a.time_ns, b.position, b.time_ns, now_ns);
@@ -45,7 +48,7 @@ Vec3 place_between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns
   const ScriptPose& up = is_deep(a) ? b : a;
   const Vec3 hover = {down.position.x, down.position.y,
                       std::min(up.position.z, PoseTrack::kHoverMm)};
-  if (is_deep(b)) {  // over there first, then down
+  if (is_deep(b)) {  // moves above the target first, then down
     const std::int64_t landing_ns = b.time_ns - PoseTrack::kLandingNs;
     return now_ns < landing_ns ? on_line(a.position, a.time_ns, hover, landing_ns, now_ns)
                                : on_line(hover, landing_ns, b.position, b.time_ns, now_ns);
@@ -64,10 +67,10 @@ std::optional<double> pressure_between(const ScriptPose& a, const ScriptPose& b,
   return presses(a) ? b.pressure : a.pressure;
 }
 
-/// What nobody said of one of them is not made up.
+/// If the tilt of either pose is unknown, it is not interpolated.
 std::optional<double> lean_between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns) {
   if (!a.lean_deg || !b.lean_deg) return a.lean_deg;
-  // A lean that stays is to stay the same number.
+  // lerp() returns exactly the same number for a tilt that does not change.
   return std::lerp(*a.lean_deg, *b.lean_deg, part(now_ns, a.time_ns, b.time_ns));
 }
 
@@ -112,7 +115,7 @@ ScriptPose PoseTrack::at(std::int64_t now_ns) {
     next_ = find_next();
     const bool is_down = is_deep(*last_) || presses(*last_);
     if (!next_ && is_down) {
-      // It stays until the last event, whatever that is; then it goes up.
+      // The pen stays down until the last event of any kind, and then is lifted.
       last_->time_ns = std::max(last_->time_ns, end_ns_);
       next_ = lifted(*last_, kHoverMm, last_->time_ns + kLandingNs);
     }

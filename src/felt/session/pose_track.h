@@ -10,49 +10,49 @@
 
 namespace felt {
 
-/// Where a script wants the pen at some time.
+/// The pose of the pen in a script at some time.
 struct ScriptPose {
   std::int64_t time_ns = 0;
   Vec3 position;
   std::optional<double> pressure{};
   std::uint32_t buttons = 0;
-  bool by_hand = false;  ///< a hand aims there; else the pen is there
+  bool by_hand = false;  ///< a hand aims there; otherwise the pen is there
   std::optional<double> lean_deg{};
 
   friend constexpr bool operator==(const ScriptPose&, const ScriptPose&) noexcept = default;
 };
 
-/// The pen between the pose events of a script, by the rules of docs/formats/events.md ("Between
-/// two events"): lines between poses, but no ink on the way to where the pen is put down, and a
-/// lift at the end. Forward only, constant time a tick on average.
+/// Computes the pen between the pose events of a script, by the rules of docs/formats/events.md
+/// ("Between two events"): straight lines between poses, but no ink on the path to where the pen is
+/// put down, and a lift at the end. Forward only; a tick takes constant time on average.
 class PoseTrack {
  public:
   static constexpr std::int64_t kLongGapNs = 200'000'000;
   static constexpr std::int64_t kLandingNs = 50'000'000;
   static constexpr double kHoverMm = 5.0;
-  /// How fast a pen comes down before the first pose.
+  /// Speed at which the pen comes down before the first pose.
   static constexpr double kLandingMmPerS = 100.0;
 
-  /// The events must outlive this; their times must not run backwards.
+  /// Makes a track. The events must outlive it, and their times must not run backwards.
   explicit PoseTrack(std::span<const Event> events);
 
-  /// Where the pen is. Times must not run backwards from call to call.
+  /// Returns the pose at a time. Times must not run backwards from call to call.
   [[nodiscard]] ScriptPose at(std::int64_t now_ns);
-  /// False for a script without poses; at() is then a pen far above.
+  /// Returns false if the script has no poses; at() then returns a pen high above the surface.
   [[nodiscard]] bool has_poses() const noexcept { return last_.has_value() || next_.has_value(); }
 
  private:
   [[nodiscard]] std::optional<ScriptPose> find_next();
 
   std::span<const Event> events_;
-  std::size_t searched_ = 0;        // events that were looked at
+  std::size_t searched_ = 0;        // events examined so far
   std::int64_t end_ns_ = 0;         // of the last event of any kind
-  std::optional<ScriptPose> last_;  // at or before now; before the first, the pen above it
+  std::optional<ScriptPose> last_;  // at or before now; before the first pose: above it
   std::optional<ScriptPose> next_;  // after now
 };
 
-/// The pen at a time from a.time_ns to b.time_ns, on its way from one pose to the other. Exact at
-/// both ends.
+/// Returns the pose at a time between a.time_ns and b.time_ns, interpolated between the two poses.
+/// Exact at both ends.
 ScriptPose between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns) noexcept;
 
 }  // namespace felt

@@ -19,7 +19,7 @@ Event hand(std::int64_t ms, Vec3 at) {
   return {ms * kMs, HandEvent{at, {}, 0}};
 }
 
-/// The poses of a script at each ms from `from` to `to`.
+/// Returns the poses of a script at each ms from `from` to `to`.
 std::vector<ScriptPose> poses(const std::vector<Event>& events, std::int64_t from_ms,
                               std::int64_t to_ms) {
   PoseTrack track(events);
@@ -32,7 +32,7 @@ bool touches(const ScriptPose& pose) {
   return pose.position.z < 0.0 || pose.pressure.value_or(0.0) > 0.0;
 }
 
-/// No step is longer than a pen at this speed makes, mm a ms.
+/// No step is longer than a pen moves at this speed, mm per ms.
 void expect_no_jump(const std::vector<ScriptPose>& all, double mm_per_ms) {
   for (std::size_t i = 1; i < all.size(); ++i) {
     EXPECT_LE(norm(all[i].position - all[i - 1].position), mm_per_ms) << "at step " << i;
@@ -192,7 +192,7 @@ TEST(PoseTrack, AScriptWithoutPosesLeavesThePenInTheAir) {
   EXPECT_FALSE(touches(empty.at(0)));
 }
 
-// Whatever the script: exact at each event that is the last of its time, all numbers finite, and in
+// For any script: exact at each event that is the last of its time, all numbers finite, and in
 // contact between two events only where that is allowed.
 RC_GTEST_PROP(PoseTrackProperty, IsExactAtEventsAndInventsNoContact, ()) {
   const auto count = *rc::gen::inRange<std::size_t>(1, 12);

@@ -11,18 +11,17 @@
 
 namespace felt {
 
-/// Keeps what a session receives, so that it can be played again: every event, every pen sample
-/// with its exact numbers. Told to another session, or written, read and told, the same document
-/// comes out.
+/// Records the input of a session: every event, and every pen sample with its exact numbers. If the
+/// recording is passed to another session, directly or via a file, the result is the same document.
 ///
 ///   Recorder recorder([&](std::span<const Event> events) { ...append_event_line... });
 ///   options.on_event = std::ref(recorder);
 ///   ...
 ///   recorder.flush();
 ///
-/// Memory is bounded: whatever it holds goes to the sink in batches, in order. Times that run
-/// backwards (an event that was made before samples that waited in the ring) are set to the last
-/// one, for an order of its own is what a script has. Edit thread.
+/// Memory is bounded: the events go to the sink in batches, in order. An event may have an earlier
+/// time than samples that had to wait in the queue. It then gets the time of the last event,
+/// because times in a script must not run backwards. Edit thread.
 class Recorder {
  public:
   using Sink = std::function<void(std::span<const Event>)>;
@@ -39,7 +38,7 @@ class Recorder {
     if (held_.size() >= batch_) flush();
   }
 
-  /// Hands over what is held.
+  /// Passes the buffered events to the sink.
   void flush() {
     if (!held_.empty()) sink_(held_);
     held_.clear();

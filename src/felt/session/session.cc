@@ -39,7 +39,7 @@ Edit import_edit(const Document& document, LayerId layer, std::span<const Stroke
 
 }  // namespace
 
-/// Carries one event out, by its kind.
+/// Carries out one event, by its type.
 struct Session::Apply {
   Session& session;
   std::int64_t time_ns;
@@ -77,7 +77,7 @@ struct Session::Apply {
   Result<void> operator()(const UseMaterial& e) const { return session.use_material(e); }
 };
 
-/// What follows the document, the pen and the options.
+/// State that is updated with the document, the pen and the options.
 struct Session::Parts {
   explicit Parts(const Document& document) : index(document) {}
 
@@ -124,7 +124,7 @@ const SheetOptions& Session::sheet() const noexcept {
 
 Result<void> Session::apply(const Event& event) {
   Result<void> done = std::visit(Apply{*this, event.time_ns}, event.what);
-  // sample() records by itself: what it was told, after cleaning.
+  // sample() records the event itself, after cleaning it.
   if (done && !std::holds_alternative<PenEvent>(event.what)) record(event);
   return done;
 }
@@ -170,7 +170,7 @@ Result<void> Session::finish() {
   Result<void> taken = take(tools_[active_]->finish(scene()));
   show({});
   gesture_is_open_ = false;
-  // Whatever the pen does next, it is a new gesture; one that had to be lifted still has to.
+  // The next touch is a new gesture. A pen that had to be lifted still has to be.
   const bool was_down = std::exchange(pen_is_down_, false);
   must_lift_ = must_lift_ || was_down;
   if (!must_lift_) parts_->contact = {};
@@ -258,7 +258,7 @@ void Session::cancel() {
 }
 
 Result<void> Session::take(ToolResult result) {
-  // A preview of another document is none.
+  // A commit also replaces the preview, because a preview of the previous document is invalid.
   if (result.preview || result.commit || !result.same_preview) show(std::move(result.preview));
   Result<void> done;
   if (result.commit) {
@@ -275,7 +275,8 @@ Result<void> Session::take(ToolResult result) {
 }
 
 void Session::show(std::optional<Edit> preview) {
-  // A gesture's preview may outlive the touch for a while, a hovering pen's begins without one.
+  // The preview of a gesture may outlive the touch for a while; that of a hovering pen begins
+  // without one.
   preview_is_of_gesture_ = preview && (gesture_is_open_ || preview_is_of_gesture_);
   preview_ = std::move(preview);
 }

@@ -1,4 +1,4 @@
-// What a session does at a command rather than at a sample: undo, redo, selection, layers.
+// The commands of a session, as opposed to its samples: undo, redo, selection, layers.
 #include <utility>
 
 #include "felt/session/layer_edit.h"
@@ -82,7 +82,7 @@ Result<void> Session::restyle_selected(const RestyleEvent& event) {
 
 Result<void> Session::change_layer(const LayerEvent& event) {
   if (gesture_in_work()) return {};
-  // What is wrong is said before anything changes. Settling changes no layer.
+  // Reports an error before anything changes. settle() changes no layer.
   if (Result<Edit> edit = layer_edit(document_, event, layer_); !edit) {
     return tl::unexpected(edit.error());
   }
@@ -99,7 +99,7 @@ Result<void> Session::change_layer(const LayerEvent& event) {
 void Session::keep_layer_open() {
   const Layer* layer = document_.layer(layer_);
   if (layer && is_open(*layer)) return;
-  // Every step of a session leaves one open.
+  // Every step of a session leaves one layer open.
   if (const LayerId open = highest_open_layer(document_)) layer_ = open;
 }
 

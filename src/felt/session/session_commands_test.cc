@@ -1,4 +1,4 @@
-// Commands: what a session does besides following the pen.
+// The commands of a session, as opposed to its samples.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 using Do = LayerEvent::Do;
 using What = SelectStrokes::What;
 
-/// Answers each sample with what was laid out for it.
+/// A tool that answers each sample with a prepared result.
 class ScriptedTool : public FakePencil {
  public:
   std::deque<ToolResult> answers;
@@ -119,7 +119,7 @@ TEST(SessionSelection, IsWhatTheToolSaysAndTheToolSeesIt) {
   Selection chosen;
   chosen.set({1}, first_point_of(desk, 1));
   chosen.set_whole({7}, 4);   // no such stroke
-  chosen.set_whole({2}, 10);  // not so many points
+  chosen.set_whole({2}, 10);  // another number of points
   desk.tool->answers.push_back({.selection = chosen});
   desk.pen(0, 0, 5);
   EXPECT_EQ(desk.selected(), (Ids{1}));
@@ -318,7 +318,7 @@ TEST(SessionCommands, KeepALineThatWaitsForItsLift) {
   CommandDesk desk;
   desk.pen(0, 10, -1);
   desk.pen(10, 10, -1);
-  desk.pen(10, 10, 0.1);  // the tool still thinks of a bounce
+  desk.pen(10, 10, 0.1);  // the tool still expects a bounce
   desk.must(SelectStrokes{What::kAll});
   EXPECT_EQ(desk.selected(), (Ids{1}));
   desk.pen(20, 10, -1);
@@ -373,7 +373,7 @@ TEST(SessionPreview, OfAHoveringPenIsNoGesture) {
   EXPECT_EQ(desk.session.document().stroke_count(), 1U);
 }
 
-/// Whatever is selected is there, may be edited, and has a mark for each point.
+/// All selected strokes exist, may be edited, and have a mark for each point.
 void expect_consistent(const Session& session) {
   const Document& document = session.document();
   Selection held = session.selection();
@@ -405,7 +405,7 @@ Event random_event(const Session& session, std::mt19937& random) {
   }
 }
 
-/// A session of anything that can happen; true where the step did something to the document.
+/// A session with random events; returns true if the step changed the document.
 void random_step(CommandDesk& desk, std::mt19937& random) {
   if (random() % 2) {
     const double x = static_cast<double>(random() % 50), y = static_cast<double>(random() % 50);
@@ -413,7 +413,7 @@ void random_step(CommandDesk& desk, std::mt19937& random) {
     return desk.pen(x, y, random() % 2 ? -1 : (random() % 2 ? 0.1 : 5));
   }
   Event event = random_event(desk.session, random);
-  // Too many copies would only take time.
+  // More copies would only cost time.
   if (std::holds_alternative<DuplicateEvent>(event.what) &&
       desk.session.document().stroke_count() > 60) {
     event.what = DeleteEvent{};
@@ -464,7 +464,7 @@ TEST(SessionCommands, R52_RandomSessionsUndoToTheStartAndRedoToTheEnd) {
     }
     EXPECT_TRUE(desk.session.document() == end);
 
-    // Told again what was recorded, another session is where this one is.
+    // If another session gets the recorded events, it reaches the same state.
     CommandDesk again;
     for (const Event& event : recorded) ASSERT_TRUE(again.session.apply(event));
     if (HasFatalFailure()) return;
@@ -488,7 +488,8 @@ TEST(SessionCommands, WhatIsImportedIsSelectedInPlaceOfWhatWas) {
   EXPECT_TRUE(desk.session.document().find({1}));
 }
 
-// Scripts of Feltline 0.1.0 do not say "select": what they delete after an import is what it was.
+// Scripts of Feltline 0.1.0 do not say "select": after an import, they delete the earlier
+// selection.
 TEST(SessionCommands, AnImportThatDoesNotSelectLeavesTheSelection) {
   CommandDesk desk;
   desk.line(0, 0);

@@ -9,8 +9,8 @@
 
 namespace felt {
 
-/// Returns what the current tool rubs with: the medium of its option "material" if it has one, the
-/// eraser's for a tool that erases, and the pencil's for all others. Valid while the session's
+/// Returns the medium of the current tool: the one of its option "material" if it has one, the
+/// eraser for a tool that erases, and the pencil for all others. Valid as long as the session's
 /// materials are.
 const Medium& medium_in_hand(const Session& session);
 

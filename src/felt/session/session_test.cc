@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 
 constexpr std::int64_t kTickNs = 1'000'000;
 
-/// A session with a pen in hand.
+/// A session with a pen.
 struct Desk {
   explicit Desk(SessionOptions options = {}) : session(fake_tools(), std::move(options)) {}
 
@@ -58,7 +58,7 @@ TEST(Session, StartsWithThePencil) {
   EXPECT_EQ(Desk().session.tool().info().id, "pencil");
 }
 
-/// Where a gesture must not begin: every tool that is told of a pen that is down says so.
+/// With the real tools: the pen must be lifted before the chosen tool may begin a gesture.
 TEST(Session, AToolChosenWithThePenDownWaitsForTheLift) {
   Desk desk;
   desk.session = Session(make_tools(), {});
@@ -68,11 +68,11 @@ TEST(Session, AToolChosenWithThePenDownWaitsForTheLift) {
   desk.must(SelectTool{"pencil"});
   EXPECT_EQ(desk.strokes(), 1U) << "the line that was being drawn stays";
   desk.pen(10, 0, -1);
-  desk.pen(15, 0, 0.2);  // no lift yet
+  desk.pen(15, 0, 0.2);  // not lifted yet
   desk.pen(20, 0, -1);
   desk.lift(20, 0);
   EXPECT_EQ(desk.strokes(), 1U);
-  // Just above the sheet, and down again at once: the pencil has not kept what it knew before.
+  // Just above the surface, then down again: the pencil has discarded its earlier state.
   desk.pen(30, 0, 0.2);
   desk.pen(30, 0, -1);
   desk.pen(40, 0, -1);
@@ -130,7 +130,7 @@ TEST(Session, UndoInAGestureTakesBackOnlyThat) {
   desk.must(UndoEvent{});
   EXPECT_EQ(desk.strokes(), 1U);
   EXPECT_FALSE(desk.session.preview());
-  desk.pen(10, 10, -1);  // still down: draws nothing before it is lifted
+  desk.pen(10, 10, -1);  // still down: draws nothing until it is lifted
   desk.lift(10, 10);
   EXPECT_EQ(desk.strokes(), 1U);
   desk.line(0, 20);
@@ -150,7 +150,7 @@ TEST(Session, UndoRightAfterTheLiftTakesBackTheLineThatWaits) {
   desk.line(0, 0);
   desk.put_down(0, 10);
   desk.pen(5, 10, -1);
-  desk.pen(5, 10, 0.1);  // the tool still thinks of a bounce
+  desk.pen(5, 10, 0.1);  // the tool still expects a bounce
   desk.must(UndoEvent{});
   EXPECT_EQ(desk.strokes(), 1U);
   EXPECT_TRUE(desk.session.history().can_redo());
@@ -238,7 +238,7 @@ TEST(Session, AToolChosenInTheAirBeginsAtOnce) {
   desk.pen(0, 0, -1);
   EXPECT_EQ(desk.strokes(), 0U);
   desk.must(SelectTool{"pencil"});  // waits for a lift
-  desk.must(SelectTool{"pencil"});  // the same one: nothing
+  desk.must(SelectTool{"pencil"});  // the same one: no effect
   EXPECT_EQ(desk.session.tool().info().id, "pencil");
 }
 
@@ -290,7 +290,7 @@ TEST(Session, ARecordingWithOlderDefaultsGetsThem) {
     if (changed.id == "pencil.reach_mm") continue;
     EXPECT_EQ(old.option(changed.id), changed.value) << changed.id;
   }
-  // Another device of the same recording changes nothing more.
+  // Another device in the same recording changes nothing more.
   ASSERT_TRUE(old.apply({1, SetOption{"lasso.take", std::string("strokes")}}));
   ASSERT_TRUE(old.apply({1, UseDevice{{}, 1}}));
   EXPECT_EQ(old.option("lasso.take"), OptionValue(std::string("strokes")));
@@ -361,7 +361,7 @@ TEST(Session, IsToldOfMaterials) {
   desk.must(choose);
   EXPECT_EQ(desk.session.sheet().material().friction, 0.4);
   EXPECT_EQ(desk.session.option("sheet.material"), OptionValue(std::string("my-paper")));
-  // It becomes another one while it is in use.
+  // The material changes while it is in use.
   desk.must(UseMaterial{text_of_sheet("my-paper", "friction = 0.7")});
   EXPECT_EQ(desk.session.sheet().material().friction, 0.7);
   EXPECT_EQ(desk.session.materials().find_surface("my-paper")->friction, 0.7);
@@ -509,7 +509,7 @@ TEST(Session, TellsEveryEditSoThatACopyFollows) {
   }
   EXPECT_GT(desk.session.edit_count(), 100U);
 
-  // Told again what was recorded, another session is where this one is.
+  // If another session gets the recorded events, it reaches the same state.
   Desk again;
   for (const Event& event : recorded) ASSERT_TRUE(again.session.apply(event));
   EXPECT_TRUE(again.session.document() == desk.session.document());

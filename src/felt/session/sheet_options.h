@@ -9,20 +9,21 @@
 
 namespace felt {
 
-/// What is chosen for the sheet rather than for a tool, as "sheet.ID" in events:
-///   material   what it is made of: a SurfaceMaterial by id
+/// The options of the surface, which no tool owns; "sheet.ID" in events:
+///   material   a SurfaceMaterial by id
 ///   color      of new ink: "#rgb", "#rrggbb" or "#rrggbbaa"
 class SheetOptions {
  public:
-  /// The rows that a table can describe: all but the colour, which is any text of that form.
+  /// Returns the options that a table can describe: all but the colour, which is a text of that
+  /// form.
   static std::span<const OptionSpec> table();
 
-  /// Error: no such option, a value that it does not take, a sheet that is not among these; nothing
-  /// changes then.
+  /// Sets an option. Fails if there is no such option, if it does not accept the value, or if the
+  /// surface is not known; nothing changes then.
   Result<void> set(std::string_view id, const OptionValue& value, const Materials& known);
   [[nodiscard]] Result<OptionValue> get(std::string_view id) const;
 
-  /// The sheet in use has become another one of the same id.
+  /// Updates the surface after a known material with its id has changed.
   void follow(const Materials& known);
 
   [[nodiscard]] const SurfaceMaterial& material() const noexcept { return material_; }

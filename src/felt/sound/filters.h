@@ -4,15 +4,17 @@
 
 #include "felt/sound/plain_math.h"
 
-/// The filters of the sound; not public. All of them for one channel, one thread, no allocation.
+/// The filters of the sound; not public. All are for one channel and one thread, and allocate
+/// nothing.
 namespace felt {
 
-/// Share of the way to its target that a first-order follower makes in a sample.
+/// Returns the share of the remaining difference that a first-order follower with this time
+/// constant covers in one sample.
 constexpr double follow_share(double time_s, double rate_hz) noexcept {
   return 1.0 - plain::exp(-1.0 / (time_s * rate_hz));
 }
 
-/// Two first-order low passes in a row: 12 dB an octave above the corner.
+/// Two first-order low-pass filters in series: 12 dB an octave above the corner.
 class LowPass {
  public:
   void set(double corner_hz, double rate_hz) noexcept {
@@ -29,7 +31,7 @@ class LowPass {
   double share_ = 1.0, low_ = 0.0, lower_ = 0.0;
 };
 
-/// What is too low to be heard goes.
+/// A first-order high-pass filter, which removes inaudibly low frequencies.
 class LowCut {
  public:
   void set(double corner_hz, double rate_hz) noexcept {
@@ -45,7 +47,8 @@ class LowCut {
   double share_ = 0.0, low_ = 0.0;
 };
 
-/// One mode of a body: a band pass, 1 at its frequency. (Robert Bristow-Johnson's cookbook.)
+/// One mode of a body: a band-pass filter with gain 1 at its frequency. (Robert Bristow-Johnson's
+/// cookbook.)
 class Resonator {
  public:
   void set(double frequency_hz, double q, double rate_hz) noexcept {

@@ -1,12 +1,13 @@
 #pragma once
 
-/// Functions for the figures of filters, with + - * / alone: libm's differ between machines in the
-/// last bit, and the same script gives the same bytes. Not for every sample: some 50 ns each.
+/// Functions for filter coefficients that use only + - * /, because the results of libm differ
+/// between machines in the last bit, and the same script must give the same bytes. Too slow for
+/// every sample: about 50 ns each.
 namespace felt::plain {
 
 inline constexpr double kPi = 3.14159265358979324;
 
-/// e^x for -700..700, to 1e-12 of it.
+/// Returns e^x for x in -700..700, with a relative error of 1e-12.
 constexpr double exp(double x) noexcept {
   constexpr int kHalvings = 12, kTerms = 8;
   const double part = x / (1 << kHalvings);
@@ -16,12 +17,12 @@ constexpr double exp(double x) noexcept {
   return sum;
 }
 
-/// 2^x
+/// Returns 2^x.
 constexpr double exp2(double x) noexcept {
   return exp(0.693147180559945309 * x);
 }
 
-/// Cosine and sine for -pi..pi, to 1e-12.
+/// Return the cosine and sine of x in -pi..pi, within 1e-12.
 constexpr double cos(double x) noexcept {
   double sum = 1.0;
   for (int i = 24; i > 0; i -= 2) sum = 1.0 - x * x / (i * (i - 1)) * sum;

@@ -6,14 +6,14 @@
 namespace felt {
 namespace {
 
-/// SplitMix64's finish (Steele, Lea, Flood 2014).
+/// The finaliser of SplitMix64 (Steele, Lea, Flood 2014).
 std::uint64_t mixed(std::uint64_t z) noexcept {
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
   z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
   return z ^ (z >> 31);
 }
 
-/// -1..1 of a place on a lattice.
+/// Returns the random value, -1..1, of a lattice point.
 double value_at(std::int64_t x, std::int64_t y, std::uint64_t seed) noexcept {
   const std::uint64_t place = static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u ^
                               static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4Fu;
@@ -25,13 +25,13 @@ double eased(double t) noexcept {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// 0 below a, 1 above b.
+/// Returns 0 below a, 1 above b, and a smooth step in between.
 double rising(double x, double a, double b) noexcept {
   return eased(std::clamp((x - a) / (b - a), 0.0, 1.0));
 }
 
-/// How loud what passes so many places of the lattice a second is, before any filter: a little more
-/// the higher it is, nothing that is too low to be heard or that samples cannot tell.
+/// Returns the weight of an octave that passes `per_s` lattice points a second: it rises a little
+/// with the frequency, and is 0 if the frequency is inaudibly low or too high for the sample rate.
 double weight_of(double per_s, double rate_hz) noexcept {
   constexpr double kPlainHz = 6000.0, kLoudest = 2.0;
   const double tone = std::min(std::sqrt(per_s / kPlainHz), kLoudest);
@@ -46,7 +46,7 @@ void Roughness::set(double longest_mm, std::uint32_t seed) noexcept {
   for (count_ = 0; count_ < kMostOctaves && length >= kFinestMm; length *= 0.5) {
     Octave& octave = octaves_[count_++];
     random = mixed(random + 0x9E3779B97F4A7C15u);
-    // A third of a place and more apart, so that no line lies on the lattices of all octaves.
+    // The lattices are shifted against each other, so that no line lies on all of them.
     const double shift = static_cast<double>(random >> 40) / 16777216.0;
     octave = {1.0 / length, 0.37 * shift, 0.61 * shift, octave.weight, 0.0, random};
   }
@@ -57,7 +57,7 @@ void Roughness::set_speed(double mm_per_s, double rate_hz, int samples) noexcept
     Octave& octave = octaves_[i];
     const double target = weight_of(mm_per_s * octave.per_mm, rate_hz);
     octave.step = (target - octave.weight) / samples;
-    // Nothing of an octave that went is left by rounding.
+    // Clears what rounding leaves of an octave that has faded out.
     if (target == 0.0 && std::fabs(octave.weight) < 1e-9) octave.weight = octave.step = 0.0;
   }
 }
@@ -68,7 +68,7 @@ double Roughness::next(Point p) noexcept {
     Octave& octave = octaves_[i];
     octave.weight += octave.step;
     if (octave.weight == 0.0) continue;
-    // Turned, so that a line along an axis of the sheet crosses the lattice.
+    // Rotated, so that a line along an axis of the page crosses the lattice.
     const double x = (0.83 * p.x - 0.557 * p.y) * octave.per_mm + octave.dx;
     const double y = (0.557 * p.x + 0.83 * p.y) * octave.per_mm + octave.dy;
     const double floor_x = std::floor(x), floor_y = std::floor(y);

@@ -8,29 +8,30 @@
 
 namespace felt {
 
-/// What is rough on a sheet below the waves of its relief: noise that lies on the sheet, by
-/// *position* and not by time (Siira and Pai 1996), so that the same way sounds the same twice.
-/// Octaves of it, each half as long as the one before, from a length down to kFinestMm; never
-/// repeats. How much of each is heard is set by the speed: an octave that passes faster than
-/// samples can tell is left out, so that nothing folds back, and a slow pen sounds duller.
+/// The roughness of a surface below the waves of its relief: noise as a function of *position*, not
+/// of time (Siira and Pai 1996), so that the same path sounds the same again. It is a sum of
+/// octaves, each with half the wavelength of the one before, down to kFinestMm, and never repeats.
+/// The weight of an octave depends on the speed: one that is too fast for the sample rate is left
+/// out, so that there is no aliasing, and a slow pen sounds duller.
 ///
-/// A value; no allocation; any one thread.
+/// A value; no allocation; one thread at a time.
 class Roughness {
  public:
   static constexpr double kFinestMm = 0.006;
   static constexpr std::size_t kMostOctaves = 12;
 
-  /// From this wavelength downwards, mm.
+  /// Sets the longest wavelength in mm, and the seed.
   void set(double longest_mm, std::uint32_t seed) noexcept;
-  /// How fast the way is gone along from now on, mm/s; weights go there evenly in `samples`.
+  /// Sets the speed in mm/s. The weights change linearly over the next `samples` samples.
   void set_speed(double mm_per_s, double rate_hz, int samples) noexcept;
-  /// The noise there; RMS about 1 for a fast pen. Call once a sample: weights go on.
+  /// Returns the noise at p; RMS about 1 for a fast pen. Call it once a sample, because it advances
+  /// the weights.
   double next(Point p) noexcept;
 
  private:
   struct Octave {
     double per_mm = 1.0;
-    double dx = 0.0, dy = 0.0;  // where its lattice begins
+    double dx = 0.0, dy = 0.0;  // offset of its lattice
     double weight = 0.0, step = 0.0;
     std::uint64_t seed = 0;
   };

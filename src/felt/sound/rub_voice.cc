@@ -9,37 +9,38 @@ namespace felt {
 namespace {
 
 constexpr double kRateHz = RubVoice::kRateHz;
-// The way. A sensor's steps of 0.05 mm a millisecond are smoothed, a hand's are not.
+// The path: smooths the steps of a sensor (0.05 mm a millisecond), but not the motion of a hand.
 constexpr double kWay = follow_share(0.003, kRateHz);
-constexpr double kStillMmPerS = 1.5, kMovesMmPerS = 5.0;  // silent below; as loud as it is above
+constexpr double kStillMmPerS = 1.5,
+                 kMovesMmPerS = 5.0;  // silent below the first; full loudness above the second
 constexpr double kFastestMmPerS = 3000.0;
 constexpr double kMaxHeardPushN = 4.0;
-// The gate: opens where there is nothing to hear yet, closes before a person wonders.
+// The gate: opens before there is anything to hear, and closes before the user notices a delay.
 constexpr double kOpenS = 0.0005, kCloseS = 0.012;
-// Loudness: 1 where friction takes 0.3 N at 200 mm/s, 60 mW.
+// Loudness: 1 for a friction of 0.3 N at 200 mm/s, which is 60 mW.
 constexpr double kFullPowerMw = 60.0;
 constexpr double kUsualGrainUm = 10.0, kLeastGrainUm = 1.5, kMostRough = 1.6;
 constexpr double kHissGain = 1.8;
-constexpr double kHillGain = 0.02;   // of a slope times mm/s, at 1 N
+constexpr double kHillGain = 0.02;   // for slope times mm/s, at 1 N
 constexpr double kHillDepth = 0.75;  // how much louder uphill
 constexpr double kLevel = 0.32;
 constexpr double kCeiling = 0.9;
 constexpr double kLowestHz = 45.0;
-constexpr double kHissHz = 500.0;    // what is rough shakes no table: its low sounds are weak
+constexpr double kHissHz = 500.0;    // roughness does not shake a table: its low tones are weak
 constexpr double kInaudible = 1e-7;  // -140 dB
 // Squeak: the Stribeck curve falls most at kStribeckMmPerS / sqrt(2).
 constexpr double kStribeckMmPerS = 130.0;
 constexpr double kSqueakRate = 0.012, kSqueakLoss = 0.55, kSqueakGain = 4.0, kSqueakSeed = 2e-4;
-// Tap: a touch of 1.2 ms, heard for kTapS.
+// Tap: a touch of 1.2 ms, audible for kTapS.
 constexpr double kTapForceS = 0.0012, kTapS = 0.012, kFullStrike = 150.0;
 constexpr double kTapGain = 1.8;
-constexpr double kSmoothLongestMm = 0.5;  // of roughness where there is no relief
+constexpr double kSmoothLongestMm = 0.5;  // longest roughness if there is no relief
 
 double unit(double value) noexcept {
   return value > 0.0 ? std::min(value, 1.0) : 0.0;
 }
 
-/// -1..1, straight near 0.
+/// Returns x softly limited to -1..1; linear near 0.
 double bent(double x) noexcept {
   return x / std::sqrt(1.0 + x * x);
 }
@@ -62,9 +63,9 @@ void RubVoice::set_pair(const RubbingPair& pair) noexcept {
   low_pass_.set(700.0 * plain::exp2(4.5 * bright), kRateHz);
   high_pass_.set(kLowestHz, kRateHz);
   hiss_pass_.set(kHissHz, kRateHz);
-  // A sheet on its table: the lowest mode of a plate, and its second (2.8 times as high, about as
-  // for a square one that is held at its rim). The stick of the medium: some hundred mm of wood,
-  // chalk or rubber that a hand holds.
+  // Bodies 0 and 1: a page on its table, as the lowest two modes of a plate (the second is 2.8
+  // times as high, about as for a square plate clamped at its rim). Body 2: the stick of the
+  // medium, about a hundred mm of wood, chalk or rubber held in a hand.
   const double boom_hz =
       200.0 * std::sqrt(std::clamp(pair.stiffness_n_per_m, 50.0, 5000.0) / 500.0);
   bodies_[0].set(boom_hz, 2.5, kRateHz);
@@ -74,7 +75,7 @@ void RubVoice::set_pair(const RubbingPair& pair) noexcept {
 }
 
 void RubVoice::strike(double mm_per_s) noexcept {
-  // What is soft comes down softly.
+  // A dull (soft) medium makes a softer tap.
   tap_gain_ = kTapGain * (0.25 + pair_.medium_brightness) * std::sqrt(unit(mm_per_s / kFullStrike));
   tap_left_ = static_cast<int>(kTapForceS * kRateHz);
   tap_window_ = static_cast<int>(kTapS * kRateHz);
@@ -82,7 +83,8 @@ void RubVoice::strike(double mm_per_s) noexcept {
 
 void RubVoice::follow(Point at, double push_n) noexcept {
   const bool touches = push_n > 0.0;
-  if (touches && !touches_ && gate_ == 0.0) first_ = at_ = at;  // how it came here is not rubbing
+  if (touches && !touches_ && gate_ == 0.0)
+    first_ = at_ = at;  // the move through the air is not rubbing
   touches_ = touches;
   first_ = first_ + kWay * (at - first_);
   const Vec step = kWay * (first_ - at_);
@@ -92,14 +94,14 @@ void RubVoice::follow(Point at, double push_n) noexcept {
   push_ += kWay * (std::min(push_n, kMaxHeardPushN) - push_);
 }
 
-/// What changes slowly enough to be looked at three times a millisecond.
+/// Updates what changes slowly: called three times a millisecond.
 void RubVoice::look() noexcept {
   const bool rubs = touches_ && speed_ > kStillMmPerS;
   gate_goal_ = rubs || tap_window_ > 0 ? 1.0 : 0.0;
   roughness_.set_speed(speed_, kRateHz, kControlSamples);
   if (pair_.squeak <= 0.0) return;
-  // How fast friction falls with speed, 0..1 at the steepest, times the push; less what the mode
-  // loses by itself.
+  // The feed: how fast friction falls with speed (1 at the steepest), times the push, minus the
+  // losses of the mode.
   const double v = speed_ / kStribeckMmPerS;
   const double falls = 2.3316 * v * plain::exp(-std::min(v * v, 50.0));
   squeak_feed_ = touches_ ? pair_.squeak * falls * std::min(push_, 1.5) - kSqueakLoss : -1.0;
@@ -113,7 +115,7 @@ void RubVoice::look() noexcept {
 double RubVoice::excitation() noexcept {
   const double moves =
       std::clamp((speed_ - kStillMmPerS) / (kMovesMmPerS - kStillMmPerS), 0.0, 1.0);
-  // The pressed relief is flatter, and a soft medium feels less of it.
+  // The relief is flatter under pressure, and less of it comes through a soft medium.
   const double through = pair_.through * relief_left(pair_.wear, push_ / pair_.firm_push_n);
   double slope = 0.0;
   if (pair_.relief != nullptr && speed_ > kStillMmPerS) {
@@ -144,8 +146,8 @@ double RubVoice::tap() noexcept {
   if (tap_window_ > 0) --tap_window_;
   if (tap_left_ <= 0) return 0.0;
   const double all = std::floor(kTapForceS * kRateHz);
-  const double part = 1.0 - --tap_left_ / all;   // of the touch
-  return tap_gain_ * 4.0 * part * (1.0 - part);  // a parabola for a half sine
+  const double part = 1.0 - --tap_left_ / all;   // 0..1 during the touch
+  return tap_gain_ * 4.0 * part * (1.0 - part);  // a parabola, close to a half sine
 }
 
 void RubVoice::be_silent() noexcept {

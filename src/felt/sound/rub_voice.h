@@ -9,21 +9,23 @@
 
 namespace felt {
 
-/// The sound of one pair, sample by sample, from where the pen is and how hard it is pushed.
+/// The sound of one medium on one surface, sample by sample, from the position and push of the pen.
+/// It adds up these parts:
 ///
-///   hills      the relief's slope along the way times the speed: what shakes the pen (R47)
-///   roughness  noise by position below the relief's waves (roughness.h), as loud as the root of
-///              the power that friction takes, mu N v (van den Doel, Kry and Pai 2001), and louder
-///              uphill than downhill, so that the weave of a canvas is heard in the hiss, too
-///   bodies     resonances of sheet and medium, and a low pass as both are bright
-///   squeak     a mode that friction feeds where it falls with speed, as a bristle that sticks and
-///              slips does (Avanzini, Serafin and Rocchesso 2005): here a Hopf oscillator with the
-///              slope of a Stribeck curve as what it gets, and bounded by itself
-///   tap        a half sine of force where the pen comes down, through the same bodies
+///   hills      the slope of the relief along the path times the speed: this shakes the pen (R47)
+///   roughness  noise as a function of position, below the waves of the relief (roughness.h). Its
+///              loudness is the root of the friction power, mu N v (van den Doel, Kry and Pai
+///              2001), and it is louder uphill than downhill, so that the weave of a canvas is
+///              heard in the hiss, too
+///   squeak     a mode that friction feeds if friction falls with speed, as in stick-slip
+///              (Avanzini, Serafin and Rocchesso 2005): a Hopf oscillator, which limits itself,
+///              fed by the slope of a Stribeck curve
+///   tap        a pulse of force when the pen comes down
 ///
-/// All of it is behind a soft limiter and a gate that is 0, exactly, soon after the pen is lifted
-/// or stands: kSilentAfterS. |sample| < 1 always; NaN never, whatever is told. A value; no
-/// allocation; any one thread.
+/// These go through the bodies: resonances of surface and medium, and a low pass that depends on
+/// the brightness of both (the squeak bypasses them). Then come a soft limiter and a gate, which is
+/// exactly 0 at most kSilentAfterS after the pen is lifted or stops. |sample| < 1 always, and never
+/// NaN for the input that next() allows. A value; no allocation; one thread at a time.
 class RubVoice {
  public:
   static constexpr double kRateHz = 48000.0;
@@ -31,18 +33,20 @@ class RubVoice {
 
   RubVoice() noexcept;
 
-  /// From the next sample on. Figures jump: do it in silence (is_silent()), or hear a click.
+  /// Sets the pair from the next sample on. Call it during silence (is_silent()), because the
+  /// parameters jump and would make a click.
   void set_pair(const RubbingPair& pair) noexcept;
-  static constexpr double kUsualStrike = 40.0;  ///< mm/s, of a pen that does not say
-  /// The pen came down so fast, mm/s.
+  static constexpr double kUsualStrike = 40.0;  ///< mm/s, if the speed of the touch is unknown
+  /// Starts the tap of a pen that came down at this speed, mm/s.
   void strike(double mm_per_s) noexcept;
-  /// The next sample. `push_n` 0: in the air. Finite, bounded: RubbingSound sees to that.
+  /// Returns the next sample of sound. A `push_n` of 0 means that the pen is in the air. Requires
+  /// finite and bounded arguments, as RubbingSound passes them.
   double next(Point at, double push_n) noexcept;
-  /// The last sample was 0, and so is every one until the pen rubs again.
+  /// Returns true if the last sample was 0, and every sample will be until the pen rubs again.
   [[nodiscard]] bool is_silent() const noexcept { return gate_ == 0.0 && gate_goal_ == 0.0; }
 
  private:
-  static constexpr int kControlSamples = 16;  // between two looks at what changes slowly
+  static constexpr int kControlSamples = 16;  // between two calls of look()
 
   void follow(Point at, double push_n) noexcept;
   void look() noexcept;
@@ -53,8 +57,8 @@ class RubVoice {
 
   RubbingPair pair_;
   double slope_scale_ = 0.0;  // 1 / RMS slope of the relief
-  // The way.
-  Point first_{}, at_{};  // two followers in a row: sensors step, hands do not
+  // The path.
+  Point first_{}, at_{};  // two followers in series, which smooth the steps of the sensor
   Vec velocity_{};
   double speed_ = 0.0, push_ = 0.0;
   bool touches_ = false;
@@ -63,7 +67,7 @@ class RubVoice {
   double level_ = 1.0;
   // Sources.
   Roughness roughness_;
-  double noise_ = 0.0;  // what it said last
+  double noise_ = 0.0;  // the last value of the roughness
   double squeak_a_ = 0.0, squeak_b_ = 0.0, squeak_cos_ = 1.0, squeak_sin_ = 0.0,
          squeak_feed_ = -1.0;
   int tap_left_ = 0, tap_window_ = 0;

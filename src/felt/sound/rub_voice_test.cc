@@ -12,12 +12,12 @@
 namespace felt::rub_voice_test {
 namespace {
 
-/// The stroke without its touch.
+/// Returns the sound of a stroke without its touch.
 std::vector<float> rubbed(const RubbingPair& pair, const RubbedStroke& stroke) {
   return after(sound_of(pair, stroke), 0.1);
 }
 
-/// How loud a sound is, 500 times a second.
+/// Returns the loudness of a sound, 500 times a second.
 std::vector<float> loudness_of(const std::vector<float>& sound) {
   constexpr std::size_t kBlock = 96;
   std::vector<float> blocks;
@@ -28,7 +28,7 @@ std::vector<float> loudness_of(const std::vector<float>& sound) {
   return blocks;
 }
 
-/// How alike two sounds are as one is shifted against the other, -1..1.
+/// Returns the correlation, -1..1, of two sounds, one of them shifted.
 double likeness(const std::vector<float>& a, const std::vector<float>& b, std::size_t shift) {
   double ab = 0.0, aa = 0.0, bb = 0.0;
   double mean_a = 0.0, mean_b = 0.0;
@@ -47,7 +47,7 @@ double likeness(const std::vector<float>& a, const std::vector<float>& b, std::s
   return ab / std::sqrt(aa * bb);
 }
 
-// R47: hand, eye and ear have one height field, the same object.
+// R47: hand, eye and ear use the same height field object.
 TEST(RubVoice, R47_TheEarHasTheReliefOfHandAndEye) {
   for (const SurfaceMaterial& surface : surface_materials()) {
     for (const Medium& medium : media()) {
@@ -56,7 +56,7 @@ TEST(RubVoice, R47_TheEarHasTheReliefOfHandAndEye) {
   }
 }
 
-// Nothing but the relief differs, and it is heard.
+// A difference in the relief alone is audible.
 TEST(RubVoice, R47_AnotherReliefIsAnotherSound) {
   const RubbingPair canvas = pair_of("canvas", "pencil");
   RubbingPair other = canvas;
@@ -64,8 +64,8 @@ TEST(RubVoice, R47_AnotherReliefIsAnotherSound) {
   EXPECT_NE(rubbed(canvas, {}), rubbed(other, {}));
 }
 
-// The threads of a canvas, 2.5 mm apart, pass 40 times a second at 100 mm/s: loudness comes and
-// goes with them, on a canvas made smooth it does not.
+// The threads of a canvas, 2.5 mm apart, pass 40 times a second at 100 mm/s. The loudness varies
+// with them; on a canvas made smooth it does not.
 TEST(RubVoice, R47_TheHillsOfTheReliefAreHeardAsTheyPass) {
   const auto swing = [](const RubbingPair& pair) {
     const auto loud =
@@ -78,9 +78,9 @@ TEST(RubVoice, R47_TheHillsOfTheReliefAreHeardAsTheyPass) {
   EXPECT_LT(swing(smooth), 0.15);
 }
 
-// By position, not by time: a way that is gone again sounds the same.
+// Noise by position, not by time: the same path sounds the same again.
 TEST(RubVoice, TheSameWaySoundsTheSameTwice) {
-  // The last 0.2 s of a way, after another one.
+  // The last 0.2 s of a path, after another path.
   const auto at_last = [](Point from) {
     RubbingSound sound;
     sound.set_pair(pair_of("rough-paper", "pencil"));
@@ -119,7 +119,7 @@ TEST(RubVoice, MorePushIsLouderOnEveryPair) {
   }
 }
 
-/// All sheets with a pencil, and all media on a blackboard.
+/// Returns all surfaces with a pencil, and all media on a blackboard.
 std::vector<RubbingPair> pairs() {
   std::vector<RubbingPair> all;
   for (const SurfaceMaterial& surface : surface_materials()) {
@@ -141,7 +141,7 @@ TEST(RubVoice, MoreSpeedIsLouderAndBrighterOnEveryPairThatDoesNotSqueak) {
       const auto sound = rubbed(pair, {.mm_per_s = mm_per_s, .seconds = 0.5});
       EXPECT_GT(rms_of(sound), 1.15 * last) << mm_per_s << " mm/s";
       last = rms_of(sound);
-      if (mm_per_s > 200.0) continue;  // as bright as the pair lets it be
+      if (mm_per_s > 200.0) continue;  // at its brightest for this pair
       const double hz = centroid_of(sound);
       EXPECT_GT(hz, 1.1 * last_hz) << mm_per_s << " mm/s";
       last_hz = hz;
@@ -167,7 +167,7 @@ TEST(RubVoice, BrighterIsHigherAndLouderIsLouder) {
   EXPECT_EQ(rms_of(rubbed(quiet, {})), 0.0);
 }
 
-// Sheets and media are told apart: by pitch or by loudness, a fifth at least.
+// Surfaces and media differ in sound: loudness and pitch together by at least 0.1 in log2.
 TEST(RubVoice, EverySheetAndEveryMediumHasItsOwnSound) {
   struct Heard {
     std::string name;
@@ -193,7 +193,7 @@ TEST(RubVoice, EverySheetAndEveryMediumHasItsOwnSound) {
   }
 }
 
-/// The share of a sound within a quarter of an octave around its strongest third.
+/// Returns the share of the strongest band, a third of an octave wide, in the power.
 double tone_of(const std::vector<float>& sound) {
   const auto bands = spectrum_of(sound);
   double all = 0.0;

@@ -18,7 +18,7 @@ RubbingPair rubbing_pair(const SurfaceMaterial& surface, const Medium& medium) {
   pair.loudness = unit(medium.sound.loudness) * unit(surface.sound.loudness);
   pair.surface_brightness = unit(surface.sound.brightness);
   pair.medium_brightness = unit(medium.sound.brightness);
-  // A dull sheet takes away what a squeak would live on.
+  // A dull surface damps the squeak.
   pair.squeak = unit(medium.sound.squeak) * unit(1.3 * pair.surface_brightness);
   pair.seed = surface.grain_seed;
   return pair;

@@ -9,17 +9,17 @@ namespace felt {
 
 class HeightField;
 
-/// What rubs on what, for the ear: numbers only, and the relief, which lives for good.
+/// The sound parameters of a medium on a surface: numbers, and the relief, which is never deleted.
 struct RubbingPair {
   const HeightField* relief =
-      nullptr;                       ///< surface_grain(surface): hand, eye and ear have one (R47)
-  double grain_um = 0.0;             ///< its RMS height; also how rough it is below its waves
-  double stiffness_n_per_m = 500.0;  ///< of the sheet: where it booms
+      nullptr;                       ///< surface_grain(surface), as for hand and eye (R47), or null
+  double grain_um = 0.0;             ///< RMS height of the relief and of the roughness
+  double stiffness_n_per_m = 500.0;  ///< of the surface; sets its lowest resonance
   double friction = 0.25;            ///< mu of the pair
-  double through = 1.0;              ///< how much of the relief comes through the medium, 0..1
+  double through = 1.0;              ///< share of the relief that comes through the medium, 0..1
   double wear = 0.0;                 ///< share of it that a firm push flattens (relief_left)
-  double firm_push_n = 2.0;          ///< the push that is firm
-  double loudness = 1.0;             ///< of both, 0..1
+  double firm_push_n = 2.0;          ///< the push that counts as firm, N
+  double loudness = 1.0;             ///< of both together, 0..1
   double surface_brightness = 0.5;   ///< 0..1
   double medium_brightness = 0.5;    ///< 0..1
   double squeak = 0.0;               ///< 0..1
@@ -28,17 +28,17 @@ struct RubbingPair {
   friend bool operator==(const RubbingPair&, const RubbingPair&) = default;
 };
 
-/// Of a medium on a surface. Makes the relief where nobody asked for it yet (material/relief.h):
-/// any thread but the haptic one.
+/// Returns the sound parameters of a medium on a surface. May make the relief, which takes up to
+/// 60 ms (material/relief.h): any thread except the haptic one.
 RubbingPair rubbing_pair(const SurfaceMaterial& surface, const Medium& medium);
 
-/// The pen at one sample. The speed is that of the way from sample to sample, whatever a device
-/// says: what is heard cannot contradict what is drawn.
+/// The pen at one sample. The speed is computed from the positions, not taken from the device, so
+/// that the sound cannot contradict the drawing.
 struct RubbingSample {
-  std::int64_t time_ns = 0;  ///< of the session
-  Point at{};                ///< mm, on the sheet
-  double push_n = 0.0;       ///< on the sheet, N; 0 in the air
-  /// How fast the pen came down, where it just did, mm/s; 0 where that is not known.
+  std::int64_t time_ns = 0;  ///< session time
+  Point at{};                ///< position on the page, mm
+  double push_n = 0.0;       ///< force on the surface, N; 0 in the air
+  /// The speed at which the pen came down, if it just did, mm/s; 0 if unknown.
   double strike_mm_per_s = 0.0;
 };
 

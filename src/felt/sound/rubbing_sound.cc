@@ -10,7 +10,7 @@ constexpr double kFarthestMm = 1e6;
 constexpr double kMaxPushN = 20.0;
 constexpr double kFastestStrike = 1000.0;
 
-// A sample of sound is 62500/3 ns long.
+// One sample of sound lasts 62500/3 ns.
 constexpr std::int64_t ns_of(std::int64_t samples) noexcept {
   return samples * 62500 / 3;
 }
@@ -49,7 +49,8 @@ void RubbingSound::set_pair(const RubbingPair& pair) noexcept {
 void RubbingSound::push(const RubbingSample& sample) noexcept {
   if (count_ > 0 && sample.time_ns <= waiting(count_ - 1).time_ns) return;
   RubbingSample next = sane(sample);
-  // Told here and not where it is played: a way that waits is no pen that comes down again.
+  // Touches are detected here, not during playback, because a path that continues after a pause is
+  // not a new touch.
   const bool comes_down = next.push_n > 0.0 && !(count_ > 0 && waiting(count_ - 1).push_n > 0.0);
   const bool is_known = next.strike_mm_per_s > 0.0;
   next.strike_mm_per_s = !comes_down ? 0.0
@@ -112,7 +113,7 @@ bool RubbingSound::find(std::int64_t now_ns) noexcept {
     return false;
   }
   const double part = static_cast<double>(now_ns - from.time_ns) / static_cast<double>(gap_ns);
-  // In contact where both ends are.
+  // In contact only if both ends are.
   const bool is_down = from.push_n > 0.0 && to.push_n > 0.0;
   at_ = from.at + part * (to.at - from.at);
   push_n_ = is_down ? from.push_n + part * (to.push_n - from.push_n) : 0.0;
@@ -126,7 +127,7 @@ bool RubbingSound::find(std::int64_t now_ns) noexcept {
 float RubbingSound::next() noexcept {
   const bool has_way = !waits_ && find(now_ns());
   if (!waits_) ++played_;
-  // Another pair comes when the old one is silent: its pen is lifted until then.
+  // A new pair starts once the old one is silent; until then its pen counts as lifted.
   if (!(pair_ == next_pair_) && voice_.is_silent()) {
     pair_ = next_pair_;
     voice_.set_pair(pair_);

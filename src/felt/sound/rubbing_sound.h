@@ -10,46 +10,48 @@
 
 namespace felt {
 
-/// What a pen's way sounds like, one channel at 48 kHz: takes the samples of a session as they
-/// come, and reads the way between them at the rate of sound.
+/// The sound of the path of a pen, one channel at 48 kHz. It receives the samples of a session and
+/// interpolates the path between them at the rate of the sound.
 ///
-/// In virtual time, for a file:     In time, for a loudspeaker:
+/// In virtual time, for a file:     In real time, for a loudspeaker:
 ///   sound.push(sample);              while (ring.pop(sample)) sound.push(sample);
 ///   n = sound.ready();               sound.keep_up(0.020);
 ///   sound.render(block.first(n));    sound.render(block);
 ///
-/// The same calls give the same samples, on every machine. A value of some 30 KB; no allocation,
-/// lock or wait; any one thread.
+/// The same calls give the same samples on every machine. A value of about 30 KB; no allocation, no
+/// lock, never waits; one thread at a time.
 class RubbingSound {
  public:
   static constexpr double kRateHz = RubVoice::kRateHz;
-  /// Samples of the way that can wait; the oldest is forgotten for one more.
+  /// The most samples in the queue; if there are more, the oldest is dropped.
   static constexpr std::size_t kMostWaiting = 1024;
-  /// A way with a longer gap, or faster than any hand, is taken for two, with the pen in the air
-  /// between them.
+  /// A path with a longer gap, or faster than any hand, is split into two with the pen in the air
+  /// in between.
   static constexpr std::int64_t kLongestGapNs = 50'000'000;
   static constexpr double kFastestMmPerS = 5000.0;
 
-  /// From what is rendered next on; what sounds fades before, within 12 ms.
+  /// Sets the pair for the samples rendered next. The current sound fades out first, within 12 ms.
   void set_pair(const RubbingPair& pair) noexcept;
 
-  /// The next sample of the way. One that is not later than the last is left out; what is not
-  /// finite, or farther away than 1e6 mm, is a pen in the air.
+  /// Appends a sample of the path. It is ignored if it is not later than the last one. A sample
+  /// that is not finite, or farther away than 1e6 mm, counts as a pen in the air.
   void push(const RubbingSample& sample) noexcept;
 
-  /// How many samples of sound the way pushed so far is good for.
+  /// Returns the number of samples of sound up to the end of the path pushed so far.
   [[nodiscard]] std::size_t ready() const noexcept;
 
-  /// Keeps so far behind the newest sample, in s: where the way ran out, waits until there is that
-  /// much of it again; where too much waits, leaves out of it while nothing sounds, or all beyond
-  /// kMostBehindS. Call before each render() in real time.
+  /// Keeps the playback delay behind the newest sample near `behind_s`, in s. If the path has run
+  /// out, pauses until there is that much of it again. If the delay has grown, skips a part of the
+  /// path: during silence if it is more than twice `behind_s`, always if it is more than
+  /// kMostBehindS. Call it before each render() in real time.
   void keep_up(double behind_s) noexcept;
   static constexpr double kMostBehindS = 0.250;
 
-  /// The next samples, -1 < s < 1. Where the way has run out, the pen is heard to be lifted.
+  /// Writes the next samples of sound, -1 < s < 1. If the path has run out, the pen sounds as if
+  /// lifted.
   void render(std::span<float> out) noexcept;
 
-  /// Nothing sounds.
+  /// Returns true during silence.
   [[nodiscard]] bool is_silent() const noexcept { return voice_.is_silent(); }
 
  private:
@@ -58,19 +60,19 @@ class RubbingSound {
   }
   [[nodiscard]] std::int64_t now_ns() const noexcept;
   void start_at(std::int64_t time_ns) noexcept;
-  /// The pen where `now_ns` is; false where the way has run out.
+  /// Sets at_ and push_n_ to the pen at `now_ns`. Returns false if the path has run out.
   bool find(std::int64_t now_ns) noexcept;
   float next() noexcept;
 
   RubVoice voice_;
   RubbingPair pair_, next_pair_;
   std::array<RubbingSample, kMostWaiting> way_{};
-  std::size_t first_ = 0, count_ = 0;  // of the ones that wait; the first is behind or at the head
-  std::int64_t start_ns_ = 0;          // of the head, and how many samples ago that was
-  std::int64_t played_ = 0;
+  std::size_t first_ = 0, count_ = 0;  // the queue; its first sample is not after the playback time
+  std::int64_t start_ns_ = 0;          // the playback time when it started,
+  std::int64_t played_ = 0;            // and the samples of sound since then
   bool has_started_ = false, waits_ = false;
-  std::int64_t struck_ns_ = -1;  // the touch that was heard last
-  // Where the pen is.
+  std::int64_t struck_ns_ = -1;  // the time of the last touch played
+  // The current position of the pen.
   Point at_{};
   double push_n_ = 0.0;
 };

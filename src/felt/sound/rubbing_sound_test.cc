@@ -50,7 +50,7 @@ float steepest(const std::vector<float>& sound) {
   return most;
 }
 
-/// What a hand does: `ways` is where it goes to and how hard it pushes there, in a time each.
+/// A part of the path of a hand: its speed, push and duration.
 struct Leg {
   double mm_per_s, push_n, seconds;
 };
@@ -88,7 +88,7 @@ TEST(RubbingSound, IsSilentInTheAirAtRestAndBeforeTheFirstSample) {
   sound.set_pair(pair_of("canvas", "chalk"));
   EXPECT_TRUE(is_zero(rendered(sound, 0.1)));
   EXPECT_TRUE(is_zero(sound_of_legs(pair_of("canvas", "chalk"), {{200.0, 0.0, 1.0}})));
-  // A pen that came down and stands has been heard to come down, no more.
+  // A pen that came down and stands still makes the sound of the touch only.
   const auto stands = sound_of_legs(pair_of("canvas", "chalk"), {{0.0, 0.0, 0.1}, {0.0, 1.0, 0.5}});
   EXPECT_FALSE(is_zero(stands));
   EXPECT_TRUE(is_zero(after(stands, 0.15)));
@@ -107,7 +107,7 @@ TEST(RubbingSound, IsSilent50MsAfterThePenIsLiftedOrStandsOnEveryPair) {
   }
 }
 
-/// A device that leaps is no pen that rubs so fast.
+/// A jump of the device must not sound like very fast rubbing.
 TEST(RubbingSound, ALeapIsNoSound) {
   RubbingSound sound;
   sound.set_pair(pair_of("canvas", "chalk"));
@@ -118,7 +118,7 @@ TEST(RubbingSound, ALeapIsNoSound) {
   EXPECT_TRUE(is_zero({first, all.end()}));
 }
 
-// What a click would be: a leap that is larger than any within the steady sound.
+// A click is a step that is larger than any in the steady sound.
 TEST(RubbingSound, BeginningAndEndingAddNoLeap) {
   for (const char* medium : {"pencil", "chalk", "eraser"}) {
     SCOPED_TRACE(medium);
@@ -132,7 +132,7 @@ TEST(RubbingSound, BeginningAndEndingAddNoLeap) {
   }
 }
 
-// A touch says something, and is no bang: no louder than rubbing.
+// A touch is audible, but no louder than rubbing.
 TEST(RubbingSound, ATouchIsModest) {
   for (const char* medium : {"pencil", "chalk", "brush-pen"}) {
     const RubbingPair pair = pair_of("paper", medium);
@@ -158,7 +158,7 @@ TEST(RubbingSound, TheSameCallsGiveTheSameSamples) {
   const auto once = sound_of_legs(pair_of("wood", "felt-tip"), legs);
   EXPECT_EQ(once, sound_of_legs(pair_of("wood", "felt-tip"), legs));
   EXPECT_NE(once, sound_of_legs(pair_of("wood", "pencil"), legs));
-  // In whatever pieces it is asked for.
+  // The size of the blocks does not matter.
   RubbingSound whole, pieces;
   for (RubbingSound* sound : {&whole, &pieces}) {
     sound->set_pair(pair_of("wood", "felt-tip"));
@@ -175,7 +175,7 @@ TEST(RubbingSound, TheSameCallsGiveTheSameSamples) {
   EXPECT_EQ(all, parts);
 }
 
-// Another tool in the middle of a stroke: what sounded fades, then the other begins.
+// The tool changes in the middle of a stroke: the old sound fades out, then the new one begins.
 TEST(RubbingSound, AnotherPairComesWithoutAClick) {
   RubbingSound sound;
   sound.set_pair(pair_of("paper", "pencil"));
@@ -253,7 +253,7 @@ TEST(RubbingSound, RealTimeTakesNoMemory) {
   EXPECT_EQ(allocations, before);
 }
 
-/// A loudspeaker that asks for 10 ms at a time, and a way that comes in turns of 8 ms.
+/// A loudspeaker that needs 10 ms at a time, and a path that arrives every 8 ms.
 struct Loudspeaker {
   RubbingSound sound;
   std::int64_t pen_ns = 0;
@@ -280,7 +280,7 @@ TEST(RubbingSound, InTimeItStaysWithThePen) {
   EXPECT_LT(loudspeaker.sound.ready(), 0.035 * 48000.0);
   const float steady = steepest(after(loudspeaker.heard, 0.1));
   EXPECT_GT(steady, 0.0F);
-  // The window stands still for half a second: the pen is heard to stop, and to go on.
+  // The window freezes for half a second: the pen sounds as if it stopped and went on.
   loudspeaker.heard.clear();
   for (int i = 0; i < 50; ++i) loudspeaker.play(10);
   EXPECT_TRUE(is_zero(after(loudspeaker.heard, 0.1)));

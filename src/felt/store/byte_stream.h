@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// Appends values as bytes: little-endian whatever the machine, doubles by their IEEE 754 bits.
+/// Appends values as bytes: little-endian on every machine, doubles as their IEEE 754 bits.
 class ByteWriter {
  public:
   explicit ByteWriter(std::string& out) noexcept : out_(out) {}
@@ -15,10 +15,10 @@ class ByteWriter {
   void u32(std::uint32_t v) { little_endian(v, 4); }
   void u64(std::uint64_t v) { little_endian(v, 8); }
   void f64(double v);
-  /// Length (u32), then the bytes. Requires less than 4 GiB.
+  /// Appends the length (u32), then the bytes. Requires less than 4 GiB.
   void text(std::string_view v);
-  /// A whole number in as few bytes as it needs: 7 bits each, the lowest first, the top bit set in
-  /// all but the last.
+  /// Appends a whole number in as few bytes as it needs: 7 bits each, the lowest first, the top bit
+  /// set in all but the last.
   void count(std::uint64_t v);
 
  private:
@@ -27,9 +27,9 @@ class ByteWriter {
   std::string& out_;
 };
 
-/// Takes them off again. Never reads beyond the end: once something is missing, every value is 0
-/// or empty and ok() is false, so that the caller may ask once, at the end. A length is believed
-/// only as far as there are bytes.
+/// Reads what ByteWriter wrote. Never reads beyond the end: after the first error every value is 0
+/// or empty and ok() is false, so that the caller needs to check only once, at the end. Lengths are
+/// checked against the bytes that are left.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) noexcept : bytes_(bytes) {}
@@ -38,18 +38,19 @@ class ByteReader {
   std::uint32_t u32() { return static_cast<std::uint32_t>(little_endian(4)); }
   std::uint64_t u64() { return little_endian(8); }
   double f64();
-  /// Into the bytes that are read from. Not ok where it is longer than `max_bytes`.
+  /// Returns a view into the bytes being read. An error if it is longer than `max_bytes`.
   std::string_view text(std::size_t max_bytes);
-  /// As ByteWriter::count writes it. Not ok where it has more bytes than it needs or 64 bits.
+  /// Reads what ByteWriter::count wrote. An error if it has more bytes than it needs, or more than
+  /// 64 bits.
   std::uint64_t count();
-  /// So many bytes as they are.
+  /// Returns the next `size` bytes.
   std::string_view bytes(std::size_t size);
-  /// A whole number of up to 8 bytes.
+  /// Reads a whole number of `size` bytes, at most 8.
   std::uint64_t whole(std::size_t size) { return little_endian(size); }
 
   [[nodiscard]] bool ok() const noexcept { return ok_; }
   [[nodiscard]] std::size_t left() const noexcept { return bytes_.size(); }
-  /// Whether `count` things of `each` bytes can still come.
+  /// Returns true if no error occurred and at least `count` x `each` bytes are left.
   [[nodiscard]] bool has(std::uint64_t count, std::size_t each) const noexcept {
     return ok_ && count <= bytes_.size() / each;
   }

@@ -17,14 +17,14 @@ int index_of(const FeltTable& table, std::string_view column) {
   return found == table.columns.end() ? -1 : static_cast<int>(found - table.columns.begin());
 }
 
-/// Names nothing, or something for which `is_there` says so.
+/// Returns true if the column names nothing, or something that exists according to `is_there`.
 template <class IsThere>
 bool names_present(const Statement& row, int column, IsThere is_there) {
   return column < 0 || row.is_null(column) ||
          (row.is_integer(column) && is_there(static_cast<std::uint64_t>(row.integer(column))));
 }
 
-/// Every value of every row, so that equal rows are equal bytes.
+/// Appends every value of every row, so that equal rows give equal bytes.
 Result<void> append_rows(std::string& bytes, const Database& db, const std::string& select) {
   const auto row = db.prepare(select.c_str());
   if (!row) return tl::unexpected(row.error());
@@ -48,7 +48,7 @@ Result<void> append_rows(std::string& bytes, const Database& db, const std::stri
   }
 }
 
-/// All that a file carries, as bytes to compare.
+/// Returns everything that a file carries as bytes, for comparison.
 Result<std::string> carried_bytes(const FeltExtras& extras) {
   std::string bytes;
   const Result<CarriedFile> file = CarriedFile::open(extras);

@@ -10,22 +10,23 @@
 
 namespace felt {
 
-/// The file that a drawing was read from, opened again for what it carries. The extras must outlive
-/// it.
+/// The file that a drawing was read from, opened again to read its extras. The FeltExtras must
+/// outlive it.
 class CarriedFile {
  public:
-  /// Without a file there is nothing to carry, and all is well.
+  /// Opens the file. If there is none, there is nothing to carry over, which is not an error.
   static Result<CarriedFile> open(const FeltExtras& extras);
 
-  /// Null where there is no file.
+  /// Returns the schema, or null if there is no file.
   [[nodiscard]] const FeltSchema* schema() const noexcept { return database_ ? &schema_ : nullptr; }
   [[nodiscard]] const Database* database() const noexcept {
     return database_ ? &*database_ : nullptr;
   }
 
-  /// Puts what a newer Feltline keeps into a database that has our tables and their rows: columns
-  /// of the drawing, of layers and strokes that are still there, and whole tables, less the rows
-  /// whose column "stroke" or "layer" names one that is gone.
+  /// Copies the content of a newer Feltline into a database that has our tables and their rows:
+  /// additional columns of the drawing, and of the layers and strokes that still exist, and whole
+  /// tables. Leaves out rows whose column "stroke" or "layer" names one that does not exist any
+  /// more.
   Result<void> copy_to(Database& to, const Document& document) const;
 
  private:
@@ -37,7 +38,8 @@ class CarriedFile {
   FeltSchema schema_;
 };
 
-/// Copies all rows of a table for which `stays` says so; the other one may have columns more.
+/// Copies the rows of a table for which stays(row) is true. The table in `to` may have more
+/// columns.
 template <class Stays>
 Result<void> copy_rows(const Database& from, const Database& to, const FeltTable& table,
                        Stays stays) {

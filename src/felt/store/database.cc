@@ -20,9 +20,9 @@ tl::unexpected<Error> error_of(sqlite3* db) {
               sqlite3_errmsg(db));
 }
 
-/// What statements on a file of others may do.
+/// Allows only what statements on an untrusted file may do.
 int authorize(void*, int action, const char* what, const char*, const char*, const char* within) {
-  if (within) return SQLITE_DENY;  // a view or trigger asks
+  if (within) return SQLITE_DENY;  // on behalf of a view or trigger
   switch (action) {
     case SQLITE_SELECT:
     case SQLITE_READ:
@@ -164,7 +164,7 @@ Result<Database> Database::open(std::string_view bytes) {
   Result<Database> database = create();
   if (!database) return database;
   if (auto ok = database->harden(); !ok) return tl::unexpected(ok.error());
-  // The interface takes writable bytes; with this flag it leaves them alone.
+  // The interface requires writable bytes; with this flag SQLite does not write to them.
   auto* data = reinterpret_cast<unsigned char*>(const_cast<char*>(bytes.data()));
   const auto size = static_cast<sqlite3_int64>(bytes.size());
   if (sqlite3_deserialize(database->db_, "main", data, size, size, SQLITE_DESERIALIZE_READONLY) !=
@@ -183,13 +183,13 @@ Result<void> Database::check_pages() const {
   if (!*row) return fail(ErrorCode::kInvalidData, "no answer");
   const std::string_view answer = check->text(0);
   if (answer == "ok") return {};
-  // A heading comes first, on a line of its own: "*** in database main ***".
+  // The answer begins with a heading on a separate line: "*** in database main ***".
   const std::size_t heading = answer.rfind("***\n");
   return fail(ErrorCode::kInvalidData,
               std::string(heading == answer.npos ? answer : answer.substr(heading + 4)));
 }
 
-/// What sqlite.org/security.html asks for where files come from others.
+/// Applies what sqlite.org/security.html recommends for untrusted files.
 Result<void> Database::harden() {
   sqlite3_db_config(db_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(db_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);

@@ -12,11 +12,11 @@ struct sqlite3_stmt;
 
 namespace felt {
 
-/// A statement in work. Columns count from 0, parameters from 1.
+/// A prepared SQL statement. Columns count from 0, parameters from 1.
 class Statement {
  public:
   Statement() noexcept = default;
-  /// Of a connection that somebody else owns and that outlives it.
+  /// Prepares a statement on a connection that the caller owns and that outlives it.
   static Result<Statement> of(sqlite3* db, const char* sql);
   Statement(Statement&& other) noexcept;
   Statement& operator=(Statement&& other) noexcept;
@@ -24,16 +24,17 @@ class Statement {
 
   void bind(int parameter, std::int64_t value) const noexcept;
   void bind(int parameter, double value) const noexcept;
-  /// The text must live until the step.
+  /// Binds a text, which must live until step(); so must the bytes of bind_blob().
   void bind_text(int parameter, std::string_view text) const noexcept;
   void bind_blob(int parameter, std::string_view bytes) const noexcept;
   void bind_null(int parameter) const noexcept;
-  /// What stands in a column of another statement, whose row must stay until the step.
+  /// Binds the value of a column of another statement. That statement's row must stay valid until
+  /// step().
   void bind_column(int parameter, const Statement& from, int column) const noexcept;
 
-  /// The next row: true; the end: false. Error: as SQLite says it.
+  /// Moves to the next row. Returns false at the end. Fails with SQLite's message.
   Result<bool> step() const;
-  /// For the next values.
+  /// Resets the statement, to be run again with other values.
   void reset() const noexcept;
 
   [[nodiscard]] int columns() const noexcept;
@@ -44,7 +45,7 @@ class Statement {
   [[nodiscard]] bool is_null(int column) const noexcept;
   [[nodiscard]] std::int64_t integer(int column) const noexcept;
   [[nodiscard]] double real(int column) const noexcept;
-  /// Valid until the next step.
+  /// Return the value of a column. Valid until the next step().
   [[nodiscard]] std::string_view text(int column) const noexcept;
   [[nodiscard]] std::string_view blob(int column) const noexcept;
 
@@ -53,14 +54,14 @@ class Statement {
   sqlite3_stmt* statement_ = nullptr;
 };
 
-/// A database in memory: SQLite sees bytes and never a file, so that no journal, lock or side file
-/// can ever appear beside a person's drawing. One thread.
+/// A database in memory. SQLite gets bytes and never a file, so that no journal, lock or other file
+/// can appear beside a user's drawing. Thread: one at a time.
 class Database {
  public:
-  /// An empty one.
+  /// Creates an empty database.
   static Result<Database> create();
-  /// Of the bytes of a file, which must outlive it and stay unchanged; for reading only. The bytes
-  /// are not trusted: defensive mode, no trusted schema, low limits, and nothing but selecting from
+  /// Opens the bytes of a file for reading only. They must outlive the database and not change.
+  /// They are not trusted: defensive mode, no trusted schema, low limits, and only SELECT from
   /// plain columns is allowed: no function, view, trigger, module, attachment or pragma.
   static Result<Database> open(std::string_view bytes);
 
@@ -68,13 +69,13 @@ class Database {
   Database& operator=(Database&& other) noexcept;
   ~Database();
 
-  /// SQLite's own check of all pages. Look at the schema first: a table may ask for more than a
-  /// look.
+  /// Runs SQLite's own check of all pages. Check the schema first (read_schema), because a table
+  /// definition may make SQLite do more than read.
   [[nodiscard]] Result<void> check_pages() const;
 
   Result<void> run(const char* sql);
   [[nodiscard]] Result<Statement> prepare(const char* sql) const;
-  /// The whole database as the bytes of a file.
+  /// Returns the whole database as the bytes of a file.
   [[nodiscard]] Result<std::string> bytes() const;
 
  private:

@@ -9,19 +9,21 @@
 
 namespace felt {
 
-/// What a file holds besides the drawing: recordings, and the tables and columns of a newer
-/// Feltline. Opening keeps the bytes of the file for it, so that saving can carry it over.
+/// Content of a file besides the drawing: recordings, and the tables and columns of a newer
+/// Feltline. It keeps the bytes of the file that was opened, so that saving can carry the content
+/// over.
 struct FeltExtras final : DrawingExtras {
-  /// The file that was read, if it holds such things; else null. Checked when it was read.
+  /// The bytes of the file that was read, if it has such content; else null. They were checked when
+  /// the file was read.
   std::shared_ptr<const std::string> file;
-  /// Recordings made since, the earliest first.
+  /// Recordings made since then, the earliest first.
   std::vector<std::shared_ptr<const FeltRecording>> added;
 
-  /// Compares by value; which other rows the files hold does not matter.
+  /// Compares by value. Other rows of the files do not matter.
   [[nodiscard]] bool equals(const DrawingExtras& other) const override;
 };
 
-/// Returns what a drawing carries: empty if that is nothing.
+/// Returns the extras of a drawing; empty ones if it has none.
 const FeltExtras& felt_extras(const Drawing& drawing);
 
 }  // namespace felt

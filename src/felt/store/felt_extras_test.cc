@@ -1,4 +1,4 @@
-// Files that our writer does not make: of a newer Feltline, and of people who mean no good.
+// Files that our writer does not make: from a newer Feltline, and hostile ones.
 #include "felt/store/felt_extras.h"
 
 #include <gmock/gmock.h>
@@ -65,7 +65,7 @@ class Sqlite {
   sqlite3* db_ = nullptr;
 };
 
-/// Strokes 1, 2, 3 in the layer of the beginning.
+/// Returns a drawing with strokes 1, 2, 3 in the initial layer.
 Drawing three_strokes() {
   Drawing drawing;
   testing::RandomEdits edits(1);
@@ -106,7 +106,7 @@ TEST(FeltExtras, WhatANewerOneKeepsIsCarried) {
             "5|2|two|0001|blob;6|3|three||null;9|NULL||37|integer");
   EXPECT_EQ(db.all("SELECT x_mm, on_layer FROM guide"), "3.5|-1;0.1|-1");
   EXPECT_EQ(db.all("SELECT name FROM sqlite_schema WHERE type <> 'table'"), "");
-  // Again and again, the same.
+  // Repeated saves give the same.
   const Drawing again = parse_felt(written).value();
   EXPECT_TRUE(again == drawing);
   EXPECT_EQ(felt_bytes(again).value(), written);
@@ -173,7 +173,7 @@ TEST(FeltExtras, NothingThatCouldActIsTaken) {
   EXPECT_THAT(message("DROP TABLE palette"), HasSubstr("other tables"));
   EXPECT_THAT(message("DROP TABLE layer; CREATE TABLE layer(id INTEGER PRIMARY KEY)"),
               HasSubstr("'layer' is another"));
-  // Views are never looked at, whatever they say, also where they stand for a table of ours.
+  // Views are ignored, whatever they contain, even if they have the name of one of our tables.
   EXPECT_EQ(message("CREATE VIEW v AS SELECT randomblob(1e9)"), "taken");
 }
 

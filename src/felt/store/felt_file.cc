@@ -35,7 +35,7 @@ tl::unexpected<Error> too_large() {
               "is larger than " + std::to_string(kMaxFeltBytes) + " bytes");
 }
 
-/// What the first bytes say, before SQLite sees any.
+/// Checks the first bytes before SQLite gets any.
 Result<void> check_header(std::string_view bytes) {
   if (bytes.size() > kMaxFeltBytes) return too_large();
   if (bytes.empty()) return invalid_data("is empty");
@@ -60,7 +60,8 @@ Result<void> check_header(std::string_view bytes) {
   return {};
 }
 
-/// `keep`: the same bytes, for extras; null: they are copied where there are any.
+/// Parses a file. `keep` owns the same bytes, for extras. If it is null, the bytes are copied if
+/// there are extras.
 Result<Drawing> parse(std::string_view bytes, std::shared_ptr<const std::string> keep) {
   if (auto ok = check_header(bytes); !ok) return tl::unexpected(ok.error());
   const Result<Database> database = Database::open(bytes);

@@ -76,7 +76,7 @@ TEST_F(FeltFileTest, EveryDrawingReadsBackAsItWas) {
     const Result<Drawing> back = parse_felt(bytes);
     ASSERT_TRUE(back) << "seed " << seed << ": " << back.error().message;
     EXPECT_TRUE(*back == drawing) << "seed " << seed;
-    // The next ids too, so that nothing is ever named like what was there once.
+    // The next ids too, so that an id is never reused.
     EXPECT_EQ(back->document.new_id(), drawing.document.new_id()) << "seed " << seed;
     EXPECT_EQ(back->document.new_layer_id(), drawing.document.new_layer_id()) << "seed " << seed;
     EXPECT_EQ(felt_bytes(*back).value(), bytes) << "seed " << seed;
@@ -114,7 +114,7 @@ TEST_F(FeltFileTest, ErrorsNameTheFileAndTheReason) {
   EXPECT_THAT(message(bytes), HasSubstr("left it open"));
 }
 
-/// The promise behind the checksums: what is damaged is an error, or damaged where nothing is.
+/// The purpose of the checksums: damage is an error, unless it is in unused bytes.
 TEST_F(FeltFileTest, NoDamagePassesForADrawing) {
   const Drawing drawing = random_drawing(11);
   const std::string bytes = felt_bytes(drawing).value();
@@ -157,7 +157,7 @@ TEST_F(FeltFileTest, WhatNoFileMayHoldIsNotWritten) {
   EXPECT_TRUE(read_felt(path("a.felt")).value() == random_drawing(1));
 }
 
-/// Limits at their edges: what is at one is written and read, what is above is an error.
+/// At a limit, a drawing is written and read; above it, it is an error.
 TEST_F(FeltFileTest, LimitsAreKeptExactly) {
   Drawing drawing;
   drawing.palette.colors.assign(PaletteLimits::kMaxColors, {{1, 2, 3, 255}, "c"});
@@ -181,7 +181,7 @@ TEST_F(FeltFileTest, LimitsAreKeptExactly) {
   EXPECT_FALSE(felt_bytes(named));
 }
 
-/// Nobody has so much memory in a test: the pages are promised and never looked at.
+/// A test does not have so much memory: the pages are reserved and never accessed.
 TEST_F(FeltFileTest, AFileThatIsTooLargeIsNotLookedAt) {
   const std::size_t size = kMaxFeltBytes + 1;
   void* pages =
@@ -193,7 +193,8 @@ TEST_F(FeltFileTest, AFileThatIsTooLargeIsNotLookedAt) {
   ::munmap(pages, size);
 }
 
-/// Kills a process that saves at random moments: the old drawing or the new one, and no litter.
+/// Kills a saving process at random moments: the old drawing or the new one remains, and no other
+/// file.
 TEST_F(FeltFileTest, AKilledSaveLeavesTheOldFileOrTheNew) {
   const Drawing a = random_drawing(21), b = random_drawing(22);
   ASSERT_TRUE(write_felt(path("a.felt"), a));

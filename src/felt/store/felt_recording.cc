@@ -35,7 +35,7 @@ FeltRecorder::FeltRecorder(std::string device, std::int64_t period_ns) {
 }
 
 void FeltRecorder::event(const Event& event) {
-  // Events that were made while samples waited in the ring come with a time of their own.
+  // Events that arrived while samples waited in the ring may have a later time than these samples.
   last_ns_ = std::max(last_ns_, event.time_ns);
   if (const auto* pen = std::get_if<PenEvent>(&event.what)) {
     recording_.samples.push_back({last_ns_, *pen, std::nullopt});
@@ -50,7 +50,8 @@ void FeltRecorder::forces(std::int64_t time_ns, const Force& asked, const Force&
   match();
 }
 
-/// Both come in the order of their times, either first.
+/// Gives samples the forces of the tick with the same time. Samples and ticks each arrive in the
+/// order of their times, either first.
 void FeltRecorder::match() {
   while (unmatched_ < recording_.samples.size() && next_tick_ < ticks_.size()) {
     RecordedSample& sample = recording_.samples[unmatched_];

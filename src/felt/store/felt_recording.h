@@ -15,53 +15,53 @@ namespace felt {
 
 struct Drawing;
 
-/// A force of a recording is a multiple of this, in N: far finer than any device's.
+/// Forces in a recording are multiples of this, in N. It is far finer than the resolution of any
+/// device.
 inline constexpr double kRecordedForceStepN = 1e-4;
-/// Larger ones are recorded as this, in N, and those that are no numbers as 0.
+/// Largest recorded force, in N. Larger ones are recorded as this, NaN as 0.
 inline constexpr double kMostRecordedForceN = 100.0;
 
-/// What the loop asked of the device at a sample, and what it sent after the safety chain.
+/// The force that the loop computed at a sample, and the one that it sent after the safety chain.
 struct RecordedForces {
   Force asked, sent;
   friend bool operator==(const RecordedForces&, const RecordedForces&) = default;
 };
 
-/// A sample as the session got it, to the last bit.
+/// A sample as the session received it, bit for bit.
 struct RecordedSample {
   std::int64_t time_ns = 0;  ///< since the session began
   PenEvent pen;
-  std::optional<RecordedForces> forces;  ///< none where nobody knows, or there are none
+  std::optional<RecordedForces> forces;  ///< absent if unknown or if there are none
   friend bool operator==(const RecordedSample&, const RecordedSample&) = default;
 };
 
-/// Everything else that the session was told.
+/// Any other event that the session received.
 struct RecordedEvent {
-  std::size_t before_sample = 0;  ///< it came after so many samples
-  Event event;                    ///< no PenEvent
+  std::size_t before_sample = 0;  ///< number of samples before it
+  Event event;                    ///< not a PenEvent
   friend bool operator==(const RecordedEvent&, const RecordedEvent&) = default;
 };
 
-/// How a drawing was made, from an empty sheet: all that its session was told, and the forces of
-/// the loop. Told to a session again it gives the same drawing, to the last bit; an event that
-/// imports needs the file that it names.
+/// How a drawing was made, from an empty page: all events that its session received, and the forces
+/// of the loop. Applied to a new session, the events give the same drawing, bit for bit. An event
+/// that imports needs the file that it names.
 struct FeltRecording {
-  std::string device;                  ///< what the samples came from, for people
+  std::string device;                  ///< source of the samples, shown to the user
   std::int64_t period_ns = 1'000'000;  ///< of the loop
   std::vector<RecordedSample> samples;
   std::vector<RecordedEvent> events;
   friend bool operator==(const FeltRecording&, const FeltRecording&) = default;
 };
 
-/// Makes a recording while a session is worked with: every event goes to event() as the session
-/// tells it (SessionOptions::on_event), the forces of every tick to forces(), before or after the
-/// event of its sample. Edit thread.
+/// Records a session while it runs. Pass every event of SessionOptions::on_event to event(), and
+/// the forces of every tick to forces(), before or after the event of its sample. Edit thread.
 class FeltRecorder {
  public:
   FeltRecorder(std::string device, std::int64_t period_ns);
 
   void event(const Event& event);
   void forces(std::int64_t time_ns, const Force& asked, const Force& sent);
-  /// All of it; the recorder is empty then.
+  /// Returns the recording and empties the recorder.
   [[nodiscard]] FeltRecording take();
 
  private:
@@ -72,17 +72,18 @@ class FeltRecorder {
   void match();
 
   FeltRecording recording_;
-  std::vector<Tick> ticks_;    // whose sample has not come yet
+  std::vector<Tick> ticks_;    // ticks whose sample has not arrived yet
   std::size_t unmatched_ = 0;  // samples from here on have no forces yet
   std::size_t next_tick_ = 0;  // in ticks_
   std::int64_t last_ns_ = 0;
 };
 
-/// Tells all events of it, in order, samples as pen events. Error: the first that `tell` gives.
+/// Calls `tell` for every event of a recording, in order, with samples as pen events. Stops at the
+/// first error of `tell` and returns it.
 Result<void> play_recording(const FeltRecording& recording,
                             const std::function<Result<void>(const Event&)>& tell);
 
-/// What there is to know of a recording without reading it.
+/// Summary of a recording, available without reading its samples.
 struct RecordingInfo {
   std::string device;
   std::int64_t period_ns = 0;
@@ -91,15 +92,16 @@ struct RecordingInfo {
   double duration_s = 0.0;
 };
 
-/// The recordings of a drawing that was read, the earliest first. Their samples are not read.
+/// Returns summaries of a drawing's recordings, the earliest first. Does not read their samples.
 Result<std::vector<RecordingInfo>> recordings_of(const Drawing& drawing);
-/// Reads one, checks it and its checksum. Error: there is none of that number (from 0), or it is
-/// damaged; the message says where.
+/// Reads recording `number` (from 0), and checks it and its checksum. Fails if there is no such
+/// recording, or if it is damaged; the message says where.
 Result<FeltRecording> read_recording(const Drawing& drawing, std::size_t number);
-/// That a recording holds only what one may hold, and in order. Error: names the sample or event.
+/// Checks that the content of a recording is valid and in order. Fails with a message that names
+/// the sample or event.
 Result<void> check_recording(const FeltRecording& recording);
-/// Adds one to what the drawing's file will hold. Error: something that no recording may hold (a
-/// place that is no number, times that run backwards).
+/// Adds a recording to a drawing, to be saved with it. Fails if the recording is not valid, for
+/// example if a position is NaN or times run backwards.
 Result<void> add_recording(Drawing& drawing, FeltRecording recording);
 
 }  // namespace felt

@@ -28,7 +28,7 @@ std::optional<std::int64_t> whole(const Value& v) noexcept {
   const auto* n = std::get_if<std::int64_t>(&v);
   return n ? std::optional(*n) : std::nullopt;
 }
-/// SQLite keeps a double that is whole as a whole number.
+/// Returns a number as a double. SQLite stores a whole double as an integer.
 std::optional<double> number(const Value& v) noexcept {
   if (const auto* x = std::get_if<double>(&v)) return *x;
   const auto n = whole(v);
@@ -42,10 +42,11 @@ const std::string* blob(const Value& v) noexcept {
   const auto* bytes = std::get_if<ScannedRow::Bytes>(&v);
   return bytes && !bytes->is_text ? &bytes->value : nullptr;
 }
-/// Of strokes whose number another one has; far from all others.
+/// First id of strokes whose own id another stroke has; far from all other ids.
 constexpr std::int64_t kStrayIds = std::int64_t{1} << 40;
 
-/// Rows by what they look like, for which page belongs to which table is not known.
+/// Collects rows. Their table is recognised by their form, because it is not known which page
+/// belongs to which table.
 class Findings {
  public:
   void take(const ScannedRow& row) {
@@ -67,7 +68,7 @@ class Findings {
   std::map<std::int64_t, FoundStroke> strokes;
   std::map<std::int64_t, FoundLayer> layers;
   std::map<std::int64_t, NamedColor> colors;
-  std::optional<Drawing> head;  // without document and palette's colours
+  std::optional<Drawing> head;  // without the document and the palette's colours
   std::optional<Viewport> view;
   std::map<std::int64_t, std::string> materials;
   std::int64_t last_stroke = 0, last_layer = 0;
@@ -85,7 +86,7 @@ class Findings {
     std::int64_t id = row.id;
     if (const auto there = strokes.find(id); there != strokes.end()) {
       if (*there->second.stroke == *stroke) return true;
-      // One of the two numbers is damaged, and both strokes are whole: this one gets another.
+      // One of the two ids is damaged, and both strokes are intact: this one gets a new id.
       while (strokes.contains(next_stray_)) ++next_stray_;
       id = next_stray_++;
     }
@@ -162,7 +163,7 @@ class Findings {
   }
 };
 
-/// Makes a drawing of what was found.
+/// Makes a drawing from what was found.
 class Assembly {
  public:
   explicit Assembly(Findings findings) : found_(std::move(findings)) {}
@@ -232,6 +233,8 @@ class Assembly {
     return document.apply(edit);
   }
 
+  /// Places in a layer are consecutive, so gaps below the highest place show how many strokes are
+  /// missing at least.
   void place_strokes(Edit& edit) {
     std::map<std::int64_t, std::vector<std::int64_t>> by_layer;
     for (const auto& [id, stroke] : found_.strokes) by_layer[stroke.layer].push_back(id);

@@ -9,21 +9,23 @@
 
 namespace felt {
 
-/// What could be had of a damaged file.
+/// What was recovered from a damaged file.
 struct Salvaged {
   Drawing drawing;
-  /// What is missing or not sure, for people, each a sentence; none where the file was whole.
+  /// What is missing or uncertain: one sentence each, shown to the user. Empty if the file was
+  /// intact.
   std::vector<std::string> problems;
 };
 
-/// Reads a .felt file that read_felt() refuses, page by page and without SQLite: every stroke whose
-/// pages are there is in it, told by its checksum, in its layer and order where these are known
-/// and in a layer of its own else. Recordings, and what a newer Feltline keeps, are left behind.
-/// The file itself is left alone. A whole file comes back as it is.
+/// Reads a .felt file that read_felt() refuses, page by page and without SQLite. Recovers every
+/// stroke whose pages are intact, recognised by its checksum. A stroke is in its layer and order if
+/// these are known, else in a separate layer. Recordings, and content of a newer Feltline, are not
+/// recovered. The file is only read. An intact file is read as read_felt() does.
 ///
-/// Error: it cannot be read, or nothing of a drawing is in it; the message begins with the path.
+/// Fails if the file cannot be read or contains nothing of a drawing; the message begins with the
+/// path.
 Result<Salvaged> salvage_felt(const std::string& path);
-/// The same, of bytes in memory.
+/// The same, for bytes in memory.
 Result<Salvaged> salvage_felt_bytes(std::string_view bytes);
 
 }  // namespace felt

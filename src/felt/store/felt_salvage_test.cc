@@ -52,8 +52,7 @@ Drawing some_drawing() {
   return drawing;
 }
 
-/// The strokes that stand in pages of which nothing was changed, by what the page scan finds when
-/// all other pages are blank.
+/// Returns true if all strokes but the lost ones were recovered, in their layers.
 bool keeps_all_of(const Drawing& got, const Drawing& drawing, const std::set<std::uint64_t>& lost) {
   for (const Layer& layer : drawing.document.layers()) {
     for (const StrokeId id : layer.strokes) {
@@ -66,8 +65,8 @@ bool keeps_all_of(const Drawing& got, const Drawing& drawing, const std::set<std
   return true;
 }
 
-/// All ink but the lost one is there. A flipped bit may make a stroke's number that of another one:
-/// both are whole then, and one of them got a new number.
+/// Returns true if all ink but the lost one was recovered. A flipped bit may give a stroke the id
+/// of another one: then both are intact, and one of them got a new id.
 bool keeps_ink_of(const Drawing& got, const Drawing& drawing, const std::set<std::uint64_t>& lost) {
   std::vector<StrokePtr> all;
   for (const Layer& layer : got.document.layers()) {
@@ -83,7 +82,7 @@ bool keeps_ink_of(const Drawing& got, const Drawing& drawing, const std::set<std
   return true;
 }
 
-/// Strokes whose bytes, or parts of them, stand in the pages `from` to `to`.
+/// Returns the strokes that have bytes in the pages `from` to `to`.
 std::set<std::uint64_t> strokes_in(const std::string& bytes, std::size_t from, std::size_t to) {
   const auto ids = [](const std::string& file) {
     std::set<std::uint64_t> all;
@@ -118,7 +117,7 @@ TEST(FeltSalvage, WithoutAHeadAllIsThere) {
   EXPECT_TRUE(felt_bytes(salvaged.drawing));
 }
 
-/// Every page in turn is lost: what stood in it is, and nothing else.
+/// Every page in turn is lost: its content is lost, and nothing else.
 TEST(FeltSalvage, EveryStrokeOnWholePagesIsThere) {
   const Drawing drawing = some_drawing();
   const std::string bytes = felt_bytes(drawing).value();
@@ -139,7 +138,7 @@ TEST(FeltSalvage, EveryStrokeOnWholePagesIsThere) {
       EXPECT_TRUE(felt_bytes(salvaged->drawing)) << page;
     }
   }
-  EXPECT_GE(together, 151u);  // each stood somewhere; the large one in several pages
+  EXPECT_GE(together, 151u);  // each was in some page; the large one in several
   EXPECT_LT(together, 151u + 10u);
 }
 
@@ -202,7 +201,7 @@ TEST(FeltSalvage, SaysWhatIsMissing) {
   EXPECT_THAT(problems(newer), HasSubstr("written by a newer Feltline"));
 }
 
-/// Cells that all stand for the same large row cost no more than the file is large.
+/// Cells that all refer to the same large row cost no more work than the size of the file.
 TEST(FeltSalvage, IsBoundedWhateverThePagesSay) {
   std::string bytes(std::size_t{1} << 20, '\x0d');
   std::size_t told = 0;

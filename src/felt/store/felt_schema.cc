@@ -10,7 +10,8 @@
 namespace felt {
 namespace {
 
-// The definitions are part of the format: in a file they are this text, or go on after it.
+// The definitions are part of the format: a file contains exactly this text, or this text with
+// additional columns after it.
 constexpr std::array kTables = {
     OwnTable{
         "drawing",
@@ -57,7 +58,7 @@ constexpr std::array kRecordingTables = {
              "cut_x INTEGER, cut_y INTEGER, cut_z INTEGER)",
              13}};
 
-/// Columns that are there only where a pen's lean is known: (table, column).
+/// Columns that exist only if a pen's tilt was recorded: (table, column).
 constexpr std::array kLeanColumns = {std::pair{"recording", "lean_checksum INTEGER"},
                                      std::pair{"recording_sample", "lean_deg REAL"}};
 
@@ -77,7 +78,7 @@ constexpr std::array kRecordingViews = {
     "e.line FROM recording AS r JOIN recording_event AS e "
     "ON e.id >= r.first_event AND e.id < r.first_event + r.events"};
 
-/// Stands in a view for the lean, where there is one.
+/// Placeholder for the tilt in the text of a view.
 constexpr std::string_view kLeanMark = "/lean/";
 
 constexpr std::size_t kMostSchemaRows = 4 * kMaxForeignTables;
@@ -89,7 +90,7 @@ bool is_digit(char c) noexcept {
   return c >= '0' && c <= '9';
 }
 
-/// Takes pieces off the front of a definition.
+/// Parses a definition from the front.
 class Definition {
  public:
   explicit Definition(std::string_view text) noexcept : left_(text) {}
@@ -140,7 +141,7 @@ bool parse_column(Definition& in, FeltTable& table) {
   return !in.take(" DEFAULT ") || in.literal();
 }
 
-/// Ours, or ours and columns more.
+/// Returns true if the table has our columns, with or without additional ones after them.
 bool begins_like(const FeltTable& table, const OwnTable& own) {
   const std::string_view sql = table.sql, ours = own.sql;
   return sql == ours || (sql.starts_with(ours.substr(0, ours.size() - 1)) &&
@@ -152,7 +153,7 @@ bool is_core(std::string_view name) {
                      [name](const OwnTable& own) { return own.name == name; });
 }
 
-/// Sorts a table to its place in the schema.
+/// Adds a table to its place in the schema.
 Result<void> place(FeltSchema& schema, FeltTable table) {
   const auto is_named = [&table](const OwnTable& own) { return own.name == table.name; };
   if (const auto* own = std::find_if(kTables.begin(), kTables.end(), is_named);
@@ -253,7 +254,7 @@ Result<void> make_recording_tables(Database& database, const FeltSchema* like, b
       if (!with_lean || table.name != name || has_lean(table)) continue;
       table.sql.replace(table.sql.size() - 1, 1, std::string(", ") + column + ")");
     }
-    has_leans = has_lean(table);  // of the last one, which is that of samples
+    has_leans = has_lean(table);  // of the last one, the table of samples
     if (auto ok = database.run(table.sql.c_str()); !ok) return ok;
   }
   for (std::string view : kRecordingViews) {

@@ -9,35 +9,36 @@
 
 namespace felt {
 
-/// Bounds of what a file may hold that is not ours.
+/// Limits of foreign tables in a file.
 inline constexpr std::size_t kMaxForeignTables = 64;
 inline constexpr std::size_t kMaxColumns = 64;  ///< of a table
 inline constexpr std::size_t kMaxIdentifierBytes = 63;
 
-/// A table as its definition says.
+/// A table as given by its definition.
 struct FeltTable {
   std::string name;
   std::string sql;
   std::vector<std::string> columns;
 
-  /// Of the columns that our own table of this name does not have: the names, each after a comma.
+  /// Returns the names of the columns beyond the first `ours`, which our own table of this name
+  /// does not have, each after a comma.
   [[nodiscard]] std::string beyond(std::size_t ours) const;
 };
 
-/// What tables a file has.
+/// The tables of a file.
 struct FeltSchema {
   FeltTable drawing, layer, palette, shown, stroke;
   bool has_materials = false;  ///< the table `material` (material_table.h)
-  /// All three or none.
+  /// All three tables of recordings, or none.
   std::vector<FeltTable> recordings;
-  /// Of a newer Feltline, in the order of their names.
+  /// Tables of a newer Feltline, in the order of their names.
   std::vector<FeltTable> foreign;
 
-  /// Whether there is anything that a drawing carries and does not look at.
+  /// Returns true if there is content that a drawing carries as extras.
   [[nodiscard]] bool has_extras() const noexcept;
 };
 
-/// The definitions of our own tables, and how many columns each has.
+/// Definition and number of columns of one of our own tables.
 struct OwnTable {
   std::string_view name;
   std::string_view sql;
@@ -45,23 +46,24 @@ struct OwnTable {
 };
 const OwnTable& own_table(std::string_view name);
 
-/// Makes our tables in an empty database; those that a drawing carries columns in as `like` says.
+/// Creates our tables in an empty database. A table that has additional columns in `like` gets
+/// these, too.
 Result<void> make_tables(Database& database, const FeltSchema* like);
-/// Makes those of recordings, and the views through which other programs read them. Columns for the
-/// pen's lean are there where `like` has them, or where they are asked for.
+/// Creates the tables of recordings, and the views through which other programs read them. They get
+/// columns for the pen's tilt if `like` has them or `with_lean` is true.
 Result<void> make_recording_tables(Database& database, const FeltSchema* like, bool with_lean);
-/// Whether a table of recordings has its column for the lean.
+/// Returns true if a table of recordings has its column for the tilt.
 [[nodiscard]] bool has_lean(const FeltTable& table);
 
-/// Takes a definition apart: CREATE TABLE name(column TYPE [PRIMARY KEY] [NOT NULL] [DEFAULT
-/// literal], ...) with exactly these blanks, names of a-z, 0-9 and _, types INTEGER, REAL, TEXT and
-/// BLOB. Nothing else can be said so: no check, no expression, no function, no module. Error: it is
-/// anything else.
+/// Parses a definition: CREATE TABLE name(column TYPE [PRIMARY KEY] [NOT NULL] [DEFAULT literal],
+/// ...) with exactly these blanks, names of a-z, 0-9 and _, types INTEGER, REAL, TEXT and BLOB.
+/// This form allows no check, expression, function or module. Fails for any other text.
 Result<FeltTable> parse_table(std::string_view sql);
 
-/// Reads what tables a file that is not trusted has. Ours must be there and begin with our columns;
-/// others must be such as parse_table() takes. Views and indexes of others are no data, and nobody
-/// looks at them. Error: a trigger, a virtual table, an index on our tables, anything above.
+/// Reads the tables of an untrusted file. Our tables must exist and begin with our columns; others
+/// must have a form that parse_table() accepts. Views, and indexes on other tables, are ignored
+/// because they are not data. Fails if this does not hold, or if there is a trigger, a virtual
+/// table or an index on our tables.
 Result<FeltSchema> read_schema(const Database& database);
 
 }  // namespace felt

@@ -7,18 +7,18 @@
 
 namespace felt {
 
-/// A colour as the files have it, 0xRRGGBBAA.
+/// Convert between a colour and its number in files, 0xRRGGBBAA.
 std::int64_t number_of(Rgba c) noexcept;
 Rgba color_of(std::int64_t n) noexcept;
 bool is_color_number(std::int64_t n) noexcept;
 
-/// The tables `palette` and `shown`, whose rows stand alone.
+/// Writes the tables `palette` and `shown`, whose rows do not refer to others.
 Result<void> write_sheet(const Database& db, const Drawing& drawing);
-/// Reads them; the palette's name and columns are the drawing's row's.
+/// Reads them. The palette's name and columns are in the row of the table `drawing`.
 Result<void> read_sheet(const Database& db, Drawing& drawing);
-/// That a file may hold them.
+/// Checks that palette and view are within the limits of the format.
 Result<void> check_sheet(const Drawing& drawing);
-/// What the checksum of the drawing covers of them.
+/// Appends the part of them that the drawing's checksum covers.
 void append_sheet_bytes(ByteWriter& out, const Drawing& drawing);
 
 }  // namespace felt

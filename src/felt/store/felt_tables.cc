@@ -13,7 +13,7 @@
 namespace felt {
 namespace {
 
-/// A checksum of all that the strokes' own ones do not cover.
+/// Returns the checksum of everything that the strokes' own checksums do not cover.
 std::uint32_t checksum_of(const Drawing& d) {
   std::string bytes;
   ByteWriter out(bytes);
@@ -124,7 +124,7 @@ Result<void> write_strokes(const Database& db, const Document& document) {
 
 // --- Reading
 
-/// What the row of the table `drawing` says and the drawing itself does not keep.
+/// Columns of the table `drawing` that are not members of Drawing.
 struct Head {
   std::uint64_t last_stroke = 0, last_layer = 0;
   std::int64_t checksum = 0;
@@ -164,7 +164,7 @@ Result<Head> read_drawing_row(const Database& db, Drawing& d) {
   return head;
 }
 
-/// Adds the layers to an edit of the document that every drawing starts as.
+/// Adds the layers to an edit of the empty document with which every drawing starts.
 Result<void> read_layers(const Database& db, const Document& empty, Edit& edit) {
   const Layer& first = empty.layers().front();
   edit.layers.push_back({first.id, first.state(), std::nullopt, 0, 0});

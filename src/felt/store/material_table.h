@@ -9,17 +9,17 @@
 
 namespace felt {
 
-/// The table `material` of a file: texts of materials. A file without any has no such table, as all
-/// files from before there were any; a program that does not know it carries it on.
+/// The table `material` of a file: texts of materials. A file without any has no such table, like
+/// all files written before materials existed. An older program carries the table over unchanged.
 inline constexpr std::string_view kMaterialTable =
     "CREATE TABLE material(id INTEGER PRIMARY KEY, text TEXT NOT NULL, checksum INTEGER NOT NULL)";
 
-/// Makes and fills it where the drawing has texts. Error: more of them, or others, than a file may
-/// hold.
+/// Creates and fills the table if the drawing has texts. Fails if there are too many, or if one is
+/// not allowed in a file.
 Result<void> write_materials(Database& database, const Drawing& drawing);
-/// Reads it from a database that is not trusted and that has it.
+/// Reads the table from an untrusted database that has it.
 Result<void> read_materials(const Database& database, Drawing& drawing);
-/// Of a text, beside it.
+/// Returns the checksum of a text, which is stored beside it.
 std::int64_t material_checksum(std::string_view text) noexcept;
 
 }  // namespace felt

@@ -1,4 +1,4 @@
-// Texts of materials in a .felt file: there where there are any, and nowhere else.
+// Texts of materials in a .felt file: the table exists only if there are any.
 #include "felt/store/material_table.h"
 
 #include <gmock/gmock.h>
@@ -82,7 +82,8 @@ TEST(MaterialTable, AnotherTableOfThatNameIsRefused) {
   EXPECT_THAT(parse_felt(bytes).error().message, HasSubstr("the table 'material' is another"));
 }
 
-/// Bytes of a stranger: an answer, never a crash, and what is taken is within the bounds.
+/// Hostile bytes give a result or an error, never a crash, and accepted texts are within the
+/// limits.
 TEST(MaterialTable, StandsUpToDamage) {
   const std::string bytes = felt_bytes(drawing_with({"first = 1\n", std::string(kText)})).value();
   for (unsigned seed = 0; seed < 300; ++seed) {

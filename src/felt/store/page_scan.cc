@@ -12,12 +12,12 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kDatabaseHeaderBytes = 100, kPageSizeAt = 16, kReservedAt = 20;
-constexpr std::size_t kUsualPage = 4096;  // ours always has
+constexpr std::size_t kUsualPage = 4096;  // of all our files
 constexpr std::uint8_t kLeafOfRows = 0x0d;
 constexpr std::size_t kLeafHeaderBytes = 8;
 constexpr std::size_t kLeastBudget = std::size_t{1} << 20;
 
-/// Big-endian numbers, and none where there are not enough bytes.
+/// Reads big-endian numbers. Bytes beyond the end read as 0.
 class Bytes {
  public:
   explicit Bytes(std::string_view bytes) noexcept : bytes_(bytes) {}
@@ -30,7 +30,7 @@ class Bytes {
     for (std::size_t i = 0; i < size; ++i) value = value << 8 | at(at_byte + i);
     return value;
   }
-  /// SQLite's whole numbers of 1 to 9 bytes; moves on.
+  /// Reads an SQLite varint of 1 to 9 bytes and advances `i`. Returns nullopt if it is cut off.
   [[nodiscard]] std::optional<std::uint64_t> varint(std::size_t& i) const noexcept {
     std::uint64_t value = 0;
     for (std::size_t k = 0; k < 9 && i < bytes_.size(); ++k) {
@@ -61,7 +61,7 @@ ScannedRow::Value value_of(std::uint64_t type, std::string_view record, std::siz
   }
   const std::uint64_t bits = Bytes(record).number(at, size);
   if (type == 7) return std::bit_cast<double>(bits);
-  const auto shift = static_cast<unsigned>(64 - 8 * size);  // the sign goes on
+  const auto shift = static_cast<unsigned>(64 - 8 * size);  // extends the sign
   return static_cast<std::int64_t>(bits << shift) >> shift;
 }
 
@@ -82,6 +82,11 @@ bool read_record(std::string_view record, std::vector<ScannedRow::Value>& values
   return body == record.size();
 }
 
+/// Reads the leaf pages of tables: a header with the number of cells, their offsets in the page,
+/// and the cells. A cell has the size of its record, the row id and the record: a header with the
+/// types of the columns, then their values. A record that is too long for the page continues on a
+/// chain of overflow pages; the size of its first part follows from the page size and the record's
+/// size.
 class Scan {
  public:
   explicit Scan(std::string_view bytes) : file_(bytes) {
@@ -139,11 +144,11 @@ class Scan {
     return is_there && read_record(record, row.values);
   }
 
-  /// What was read, not what a damaged row says of its size: that would end the scan for all
-  /// others.
+  /// Counts what was really read, because the size that a damaged row claims could use up the
+  /// budget and end the scan for all others.
   void spend(std::size_t read) noexcept { budget_ -= std::min(budget_, read); }
 
-  /// Follows the pages that hold the rest of a row. Their number is bounded by the row's size.
+  /// Appends the rest of a row from its overflow pages. Their number is bounded by the row's size.
   bool overflow(std::uint64_t next, std::size_t total, std::string& record) const {
     while (record.size() < total) {
       if (next < 2 || next > file_.size() / page_) return false;
@@ -156,7 +161,7 @@ class Scan {
 
   std::string_view file_;
   std::size_t page_ = kUsualPage, usable_ = kUsualPage;
-  std::size_t budget_ = 0;  // of bytes in rows: in a file as it should be, no row is in it twice
+  std::size_t budget_ = 0;  // bytes of rows that may still be read: bounds repeated cells
 };
 
 }  // namespace

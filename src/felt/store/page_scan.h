@@ -9,10 +9,10 @@
 
 namespace felt {
 
-/// A row of a table as the pages of an SQLite file have it. A column that is the row's id has no
-/// value of its own (monostate), like one that is null.
+/// A row of a table as it is stored in the pages of an SQLite file. A column that is the row's id
+/// has no separate value and is monostate, like a null.
 struct ScannedRow {
-  /// What stands in a column; texts and blobs share a type, is_text tells them apart.
+  /// Value of a text or blob column.
   struct Bytes {
     std::string value;
     bool is_text = false;
@@ -23,10 +23,10 @@ struct ScannedRow {
   std::vector<Value> values;
 };
 
-/// Goes over all pages of an SQLite file, one by one, and tells every row that stands in a page of
-/// rows and can be made out, whatever table it is of; pages that lead to others are not needed. For
-/// files that SQLite refuses: nothing is believed, everything is bounded. Rows of more than 64
-/// columns are passed over. Format: sqlite.org/fileformat2.html.
+/// Scans all pages of an SQLite file, one by one, and calls `tell` for every readable row, of any
+/// table. Only the leaf pages are needed, not the interior pages that lead to them. For files that
+/// SQLite refuses: nothing is trusted, and work and memory are bounded. Skips rows of more than 64
+/// columns. Format: sqlite.org/fileformat2.html.
 void scan_rows(std::string_view bytes, const std::function<void(ScannedRow)>& tell);
 
 }  // namespace felt

@@ -20,15 +20,15 @@ namespace {
 
 constexpr std::size_t kMaxRecordings = 10'000;
 constexpr std::size_t kMaxDeviceBytes = 4096;
-/// So that no sum of them leaves 64 bits.
+/// Largest number in a recording, so that no sum of them overflows 64 bits.
 constexpr std::int64_t kMostNumber = std::int64_t{1} << 53;
 
-/// Forces as the tables have them: whole multiples of kRecordedForceStepN.
+/// Converts a force to its number in the tables: a whole multiple of kRecordedForceStepN.
 std::int64_t steps_of(double n) noexcept {
   return std::llround(n / kRecordedForceStepN);
 }
 
-/// Gathers what the checksum is over, a piece at a time.
+/// Computes the checksum of a recording piece by piece.
 class Checksum {
  public:
   void sample(const RecordedSample& s) {
@@ -45,7 +45,8 @@ class Checksum {
     }
     if (bytes_.size() > kPieceBytes) fold();
   }
-  /// Of the leans, in a sum of its own: programs that know none must find theirs unchanged.
+  /// Adds a tilt. Tilts have a separate checksum, because older programs, which do not know tilt,
+  /// must find the other one unchanged.
   void lean(std::int64_t number, double lean_deg) {
     ByteWriter out(bytes_);
     out.u64(static_cast<std::uint64_t>(number));
@@ -73,7 +74,7 @@ class Checksum {
   std::uint32_t crc_ = 0;
 };
 
-/// What a recording is checked by.
+/// The checksums of a recording.
 struct Checksums {
   Checksum all, leans;
 
@@ -88,7 +89,7 @@ bool knows_lean(const FeltRecording& recording) {
                      [](const RecordedSample& s) { return s.pen.lean_deg.has_value(); });
 }
 
-/// The row of `recording`.
+/// A row of the table `recording`.
 struct RecordingHead {
   std::string device;
   std::int64_t start_ns = 0, period_ns = 0, first_sample = 1, samples = 0, first_event = 1,
@@ -100,7 +101,7 @@ struct RecordingHead {
   }
 };
 
-/// "tool" of {"t_ms":0,"event":"tool","id":"pencil"}.
+/// Returns the kind of an event line: "tool" for {"t_ms":0,"event":"tool","id":"pencil"}.
 std::string_view kind_of(std::string_view line) noexcept {
   constexpr std::string_view kKey = "\"event\":\"";
   const std::size_t at = line.find(kKey);
@@ -249,7 +250,8 @@ Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_lean
     }
     const bool has_leans = with_lean && !row->is_null(9);
     good = good && (!has_leans || row->is_integer(9));
-    // A device loops in 0.2..4 ms; what is far from it only makes the products below too large.
+    // Devices have periods of 0.2..4 ms. Much larger values are refused, because the products below
+    // would overflow.
     if (!good || row->integer(2) > 1'000'000'000 || row->integer(4) > 1'000'000'000) {
       return invalid_data("recording " + std::to_string(heads.size()) +
                           " holds an impossible value");
@@ -265,7 +267,7 @@ Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_lean
   }
 }
 
-/// Of a sample that is read, where it may lean.
+/// Column of the tilt in the query of samples.
 constexpr int kLeanColumn = 13;
 
 bool is_sample_row(const Statement& row) {
@@ -403,7 +405,7 @@ RecordingInfo info_of(const FeltRecording& r) {
   return {r.device, r.period_ns, std::ssize(r.samples), std::ssize(r.events), s};
 }
 
-/// Those of the file, or none.
+/// Returns the recordings of the file; none if it has no tables of recordings.
 Result<std::vector<RecordingHead>> heads_of(const CarriedFile& file) {
   if (!file.database() || file.schema()->recordings.empty()) return std::vector<RecordingHead>();
   const auto& tables = file.schema()->recordings;

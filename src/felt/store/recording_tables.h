@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// Writes recordings into a database that has our tables: those that are carried as they are, row
-/// by row, then those that were added. Nothing, and no tables, where there are none.
+/// Writes recordings into a database that has our tables: first those of the carried file, row by
+/// row and unchanged, then those that were added. Creates no tables if there are no recordings.
 Result<void> write_recordings(Database& to, const FeltExtras& extras, const CarriedFile& carried);
 
 }  // namespace felt

@@ -15,9 +15,10 @@
 namespace felt {
 namespace {
 
-/// Doubles in few bytes, to the last bit (docs/formats/felt.md, "Packed numbers"): each as how far
-/// it is from a guess that the reader makes too, or as its leading bytes where it is a round
-/// number. Good guesses cost half a byte, none cost half a byte more than the double itself.
+/// Packs doubles into few bytes without loss (docs/formats/felt.md, "Packed numbers"). Each is
+/// stored as the difference from a guess that the reader makes too, or as its leading bytes if it
+/// is a round number. A perfect guess costs half a byte; no number costs more than half a byte in
+/// addition to the double itself.
 class NumberPacker {
  public:
   void put(double value, double guess);
@@ -28,14 +29,14 @@ class NumberPacker {
   bool is_odd_ = false;
 };
 
-/// Takes them off again. The guesses must be those of the packer.
+/// Unpacks what NumberPacker packed. Requires the same guesses as in the packer.
 class NumberUnpacker {
  public:
-  /// Requires of the bytes nothing: of too few of them, in.ok() is false in the end.
+  /// Accepts any bytes. If there are too few, in.ok() is false afterwards.
   NumberUnpacker(ByteReader& in, std::size_t count);
 
   double take(double guess);
-  /// That what is no number in the lengths is zero, as the packer leaves it.
+  /// Returns true if the unused half byte of the lengths is zero, as the packer leaves it.
   [[nodiscard]] bool is_clean() const noexcept;
 
  private:
@@ -46,10 +47,11 @@ class NumberUnpacker {
 };
 
 constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
-/// Lengths up to 8 are of a difference; above, less 8, of leading bytes.
+/// A length up to 8 is that of a difference. A greater one, minus 8, is the number of leading
+/// bytes.
 constexpr unsigned kMostDifferenceBytes = 8;
 
-/// The doubles in their order as whole numbers, neighbours next to each other.
+/// Maps doubles to whole numbers in the same order, neighbours to consecutive numbers.
 std::uint64_t rank_of(double value) noexcept {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & kSign) != 0 ? ~bits : bits | kSign;
@@ -59,7 +61,7 @@ double of_rank(std::uint64_t rank) noexcept {
   return std::bit_cast<double>((rank & kSign) != 0 ? rank ^ kSign : ~rank);
 }
 
-/// 0, -1, 1, -2, ... as 0, 1, 2, 3, ...
+/// Maps 0, -1, 1, -2, ... to 0, 1, 2, 3, ...
 std::uint64_t folded(std::uint64_t difference) noexcept {
   return (difference << 1) ^ ((difference & kSign) != 0 ? ~std::uint64_t{0} : 0);
 }
@@ -112,27 +114,27 @@ bool NumberUnpacker::is_clean() const noexcept {
          static_cast<unsigned char>(lengths_.back()) >> 4 == 0;
 }
 
-/// Of a stroke whose tones are those of its widths; all that there was before strokes had tones.
+/// Version of a blob whose tones are those of its widths; the only one before strokes had tones.
 constexpr std::uint8_t kPlain = 1;
-/// Of one with tones of its own.
+/// Version of a blob with its own tones.
 constexpr std::uint8_t kToned = 2;
 constexpr std::uint8_t kClosed = 1;  // flags
 constexpr std::size_t kChecksumBytes = 4;
 
-/// What a control point is likely to be, from those before it. The arithmetic is part of the
-/// format: doubles of IEEE 754, each operation rounded.
+/// Predicts a control point from those before it. The arithmetic is part of the format: IEEE 754
+/// doubles, each operation rounded.
 class PointGuess {
  public:
   explicit PointGuess(const std::vector<Point>& points) noexcept : points_(points) {}
 
-  /// Whether y is known first, x follows then.
+  /// Returns true if y is stored before x.
   [[nodiscard]] bool is_y_first(std::size_t i) const noexcept {
     return turns_on(i) && std::abs(way(i).y) > std::abs(way(i).x);
   }
   [[nodiscard]] Point before(std::size_t i) const noexcept {
     return i > 0 ? points_[i - 1] : Point{0.0, 0.0};
   }
-  /// The second coordinate, `along` being the first.
+  /// Predicts the second coordinate of a point from its first one, `along`.
   [[nodiscard]] double across(std::size_t i, double along) const noexcept {
     const Point p = before(i);
     const bool y_first = is_y_first(i);
@@ -145,15 +147,16 @@ class PointGuess {
   }
 
  private:
-  /// The first handle of a segment goes on the way of the handle before the joint: exactly so where
-  /// the joint is smooth, but for the last bits.
+  /// Returns true if point i is the first handle of a segment after a joint. It continues the
+  /// direction of the handle before the joint: exactly, up to rounding, if the joint is smooth.
   static bool turns_on(std::size_t i) noexcept { return i % 3 == 1 && i > 1; }
   [[nodiscard]] Vec way(std::size_t i) const noexcept { return points_[i - 1] - points_[i - 2]; }
 
   const std::vector<Point>& points_;
 };
 
-/// How many points are written: a closed stroke ends where it begins.
+/// Returns the number of points to write. The last point of a closed stroke is its first one and is
+/// not written.
 std::size_t written_points(const StrokeData& d) noexcept {
   return d.points.size() - (d.closed ? 1 : 0);
 }
@@ -181,7 +184,8 @@ void read_points(NumberUnpacker& in, StrokeData& d) {
   if (d.closed) d.points.back() = d.points.front();
 }
 
-/// The first and the last breakpoint are at the ends.
+/// Writes the widths. The u of the first and last knot are not written, because these are at the
+/// ends.
 void write_widths(NumberPacker& out, const std::vector<WidthKnot>& widths) {
   for (std::size_t i = 1; i + 1 < widths.size(); ++i) out.put(widths[i].u, widths[i - 1].u);
   double before = 0.0;
@@ -265,7 +269,7 @@ Result<void> read_sizes(ByteReader& in, StrokeData& d) {
   if (segments > kMaxStrokeSegments || knots > kMaxStrokeKnots) {
     return fail(ErrorCode::kLimitExceeded, "has more segments or widths than a stroke may have");
   }
-  // Each point and breakpoint has a byte at least.
+  // Each point and knot needs at least one byte.
   if (!in.has(3 * segments + knots - 1, 1)) return invalid_data("has fewer points than it says");
   d.points.resize(3 * segments + 1);
   d.widths.resize(knots);
@@ -292,7 +296,7 @@ Result<void> read_shape(ByteReader& in, bool toned, StrokeData& d) {
   if (toned) read_tones(numbers, d.widths);
   if (!in.ok()) return invalid_data("has fewer points than it says");
   if (in.left() > 0 || !numbers.is_clean()) return invalid_data("has bytes left over");
-  // Equal strokes have equal bytes.
+  // Refuses redundant tones, so that equal strokes have equal bytes.
   if (toned && !has_own_tone(d.widths))
     return invalid_data("has tones that its widths say already");
   return {};
@@ -318,7 +322,7 @@ Result<void> append_stroke_blob(std::string& out, const Stroke& stroke) {
 Result<Stroke> read_stroke_blob(std::string_view bytes) {
   if (bytes.size() > kMaxStrokeBlobBytes) return invalid_data("is too large");
   if (bytes.size() <= kChecksumBytes) return invalid_data("is cut off");
-  // The version is looked at first: another one may keep its checksum elsewhere.
+  // Checks the version first, because another version may have its checksum elsewhere.
   const auto version = static_cast<std::uint8_t>(bytes[0]);
   if (version != kPlain && version != kToned) {
     return fail(ErrorCode::kUnsupported, "is of version " + std::to_string(version) +

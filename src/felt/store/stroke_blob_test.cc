@@ -23,7 +23,7 @@ std::string blob_of(const Stroke& stroke) {
   return bytes;
 }
 
-/// Equal to the last bit: -0.0 is not 0.0 here.
+/// Returns true if they are equal bit for bit: -0.0 is not 0.0 here.
 bool same_bits(const StrokeData& a, const StrokeData& b) {
   return a == b &&
          std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(Point)) == 0 &&
@@ -69,7 +69,7 @@ TEST(StrokeBlob, WhatIsCutOffOrChangedIsNoStroke) {
   }
 }
 
-/// Damage that carries a right checksum: somebody made it.
+/// Damage with a correct checksum, as an attacker makes it.
 TEST(StrokeBlob, HostileBytesAreAnErrorOrAStroke) {
   std::mt19937 random(2);
   for (int run = 0; run < 20'000; ++run) {
@@ -85,7 +85,7 @@ TEST(StrokeBlob, HostileBytesAreAnErrorOrAStroke) {
   }
 }
 
-/// Counts are looked at before anything is made of them: the bytes for them are not there.
+/// Counts are checked before memory is allocated: the bytes for them do not exist.
 TEST(StrokeBlob, LimitsAreKeptExactly) {
   const auto read = [](std::uint64_t segments, std::uint64_t knots) {
     std::string bytes("\1\0\0\0\0\xff\0", 7);
@@ -117,8 +117,8 @@ TEST(StrokeBlob, LimitsAreKeptExactly) {
   }
 }
 
-/// What was written before strokes had tones, byte for byte: one segment from (0, 0) to (3, 0), 0.5
-/// to 1 mm wide.
+/// A stroke without own tones is written as before strokes had tones, byte for byte: one segment
+/// from (0, 0) to (3, 0), 0.5 to 1 mm wide.
 TEST(StrokeBlob, WithoutTonesOfItsOwnItIsWhatItEverWas) {
   const Stroke stroke = felt::testing::straight_stroke({0, 0}, {3, 0}, 0.5, 1.0);
   const std::string bytes = blob_of(stroke);
@@ -139,11 +139,11 @@ TEST(StrokeBlob, TonesMakeItVersion2) {
   EXPECT_TRUE(read_stroke_blob(bytes).value().data() == data);
 }
 
-/// Bytes that somebody made, with a right checksum.
+/// Hostile bytes with a correct checksum.
 TEST(StrokeBlob, TonesThatAreNoneAreAnErrorThatNamesThePlace) {
   StrokeData data = felt::testing::straight_stroke({0, 0}, {3, 0}, 0.5, 1.0).data();
   data.widths[0].tone = 0.75;
-  data.widths[1].tone = 0.75;  // costs no byte beside the one before
+  data.widths[1].tone = 0.75;  // costs no byte, because it equals the one before
   std::string bytes = blob_of(Stroke::create(data).value());
   bytes.resize(bytes.size() - 4);
   const auto with_tone = [&](double tone) {

@@ -22,7 +22,7 @@ double ArcMap::length_at(double u) const noexcept {
   const double segment = std::floor(u);
   const int i = static_cast<int>(segment);
   if (u == segment) return start_of(i);
-  // Rounding of the integral must not lead beyond the segment.
+  // Rounding of the integral must not give a length beyond the segment.
   return std::min(start_of(i) + arc_length(stroke_.segment(i), 0.0, u - segment, accuracy_mm_),
                   start_of(i + 1));
 }

@@ -5,7 +5,7 @@
 namespace felt {
 namespace {
 
-/// Value of a hexadecimal digit, or -1.
+/// Returns the value of a hexadecimal digit, or -1.
 int digit_value(char c) noexcept {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;

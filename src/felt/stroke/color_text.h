@@ -8,11 +8,12 @@
 
 namespace felt {
 
-/// The colour that "#rgb", "#rrggbb" or "#rrggbbaa" names; letters of either case. None for any
+/// Returns the colour of "#rgb", "#rrggbb" or "#rrggbbaa", in upper or lower case; nullopt for any
 /// other text.
 std::optional<Rgba> color_from_text(std::string_view text) noexcept;
 
-/// "#rrggbb", or "#rrggbbaa" when not opaque; lower case. `color_from_text` gives it back.
+/// Returns "#rrggbb", or "#rrggbbaa" if the colour is not opaque, in lower case. `color_from_text`
+/// converts it back.
 std::string color_to_text(Rgba color);
 
 }  // namespace felt

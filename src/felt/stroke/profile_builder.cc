@@ -15,8 +15,8 @@ bool is_before(const WidthKnot& k, double u) {
   return k.u < u;
 }
 
-/// Of the places strictly between two, the one whose width or tone is farthest from the straight
-/// line between theirs, and how far, in tolerances.
+/// Among the points strictly between `from` and `to`, finds the one whose width or tone is farthest
+/// from the straight line between them. Returns its index, and the distance in tolerances.
 std::pair<std::size_t, double> farthest(const std::vector<WidthKnot>& places, std::size_t from,
                                         std::size_t to, double tolerance_mm) {
   std::pair<std::size_t, double> worst{from, -1.0};
@@ -56,7 +56,8 @@ void ProfileBuilder::stretch(double u0, double u1, double v0, double v1) {
 }
 
 void ProfileBuilder::follow(std::span<const Match> matches, double tolerance_mm) {
-  // What the ink is like at the matches and at the breakpoints between them, by v.
+  // Width and tone at the matches and at the breakpoints between them, by v. Douglas-Peucker then
+  // selects the ones that are needed.
   std::vector<WidthKnot> places;
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const Match& m = matches[i];
@@ -81,7 +82,7 @@ void ProfileBuilder::follow(std::span<const Match> matches, double tolerance_mm)
       ++i;
     }
   }
-  kept.pop_back();  // the end belongs to what follows
+  kept.pop_back();  // the next part adds the end
   for (const std::size_t i : kept) append(places[i].u, places[i]);
   was_shifted_ = false;
 }

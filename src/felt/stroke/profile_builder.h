@@ -7,37 +7,38 @@
 
 namespace felt {
 
-/// How far `ProfileBuilder::follow` lets a tone go astray: far less than an eye can tell, and more
-/// than any width tolerance in use lets it where the tone is that of the width.
+/// The tone tolerance of `ProfileBuilder::follow`: far less than an eye can see, and larger than
+/// the error that any width tolerance in use gives to a tone computed from the width.
 inline constexpr double kFollowedTone = 0.01;
 
-/// Makes the width profile of a stroke that shows the same ink by another parameter, from its start
-/// to its end, a stretch at a time. Old parameters are called u, new ones v.
+/// Makes the width profile of a stroke that has the same ink with another parameter. Call its
+/// functions part by part from the start to the end of the stroke. Old parameters are called u, new
+/// ones v.
 ///
 ///   ProfileBuilder profile(old.widths());
-///   profile.shift(0.0, 2.0, 0.0);         // segments 0 and 1 as they are
-///   profile.stretch(2.0, 2.5, 2.0, 3.0);  // half of segment 2 is a segment now
+///   profile.shift(0.0, 2.0, 0.0);         // segments 0 and 1 stay as they are
+///   profile.stretch(2.0, 2.5, 2.0, 3.0);  // the first half of segment 2 becomes a segment
 ///   ...
 ///   data.widths = std::move(profile).finish(n);
 class ProfileBuilder {
  public:
-  /// The pair of parameters of one place on the ink.
+  /// The old and the new parameter of the same point.
   struct Match {
     double u = 0.0, v = 0.0;
   };
 
-  /// `old` must outlive this.
+  /// Requires that `old` outlives this object.
   explicit ProfileBuilder(std::span<const WidthKnot> old) noexcept : old_(old) {}
 
-  /// [u0, u1] keeps its parameter, but for a whole number: breakpoints are copied.
+  /// Appends [u0, u1] with its parameter shifted by `by`, a whole number. Copies the breakpoints.
   void shift(double u0, double u1, double by);
-  /// [u0, u1] becomes [v0, v1] linearly, without loss.
+  /// Appends [u0, u1], mapped linearly to [v0, v1], without loss.
   void stretch(double u0, double u1, double v0, double v1);
-  /// A part whose parameters belong together as `matches` say, at least two, ascending in both:
-  /// widths at these places stay within tolerance_mm > 0 and tones within kFollowedTone, with as
-  /// few breakpoints as that needs.
+  /// Appends a part whose parameters correspond as given by `matches`. Adds as few breakpoints as
+  /// possible such that widths at these points are within tolerance_mm > 0 and tones within
+  /// kFollowedTone. Requires at least two matches, ascending in u and v.
   void follow(std::span<const Match> matches, double tolerance_mm);
-  /// The profile up to the new end of the stroke.
+  /// Returns the profile up to the new end of the stroke.
   [[nodiscard]] std::vector<WidthKnot> finish(double end) &&;
 
  private:
@@ -46,7 +47,7 @@ class ProfileBuilder {
 
   std::span<const WidthKnot> old_;
   std::vector<WidthKnot> knots_;
-  bool was_shifted_ = true;  // no breakpoint is needed where the parameter goes on as it was
+  bool was_shifted_ = true;  // the last part was shift(): another one needs no breakpoint between
 };
 
 }  // namespace felt

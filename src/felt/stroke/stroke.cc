@@ -7,7 +7,7 @@
 namespace felt {
 namespace {
 
-/// u limited to [0, n]; NaN becomes 0.
+/// Returns u clamped to [0, n]; NaN becomes 0.
 double clamp_parameter(double u, int segment_count) noexcept {
   return u > 0.0 ? std::min(u, static_cast<double>(segment_count)) : 0.0;
 }

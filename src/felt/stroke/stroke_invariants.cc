@@ -11,7 +11,7 @@
 namespace felt {
 namespace {
 
-/// I5 allows for the rounding of coordinates, so that a 0.05 mm dot is legal anywhere.
+/// I5 allows for the rounding of coordinates, so that a 0.05 mm dot is valid anywhere.
 constexpr double kLengthSlackMm = 1e-9;
 
 std::string text(double v) {
@@ -32,7 +32,8 @@ tl::unexpected<Error> broken(const char* invariant, std::string what) {
   return fail(ErrorCode::kInvalidData, std::string(invariant) + ": " + std::move(what));
 }
 
-/// Direction in which segment i sets out: towards its first control point that is not its start.
+/// Returns the direction in which segment i starts: towards its first control point that differs
+/// from its start.
 Vec direction_out(const StrokeData& d, std::size_t i) {
   const Point* p = &d.points[3 * i];
   for (int k = 1; k < 4; ++k) {
@@ -41,7 +42,8 @@ Vec direction_out(const StrokeData& d, std::size_t i) {
   return {};
 }
 
-/// Direction in which segment i arrives: from its last control point that is not its end.
+/// Returns the direction in which segment i ends: from its last control point that differs from its
+/// end.
 Vec direction_in(const StrokeData& d, std::size_t i) {
   const Point* p = &d.points[3 * i];
   for (int k = 2; k >= 0; --k) {
@@ -50,20 +52,21 @@ Vec direction_in(const StrokeData& d, std::size_t i) {
   return {};
 }
 
-/// Angle by atan2 after scaling, so that neither tiny nor huge handles lose it.
+/// Returns the angle by atan2. Scales first, so that squares of tiny or huge handles do not under-
+/// or overflow.
 double angle_deg(Vec a, Vec b) {
   return angle_between(normalized(a), normalized(b)) * (180.0 / std::numbers::pi);
 }
 
-/// How far rounding moves a control point near p: half a unit in the last place per coordinate,
-/// twice, since a handle is a difference.
+/// Returns how far rounding can move a control point near p: half a unit in the last place per
+/// coordinate, twice, because a handle is a difference.
 double rounding_mm(Point p) {
   constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
   return 2.0 * kEpsilon * std::max(std::fabs(p.x), std::fabs(p.y));
 }
 
-/// Turn in degrees that rounding alone can give to two handles that meet at p: a few millionths
-/// where the sheet is kilometres away, nothing on paper.
+/// Returns the turn in degrees that rounding alone can cause between two handles that meet at p: a
+/// few millionths if p is kilometres away, negligible on a normal page.
 double rounding_deg(Point p, Vec in, Vec out) {
   const double shortest = std::min(norm(in), norm(out));
   return shortest > 0.0 ? 2.0 * rounding_mm(p) / shortest * (180.0 / std::numbers::pi) : 0.0;

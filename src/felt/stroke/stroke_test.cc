@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// Two segments, smooth at the joint, three width breakpoints.
+/// Returns a stroke of two segments with a smooth joint and three width breakpoints.
 StrokeData wave() {
   return {.points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}, {5, -2}, {7, -2}, {8, 0}},
           .joints = {JointKind::kSmooth},
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Stroke, ZeroHandlesTakeTheTangentOfTheNextControlPoint) {
   StrokeData d = wave();
-  d.points[2] = d.points[3];  // now the joint is left along (1,2) -> (4,0)
+  d.points[2] = d.points[3];  // now the tangent before the joint is (1,2) -> (4,0)
   d.points[4] = d.points[3];
   d.points[5] = {7, -2};
   EXPECT_TRUE(check_invariants(d)) << check_invariants(d).error().message;

@@ -9,12 +9,12 @@ bool follows_width(const WidthKnot& knot) noexcept {
   return knot.tone == tone_of_width(knot.width_mm);
 }
 
-/// Whether tone_of_width() is linear there.
+/// Returns true if tone_of_width() is not clamped, and so linear, at this tone.
 bool is_tone(double tone) noexcept {
   return tone > 0.0 && tone < 1.0;
 }
 
-/// Two neighbours and the way from the first to the second; the same knot twice beyond the ends.
+/// Two neighbouring knots, and a position between them, 0..1. Beyond the ends both are the same.
 struct Between {
   const WidthKnot &a, &b;
   double share;
@@ -22,7 +22,7 @@ struct Between {
   [[nodiscard]] double of(double x, double y) const noexcept {
     return share > 0.0 ? (1.0 - share) * x + share * y : x;
   }
-  // Rounding must not lead out of 0..1 (I7).
+  // Rounding must not give a tone above 1 (I7).
   [[nodiscard]] double tone() const noexcept { return std::min(of(a.tone, b.tone), 1.0); }
 };
 

@@ -6,23 +6,25 @@
 
 namespace felt {
 
-/// Width in mm of the profile at u [Paper eq. 3]: between two knots
+/// Returns the width in mm of the profile at u [Paper eq. 3]: between two knots
 ///   W = (1 - tw) W1 + tw W2,  tw = (u - u1) / (u2 - u1);
-/// exact at the knots, held beyond the first and the last, 0 for an empty profile. O(log knots).
+/// exact at the knots, constant beyond the first and the last, 0 for an empty profile. O(log
+/// knots).
 double width_at(std::span<const WidthKnot> profile, double u) noexcept;
 
-/// Tone of the profile at u, likewise.
+/// Returns the tone of the profile at u, interpolated like the width.
 double tone_at(std::span<const WidthKnot> profile, double u) noexcept;
 
-/// The breakpoint that changes nothing at u: width and tone that the profile has there. Between two
-/// of which the tone is exactly that of the width it is so too, not only to rounding.
+/// Returns a breakpoint at u with the width and tone that the profile has there, so that adding it
+/// changes nothing. If the tones of both neighbours are exactly those of their widths, so is the
+/// tone of the result, without a rounding error.
 WidthKnot knot_at(std::span<const WidthKnot> profile, double u) noexcept;
 
-/// Whether any breakpoint has another tone than tone_of_width() of its width: files say the tones
-/// of such profiles only.
+/// Returns true if the tone of any breakpoint differs from tone_of_width() of its width. Files
+/// store tones only for such profiles.
 bool has_own_tone(std::span<const WidthKnot> profile) noexcept;
 
-/// Gives every breakpoint the tone of its width.
+/// Sets the tone of every breakpoint to tone_of_width() of its width.
 void take_tone_of_width(std::span<WidthKnot> profile) noexcept;
 
 }  // namespace felt

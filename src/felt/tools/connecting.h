@@ -7,21 +7,22 @@
 
 namespace felt {
 
-/// What tools that put ends of strokes onto each other share (paper, "Connect curves";
+/// Functions shared by the tools that connect ends of strokes (paper, "Connect curves";
 /// specification 5g; R43, R45). Pure.
 
-/// The stroke of an end if that end is there (closed strokes have none), or null.
+/// Returns the stroke of an end, or null if the end does not exist (closed strokes have none).
 StrokePtr stroke_with_tip(const Document& document, const std::optional<TipId>& tip);
 
-/// True when two strokes may become one: of the same material and colour. Ink of another look must
-/// not change its own.
+/// Returns true if two strokes may be joined into one: they have the same medium and colour.
+/// Joining must not change how ink looks.
 bool look_alike(const Stroke& a, const Stroke& b) noexcept;
 
-/// True when tools may change the strokes of the layer: it is there, visible, and not locked.
+/// Returns true if tools may change strokes of the layer: it exists, is visible and is not locked.
 bool is_editable(const Document& document, LayerId layer) noexcept;
 
-/// One stroke of `base` and `more`, whose end `at` lies on the end `tip` of base, bit for bit. Base
-/// keeps its direction; joint, colour and widths as `joined`. Error: as `joined`.
+/// Returns `base` and `more` joined into one stroke that keeps the direction of `base`. Requires
+/// the end `at` of `more` to lie exactly on the end `tip` of `base`, bit for bit. Joint, colour,
+/// widths and errors are as in `joined`.
 Result<Stroke> joined_at(const Stroke& base, StrokeTip tip, const Stroke& more, StrokeTip at);
 
 }  // namespace felt

@@ -8,23 +8,25 @@
 
 namespace felt {
 
-/// Returns true if a pen can be at this position. Other samples are dropped before anything looks
-/// at them.
+/// Returns true if a pen can be at this position. Samples at other positions are dropped before any
+/// other processing.
 inline bool is_pen_position(const Vec3& at) noexcept {
   return is_in_range(Point{at.x, at.y}) && std::fabs(at.z) <= kMaxCoordinateMm;
 }
 
-/// Decides when a pen touches the surface and when it has left it, so that a pen that chatters on
-/// the surface does not break its gesture in two. The session decides this once for each sample and
-/// passes the answer to the tool.
+/// Decides when a pen touches the surface and when it has left it, so that a pen that bounces on
+/// the surface does not split its gesture in two. The session evaluates this once per sample and
+/// passes the result to the tool.
 ///
-/// Contact begins with the first sample in contact: a dot is a dot. It ends when the pen is
-///   - kLiftMm above the sheet: sensors resolve 0.03 mm and grain is below 0.1 mm high, a bouncing
-///     tip stays below 0.3 mm, while a hand that lifts (50 mm/s and more) is there in 10 ms; or
-///   - out of contact for kLiftNs: three reports of a 133 Hz tablet, of which one may be lost, and
-///     half of the shortest lift between two strokes of writing; or
-///   - out of contact for kMaxGapSamples, should the clock stand still.
-/// Until then the samples out of contact are neither ink nor the end; the caller keeps them.
+/// Contact begins with the first sample in contact, so a single tap makes a dot. It ends when the
+/// pen is
+///   - kLiftMm above the surface: sensors resolve 0.03 mm, grain is less than 0.1 mm high and a
+///     bouncing tip stays below 0.3 mm, but a hand that lifts (50 mm/s and more) gets there in 10
+///     ms; or
+///   - out of contact for kLiftNs: three reports of a 133 Hz tablet, one of which may be lost, and
+///     half of the shortest lift between two strokes of handwriting; or
+///   - out of contact for kMaxGapSamples, in case the clock stands still.
+/// Until then samples out of contact neither draw nor end the gesture; the caller buffers them.
 class Contact {
  public:
   static constexpr double kLiftMm = 0.5;
@@ -36,9 +38,9 @@ class Contact {
     kAir,      ///< still in the air
     kTouched,  ///< a contact begins
     kDown,     ///< still in contact
-    kGap,      ///< out of contact, perhaps only for a moment
-    kBack,     ///< it was only for a moment; this sample is in contact
-    kLifted,   ///< the contact is over, since the first sample of the gap
+    kGap,      ///< out of contact, possibly a bounce
+    kBack,     ///< the gap was a bounce; this sample is in contact again
+    kLifted,   ///< the contact ended at the first sample of the gap
   };
 
   /// Handles the next sample. Requires a finite position.
@@ -55,7 +57,7 @@ class Contact {
       gap_since_ns_ = sample.time_ns;
       gap_samples_ = 0;
     }
-    // In double: the difference of two hostile times does not fit into 64 bits.
+    // In double, because the difference of two invalid times may overflow 64 bits.
     const double gap_ns = static_cast<double>(sample.time_ns) - static_cast<double>(gap_since_ns_);
     if (sample.position.z < kLiftMm && gap_ns < static_cast<double>(kLiftNs) &&
         ++gap_samples_ < kMaxGapSamples) {
@@ -65,7 +67,7 @@ class Contact {
     return Change::kLifted;
   }
 
-  /// True from kTouched to kLifted.
+  /// Returns true from kTouched until kLifted.
   [[nodiscard]] bool is_down() const noexcept { return phase_ != Phase::kAir; }
 
  private:

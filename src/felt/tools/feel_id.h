@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// Makes the fade_id of a force model: models of different feel get different ids (but for one
-/// chance in 2^32), whatever tool makes them, and the same feel always the same one.
+/// Computes the fade_id of a force model. Models that feel different get different ids (except for
+/// a chance of 1 in 2^32), whichever tool makes them; models that feel the same get the same id.
 ///
 ///   model.set_fade_id(FeelId("pencil").with(material).with(target.stroke.value).value());
 class FeelId {
@@ -24,18 +24,19 @@ class FeelId {
     hash_.add_value(number);
     return *this;
   }
-  /// Numbers that compare equal count as equal.
+  /// Numbers that compare equal (0 and -0) give the same id.
   FeelId& with(double number) noexcept {
     hash_.add_value(number == 0.0 ? 0.0 : number);
     return *this;
   }
 
-  /// All that the hand feels of a medium on a sheet, which may change while both keep their ids.
+  /// Adds everything that can be felt of a medium on a surface, because both may change while they
+  /// keep their ids.
   FeelId& with_sheet(const SurfaceMaterial& sheet, const Medium& medium) noexcept {
     with(sheet.id).with(sheet.stiffness_n_per_m).with(sheet.damping_n_s_per_m);
     with(sheet.grain_um).with(sheet.grain_mm).with(std::uint64_t{sheet.grain_seed});
     with(static_cast<std::uint64_t>(sheet.grain_character));
-    // A number for each relief of somebody's own, as good as its heights.
+    // Two numbers identify a user-defined relief as well as its heights would.
     if (sheet.picture) with(sheet.picture->max_slope()).with(sheet.picture->max_height_mm());
     with(medium.id).with(friction_of(medium, sheet)).with(medium.bristle_n_per_m);
     return with(medium.bristle_n_s_per_m).with(medium.grain).with(medium.wear);

@@ -5,7 +5,8 @@
 namespace felt {
 namespace {
 
-/// Strokes that came out as they were are no change, and an edit without a change is no step.
+/// Removes replacements that leave a stroke as it was. An edit without changes is not committed, so
+/// it makes no undo step.
 void leave_out_unchanged(std::optional<Edit>& commit) {
   if (!commit) return;
   std::erase_if(commit->changes, [](const StrokeChange& c) {
@@ -66,7 +67,7 @@ void GestureTool::stop() {
 }
 
 ToolResult GestureTool::finish(const Scene& scene) {
-  // The next sample may come from anywhere, at any time. In a gap the pen was lifted.
+  // The next sample may have any position and time. If the pen is in a gap, it counts as lifted.
   waiting_ = is_down_ && gap_.empty();
   is_down_ = false;
   if (in_gesture_) return close(scene);
@@ -94,7 +95,7 @@ Result<OptionValue> GestureTool::option(std::string_view id) const {
 }
 
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns, double max_s) noexcept {
-  // In double: the difference of two hostile times does not fit into 64 bits.
+  // In double, because the difference of two invalid times may overflow 64 bits.
   const double ns = static_cast<double>(to_ns) - static_cast<double>(from_ns);
   return std::clamp(1e-9 * ns, 0.0, max_s);
 }

@@ -6,15 +6,15 @@
 
 namespace felt {
 
-/// The states that all tools share: from touch to lift is one gesture.
+/// The state machine that all tools share: a gesture lasts from touch to lift.
 ///
 ///   air --touch--> gesture --lift, finish--> air     begin(), move() for each sample, end()
 ///                     |
 ///                     +--cancel--> waiting for the lift --> air     drop()
 ///
 /// Samples out of contact that may be a bounce (Contact) are buffered: they are replayed if contact
-/// resumes, and discarded if it was the lift. A button that changes within a gesture changes its
-/// samples only. Options that are set during a gesture take effect after it.
+/// resumes, and discarded if it was the lift. A button that changes during a gesture only changes
+/// its samples. Options set during a gesture take effect after it.
 class GestureTool : public Tool {
  public:
   /// `info` must outlive the tool.
@@ -28,27 +28,27 @@ class GestureTool : public Tool {
   [[nodiscard]] Result<OptionValue> option(std::string_view id) const final;
 
  protected:
-  /// A sample in the air, while no gesture is in work. A preview is allowed.
+  /// Handles a hover sample while no gesture is in progress. May return a preview.
   virtual ToolResult hover(const PenSample& sample, const Scene& scene) = 0;
-  /// The first sample of a gesture.
+  /// Handles the first sample of a gesture.
   virtual ToolResult begin(const PenSample& sample, const Scene& scene) = 0;
-  /// Each further one. Without a preview the last one stays.
+  /// Handles each further sample. If it returns no preview, the previous one stays.
   virtual ToolResult move(const PenSample& sample, const Scene& scene) = 0;
-  /// The pen was lifted: commit, or nothing. Strokes that the commit leaves as they were are left
-  /// out of it.
+  /// Called when the pen is lifted. Returns the commit, or nothing. Strokes that the commit does
+  /// not change are removed from it.
   virtual ToolResult end(const Scene& scene) = 0;
   /// Discards the gesture.
   virtual void drop() = 0;
   /// Forgets what the pen hovers over: no gesture is in progress, and the sample stream stops or
   /// the user cancels.
   virtual void stop_hovering() {}
-  /// Options are as options() says from now on; never during a gesture.
+  /// Applies options(). Never called during a gesture.
   virtual void take_options(const OptionValues& options) = 0;
 
-  /// True from begin() to the return of end() or drop().
+  /// Returns true from begin() until end() or drop() returns.
   [[nodiscard]] bool in_gesture() const noexcept { return in_gesture_; }
-  /// True while the pen must be lifted before it begins anything: nothing is to be felt but the
-  /// sheet.
+  /// Returns true while the pen must be lifted before the next gesture; only the surface is felt
+  /// then.
   [[nodiscard]] bool is_waiting() const noexcept { return waiting_; }
   [[nodiscard]] const OptionValues& options() const noexcept { return options_; }
 
@@ -59,14 +59,14 @@ class GestureTool : public Tool {
 
   const ToolInfo& info_;
   OptionValues options_;
-  bool has_new_options_ = true;  // the constructor of a base cannot tell its derived class
-  bool is_down_ = false;         // at the last sample, or in a gap since
+  bool has_new_options_ = true;  // because a base constructor cannot call its derived class
+  bool is_down_ = false;         // in contact at the last sample, or in a gap after it
   bool in_gesture_ = false;
   bool waiting_ = false;
-  std::vector<PenSample> gap_;  // out of contact, perhaps only for a moment
+  std::vector<PenSample> gap_;  // samples of a possible bounce
 };
 
-/// Returns the seconds from one sample to another, within 0 and `max_s`.
+/// Returns the time from one sample to another in s, clamped to [0, `max_s`].
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns, double max_s) noexcept;
 
 }  // namespace felt

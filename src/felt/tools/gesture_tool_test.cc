@@ -18,7 +18,7 @@ constexpr OptionSpec kProbeOptions[] = {
     {"size_mm", "Size", "mm", OptionKind::kNumber, 0.1, 5.0, 1.0, {}, "Of something."}};
 constexpr ToolInfo kInfo{.id = "told", .label = "Told", .help = "Tells.", .options = kProbeOptions};
 
-/// Writes down what it is told: h in the air, b, m, e, d; an option as its value.
+/// Records the calls: h for hover, b, m, e, d; an option as its value.
 class Told final : public GestureTool {
  public:
   Told() : GestureTool(kInfo) {}
@@ -90,7 +90,7 @@ TEST(GestureTool, FinishEndsAsIfLiftedAndThenWaits) {
   EXPECT_EQ(t.tool.said, "bme");
 }
 
-/// Commits that a stroke becomes this one; null: as it was, by value.
+/// Commits the replacement of a stroke by this one; null for an equal copy.
 class Replaces final : public GestureTool {
  public:
   explicit Replaces(StrokePtr after) : GestureTool(kInfo), after_(std::move(after)) {}

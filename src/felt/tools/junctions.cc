@@ -34,7 +34,7 @@ class Search {
   }
 
  private:
-  /// Ends of other strokes on segment i.
+  /// Adds the ends of other strokes that lie on segment i.
   void find_ends_on(int i) {
     const Cubic curve = stroke_.segment(i);
     const Rect area = control_bounds(curve).inflated(kSharedPointMm);
@@ -48,7 +48,7 @@ class Search {
     });
   }
 
-  /// Other curves, but for their ends, under an end of this one.
+  /// Adds the curves of other strokes, except their ends, that pass through an end of this one.
   void find_curves_at(StrokeTip tip) {
     const Point end = tip_point(stroke_, tip);
     Rect area;
@@ -62,13 +62,13 @@ class Search {
       if (!other->closed()) {
         const double gap = std::min(distance(end, tip_point(*other, StrokeTip::kStart)),
                                     distance(end, tip_point(*other, StrokeTip::kEnd)));
-        if (gap <= kSharedPointMm) return;  // found as an end
+        if (gap <= kSharedPointMm) return;  // find_ends_on() has added it
       }
       add({end_u(stroke_, tip), id, segment + near->t, end, true});
     });
   }
 
-  /// A joint belongs to two segments, and is one place.
+  /// Adds a junction unless it is known, because a joint is found on both of its segments.
   void add(const Junction& j) {
     const bool known = std::any_of(found_.begin(), found_.end(), [&](const Junction& k) {
       return k.other == j.other && k.point == j.point && std::fabs(k.u - j.u) < 1e-3 &&

@@ -5,7 +5,8 @@
 namespace felt {
 namespace {
 
-/// True when tone_of_width() of the width of p is p: over the usual range, evenly.
+/// Returns true if tone_of_width() of the width at pressure p is p: the default range, without
+/// gamma or tilt.
 bool says_it_all(const WidthMapOptions& widths) {
   const WidthMapOptions usual;
   return widths.gamma == 1.0 && widths.lean_width == 1.0 && widths.min_mm == usual.min_mm &&

@@ -5,12 +5,13 @@
 
 namespace felt {
 
-/// How ink is made when it is drawn with a medium: its answer to lean, its tone, its name. The
-/// range of widths and the pressure curve stay as `ink` has them (the pencil's options, which are
-/// taken from the medium when it is taken); what leaning adds to the widest line is allowed for.
+/// Returns `ink` adapted to a medium: its response to tilt, its tone and its name. The range of
+/// widths and the pressure curve stay as in `ink` (the pencil's options, which are set from the
+/// medium when the user picks it), except that the maximum width grows by the factor that tilt may
+/// add.
 ///
-/// A medium whose tone says no more than the width does (all of the pencil's usual range, evenly)
-/// has none of its own: its ink needs neither knots nor bytes for it.
+/// If the tone of a medium follows from the width alone (the pencil's default range, linearly), no
+/// tone is set, because its ink then needs neither knots nor bytes for tone.
 InkFitOptions drawn_with(const Medium& medium, InkFitOptions ink);
 
 }  // namespace felt

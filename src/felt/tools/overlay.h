@@ -12,10 +12,10 @@
 
 namespace felt {
 
-/// What a tool shows besides the document, as a display list in mm; the canvas and pictures draw
-/// it. Reused from frame to frame, so that its vectors keep their memory.
+/// What a tool shows on top of the document: a display list in mm that the canvas and pictures
+/// draw. Reused from frame to frame, so that its vectors keep their memory.
 struct Overlay {
-  /// Ink that is still wet: segments in drawing order, each with width and tone at both ends.
+  /// Wet ink: a segment, with width and tone at both ends. Segments are in drawing order.
   struct InkSegment {
     Cubic curve;
     double start_width_mm = 0.0;
@@ -27,14 +27,14 @@ struct Overlay {
   };
   enum class Role {
     kReach,     ///< a radius within which something acts
-    kSnap,      ///< a place that attracts
-    kTether,    ///< what holds
-    kGuide,     ///< where the hand is led
-    kSpan,      ///< what of a stroke an edit reaches
-    kVector,    ///< from where a gesture took hold to where it is
-    kSelected,  ///< what is selected, or is about to be
-    kHandle,    ///< a place to take hold of
-    kCut,       ///< what goes
+    kSnap,      ///< a point that attracts the pen
+    kTether,    ///< a connection that holds the pen or a stroke back
+    kGuide,     ///< a path or point that the hand is guided to
+    kSpan,      ///< the part of a stroke that an edit affects
+    kVector,    ///< from the point where a gesture began to its current point
+    kSelected,  ///< selected, or about to be selected
+    kHandle,    ///< a handle that can be grabbed
+    kCut,       ///< ink that will be removed
   };
   struct Ring {
     Point center;
@@ -46,10 +46,10 @@ struct Overlay {
     Role role = Role::kGuide;
   };
 
-  /// A piece of a stroke that is marked.
+  /// A marked part of a stroke.
   struct Span {
     Cubic curve;
-    double width_mm = 0.0;  ///< of the ink there
+    double width_mm = 0.0;  ///< width of the ink there
     Role role = Role::kSpan;
 
     friend bool operator==(const Span&, const Span&) noexcept = default;
@@ -63,7 +63,7 @@ struct Overlay {
     Point at;
     Role role = Role::kHandle;
   };
-  /// A short text beside a place: a number with its unit.
+  /// A short text next to a point: a number with its unit.
   struct Label {
     Point at;
     std::string text;
@@ -71,10 +71,10 @@ struct Overlay {
 
   std::vector<InkSegment> ink;
   Rgba ink_color{};
-  /// Identifies the stroke that `ink` shows; 0 if it is unknown.
+  /// Identifies the stroke that `ink` shows; 0 if unknown.
   std::uint64_t ink_stroke = 0;
-  /// Number of first segments that never change again: if two overlays show the same stroke, they
-  /// have equal segments up to the smaller number of the two. Set by add_stable_ink().
+  /// Number of leading segments that never change again: if two overlays show the same stroke,
+  /// their segments are equal up to the smaller of the two numbers. Set by add_stable_ink().
   std::size_t ink_stable = 0;
   std::vector<Ring> rings;
   std::vector<Line> lines;
@@ -92,9 +92,9 @@ struct Overlay {
     dots.clear();
     labels.clear();
   }
-  /// Appends the segments of a stroke in progress that never change again. Copies only those that
-  /// are new since this overlay showed the stroke, before clear(). Requires a `stroke` that is not
-  /// 0 and that no other stroke in the program has.
+  /// Appends the segments of a stroke in progress that never change again. Copies only the segments
+  /// that this overlay did not already have before clear(). Requires a `stroke` that is not 0 and
+  /// is unique in the program.
   void add_stable_ink(std::uint64_t stroke, std::span<const InkSegment> segments);
 
  private:
@@ -106,7 +106,8 @@ struct Overlay {
   std::size_t last_stable_ = 0;
 };
 
-/// Marks the part [u0, u1] of a stroke; on a closed one u1 <= u0 goes through the seam.
+/// Adds marks for the part [u0, u1] of a stroke. On a closed stroke, u1 <= u0 means through the
+/// seam.
 void add_span(Overlay& overlay, const Stroke& stroke, double u0, double u1, Overlay::Role role);
 
 }  // namespace felt

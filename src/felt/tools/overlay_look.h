@@ -6,11 +6,11 @@
 
 namespace felt {
 
-/// How a role is shown, alike on the canvas and in pictures.
+/// How a role is drawn, the same on the canvas and in pictures.
 struct RoleLook {
-  std::size_t color = 6;  ///< of the palette that any colour vision tells apart (plot_color)
-  bool dashed = false;    ///< what is only a bound or a hint
-  double width = 1.3;     ///< of its lines, in units of a picture or device-independent pixels
+  std::size_t color = 6;  ///< index into the colour-blind-safe palette (plot_color)
+  bool dashed = false;    ///< for bounds and hints
+  double width = 1.3;     ///< line width, in picture units or device-independent pixels
 };
 
 constexpr RoleLook look_of(Overlay::Role role) noexcept {

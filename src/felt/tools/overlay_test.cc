@@ -48,7 +48,7 @@ TEST(StableInk, ContinuesTheSameStrokeAndReplacesAnother) {
   const auto show = [&](std::uint64_t stroke, std::initializer_list<double> stable) {
     overlay.clear();
     overlay.add_stable_ink(stroke, ink_of_widths(stable));
-    overlay.ink.push_back({Cubic{}, 9.0, 9.0});  // the provisional end
+    overlay.ink.push_back({Cubic{}, 9.0, 9.0});  // the provisional segment at the end
     EXPECT_EQ(overlay.ink_stroke, stroke);
     EXPECT_EQ(overlay.ink_stable, stable.size());
     std::vector<Overlay::InkSegment> expected = ink_of_widths(stable);

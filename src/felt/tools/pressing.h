@@ -8,26 +8,26 @@
 
 namespace felt {
 
-/// How hard a pen is pressed on a sheet, 0..1, from what its device knows (specification 5b;
-/// architecture section 10; R14, R18):
-///   - the device senses pressure: that, clamped;
-///   - it senses depth: p = clamp((K depth - F0)/(F1 - F0), 0, 1), from the force of the plane's
-///     spring, so that the same push draws the same width on every sheet;
-///   - else (a mouse): nothing.
+/// Converts what a device senses to the pen pressure, 0..1 (specification 5b; architecture section
+/// 10; R14, R18):
+///   - if the device senses pressure: that value, clamped;
+///   - if it senses depth: p = clamp((K depth - F0)/(F1 - F0), 0, 1), from the spring force of the
+///     plane, so that the same push draws the same width on every surface;
+///   - else (a mouse): nullopt.
 class Pressing {
  public:
-  static constexpr double kLeastN = 0.1;  ///< F0: a resting hand does not draw broader
+  static constexpr double kLeastN = 0.1;  ///< F0, N: a resting hand does not widen the line
 
   Pressing(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
 
-  /// Stiffness of the plane as it is rendered (plane_for): that of the sheet, or what the device
-  /// can give of it (R13, R55, R56).
+  /// Returns the rendered stiffness of the plane (plane_for): that of the surface, or less if the
+  /// device cannot render it (R13, R55, R56).
   [[nodiscard]] double stiffness_n_per_m() const noexcept { return stiffness_n_per_m_; }
-  /// F1: full width, which the device can hold for as long as one likes (firm_push_n).
+  /// Returns F1, the force of full width, N. The device can hold it continuously (firm_push_n).
   [[nodiscard]] double most_n() const noexcept { return most_n_; }
-  /// Of a spring force.
+  /// Returns the pressure for a spring force in N.
   [[nodiscard]] double of_force(double spring_n) const noexcept;
-  /// Of a sample.
+  /// Returns the pressure of a sample, or nullopt if the device senses neither pressure nor depth.
   [[nodiscard]] std::optional<double> of(const PenSample& sample) const noexcept;
 
  private:

@@ -11,28 +11,28 @@ namespace felt {
 
 class StrokeIndex;
 
-/// What a tool sees besides the pen: the document, the sheet under the hand, the device that will
-/// push back. Constant while a sample is handled.
+/// What a tool can read besides the pen samples: the document, the surface under the pen, and the
+/// device that renders forces. Constant while a sample is handled.
 struct Scene {
   const Document& document;
   const StrokeIndex& index;        ///< of this document, up to date
   const Selection& selection;      ///< of this document, up to date
-  LayerId layer;                   ///< where new ink goes
-  const SurfaceMaterial& surface;  ///< the sheet
+  LayerId layer;                   ///< layer that receives new ink
+  const SurfaceMaterial& surface;  ///< the surface that is drawn on
   const Capabilities& device;
   Rgba color{};  ///< of new ink
-  /// What the session knows besides: media by their ids. The first one is the pencil.
+  /// All materials of the session, by id. The first medium is the pencil.
   const Materials& materials = Materials::built_in();
 };
 
-/// The medium of that id, or the pencil.
+/// Returns the medium with this id, or the pencil if there is none.
 inline const Medium& medium_of(const Scene& scene, std::string_view id) noexcept {
   const Medium* medium = scene.materials.find_medium(id);
   return medium ? *medium : scene.materials.media().front();
 }
 
-/// A medium that drags so many times as much, on every sheet, and shows so much more of the grain
-/// to the hand: a tool's strength, and how it glides.
+/// Returns the medium with its friction, on every surface, and its grain multiplied by these
+/// factors. Tools use it for their strength option and to glide more easily than the medium does.
 inline Medium felt_with(Medium medium, double friction, double grain) {
   medium.friction *= friction;
   medium.grain *= grain;

@@ -5,8 +5,8 @@
 namespace felt::scene_test {
 namespace {
 
-// Pairs that somebody spoke of keep to a tool's strength as those by the rule do: nothing else says
-// how strongly a person wants to feel the sheet.
+// A tool's strength also scales explicit pair frictions, because no other option sets how strongly
+// the user feels the surface.
 TEST(Scene, StrengthReachesEveryPairAndTheGrain) {
   for (const Medium& medium : media()) {
     for (const SurfaceMaterial& sheet : surface_materials()) {

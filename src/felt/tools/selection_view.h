@@ -12,46 +12,52 @@
 
 namespace felt {
 
-/// What is selected, as the lasso shows it and the transform tool takes hold of it: a box round the
-/// selected control points, and the selected ink marked. Follows the selection and the document by
-/// looking at some of it with each sample, so that a selection of 10^5 strokes costs a sample no
-/// more than one of fifteen; one of up to kPointsPerLook points is up to date after every look.
+/// The selection as the lasso and the transform tool show it: a box around the selected control
+/// points, and marks on the selected ink. It is updated incrementally: each sample reads a part of
+/// the selection, so a selection of 10^5 strokes costs no more per sample than one of fifteen. A
+/// selection of up to kPointsPerLook points is up to date after every look().
 ///
 ///   view.look(scene.document, scene.selection);   // each sample
 ///   view.draw(overlay);
 ///
-/// Strokes of layers that are hidden or locked do not count: tools leave them alone. Edit thread.
+/// Strokes on hidden or locked layers are ignored, because tools must not change them. Edit thread
+/// only.
 class SelectionView {
  public:
-  /// Control points that one look looks at: 30 us at most, of strokes that are far apart in memory.
+  /// Control points read by one look(): 30 us at most, even for strokes that are scattered in
+  /// memory.
   static constexpr std::size_t kPointsPerLook = 500;
-  /// Marked pieces at most; of a larger selection the first ones are marked, and a frame round all
-  /// of it is drawn.
+  /// Maximum number of marked segments. In a larger selection the first ones are marked, and a
+  /// frame is drawn around all of it.
   static constexpr std::size_t kMostSpans = 2'000;
   static constexpr double kBesideMm = 3.0;
 
-  /// Goes on where the last look ended.
+  /// Reads the next part of the selection, continuing where the last call ended.
   void look(const Document& document, const Selection& selection);
-  /// Looks at all of it. Linear in the selection.
+  /// Reads the whole selection. Linear in its size.
   void look_at_all(const Document& document, const Selection& selection);
-  /// The next look begins again: what was seen of the round in work is out of date.
+  /// Discards the pass in progress, because its data is out of date; the next look() starts a new
+  /// one.
   void start_over() noexcept { looked_at_ = {}; }
 
   [[nodiscard]] bool empty() const noexcept { return seen_.strokes == 0; }
-  /// Around the selected control points. Empty without any.
+  /// Returns the box around the selected control points; empty if there are none.
   [[nodiscard]] const Rect& box() const noexcept { return seen_.box; }
-  /// Around those and all the ink that is marked, where more of it than kBesideMm lies outside.
+  /// Returns box() extended by the marked segments and by the part of their half width beyond
+  /// kBesideMm.
   [[nodiscard]] const Rect& ink_box() const noexcept { return seen_.ink_box; }
-  /// Another number whenever other points are selected, or lie elsewhere: of their ids, marks and
-  /// box.
+  /// Returns a hash of the ids, marks and box: it changes whenever other points are selected or
+  /// they move.
   [[nodiscard]] std::uint64_t fingerprint() const noexcept { return seen_.fingerprint; }
-  /// The same without the box: the same marks on the same strokes, wherever they lie.
+  /// Returns the hash without the box: equal for the same marks on the same strokes, wherever they
+  /// lie.
   [[nodiscard]] std::uint64_t marks_fingerprint() const noexcept { return seen_.marks; }
   [[nodiscard]] std::size_t stroke_count() const noexcept { return seen_.strokes; }
-  /// Strokes of which a part is selected.
+  /// Returns the number of strokes that are only partly selected.
   [[nodiscard]] std::size_t partial_count() const noexcept { return seen_.partial; }
 
-  /// Marks the selected ink (kSelected), and what of a stroke would be bent (kSpan).
+  /// Adds marks for the selected ink (kSelected) and for the parts of strokes that would be bent
+  /// (kSpan).
   void draw(Overlay& overlay) const;
 
  private:
@@ -66,16 +72,17 @@ class SelectionView {
     std::vector<Overlay::Span> spans;
   };
 
-  /// Looks at up to `points` points; true when that was the rest.
+  /// Reads up to `points` control points. Returns true if that completes the pass.
   bool go_on(const Document& document, const Selection& selection, std::size_t points);
   void add(StrokeId id, const Stroke& stroke, const Selection::Marks& marks);
 
-  Sight seen_;          // of the last whole round
-  Sight round_;         // in work
-  StrokeId looked_at_;  // the last of this round, 0 at its start
+  Sight seen_;          // result of the last complete pass
+  Sight round_;         // pass in progress
+  StrokeId looked_at_;  // last stroke read in this pass, 0 at its start
 };
 
-/// Whether tools may change a stroke that is there: its layer is visible and not locked.
+/// Returns true if tools may change the stroke: its layer is visible and not locked. Requires a
+/// stroke of the document.
 bool is_editable(const Document& document, StrokeId id);
 
 }  // namespace felt

@@ -10,10 +10,10 @@
 
 namespace felt {
 
-/// What ends of strokes do to a pen that comes near (paper, eq. 11; R43). With the force alone you
-/// can draw near an end without being connected to it.
+/// What ends of strokes do when the pen comes near (paper, eq. 11; R43). With kForce you can draw
+/// near an end without connecting to it.
 enum class SnapMode { kOff, kForce, kSnap, kBoth };
-/// Their names, in that order.
+/// The option names of SnapMode, in order.
 inline constexpr std::array<std::string_view, 4> kSnapModes = {"off", "force", "snap", "both"};
 
 constexpr bool attracts(SnapMode mode) noexcept {
@@ -25,26 +25,26 @@ constexpr bool snaps(SnapMode mode) noexcept {
 
 struct SnapOptions {
   SnapMode mode = SnapMode::kBoth;
-  double reach_mm = 8.0;   ///< M: the force is felt within
-  double radius_mm = 2.0;  ///< r_snap: the end is moved within
-  double force_n = 0.6;    ///< Fp
+  double reach_mm = 8.0;   ///< M: range of the force
+  double radius_mm = 2.0;  ///< r_snap: within this the end snaps
+  double force_n = 0.6;    ///< Fp: greatest attraction
 };
 
-/// Greatest stiffness of an attraction, N/mm: with the 60 N/m of a dragged end the bound of
-/// 300 N/m for edits is kept.
+/// Greatest stiffness of an attraction, N/mm. Together with the 60 N/m of a dragged end it stays
+/// within the limit of 300 N/m for edits.
 inline constexpr double kWellSlopeNPerMm = 0.24;
 
-/// The shape of the attraction: core and rim of a quarter of the reach. The core grows with the
-/// force so that it is not stiffer than kWellSlopeNPerMm; if the reach is too small for that, the
-/// force is less. `strength` scales force and damping.
+/// Returns the shape of the attraction. Core and rim are a quarter of the reach each. A larger
+/// force widens the core, so that the stiffness stays below kWellSlopeNPerMm; if the reach is too
+/// small for that, the force is reduced. `strength` scales force and damping.
 WellShape well_of(const SnapOptions& options, double strength = 1.0) noexcept;
 
-/// A point that attracts: an end of a stroke of the document, a point on one, or the start of the
-/// stroke being drawn.
+/// A point that attracts: an end of a stroke of the document, a point on a stroke, or the start of
+/// the stroke being drawn.
 struct SnapTarget {
-  TipId tip;  ///< without a stroke: the own start
+  TipId tip;  ///< without a stroke id: the start of the stroke being drawn
   Point point;
-  bool on_curve = false;  ///< a point on the stroke; `tip.tip` has no meaning
+  bool on_curve = false;  ///< a point on the stroke; `tip.tip` is unused
 
   [[nodiscard]] bool is_own_start() const noexcept { return !tip.stroke; }
   friend bool operator==(const SnapTarget&, const SnapTarget&) noexcept = default;
@@ -52,16 +52,16 @@ struct SnapTarget {
 
 /// Chooses the end that attracts an end being dragged: the nearest within reach, kept until another
 /// is nearer by 1 mm, so that the force does not alternate between two. The other end of the same
-/// stroke counts at once, because an end is dragged to be connected. One thread.
+/// stroke is a target immediately, because an end is dragged to be connected. Not thread-safe.
 class SnapFinder {
  public:
   static constexpr double kHysteresisMm = 1.0;
 
-  /// Nothing is dragged.
+  /// Forgets the dragged end and the target.
   void reset() noexcept;
-  /// This end is dragged from now on.
+  /// Starts dragging this end, without a target yet.
   void drag(TipId tip) noexcept;
-  /// The end has been moved here. Returns the target, or nothing.
+  /// Updates the target for an end moved to `end`. Returns it, or nullopt if there is none.
   const std::optional<SnapTarget>& update(Point end, const SnapOptions& options,
                                           const Document& document, const StrokeIndex& index);
   [[nodiscard]] const std::optional<SnapTarget>& target() const noexcept { return target_; }
@@ -71,7 +71,8 @@ class SnapFinder {
   std::optional<TipId> dragged_;
 };
 
-/// True if the target is still where it was, on a visible layer. The own start always is.
+/// Returns true if the target has not moved and is on a visible layer; always true for the start of
+/// the stroke being drawn.
 bool is_still_there(const SnapTarget& target, const Document& document);
 
 }  // namespace felt

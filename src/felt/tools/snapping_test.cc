@@ -37,7 +37,7 @@ TEST(SnapFinder, R43_KeepsItsTargetUntilAnotherIsNearerByOneMillimetre) {
   finder.update({2, 0}, kDefault, desk.document, desk.index);
   int changes = 0;
   Point last = finder.target()->point;
-  // The middle is at x = 3; a pen that trembles about it does not change its target.
+  // The middle is at x = 3; a pen that trembles around it keeps its target.
   for (int k = 0; k < 1000; ++k) {
     finder.update({3 + 0.49 * std::sin(k), 0}, kDefault, desk.document, desk.index);
     changes += finder.target()->point != last ? 1 : 0;
@@ -61,7 +61,7 @@ TEST(SnapFinder, LetsGoOfATargetBeyondReachOrGone) {
   SnapFinder finder;
   finder.update({7, 0}, kDefault, desk.document, desk.index);
   ASSERT_TRUE(finder.target());
-  // 8.1 mm from the first, 7.7 mm from the second: the first feels nothing any more.
+  // 8.1 mm from the first, 7.7 mm from the second: the first no longer attracts.
   EXPECT_EQ(finder.update({8.1, 0}, kDefault, desk.document, desk.index)->point.x, 15.8);
   desk.undo();
   EXPECT_FALSE(finder.update({8.1, 0}, kDefault, desk.document, desk.index));
@@ -84,7 +84,7 @@ TEST(WellOf, R43_IsZeroAtBothEndsAndContinuous) {
   const WellShape well = well_of({});
   EXPECT_EQ(well.rim_mm, 2.0);
   EXPECT_NEAR(well.force_at_n(4.0), 0.6, 1e-12);
-  // Not stiffer than 240 N/m whatever the options.
+  // Never stiffer than 240 N/m, whatever the options.
   for (const double reach : {1.0, 3.0, 8.0, 40.0}) {
     for (const double force : {0.1, 0.3, 0.6, 1.0}) {
       EXPECT_LE(well_of({.reach_mm = reach, .force_n = force}).core_slope_n_per_m(), 240.001);

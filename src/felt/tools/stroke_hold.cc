@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-/// Places along the arc need not be better than this: a pen resolves 0.03 mm.
+/// Accuracy of arc lengths; a pen resolves only 0.03 mm.
 constexpr double kArcAccuracyMm = 1e-5;
 
 }  // namespace
@@ -56,7 +56,8 @@ double StrokeHold::find_near(Point pen, double window_mm, double& u) const noexc
   };
   const int here = std::min(static_cast<int>(place_.u), n - 1);
   look_at(here);
-  // Outwards both ways; on a closed stroke the ways end where they meet.
+  // Searches outwards in both directions until the window ends; on a closed stroke, until both
+  // meet.
   double ahead = map_->start_of(here + 1) - place_.length_mm;
   double behind = place_.length_mm - map_->start_of(here);
   const auto length_of = [&](int i) { return map_->start_of(i + 1) - map_->start_of(i); };

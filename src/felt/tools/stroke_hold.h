@@ -8,9 +8,9 @@
 
 namespace felt {
 
-/// A stroke that a brush works along, and the place on it under the pen (specification 5c,
-/// "tracking"): found among all strokes once, then followed along the arc, so that a pen that rubs
-/// where a stroke passes itself stays on the branch that it took hold of.
+/// Tracks the point of a stroke under the pen, for tools that work along a stroke (specification
+/// 5c, "tracking"). The stroke is searched among all strokes once; then the point is followed along
+/// the arc, so that where a stroke crosses itself the pen stays on the branch it started on.
 ///
 ///   hold.take(scene, pen);        // hover, touch
 ///   hold.follow(scene, pen);      // each further sample of the gesture
@@ -18,35 +18,36 @@ namespace felt {
 /// Edit thread only.
 class StrokeHold {
  public:
-  /// Farther from the stroke a pen does nothing (R20).
+  /// A pen farther from the stroke than this has no effect (R20).
   static constexpr double kReachMm = 8.0;
-  /// The place is looked for within this way along the stroke of the last one, and as far again as
-  /// the pen has moved.
+  /// The next point is searched within this arc length of the last one, plus twice the distance
+  /// that the pen has moved.
   static constexpr double kWindowMm = 5.0;
 
-  /// The place under the pen.
+  /// The point of the stroke under the pen.
   struct Place {
     double u = 0.0;
-    double length_mm = 0.0;  ///< from the start of the stroke, along it
+    double length_mm = 0.0;  ///< arc length from the start of the stroke
     Point point;
   };
 
-  /// Takes the stroke under the pen, if there is one within kReachMm that may be edited; else lets
-  /// go. True when it holds one. Linear in its segments when it is another than before.
+  /// Holds the editable stroke nearest to the pen within kReachMm, or releases if there is none.
+  /// Returns true if it holds one. Linear in its segments if it is not the stroke held before.
   bool take(const Scene& scene, Point pen);
-  /// Follows the pen along the stroke that is held. False while the pen is too far away; the place
-  /// then stays. When it comes back elsewhere on the stroke, the place is there. Requires holds().
+  /// Follows the pen along the held stroke. Returns false, and keeps the point, while the pen is
+  /// too far away. If the pen comes back elsewhere on the stroke, tracking continues there.
+  /// Requires holds().
   bool follow(const Scene& scene, Point pen);
   void release() noexcept;
 
   [[nodiscard]] bool holds() const noexcept { return stroke_ != nullptr; }
-  /// Requires holds(), as everything below.
+  /// This and all below require holds().
   [[nodiscard]] StrokeId id() const noexcept { return id_; }
   [[nodiscard]] const StrokePtr& stroke() const noexcept { return stroke_; }
   [[nodiscard]] const ArcMap& map() const noexcept { return *map_; }
   [[nodiscard]] const Place& place() const noexcept { return place_; }
-  /// Way along the stroke from the place before to this one, signed (ArcMap::way); nothing when the
-  /// pen came from elsewhere or was away.
+  /// Returns the signed arc length from the previous point to this one (ArcMap::way), or nullopt if
+  /// there is no previous point or the pen was away.
   [[nodiscard]] std::optional<double> way_mm() const noexcept { return way_mm_; }
 
  private:

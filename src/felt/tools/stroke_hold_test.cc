@@ -13,7 +13,7 @@ using testing::Desk;
 using testing::RandomStroke;
 using testing::straight_stroke;
 
-/// A ring of four arcs around a place.
+/// A circle of four arcs around a point.
 Stroke ring(Point c, double r) {
   const double k = 0.5522847498 * r;
   StrokeData d;
@@ -43,7 +43,7 @@ TEST(StrokeHold, R20_NothingIsTakenFromAfarOrFromALockedLayer) {
 }
 
 TEST(StrokeHold, FollowsTheBranchItHoldsWhereAStrokePassesItself) {
-  // Out and back, 2 mm apart: the pen comes nearer to the way back without leaving the way out.
+  // Out and back, 2 mm apart: the pen comes nearer to the second branch but stays on the first.
   StrokeData d;
   d.points = {{0, 0},  {20, 0}, {40, 0}, {60, 0}, {70, 0},
               {70, 2}, {60, 2}, {40, 2}, {20, 2}, {0, 2}};

@@ -18,121 +18,124 @@
 
 namespace felt {
 
-/// Buttons of the pen that change what a gesture does; ToolUse says how. A desktop sets them for
-/// keys too (Shift, Ctrl).
+/// Pen buttons that modify a gesture; ToolUse says how. A desktop program maps keys (Shift, Ctrl)
+/// to them, too.
 inline constexpr std::uint32_t kFirstModifier = 1U << 0;
 inline constexpr std::uint32_t kSecondModifier = 1U << 1;
 
-/// What a tool does to a drawing. The other layers and the programs decide by this, never by the
-/// name of a tool.
+/// What a tool does to a drawing. Other modules and the programs branch on this, never on a tool's
+/// id.
 enum class ToolKind : std::uint8_t {
-  kDraws,       ///< adds lines in the medium of its option "material"; a session starts with it
-  kEdits,       ///< changes lines under the pen; a gesture that meets none missed its target
-  kErases,      ///< removes ink, rubbing with the medium "eraser"
-  kSelects,     ///< changes what is selected; draws the selection itself
-  kTransforms,  ///< changes what is selected when the gesture begins; draws the selection itself
+  kDraws,  ///< adds strokes in the medium of its option "material"; a session starts with this tool
+  kEdits,  ///< changes strokes under the pen; a gesture that hits none missed its target
+  kErases,      ///< removes ink; feels like the medium "eraser"
+  kSelects,     ///< changes the selection, which it also draws
+  kTransforms,  ///< changes the strokes that are selected when the gesture begins; draws the
+                ///< selection
 };
 
-/// Where a typical gesture of a tool goes. Tests of devices and of the haptic loop perform it.
+/// The path of a typical gesture. Tests of devices and of the haptic loop perform it.
 enum class ToolPath : std::uint8_t {
   kFree,    ///< across free space, as a new line
-  kAway,    ///< from a line away to one side
+  kAway,    ///< starts on a line and moves off sideways
   kAlong,   ///< along a line
   kAcross,  ///< across lines
   kAround,  ///< around lines
-  kFromEnd  ///< from the end of a line away
+  kFromEnd  ///< starts at the end of a line and moves away
 };
 
-/// How a tool is used while its option "mode" has one value.
+/// How a tool is used in one of its modes.
 struct ToolUse {
-  std::string_view mode = {};            ///< value of the option "mode"; "" for all others
-  std::string_view hint = {};            ///< one line, shown while the pen hovers
-  std::string_view first_modifier = {};  ///< what kFirstModifier changes: "thinner"; "" for nothing
+  std::string_view mode = {};             ///< value of the option "mode"; "" matches any mode
+  std::string_view hint = {};             ///< one line of text, shown while the pen hovers
+  std::string_view first_modifier = {};   ///< effect of kFirstModifier: "thinner"; "" for none
   std::string_view second_modifier = {};  ///< same for kSecondModifier
-  std::string_view size = {};             ///< number option that is its size; "" for none
+  std::string_view size = {};  ///< id of the number option that sets its size; "" for none
   ToolPath path = ToolPath::kAway;
 };
 
-/// The act of the demonstration that shows a tool: its script is the file N-ID.ndjson in the tool's
-/// folder, where N is its place in the demonstration.
+/// The part of the demonstration that shows a tool. Its script is the file N-ID.ndjson in the
+/// tool's folder; N is its position in the demonstration.
 struct ToolAct {
   std::string_view title = {};    ///< "Pull and push"; "" if there is no act
   std::string_view caption = {};  ///< one or two sentences
   double seconds = 0.0;           ///< longest duration on screen
 };
 
-/// What others need to know of a tool: menus, panels, the command line, the documents, the tests.
+/// Describes a tool for menus, panels, the command line, the documentation and the tests.
 struct ToolInfo {
-  std::string_view id;     ///< "pencil"; the name of its folder, of its icon and of its page
+  std::string_view id;     ///< "pencil"; also the name of its folder, icon and help page
   std::string_view label;  ///< "Pencil"
   std::string_view help;   ///< one sentence
-  char shortcut = 0;       ///< key of the desktop, 0 for none
+  char shortcut = 0;       ///< keyboard shortcut in the desktop program, 0 for none
   std::span<const OptionSpec> options;
   ToolKind kind = ToolKind::kEdits;
-  std::span<const ToolUse> uses = {};            ///< the first that fits the mode counts
-  std::span<const std::string_view> edits = {};  ///< labels of the edits that it makes
+  std::span<const ToolUse> uses = {};            ///< the first one that matches the mode applies
+  std::span<const std::string_view> edits = {};  ///< labels of the edits that the tool makes
   ToolAct act = {};
 };
 
-/// The size of a tool as it is set now, and its range.
+/// The current size of a tool and its range.
 struct ToolSize {
   double mm = 0.0;
   double min_mm = 0.0;
   double max_mm = 0.0;
 };
 
-/// What came of one sample.
+/// The result of handling one sample.
 struct ToolResult {
-  /// The document with this edit is what the user should see now; replaces the previous preview.
+  /// Shown applied to the document; replaces the previous preview.
   std::optional<Edit> preview = {};
-  /// The gesture is over and this is what it did: one undo step.
+  /// Set when the gesture is over and has changed the document: one undo step.
   std::optional<Edit> commit = {};
-  /// What is selected from now on, after `commit`.
+  /// The new selection; applied after `commit`.
   std::optional<Selection> selection = {};
-  /// No preview here means that the last one stays, instead of none: an answer to a sample that
-  /// changes nothing.
+  /// If true, a missing `preview` keeps the previous one instead of removing it, for example
+  /// because nothing visible has changed.
   bool same_preview = false;
 };
 
-/// A tool: a state machine over pen samples, without threads, clock, files or widgets. It changes a
-/// document by edits, returns what the hand feels as a force model, and draws what is visible
-/// besides the document into an overlay. One folder per tool; ARCHITECTURE.md and `./dev new tool`
-/// say what is in it. Edit thread only.
+/// A tool: a state machine over pen samples, without threads, clock, files or widgets. It changes
+/// the document by edits, returns a force model for the hand, and draws previews and hints into an
+/// overlay. One folder per tool; ARCHITECTURE.md and `./dev new tool` describe its contents. Edit
+/// thread only.
 class Tool {
  public:
   virtual ~Tool() = default;
 
   [[nodiscard]] virtual const ToolInfo& info() const noexcept = 0;
-  /// Handles one sample of the device, in the air too. `contact` is what the session's Contact made
-  /// of it. Requires is_pen_position().
+  /// Handles one sample, including hover samples. `contact` is the result of the session's Contact
+  /// for it. Requires is_pen_position().
   virtual ToolResult sample(const PenSample& sample, Contact::Change contact,
                             const Scene& scene) = 0;
-  /// Called when the sample stream stops: another tool was chosen, the device is gone, the script
-  /// or the program ends. Commits the gesture as if the pen had been lifted, so that no ink is
-  /// lost.
+  /// Called when the sample stream stops: the user chose another tool, the device was disconnected,
+  /// or the script or program ends. Commits the gesture as if the pen had been lifted, so that no
+  /// ink is lost.
   virtual ToolResult finish(const Scene& scene) = 0;
   /// Discards the gesture. The pen must be lifted before another begins.
   virtual void cancel() = 0;
-  /// Returns what the hand should feel from now on, until asked again.
+  /// Returns the force model to render until the next call.
   [[nodiscard]] virtual ForceModel force(const Scene& scene) const = 0;
-  /// Adds what is visible besides the document: wet ink, rings, tethers.
+  /// Adds everything the tool shows on top of the document: wet ink, rings, tethers.
   virtual void draw(Overlay& overlay) const = 0;
 
-  /// Options; the default is that they take effect with the next gesture.
+  /// Sets or returns an option. Unless a tool says otherwise, a change takes effect with the next
+  /// gesture.
   virtual Result<void> set_option(std::string_view id, const OptionValue& value) = 0;
   [[nodiscard]] virtual Result<OptionValue> option(std::string_view id) const = 0;
 
-  /// Returns its size, or nullopt if it has none: the option that its ToolUse names.
+  /// Returns the value of the option that the ToolUse names as the tool's size, or nullopt if it
+  /// names none.
   [[nodiscard]] virtual std::optional<ToolSize> size() const;
-  /// Returns the options to set, by id, so that its size becomes `mm`, clamped to its range.
+  /// Returns the options to set, by id, to make the size `mm`, clamped to its range.
   [[nodiscard]] virtual std::vector<std::pair<std::string_view, double>> options_for_size(
       double mm) const;
 
-  /// Returns how it is used as it is set now; its help is the hint if the tool names none.
+  /// Returns the ToolUse of the current mode. Its hint is ToolInfo::help if the tool gives none.
   [[nodiscard]] ToolUse use() const;
 };
 
-/// One of each tool, in the order of the tool bar.
+/// Makes one of each tool, in the order of the tool bar.
 std::vector<std::unique_ptr<Tool>> make_tools();
 
 }  // namespace felt

@@ -11,37 +11,37 @@
 
 namespace felt {
 
-/// What an option holds: a number, a switch, or one of its choices by name.
+/// The value of an option: a number, a switch, or the name of a choice.
 using OptionValue = std::variant<double, bool, std::string>;
 
-/// What kind of option it is.
+/// The type of an option.
 enum class OptionKind { kNumber, kSwitch, kChoice };
 
-/// Of which materials a choice may name one that is not listed: `choices` are those that Feltline
-/// brings, a session knows more (Session::materials). What is set by a tool alone is any id.
+/// Which materials a choice may name besides the listed ones: `choices` lists the built-in ones,
+/// and a session may have more (Session::materials). A tool on its own accepts any id.
 enum class OpenChoice { kNone, kSheets, kMedia };
 
-/// One row of a tool's table of options, constexpr in its room. The desktop's panel,
-/// `--set pencil.snap_radius_mm=3`, `feltline tools` and the range tests are all made from it.
+/// One row of a tool's option table, which is constexpr in the tool's folder. The desktop's panel,
+/// `--set pencil.snap_radius_mm=3`, `feltline tools` and the range tests are all generated from it.
 struct OptionSpec {
   std::string_view id;     ///< "snap_radius_mm": unique within the tool, unit in the name
-  std::string_view label;  ///< for people: "Snap radius"
+  std::string_view label;  ///< shown to the user: "Snap radius"
   std::string_view unit;   ///< "mm", "N", "" for none
   OptionKind kind = OptionKind::kNumber;
   double min = 0.0;       ///< kNumber
   double max = 0.0;       ///< kNumber
-  double fallback = 0.0;  ///< default: the number, 0 or 1 of a switch, the index of a choice
+  double fallback = 0.0;  ///< default: a number, 0 or 1 for a switch, or the index of a choice
   std::span<const std::string_view> choices = {};  ///< kChoice
   std::string_view help;                           ///< one sentence
-  /// "mode=brush" or "snap=force|both": another choice of the same table and the values with which
-  /// this row means something; a panel shows it then only. "" for always.
+  /// "mode=brush" or "snap=force|both": another choice of the same table, and its values for which
+  /// this row has an effect. A panel shows the row only then. "" for always.
   std::string_view when = {};
   OpenChoice open = OpenChoice::kNone;  ///< kChoice
-  bool is_seldom = false;               ///< set by few users: a panel folds it away
-  bool is_momentary = false;            ///< for the next few gestures: a program does not keep it
+  bool is_seldom = false;               ///< rarely changed: a panel hides it in a collapsed section
+  bool is_momentary = false;  ///< meant for the next few gestures: programs do not save it
 };
 
-/// The row that every tool has: how much of its forces is felt. `help` says of which.
+/// Returns the row that every tool has: the strength of its forces. `help` says which forces.
 constexpr OptionSpec strength_option(std::string_view help) noexcept {
   return {.id = "strength",
           .label = "Strength of forces",
@@ -58,40 +58,42 @@ constexpr OptionSpec strength_option(std::string_view help) noexcept {
           .is_momentary = false};
 }
 
-/// What the option may be, for messages and help: "it is a number from 0.3 to 20 mm".
+/// Returns the allowed values, for messages and help: "it is a number from 0.3 to 20 mm".
 std::string allowed_text(const OptionSpec& spec);
-/// What a choice may be where these materials are known: those listed, then a person's own; the
-/// media that draw.
+/// Returns the values that a choice may have, given these materials: the listed ones, then the
+/// user-defined ones. Media that do not draw are left out.
 std::vector<std::string> choices_with(const OptionSpec& spec, const Materials& materials);
-/// Error: an open choice is none of those; the message lists them. Other rows say nothing here.
+/// Fails if an open choice has none of the values of choices_with(); the message lists them. Always
+/// succeeds for other rows.
 Result<void> check_choice(const OptionSpec& spec, const OptionValue& value,
                           const Materials& materials);
-/// Whether the row means something while the choice that its `when` names is this one.
+/// Returns true if the row has an effect while the choice that its `when` names has this value.
 bool matters_with(const OptionSpec& spec, std::string_view choice) noexcept;
-/// The option that its `when` names; "" where it always means something.
+/// Returns the id of the option that `when` names, or "" if the row always has an effect.
 std::string_view decider_of(const OptionSpec& spec) noexcept;
-/// Its default.
+/// Returns the default of the option.
 OptionValue default_value(const OptionSpec& spec);
 
-/// The values of one table, by index, checked against it.
+/// The values of one option table, by index, checked against the table.
 class OptionValues {
  public:
-  /// All at their defaults. The table must outlive this, and its defaults be within its ranges.
+  /// Sets all options to their defaults. The table must outlive this object. Requires defaults
+  /// within their ranges.
   explicit OptionValues(std::span<const OptionSpec> table);
 
-  /// Error: no such option, the wrong kind, or out of range; the message names the option, the
-  /// value and what is allowed. Nothing changes then.
+  /// Sets an option. Fails without a change if there is no such option, or the value is of the
+  /// wrong kind or out of range. The message names the option, the value and the allowed values.
   Result<void> set(std::string_view id, const OptionValue& value);
   [[nodiscard]] Result<OptionValue> get(std::string_view id) const;
 
-  /// By index in the table, for the tool itself.
+  /// Return a value by index in the table, for the tool itself.
   [[nodiscard]] double number(std::size_t i) const noexcept { return values_[i]; }
   [[nodiscard]] bool is_on(std::size_t i) const noexcept { return values_[i] != 0.0; }
-  /// Of a choice that is not open.
+  /// Returns the index of a choice. Requires a choice that is not open.
   [[nodiscard]] std::size_t choice(std::size_t i) const noexcept {
     return static_cast<std::size_t>(values_[i]);
   }
-  /// Of an open one.
+  /// Returns the name of an open choice.
   [[nodiscard]] const std::string& open_choice(std::size_t i) const noexcept { return names_[i]; }
   [[nodiscard]] std::span<const OptionSpec> table() const noexcept { return table_; }
 
@@ -104,7 +106,7 @@ class OptionValues {
 
   std::span<const OptionSpec> table_;
   std::vector<double> values_;
-  std::vector<std::string> names_;  // of open choices, "" of others
+  std::vector<std::string> names_;  // values of open choices; "" for other options
 };
 
 }  // namespace felt

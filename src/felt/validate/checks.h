@@ -12,32 +12,33 @@
 
 namespace felt {
 
-/// What the forces of a check did, mean over its pushes.
+/// How the pen responded to a small force along an axis, mean over several pushes.
 struct PushResponse {
-  Vec3 moved{};              ///< mm, from a push in - to one in +, per direction of the push
-  double uncertainty = 0.0;  ///< mm, standard error of it
+  Vec3 moved{};              ///< mm, displacement from a push in - to one in + along the axis
+  double uncertainty = 0.0;  ///< mm, its standard error
 };
 
-/// Forces below this are none.
+/// Smaller forces count as none.
 inline constexpr double kEpsilonN = 1e-6;
 
-/// What checks share: the device, and what earlier ones found.
+/// The state that checks share: the device, and results of earlier checks.
 struct CheckContext {
   TestSubject& subject;
   TestLoop& loop;
   TestPerson& person;
   const ValidationOptions& options;
   std::mt19937_64 random;
-  std::optional<bool> agreed = {};  ///< to forces
+  std::optional<bool> agreed = {};  ///< whether the user agreed to forces; unset if not asked yet
   std::optional<std::array<PushResponse, 3>> pushes = {};
   bool pushed_in_circles = false;
-  bool is_noisy = false;  ///< so that energies, which places tell, mean nothing
+  bool is_noisy = false;  ///< then energies, computed from positions, mean nothing
 
-  /// An open device that knows where it is, in the loop.
+  /// Opens the device, homes it if necessary, and starts a trial in the loop.
   Result<std::unique_ptr<Trial>> begin();
-  /// The same with forces allowed: words why not, else empty.
+  /// Returns why forces are not possible: the device has none, or the user did not agree (asks
+  /// once). Empty if they are possible.
   std::string refusal();
-  /// The axis along which forces move it most; none where they do not, or it was not measured.
+  /// Returns the axis along which forces move the pen most; nullopt if that was not measured.
   [[nodiscard]] std::optional<int> best_axis() const;
 };
 
@@ -54,7 +55,7 @@ struct Check {
   CheckOutcome (*run)(CheckContext&);
 };
 
-/// In the order in which they are done.
+/// Returns all checks in the order in which they run.
 std::span<const Check> all_checks() noexcept;
 
 // Levels 1 to 4: checks_sensing.cc
@@ -77,18 +78,18 @@ CheckOutcome check_watchdog(CheckContext& context);
 CheckOutcome check_unplugging(CheckContext& context);
 CheckOutcome check_soak(CheckContext& context);
 
-/// Sum of squares and the like.
+/// A sum of values and of their squares, for mean and deviation.
 struct Series {
   double count = 0.0, sum = 0.0, squares = 0.0;
   void add(double value) noexcept { count += 1.0, sum += value, squares += value * value; }
   [[nodiscard]] double mean() const noexcept { return count > 0.0 ? sum / count : 0.0; }
-  [[nodiscard]] double deviation() const noexcept;  ///< of one
-  [[nodiscard]] double error() const noexcept;      ///< of the mean
+  [[nodiscard]] double deviation() const noexcept;  ///< standard deviation of one value
+  [[nodiscard]] double error() const noexcept;      ///< standard error of the mean
 };
 
-/// "0.12": fixed, so many digits after the point.
+/// Formats a value with a fixed number of digits after the point: "0.12".
 std::string figure(double value, int digits);
-/// The unit vector of axis 0, 1, 2, as a force.
+/// Returns a force of `newtons` N along axis 0, 1 or 2.
 Force along(int axis, double newtons) noexcept;
 double component(const Vec3& v, int axis) noexcept;
 const char* axis_name(int axis) noexcept;
@@ -102,7 +103,7 @@ inline CheckOutcome failed(std::string measured, std::string words) {
 inline CheckOutcome not_possible(std::string words, std::string measured = {}) {
   return {Verdict::kNotPossible, std::move(measured), std::move(words)};
 }
-/// What a trial that could not go on comes to.
+/// Returns the outcome of a check whose trial could not continue.
 CheckOutcome broken(const Trial& trial);
 
 }  // namespace felt

@@ -1,4 +1,4 @@
-// Levels 9 and 10: cables, and time.
+// Levels 9 and 10: unplugging, and a soak test.
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +23,7 @@ constexpr const char* kReplug = "Plug it in again; you have half a minute.";
 constexpr const char* kDraw =
     "Draw on the sheet as you like, pressing and lifting, until this is over.";
 
-/// Until it is connected again, or patience ends.
+/// Waits until the device is connected again; returns false after kPatienceS or if cancelled.
 bool wait_for_device(CheckContext& context) {
   for (double waited = 0.0; waited < kPatienceS; waited += kLookS) {
     if (context.options.is_cancelled && context.options.is_cancelled()) return false;
@@ -33,7 +33,7 @@ bool wait_for_device(CheckContext& context) {
   return false;
 }
 
-/// Seconds until reading failed; negative: it did not. In the end it must still fail.
+/// When reading began to fail, in s; negative if it did not. came_back: a later read succeeded.
 struct Gone {
   double after_s = -1.0;
   DeviceFault fault = DeviceFault::kOther;

@@ -1,4 +1,4 @@
-// Levels 5 and 6: what a small force does to a pen that somebody holds.
+// Levels 5 and 6: how a small force moves a pen that a person holds.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,17 +14,17 @@ constexpr int kCirclePairs = 6;
 constexpr double kStillSettleS = 0.25;
 constexpr double kStillMeanS = 0.15;
 constexpr double kCircleSettleS = 0.35;
-constexpr double kCircleS = 1.0;  // the mean over a whole circle is where its middle is
+constexpr double kCircleS = 1.0;  // one whole circle, whose mean is its centre
 constexpr double kLeastMovedMm = 0.04;
-constexpr double kSurely = 3.0;     // standard errors
-constexpr double kMostAside = 0.6;  // of the way along the axis, across it
+constexpr double kSurely = 3.0;     // in standard errors
+constexpr double kMostAside = 0.6;  // displacement across the axis, as a share of that along it
 
 constexpr int kSteps = 8;
 constexpr double kStepS = 0.3;
 constexpr double kLeastStepMm = 0.1;
-constexpr double kBegun = 0.15;  // of the way: it has begun to move
+constexpr double kBegun = 0.15;  // share of the final displacement at which the motion has begun
 constexpr double kMostDeadS = 0.050;
-constexpr double kMostRinging = 0.3;  // of the way, in the last third
+constexpr double kMostRinging = 0.3;  // deviation in the last third, as such a share
 
 constexpr const char* kHoldStillWhilePushed =
     "Hold the pen in the air as for writing, loosely, and keep it still. It will push a little "
@@ -39,7 +39,7 @@ std::array<int, 3> shuffled_axes(std::mt19937_64& random) {
   return axes;
 }
 
-/// Pushes in + and in - along one axis, again and again: how far apart the pen then is.
+/// Pushes in + and in - along one axis repeatedly, and returns the displacement between the two.
 PushResponse push_along(Trial& trial, int axis, bool in_circles) {
   std::array<Series, 3> apart;
   Vec3 sum{};
@@ -51,7 +51,7 @@ PushResponse push_along(Trial& trial, int axis, bool in_circles) {
     return trial.mean_place(mean_s);
   };
   for (int i = 0; i < pairs && trial.trouble().empty(); ++i) {
-    // + - and - + by turns, so that a hand that drifts counts for nothing.
+    // The order alternates, + - and - +, so that a slow drift of the hand cancels out.
     const double first = i % 2 == 0 ? kTestForceN : -kTestForceN;
     const Vec3 there = place_under(first);
     const Vec3 back = place_under(-first);
@@ -85,12 +85,12 @@ std::string moved_words(const CheckContext& context) {
   return "+0.3 N against -0.3 N: " + words;
 }
 
-/// Axes that it can push along: a planar device has two.
+/// Returns the number of axes that the device can push along; a planar device has two.
 int pushed_axes(const CheckContext& context) {
   return std::clamp(context.subject.device()->capabilities().actuated_axes, 0, 3);
 }
 
-/// Fills context.pushes. Words why not; empty: done.
+/// Fills context.pushes. Returns nullopt on success, otherwise the outcome of the check.
 std::optional<CheckOutcome> push_all(CheckContext& context, bool in_circles) {
   Result<std::unique_ptr<Trial>> trial = context.begin();
   if (!trial) return failed({}, trial.error().message);
@@ -190,7 +190,7 @@ CheckOutcome check_step(CheckContext& context) {
     (*trial)->forget();
     (*trial)->step(along(*axis, sign * kTestForceN));
     (*trial)->pass(kStepS + 0.05);
-    // From the tick on at which the device was told.
+    // Starts at the tick after the force was sent to the device.
     std::size_t at = 0;
     bool told = false;
     for (const ProbeTick& tick : (*trial)->ticks()) {
@@ -207,7 +207,7 @@ CheckOutcome check_step(CheckContext& context) {
   double begins_s = -1.0, farthest = 0.0;
   for (std::size_t i = curve.size() * 2 / 3; i < curve.size(); ++i) end.add(curve[i].mean());
   const double way = end.mean();
-  // The sign was judged before; here only how soon and how calmly.
+  // An earlier check tests the sign; this one only tests how soon and how calmly the pen moves.
   const double facing = way < 0.0 ? -1.0 : 1.0;
   if (std::abs(way) < kLeastStepMm) {
     return not_possible("friction holds the pen: a step of 0.3 N moves it by " + figure(way, 2) +

@@ -1,4 +1,4 @@
-// Levels 7 and 8: what stands between a force and the hand, at this very device.
+// Levels 7 and 8: the safety chain and watchdogs, with this device.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,13 +8,13 @@
 namespace felt {
 namespace {
 
-constexpr double kAskedN = 3.0;  // ten times what may come
-/// A late tick is credited with two periods at most (TickClock).
+constexpr double kAskedN = 3.0;  // ten times the permitted force
+/// A late tick is credited with at most two periods (TickClock).
 constexpr double kCreditedPeriods = 2.0;
 
 constexpr double kStallS = 0.100;
 constexpr int kStalls = 4;
-/// Three stalls in 10 s are a hard fault.
+/// Long enough that no three stalls are within 10 s, which would be a hard fault.
 constexpr double kBetweenStallsS = 6.0;
 constexpr double kHeldS = 0.4;
 constexpr int kTicksAfter = 5;
@@ -51,12 +51,12 @@ std::optional<CheckOutcome> hold(CheckContext& context) {
   return std::nullopt;
 }
 
-/// How far along `axis` the pen is from where it was without force.
+/// Returns the displacement of the pen along `axis` from `rest`, its position without force.
 double away(const Trial& trial, int axis, double rest, double seconds) {
   return component(trial.mean_place(seconds), axis) - rest;
 }
 
-/// Mean place along `axis` of the ticks from the one after the stall on.
+/// Returns the mean position along `axis` over the first kTicksAfter ticks after the stall.
 std::optional<double> after_stall(const Trial& trial, int axis) {
   Series places;
   for (const ProbeTick& tick : trial.ticks()) {
@@ -66,8 +66,8 @@ std::optional<double> after_stall(const Trial& trial, int axis) {
   return places.count > 0.0 ? std::optional(places.mean()) : std::nullopt;
 }
 
-/// Force that was sent to the device at the ticks after a stall, but for the very first: that one
-/// may have been worked out before anybody knew.
+/// Returns the largest force sent in the 50 ticks after a stall, except the first two, whose forces
+/// may have been computed before the stall was detected.
 double sent_after_stall(const Trial& trial) {
   double most = 0.0;
   int since = -1;
@@ -120,7 +120,7 @@ CheckOutcome check_engaging(CheckContext& context) {
   if (auto outcome = hold(context)) return *outcome;
   Result<std::unique_ptr<Trial>> trial = context.begin();
   if (!trial) return failed({}, trial.error().message);
-  // Pressed before forces are allowed: nothing may come until it was let go.
+  // The model already presses before forces are enabled: no force may be sent until it has stopped.
   (*trial)->pass(1.0);
   (*trial)->step({0.0, 0.0, kAskedN});
   (*trial)->pass(0.1);

@@ -1,4 +1,4 @@
-// Levels 1 to 4: what a device says, without any force.
+// Levels 1 to 4: what a device reports, without any force.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -8,15 +8,15 @@
 namespace felt {
 namespace {
 
-constexpr double kMostLatePeriods = 1.0;  // 99 of 100 ticks
+constexpr double kMostLatePeriods = 1.0;  // of 99 % of the ticks
 constexpr double kMostMissed = 0.01;
 constexpr double kRateWithin = 0.05;
 constexpr double kRestS = 2.0;
-/// Mean square around the mean, mm: a few encoder steps, and never what a person could see.
+/// RMS deviation from the mean, mm: a few encoder steps, and less than a person could see.
 constexpr double kMostNoiseMm = 0.1;
 constexpr double kNoiseSteps = 2.0;
-constexpr double kWithinReach = 0.5;  // of the workspace's size, beyond its edge
-constexpr double kLeastRoomMm = 1.0;  // there: a planar device says z of the touch by itself
+constexpr double kWithinReach = 0.5;  // of the size of the workspace, beyond its edge
+constexpr double kLeastRoomMm = 1.0;  // added: the z of a planar device comes from touch alone
 constexpr double kFarMm = 5000.0;
 
 bool is_cancelled(const CheckContext& context) {
@@ -27,7 +27,8 @@ std::string milliseconds(double ns) {
   return figure(1e-6 * ns, 2) + " ms";
 }
 
-/// A box that has as many sides as axes of places are sensed; that of a planar device is flat.
+/// True if the workspace is a box with at least as many extended sides as sensed axes, 3 at most;
+/// that of a planar device is flat.
 bool is_a_workspace(const Capabilities& can) {
   const Vec3 size = can.workspace_max - can.workspace_min;
   int sides = 0;
@@ -38,7 +39,7 @@ bool is_a_workspace(const Capabilities& can) {
   return sides >= std::min(can.sensed_axes, 3);
 }
 
-/// Words where a device's figures about itself make no sense; empty where they do.
+/// Returns which of the device's capabilities is implausible; empty if none.
 std::string nonsense_in(const Capabilities& can) {
   if (can.sensed_axes < 1 || can.sensed_axes > 6) return "the number of axes that it senses";
   if (can.actuated_axes < 0 || can.actuated_axes > can.sensed_axes + 1) {
@@ -58,7 +59,7 @@ std::string nonsense_in(const Capabilities& can) {
   return {};
 }
 
-/// The device in the loop, left alone for so long.
+/// Runs the device in the loop for this long, while nobody touches it.
 Result<std::unique_ptr<Trial>> at_rest(CheckContext& context, double seconds) {
   Result<std::unique_ptr<Trial>> trial = context.begin();
   if (trial) (*trial)->pass(seconds);
@@ -197,7 +198,7 @@ CheckOutcome check_noise(CheckContext& context) {
   }
   Result<std::unique_ptr<Trial>> trial = at_rest(context, 1.0);
   if (!trial) return failed({}, trial.error().message);
-  (*trial)->forget();  // it swings out
+  (*trial)->forget();  // waits for oscillations to decay
   (*trial)->pass(kRestS);
   if (!(*trial)->trouble().empty()) return broken(**trial);
   std::array<Series, 3> places;

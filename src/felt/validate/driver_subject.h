@@ -6,11 +6,11 @@
 
 namespace felt {
 
-/// A driver's device under test, seen in the frame of the page.
+/// A driver's device under test, in the frame of the page.
 class DriverSubject final : public TestSubject {
  public:
-  /// `driver` must outlive this. Uses the profile's plane if it was set with this very unit, the
-  /// driver's default plane otherwise; not the user's limits.
+  /// `driver` must outlive this. Uses the profile's plane if it was set with this same unit,
+  /// otherwise the driver's default plane. Does not use the user's limits.
   DriverSubject(Driver& driver, DeviceDescriptor found, const OpenOptions& options,
                 DeviceProfile profile = {});
 
@@ -23,7 +23,7 @@ class DriverSubject final : public TestSubject {
  private:
   Driver& driver_;
   DeviceDescriptor found_;
-  bool was_seen_;  // find() can tell whether it is connected
+  bool was_seen_;  // so find() can report whether it is connected
   DeviceSetup setup_;
   std::unique_ptr<OpenDevice> device_;
 };

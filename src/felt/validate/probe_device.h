@@ -10,19 +10,19 @@
 
 namespace felt {
 
-/// What went through a device at one tick.
+/// What was read from and written to a device at one tick.
 struct ProbeTick {
   std::int64_t now_ns = 0;
-  PenSample sample;                        ///< as read; the last good one where reading failed
-  std::optional<DeviceFault> read_fault;   ///< why it could not be read
+  PenSample sample;                        ///< as read; the last good one if reading failed
+  std::optional<DeviceFault> read_fault;   ///< why reading failed
   Force force;                             ///< as written
-  std::optional<DeviceFault> write_fault;  ///< why it was not taken
-  bool after_stall = false;                ///< nobody spoke to the device before this read
+  std::optional<DeviceFault> write_fault;  ///< why writing failed
+  bool after_stall = false;                ///< there was a stall before this read
 };
 
-/// Stands between the safety chain and a device under test: notes every tick, and takes the force
-/// away for good when the pen leaves a ball around where it was held. It never adds any. Real-time
-/// safe as the device is.
+/// Sits between the safety chain and a device under test. It records every tick, and sets the force
+/// to zero permanently if the pen leaves a ball around the point where it was held. It never adds
+/// force. Real-time safe if the device is.
 class ProbeDevice final : public Device {
  public:
   static constexpr std::size_t kRingTicks = 8192;
@@ -44,14 +44,13 @@ class ProbeDevice final : public Device {
   void stop() noexcept override { device_.stop(); }
 
   // Edit thread.
-  /// The ball that the pen must not leave; from the next tick on.
+  /// Sets the ball that the pen must not leave, from the next tick on.
   void guard(const Vec3& middle_mm, double radius_mm) noexcept;
-  /// It left the ball: no force since.
+  /// Returns true if the pen has left the ball; the force has been zero since.
   [[nodiscard]] bool has_tripped() const noexcept { return tripped_.load(); }
-  /// The next read() is the first that happens for so long: the loop sleeps there, as one that
-  /// hangs would. Once.
+  /// Makes the next read() sleep for this long first, as in a program that hangs. Once.
   void stall(std::int64_t for_ns) noexcept { stall_ns_.store(for_ns); }
-  /// The same where the loop does the waiting: the next tick is noted as the first after it.
+  /// Marks the next tick as the first after a stall, for a loop that does the waiting itself.
   void note_stall() noexcept { stall_ns_.store(0); }
   [[nodiscard]] Ring& ticks() noexcept { return ring_; }
 

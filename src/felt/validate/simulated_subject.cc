@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kAboveSheetMm = 12.0;
 constexpr double kCircleMm = 5.0;
-constexpr double kPressMm = 2.0;                // below the sheet, where somebody draws
-constexpr std::int64_t kReachNs = 500'000'000;  // to the cable
+constexpr double kPressMm = 2.0;                // below the surface, while drawing
+constexpr std::int64_t kReachNs = 500'000'000;  // the time to reach the cable
 
 }  // namespace
 

@@ -8,15 +8,17 @@
 namespace felt {
 
 struct SimulatedSubjectOptions {
-  /// As the firmware of most devices: no word for so long, and the force goes. 0 = it stays.
+  /// Simulates the watchdog in the firmware of most devices: without communication for this long,
+  /// the force becomes zero. 0 = no watchdog.
   std::int64_t watchdog_ns = 32'000'000;
 };
 
-/// A simulated device under test, and the simulated person who holds it: does what the test asks at
-/// once, and agrees to everything. On a VirtualTestLoop, whose before_tick() is this one's.
+/// A simulated device under test and the simulated person who holds it. The person agrees to
+/// everything and does immediately what the test asks. Requires a VirtualTestLoop whose
+/// before_tick() is this class's.
 class SimulatedSubject final : public TestSubject, public TestPerson {
  public:
-  /// `device` and `hand` (as a rule one object) must outlive this.
+  /// `device` and `hand` (usually the same object) must outlive this.
   SimulatedSubject(Device& device, HandInput& hand, DeviceDescriptor descriptor,
                    const SimulatedSubjectOptions& options = {});
 
@@ -33,7 +35,7 @@ class SimulatedSubject final : public TestSubject, public TestPerson {
   bool does(PersonTask task, const std::string& words) override;
 
  private:
-  /// The device with its cable and its firmware's watchdog.
+  /// The device with its cable and the watchdog of its firmware.
   class Plug final : public Device {
    public:
     Plug(Device& device, std::int64_t watchdog_ns) : device_(device), watchdog_ns_(watchdog_ns) {}
@@ -61,7 +63,7 @@ class SimulatedSubject final : public TestSubject, public TestPerson {
   Vec3 middle_;
   PersonTask task_ = PersonTask::kLeaveAlone;
   std::int64_t now_ns_ = 0;
-  std::int64_t since_ns_ = 0;  // that task_ is being done
+  std::int64_t since_ns_ = 0;  // when task_ began
   bool unplugged_ = false;
   bool is_open_ = false;
 };

@@ -22,28 +22,28 @@ class TestLoop {
   TestLoop& operator=(const TestLoop&) = delete;
   virtual ~TestLoop() = default;
 
-  /// From now on the servo ticks while time passes. `host` as in RealtimeThread.
+  /// Starts ticking the servo. `host` as in RealtimeThread.
   virtual Result<void> start(Servo& servo, LoopHost* host) = 0;
-  /// Zero force; no tick any more. Nothing where none runs.
+  /// Ends ticking with zero force. No effect if no servo runs.
   virtual void stop() noexcept = 0;
-  /// Lets so much time pass with heartbeats; `turn` every few ms, and once at the end. Also while
-  /// no servo runs.
+  /// Lets this much time pass, with heartbeats. Calls `turn` every few ms and once at the end. Also
+  /// works while no servo runs.
   virtual void pass(std::int64_t ns, const std::function<void()>& turn) = 0;
-  /// Nobody speaks to the device for so long: then the next tick.
+  /// Lets this much time pass without communication with the device; then the next tick follows.
   virtual void stall(ProbeDevice& probe, std::int64_t ns) = 0;
-  /// Grows while time passes, from start to start, too.
+  /// Returns a time that grows while time passes, and does not restart with start().
   [[nodiscard]] virtual std::int64_t now_ns() const noexcept = 0;
-  /// Of the present servo.
+  /// Returns the statistics of the present servo.
   [[nodiscard]] virtual LoopStats stats() noexcept = 0;
-  /// For the report: how time passes.
+  /// Returns how time passes, for the report.
   [[nodiscard]] virtual std::string words() = 0;
 };
 
-/// As fast as the processor can, the same each time: for simulated devices.
+/// Runs as fast as the processor can, and identically each time: for simulated devices.
 class VirtualTestLoop final : public TestLoop {
  public:
-  /// `before_tick` moves the simulated hand. With `lateness_ns`, tick k happens so much late (k mod
-  /// its length); it must outlive this.
+  /// `before_tick` moves the simulated hand. If `lateness_ns` is given, tick k is late by its entry
+  /// k mod its length; it must outlive this.
   explicit VirtualTestLoop(std::function<void(std::int64_t now_ns)> before_tick,
                            std::span<const std::int64_t> lateness_ns = {});
 
@@ -67,7 +67,7 @@ class VirtualTestLoop final : public TestLoop {
   LoopStats stats_;
 };
 
-/// Real time, on a thread of its own or the device's: for real devices.
+/// Runs in real time, on its own thread or the device's: for real devices.
 class ThreadTestLoop final : public TestLoop {
  public:
   explicit ThreadTestLoop(const RealtimeOptions& options = {});

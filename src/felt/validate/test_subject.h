@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// A device under test, as the test handles it. Edit thread.
+/// A device under test. Edit thread.
 class TestSubject {
  public:
   TestSubject() = default;
@@ -15,30 +15,30 @@ class TestSubject {
   TestSubject& operator=(const TestSubject&) = delete;
   virtual ~TestSubject() = default;
 
-  /// As it was found last.
+  /// Returns the device as it was last found.
   [[nodiscard]] virtual const DeviceDescriptor& descriptor() const noexcept = 0;
-  /// Opens it, without finding its home. Error: why not.
+  /// Opens the device without homing it. Fails if the device cannot be opened.
   virtual Result<void> open() = 0;
   virtual void close() noexcept = 0;
-  /// Null while it is closed.
+  /// Returns the open device; null while it is closed.
   [[nodiscard]] virtual OpenDevice* device() noexcept = 0;
-  /// Returns true if it is connected now. Looks again.
+  /// Searches again, and returns true if the device is connected.
   virtual bool is_connected() = 0;
 };
 
 /// What the person at the device is asked to do.
 enum class PersonTask : std::uint8_t {
-  kAgreeToForces,  ///< to forces of up to 0.3 N
-  kFindHome,       ///< as the device wants it
-  kLeaveAlone,     ///< nobody touches it
+  kAgreeToForces,  ///< agree to forces of up to 0.3 N
+  kFindHome,       ///< home the device as it requires
+  kLeaveAlone,     ///< take the hands off it
   kHoldStill,      ///< hold the pen in the air, as for writing, without moving
   kDrawCircles,    ///< small circles in the air, about one a second
-  kDraw,           ///< draw on the sheet as one does
-  kUnplug,         ///< pull the cable once the test says so
-  kReplug,         ///< and put it back
+  kDraw,           ///< draw on the surface as usual
+  kUnplug,         ///< pull the cable when the test asks for it
+  kReplug,         ///< plug it in again
 };
 
-/// The person, or what stands for one.
+/// The person at the device, or a simulation.
 class TestPerson {
  public:
   TestPerson() = default;
@@ -46,8 +46,9 @@ class TestPerson {
   TestPerson& operator=(const TestPerson&) = delete;
   virtual ~TestPerson() = default;
 
-  /// Asks; `words` is a sentence or two. True when they do it from now on. False: they would
-  /// rather not, or nobody is there: what needs it is not possible.
+  /// Asks for a task; `words` is a sentence or two. Returns true if the person does it from now on.
+  /// Returns false if the person declines or nobody is there; checks that need it are then not
+  /// possible.
   virtual bool does(PersonTask task, const std::string& words) = 0;
 };
 

@@ -11,13 +11,13 @@
 
 namespace felt {
 
-/// The most force that a device test sends, N; the safety chain holds it.
+/// The largest force that a device test sends, N; the safety chain enforces it.
 inline constexpr double kTestForceN = 0.3;
-/// Where the pen may be while it is held, mm around the middle: beyond, forces go.
+/// How far a held pen may move from where it was held, mm; beyond that, forces are switched off.
 inline constexpr double kHeldWithinMm = 15.0;
 
-/// A device in the haptic loop, for one check: servo, safety chain (limit kTestForceN), probe. Its
-/// force is off until arm(). Ends with no force, whatever happened.
+/// A device in the haptic loop for one check: servo, safety chain (limit kTestForceN) and probe.
+/// Forces are off until arm(), and when the trial ends, whatever happened.
 ///
 ///   Result<std::unique_ptr<Trial>> trial = Trial::begin(subject, loop, is_cancelled);
 ///   (*trial)->pass(2.0);                       // 2 s; the ticks are in ticks()
@@ -25,44 +25,46 @@ inline constexpr double kHeldWithinMm = 15.0;
 ///   if ((*trial)->trouble() != nullptr) ...    // cancelled, moved too far, the device failed
 class Trial {
  public:
-  /// `subject` is open; all must outlive it.
+  /// Starts the loop. `subject` must be open; all arguments must outlive the trial. Fails if the
+  /// loop cannot be started.
   static Result<std::unique_ptr<Trial>> begin(TestSubject& subject, TestLoop& loop,
                                               const std::function<bool()>& is_cancelled);
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
   ~Trial();
 
-  /// Lets time pass; nothing where there is trouble.
+  /// Lets time pass; returns early if there is trouble.
   void pass(double seconds);
-  /// Forces on; returns when the engage ramp is over. The pen's place now is the middle of where it
-  /// may be from now on.
+  /// Enables forces and returns when the engage ramp is over. The present position of the pen is
+  /// the centre of the range in which it may move from now on.
   void arm();
-  /// The force goes there evenly within 0.15 s.
+  /// Changes the force linearly within 0.15 s.
   void push(const Force& force);
-  /// Or at once, as fast as the chain lets it.
+  /// Changes the force immediately, as fast as the safety chain permits.
   void step(const Force& force);
-  /// Nobody speaks to the device for so long.
+  /// Stops communication with the device for this long.
   void stall(double seconds);
   void publish(const ForceModel& model);
 
-  /// Ticks since begin() or forget(); not while keep(false), for what takes long.
+  /// Returns the ticks since begin() or forget(), except those during keep(false), which is for
+  /// long trials.
   [[nodiscard]] const std::vector<ProbeTick>& ticks() const noexcept { return ticks_; }
   void forget() noexcept { ticks_.clear(); }
   void keep(bool on) noexcept { keeps_ = on; }
-  /// Sees every tick, kept or not.
+  /// Called with every tick, kept or not.
   std::function<void(const ProbeTick&)> on_tick;
-  /// Sees the loop's newest report every few ms.
+  /// Called with the loop's newest report every few ms.
   std::function<void(const TickReport&)> on_turn;
 
-  /// Mean place over the last so many seconds, mm.
+  /// Returns the mean position over the last seconds, mm.
   [[nodiscard]] Vec3 mean_place(double last_seconds) const;
-  /// Why it cannot go on, in words; empty: it can.
+  /// Returns why the trial cannot continue; empty if it can.
   [[nodiscard]] const std::string& trouble() const noexcept { return trouble_; }
   [[nodiscard]] bool was_cancelled() const noexcept { return was_cancelled_; }
   [[nodiscard]] Servo& servo() noexcept { return *servo_; }
   [[nodiscard]] ProbeDevice& probe() noexcept { return probe_; }
   [[nodiscard]] TestLoop& loop() noexcept { return loop_; }
-  /// Device faults are what is looked for: no trouble.
+  /// Does not treat device faults as trouble, for checks that cause them.
   void expect_faults() noexcept { expects_faults_ = true; }
 
  private:

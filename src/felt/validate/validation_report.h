@@ -11,37 +11,37 @@ namespace felt {
 enum class Verdict : std::uint8_t {
   kPassed,
   kFailed,
-  kNotPossible,  ///< could not be measured here: no forces, nobody agreed, too much friction
-  kNotRun,       ///< the test was ended before
+  kNotPossible,  ///< could not be measured: no forces, nobody agreed, too much friction
+  kNotRun,       ///< the test ended before it
 };
 
-/// "pass", "FAIL", "not possible", "not run".
+/// Returns "pass", "FAIL", "not possible" or "not run".
 std::string_view name_of(Verdict verdict) noexcept;
 
 struct CheckResult {
   std::string id;  ///< "force_sign"
   int level = 1;
-  std::string title;  ///< for people: "pushes the way it is told"
+  std::string title;  ///< for the user: "pushes the way it is told"
   Verdict verdict = Verdict::kNotRun;
   std::string measured;  ///< figures with their units, one line
-  std::string words;     ///< where it did not pass: why, and what to try
+  std::string words;     ///< if it did not pass: why, and what to try
 };
 
-/// What came of a device test; what people send in.
+/// The result of a device test, which users send in.
 struct ValidationReport {
   std::string program;      ///< "feltline 0.1.0"
   DeviceDescriptor device;  ///< as it was found
   std::uint64_t seed = 0;
   int level = 10;
-  std::string loop;  ///< how time passed: virtual, or as the system allowed it
+  std::string loop;  ///< how time passed: virtual, or with the granted scheduling
   bool was_interrupted = false;
   std::vector<CheckResult> checks;
 
-  /// Nothing failed, and it was not interrupted.
+  /// Returns true if nothing failed and the test was not interrupted.
   [[nodiscard]] bool passed() const noexcept;
 };
 
-/// The report for people: what was tested, a line for each check, why what did not pass did not.
+/// Returns the report as text: what was tested, a line for each check, and why checks did not pass.
 std::string report_text(const ValidationReport& report);
 
 }  // namespace felt

@@ -13,34 +13,36 @@ namespace felt {
 struct ValidationOptions {
   std::string program;     ///< name and version of the caller, for the report
   int level = 10;          ///< checks of levels 1 to this one
-  std::uint64_t seed = 1;  ///< orders what needs no order of its own
+  std::uint64_t seed = 1;  ///< of the order of axes in the checks that push
   int openings = 100;
-  double rate_s = 10.0;  ///< how long the loop's rate is measured
+  double rate_s = 10.0;  ///< duration of measuring the loop's rate
   double soak_s = 60.0;  ///< level 10
-  /// Asked every few ms; true ends the test with no force: the report says what was done.
+  /// Called every few ms; if it returns true, the test ends with zero force, and the report
+  /// contains the checks done so far.
   std::function<bool()> is_cancelled = {};
-  /// Told before each check.
+  /// Called before each check.
   std::function<void(const CheckResult&)> on_begin = {};
-  /// And after it.
+  /// Called after each check.
   std::function<void(const CheckResult&)> on_end = {};
 };
 
 /// Tests a device (reliability.md 6.3 for devices):
 ///
 ///   level  checks
-///   1      opens and closes, again and again
-///   2      says who it is; what it says it can do makes sense
+///   1      opens and closes repeatedly
+///   2      identifies itself; its capabilities are plausible
 ///   3      rate of the loop, lateness, times of the samples
-///   4      places: finite, within reach, quiet while nobody moves
-///   5      a force is felt; it pushes the way it is told, on each axis
+///   4      positions: finite, within reach, quiet while nobody moves the pen
+///   5      a force is felt, and has the right sign on each axis
 ///   6      how soon and how calmly a step of force moves the pen
-///   7      the safety chain's limits hold at this device
-///   8      nobody speaks to it: it goes limp; and after that, forces begin gently
-///   9      unplugged: noticed; plugged in again: works
-///   10     a soak: no fault, no energy out of nowhere
+///   7      the safety chain's limits hold with this device
+///   8      without communication the device drops its force; afterwards, forces begin gently
+///   9      unplugging is noticed; plugged in again, it works
+///   10     a soak test: no fault, no energy gain
 ///
-/// Levels from 5 on need forces: kTestForceN at most, through servo and safety chain, and only
-/// after the person agreed. Deterministic on a virtual loop. Edit thread; blocks until it is over.
+/// Levels from 5 on need forces: at most kTestForceN, through servo and safety chain, and only
+/// after the person agreed. Deterministic on a virtual loop. Edit thread; blocks until the test is
+/// over.
 ValidationReport validate(TestSubject& subject, TestLoop& loop, TestPerson& person,
                           const ValidationOptions& options);
 

@@ -12,8 +12,8 @@
 
 namespace felt::desktop {
 
-/// Somebody who draws on a canvas, for tests and pictures: a hand that moves, and a clock that goes
-/// on by as much as its moves take.
+/// A fixture that draws on a canvas, for tests and pictures: a hand that moves, and a clock that
+/// advances by the time of its moves.
 class Sitting {
  public:
   explicit Sitting(QSize size = {640, 480}, const QString& device = QStringLiteral("tablet"))
@@ -28,13 +28,13 @@ class Sitting {
   void option(const std::string& id, OptionValue value) {
     studio.apply(SetOption{id, std::move(value)});
   }
-  /// One event of the pointer, 8 ms after the last one.
+  /// Sends one event of the pointer, 8 ms after the last one.
   void move(Point to, bool down, std::optional<double> pressure = {}, std::uint32_t buttons = 0) {
     studio.point({studio.now_ns(), to, down, pressure, buttons});
     studio.advance(8'000'000);
     at = to;
   }
-  /// Goes there in a straight line, 2 mm an event.
+  /// Moves there in a straight line, 2 mm per event.
   void go(Point to, bool down, std::optional<double> pressure = {}, std::uint32_t buttons = 0) {
     const Point from = at;
     const double steps = std::max(1.0, std::ceil(distance(from, to) / 2.0));
@@ -46,7 +46,7 @@ class Sitting {
   void lift() {
     for (int i = 0; i < 6; ++i) move(at, false);
   }
-  /// A line through these places.
+  /// Draws a line through these points.
   void draw(const std::vector<Point>& way, std::optional<double> pressure = {}) {
     go(way.front(), false);
     touch(pressure);
@@ -54,12 +54,12 @@ class Sitting {
     lift();
   }
 
-  /// Until everything that was asked for is painted.
+  /// Waits until everything requested is painted.
   void settle() {
     canvas.ink().finish();
     for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
   }
-  /// What the window shows.
+  /// Returns what the window shows.
   QImage seen() {
     settle();
     const auto* window = dynamic_cast<QImage*>(canvas.backingStore()->paintDevice());
@@ -67,7 +67,7 @@ class Sitting {
     return window ? window->copy(QRect(QPoint(0, 0), size)).convertToFormat(QImage::Format_RGB32)
                   : QImage();
   }
-  /// What it would show if all of it were painted anew.
+  /// Returns what it would show after a full repaint.
   QImage anew() {
     settle();
     return canvas.grab().toImage().convertToFormat(QImage::Format_RGB32);

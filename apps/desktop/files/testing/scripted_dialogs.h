@@ -7,7 +7,7 @@
 
 namespace felt::desktop {
 
-/// A person who answers as a test says, and remembers what was asked.
+/// Dialogs that answer as a test says, and record the questions.
 class ScriptedDialogs : public FileDialogs {
  public:
   QString open_name(QWidget*, const QString&, const QString&, const QString&) override {
@@ -44,14 +44,14 @@ class ScriptedDialogs : public FileDialogs {
     save_elsewhere = std::move(save_as);
   }
 
-  QString next;       ///< the name that is chosen
-  QString then;       ///< the name that is chosen to save the next time; "": the same again
+  QString next;       ///< the next name that is chosen
+  QString then;       ///< the name chosen for the save after that; "": the same again
   QString suggested;  ///< the last one that save_name was given
   Unsaved unsaved = Unsaved::kCancel;
   Overwrite overwrite = Overwrite::kCancel;
   std::function<void()> save_elsewhere;  ///< what the last failed save offered
   bool salvage = false;
-  int salvageable = 0;  ///< strokes that the last question told of
+  int salvageable = 0;  ///< number of strokes in the last question
   QStringList asked;
   QStringList errors;
 };

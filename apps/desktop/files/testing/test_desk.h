@@ -17,7 +17,7 @@
 
 namespace felt::desktop {
 
-/// A medium that Feltline does not bring.
+/// A medium that Feltline does not ship.
 inline Medium soft_chalk(double friction) {
   Medium medium = *find_medium("charcoal");
   medium.id = "soft-chalk";
@@ -26,7 +26,7 @@ inline Medium soft_chalk(double friction) {
   return medium;
 }
 
-/// A window with a studio on a virtual clock and a person who answers by script, for tests.
+/// A fixture: a window with a studio on a virtual clock and scripted dialogs.
 struct TestDesk {
   TestDesk() : TestDesk(StudioOptions{.live = false}) {}
   explicit TestDesk(StudioOptions options) : studio(std::move(options)) {
@@ -35,7 +35,7 @@ struct TestDesk {
     files = new FileActions(studio, actions, &window, std::move(scripted));
   }
 
-  /// `count` random strokes, as one step.
+  /// Adds `count` random strokes, as one step of undo.
   void draw(std::uint64_t seed, int count = 3) {
     std::vector<StrokePtr> strokes;
     for (int i = 0; i < count; ++i) {
@@ -50,7 +50,7 @@ struct TestDesk {
     ASSERT_TRUE(files->save());
     files->finish_writing();
   }
-  /// One stroke of that medium, which need not be known.
+  /// Adds one stroke of that medium, which need not be known.
   void draw_with(const std::string& medium) {
     StrokeData data = felt::testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
     data.material = medium;
@@ -58,7 +58,7 @@ struct TestDesk {
         QStringLiteral("test"),
         std::vector{std::make_shared<const Stroke>(Stroke::create(std::move(data)).value())});
   }
-  /// The texts of materials that a file of the drawing would have now.
+  /// Returns the texts of materials that a file of the drawing would contain now.
   [[nodiscard]] std::vector<std::string> texts() const { return files->drawing().materials; }
   [[nodiscard]] QString at(const char* name) const {
     return folder.filePath(QString::fromUtf8(name));

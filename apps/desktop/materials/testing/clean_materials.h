@@ -7,8 +7,8 @@
 
 namespace felt::desktop {
 
-/// For tests: unsaved materials of other tests are forgotten, and those of this one afterwards. The
-/// first member.
+/// For tests: removes unsaved materials of other tests, and at its end those of this one. Must be
+/// the first member.
 struct Clean {
   Clean() { forget(); }
   ~Clean() { forget(); }

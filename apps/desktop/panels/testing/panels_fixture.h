@@ -6,24 +6,24 @@
 
 #include "desktop/engine/studio.h"
 
-/// For the tests of this room.
+/// Helpers for the tests of this folder.
 namespace felt::desktop::testing {
 
-/// A studio without threads, its clock at rest.
+/// Returns options for a studio without threads, whose clock stands still.
 inline StudioOptions still() {
   StudioOptions options;
   options.live = false;
   return options;
 }
 
-/// Adds so many lines, one below the other, each a step of undo, in the colour in use.
+/// Adds `count` lines, one below the other, each a step of undo, in the current colour.
 void draw_lines(Studio& studio, int count);
 
-/// Every control below a widget that a person can reach and that has neither a text nor an
-/// accessible name: by class and object name, for a message.
+/// Returns the controls below a widget that the user can reach and that have neither a text nor an
+/// accessible name: class and object name, for a message.
 std::vector<std::string> nameless(const QWidget& widget);
 
-/// The names of the layers, the topmost first, "*" behind the one in use.
+/// Returns the names of the layers, the topmost first, with "*" after the current one.
 std::string layer_names(const Studio& studio);
 
 }  // namespace felt::desktop::testing

@@ -18,8 +18,8 @@
 
 namespace felt::testing {
 
-/// A folder for a test, which goes with it: in memory where the machine has that, for thousands of
-/// commits wait for their disk otherwise.
+/// A folder that is deleted after the test. It is in memory if the machine has such a file system,
+/// because thousands of commits would wait for a disk otherwise.
 struct TestFolder {
   TestFolder() {
     const bool has_memory = ::access("/dev/shm", W_OK) == 0;
@@ -34,11 +34,11 @@ struct TestFolder {
   std::string path;
 };
 
-/// A session with a pen that writes by script, kept by an autosave without a thread.
+/// A session with a pen that writes by script, saved by an autosave without a thread.
 class AutosaveFixture {
  public:
   static constexpr std::int64_t kStepNs = 4'000'000;
-  static constexpr std::int64_t kOffsetNs = 7'000'000'000;  // the session's clock less the loop's
+  static constexpr std::int64_t kOffsetNs = 7'000'000'000;  // the session's clock minus the loop's
 
   explicit AutosaveFixture(AutosaveOptions options) : options_(std::move(options)) {
     options_.live = false;
@@ -66,7 +66,7 @@ class AutosaveFixture {
             .layer = session->layer()};
   }
 
-  /// The k-th sample of a hand that writes loops and lifts between them.
+  /// Returns the k-th sample of a hand that writes loops and lifts between them.
   static PenSample sample(int k) {
     const double t = 0.05 * k;
     PenSample sample;
@@ -78,7 +78,7 @@ class AutosaveFixture {
     return sample;
   }
 
-  /// The loop makes the next sample; the session hears of it, unless its thread hangs.
+  /// Makes the loop's next sample. The session receives it unless its thread hangs.
   void step() {
     const PenSample of_loop = sample(k_++);
     ring->push(of_loop);
@@ -102,14 +102,14 @@ class AutosaveFixture {
     }
     ASSERT_TRUE(session->import(k_ * kStepNs + kOffsetNs, {"test"}, strokes));
   }
-  /// What a crash now would leave, read.
+  /// Returns what recovery would read after a crash now.
   [[nodiscard]] Recovered crashed() const {
     const AutosaveStatus status = autosave->status();
     const Result<Recovered> recovered = recover_autosave(status.folder);
     EXPECT_TRUE(recovered) << (recovered ? "" : recovered.error().message);
     return recovered.value_or(Recovered{});
   }
-  /// The document with what is in work ended as it is now.
+  /// Returns the document as if the gesture in progress ended now.
   [[nodiscard]] Document ended() {
     listener = nullptr;
     EXPECT_TRUE(session->finish());
@@ -119,7 +119,7 @@ class AutosaveFixture {
   std::unique_ptr<Servo::Ring> ring;
   std::unique_ptr<Session> session;
   std::unique_ptr<Autosave> autosave;
-  Autosave* listener = nullptr;  // to what happens in the session; null: nobody
+  Autosave* listener = nullptr;  // receives the session's events and edits; may be null
   bool hangs = false;
 
  private:

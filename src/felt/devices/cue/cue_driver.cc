@@ -25,7 +25,7 @@ enum class CueRoute : std::uint8_t { kHid, kMouse, kReceiver, kHapticPad, kRumbl
 struct FoundCues {
   CueRoute route = CueRoute::kHid;
   std::string path, id, label, serial;
-  std::string rule;  ///< of udev, that would let a person use it
+  std::string rule;  ///< a udev rule that would let the user open it
 };
 
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
@@ -37,14 +37,15 @@ std::optional<HapticReports> reports_of(const HidrawNode& node) {
   return descriptor ? HapticReports::find(*descriptor) : std::nullopt;
 }
 
-/// Where HID++ goes in and out: a mouse has several nodes.
+/// Returns true for the node that carries HID++, because a mouse has several nodes.
 bool speaks_hidpp(const HidrawNode& node) {
   const Result<HidDescriptor> descriptor = read_hid_descriptor(bytes_of(node.descriptor));
   return descriptor && descriptor->report_bytes(HidReportKind::kOutput, HidppMouse::kLongReport) ==
                            HidppMouse::kBytes;
 }
 
-/// By the name that the kernel gives the HID device, which is there whatever the bus.
+/// Returns a udev rule that matches by the kernel's name of the HID device, which exists on every
+/// bus.
 std::string hidraw_rule(const HidrawNode& node) {
   std::string both = vendor_and_product(node.vendor, node.product);
   std::transform(both.begin(), both.end(), both.begin(), [](char c) {
@@ -63,7 +64,8 @@ bool is_haptic_pad(const InputNode& node) {
   return node.effects[evdev::kFfHaptic];
 }
 
-/// What plays waveforms by the kernel's own driver need not be talked to past it.
+/// Returns true if the kernel's own driver plays waveforms on this device, so that it need not be
+/// bypassed.
 bool is_the_kernels(const HidrawNode& node, const std::vector<InputNode>& inputs) {
   return !node.hid.empty() &&
          std::any_of(inputs.begin(), inputs.end(), [&](const InputNode& input) {
@@ -96,7 +98,7 @@ class Finder {
     const std::optional<HapticReports> reports = reports_of(node);
     if (!reports || is_the_kernels(node, inputs_)) return;
     if (reports->is_touchpad()) {
-      // Its clicks are its own; it is driven by the kernel or not at all.
+      // A touchpad plays its own clicks, so it is only used if the kernel drives it.
       pad_waits_for_kernel = true;
       return;
     }
@@ -200,7 +202,8 @@ class CueDriver final : public Driver {
     descriptor.kind = DeviceKind::kCue;
     descriptor.label = found.label;
     descriptor.serial = found.serial;
-    // What is paired with a receiver only asking tells, which find() must not.
+    // Which devices are paired with a receiver is only known by asking it, which find() must not
+    // do.
     descriptor.is_connected = found.route != CueRoute::kReceiver;
     descriptor.has_own_frame = false;
     return descriptor;
@@ -252,7 +255,7 @@ class CueDriver final : public Driver {
                                      : " is connected and can be used."),
           .details = found.path};
     }
-    // At a receiver there may be something else altogether, and nothing is wrong then.
+    // A receiver may have no mouse with haptics at all, and then nothing is wrong.
     const bool is_receiver = found.route == CueRoute::kReceiver;
     return {.level = is_receiver ? FindingLevel::kWarning : FindingLevel::kProblem,
             .what = is_receiver ? "A Logitech Bolt receiver is connected that you are not allowed "

@@ -11,17 +11,17 @@
 namespace felt {
 
 struct CueOptions {
-  /// Where it looks for devices; null: this machine.
+  /// The system in which to look for devices; null: this machine.
   const SystemView* system = nullptr;
-  /// How nodes are opened.
+  /// Opens device nodes.
   std::function<Result<std::unique_ptr<HidrawPort>>(const std::string& path)> open_hidraw =
       felt::open_hidraw;
   std::function<Result<std::unique_ptr<EvdevPort>>(const std::string& path)> open_evdev =
       felt::open_evdev;
 };
 
-/// Haptic pens, touchpads, mice and game controllers: all that plays waveforms (README.md). find()
-/// reads sysfs alone and opens nothing.
+/// Makes the driver of haptic pens, touchpads, mice and game controllers: everything that plays
+/// waveforms (README.md). find() only reads sysfs and opens nothing.
 std::unique_ptr<Driver> make_cue_driver(CueOptions options = {});
 
 }  // namespace felt

@@ -5,16 +5,16 @@
 
 namespace felt {
 
-/// Leaves out what a device could not follow: so many cues at once, so many a second for long.
+/// Limits cues to a rate that a device can play: a short burst, and an average per second.
 ///
-/// The Slim Pen 2's firmware is known to stop writing when its motor is used heavily
-/// (linux-surface issue 1066), hence no more than a hand can tell apart anyway.
+/// The Slim Pen 2's firmware is known to stop writing when its motor is used heavily (linux-surface
+/// issue 1066); more cues than this could not be told apart by hand anyway.
 class CuePacer {
  public:
   explicit constexpr CuePacer(double at_once = 5.0, double per_second = 15.0) noexcept
       : most_(at_once), per_ns_(per_second * 1e-9), left_(at_once) {}
 
-  /// May this one be played? Times that run back count as no time.
+  /// Returns true if this cue may be played. A clock that goes back counts as no time.
   constexpr bool take(std::int64_t now_ns) noexcept {
     const double passed_ns =
         has_last_ ? static_cast<double>(now_ns) - static_cast<double>(last_ns_) : 0.0;

@@ -11,10 +11,11 @@ namespace {
 
 constexpr auto kHumMs = static_cast<std::uint16_t>(kCueHoldNs / 1'000'000);
 constexpr std::uint16_t kTickMs = 40;
-constexpr double kWeakest = 0.15;  // below, a motor does not turn
+constexpr double kWeakest = 0.15;  // a motor does not turn below this
 
-/// Uploading one of these takes the touchpad's own clicks away: the kernel then leaves pressing and
-/// releasing to the program (cover letter of the kernel's haptic touchpads, 2025).
+/// Returns true for waveforms of the touchpad itself. Uploading one would disable the touchpad's
+/// own clicks, because the kernel then leaves pressing and releasing to the program (cover letter
+/// of the kernel's haptic touchpads, 2025).
 constexpr bool is_the_pads_own(CueWaveform waveform) noexcept {
   return waveform == CueWaveform::kPress || waveform == CueWaveform::kRelease;
 }
@@ -40,7 +41,7 @@ bool EvdevCues::plays(CueWaveform waveform) const noexcept {
   });
 }
 
-/// The light motor hums high and the heavy one low: a pencil is the light one alone.
+/// The light motor hums high and the heavy one low, so a pencil uses only the light one.
 EvdevEffect EvdevCues::rumble_of(const Cue& cue) const noexcept {
   EvdevEffect effect;
   effect.type = evdev::kFfRumble;
@@ -83,7 +84,7 @@ tl::expected<void, int> EvdevCues::play_haptic(const Cue& cue, Slot slot) noexce
   return {};
 }
 
-/// What the kernel refused to end counts as playing, and is ended the next time.
+/// An effect that the kernel refused to end counts as playing, and is ended next time.
 void EvdevCues::end(Slot slot) noexcept {
   if (!playing_[slot] || is_gone_) return;
   const auto sent = port_->send({evdev::kFf, static_cast<std::uint16_t>(ids_[slot]), 0});

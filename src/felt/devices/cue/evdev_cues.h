@@ -10,17 +10,17 @@
 
 namespace felt {
 
-/// A touchpad with FF_HAPTIC (Linux 6.18 and newer), or a game controller that rumbles. Two effects
-/// at most: one that hums and ends by itself after kCueHoldNs, and one that ticks.
+/// A touchpad with FF_HAPTIC (Linux 6.18 and newer), or a game controller that rumbles. Uses at
+/// most two effects: a continuous one, which ends by itself after kCueHoldNs, and a short one.
 class EvdevCues final : public CueDevice {
  public:
-  /// `is_haptic`: FF_HAPTIC; else FF_RUMBLE.
+  /// `is_haptic`: uses FF_HAPTIC; else FF_RUMBLE.
   EvdevCues(std::unique_ptr<EvdevPort> port, bool is_haptic, DeviceDescriptor descriptor)
       : port_(std::move(port)), is_haptic_(is_haptic), descriptor_(std::move(descriptor)) {}
   ~EvdevCues() override;
 
   [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }
-  /// Of a touchpad only playing tells; what was refused once is not tried again.
+  /// For a touchpad this is only known after playing; a refused waveform is not tried again.
   [[nodiscard]] bool plays(CueWaveform waveform) const noexcept override;
   tl::expected<void, DeviceFault> play(const Cue& cue, std::int64_t now_ns) noexcept override;
   void stop() noexcept override;

@@ -36,11 +36,11 @@ const Relatives& relatives(CueWaveform waveform) noexcept {
   return kWaveforms[std::min(static_cast<std::size_t>(waveform), kWaveforms.size() - 1)];
 }
 
-/// The logical value for a number in the field's physical unit times ten to the -3 (ms of seconds).
+/// Converts `ms` to the field's logical value; the unit is time with a power of ten.
 std::int64_t logical_ms(const HidField& field, double ms) noexcept {
   const double low = field.physical_minimum, high = field.physical_maximum;
   const double least = field.minimum, most = field.maximum;
-  // Without physical limits and unit it is in ms, as HUTRR63 has its examples.
+  // A field without physical limits and unit is in ms, as in the examples of HUTRR63.
   double physical = ms;
   if (field.unit != 0) physical = ms * 1e-3 * std::pow(10.0, -field.exponent);
   if (low == high) return std::llround(std::clamp(physical, least, most));
@@ -125,7 +125,7 @@ tl::expected<std::vector<std::uint32_t>, int> HapticReports::ask_list(
       asked = field.report;
     }
     std::int64_t value = hid_value(room, field);
-    // Constants of some devices hold the ordinal, and say what it stands for as the physical value.
+    // Some devices have constant fields that hold the ordinal; the physical value is the waveform.
     if (field.physical_minimum == field.physical_maximum && field.physical_minimum > value) {
       value = field.physical_minimum;
     }
@@ -139,7 +139,7 @@ tl::expected<void, int> HapticReports::ask(HidrawPort& port) {
   auto waveforms = ask_list(port, waveform_list_);
   if (!waveforms) return tl::unexpected(waveforms.error());
   waveforms_ = *std::move(waveforms);
-  // How long they are is good to know, and no reason to do without.
+  // Durations are useful but optional.
   if (auto durations = ask_list(port, duration_list_)) durations_ = *std::move(durations);
   return {};
 }

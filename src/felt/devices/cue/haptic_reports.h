@@ -24,38 +24,38 @@ inline constexpr std::uint32_t kIntensity = hid_usage(kPage, 0x23);
 inline constexpr std::uint32_t kRepeatCount = hid_usage(kPage, 0x24);
 inline constexpr std::uint32_t kRetriggerPeriod = hid_usage(kPage, 0x25);
 inline constexpr std::uint32_t kCutoffTime = hid_usage(kPage, 0x28);
-inline constexpr std::uint16_t kOrdinals = 0x0A;  ///< page of the lists' entries
+inline constexpr std::uint16_t kOrdinals = 0x0A;  ///< page of the entries in the lists
 inline constexpr std::uint32_t kPen = hid_usage(0x0D, 0x02);
 inline constexpr std::uint32_t kDigitizer = hid_usage(0x0D, 0x01);
 inline constexpr std::uint32_t kTouchpad = hid_usage(0x0D, 0x05);
 inline constexpr std::uint32_t kMouse = hid_usage(0x01, 0x02);
 }  // namespace haptic_usage
 
-/// Number of a waveform on page 0x0E: 0x1003 is a click. 0x1002 (stop) for kNone.
+/// Returns the number of a waveform on page 0x0E: 0x1003 is a click. 0x1002 (stop) for kNone.
 std::uint16_t hid_waveform(CueWaveform waveform) noexcept;
-/// What may be played where a device has not got a waveform, nearest first; the first is itself.
+/// Returns the waveforms that may replace one, nearest first; the first is the waveform itself.
 std::span<const CueWaveform> nearest_waveforms(CueWaveform waveform) noexcept;
 
-/// The haptic controller of a HID device: where its reports have what. Output reports are made for
-/// the manual trigger alone; nothing else of the device is ever written.
+/// The haptic controller of a HID device: the layout of its reports. Builds output reports for the
+/// manual trigger only; nothing else of the device is ever written.
 class HapticReports {
  public:
-  /// None where the descriptor has no controller with a manual trigger in an output report.
+  /// Returns nullopt if the descriptor has no controller with a manual trigger in an output report.
   static std::optional<HapticReports> find(const HidDescriptor& descriptor);
 
-  /// Asks the device which ordinals are which waveforms, by feature report. Error: errno.
+  /// Asks the device for the waveforms of its ordinals, by feature report. Fails with errno.
   tl::expected<void, int> ask(HidrawPort& port);
 
-  /// The ordinal of a waveform or, where it has not got it, of its nearest relative; 0: none.
+  /// Returns the ordinal of a waveform or of the nearest one that the device has; 0: none.
   [[nodiscard]] std::uint32_t ordinal(CueWaveform waveform) const noexcept;
-  /// What it says that one play takes, ms; 0: not said.
+  /// Returns the reported duration of one play, ms; 0: unknown.
   [[nodiscard]] std::uint32_t duration_ms(std::uint32_t ordinal) const noexcept;
-  /// The output report of a cue, with the number of the report before it; empty: it cannot play it.
-  /// A continuous one is cut off after `hold_ms` where the device can do that by itself.
+  /// Returns the output report for a cue, starting with the report's number; empty if the device
+  /// cannot play it. A continuous cue is cut off after `hold_ms` if the device supports it.
   [[nodiscard]] std::span<const std::uint8_t> play(const Cue& cue, std::uint32_t hold_ms) noexcept;
   [[nodiscard]] bool cuts_off_by_itself() const noexcept { return cutoff_.has_value(); }
 
-  /// What kind of device it belongs to, for people.
+  /// Returns the kind of device it belongs to, for the user.
   [[nodiscard]] std::string_view kind() const noexcept { return kind_; }
   [[nodiscard]] bool is_touchpad() const noexcept { return is_touchpad_; }
 

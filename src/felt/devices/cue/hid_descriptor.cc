@@ -13,7 +13,7 @@ constexpr std::size_t kMostUsages = 256;  // before one main item
 constexpr std::uint32_t kMostCount = 4096;
 constexpr std::uint32_t kMostSize = 4096;
 
-/// Items keep their value from one main item to the next.
+/// Global items keep their value from one main item to the next.
 struct Globals {
   std::uint16_t page = 0;
   std::int32_t minimum = 0, maximum = 0, physical_minimum = 0, physical_maximum = 0;
@@ -105,7 +105,7 @@ class Reader {
         globals_.physical_minimum = number;
         return {};
       case 4:
-        // 0xFF of one byte and the like: not meant as negative where the minimum is not.
+        // Values such as 0xFF in one byte are not meant as negative if the minimum is not negative.
         globals_.physical_maximum = number < 0 && globals_.physical_minimum >= 0 && size < 4
                                         ? static_cast<std::int32_t>(data)
                                         : number;
@@ -143,7 +143,8 @@ class Reader {
     }
   }
 
-  /// Four bits with sign as the standard has it, or a whole byte as many devices write it (0xFD).
+  /// Returns the exponent: four signed bits in the standard, but many devices write a whole byte
+  /// (0xFD).
   static int exponent_of(std::uint32_t data, std::size_t size) noexcept {
     const std::uint32_t low = data & 0xF;
     if (size > 1 || (data & 0xF0) == 0 || (data & 0xF0) == 0xF0) {
@@ -167,7 +168,7 @@ class Reader {
       if (last < first_ || last - first_ >= kMostUsages - usages_.size()) {
         return wrong("a range of usages makes no sense");
       }
-      // Counted, not compared: the last usage may be the last number there is.
+      // Uses a count instead of comparing, because the last usage may be the largest number.
       const std::uint32_t count = last - first_ + 1;
       for (std::uint32_t i = 0; i < count; ++i) usages_.push_back(first_ + i);
     }
@@ -214,8 +215,8 @@ class Reader {
     return {};
   }
 
-  /// As the kernel reads them: a maximum below zero is meant without a sign where the minimum is
-  /// not below zero. Where it is below the minimum then too, the range makes no sense.
+  /// Reads maxima as the kernel does: a negative maximum is meant as unsigned if the minimum is not
+  /// negative. If it is still below the minimum, the range is invalid.
   [[nodiscard]] std::int32_t maximum() const noexcept {
     if (globals_.maximum >= globals_.minimum || globals_.minimum < 0) return globals_.maximum;
     return static_cast<std::int32_t>(std::min<std::uint32_t>(globals_.maximum_unsigned, INT32_MAX));
@@ -289,7 +290,7 @@ std::int64_t hid_value(std::span<const std::uint8_t> report, const HidField& fie
 
 void set_hid_value(std::span<std::uint8_t> report, const HidField& field,
                    std::int64_t value) noexcept {
-  // What it may hold, and what its bits can; a device may say more than they can.
+  // The field's range and that of its bits; a device may declare more than the bits can hold.
   const bool has_sign = field.minimum < 0;
   const std::int64_t most = (std::int64_t{1} << (field.bits - (has_sign ? 1 : 0))) - 1;
   const std::int64_t least = has_sign ? -most - 1 : 0;

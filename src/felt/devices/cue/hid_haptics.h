@@ -9,10 +9,10 @@
 
 namespace felt {
 
-/// A haptic pen, touchpad or mouse with a Simple Haptic Controller, by its own HID reports.
+/// A haptic pen, touchpad or mouse with a Simple Haptic Controller, used through its HID reports.
 class HidHaptics final : public CueDevice {
  public:
-  /// The reports have been asked for (HapticReports::ask).
+  /// Requires that HapticReports::ask has succeeded.
   HidHaptics(std::unique_ptr<HidrawPort> port, HapticReports reports, DeviceDescriptor descriptor)
       : port_(std::move(port)), reports_(std::move(reports)), descriptor_(std::move(descriptor)) {}
   ~HidHaptics() override { stop(); }
@@ -31,7 +31,7 @@ class HidHaptics final : public CueDevice {
   HapticReports reports_;
   DeviceDescriptor descriptor_;
   CuePacer pacer_;
-  bool hums_ = false;  // a continuous one may be playing
+  bool hums_ = false;  // a continuous cue may be playing
   bool is_gone_ = false;
 };
 

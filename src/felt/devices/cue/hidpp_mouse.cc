@@ -10,8 +10,8 @@ namespace felt {
 namespace {
 
 constexpr std::int64_t kWaitNs = 50'000'000;
-constexpr int kMostWaits = 5;     // without a word
-constexpr int kMostForeign = 64;  // of others, between request and answer
+constexpr int kMostWaits = 5;     // without an answer
+constexpr int kMostForeign = 64;  // messages of other programs, between request and answer
 constexpr std::uint8_t kRoot = 0x00;
 constexpr std::uint8_t kGetFeature = 0, kGetCapabilities = 0, kPlay = 4;
 constexpr std::uint8_t kRefused = 0xFF, kRefusedByReceiver = 0x8F;
@@ -21,7 +21,7 @@ struct MouseTick {
   std::array<std::uint8_t, 3> numbers;  ///< best first
 };
 
-// Numbers as Solaar names them: 0 sharp and 1 damp change of state, 2 sharp, 3 damp, 4 subtle
+// Numbers with Solaar's names: 0 sharp and 1 damp change of state, 2 sharp, 3 damp, 4 subtle
 // collision, 0x1B whisper.
 constexpr std::array<MouseTick, 4> kTicks{{
     {CueWaveform::kClick, {1, 0, 3}},
@@ -73,7 +73,7 @@ tl::expected<void, int> HidppMouse::find_haptics() noexcept {
   const auto feature = ask(kRoot, kGetFeature, kHaptics);
   if (!feature) return tl::unexpected(feature.error());
   feature_ = (*feature)[4];
-  if (feature_ == 0) return tl::unexpected(EPROTO);  // it has no such feature
+  if (feature_ == 0) return tl::unexpected(EPROTO);  // the device has no such feature
   const auto capabilities = ask(feature_, kGetCapabilities, 0);
   if (!capabilities) return tl::unexpected(capabilities.error());
   for (std::size_t i = 0; i < 4; ++i) waveforms_ = waveforms_ << 8 | (*capabilities)[4 + 4 + i];
@@ -115,7 +115,7 @@ tl::expected<void, DeviceFault> HidppMouse::play(const Cue& cue, std::int64_t no
   const int number = number_of(cue.waveform);
   constexpr double kLeast = 0.05;
   if (number < 0 || !(cue.intensity >= kLeast) || !pacer_.take(now_ns)) return {};
-  // Answers, of others too, are nobody's business; but the queue should not fill.
+  // Discards answers, including those for other programs, so that the queue does not fill.
   std::array<std::uint8_t, 64> room{};
   for (int i = 0; i < kMostForeign; ++i) {
     const auto count = port_->read(room, 0);

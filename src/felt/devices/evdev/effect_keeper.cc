@@ -23,12 +23,13 @@ void EffectKeeper::silence() noexcept {
   if (is_wanted(epoch)) epoch_.store(epoch + 1, std::memory_order_seq_cst);
 }
 
-/// Since serve() began.
+/// Returns true if silence was requested since serve() began.
 bool EffectKeeper::is_silenced() const noexcept {
   return epoch_.load(std::memory_order_seq_cst) != served_epoch_;
 }
 
-/// An effect that is not there cannot be played, which is no error: it does not push.
+/// Plays an effect, or stops it if `times` is 0. Does nothing for an effect that was not uploaded,
+/// because it cannot push.
 bool EffectKeeper::play(std::size_t kind, int times) noexcept {
   const std::int16_t id = ids_[kind];
   if (id < 0) return true;
@@ -37,7 +38,7 @@ bool EffectKeeper::play(std::size_t kind, int times) noexcept {
   return sent.has_value();
 }
 
-/// What could not be stopped counts as playing, and is stopped the next time.
+/// An effect that could not be stopped counts as playing, and is stopped next time.
 void EffectKeeper::stop(std::size_t kind) noexcept {
   if (there_.plays[kind] && play(kind, 0)) there_.plays[kind] = false;
 }
@@ -66,7 +67,7 @@ bool EffectKeeper::update(std::size_t kind, const EffectPlan& plan, bool must_pl
   if (there_.plays[kind] && !must_play) return true;
   // The upload may have taken long.
   if (is_silenced()) return false;
-  there_.plays[kind] = true;  // a play that was refused may have been heard
+  there_.plays[kind] = true;  // a play that returned an error may still have reached the device
   return play(kind, 1);
 }
 
@@ -74,7 +75,7 @@ void EffectKeeper::serve(std::int64_t now_ns) noexcept {
   const std::uint32_t epoch = epoch_.load(std::memory_order_seq_cst);
   if (epoch != served_epoch_ || !is_wanted(epoch)) stop_all();
   served_epoch_ = epoch;
-  renewed_ns_ = std::min(renewed_ns_, now_ns);  // a clock that was set back
+  renewed_ns_ = std::min(renewed_ns_, now_ns);  // if the clock was set back
   if (has_renewed_ && now_ns - renewed_ns_ < kUploadNs) return;
   has_renewed_ = true;
   renewed_ns_ = now_ns;
@@ -86,25 +87,29 @@ void EffectKeeper::serve(std::int64_t now_ns) noexcept {
   }
 }
 
+// Uploads the effects that changed, and plays those that are new or about to end. After an error or
+// a silence() everything stops.
 void EffectKeeper::renew(std::int64_t now_ns) noexcept {
   const EffectPlan& plan = plans_.get();
   const bool is_due = now_ns - played_ns_ >= kPlayAgainNs || now_ns < played_ns_;
   if (is_due) played_ns_ = now_ns;
-  // Effects change one after another: where old and new ones together were too much, the old go.
+  // Effects are uploaded one after another. If a mixture of old and new ones would be too strong,
+  // stops the old ones first.
   if (there_.plays.any() && strongest_n(there_, plan, stick_) > most_n_) {
     stop_all();
-    if (there_.plays.any()) return;  // it did not hear; the next time
+    if (there_.plays.any()) return;  // the device did not respond; try again next time
   }
   bool all_well = true;
   for (std::size_t kind = 0; all_well && kind < EffectPlan::kKinds; ++kind) {
     all_well = update(kind, plan, is_due);
   }
   if (all_well) error_.store(0, std::memory_order_relaxed);
-  // Half of a force is none; and silence() may have come between.
+  // A part of the effects would be the wrong force; and silence() may have been called meanwhile.
   if (!all_well || is_silenced()) stop_all();
 }
 
-/// Does it take effects again? Uploads one that does nothing, and does not play it.
+/// Checks whether the device accepts effects again: uploads one without force, and does not play
+/// it.
 void EffectKeeper::probe() noexcept {
   const std::size_t kind =
       stick_.effects[evdev::kFfSpring] ? EffectPlan::kSpring : EffectPlan::kConstant;

@@ -10,39 +10,41 @@
 
 namespace felt {
 
-/// Keeps on a stick the effects that were planned last. Two sides:
+/// Keeps the newest planned effects playing on a stick. Two threads use it:
 ///
-///   haptic thread   want(plan), silence(): wait-free, no call of the kernel
-///   worker          serve(now): uploads what is new, plays, and plays again before effects end
+///   haptic thread   want(plan), silence(): wait-free, no kernel call
+///   worker          serve(now): uploads changes, plays, and plays again before effects end
 ///
-/// All that is told to the device is told by the worker: whoever writes to an event node waits for
-/// the kernel's lock of that device, which an upload holds for as long as its transfer takes. So
-/// silence() only says that it is wanted. The worker looks before each play and after each upload,
-/// else whenever it serves: effects stop within kLookNs and the transfer under way. Where the
-/// worker stands still, in the kernel or altogether, they end by themselves, kEffectMs after the
-/// device took the last upload or play: that is the bound that needs nobody.
+/// Only the worker writes to the device, because a write to an event node waits for the kernel's
+/// lock of that device, which an upload holds for as long as its transfer takes. So silence() only
+/// sets a request. The worker checks it before each play, after each upload, and whenever it
+/// serves: effects stop within kLookNs and the transfer in progress. If the worker is blocked, in
+/// the kernel or otherwise, effects end by themselves, kEffectMs after the device accepted the last
+/// upload or play: this limit depends on nobody.
 class EffectKeeper {
  public:
-  static constexpr std::int64_t kPlayAgainNs = 40'000'000;  ///< of kEffectMs
-  static constexpr std::int64_t kUploadNs = 8'000'000;      ///< the least between two uploads
+  static constexpr std::int64_t kPlayAgainNs = 40'000'000;  ///< well before kEffectMs
+  static constexpr std::int64_t kUploadNs = 8'000'000;      ///< least time between two uploads
 
-  /// The port must outlive it. At no moment, between two uploads either, do the effects of a stick
-  /// like this push with more than `most_n` together, as long as no plan does.
+  /// `port` must outlive this. Effects never push with more than `most_n` together, not even
+  /// between two uploads, provided that no single plan does.
   EffectKeeper(EvdevPort& port, const StickForces& stick, double most_n) noexcept
       : port_(port), stick_(stick), most_n_(most_n) {}
 
   // Haptic thread.
   void want(const EffectPlan& plan) noexcept;
-  /// No force: from when the worker looks next. Nothing where nothing is wanted.
+  /// Requests zero force, effective when the worker next checks. Does nothing if no plan is wanted.
   void silence() noexcept;
-  /// errno of the newest thing that the device refused since the last success; 0: none. Any thread.
+  /// Returns the errno of the newest request that the device refused since the last success; 0:
+  /// none. Any thread.
   [[nodiscard]] int error() const noexcept { return error_.load(std::memory_order_relaxed); }
 
-  // Worker, or whoever stands in its place.
+  // Worker, or the thread that replaces it.
 
-  /// Silences at once where that is wanted; uploads and plays when kUploadNs have passed.
+  /// Stops effects immediately if silence was requested; uploads and plays if kUploadNs have
+  /// passed.
   void serve(std::int64_t now_ns) noexcept;
-  /// Stops and erases all. While nobody serves.
+  /// Stops and erases all effects. Only while no thread serves.
   void erase_all() noexcept;
 
  private:
@@ -58,13 +60,14 @@ class EffectKeeper {
   StickForces stick_;
   double most_n_;
   LatestValue<EffectPlan> plans_;
-  // Counts each want() after a silence(), and each silence() after a want(): odd while wanted.
+  // Incremented by each want() after a silence(), and each silence() after a want(): odd while
+  // wanted.
   std::atomic<std::uint32_t> epoch_{0};
   std::atomic<int> error_{0};
-  // Worker's.
+  // Used by the worker only.
   std::array<std::int16_t, EffectPlan::kKinds> ids_{-1, -1, -1};
   std::uint32_t served_epoch_ = 0;
-  EffectPlan there_;  // uploaded last, and what of it plays
+  EffectPlan there_;  // last uploaded effects, and which of them play
   std::int64_t played_ns_ = 0, renewed_ns_ = 0;
   bool has_renewed_ = false;
 };

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kFull = 32767.0;
 constexpr double kFullSaturation = 65535.0;
-constexpr double kLeastN = 0.01;  // nobody feels less
-constexpr double kGrowN = 0.05;   // a spring may grow by so much beyond what it pushes now
+constexpr double kLeastN = 0.01;  // less cannot be felt
+constexpr double kGrowN = 0.05;   // most that a spring may grow beyond its current force
 constexpr double kAlmost = 0.9998;
 constexpr double kTurn = 65536.0 / 6.283185307179586;
 
@@ -17,12 +17,12 @@ std::int16_t signed16(double share) noexcept {
   return static_cast<std::int16_t>(std::lround(std::clamp(share, -1.0, 1.0) * kFull));
 }
 
-/// Rounded down: no saturation is larger than what it stands for.
+/// Rounds down, so that a saturation is never larger than its force.
 std::uint16_t saturation(double share) noexcept {
   return static_cast<std::uint16_t>(std::clamp(share, 0.0, 1.0) * kFullSaturation);
 }
 
-/// One axis, in N and mm, before it becomes numbers of 16 bits.
+/// The effects of one axis, in N and mm, before conversion to 16-bit numbers.
 struct AxisPlan {
   double spring_n = 0.0;  ///< saturation
   double stiffness_n_per_mm = 0.0;
@@ -50,7 +50,7 @@ AxisPlan plan_axis(const AxisFit& fit, const StickForces& stick) noexcept {
     plan.spring_n = std::abs(fit.force_n) + kGrowN;
     return plan;
   }
-  // As good as constant: as stiff a spring as there is, to the end of the way.
+  // Nearly constant: the stiffest possible spring, centred at the end of the travel.
   plan.stiffness_n_per_mm = stick.full_force_n / stick.half_way_mm;
   plan.center_mm = std::copysign(stick.half_way_mm, fit.force_n);
   plan.spring_n = std::abs(fit.force_n);
@@ -75,7 +75,7 @@ EvdevCondition friction_of(const AxisPlan& axis, const StickForces& stick) noexc
   return friction;
 }
 
-/// The most that an effect of a plan can push with along each axis, of the full force.
+/// Returns the largest force of an effect along each axis, as a part of the full force.
 std::array<double, 2> shares_of(const EffectPlan& plan, std::size_t kind) noexcept {
   if (!plan.plays[kind]) return {};
   const EvdevEffect& effect = plan.effects[kind];
@@ -106,7 +106,7 @@ EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& sti
   const double worst_n = std::hypot(axes[0].most_n(), axes[1].most_n());
   EffectPlan plan;
   if (!std::isfinite(worst_n) || !(most_n > 0.0)) return plan;
-  // A hair less: a constant's direction has 16 bits.
+  // Slightly less, because a constant's direction has only 16 bits.
   const double share = worst_n > kAlmost * most_n ? kAlmost * most_n / worst_n : 1.0;
   for (AxisPlan& axis : axes) {
     axis.spring_n *= share;
@@ -124,7 +124,7 @@ EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& sti
   friction.type = stick.effects[evdev::kFfFriction] ? evdev::kFfFriction : evdev::kFfDamper;
   friction.conditions = {friction_of(axes[0], stick), friction_of(axes[1], stick)};
   if (friction.type == evdev::kFfDamper) {
-    // What speed is full is the maker's secret: as steep as can be, and saturated.
+    // The speed for full force is unknown: as steep as possible, and saturated.
     for (EvdevCondition& c : friction.conditions) {
       const bool brakes = c.right_saturation > 0;
       c.right_coefficient = c.left_coefficient = brakes ? signed16(1.0) : std::int16_t{0};
@@ -137,7 +137,7 @@ EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& sti
   constant.type = evdev::kFfConstant;
   constant.level =
       static_cast<std::int16_t>(std::min(std::hypot(x, y) / stick.full_force_n, 1.0) * kFull);
-  // 0 towards the person (+y), a quarter of a turn: to the left (-x).
+  // 0 towards the user (+y); a quarter turn is to the left (-x).
   constant.direction = static_cast<std::uint16_t>(
       static_cast<std::int32_t>(std::lround(std::atan2(-x, y) * kTurn)) & 0xFFFF);
   plan.plays[EffectPlan::kConstant] = std::hypot(x, y) > kLeastN;

@@ -16,7 +16,7 @@ StickForces stick(std::initializer_list<std::uint16_t> effects) {
   return forces;
 }
 
-/// What a device with these effects pushes with, along one axis, at a place.
+/// Returns the force of a device with these effects, along one axis, at a position.
 double spring_n(const EffectPlan& plan, std::size_t axis, double x_mm, const StickForces& stick) {
   if (!plan.plays[EffectPlan::kSpring]) return 0.0;
   const EvdevCondition& c = plan.effects[EffectPlan::kSpring].conditions[axis];
@@ -98,7 +98,7 @@ TEST(EffectPlan, NoForceIsNoEffect) {
   EXPECT_TRUE(plan_effects(std::array{nan, some}, kAll, 1.5).plays.none());
 }
 
-/// Wherever the grip goes, and whatever was fitted: no more than the bound.
+/// Wherever the grip goes and whatever was fitted, the force stays within the limit.
 RC_GTEST_PROP(EffectPlan, NeverAsksForMoreThanTheBound, ()) {
   StickForces forces = *rc::gen::element(
       kAll, stick({evdev::kFfSpring}), stick({evdev::kFfConstant}),

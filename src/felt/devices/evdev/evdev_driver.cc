@@ -51,7 +51,7 @@ Finding not_allowed(const FoundStick& stick, const std::string& words, const std
                            .activate = std::string(kReloadUdev)}};
 }
 
-/// A stick or wheel whose motors the kernel does not know; game pads are not meant.
+/// Returns true for a stick or wheel without motors that the kernel can use; not for game pads.
 bool is_without_motors(const InputNode& node) {
   return node.axes[evdev::kAbsX] && node.keys[evdev::kButtonTrigger] && node.effects.none();
 }
@@ -91,13 +91,13 @@ class EvdevDriver final : public Driver {
 
   [[nodiscard]] PlaneCalibration default_plane(const DeviceDescriptor&,
                                                const OpenOptions&) const override {
-    return {};  // x to the right, y to the person, as the sheet has it
+    return {};  // x to the right, y towards the user, as on the page
   }
 
   std::vector<Finding> diagnose(const SystemView& system) override {
     std::vector<Finding> findings;
     const std::vector<FoundStick> sticks = sticks_of(system);
-    std::string rules;  // of all that need one: they share a file
+    std::string rules;  // of all devices that need one, because they share a file
     for (const FoundStick& stick : sticks) {
       if (!system.may_use(stick.node.path)) rules += rules_of(stick.node);
     }
@@ -163,7 +163,7 @@ class EvdevDriver final : public Driver {
       return refused(ENOSPC,
                      "it keeps " + std::to_string(*slots) + " effects, and three are needed");
     }
-    // Nothing of its own: what pushes is what a drawing asks for.
+    // Switches off the device's own forces: only the drawing's forces remain.
     const auto set = [&](std::uint16_t what, std::int32_t value) {
       return !stick.kind.forces.effects[what] || port->send({evdev::kFf, what, value});
     };

@@ -11,9 +11,9 @@ namespace {
 constexpr std::size_t kUnknowns = 3;
 using Row = std::array<double, kUnknowns>;
 
-constexpr double kSlowMmPerS = 5.0;  // below, a sign of the motion means little
-constexpr double kNoiseN = 0.02;     // what the law may leave over
-// How large each is as a rule: N, N/mm, N.
+constexpr double kSlowMmPerS = 5.0;  // below it, the sign of the motion means little
+constexpr double kNoiseN = 0.02;     // expected residual of the law
+// Typical size of each: N, N/mm, N.
 constexpr Row kUsual{0.3, 1.0, 1.0};
 
 double sign_of(double speed_mm_per_s) noexcept {
@@ -25,7 +25,7 @@ struct Sums {
   Row force{};
 };
 
-/// Cholesky of the unknowns that are wanted; the matrix is positive definite by its ridge.
+/// Solves for the wanted unknowns by Cholesky; the ridge makes the matrix positive definite.
 Row solve(const Sums& sums, const std::array<bool, kUnknowns>& wanted) noexcept {
   std::array<Row, kUnknowns> lower{};
   Row result{};
@@ -57,7 +57,7 @@ bool is_usable(const FitSample& s) noexcept {
          std::abs(s.force_n) < kMost;  // false for NaN, too
 }
 
-/// Of the samples, their places as seen from `origin_mm`.
+/// Returns the normal equations of the samples, with positions relative to `origin_mm`.
 Sums sums_of(std::span<const FitSample> samples, double origin_mm) noexcept {
   Sums sums;
   for (std::size_t i = 0; i < kUnknowns; ++i) {
@@ -79,6 +79,9 @@ Sums sums_of(std::span<const FitSample> samples, double origin_mm) noexcept {
 
 }  // namespace
 
+// Solves for force, stiffness and friction. An unknown that comes out negative is removed and the
+// rest fitted again; a stiffness beyond the device's is fixed at its limit. Last, force and
+// friction are adjusted so that the law passes through the newest sample.
 AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noexcept {
   const auto newest = std::find_if(samples.rbegin(), samples.rend(), is_usable);
   if (newest == samples.rend()) return {};
@@ -88,11 +91,11 @@ AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noex
   std::array<bool, kUnknowns> wanted{true, can.spring, can.friction};
   Row law = solve(sums, wanted);
   for (int round = 0; round < 2 && (law[1] < 0.0 || law[2] < 0.0); ++round) {
-    wanted[law[1] < law[2] ? 1 : 2] = false;  // the one that gives energy most
+    wanted[law[1] < law[2] ? 1 : 2] = false;  // the more active one, which would add energy
     law = solve(sums, wanted);
   }
   if (law[1] > can.most_stiffness_n_per_mm) {
-    // What the device can do of it, and the others anew beside that.
+    // Uses the device's largest stiffness, and fits the others again.
     law[1] = std::max(can.most_stiffness_n_per_mm, 0.0);
     for (std::size_t i = 0; i < kUnknowns; ++i) sums.force[i] -= sums.squares[i][1] * law[1];
     const double stiffness = law[1];
@@ -101,8 +104,8 @@ AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noex
     law[1] = stiffness;
   }
   fit.stiffness_n_per_mm = std::max(law[1], 0.0);
-  // No more than what stands against the motion now: whichever way the grip turns, the law then
-  // never pushes with more than was asked for.
+  // Limits friction to the part of the force that opposes the motion now, so that the law never
+  // pushes with more than was asked for, whichever way the grip turns.
   const double against_n = -newest->force_n * sign_of(newest->speed_mm_per_s);
   fit.friction_n = std::clamp(law[2], 0.0, std::max(against_n, 0.0));
   fit.force_n = newest->force_n + fit.friction_n * sign_of(newest->speed_mm_per_s);

@@ -13,7 +13,8 @@
 namespace felt::local_fit_test {
 namespace {
 
-/// A grip that trembles about `x0` by `mm` at `hz`, a millisecond a sample, under a force.
+/// Returns samples of a grip that trembles around `x0` by `mm` at `hz`, one per millisecond, under
+/// a force.
 template <class Law>
 std::vector<FitSample> trembling(double x0, double mm, double hz, const Law& law, int count = 24) {
   std::vector<FitSample> samples;
@@ -41,7 +42,7 @@ TEST(LocalFit, ASpringGivesBackItsStiffnessWithinFivePercent) {
   }
 }
 
-/// The brick that pulls are made of, as a tool publishes it: its slope where the grip is.
+/// The brick that edits use for pulling, as a tool publishes it: its slope at the grip's position.
 TEST(LocalFit, AnEditSpringGivesBackItsStiffnessWithinATenth) {
   const EditSpring brick(Point{20.0, 0.0}, EditOptions{.damping_n_s_per_m = 0.0});
   const auto force = [&brick](double x) {
@@ -62,14 +63,14 @@ TEST(LocalFit, AnEditSpringGivesBackItsStiffnessWithinATenth) {
 }
 
 TEST(LocalFit, FrictionIsFrictionAndASpringBesideItStaysASpring) {
-  // Slow way with a turn in it: both are told apart.
+  // Slow motion with a reversal: both are distinguished.
   const AxisFit fit = fit_axis(
       trembling(0.0, 2.0, 30.0,
                 [](double x, double v) { return -0.1 * x - 0.4 * v / (std::abs(v) + 5.0); }),
       {});
   EXPECT_NEAR(fit.stiffness_n_per_mm, 0.1, 0.01);
   EXPECT_NEAR(fit.friction_n, 0.4, 0.04);
-  // Always the same way: a force against it is taken for friction, one along it is not.
+  // Motion in one direction: an opposing force counts as friction, one along the motion does not.
   const auto slide = [](double force) {
     std::vector<FitSample> samples;
     for (int i = 0; i < 24; ++i) samples.push_back({0.06 * i, 60.0, force});
@@ -111,7 +112,7 @@ TEST(LocalFit, NonsenseIsLeftOut) {
   EXPECT_EQ(fit_axis(samples, {}).position_mm, 3.0);
 }
 
-/// Whatever it is fed: finite, and neither stiffness nor friction ever gives energy.
+/// For any input: finite, and neither stiffness nor friction ever adds energy.
 RC_GTEST_PROP(LocalFit, NeverGivesEnergyBack, ()) {
   std::vector<FitSample> samples;
   const int count = *rc::gen::inRange(1, 40);

@@ -99,7 +99,7 @@ void StickAxes::hear(const EvdevEvent& event) noexcept {
     if (layout_.y && event.code == *layout_.y) y_.value = event.value;
     if (layout_.pressure && event.code == *layout_.pressure) lever_.value = event.value;
   }
-  if (event.type != evdev::kKey || event.value > 1) return;  // 2 is a key that repeats
+  if (event.type != evdev::kKey || event.value > 1) return;  // 2 is auto-repeat
   const int button = event.code - layout_.contact;
   if (button == 0) touches_ = event.value != 0;
   if (button < 1 || button > kExtraButtons) return;
@@ -121,19 +121,20 @@ void StickAxes::glide_to(std::int64_t now_ns) noexcept {
 void StickAxes::report(std::int64_t now_ns) noexcept {
   glide_to(now_ns);
   const Said newest = said();
-  // A touch or a lift that comes while the one before it is still on its way is not to be lost.
+  // A touch or lift must not be lost if it arrives while the previous report is still being
+  // approached.
   if (newest.touches != to_.touches && now_.touches != to_.touches) {
     now_.touches = to_.touches;
     now_.pressure = to_.pressure;
   }
   to_ = newest;
-  from_ = has_sampled_ ? now_ : to_;  // at first it is where it is
+  from_ = has_sampled_ ? now_ : to_;  // the first report takes effect immediately
   from_ns_ = now_ns;
 }
 
 tl::expected<void, int> StickAxes::listen(EvdevPort& port, std::int64_t now_ns) noexcept {
   EvdevEvent event;
-  // What waits while somebody asks is newer than the answer, or says the same.
+  // Events that wait meanwhile are newer than the answer, or agree with it.
   for (int i = 0; i < kMostEvents && !needs_asking(); ++i) {
     const auto more = port.next(event);
     if (!more) return tl::unexpected(more.error());
@@ -141,7 +142,7 @@ tl::expected<void, int> StickAxes::listen(EvdevPort& port, std::int64_t now_ns) 
     const bool is_end = event.type == evdev::kSyn && event.code == evdev::kSynReport;
     if (event.type == evdev::kSyn && event.code == evdev::kSynDropped) loss_ = Loss::kSkips;
     if (loss_ == Loss::kSkips) {
-      // What comes up to the next report is a piece of one.
+      // Events before the next report are an incomplete report.
       if (!is_end) continue;
       loss_ = Loss::kAsks;
       lost_ns_ = now_ns;

@@ -8,71 +8,72 @@
 
 namespace felt {
 
-/// Which axes and buttons of a stick are what.
+/// The axes and buttons of a stick and their use.
 struct StickLayout {
   std::uint16_t x = evdev::kAbsX;
   std::optional<std::uint16_t> y = evdev::kAbsY;  ///< none: a wheel
-  std::optional<std::uint16_t> pressure = {};     ///< a lever or pedal that says how hard
+  std::optional<std::uint16_t> pressure = {};     ///< a lever or pedal for the pressure
   std::uint16_t contact = evdev::kButtonTrigger;  ///< the pen is down while it is held
-  double half_way_mm = 45.0;                      ///< from the middle to an end
+  double half_way_mm = 45.0;                      ///< from the centre to an end
 };
 
-/// Axes and buttons as the kernel says that they stand.
+/// State of axes and buttons, as reported by the kernel.
 struct StickStand {
-  int error = 0;  ///< errno where it cannot be said; EINVAL where an axis has no way
+  int error = 0;  ///< errno if it is unknown; EINVAL if an axis has no range
   EvdevAxis x, y, pressure;
   bool touches = false;
   std::uint32_t buttons = 0;
 };
 
-/// Asks for axes and buttons as they are. Not on the haptic thread: the kernel answers when no
-/// upload is under way.
+/// Asks the kernel for the state of axes and buttons. Not on the haptic thread, because the kernel
+/// answers only when no upload is in progress.
 StickStand ask_stick(EvdevPort& port, const StickLayout& layout) noexcept;
 
-/// From what an input device says to a pen: the grip's place in mm, x to the right, y to the
-/// person, the middle at (0, 0).
+/// Converts the events of an input device into a pen: the grip's position in mm, x to the right, y
+/// towards the user, the centre at (0, 0).
 ///
 /// The pen is down while the contact button is held: then z is -2 mm times the pressure, else 0.8
-/// mm. The pressure is that of the lever, at least kLeastPressure; kUsualPressure without one. The
-/// button after the contact button is bit 0, the next bit 1 (tools: kFirstModifier,
-/// kSecondModifier).
+/// mm. The pressure is that of the lever, at least kLeastPressure; without a lever it is
+/// kUsualPressure. The button after the contact button is bit 0, the next bit 1 (tools:
+/// kFirstModifier, kSecondModifier).
 ///
-/// Sticks report each 8 ms as a rule, and jump from report to report. Here a report is a place to
-/// go to within kGlideNs, evenly, and its buttons count when it is reached: places, contact and
-/// velocity belong together, some 8 ms late.
+/// Sticks usually report every 8 ms, and their position jumps between reports. Here the pen moves
+/// evenly to a reported position within kGlideNs, and the buttons of the report take effect when it
+/// arrives, so that position, contact and velocity stay consistent, some 8 ms late.
 ///
-/// Where the kernel says that events were lost, nothing more is listened to until another thread
-/// has asked how axes and buttons stand: needs_asking(), then take(). What comes meanwhile waits.
+/// When the kernel says that events were lost, no more events are read until another thread has
+/// asked for the state of axes and buttons: needs_asking(), then take(). Events that arrive
+/// meanwhile wait.
 ///
-/// Haptic thread, after begin(); no allocation, no call of the kernel but for the next event, which
-/// waits for nothing.
+/// Haptic thread, after begin(); no allocation, and no kernel call except reading the next event,
+/// which never waits.
 class StickAxes {
  public:
   static constexpr std::int64_t kGlideNs = 8'000'000;
   static constexpr double kUsualPressure = 0.5;
   static constexpr double kLeastPressure = 0.02;
   static constexpr double kDepthMm = 2.0;  ///< at full pressure
-  static constexpr double kHoverMm = 0.8;  ///< lifted for sure, and no jump away from the sheet
-  static constexpr int kMostEvents = 64;   ///< taken at one read; the rest at the next
+  static constexpr double kHoverMm = 0.8;  ///< clearly lifted, but no jump away from the surface
+  static constexpr int kMostEvents = 64;   ///< handled in one read; the rest in the next
   static constexpr double kCutoffHz = 30.0;
   static constexpr std::int64_t kStaleNs = 50'000'000;
 
   explicit StickAxes(const StickLayout& layout) noexcept : layout_(layout) {}
 
-  /// How it stands at first, before the first sample. Error: that of the answer.
+  /// Sets the initial state, before the first sample. Fails with stand.error.
   tl::expected<void, int> begin(const StickStand& stand) noexcept;
-  /// What was said since the last call. Error: errno.
+  /// Reads the events since the last call. Fails with errno.
   tl::expected<void, int> listen(EvdevPort& port, std::int64_t now_ns) noexcept;
-  /// Events were lost: it waits for ask_stick()'s answer, asked for from now on.
+  /// Returns true if events were lost and ask_stick() must be called.
   [[nodiscard]] bool needs_asking() const noexcept { return loss_ == Loss::kAsks; }
-  /// It has waited for so long that nobody should take the last place for the pen's.
+  /// Returns true if it has waited so long for the state that the last position is no longer valid.
   [[nodiscard]] bool is_stale(std::int64_t now_ns) const noexcept;
-  /// The answer. Error: that of the answer; it waits on.
+  /// Sets the state after lost events. Fails with stand.error, and then still waits.
   tl::expected<void, int> take(const StickStand& stand, std::int64_t now_ns) noexcept;
-  /// The pen at this time.
+  /// Returns the pen at this time.
   PenSample sample(std::int64_t now_ns) noexcept;
 
-  /// The smallest step of the place along x, mm.
+  /// Returns the smallest step of the position along x, mm.
   [[nodiscard]] double step_mm() const noexcept;
 
  private:
@@ -82,9 +83,9 @@ class StickAxes {
     void take(const EvdevAxis& axis) noexcept {
       minimum = axis.minimum, maximum = axis.maximum, flat = axis.flat, value = axis.value;
     }
-    /// -1..1 about the middle, 0 where it is flat.
+    /// Returns the value, -1..1 around the centre, 0 within the dead zone.
     [[nodiscard]] double centered() const noexcept;
-    /// 0..1.
+    /// Returns the value as a part of the range, 0..1.
     [[nodiscard]] double share() const noexcept;
   };
   struct Said {
@@ -93,7 +94,7 @@ class StickAxes {
     std::uint32_t buttons = 0;
   };
 
-  /// Of events: the report that was under way is skipped; then somebody must ask.
+  /// Lost events: kSkips until the current report ends, then kAsks.
   enum class Loss : std::uint8_t { kNone, kSkips, kAsks };
 
   void hear(const EvdevEvent& event) noexcept;

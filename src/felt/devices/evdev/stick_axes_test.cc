@@ -11,7 +11,7 @@
 namespace felt::stick_axes_test {
 namespace {
 
-/// Events that were put in, and axes as they stand.
+/// A fake with queued events and a given state of the axes.
 class Queue final : public EvdevPort {
  public:
   tl::expected<bool, int> next(EvdevEvent& event) noexcept override {
@@ -118,7 +118,7 @@ TEST(StickAxes, TheMiddleMayBeFlatAndTheEndsStay) {
   EXPECT_DOUBLE_EQ(at(60), 22.5);
   EXPECT_DOUBLE_EQ(at(100), 45.0);
   EXPECT_DOUBLE_EQ(at(5000), 45.0) << "beyond its own end";
-  port.axes[evdev::kAbsX].flat = 100000;  // nonsense
+  port.axes[evdev::kAbsX].flat = 100000;  // invalid
   EXPECT_DOUBLE_EQ(at(100), 45.0);
 }
 
@@ -128,13 +128,13 @@ TEST(StickAxes, LostEventsAreAskedForAnew) {
   ASSERT_TRUE(axes.begin(ask_stick(port, {})));
   const double from = axes.sample(0).position.x;
   port.say(evdev::kSyn, evdev::kSynDropped, 0);
-  port.say(evdev::kAbs, evdev::kAbsX, 3);  // a piece of a report: not to be believed
+  port.say(evdev::kAbs, evdev::kAbsX, 3);  // an incomplete report: must be ignored
   port.report();
   port.asked = 0;
   ASSERT_TRUE(axes.listen(port, 1 * kMs));
   EXPECT_TRUE(axes.needs_asking());
   EXPECT_EQ(port.asked, 0) << "listening asks nothing of the kernel that may wait";
-  // Until somebody has asked, what comes waits, and the pen stays.
+  // Until the state has been read, events wait, and the pen stays.
   port.say(evdev::kKey, evdev::kButtonTrigger + 1, 1);
   port.report();
   ASSERT_TRUE(axes.listen(port, 10 * kMs));

@@ -11,9 +11,9 @@
 namespace felt {
 namespace {
 
-constexpr std::uint64_t kTellEvery = 32;  // reads, where nothing else is to be told
+constexpr std::uint64_t kTellEvery = 32;  // reads between status updates if nothing else changes
 
-/// Without a string: strerror() may allocate.
+/// Returns a text without allocation, because strerror() may allocate.
 std::string_view words_of(int error) noexcept {
   switch (error) {
     case ENODEV:
@@ -47,7 +47,7 @@ constexpr bool means_gone(int error) noexcept {
 
 Capabilities capabilities_of(const StickKind& kind, double step_mm) noexcept {
   Capabilities can = find_device_model(kind.is_wheel ? "ff-wheel" : "ff-stick")->capabilities;
-  // The strength of this one, where it is known: never stronger than the row.
+  // The strength of this device, if known: never more than the row of device_models().
   can.max_force_n = std::min(can.max_force_n, kind.forces.full_force_n);
   can.max_stiffness_n_per_m =
       std::min(can.max_stiffness_n_per_m, 1e3 * ability_of(kind.forces).most_stiffness_n_per_mm);
@@ -95,12 +95,12 @@ void StickDevice::serve(std::int64_t now_ns) noexcept {
   const std::uint32_t question = questions_.load(std::memory_order_acquire);
   if (question == answered_) return;
   const StickStand stand = ask_stick(*port_, kind_.layout);
-  if (stand.error == EINTR) return;  // a signal: asked again the next time
+  if (stand.error == EINTR) return;  // interrupted by a signal: asks again next time
   answered_ = question;
   answers_.publish({question, stand});
 }
 
-/// What the stick says; after lost events, what the worker found out.
+/// Reads the stick's events; after lost events, the worker's answer.
 tl::expected<void, int> StickDevice::hear(std::int64_t now_ns) noexcept {
   answers_.update();
   const Answer& answer = answers_.get();
@@ -174,7 +174,8 @@ void StickDevice::let_go() noexcept {
 
 tl::expected<void, DeviceFault> StickDevice::write(const Force& force) noexcept {
   if (is_gone_) return failed(DeviceFault::kDisconnected, ENODEV);
-  // It has no axis upwards; what is no number counts all the same.
+  // The device has no vertical axis; a force that is not finite is passed on so that it is
+  // rejected.
   const ForceGate::Passed passed =
       gate_.pass(is_finite(force) ? Force{force.x, force.y, 0.0} : force, now_ns_);
   if (!passed.was_finite) {

@@ -13,19 +13,19 @@
 
 namespace felt {
 
-/// What a stick of this kind can do, as a device.
+/// Returns the capabilities of a stick of this kind.
 Capabilities capabilities_of(const StickKind& kind, double step_mm) noexcept;
 
-/// An open stick or wheel. The forces that write() is given become a local law of force by place
-/// and motion (fit_axis), eight milliseconds after eight milliseconds, and that becomes effects.
+/// An open stick or wheel. Every 8 milliseconds the forces given to write() are converted into a
+/// local force law of position and motion (fit_axis), and the law into effects.
 ///
-/// On the haptic thread nothing waits for the kernel: read() takes events that are there; write()
-/// and stop() leave word for the worker (effect_keeper.h), which looks each millisecond. So a force
-/// ends within some 1 ms and the transfer under way; where the worker stands still, after kEffectMs
-/// at the latest, since effects end by themselves.
+/// The haptic thread never waits for the kernel: read() reads waiting events; write() and stop()
+/// leave requests for the worker (effect_keeper.h), which checks every millisecond. So a force ends
+/// within about 1 ms and the transfer in progress; if the worker is blocked, after kEffectMs at the
+/// latest, because effects end by themselves.
 class StickDevice final : public DriverDevice, public EffectServed {
  public:
-  /// Opens nothing: the port is open and has said its axes. Starts the thread.
+  /// Requires an open port whose axes have been read. Starts the thread.
   StickDevice(std::unique_ptr<EvdevPort> port, const StickKind& kind, const StickAxes& axes,
               DeviceDescriptor descriptor, bool has_thread);
   ~StickDevice() override;
@@ -44,9 +44,9 @@ class StickDevice final : public DriverDevice, public EffectServed {
   void serve(std::int64_t now_ns) noexcept override;
 
  private:
-  static constexpr std::size_t kWindow = 24;  ///< samples of a fit
+  static constexpr std::size_t kWindow = 24;  ///< samples used in a fit
 
-  /// What the worker answers, and to which question.
+  /// The worker's answer, and the question it belongs to.
   struct Answer {
     std::uint32_t question = 0;
     StickStand stand;
@@ -65,7 +65,7 @@ class StickDevice final : public DriverDevice, public EffectServed {
   DeviceDescriptor descriptor_;
   ForceGate gate_;
   EffectKeeper keeper_;
-  // Haptic thread's.
+  // Used by the haptic thread only.
   std::int64_t now_ns_ = 0;
   bool has_asked_ = false;
   PenSample pen_;
@@ -75,9 +75,9 @@ class StickDevice final : public DriverDevice, public EffectServed {
   bool is_gone_ = false;
   DeviceStatus status_;
   LatestValue<DeviceStatus> statuses_;
-  std::atomic<std::uint32_t> questions_{0};  // how axes stand, after lost events
+  std::atomic<std::uint32_t> questions_{0};  // requests for the axes' state, after lost events
   LatestValue<Answer> answers_;
-  std::uint32_t answered_ = 0;  // worker's
+  std::uint32_t answered_ = 0;  // used by the worker
   std::atomic<bool> is_over_{false};
   std::thread thread_;
 };

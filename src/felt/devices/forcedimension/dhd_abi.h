@@ -2,13 +2,14 @@
 
 #include <cstdint>
 
-/// What Force Dimension's libraries (SDK 3.x: libdhd.so, and libdrd.so, which holds all of it) look
-/// like from outside: our own declarations of what `dhdc.h` and `drdc.h` promise. Metres, m/s,
-/// newtons; X is the depth towards the person, Y right, Z up.
+/// The interface of Force Dimension's libraries (SDK 3.x: libdhd.so, and libdrd.so, which contains
+/// all of it), in our own declarations of the functions of `dhdc.h` and `drdc.h`. Metres, m/s,
+/// newtons; X is the depth towards the user, Y right, Z up.
 ///
 /// Every function of one device takes its number as last argument, although the maker's header
-/// hides that behind a default value: a pointer without it would read whatever lies there. Plain C
-/// functions; those that return an int say -1 for an error, 0 or a positive notice else.
+/// hides it behind a default value: a pointer type without it would make the function read an
+/// undefined value. Plain C functions; those that return an int return -1 for an error, otherwise 0
+/// or a positive notice.
 namespace felt::dhd {
 
 using Id = char;
@@ -36,23 +37,23 @@ enum Error : int {
   kErrorInvalid = 21,
 };
 
-/// Returned in the place of 0; no errors.
-inline constexpr int kTimeGuard = 1;       ///< asked too soon: the last answer again
-inline constexpr int kMotorSaturated = 2;  ///< the motors give what they can
+/// Returned instead of 0; not errors.
+inline constexpr int kTimeGuard = 1;       ///< asked too soon: the last answer is repeated
+inline constexpr int kMotorSaturated = 2;  ///< the motors give their maximum
 inline constexpr int kFailed = -1;
 
 inline constexpr int kOff = 0;
 inline constexpr int kOn = 1;
 
-/// Of the array that dhdGetStatus() fills. Room for more than the 17 of SDK 3.17, since a newer
-/// library writes as many as it knows.
+/// Indices of the array that dhdGetStatus() fills. It has room for more than the 17 of SDK 3.17,
+/// because a newer library writes as many as it has.
 inline constexpr int kStatusSize = 17;
 inline constexpr int kStatusRoom = 64;
 enum StatusIndex : int {
   kStatusPower = 0,
   kStatusConnected = 1,
   kStatusStarted = 2,
-  kStatusReset = 3,  ///< in the mode in which it must be calibrated
+  kStatusReset = 3,  ///< in the mode for calibration
   kStatusIdle = 4,
   kStatusForce = 5,
   kStatusBrake = 6,
@@ -68,22 +69,22 @@ enum StatusIndex : int {
   kStatusAxisChecked = 16,
 };
 
-/// Why the motors are off, at kStatusForceOffCause.
+/// The reason why the motors are off, at kStatusForceOffCause.
 enum ForceOffCause : int {
   kCauseNone = 0,
   kCauseButton = 1,    ///< the force button of the device
   kCauseVelocity = 2,  ///< the guard against fast movement
   kCauseWatchdog = 3,  ///< no force command for too long
-  kCauseSoftware = 4,  ///< a program asked for it
+  kCauseSoftware = 4,  ///< a program requested it
   kCauseUsb = 5,
   kCauseDeadMan = 6,  ///< nobody holds it
 };
 
-/// The watchdog counts in these; its limit is a byte, so that 31.9 ms is the longest.
+/// Unit of the watchdog's limit, which is a byte: 31.9 ms is the longest.
 inline constexpr std::int64_t kWatchdogUnitNs = 125'000;
 inline constexpr unsigned char kWatchdog31Ms = 248;
 
-// The types of the functions, by name without "dhd" or "drd".
+// The types of the functions, named without "dhd" or "drd".
 using GetDeviceCount = int();
 using OpenId = int(Id index);
 using Close = int(Id);

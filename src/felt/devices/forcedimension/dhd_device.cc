@@ -9,7 +9,7 @@
 namespace felt::dhd {
 namespace {
 
-constexpr double kFarthestMm = 2000.0;  // no such arm is longer
+constexpr double kFarthestMm = 2000.0;  // longer than any such arm
 constexpr double kLongestGapS = 0.1;
 
 bool is_sane(const Vec3& v) noexcept {
@@ -20,7 +20,7 @@ bool is_sane(const Vec3& v) noexcept {
 }  // namespace
 
 DhdDevice::~DhdDevice() {
-  // Whatever state it is in: nothing holds, and the arm is braked.
+  // In every state: no force holds, and the arm is braked.
   static_cast<void>(send({}));
   api_.stop(id_);
   library_->close(id_);
@@ -56,8 +56,8 @@ tl::expected<PenSample, DeviceFault> DhdDevice::ask_sample() noexcept {
   if (!is_sane(sample.position)) {
     return tl::unexpected(note(DeviceFault::kBadData, 0, "it says a place that cannot be"));
   }
-  // "Too soon" (kTimeGuard) gives the last place again, which is no error; but not one at which the
-  // arm has stood still.
+  // "Too soon" (kTimeGuard) repeats the last position. That is no error, but it does not mean that
+  // the arm stood still, so the velocity is kept.
   if (done != kTimeGuard) {
     const double dt_s = placed_ns_ ? 1e-9 * static_cast<double>(now_ns_ - *placed_ns_) : 0.0;
     if (dt_s < 0.0 || dt_s > kLongestGapS) velocity_.reset();
@@ -97,8 +97,8 @@ void DhdDevice::look_at_status() noexcept {
   }
 }
 
-// DRD knows for sure; but asking it is a transfer more, so that it is asked when the flag of the
-// status changes, whichever way round the flag is meant.
+// DRD knows exactly, but asking it costs another transfer, so it is only asked when the flag in the
+// status changes, in either direction.
 void DhdDevice::look_whether_home(bool reset_flag) noexcept {
   if (!api_.has_drd()) {
     is_home_ = !reset_flag;
@@ -138,7 +138,7 @@ tl::unexpected<DeviceFault> DhdDevice::read_failed(DeviceFault fault) noexcept {
   return tl::unexpected(fault);
 }
 
-// A write that fails does not end the reading: whether the device is gone, the next read() tells.
+// A failed write does not end the reading: the next read() finds out whether the device is gone.
 tl::unexpected<DeviceFault> DhdDevice::write_failed(DeviceFault fault) noexcept {
   write_fault_ = fault;
   failed_ns_ = now_ns_;

@@ -15,33 +15,34 @@
 
 namespace felt::dhd {
 
-/// One open device. In its own axes: x towards the person, y right, z up.
+/// An open device. In its own axes: x towards the user, y right, z up.
 ///
-/// The motors are in one of three states. *Braked*: we let them go (at first, and after stop());
-/// the arm is damped by its own windings. *Live*: forces are enabled, each write() is one. *Taken*:
-/// the device switched them off by itself; it is read on, write() says kForcesOff. What a person
-/// took (force button, grip), a person gives back. After its own guards we ask for them again:
-/// after its watchdog as soon as nothing is asked of it, after the others when nothing was asked
-/// for kRestNs and the arm is slow.
+/// The motors have three states. *Braked*: we switched them off (initially, and after stop()); the
+/// arm is damped by its own windings. *Live*: forces are enabled, and each write() sends one.
+/// *Taken*: the device switched them off by itself; reading goes on, and write() returns
+/// kForcesOff. If the user switched them off (force button, grip), only the user switches them on
+/// again. If a guard of the device did, we enable them again: after its watchdog as soon as no
+/// force is asked for, after the others if no force was asked for during kRestNs and the arm is
+/// slow.
 ///
-/// Velocities are made here, from places, as the simulated devices make theirs (VelocityFilter):
-/// all that is proven of the forces' stability is proven with that. The library's own is the mean
-/// of 20 ms, 8 ms later, and damping by it another feel (ink up to 0.53 mm elsewhere in the
-/// scenarios, instead of 0.02 mm).
+/// Velocities are computed here from positions, as for the simulated devices (VelocityFilter),
+/// because all proofs of the forces' stability assume it. The library's own velocity is the mean of
+/// 20 ms, which is 8 ms later, and damping with it feels different (ink up to 0.53 mm elsewhere in
+/// the scenarios, instead of 0.02 mm).
 ///
-/// Gravity is compensated by the library within each force command, so that it needs a write() each
-/// tick, be it of zero; without one the device's watchdog brakes after 31 ms.
+/// The library compensates gravity within each force command, so it needs a write() each tick, even
+/// of zero; without one the device's watchdog brakes after 31 ms.
 class DhdDevice final : public DriverDevice {
  public:
   static constexpr std::int64_t kRestNs = 500'000'000;
-  /// After a fault the motors are not asked for again before this.
+  /// Time after a fault before the motors are enabled again.
   static constexpr std::int64_t kRetryNs = 50'000'000;
-  /// The state of the controller is asked for at each n-th read, and after a gap this long.
+  /// The controller's state is read at each n-th read(), and after a gap of this length.
   static constexpr unsigned kStatusEvery = 2;
   static constexpr std::int64_t kGapNs = 5'000'000;
 
-  /// `id` was opened with library->open(), and is closed with this. Nothing moves: the motors are
-  /// braked.
+  /// Requires that `id` was opened with library->open(); the destructor closes it. Nothing moves:
+  /// the motors are braked.
   DhdDevice(std::shared_ptr<Library> library, Id id, DeviceDescriptor descriptor,
             const SystemType& type, std::optional<double> pen_mass_kg);
   ~DhdDevice() override;
@@ -97,11 +98,11 @@ class DhdDevice final : public DriverDevice {
 
   Motors motors_ = Motors::kBraked;
   int cause_ = kCauseNone;           // while taken
-  std::int64_t quiet_since_ns_ = 0;  // while taken: nothing was asked since
+  std::int64_t quiet_since_ns_ = 0;  // while taken: since when no force is asked for
   std::optional<std::int64_t> failed_ns_;
   std::optional<DeviceFault> read_fault_, write_fault_;
   VelocityFilter velocity_;
-  std::optional<std::int64_t> placed_ns_;  // time of its last place
+  std::optional<std::int64_t> placed_ns_;  // time of its last position
   double speed_mm_per_s_ = 0.0;
   bool is_home_ = false;
   bool reset_flag_at_home_ = false;

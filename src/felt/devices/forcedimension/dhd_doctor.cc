@@ -20,7 +20,7 @@ struct UsbDevice {
   std::string node;  // /dev/bus/usb/001/004
 };
 
-// A file of sysfs without the end of its line.
+// Returns the text of a sysfs file without its line break.
 std::string line_of(const SystemView& system, const std::string& path) {
   std::string text = system.read(path).value_or("");
   text.erase(std::find_if(text.begin(), text.end(),
@@ -79,7 +79,7 @@ Finding permission_of(const SystemView& system, const UsbDevice& device) {
 }
 
 bool is_not_found(std::string_view words, const std::string& name) {
-  // The file itself; what it needs is named in the same sentence otherwise.
+  // The library itself is missing; for a missing dependency the loader names that instead.
   return words.find(name + ": cannot open shared object file: No such file") !=
          std::string_view::npos;
 }
@@ -105,7 +105,7 @@ std::vector<std::string> sdk_steps() {
           "Look again:\nfeltline doctor forcedimension"};
 }
 
-// It loads, and is not what the driver needs.
+// The library loads, but it is not the one that the driver needs.
 Finding strange_library(const std::string& refusal) {
   Finding finding{
       FindingLevel::kProblem,

@@ -43,7 +43,8 @@ TEST(DhdDoctor, AllIsWell) {
   EXPECT_THAT(findings[1].what, HasSubstr("libdrd.so"));
 }
 
-// What is on this computer is loaded: the driver says what it lacks, not only that it is there.
+// On this computer the library is really loaded: the driver reports missing functions, not only
+// that the file exists.
 TEST(DhdDoctor, ALibraryThatIsAnotherOneIsNotFine) {
   ForceDimensionOptions options;
   options.library = "libm.so.6";

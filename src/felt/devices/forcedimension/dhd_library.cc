@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kStems{"libdrd.so", "libdhd.so"};
 
-// Files in a folder that are this library, of whatever version; the plain name first, then the
-// newest by name.
+// Appends the files of a folder that are this library, of any version; the plain name first, then
+// the newest by name.
 void add_files(const SystemView& system, const std::string& folder, std::string_view stem,
                std::vector<std::string>& names) {
   std::vector<std::string> found = system.list(folder);
@@ -24,8 +24,8 @@ void add_files(const SystemView& system, const std::string& folder, std::string_
   for (const std::string& name : found) names.push_back(folder + "/" + name);
 }
 
-// Folders of an unpacked SDK that hold libraries: lib, and in lib or lib/release those of a system
-// and compiler ("lin-x86_64-gcc"). Those for other processors fail to load, and are passed over.
+// Appends the library folders of an unpacked SDK: lib, and in lib or lib/release those of a system
+// and compiler ("lin-x86_64-gcc"). Those for other processors fail to load and are skipped.
 void add_sdk_folders(const SystemView& system, const std::string& sdk,
                      std::vector<std::string>& folders) {
   for (const char* lib : {"/lib/release", "/lib"}) {

@@ -15,18 +15,18 @@
 
 namespace felt::dhd {
 
-/// Names that the library may have on this system, in the order in which they are tried: what the
-/// person named, the SDK's folders ($FDSDK, $FORCEDIM_SDK, its lib/release/lin-MACHINE-COMPILER),
-/// ~/.local/lib, /usr/local/lib, and what the system finds by name. libdrd before libdhd, since it
-/// can find home by itself. `named` is the driver's option or $FELT_FORCEDIMENSION_LIBRARY; nothing
-/// else is tried then.
+/// Returns possible names of the library on this system, in the order in which they are tried: the
+/// SDK's folders ($FDSDK, $FORCEDIM_SDK, its lib/release/lin-MACHINE-COMPILER), ~/.local/lib,
+/// /usr/local/lib, and plain names for the system's search. libdrd comes before libdhd, because it
+/// can home by itself. `named` is the driver's option or $FELT_FORCEDIMENSION_LIBRARY; if it is
+/// set, only that is tried.
 std::vector<std::string> library_names(const SystemView& system, const std::string& named);
 
-/// The functions. Those marked "or null" are absent from libdhd or from older libraries.
+/// The library's functions. Those marked "or null" are absent from libdhd or from older libraries.
 struct Api {
   GetDeviceCount* get_device_count = nullptr;
-  OpenId* open_id = nullptr;  ///< drdOpenID where there is one
-  Close* close = nullptr;     ///< likewise
+  OpenId* open_id = nullptr;  ///< drdOpenID if it exists
+  Close* close = nullptr;     ///< drdClose if it exists
   GetSystemType* get_system_type = nullptr;
   GetStatus* get_status = nullptr;
   Get3* get_position = nullptr;
@@ -52,7 +52,7 @@ struct Api {
   GetComFreq* get_com_freq = nullptr;                                    ///< or null
   Simple* reset = nullptr;                                               ///< or null
   WaitForReset* wait_for_reset = nullptr;                                ///< or null
-  // All of DRD or none of it.
+  // Either all of DRD or none of it.
   IsTrue* drd_is_supported = nullptr;    ///< or null
   IsTrue* drd_is_initialized = nullptr;  ///< or null
   Simple* drd_auto_init = nullptr;       ///< or null
@@ -60,39 +60,40 @@ struct Api {
   [[nodiscard]] bool has_drd() const noexcept { return drd_auto_init != nullptr; }
 };
 
-/// What a device says about itself.
+/// What a device reports about itself.
 struct Identity {
   int type = 0;
-  std::string name;                      ///< as the library calls it; may be empty
+  std::string name;                      ///< given by the library; may be empty
   std::optional<unsigned short> serial;  ///< older devices have none
 };
 
-/// The library, loaded, and who has which device open. There is one of these for a file in a
-/// program, whoever asks: the library itself hands the same device out twice, and closing it once
-/// would close it for both. Edit thread, or any with a lock of its own inside.
+/// The loaded library, and which devices are open. There is one object per library file and
+/// program, because the library itself opens the same device twice, and closing it once would close
+/// it for both. Edit thread, or any thread, because it has its own lock.
 class Library {
  public:
-  /// Loads it, or gives the one that is loaded. Error: kNotFound with the loader's words for each
-  /// name, kUnsupported where functions are missing.
+  /// Loads the library, or returns the object that exists. Fails with kNotFound and the loader's
+  /// text for each name, or with kUnsupported if functions are missing.
   static Result<std::shared_ptr<Library>> load(const std::vector<std::string>& names);
 
   [[nodiscard]] const Api& api() const noexcept { return api_; }
-  /// The file, and "3.17.5" or nothing.
+  /// Returns the library's file, and its version: "3.17.5", or empty if unknown.
   [[nodiscard]] std::string path() const { return library_.path(); }
   [[nodiscard]] std::string version() const;
-  /// The calling thread's last error in the library's own words: "device already in use (error
+  /// Returns the calling thread's last error with the library's text: "device already in use (error
   /// 20)".
   [[nodiscard]] std::string last_words() const;
 
-  /// How many are connected, those of other programs too; negative is none.
+  /// Returns how many devices are connected, including those that other programs use; a negative
+  /// number counts as none.
   [[nodiscard]] int count() const;
-  /// What the device at this place of the list is. Opens it for a moment when nobody here has it
-  /// open; nothing moves. Error: it cannot be opened; the library's words.
+  /// Identifies the device at this index of the list. Opens it briefly if it is not open in this
+  /// program; nothing moves. Fails with the library's text if it cannot be opened.
   Result<Identity> identify(int index);
-  /// Opens for good. Error: the library's words; kInvalidArgument: it is open in this program.
+  /// Opens a device. Fails with the library's text; kInvalidArgument: it is open in this program.
   Result<Id> open(int index);
   void close(Id id) noexcept;
-  /// How often one was closed: another one may be in its place since.
+  /// Returns how often a device was closed: after that, another one may be at its index.
   [[nodiscard]] std::uint64_t closings() const noexcept { return closings_.load(); }
 
  private:

@@ -5,25 +5,25 @@
 
 namespace felt::dhd {
 
-/// Which call takes the force of a device, so that what we do not use is told to be zero.
+/// The call that sets a device's force, chosen so that unused motors are set to zero.
 enum class ForceCall : std::uint8_t {
-  kForce,                  ///< nothing but the base has motors
-  kForceAndGripper,        ///< the gripper, too
+  kForce,                  ///< only the base has motors
+  kForceAndGripper,        ///< the gripper has one, too
   kForceTorqueAndGripper,  ///< and the wrist
 };
 
-/// What the number that dhdGetSystemType() gives means.
+/// The meaning of a number of dhdGetSystemType().
 struct SystemType {
   int number = 0;
-  std::string_view model;  ///< row of device_models()
-  std::string_view label;  ///< for people; empty: ask the library for the name
+  std::string_view model;  ///< id of device_models()
+  std::string_view label;  ///< for the user; empty: ask the library for the name
   ForceCall call = ForceCall::kForce;
   /// Its second button is the one under the finger (omega.3 of type 110; CHAI3D's CDeltaDevices).
   bool second_button_is_first = false;
 };
 
-/// Never nothing: a type that nobody knows is a device with three axes, of which the least is
-/// expected (CHAI3D knows twenty more numbers than the maker's header).
+/// Returns the type of a number. An unknown number counts as a device with three axes and the
+/// lowest limits (CHAI3D has twenty more numbers than the maker's header).
 SystemType system_type_of(int number) noexcept;
 
 }  // namespace felt::dhd

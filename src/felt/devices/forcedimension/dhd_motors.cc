@@ -1,4 +1,4 @@
-// The motors of a DhdDevice: who has them, and what they are told.
+// The motors of a DhdDevice: who switched them off, and which forces they get.
 #include "felt/devices/forcedimension/dhd_device.h"
 
 namespace felt::dhd {
@@ -33,13 +33,14 @@ void DhdDevice::look_at_motors(const std::array<int, kStatusRoom>& status) noexc
   const bool is_on = status[kStatusForce] != 0;
   const int cause = is_on ? kCauseNone : status[kStatusForceOffCause];
   if (motors_ == Motors::kTaken) {
-    if (is_on) motors_ = Motors::kLive;  // nothing but zero was sent meanwhile
+    if (is_on) motors_ = Motors::kLive;  // only zero was sent meanwhile
     return;
   }
   if (is_on) return;
-  // Braked by us they are off, too; what counts then is that a person does not want them on.
+  // Motors that we braked are also reported as off; then it only matters whether the user switched
+  // them off.
   if (motors_ == Motors::kBraked && !is_a_persons(cause)) return;
-  if (cause == kCauseSoftware) {  // a stop of ours that was not answered
+  if (cause == kCauseSoftware) {  // our own stop, whose answer was lost
     motors_ = Motors::kBraked;
     return;
   }
@@ -77,10 +78,10 @@ tl::expected<void, DeviceFault> DhdDevice::write_taken(bool asks) noexcept {
   if (may_take_back(asks)) {
     quiet_since_ns_ = now_ns_;
     if (auto on = enable(); !on) return write_failed(on.error());
-    return {};  // and the next status says whether it is so
+    return {};  // the next status tells whether it worked
   }
   gate_.let_go();
-  // Zero, so that nothing else holds when the device gives its motors back.
+  // Sends zero, so that no old force holds when the device enables its motors again.
   if (auto sent = send({}); !sent) return write_failed(sent.error());
   return tl::unexpected(DeviceFault::kForcesOff);
 }
@@ -88,12 +89,12 @@ tl::expected<void, DeviceFault> DhdDevice::write_taken(bool asks) noexcept {
 tl::expected<void, DeviceFault> DhdDevice::write_braked(bool asks) noexcept {
   const std::int64_t since_ns = now_ns_ - failed_ns_.value_or(now_ns_ - kRetryNs);
   if (since_ns < 0 || since_ns >= kRetryNs) {
-    look_at_status();  // a person may have switched them off meanwhile
+    look_at_status();  // the user may have switched them off meanwhile
     if (motors_ == Motors::kTaken) return tl::unexpected(DeviceFault::kForcesOff);
     if (auto on = enable(); !on) return write_failed(on.error());
     return {};
   }
-  // Asked for nothing, that is what it gives.
+  // A request for zero force succeeds, because the motors give none.
   gate_.let_go();
   if (asks) return tl::unexpected(write_fault_.value_or(DeviceFault::kForcesOff));
   return {};
@@ -103,7 +104,7 @@ void DhdDevice::stop() noexcept {
   gate_.let_go();
   if (motors_ == Motors::kBraked) return;
   static_cast<void>(send({}));
-  // Taken motors are braked already, and a stop of ours would hide who took them.
+  // Taken motors are braked already, and our own stop would hide the cause.
   if (motors_ == Motors::kLive) look_at_status();
   if (motors_ == Motors::kLive) brake();
 }
@@ -123,11 +124,11 @@ tl::expected<void, DeviceFault> DhdDevice::send(const Force& f) noexcept {
   } else {
     done = api_.set_force(f.x, f.y, f.z, id_);
   }
-  if (done < 0) return tl::unexpected(vendor_fault());  // kMotorSaturated is none
+  if (done < 0) return tl::unexpected(vendor_fault());  // kMotorSaturated is no fault
   return {};
 }
 
-// From zero: whatever the controller was told last must not come back.
+// Enables forces, starting from zero, so that the controller's last force does not return.
 tl::expected<void, DeviceFault> DhdDevice::enable() noexcept {
   if (auto sent = send({}); !sent) return sent;
   api_.enable_expert_mode();

@@ -1,4 +1,4 @@
-// What a DhdDevice does on the edit thread: set up, find home, say how it is.
+// The edit thread's part of a DhdDevice: set-up, homing, status.
 #include <array>
 #include <utility>
 
@@ -36,11 +36,11 @@ void DhdDevice::set_up(std::optional<double> pen_mass_kg) {
     notice = "the mass of the pen was not taken";
   }
   // The watchdog counts from the last force command; controllers with firmware before 3.0 have
-  // none. The guard against speed stays as the maker set it.
+  // none. The guard against speed keeps the maker's setting.
   bool is_watched = false;
   for (int i = 0; i < kTries && !is_watched && api_.set_watchdog != nullptr; ++i) {
-    // Again, because the expert mode is one for the whole program: the tick of another device may
-    // have left it just now.
+    // Tries several times, because the expert mode is shared by the whole program: the tick of
+    // another device may just have left it.
     api_.enable_expert_mode();
     is_watched = api_.set_watchdog(kWatchdog31Ms, id_) >= 0;
     api_.disable_expert_mode();
@@ -96,7 +96,7 @@ Result<void> DhdDevice::find_home() {
   }
   failed_ns_.reset();
   read_fault_.reset();
-  set_up({});  // the library's own way home may have changed the watchdog
+  set_up({});  // the library's own homing may have changed the watchdog
   look_at_status();
   publish();
   if (is_home_) return {};
@@ -108,7 +108,7 @@ Result<void> DhdDevice::find_home() {
 Result<void> DhdDevice::move_home() {
   const bool is_done = api_.drd_auto_init(id_) >= 0;
   const std::string words = is_done ? std::string() : library_->last_words();
-  // The library holds the arm with a thread of its own until it is told to let go.
+  // The library holds the arm with a thread of its own until it is stopped.
   const bool is_free = api_.drd_stop(true, id_) >= 0;
   static_cast<void>(send({}));
   api_.stop(id_);

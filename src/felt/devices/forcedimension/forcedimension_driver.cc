@@ -18,7 +18,7 @@ constexpr int kMostDevices = 64;
 constexpr int kLookAgainAfter = 5;
 constexpr double kHeaviestPenKg = 0.5;
 
-// "0.035"; nothing where it is no sensible mass.
+// Parses "0.035"; nullopt if it is not a plausible mass.
 std::optional<double> mass_from(const std::optional<std::string>& text) {
   double kg = 0.0;
   if (!text) return std::nullopt;
@@ -32,7 +32,7 @@ std::string named_library(const ForceDimensionOptions& options, const SystemView
   return system.environment("FELT_FORCEDIMENSION_LIBRARY").value_or("");
 }
 
-// A device at a place of the library's list.
+// A device at an index of the library's list.
 struct Listed {
   DeviceDescriptor descriptor;
   dhd::SystemType type;
@@ -89,7 +89,8 @@ class ForceDimensionDriver final : public Driver {
 
  private:
   Result<void> load();
-  // Why a library that is there is not used. Only of this computer: of another nothing loads.
+  // Returns why an existing library is not used. Only for this computer, because nothing can be
+  // loaded from another.
   std::string library_refusal(const SystemView& system) {
     if (&system != &this_system()) return {};
     const auto loaded = load();
@@ -99,10 +100,10 @@ class ForceDimensionDriver final : public Driver {
 
   ForceDimensionOptions options_;
   std::shared_ptr<dhd::Library> library_;
-  std::vector<Listed> listed_;  // by place in the library's list
-  int counted_ = 0;             // devices that there were then
+  std::vector<Listed> listed_;  // by index in the library's list
+  int counted_ = 0;             // number of devices at that time
   int passed_over_ = 0;
-  std::uint64_t closings_ = 0;  // likewise
+  std::uint64_t closings_ = 0;  // the same for closings
   std::string last_refusal_;
 };
 
@@ -115,7 +116,7 @@ Result<void> ForceDimensionDriver::load() {
   return {};
 }
 
-// Opens each device that is not open for a moment, to hear what it is.
+// Opens each device briefly to identify it, unless it is open.
 void ForceDimensionDriver::look() {
   closings_ = library_->closings();
   listed_.clear();
@@ -125,7 +126,7 @@ void ForceDimensionDriver::look() {
     const Result<dhd::Identity> identity = library_->identify(i);
     listed_.push_back(identity ? listed_as(*identity, version) : listed_as_busy(version));
     if (!identity) last_refusal_ = identity.error().message;
-    // Older devices have no serial number: the second of a kind is ":falcon-2".
+    // Older devices have no serial number: the second of a kind gets ":falcon-2".
     std::string& id = listed_.back().descriptor.id;
     const std::string first = id;
     const auto is_taken = [&] {
@@ -138,8 +139,8 @@ void ForceDimensionDriver::look() {
 
 std::vector<DeviceDescriptor> ForceDimensionDriver::find() {
   if (!load()) return {};
-  // Opening to look is what costs, so that it is done when their number has changed or one was
-  // closed, and now and then while one of them could not be opened.
+  // Opening devices to identify them is expensive, so it is only done when their number has
+  // changed, when one was closed, and now and then while one of them could not be opened.
   const int count = std::clamp(library_->count(), 0, kMostDevices);
   if (count != counted_ || library_->closings() != closings_ ||
       (!last_refusal_.empty() && ++passed_over_ >= kLookAgainAfter)) {
@@ -158,7 +159,7 @@ Result<std::unique_ptr<DriverDevice>> ForceDimensionDriver::open(const DeviceDes
   if (auto loaded = load(); !loaded) {
     return fail(loaded.error().code, "Force Dimension's library: " + loaded.error().message);
   }
-  // Anew: another one may be at this place by now.
+  // Identifies all again, because another device may be at this index by now.
   counted_ = std::clamp(library_->count(), 0, kMostDevices);
   look();
   const auto at = std::find_if(listed_.begin(), listed_.end(), [&](const Listed& listed) {
@@ -183,8 +184,8 @@ Result<std::unique_ptr<DriverDevice>> ForceDimensionDriver::open(const DeviceDes
 
 PlaneCalibration ForceDimensionDriver::default_plane(const DeviceDescriptor&,
                                                      const OpenOptions&) const {
-  // Its base upright behind the pen, the sheet before it like an easel: to the right is y, down is
-  // -z, and to the hand x. A right-handed frame: the map mirrors.
+  // The base stands upright behind the pen, and the page in front of it like an easel: right is y,
+  // down is -z, and towards the hand is x. A right-handed frame: the map mirrors.
   return *PlaneCalibration::from({Vec3{0, 1, 0}, Vec3{0, 0, -1}, Vec3{1, 0, 0}}, {});
 }
 

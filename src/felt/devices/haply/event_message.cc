@@ -41,17 +41,18 @@ bool is_serious(std::string_view level) noexcept {
 EventKind safety_kind(const Raw& raw) noexcept {
   if (raw.safety_type == "ebrake_triggered") return EventKind::kBrakeOn;
   if (raw.safety_type == "ebrake_released") return EventKind::kBrakeOff;
-  // The guard's stage is told both ways: up with a warning, down as an information.
+  // A change of the guard's stage is reported in both directions: up as a warning, down as
+  // information.
   if (raw.safety_type == "fod_stage_changed" && raw.level != "warning" && !is_serious(raw.level)) {
     return EventKind::kNotice;
   }
-  return EventKind::kForceStopped;  // stall, stability ceiling, and what we do not know yet
+  return EventKind::kForceStopped;  // stall, stability ceiling, and kinds that we do not know
 }
 
 EventKind kind_of(const Raw& raw, bool is_ours) noexcept {
   if (raw.name == "device-battery-low" || raw.name == "device-battery-critical" ||
       raw.name == "device-sleep") {
-    return EventKind::kNotice;  // of a grip, which has an id of its own
+    return EventKind::kNotice;  // of a grip, which has its own id
   }
   if (!is_ours) return EventKind::kNone;
   if (raw.name == "device-safety-triggered") return safety_kind(raw);

@@ -11,11 +11,11 @@
 namespace felt::haply {
 namespace {
 
-constexpr int kMaxMessages = 16;  // that one tick looks at
+constexpr int kMaxMessages = 16;  // read in one tick
 constexpr int kMaxEvents = 4;
 constexpr double kNsPerS = 1e9;
 
-// While a person puts the pen home.
+// While the user puts the pen into its inkwell.
 constexpr int kHomingTries = 500;
 constexpr std::chrono::milliseconds kHomingPause{10};
 constexpr std::int64_t kHomingWaitNs = 50'000'000;
@@ -71,14 +71,15 @@ DeviceStatus HaplyDevice::status() noexcept {
 
 tl::unexpected<DeviceFault> HaplyDevice::failed(DeviceFault fault,
                                                 const ShortText& words) noexcept {
-  // While forces are off because the service is late, states that fail to come are no news.
+  // While forces are off because the service is late, a missing state is not a new fault.
   const bool is_known =
       pace_words_ && status_.fault == DeviceFault::kForcesOff && fault == DeviceFault::kOther;
   const bool is_same = status_.fault == fault && status_.vendor_words == words;
   if (is_known || is_same) return tl::unexpected(fault);
   status_.fault = status_.last_fault = fault;
   status_.vendor_words = words;
-  // After a brake, say, the service is still late: shown again, but not counted again.
+  // The service may still be late after another fault such as a brake: show it again, but do not
+  // count it again.
   const bool is_pace = pace_words_ && fault == DeviceFault::kForcesOff && words == *pace_words_;
   if (!(is_pace && is_pace_told_)) ++status_.faults;
   is_pace_told_ = is_pace_told_ || is_pace;
@@ -95,9 +96,9 @@ tl::unexpected<DeviceFault> HaplyDevice::gone(std::string_view words) noexcept {
   return failed(DeviceFault::kDisconnected, gone_words_);
 }
 
-// The service must not hold a force, whatever state we are in: also one that stood still, was given
-// up as silent and goes on after all. Answers that have come are taken first, since they allow a
-// message that no unanswered one adds its force to.
+// Sends zero force in every state of ours, because the service must not hold a force: a service
+// that stood still and was given up as silent may go on after all. Reads waiting answers first,
+// because they allow a message whose force cannot add up with that of an unanswered one.
 void HaplyDevice::let_go() noexcept {
   gate_.let_go();
   for (int i = 0; i < kMaxMessages && !window_.is_clear() && !window_.may_let_go(); ++i) {
@@ -106,8 +107,8 @@ void HaplyDevice::let_go() noexcept {
   if (window_.is_clear() || window_.may_let_go()) send({});
 }
 
-// Sends what the gate allows of this force, if the window is open. If not, the last message holds,
-// unless this is the end of its force.
+// Sends what the gate allows of this force if the window is open. Otherwise the force of the last
+// message holds, unless the new force is zero.
 void HaplyDevice::put(const Force& force) noexcept {
   const ForceGate before = gate_;
   if (window_.is_clear()) {
@@ -140,8 +141,8 @@ HaplyDevice::Heard HaplyDevice::hear(std::int64_t within_ns) noexcept {
   return read_state(*message, inventory_.id, grip_id_, state_) ? Heard::kState : Heard::kBad;
 }
 
-// The newest state that has come: what waits behind it is taken too, though it was not owed any
-// more, or states would stay old. Waits for one only.
+// Returns the newest state. Reads everything that waits, even more messages than were requested,
+// because states would otherwise stay old. Waits only for the first.
 HaplyDevice::Heard HaplyDevice::hear_all(std::int64_t within_ns) noexcept {
   Heard newest = hear(within_ns);
   for (int i = 1; i < kMaxMessages; ++i) {
@@ -163,7 +164,8 @@ void HaplyDevice::take_event(const Event& event) noexcept {
     case EventKind::kBrakeOn:
       brake_is_on_ = true;
       brake_words_ = event.words;
-      force_stopped_ = event.words;  // told once, though it be over by the next write()
+      force_stopped_ =
+          event.words;  // reported once, even if the brake is released before the next write()
       return;
     case EventKind::kBrakeOff:
       brake_is_on_ = false;
@@ -194,10 +196,10 @@ void HaplyDevice::hear_events() noexcept {
 
 void HaplyDevice::check_that_force_is_heard() noexcept {
   constexpr double kNothingN = 1e-9;
-  if (!window_.is_clear()) return;  // it may answer what bore no force
+  if (!window_.is_clear()) return;  // the state may answer a message without force
   const double sent_n = norm(gate_.held());
   const bool is_deaf = state_.force_n && norm(*state_.force_n) < kNothingN && sent_n >= kHeardN;
-  if (sent_n < kHeardN && deaf_states_ > 0) return;  // nothing to hear just now
+  if (sent_n < kHeardN && deaf_states_ > 0) return;  // the force is too small to judge
   deaf_states_ = is_deaf ? deaf_states_ + 1 : 0;
   if (deaf_states_ < kDeafStates || keys_tried_ > 2) return;
   deaf_states_ = 0;
@@ -229,7 +231,7 @@ tl::expected<PenSample, DeviceFault> HaplyDevice::nothing_heard() noexcept {
   return sample_;
 }
 
-// The clock may be set back, or stand still.
+// Updates the time. The clock may go back, or stand still.
 void HaplyDevice::wait_until(std::int64_t now_ns) noexcept {
   const double ns = static_cast<double>(now_ns) - static_cast<double>(now_ns_);
   const auto longest = static_cast<double>(ServicePace::kMaxTickNs);
@@ -239,7 +241,7 @@ void HaplyDevice::wait_until(std::int64_t now_ns) noexcept {
   window_.wait(tick_ns_);
 }
 
-// Says once why forces go, as long as they are off.
+// Updates the pace; sets the message for the user while forces are off.
 void HaplyDevice::follow_pace(bool has_state) noexcept {
   pace_.tick(tick_ns_, has_state);
   if (!pace_.is_off()) {
@@ -252,8 +254,8 @@ void HaplyDevice::follow_pace(bool has_state) noexcept {
   }
 }
 
-// How old the state is that has come: it was made when the message was sent. A clock that jumped, a
-// loop that stood still: no guess.
+// Returns the age of the received state, s: it was made when the message was sent. Returns 0 if the
+// age is implausible because the clock jumped or the loop stood still.
 double HaplyDevice::ahead_s(std::int64_t now_ns) const noexcept {
   const double age_s = (static_cast<double>(now_ns) - static_cast<double>(sent_ns_)) / kNsPerS;
   const double most_s = 2e-9 * static_cast<double>(descriptor_.capabilities.period_ns);
@@ -304,7 +306,7 @@ void HaplyDevice::take_state() noexcept {
   has_sample_ = true;
 }
 
-// Why no force goes; nothing if it does.
+// Returns the reason why no force is sent; nullopt if there is none.
 std::optional<ShortText> HaplyDevice::no_force_words() const noexcept {
   if (force_stopped_) return force_stopped_;
   if (brake_is_on_) return brake_words_;

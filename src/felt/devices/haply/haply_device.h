@@ -16,35 +16,36 @@
 
 namespace felt::haply {
 
-/// What Driver::open has reached: the service, our device and what it says of it.
+/// The result of Driver::open: the connections to the service, our device and its description.
 struct Connection {
   std::unique_ptr<WebSocket> control;
-  std::unique_ptr<WebSocket> events;  ///< null: that channel does not answer
+  std::unique_ptr<WebSocket> events;  ///< null: the events channel does not answer
   DeviceDescriptor descriptor;
   InventoryDevice device;
   std::string grip_id;  ///< empty: none
   int version = 0;      ///< version_number()
 };
 
-/// An Inverse3 or Minverse through the Inverse Service.
+/// An Inverse3 or Minverse, used through the Inverse Service.
 ///
-/// A tick is one message each way: write() sends the force, the next read() takes the state that
-/// answers it. Such a state is a period old, so that its position is carried on by its own velocity
-/// to the time of the read; forces come late all the same (Capabilities::delay_ticks says so). Two
-/// messages a tick would make it fresh, but forces that come within one tick of the service add up
-/// (maker's page "Control Commands"). Hence a force goes only to a service that has answered all
-/// before it, and only a message without force may follow one that is unanswered (RequestWindow).
+/// A tick is one message each way: write() sends the force, and the next read() receives the state
+/// that answers it. Such a state is one period old, so its position is extrapolated with its own
+/// velocity to the time of the read; forces still arrive late (see Capabilities::delay_ticks). Two
+/// messages per tick would give fresh states, but forces that arrive within one tick of the service
+/// add up (maker's page "Control Commands"). Therefore a force is sent only if the service has
+/// answered all earlier messages, and only a message without force may follow an unanswered one
+/// (RequestWindow).
 ///
-/// read() waits kWaitNs for a state. While states are late, read() repeats the last one, the
-/// service keeps the last force for a bounded time, and then the force falls to zero (ServicePace).
-/// Once it is zero, write() says kForcesOff until the service is prompt again. After kMaxHeldNs
+/// read() waits kWaitNs for a state. While states are late, read() repeats the last sample and the
+/// service keeps the last force for a bounded time; then the force falls to zero (ServicePace).
+/// Once it is zero, write() returns kForcesOff until the service is prompt again. After kMaxHeldNs
 /// without a state read() fails with kOther, and after kMaxSilentNs with kDisconnected.
 ///
-/// The events channel is looked at on each tick, without waiting: a brake, a stall or the stability
-/// ceiling makes write() say kForcesOff with the service's own words, and the force zero at once.
-/// So does a state that says that the device has no power.
+/// Each tick checks the events channel, without waiting: after a brake, a stall or the stability
+/// ceiling, write() returns kForcesOff with the service's message, and the force is zero
+/// immediately. The same happens if a state says that the device has no power.
 ///
-/// DeviceStatus::faults counts faults, not the ticks that they last.
+/// DeviceStatus::faults counts each fault once, however many ticks it lasts.
 class HaplyDevice final : public DriverDevice {
  public:
   static constexpr std::int64_t kWaitNs = 300'000;          ///< for a state
@@ -52,10 +53,10 @@ class HaplyDevice final : public DriverDevice {
   static constexpr std::int64_t kSendNs = 100'000;
   static constexpr std::int64_t kMaxHeldNs = 20'000'000;
   static constexpr std::int64_t kMaxSilentNs = 1'000'000'000;
-  /// States without any force in them, though one was asked for, until the other spelling of the
+  /// Number of states that show no force although one was sent, before the other spelling of the
   /// command is tried (ForceKey).
   static constexpr int kDeafStates = 200;
-  static constexpr double kHeardN = 0.3;  ///< what must show in a state
+  static constexpr double kHeardN = 0.3;  ///< smallest sent force that a state must show
 
   explicit HaplyDevice(Connection connection);
   ~HaplyDevice() override;
@@ -104,21 +105,21 @@ class HaplyDevice final : public DriverDevice {
   InventoryDevice inventory_;
   std::string grip_id_;
   ForceKey key_;
-  ForceGate gate_;  // what it holds is what the newest message asked for
+  ForceGate gate_;  // its held() is the force of the newest message
   RequestWindow window_;
   ServicePace pace_;
 
-  // The haptic thread's own; where no loop runs, that of the edit thread.
+  // Used by the haptic thread; while no loop runs, by the edit thread.
   State state_;
   PenSample sample_;
-  std::optional<Vec3> axis_;  // of the grip, as of sample_
+  std::optional<Vec3> axis_;  // of the grip, at the time of sample_
   bool has_sample_ = false;
   bool is_calibrated_;
   bool is_gone_ = false;
   bool brake_is_on_ = false;
   bool events_are_over_ = false;
   bool has_power_;
-  std::optional<ShortText> force_stopped_;  // until the next write() has said so
+  std::optional<ShortText> force_stopped_;  // until the next write() has reported it
   ShortText brake_words_, gone_words_;
   std::optional<ShortText> pace_words_;  // while the pace is off
   bool is_pace_told_ = false;
@@ -127,7 +128,7 @@ class HaplyDevice final : public DriverDevice {
   std::int64_t now_ns_ = 0;
   std::int64_t tick_ns_ = 0;  // from the read before
   bool has_ticked_ = false;
-  std::int64_t sent_ns_ = 0;  // the newest message
+  std::int64_t sent_ns_ = 0;  // time of the newest message
   std::int64_t rate_since_ns_ = 0;
   std::uint64_t rate_reads_ = 0;
   std::array<char, kMostCommand> command_{};

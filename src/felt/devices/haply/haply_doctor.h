@@ -8,8 +8,9 @@
 
 namespace felt::haply {
 
-/// Driver::diagnose: is the service installed, does it run, on which ports, how old is it, and what
-/// does it say of its devices? The service itself is asked over `connect`, when somebody listens.
+/// Implements Driver::diagnose: checks whether the service is installed and running, its ports and
+/// version, and what it reports about its devices. If something listens, the service itself is
+/// asked through `connect`.
 std::vector<Finding> examine(const SystemView& system, const TcpConnect& connect,
                              std::int64_t within_ns);
 

@@ -14,7 +14,8 @@ namespace felt {
 namespace haply {
 namespace {
 
-constexpr std::int64_t kFindNs = 100'000'000;  // a service that hangs costs that once in a while
+constexpr std::int64_t kFindNs =
+    100'000'000;  // an unresponsive service costs this much once in a while
 constexpr std::int64_t kOpenNs = 1'000'000'000;
 constexpr int kFindsToSkip = 10;
 
@@ -43,7 +44,7 @@ DeviceDescriptor descriptor_of(const InventoryDevice& device, const std::string&
   }
   const DeviceModel* model = find_device_model(found.model);
   found.capabilities = (model != nullptr ? *model : generic_device_model()).capabilities;
-  found.capabilities.delay_ticks = 2;  // a position is a period old when it is read (HaplyDevice)
+  found.capabilities.delay_ticks = 2;  // a position is one period old when it is read (HaplyDevice)
   return found;
 }
 
@@ -58,7 +59,7 @@ class HaplyDriver final : public Driver {
   std::vector<DeviceDescriptor> find() override;
   Result<std::unique_ptr<DriverDevice>> open(const DeviceDescriptor& device,
                                              const OpenOptions& options) override;
-  /// A sheet that lies on the desk.
+  /// Returns a page that lies flat on the desk.
   [[nodiscard]] PlaneCalibration default_plane(const DeviceDescriptor&,
                                                const OpenOptions&) const override {
     return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}}, {});
@@ -95,10 +96,10 @@ std::vector<DeviceDescriptor> HaplyDriver::find() {
   }
   last_found_.clear();
   const ServiceAddress address = service_address(*options_.system);
-  // HTTP makes no session, so that nothing that is open is disturbed.
+  // HTTP opens no session, so open devices are not disturbed.
   const auto answer = http_get(options_.connect, address.control, "/devices", kFindNs);
   if (!answer) {
-    if (answer.error().code == ErrorCode::kIo) finds_to_skip_ = kFindsToSkip;  // it hangs
+    if (answer.error().code == ErrorCode::kIo) finds_to_skip_ = kFindsToSkip;  // it is unresponsive
     return {};
   }
   const std::optional<Inventory> inventory = read_inventory(*answer);

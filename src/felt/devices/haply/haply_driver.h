@@ -8,22 +8,21 @@
 namespace felt {
 
 struct HaplyOptions {
-  /// How the service is reached; tests put a fake in its place.
+  /// Connects to the service; tests pass a fake.
   TcpConnect connect = TcpStream::connect;
-  /// Where FELT_HAPLY_URL and the service's own configuration are looked for; must outlive the
-  /// driver.
+  /// Gives FELT_HAPLY_URL and the service's own configuration; must outlive the driver.
   const SystemView* system = &this_system();
-  /// For the key and the masks of the WebSocket; 0: from the system's randomness.
+  /// For the key and the masks of the WebSocket; 0: the system's randomness.
   std::uint64_t seed = 0;
 };
 
-/// Haply's Inverse3, Inverse3x and Minverse, through Haply's own Inverse Service 3.x, which must
-/// run on this machine: JSON over a WebSocket (haply/README.md). The service is looked for at
-/// FELT_HAPLY_URL ("ws://localhost:10001"), or at the ports of its own configuration file; its
-/// events at FELT_HAPLY_EVENTS_URL, or likewise.
+/// Makes the driver of Haply's Inverse3, Inverse3x and Minverse, which uses Haply's own Inverse
+/// Service 3.x on this machine: JSON over a WebSocket (haply/README.md). The service's address is
+/// FELT_HAPLY_URL ("ws://localhost:10001"), or has the ports of its own configuration file; the
+/// address of its events is FELT_HAPLY_EVENTS_URL, or found in the same way.
 ///
-/// The frame is the service's own with the origin in the middle of the workspace: x right, y away
-/// from the person, z up, right-handed.
+/// The frame is the service's own with the origin in the centre of the workspace: x right, y away
+/// from the user, z up, right-handed.
 std::unique_ptr<Driver> make_haply_driver(HaplyOptions options = {});
 
 }  // namespace felt

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kMaxListedId = 64;
 constexpr std::size_t kMostDevices = 16;
 
-// What may stand in a command and in an id of ours as it is.
+// Returns true if the id is safe, unescaped, in a command and in our own ids.
 bool is_plain_id(std::string_view id) {
   const auto is_plain = [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
@@ -19,7 +19,7 @@ bool is_plain_id(std::string_view id) {
   return !id.empty() && id.size() <= kMaxListedId && std::all_of(id.begin(), id.end(), is_plain);
 }
 
-// The next value, where it is a text; what else it is, is passed over.
+// Reads the next value if it is a string; skips any other.
 bool read_text(JsonScanner& json, std::string& text) {
   JsonScanner ahead = json;
   if (ahead.next() != JsonToken::kString) return json.skip_value();
@@ -36,7 +36,7 @@ bool read_number(JsonScanner& json, std::optional<double>& number) {
   return true;
 }
 
-// Calls `read(key)` where the next value is an object; what else it is, is passed over.
+// Calls `read(key)` for each key if the next value is an object; skips any other.
 template <class Read>
 bool walk_if_object(JsonScanner& json, Read read) {
   JsonScanner ahead = json;

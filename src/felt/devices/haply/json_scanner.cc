@@ -19,8 +19,8 @@ std::size_t digits(std::string_view text, std::size_t at) noexcept {
   return at;
 }
 
-// Where the number that begins here ends; 0: it is none. The grammar is narrower than that of
-// from_chars: no leading zeros, a digit on both sides of the point.
+// Returns the length of the number at the beginning of `text`; 0 if there is none. The grammar is
+// narrower than that of from_chars: no leading zeros, a digit on both sides of the point.
 std::size_t number_end(std::string_view text) noexcept {
   std::size_t at = text.starts_with('-') ? 1 : 0;
   const std::size_t whole = digits(text, at);

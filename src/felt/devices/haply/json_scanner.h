@@ -5,25 +5,25 @@
 
 namespace felt::haply {
 
-/// What stands next in a JSON text.
+/// The next item of a JSON text.
 enum class JsonToken : std::uint8_t {
   kBeginObject,
   kEndObject,
   kBeginArray,
   kEndArray,
-  kKey,  ///< text(); its value comes next
+  kKey,  ///< text(); its value is next
   kString,
   kNumber,
   kTrue,
   kFalse,
   kNull,
-  kEnd,  ///< the text is over, and was well-formed
-  kBad,  ///< it is not JSON, or too deep, or a number is beyond a double; said for ever
+  kEnd,  ///< end of a well-formed text
+  kBad,  ///< not JSON, too deep, or a number that a double cannot hold; permanent
 };
 
-/// Reads a JSON text (RFC 8259) token by token where it lies: without memory of its own, recursion
-/// or exception, so that the haptic thread can read what a service says. Grammar and numbers are
-/// checked; the bytes of strings are checked for control characters and escapes, not for UTF-8.
+/// Reads a JSON text (RFC 8259) token by token in place: without allocation, recursion or
+/// exceptions, so that the haptic thread can read the service's messages. Grammar and numbers are
+/// checked; strings are checked for control characters and escapes, but not for UTF-8.
 class JsonScanner {
  public:
   static constexpr int kMostDepth = 24;
@@ -31,16 +31,16 @@ class JsonScanner {
   explicit JsonScanner(std::string_view json) noexcept : rest_(json) {}
 
   JsonToken next() noexcept;
-  /// Of the newest kKey or kString: what stands between the quotes, escapes as they are written.
+  /// Returns the text of the newest kKey or kString: between the quotes, with escapes as written.
   [[nodiscard]] std::string_view text() const noexcept { return text_; }
-  /// Of the newest kNumber; finite.
+  /// Returns the value of the newest kNumber; finite.
   [[nodiscard]] double number() const noexcept { return number_; }
-  /// How many objects and arrays are open.
+  /// Returns how many objects and arrays are open.
   [[nodiscard]] int depth() const noexcept { return depth_; }
-  /// Goes on until the object or array that stood at this depth() when it had been entered is
-  /// over. False: bad.
+  /// Skips to the end of the object or array whose depth() was `depth` when it was entered. Returns
+  /// false if the text is bad.
   bool leave(int depth) noexcept;
-  /// The next value, whatever it is, is passed over. False: bad.
+  /// Skips the next value, whatever it is. Returns false if the text is bad.
   bool skip_value() noexcept;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// What the scanner reads, written again; nothing where it says that it is bad.
+// Rewrites the scanner's tokens as text; nullopt if the scanner says that it is bad.
 std::optional<std::string> rewritten(std::string_view text) {
   JsonScanner json(text);
   std::string out;
@@ -94,8 +94,7 @@ std::string text_of(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-// Against nlohmann/json, which reads and writes it in another way: the same document, whatever it
-// is.
+// Compares any document with nlohmann/json, which reads and writes in another way.
 RC_GTEST_PROP(JsonScanner, ReadsWhatAnotherWriterWrites, ()) {
   const Json json = random_json(4);
   const std::string text = text_of(json);
@@ -104,7 +103,7 @@ RC_GTEST_PROP(JsonScanner, ReadsWhatAnotherWriterWrites, ()) {
   RC_ASSERT(Json::parse(*read) == Json::parse(text));
 }
 
-// Broken documents: what the scanner believes, the other reader believes too, and reads the same.
+// Broken documents: if the scanner accepts one, the other reader does too, and reads the same.
 RC_GTEST_PROP(JsonScanner, BelievesNothingThatAnotherReaderDoesNot, ()) {
   std::string text = text_of(random_json(3));
   const int changes = *rc::gen::inRange(1, 4);
@@ -120,7 +119,7 @@ RC_GTEST_PROP(JsonScanner, BelievesNothingThatAnotherReaderDoesNot, ()) {
   }
   const auto read = rewritten(text);
   if (!read) return;
-  // A scanner that gives bytes back as they are does not know that half a surrogate is none.
+  // The scanner returns bytes unchanged, so it does not detect half a surrogate.
   const Json other = Json::parse(text, nullptr, false);
   RC_PRE(!other.is_discarded() || text.find("\\u") == std::string::npos);
   RC_ASSERT(!other.is_discarded());

@@ -6,8 +6,8 @@
 
 namespace felt::haply {
 
-/// Calls `read(key)` for each key of an object that has been entered; it reads or skips the value,
-/// and says false where that is bad. False: bad.
+/// Calls `read(key)` for each key of an object that has been entered. `read` must read or skip the
+/// value, and return false if it is bad. Returns false if the text is bad.
 template <class Read>
 bool walk_entered_object(JsonScanner& json, Read read) {
   for (;;) {
@@ -23,8 +23,8 @@ bool walk_object(JsonScanner& json, Read read) {
   return json.next() == JsonToken::kBeginObject && walk_entered_object(json, read);
 }
 
-/// The next value is an array of objects: calls `read()` for each, entered; it must walk it to its
-/// end.
+/// Calls `read()` for each object of the array that is the next value. The object has been entered;
+/// `read` must walk it to its end.
 template <class Read>
 bool walk_objects(JsonScanner& json, Read read) {
   if (json.next() != JsonToken::kBeginArray) return false;
@@ -35,7 +35,7 @@ bool walk_objects(JsonScanner& json, Read read) {
   }
 }
 
-/// The next value, where it is true or false; what else it is, is passed over.
+/// Reads the next value if it is true or false; skips any other.
 inline bool read_flag(JsonScanner& json, std::optional<bool>& flag) noexcept {
   const JsonToken token = json.next();
   if (token == JsonToken::kTrue || token == JsonToken::kFalse) {
@@ -48,7 +48,7 @@ inline bool read_flag(JsonScanner& json, std::optional<bool>& flag) noexcept {
   return token != JsonToken::kBad && token != JsonToken::kEnd;
 }
 
-/// The names of the arrays of grips in a message.
+/// Returns true for the names of the arrays of grips in a message.
 constexpr bool is_grip_family(std::string_view key) noexcept {
   return key == "verse_grip" || key == "wireless_verse_grip" || key == "custom_verse_grip";
 }

@@ -4,25 +4,25 @@
 
 namespace felt::haply {
 
-/// Counts the messages that the service has not answered, so that none pile up before it, however
-/// slow it is.
+/// Counts the messages that the service has not answered, so that they do not pile up in front of
+/// it, however slow it is.
 ///
-/// A message goes when all before it are answered. There is one exception: while a message with a
-/// force is unanswered, one without may follow it at once, to let go. So at most one message with a
-/// force is under way, at most kMaxUnanswered in all that count, and the newest of two never bears
-/// a force.
+/// A message may be sent when all earlier ones are answered. There is one exception: while a
+/// message with a force is unanswered, one without may follow it immediately, to release the force.
+/// So at most one message with a force is unanswered, at most kMaxUnanswered in total, and the
+/// newer of two never carries a force.
 ///
 ///   window.wait(time since the last tick)
-///   if (window.is_clear()) ...                     any message may go
-///   else if (window.may_let_go()) ...              one without force may go
-///   if (window.is_overdue()) ...                   one without force should go, to ask again
+///   if (window.is_clear()) ...                     any message may be sent
+///   else if (window.may_let_go()) ...              one without force may be sent
+///   if (window.is_overdue()) ...                   one without force should be sent, to ask again
 ///
 /// TCP loses nothing, but a service may answer several messages with one state. After kPatienceNs
-/// without an answer one message without force asks again. If an answer has come since the newest
-/// message, what is missing then counts as answered by it. The patience doubles each time, so that
-/// a service that is merely slower than the patience is miscounted a few times: up to four messages
-/// can then wait before it. None of them bears a force, because forces are off by then
-/// (ServicePace::kHoldNs is shorter than the patience).
+/// without an answer one message without force asks again. If an answer has arrived since the
+/// newest message, the missing answers then count as included in it. The patience doubles each
+/// time, so that a service that is merely slower than the patience is miscounted only a few times:
+/// up to four messages can then wait in front of it. None of them carries a force, because forces
+/// are off by then (ServicePace::kHoldNs is shorter than the patience).
 ///
 /// Haptic thread; real-time safe.
 class RequestWindow {
@@ -30,26 +30,26 @@ class RequestWindow {
   static constexpr int kMaxUnanswered = 2;
   static constexpr std::int64_t kPatienceNs = 20'000'000;
   static constexpr std::int64_t kMaxPatienceNs = 16 * kPatienceNs;
-  /// Messages in a row that were answered before the patience ended, until it is short again.
+  /// Number of messages in a row that must be answered within the patience before it is reset.
   static constexpr int kPromptAnswers = 1000;
 
   void sent(bool bears_force) noexcept;
   void answered() noexcept;
-  /// Time goes on.
+  /// Advances the time.
   void wait(std::int64_t ns) noexcept;
 
   [[nodiscard]] bool is_clear() const noexcept { return unanswered_ == 0; }
   [[nodiscard]] bool may_let_go() const noexcept {
     return unanswered_ < kMaxUnanswered && bears_force_;
   }
-  /// True if nothing came for the patience and another message may still ask.
+  /// Returns true if no answer came within the patience and another message may ask again.
   [[nodiscard]] bool is_overdue() const noexcept {
     return unanswered_ == 1 && waited_ns_ >= patience_ns_;
   }
 
  private:
   int unanswered_ = 0;
-  bool bears_force_ = false;    // the newest message
+  bool bears_force_ = false;    // of the newest message
   bool has_answered_ = false;   // since the newest message
   std::int64_t waited_ns_ = 0;  // since the newest message or answer, while some are unanswered
   std::int64_t patience_ns_ = kPatienceNs;

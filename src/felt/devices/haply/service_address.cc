@@ -20,7 +20,7 @@ std::optional<std::uint16_t> port_of(std::string_view digits) {
   return port;
 }
 
-// "ws://localhost:10001", with or without scheme, port and path.
+// Parses "ws://localhost:10001", with or without scheme, port and path.
 std::optional<Address> address_of(std::string_view url, std::uint16_t usual_port) {
   for (const std::string_view scheme : {"ws://", "http://"}) {
     if (url.starts_with(scheme)) url.remove_prefix(scheme.size());
@@ -109,7 +109,7 @@ Result<std::string> http_get(const TcpConnect& connect, const Address& address,
     if (!count && count.error() == StreamFault::kTimedOut) {
       return fail(ErrorCode::kIo, where + ": no answer");
     }
-    if (!count) break;  // the end of the answer: we asked for a connection that is closed
+    if (!count) break;  // end of the answer: the request asked to close the connection
     answer.append(reinterpret_cast<const char*>(room.data()), *count);
     if (answer.size() > kMaxListingBytes)
       return fail(ErrorCode::kLimitExceeded, where + ": too long");
@@ -118,7 +118,7 @@ Result<std::string> http_get(const TcpConnect& connect, const Address& address,
   if (first.find(" 200") == std::string::npos) {
     return fail(ErrorCode::kInvalidData, where + ": \"" + first + "\"");
   }
-  // Whatever way the body is cut into pieces by, it is one object.
+  // The body is one object, however it is divided into chunks.
   const std::size_t begin = answer.find('{'), end = answer.rfind('}');
   if (begin == std::string::npos || end == std::string::npos || end < begin) {
     return fail(ErrorCode::kInvalidData, where + ": the answer is no JSON");

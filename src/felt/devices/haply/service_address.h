@@ -20,20 +20,21 @@ struct Address {
   [[nodiscard]] std::string text() const { return host + ":" + std::to_string(port); }
 };
 
-/// Where the service should be, and who says so.
+/// The address of the service, and where it was configured.
 struct ServiceAddress {
   Address control{.port = 10001};
   Address events{.port = 10020};
-  std::string source;  ///< "FELT_HAPLY_URL", the configuration file, or empty: the usual ports
-  std::string wrong;   ///< a sentence, where what was said cannot be read; the rest then holds
+  std::string source;  ///< "FELT_HAPLY_URL", the configuration file, or empty: the default ports
+  std::string wrong;   ///< a sentence, if the configuration cannot be read; then the rest holds
 };
 
-/// From the environment, or the service's configuration file ("communication/websocket/port",
-/// "communication/events/port"; maker's page "Settings Reference"), or as usual.
+/// Returns the address from the environment, or from the service's configuration file
+/// ("communication/websocket/port", "communication/events/port"; maker's page "Settings
+/// Reference"), or the default.
 ServiceAddress service_address(const SystemView& system);
 
-/// GET of a path; the JSON text of the answer (what lies between its first and its last brace).
-/// Error: nobody there, no answer in time, or a status that is not 200.
+/// Sends GET for a path. Returns the JSON text of the answer (from its first to its last brace).
+/// Fails if nothing listens, if there is no answer in time, or if the status is not 200.
 Result<std::string> http_get(const TcpConnect& connect, const Address& address,
                              const std::string& path, std::int64_t within_ns);
 

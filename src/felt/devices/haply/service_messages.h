@@ -11,73 +11,77 @@
 #include "felt/haptics/force.h"
 
 /// The messages of the Inverse Service 3.x (maker's pages "WebSocket Protocol", "Control Commands",
-/// "JSON Conventions", "Events & Monitoring"), read where they lie. Keys that we do not know are
-/// passed over; what should be a number and is none makes the whole message bad.
+/// "JSON Conventions", "Events & Monitoring"), parsed in place. Unknown keys are skipped; if a
+/// value that should be a number is not one, the whole message is bad.
 namespace felt::haply {
 
-/// The newest of our device in a state message. Service's units: m, m/s, N, in its application
-/// space.
+/// The newest state of our device in a state message. In the service's units (m, m/s, N) and its
+/// application space.
 struct State {
-  bool has_device = false;  ///< our device is in the message, with a place
+  bool has_device = false;  ///< our device is in the message, with a position
   Vec3 position_m;
   Vec3 velocity_m_per_s;
-  std::optional<Vec3> force_n;     ///< that acts, as the service says
-  std::optional<bool> calibrated;  ///< where it says so
-  std::optional<bool> has_power;   ///< likewise
+  std::optional<Vec3> force_n;     ///< the acting force, as reported by the service
+  std::optional<bool> calibrated;  ///< if reported
+  std::optional<bool> has_power;   ///< if reported
   std::uint32_t buttons = 0;       ///< of our grip: bit 0 is a (or button_0, or the only one)
-  std::optional<Vec3> grip_axis;   ///< along our grip, where it says how it is turned; length 1
+  std::optional<Vec3>
+      grip_axis;  ///< direction of our grip, if it reports its orientation; length 1
 };
 
-/// Haptic thread; no allocation. `grip_id` empty: no grip. False: bad, `state` then means nothing.
+/// Reads a state message. `grip_id` empty: no grip. Returns false if it is bad; `state` is then
+/// undefined. Haptic thread; no allocation.
 bool read_state(std::string_view message, std::string_view device_id, std::string_view grip_id,
                 State& state) noexcept;
 
-/// A device of the inventory, which the service sends first, and says at GET /devices.
+/// A device of the inventory, which is the service's first message and the answer to GET /devices.
 struct InventoryDevice {
-  std::string id;          ///< only letters, digits, '-' and '_': others are left out
-  std::string type;        ///< "inverse3", "inverse3x", "minverse"
-  std::string firmware;    ///< "7.4"; empty: not said
-  std::string handedness;  ///< how its arm is built: "right", "left"; empty: not said
-  std::string preset;      ///< empty: not said
+  std::string id;        ///< only letters, digits, '-' and '_': devices with other ids are left out
+  std::string type;      ///< "inverse3", "inverse3x", "minverse"
+  std::string firmware;  ///< "7.4"; empty: unknown
+  std::string handedness;  ///< the side its arm is built for: "right", "left"; empty: unknown
+  std::string preset;      ///< empty: unknown
   std::optional<bool> calibrated, has_power, in_use;
   std::optional<bool> gravity_compensation;
   std::optional<double> force_gate;  ///< gain of the service's own guard against oscillation
-  std::optional<double> damping;     ///< that the service adds
+  std::optional<double> damping;     ///< added by the service
 };
 struct Inventory {
   std::vector<InventoryDevice> devices;
-  std::vector<std::string> grips;  ///< ids, those with a cable first
+  std::vector<std::string> grips;  ///< ids, wired ones first
 };
-/// Edit thread. The whole message, or inside {"ok": true, "data": ...}. Nothing: it is no
-/// inventory.
+/// Reads an inventory: the whole message, or inside {"ok": true, "data": ...}. Returns nullopt if
+/// it is not one. Edit thread.
 std::optional<Inventory> read_inventory(std::string_view message);
 
-/// The newest "project_version" or "git_tag" in an answer to GET /version; empty: none.
+/// Returns the newest "project_version" or "git_tag" in an answer to GET /version; empty if there
+/// is none.
 std::string read_version(std::string_view answer);
-/// Major and minor as one number for comparisons, 3005 for "3.5.0-2-gce34c39e"; 0: unreadable.
+/// Returns major and minor version as one number for comparisons, 3005 for "3.5.0-2-gce34c39e"; 0
+/// if unreadable.
 int version_number(std::string_view version) noexcept;
 
-/// What an event means for us.
+/// The effect of an event on us.
 enum class EventKind : std::uint8_t {
   kNone,     ///< nothing
-  kNotice,   ///< to be told
+  kNotice,   ///< to be shown
   kBrakeOn,  ///< no force until kBrakeOff
   kBrakeOff,
-  kForceStopped,  ///< force must be taken away, and may come back when a person says so
-  kGone,          ///< the device is not there any more
+  kForceStopped,  ///< set the force to zero; it may return when the user says so
+  kGone,          ///< the device is no longer there
 };
 struct Event {
   EventKind kind = EventKind::kNone;
   ShortText words;  ///< the service's own
 };
-/// Haptic thread; no allocation. An event of another device is kNone, unless it is a grip's
-/// battery. Nothing: bad.
+/// Reads an event. One of another device is kNone, unless it is about a grip's battery. Returns
+/// nullopt if it is bad. Haptic thread; no allocation.
 std::optional<Event> read_event(std::string_view message, std::string_view device_id) noexcept;
 
-/// The service's name for the vector of set_cursor_force, which its own pages do not agree about
+/// The service's name for the vector of set_cursor_force, which differs between its own pages
 /// (devices.md 5.1).
 enum class ForceKey : std::uint8_t {
-  kValues,  ///< all examples up to 3.4, and where the version is not known
+  kValues,  ///< all examples up to 3.4; also used if the version is unknown
   kVector,  ///< reference pages of 3.5
 };
 constexpr ForceKey force_key_of(int version) noexcept {
@@ -87,12 +91,12 @@ constexpr ForceKey other(ForceKey key) noexcept {
   return key == ForceKey::kValues ? ForceKey::kVector : ForceKey::kValues;
 }
 
-/// Writes the command of one tick into `room` (at least kMostCommand bytes); what is returned lies
-/// in it. Haptic thread. Forces that are not finite are written as 0.
+/// Writes the command of one tick into `room` (at least kMostCommand bytes) and returns the text in
+/// it. Forces that are not finite are written as 0. Haptic thread.
 inline constexpr std::size_t kMostCommand = 512;
 std::string_view write_command(std::string_view device_id, ForceKey key, const Force& force,
                                char* room) noexcept;
-/// The first message: who we are, and where the origin shall be (the middle of the workspace).
+/// Returns the first message: our name, and the wanted origin (the centre of the workspace).
 std::string first_command(std::string_view device_id);
 
 }  // namespace felt::haply

@@ -4,14 +4,14 @@
 
 namespace felt::haply {
 
-/// Judges how quickly the service answers, and how much of the force may go while it does not.
+/// Measures how quickly the service answers, and limits the force while it does not.
 ///
-/// While states are late the last force holds, for kHoldNs at most; then it goes. An answer before
-/// that changes nothing. (A ramp would not reach the device: nothing but a message without force
-/// may follow one that is unanswered, RequestWindow.) If states come regularly but seldom
-/// (kSlowPeriods from one to the next, on average), the force falls within kSlowRampNs: the
-/// stiffness was chosen for a state in each tick. Once it is zero the pace is off, and stays so
-/// until states have come in time for kTimelyNs: one fault, however long.
+/// While states are late, the last force holds, for at most kHoldNs; then it is zero. An answer
+/// before that changes nothing. (A ramp would not reach the device, because only a message without
+/// force may follow an unanswered one, see RequestWindow.) If states come regularly but too rarely
+/// (kSlowPeriods between them, on average), the force falls to zero within kSlowRampNs, because the
+/// stiffness was chosen for one state per tick. Once it is zero the pace is off, and stays off
+/// until states have come in time for kTimelyNs: one fault, however long it lasts.
 ///
 /// Haptic thread; real-time safe.
 class ServicePace {
@@ -21,22 +21,22 @@ class ServicePace {
   static constexpr std::int64_t kTimelyNs = 1'000'000'000;
   static constexpr double kSlowPeriods = 1.7;
   static constexpr double kTimelyPeriods = 1.3;
-  /// Longest time that one tick counts for: a loop of ours that stood still says nothing about the
+  /// Longest time that one tick counts for, because a pause of our loop says nothing about the
   /// service.
   static constexpr std::int64_t kMaxTickNs = 5'000'000;
 
   explicit ServicePace(std::int64_t period_ns) noexcept;
 
-  /// One tick of the loop, `ns` after the last one, with a new state or without.
+  /// Handles one tick of the loop, `ns` after the last one, with a new state or without.
   void tick(std::int64_t ns, bool has_state) noexcept;
 
-  /// 0..1, of the force that is asked for.
+  /// Returns the factor for the force that is asked for, 0..1.
   [[nodiscard]] double share() const noexcept { return share_; }
-  /// No force, until the service has been prompt again for a while.
+  /// Returns true while forces are off, until the service has been prompt for a while.
   [[nodiscard]] bool is_off() const noexcept { return is_off_; }
-  /// Since the last state.
+  /// Returns the time since the last state.
   [[nodiscard]] std::int64_t waited_ns() const noexcept { return waited_ns_; }
-  /// Average time from state to state, ms.
+  /// Returns the average time between states, ms.
   [[nodiscard]] double interval_ms() const noexcept { return 1e-6 * interval_ns_; }
 
  private:

@@ -10,7 +10,7 @@
 namespace felt::haply {
 namespace {
 
-// {x, y, z} of numbers, all of them.
+// Reads {x, y, z}; all three must be numbers.
 bool read_vector(JsonScanner& json, Vec3& vector) noexcept {
   unsigned seen = 0;
   const bool is_read = walk_object(json, [&](std::string_view key) {
@@ -39,9 +39,9 @@ bool read_buttons(JsonScanner& json, std::uint32_t& buttons) noexcept {
   });
 }
 
-// A turn {w, x, y, z}, as the direction into which it turns the grip's own y axis, along which the
-// handle points. What is no turn (a null, a number that is missing, a length that is not 1) is
-// none: grips without such a sensor are no fault.
+// Reads a quaternion {w, x, y, z} and sets `axis` to the direction to which it rotates the grip's
+// own y axis, along which the handle points. An invalid one (a null, a missing number, a length
+// that is not 1) leaves `axis` unset, because grips without such a sensor are not a fault.
 bool read_grip_axis(JsonScanner& json, std::optional<Vec3>& axis) noexcept {
   constexpr double kMostOff = 0.1;
   constexpr std::string_view kParts = "wxyz";
@@ -74,7 +74,7 @@ bool read_grip_axis(JsonScanner& json, std::optional<Vec3>& axis) noexcept {
   return true;
 }
 
-// What an entry says of itself, before it is known whose it is: its id may come last.
+// The fields of an entry, stored before its owner is known, because its id may come last.
 struct Entry {
   std::string_view id;
   State state;

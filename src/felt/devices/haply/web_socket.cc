@@ -16,8 +16,8 @@ constexpr std::uint8_t kLastBit = 0x80, kReservedBits = 0x70, kOpcodeBits = 0x0F
 constexpr std::uint8_t kMaskBit = 0x80, kLengthBits = 0x7F;
 constexpr std::uint8_t kLength16 = 126, kLength64 = 127;
 constexpr std::size_t kMostControl = 125;
-constexpr std::int64_t kControlNs = 100'000;    // a pong or a good-bye goes within this, or not
-constexpr std::size_t kMaxOpeningBytes = 8192;  // of the opening
+constexpr std::int64_t kControlNs = 100'000;    // time limit for sending a pong or a close frame
+constexpr std::size_t kMaxOpeningBytes = 8192;  // of the handshake
 
 std::uint8_t byte_of(char c) noexcept {
   return static_cast<std::uint8_t>(c);
@@ -35,7 +35,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// The value of a header line of an HTTP answer.
+// Returns the value of a header line of an HTTP answer.
 std::optional<std::string_view> header_of(std::string_view answer, std::string_view name) {
   std::size_t at = answer.find("\r\n");
   while (at != std::string_view::npos && at + 2 < answer.size()) {
@@ -102,7 +102,8 @@ Result<void> WebSocket::shake_hands(const std::string& host, std::int64_t within
   return {};
 }
 
-// Its size with the empty line at its end; what came behind that stays for receive().
+// Reads the HTTP answer. Returns its size including the empty line at its end; bytes behind it stay
+// for receive().
 Result<std::size_t> WebSocket::take_answer(std::int64_t within_ns) {
   const StreamDeadline deadline(within_ns);
   for (;;) {
@@ -124,7 +125,7 @@ WebSocket::Step WebSocket::end(SocketFault fault) noexcept {
   return Step::kOver;
 }
 
-// More of what comes, behind what is there. False: nothing in time, or the end.
+// Appends more received bytes. Returns false if none came in time, or the stream ended.
 bool WebSocket::fill(std::int64_t within_ns) noexcept {
   if (begin_ > 0) {
     std::memmove(received_.data(), received_.data() + begin_, end_ - begin_);
@@ -145,7 +146,7 @@ WebSocket::Look WebSocket::look(Frame& frame) const noexcept {
   const std::string_view bytes(received_.data() + begin_, end_ - begin_);
   if (bytes.size() < 2) return Look::kMore;
   const std::uint8_t first = byte_of(bytes[0]), second = byte_of(bytes[1]);
-  // A server masks nothing, and no extension was asked for.
+  // A server must not mask, and no extension was negotiated.
   if ((first & kReservedBits) != 0 || (second & kMaskBit) != 0) return Look::kBad;
   frame.opcode = first & kOpcodeBits;
   frame.is_last = (first & kLastBit) != 0;

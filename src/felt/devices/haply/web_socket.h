@@ -13,38 +13,38 @@
 
 namespace felt::haply {
 
-/// Why a message did not come or go.
+/// Why a message was not received or sent.
 enum class SocketFault : std::uint8_t {
-  kTimedOut,  ///< nothing whole within the time; try again
-  kClosed,    ///< the other side ended it, or is gone
-  kBadData,  ///< what came is no WebSocket frame, or too long; the connection is of no use any more
+  kTimedOut,  ///< no whole message within the time; may be retried
+  kClosed,    ///< the other side closed it, or is gone
+  kBadData,   ///< not a WebSocket frame, or too long; the connection is unusable from then on
 };
 
-/// The client's end of a WebSocket (RFC 6455), text messages only, made for one message each way a
-/// millisecond: fixed memory, no allocation after open(), nothing that blocks beyond its time.
-/// Fragments are put together, pings answered, lengths beyond kMostBytes refused before anything is
-/// believed of them. After kClosed or kBadData it says the same again.
+/// The client's end of a WebSocket (RFC 6455), text messages only, for one message each way per
+/// millisecond: fixed memory, no allocation after open(), and no call blocks beyond its time. Joins
+/// fragments, answers pings, and rejects lengths beyond kMostBytes before using them. After kClosed
+/// or kBadData it returns the same fault again.
 ///
-/// Large (two buffers of 64 KiB): lives on the heap. One thread at a time.
+/// Large (two buffers of 64 KiB): allocate it on the heap. One thread at a time.
 class WebSocket {
  public:
   static constexpr std::size_t kMostBytes = std::size_t{1} << 16;  ///< of a message
   static constexpr std::size_t kMostSent = 1024;
-  static constexpr int kMostFrames = 64;  ///< that one receive() looks at
+  static constexpr int kMostFrames = 64;  ///< read in one receive()
 
-  /// Asks the other side of `stream` to speak WebSocket. `host` as in the address. `seed` makes the
-  /// key and the masks, which RFC 6455 wants unpredictable for the sake of proxies.
+  /// Performs the opening handshake over `stream`. `host` as in the address. `seed` generates the
+  /// key and the masks, which RFC 6455 requires to be unpredictable, to protect proxies.
   static Result<std::unique_ptr<WebSocket>> open(std::unique_ptr<ByteStream> stream,
                                                  const std::string& host, std::uint64_t seed,
                                                  std::int64_t within_ns);
-  /// Over a stream on which the opening is done already: for tests.
+  /// Uses a stream after its handshake: for tests.
   WebSocket(std::unique_ptr<ByteStream> stream, std::uint64_t seed) noexcept;
 
   /// Sends a text message of at most kMostSent bytes.
   tl::expected<void, SocketFault> send(std::string_view text, std::int64_t within_ns) noexcept;
-  /// The next whole message; valid until the next call.
+  /// Receives the next whole message; valid until the next call.
   tl::expected<std::string_view, SocketFault> receive(std::int64_t within_ns) noexcept;
-  /// Says good-bye, once. Does not wait for the answer.
+  /// Sends a close frame, once. Does not wait for the answer.
   void close() noexcept;
 
  private:
@@ -73,9 +73,9 @@ class WebSocket {
   std::uint64_t random_;
   bool is_over_ = false;
   bool said_goodbye_ = false;
-  SocketFault fault_ = SocketFault::kClosed;  // while is_over_
-  std::size_t begin_ = 0, end_ = 0;           // of what came and is not looked at, in received_
-  std::size_t assembled_ = 0;                 // bytes of a message in fragments
+  SocketFault fault_ = SocketFault::kClosed;  // if is_over_
+  std::size_t begin_ = 0, end_ = 0;           // range of unread bytes in received_
+  std::size_t assembled_ = 0;                 // bytes of a fragmented message
   bool in_fragments_ = false;
   std::string_view message_;
   static constexpr std::size_t kMostHeader = 10;

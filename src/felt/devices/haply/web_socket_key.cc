@@ -12,7 +12,7 @@ constexpr std::size_t kBlock = 64;
 
 using State = std::array<std::uint32_t, 5>;
 
-// One block of SHA-1 (FIPS 180-4, section 6.1.2).
+// Processes one block of SHA-1 (FIPS 180-4, section 6.1.2).
 void digest(State& state, const std::byte* block) {
   std::array<std::uint32_t, 80> w{};
   for (std::size_t i = 0; i < 16; ++i) {

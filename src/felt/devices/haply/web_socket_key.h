@@ -7,12 +7,11 @@
 
 namespace felt::haply {
 
-/// What a WebSocket server must answer to a client's key, so that both know that the other speaks
-/// the protocol (RFC 6455, section 4.2.2): base64 of SHA-1 of the key and a fixed text. Not a means
-/// of security.
+/// Returns a WebSocket server's answer to a client's key, which proves that both speak the protocol
+/// (RFC 6455, section 4.2.2): base64 of SHA-1 of the key and a fixed text. Not a security feature.
 std::string accept_for(std::string_view key);
 
-/// RFC 4648, section 4, with padding.
+/// Encodes as in RFC 4648, section 4, with padding.
 std::string base64(std::span<const std::byte> bytes);
 
 }  // namespace felt::haply

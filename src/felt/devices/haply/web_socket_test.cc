@@ -11,7 +11,7 @@
 namespace felt::haply::web_socket_test {
 namespace {
 
-// The other end, as a script: what it will say, in the pieces in which it comes.
+// The other end, as a script: its messages, and the pieces in which they arrive.
 struct Script {
   std::deque<std::string> pieces;
   std::string heard;
@@ -114,7 +114,7 @@ TEST_F(WebSocketTest, MessagesComeHoweverTheyAreCut) {
   EXPECT_EQ(heard_message(), "fragments");
   EXPECT_EQ(heard_message(), "");
   EXPECT_EQ(socket().receive(0).error(), SocketFault::kTimedOut);
-  // The ping was answered with its own words.
+  // The ping was answered with its own payload.
   ASSERT_EQ(script.heard.size(), 2u + 4u + 5u);
   EXPECT_EQ(script.heard[0], '\x8A');
 }

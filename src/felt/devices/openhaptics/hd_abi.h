@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-/// What we need of the binary interface of libHD on 64-bit Linux, in declarations and with names of
-/// our own (devices.md 3.1; OpenHaptics API reference, tables ). Values are facts of the
-/// interface; nothing of the maker's headers is in here.
+/// The part of the binary interface of libHD on 64-bit Linux that we need, in our own declarations
+/// and names (devices.md 3.1; OpenHaptics API reference, tables ). Values are facts of
+/// the interface; nothing is copied from the maker's headers.
 namespace felt::hd {
 
 using Enum = unsigned;
@@ -12,7 +12,7 @@ using Handle = unsigned;
 using Callback = unsigned (*)(void*);
 using CallbackHandle = unsigned long;
 
-/// Comes back by value.
+/// Returned by value.
 struct ErrorInfo {
   unsigned code;
   int internal_code;
@@ -22,7 +22,7 @@ static_assert(sizeof(ErrorInfo) == 12);
 
 inline constexpr Handle kNoHandle = 0xFFFFFFFF;
 inline constexpr unsigned kCallbackDone = 0;      // what a callback returns
-inline constexpr unsigned kCallbackContinue = 1;  // likewise
+inline constexpr unsigned kCallbackContinue = 1;  // the same
 inline constexpr unsigned short kFirst = 65535;   // priority of a callback
 inline constexpr unsigned char kFalse = 0;
 inline constexpr unsigned char kTrue = 1;
@@ -53,7 +53,7 @@ inline constexpr Enum kSchedulerFull = 0x501;
 inline constexpr Enum kInvalidLicence = 0x600;
 }  // namespace error
 
-/// What can be asked of, and told to, a device: with the type of its values.
+/// Parameters of a device that can be read or set, with the type of their values.
 namespace parameter {
 inline constexpr Enum kButtons = 0x2000;       // int; bits 0..3
 inline constexpr Enum kSafetySwitch = 0x2001;  // boolean
@@ -69,7 +69,7 @@ inline constexpr Enum kVendor = 0x2503;
 inline constexpr Enum kSerialNumber = 0x2504;
 inline constexpr Enum kFirmwareVersion = 0x2505;        // double
 inline constexpr Enum kLargestWorkspace = 0x2550;       // 6, mm: least x y z, most x y z
-inline constexpr Enum kUsableWorkspace = 0x2551;        // likewise
+inline constexpr Enum kUsableWorkspace = 0x2551;        // the same
 inline constexpr Enum kTabletopOffset = 0x2552;         // float, mm
 inline constexpr Enum kInputDof = 0x2553;               // int
 inline constexpr Enum kOutputDof = 0x2554;              // int
@@ -87,7 +87,7 @@ inline constexpr Enum kMaxDamping = 0x2609;             // N s/mm
 inline constexpr Enum kForce = 0x2700;                  // 3, N; zero at the begin of each frame
 }  // namespace parameter
 
-/// What can be switched on and off.
+/// Capabilities that can be switched on and off.
 namespace capability {
 inline constexpr Enum kForceOutput = 0x4000;
 inline constexpr Enum kMaxForceClamping = 0x4001;

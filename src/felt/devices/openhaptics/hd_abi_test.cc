@@ -10,8 +10,8 @@
 namespace felt::hd_abi_test {
 namespace {
 
-// Written down a second time, from the reference's tables and by their numbers, since neither the
-// driver nor our fake would notice a wrong one: both take them from the header.
+// The values are written a second time, from the reference's tables and by number, because neither
+// the driver nor our fake would notice a wrong one: both use the header.
 TEST(HdAbi, HasTheNumbersOfTheReference) {
   EXPECT_EQ(hd::error::kInvalidEnum + 4, hd::error::kBadHandle);
   EXPECT_EQ(hd::error::kInvalidOperation, 258U);

@@ -7,9 +7,9 @@
 
 namespace felt {
 
-/// What an error of the library is to us: errors of forces pass (the motors are off for a while,
-/// reading goes on), errors of the device, its cable or the timer end everything, and the rest
-/// (0x100, 0x400 and beyond) is a call of ours that the library did not like.
+/// Returns our fault for an error of the library. Force errors are temporary (the motors are off
+/// for a while, reading goes on), errors of the device, its cable or the timer are permanent, and
+/// the rest (0x100, 0x400 and beyond) means that the library rejected a call of ours.
 constexpr DeviceFault fault_of(hd::Enum error) noexcept {
   switch (error >> 8) {
     case 2:
@@ -21,7 +21,7 @@ constexpr DeviceFault fault_of(hd::Enum error) noexcept {
   }
 }
 
-/// Which of two faults is told when both came in one tick.
+/// Returns the more serious of two faults, which is reported when both occur in one tick.
 constexpr std::optional<DeviceFault> graver(std::optional<DeviceFault> a,
                                             std::optional<DeviceFault> b) noexcept {
   constexpr auto weight = [](std::optional<DeviceFault> fault) {

@@ -14,9 +14,9 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kMaxErrorsCleared =
-    64;  // a library that never ends to complain is not listened to
+    64;  // so that a library with endless errors cannot block us
 
-// As long as the program: a thread of the library may still have it.
+// Never freed, because a thread of the library may still use it.
 locale_t plain_locale() noexcept {
   static const locale_t locale = newlocale(LC_NUMERIC_MASK, "C", nullptr);
   return locale;
@@ -41,7 +41,7 @@ std::string hexadecimal(unsigned value) {
 }  // namespace
 
 Result<std::shared_ptr<HdLibrary>> HdLibrary::load(std::span<const std::string> names) {
-  const PlainNumbers plain;  // it may read its files when it is loaded
+  const PlainNumbers plain;  // the library may read its files when it is loaded
   auto library = DynamicLibrary::open(names, LibraryLife::kAsLongAsProgram);
   if (!library) return tl::unexpected(library.error());
   Loaded& all = loaded();

@@ -11,7 +11,7 @@
 
 namespace felt {
 
-/// The functions of libHD that we call, under names of our own.
+/// The functions of libHD that we call, under our own names.
 struct HdFunctions {
   hd::Handle (*init_device)(const char* name);
   void (*disable_device)(hd::Handle);
@@ -36,12 +36,13 @@ struct HdFunctions {
   void (*unschedule)(hd::CallbackHandle);
 };
 
-/// libHD, loaded. As its state belongs to the process (one scheduler, one current device), so does
-/// this: loading the same file again gives the same object, and one of its devices is open at a
-/// time. It is never unloaded: its threads may outlive our use of it. Edit thread, except call().
+/// libHD, loaded. Its state belongs to the process (one scheduler, one current device), so this
+/// object does, too: loading the same file again returns the same object, and only one of its
+/// devices is open at a time. It is never unloaded, because its threads may outlive our use of it.
+/// Edit thread, except call().
 class HdLibrary {
  public:
-  /// The first of `names` that loads and has all functions.
+  /// Loads the first of `names` that loads and has all functions.
   static Result<std::shared_ptr<HdLibrary>> load(std::span<const std::string> names);
 
   HdLibrary(const HdLibrary&) = delete;
@@ -50,7 +51,8 @@ class HdLibrary {
   [[nodiscard]] const HdFunctions& call() const noexcept { return functions_; }
   [[nodiscard]] std::string path() const { return library_.path(); }
 
-  /// Takes the one device that may be open; false: it is taken. give_back() ends that.
+  /// Reserves the library for the one device that may be open; returns false if it is reserved.
+  /// give_back() ends that.
   bool take() noexcept;
   void give_back() noexcept { is_taken_ = false; }
   [[nodiscard]] bool is_taken() const noexcept { return is_taken_; }
@@ -64,8 +66,8 @@ class HdLibrary {
   bool is_taken_ = false;
 };
 
-/// Empties the library's stack of errors, at most `most` of them, newest first (it is a stack).
-/// Calls `each(info)`; returns how many there were. Any thread that may call the library.
+/// Removes up to `most` errors from the library's stack, newest first. Calls `each(info)` for each,
+/// and returns how many there were. Any thread that may call the library.
 template <class Each>
 std::size_t drain_errors(const HdFunctions& call, std::size_t most, Each&& each) {
   std::size_t count = 0;
@@ -77,22 +79,22 @@ std::size_t drain_errors(const HdFunctions& call, std::size_t most, Each&& each)
   return count;
 }
 
-/// Of the library's errors, all of them, oldest first, with its own words: "communication error
-/// (0x302, internal 7)". Empty: there were none.
+/// Removes all of the library's errors and returns them, oldest first, with its own text:
+/// "communication error (0x302, internal 7)". Empty if there were none.
 std::string drained_words(const HdFunctions& call);
 
-/// The library reads numbers from its configuration files with the decimal point of whatever locale
-/// the calling thread has, and with a comma gets joint angles wrong: for this block the thread
-/// has the "C" locale for numbers.
+/// Sets the "C" locale for numbers on this thread for the duration of a block. The library reads
+/// numbers from its configuration files with the decimal point of the calling thread's locale, and
+/// with a comma gets joint angles wrong.
 class PlainNumbers {
  public:
   PlainNumbers() noexcept;
   ~PlainNumbers() noexcept;
   PlainNumbers(const PlainNumbers&) = delete;
   PlainNumbers& operator=(const PlainNumbers&) = delete;
-  /// For good on this thread, which is one of the library's own. Real-time safe.
+  /// Sets it permanently on this thread, which belongs to the library. Real-time safe.
   static void keep() noexcept;
-  /// Makes what keep() and the block need, on the edit thread, before.
+  /// Allocates what keep() and the block need; call it first, on the edit thread.
   static void prepare() noexcept;
 
  private:

@@ -1,4 +1,4 @@
-// What happens in a tick. All of it runs on the scheduler's thread.
+// The work of a tick. All of it runs on the scheduler's thread.
 #include "felt/devices/openhaptics/openhaptics_device.h"
 
 #include <algorithm>
@@ -10,17 +10,18 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kMaxErrorsRead = 16;  // heard at once; more wait for the next time
+constexpr std::size_t kMaxErrorsRead = 16;  // read in one go; more wait for the next time
 constexpr std::uint64_t kStatusEvery = 16;  // ticks
-constexpr double kFarthestMm = 1e5;         // what is farther away makes no sense
+constexpr double kFarthestMm = 1e5;         // larger positions are invalid
 constexpr double kFastestMmPerS = 1e6;
 constexpr unsigned kButtonBits = 0xF;
-constexpr double kLeastAxis = 0.5;  // of length 1; what is far from it makes no sense
-constexpr std::size_t kMotors = 6;  // three or six; the library fills what there is
+constexpr double kLeastAxis = 0.5;  // the nominal length is 1; far from it, it is invalid
+constexpr std::size_t kMotors = 6;  // three or six; the library fills those that exist
 
 bool is_believable(const PenSample& pen) noexcept {
   const auto within = [](const Vec3& v, double most) {
-    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;  // not NaN
+    return std::abs(v.x) <= most && std::abs(v.y) <= most &&
+           std::abs(v.z) <= most;  // false for NaN
   };
   return within(pen.position, kFarthestMm) && within(pen.velocity, kFastestMmPerS);
 }
@@ -48,7 +49,7 @@ tl::expected<PenSample, DeviceFault> OpenHapticsDevice::read(std::int64_t now_ns
   if (!tick_is_open_) {
     return refuse(DeviceFault::kOther, "read outside of the loop of the device's own software");
   }
-  if (frame_ == Frame::kDone) return last_;  // one frame a tick: this is what it said
+  if (frame_ == Frame::kDone) return last_;  // one frame per tick: repeats its sample
   now_ns_ = now_ns;
   if (frame_ == Frame::kNotYet) open_frame();
   last_ = sense(now_ns);
@@ -81,7 +82,7 @@ tl::expected<PenSample, DeviceFault> OpenHapticsDevice::sense(std::int64_t now_n
   return pen;
 }
 
-// The stylus lies along its own z axis, the third column of where it is and how it is turned.
+// The stylus lies along its own z axis, the third column of its transform.
 void OpenHapticsDevice::sense_attitude() noexcept {
   axis_.reset();
   if (!senses_.attitude) return;
@@ -89,14 +90,15 @@ void OpenHapticsDevice::sense_attitude() noexcept {
   call_.get_doubles(hd::parameter::kTransform, transform.data());
   const Vec3 axis{transform[8], transform[9], transform[10]};
   const double size = norm(axis);
-  if (size > kLeastAxis && size < 1.0 / kLeastAxis) axis_ = axis;  // not NaN
+  if (size > kLeastAxis && size < 1.0 / kLeastAxis) axis_ = axis;  // false for NaN
 }
 
 void OpenHapticsDevice::sense_state() noexcept {
   unsigned char state = hd::kFalse;
   if (senses_.safety_switch) {
     call_.get_booleans(hd::parameter::kSafetySwitch, &state);
-    // A device that has no switch says nothing of use: only one that was closed can be opened.
+    // A device without a switch always reports it as open, so it only counts after it was seen
+    // closed.
     is_held_ = state != hd::kFalse || !has_safety_switch_;
     has_safety_switch_ = has_safety_switch_ || state != hd::kFalse;
   }
@@ -110,7 +112,7 @@ void OpenHapticsDevice::sense_state() noexcept {
     std::array<double, kMotors> warm{};
     call_.get_doubles(hd::parameter::kMotorTemperature, warm.data());
     double warmest = 0.0;
-    for (const double motor : warm) warmest = motor <= warmest ? warmest : motor;  // NaN stays
+    for (const double motor : warm) warmest = motor <= warmest ? warmest : motor;  // keeps NaN
     if (std::isfinite(warmest)) status_.motor_temperature = warmest;
     warmth_.allow(warmest);
   }
@@ -146,7 +148,7 @@ tl::expected<void, DeviceFault> OpenHapticsDevice::write(const Force& asked) noe
     close_frame(force);
     fault = graver(fault, drain());
   } else {
-    // No frame is left that could say it: none at all is what can be done.
+    // There is no frame left to send the force in; all that remains is to switch the output off.
     let_go();
     if (force != Force{}) {
       fault = graver(fault, DeviceFault::kOther);
@@ -191,14 +193,15 @@ void OpenHapticsDevice::close_frame(const Force& force) noexcept {
   frame_ = Frame::kDone;
 }
 
-// At once, wherever in a tick or outside of it: there may be no frame any more that could say zero.
+// Switches the force output off immediately, inside or outside of a tick, because there may be no
+// frame left to send zero in.
 void OpenHapticsDevice::let_go() noexcept {
   call_.disable(hd::capability::kForceOutput);
   is_output_on_ = false;
   gate_.let_go();
 }
 
-// For ever. The frame ends, lest the library waits for it.
+// Ends the device permanently. Ends the frame, so that the library does not wait for it.
 void OpenHapticsDevice::die() noexcept {
   is_gone_ = true;
   if (frame_ == Frame::kOpen) close_frame({});
@@ -213,7 +216,7 @@ std::optional<DeviceFault> OpenHapticsDevice::drain() noexcept {
   hd::ErrorInfo told{};
   drain_errors(call_, kMaxErrorsRead, [&](const hd::ErrorInfo& error) {
     const std::optional<DeviceFault> with = graver(gravest, fault_of(error.code));
-    if (with != gravest) told = error;  // the newest of the gravest ones
+    if (with != gravest) told = error;  // keeps the newest of the gravest ones
     gravest = with;
   });
   if (gravest) {

@@ -16,12 +16,12 @@
 
 namespace felt {
 
-/// A device that libHD has open. The library's scheduler is its loop; in each of its ticks there is
-/// exactly one frame, from read() to write(), and nothing of the servo's is asked or told outside
-/// of it. What the library complains of is heard twice a tick, after reading and after writing.
+/// A device that libHD has open. The library's scheduler is its loop. Each tick has exactly one
+/// frame, from read() to write(), and the servo reads and writes nothing outside of it. The
+/// library's errors are read twice per tick, after reading and after writing.
 class OpenHapticsDevice final : public DriverDevice, private LoopHost {
  public:
-  /// Owns the device that `handle` is, and gives the taken library back in the end.
+  /// Takes ownership of the device `handle`; the destructor gives the reserved library back.
   OpenHapticsDevice(std::shared_ptr<HdLibrary> library, hd::Handle handle,
                     DeviceDescriptor descriptor);
   ~OpenHapticsDevice() override;
@@ -45,14 +45,15 @@ class OpenHapticsDevice final : public DriverDevice, private LoopHost {
   [[nodiscard]] std::string homing_words() override;
   Result<void> find_home() override;
 
-  /// Around what is done in one call of the scheduler, on its thread: what the callback does, and a
-  /// test that is the scheduler. end_tick() ends a frame that was only read in, without force.
+  /// Called before and after the work of one call of the scheduler, on its thread: by the callback,
+  /// or by a test that acts as the scheduler. end_tick() ends a frame in which nothing was written,
+  /// without force.
   void begin_tick() noexcept;
   void end_tick() noexcept;
 
  private:
   enum class Frame : std::uint8_t { kNotYet, kOpen, kDone };
-  /// Of what not every device has.
+  /// Sensors that not every device has.
   struct Senses {
     bool temperature = false;
     bool safety_switch = false;
@@ -87,7 +88,7 @@ class OpenHapticsDevice final : public DriverDevice, private LoopHost {
   DeviceDescriptor descriptor_;
   Senses senses_;
 
-  // The scheduler's thread, or whoever plays it.
+  // Used by the scheduler's thread, or by the thread that acts as it.
   ForceGate gate_;
   TemperatureGuard warmth_;
   bool tick_is_open_ = false;
@@ -96,11 +97,11 @@ class OpenHapticsDevice final : public DriverDevice, private LoopHost {
   std::uint64_t ticks_ = 0;
   tl::expected<PenSample, DeviceFault> last_ = tl::unexpected(DeviceFault::kOther);
   std::optional<Vec3> axis_;                // of the stylus, in the maker's axes
-  std::optional<DeviceFault> force_fault_;  // heard while reading; write() tells it
+  std::optional<DeviceFault> force_fault_;  // found while reading; reported by write()
   bool is_gone_ = false;
   bool is_output_on_ = false;
-  bool has_safety_switch_ = false;  // it was seen closed
-  bool is_held_ = true;             // as the safety switch says
+  bool has_safety_switch_ = false;  // it was seen closed once
+  bool is_held_ = true;             // according to the safety switch
   bool is_in_inkwell_ = false;
   bool is_home_ = true;
   DeviceStatus status_;

@@ -13,7 +13,7 @@ constexpr std::string_view kUsbProduct = "0302";
 constexpr std::string_view kUsbFolder = "/sys/bus/usb/devices";
 constexpr std::string_view kConfigEnd = ".config";
 
-// What a missing part is called, and how one gets it.
+// A library that may be missing, its name for the user, and how to install it.
 struct Part {
   std::string_view file;
   std::string_view what;
@@ -61,7 +61,8 @@ std::vector<UsbDevice> touches(const SystemView& system) {
   return found;
 }
 
-// Nodes that belong to a USB device: of a Touch HID /dev/hidrawN, of a Touch USB /dev/ttyACMN.
+// Returns the nodes that belong to a USB device: /dev/hidrawN of a Touch HID, /dev/ttyACMN of a
+// Touch USB.
 std::vector<std::string> nodes_of(const SystemView& system, const UsbDevice& device) {
   const std::string real = system.resolve(device.folder);
   const std::string begin = (real.empty() ? device.folder : real) + "/";
@@ -91,10 +92,10 @@ std::string udev_rules() {
          ids + "SUBSYSTEM==\"tty\", " + ids + "SUBSYSTEM==\"usb\", " + ids;
 }
 
-// nullopt: it loads.
+// The result of trying to load the library.
 struct LibraryLook {
   std::string found;  // the name that loads
-  std::string tried;  // all others, with the loader's words
+  std::string tried;  // the errors of all others, with the loader's text
   const Part* part = nullptr;
   bool is_there_but_broken = false;
 };
@@ -112,7 +113,8 @@ LibraryLook look_for_library(const SystemView& system, std::span<const std::stri
     for (const Part& part : kParts) {
       if (words.find(part.file) != std::string::npos && look.part == nullptr) look.part = &part;
     }
-    // The loader begins with the name of what it did not find: another one, or another trouble.
+    // The loader's message begins with the missing file: if that is not `name`, a dependency is
+    // missing or something else is wrong.
     const bool is_absent = words.starts_with(name + ": cannot open shared object file: No such");
     look.is_there_but_broken = look.is_there_but_broken || !is_absent;
   }
@@ -139,7 +141,7 @@ Finding broken_library(const LibraryLook& look) {
   return finding;
 }
 
-// It loads, and is not what the driver needs.
+// The library loads, but it is not the one that the driver needs.
 Finding strange_library(const LibraryLook& look, const std::string& refusal) {
   return {
       .level = FindingLevel::kProblem,
@@ -167,7 +169,7 @@ std::optional<Finding> look_at_setup(const SystemView& system) {
   const std::optional<std::string> home = system.environment(kHdConfigVariable);
   const bool is_new_driver = system.exists("/usr/lib/libPhantomIOLib42.so") || home.has_value() ||
                              system.exists(kHdConfigHome);
-  if (!is_new_driver) return std::nullopt;  // older drivers keep theirs elsewhere
+  if (!is_new_driver) return std::nullopt;  // older drivers store theirs elsewhere
   const std::string folder = config_folder(system);
   const std::vector<std::string> names = configured_devices(system);
   if (!names.empty() && home) {

@@ -15,7 +15,7 @@ using ::testing::IsEmpty;
 
 constexpr const char* kUsb = "/sys/devices/pci0000:00/usb1/1-4";
 
-// A Touch HID as sysfs shows it.
+// Adds a Touch HID as sysfs shows it.
 void plug_in_touch(FakeSystem& system) {
   const std::string usb = kUsb;
   system.add_file(usb + "/idVendor", "2988\n")
@@ -120,7 +120,8 @@ TEST(OpenHapticsDiagnosis, TheLibraryThatTheEnvironmentNamesIsTheOnlyOne) {
   EXPECT_THAT(look(system)[0].what, HasSubstr("installed (/opt/hd/libHD.so)"));
 }
 
-// What is on this computer is loaded: the driver says what it lacks, not only that it is there.
+// On this computer the library is really loaded: the driver reports missing functions, not only
+// that the file exists.
 TEST(OpenHapticsDiagnosis, ALibraryThatIsAnotherOneIsNotFine) {
   const auto driver = make_openhaptics_driver({.library = "libm.so.6", .device = {}});
   const auto findings = driver->diagnose(this_system());
@@ -171,7 +172,7 @@ TEST(OpenHapticsDiagnosis, ADeviceThatMayNotBeUsed) {
   EXPECT_EQ(worst(look(system)), nullptr) << "that is another device";
 }
 
-// The older Touch is a serial port.
+// The older Touch uses a serial port.
 TEST(OpenHapticsDiagnosis, ATouchThatIsASerialPort) {
   FakeSystem system;
   set_up(system);

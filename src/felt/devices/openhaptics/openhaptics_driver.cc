@@ -21,7 +21,8 @@ constexpr std::string_view kDeviceVariable = "FELT_OPENHAPTICS_DEVICE";
 constexpr std::string_view kDefaultId = "openhaptics:default";
 constexpr unsigned long kRateHz = 1000;
 
-// What guards the hand in the library itself: on, whatever somebody switched off before.
+// The library's own protections of the hand: switched on, even if another program switched them
+// off.
 constexpr std::array kProtections{
     hd::capability::kMaxForceClamping,     hd::capability::kForceRamping,
     hd::capability::kSoftwareForceLimit,   hd::capability::kOneFrameLimit,
@@ -48,7 +49,7 @@ HdLimits limits_of(const HdFunctions& call) {
   call.get_doubles(hd::parameter::kMaxDamping, &said.max_damping_n_s_per_mm);
   call.get_doubles(hd::parameter::kUsableWorkspace, said.usable_mm);
   call.get_integers(hd::parameter::kUpdateRate, &said.update_rate_hz);
-  forget_errors(call);  // older ones do not know all of these
+  forget_errors(call);  // older libraries do not have all of these
   return said;
 }
 
@@ -111,7 +112,8 @@ class OpenHapticsDriver final : public Driver {
     return named.empty() ? openhaptics_library_names() : std::vector<std::string>{named};
   }
 
-  // Why a library that is there is not used. Only of this computer: of another nothing loads.
+  // Returns why an existing library is not used. Only for this computer, because nothing can be
+  // loaded from another.
   std::string refusal(const SystemView& system) {
     if (&system != &this_system()) return {};
     const auto loaded = load();
@@ -125,7 +127,7 @@ class OpenHapticsDriver final : public Driver {
     return loaded;
   }
 
-  // As far as it is known; what it said when it was open last is remembered.
+  // Returns the description of a closed device, with what it reported when it was last open.
   [[nodiscard]] DeviceDescriptor closed(std::string id) const {
     DeviceDescriptor device;
     if (const auto known = known_.find(id); known != known_.end()) {
@@ -141,7 +143,7 @@ class OpenHapticsDriver final : public Driver {
     return device;
   }
 
-  // The maker's names for "the first one" differ from driver to driver, and none works everywhere.
+  // The maker's name for "the first device" differs between drivers, and none works everywhere.
   [[nodiscard]] std::vector<std::optional<std::string>> names_for(std::string_view id) const {
     if (id != kDefaultId) return {name_in(id)};
     std::vector<std::optional<std::string>> names{std::nullopt, "Default PHANToM",
@@ -189,7 +191,7 @@ class OpenHapticsDriver final : public Driver {
       if (call.is_enabled(protection) == hd::kFalse) call.enable(protection);
     }
     call.set_scheduler_rate(kRateHz);
-    forget_errors(call);  // where it cannot be chosen it stays what it is
+    forget_errors(call);  // if it cannot be set, it stays unchanged
     device.capabilities = openhaptics_capabilities(model.capabilities, limits_of(call));
     open_id_ = device.id;
     known_[device.id] = device;
@@ -198,8 +200,8 @@ class OpenHapticsDriver final : public Driver {
 
   OpenHapticsOptions options_;
   std::shared_ptr<HdLibrary> library_;
-  std::map<std::string, DeviceDescriptor, std::less<>> known_;  // as it was when open
-  std::string open_id_;                                         // the last one
+  std::map<std::string, DeviceDescriptor, std::less<>> known_;  // as reported while open
+  std::string open_id_;                                         // the newest one
 };
 
 }  // namespace

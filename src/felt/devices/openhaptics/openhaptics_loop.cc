@@ -1,5 +1,4 @@
-// What happens outside of ticks: the device's loop, its homing, its end. Edit thread, except
-// serve().
+// The device's work outside of ticks: its loop, homing and end. Edit thread, except serve().
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -14,9 +13,9 @@ using std::chrono::milliseconds;
 
 constexpr int kMostHomingMs = 4000;
 constexpr int kHomingStepMs = 10;
-constexpr int kMostWaitMs = 1000;  // for a call that is under way after the scheduler has stopped
+constexpr int kMostWaitMs = 1000;  // for a call that is in progress after the scheduler has stopped
 
-// All that hinders; an error of forces is heard, and dealt with, in the ticks.
+// Returns the texts of all errors except force errors, which are handled in the ticks.
 std::string hindrances(const HdFunctions& call) {
   std::string words;
   drain_errors(call, 64, [&](const hd::ErrorInfo& error) {
@@ -46,17 +45,17 @@ OpenHapticsDevice::OpenHapticsDevice(std::shared_ptr<HdLibrary> library, hd::Han
 OpenHapticsDevice::~OpenHapticsDevice() {
   const PlainNumbers plain;
   OpenHapticsDevice::stop_loop();
-  // A call that hangs in the library still needs this object. Who must not wait for it lets go of
-  // the device without destroying it (RealtimeThread::stop).
+  // A call that hangs in the library still needs this object. A caller that must not wait for it
+  // abandons the device without destroying it (RealtimeThread::stop).
   while (is_in_callback_.load()) std::this_thread::sleep_for(milliseconds(1));
   call_.disable(hd::capability::kForceOutput);
   call_.disable_device(handle_);
-  static_cast<void>(hindrances(call_));  // the next device shall not hear of them
+  static_cast<void>(hindrances(call_));  // so that the next device does not see these errors
   library_->give_back();
 }
 
-// Outside of a frame the library answers with what was in the last one: enough to see whether it
-// knows the question.
+// Finds out which sensors exist. Outside of a frame the library answers with the values of the last
+// one, which is enough to see whether it supports the parameter.
 OpenHapticsDevice::Senses OpenHapticsDevice::find_senses() const noexcept {
   const auto knows = [this](auto ask) {
     drain_errors(call_, 64, [](const hd::ErrorInfo&) {});
@@ -128,8 +127,9 @@ Result<void> OpenHapticsDevice::start_loop(Tick tick, void* context) {
 
 void OpenHapticsDevice::stop_loop() noexcept {
   if (!std::exchange(loop_runs_, false)) return;
-  // First, so that a call that begins now does nothing: it says that it is under way before it
-  // looks, and here it is told before we look (both sequentially consistent).
+  // Must be first, so that a call that begins now does nothing: serve() sets is_in_callback_ before
+  // it reads is_serving_, and this function writes is_serving_ before it reads is_in_callback_ (all
+  // sequentially consistent).
   is_serving_.store(false);
   call_.stop_scheduler();
   for (int i = 0; i < kMostWaitMs && is_in_callback_.load(); ++i) {
@@ -137,14 +137,14 @@ void OpenHapticsDevice::stop_loop() noexcept {
   }
   call_.unschedule(callback_);
   drain_errors(call_, 64, [](const hd::ErrorInfo&) {});
-  publish();  // nobody else does now
+  publish();  // nobody else publishes now
 }
 
 hd::Enum OpenHapticsDevice::style() const noexcept {
   int styles = 0;
   call_.get_integers(hd::parameter::kCalibrationStyle, &styles);
   const auto bits = static_cast<hd::Enum>(styles);
-  // What asks least of a person first.
+  // The style that needs the least work of the user comes first.
   if ((bits & hd::calibration::kAuto) != 0) return hd::calibration::kAuto;
   if ((bits & hd::calibration::kInkwell) != 0) return hd::calibration::kInkwell;
   return hd::calibration::kEncoderReset;
@@ -154,7 +154,7 @@ Homing OpenHapticsDevice::homing() noexcept {
   const PlainNumbers plain;
   const hd::Enum how = style();
   hd::Enum state = call_.check_calibration();
-  if (state == hd::calibration::kNeedsUpdate) {  // it has seen all that it needs
+  if (state == hd::calibration::kNeedsUpdate) {  // it has all the data that it needs
     call_.update_calibration(how);
     state = call_.check_calibration();
   }
@@ -180,7 +180,7 @@ Result<void> OpenHapticsDevice::find_home() {
   const PlainNumbers plain;
   const hd::Enum how = style();
   call_.disable(hd::capability::kForceOutput);
-  call_.start_scheduler();  // it looks at its joints only while it runs
+  call_.start_scheduler();  // the library checks its joints only while the scheduler runs
   std::string words = hindrances(call_);
   bool is_home = false;
   for (int ms = 0; words.empty() && !is_home && ms < kMostHomingMs; ms += kHomingStepMs) {

@@ -11,15 +11,15 @@
 namespace felt {
 namespace {
 
-constexpr double kLargestMm = 2000.0;  // of a workspace, from the origin, that is believed
-constexpr double kSmallestMm = 10.0;   // of one of its sides
+constexpr double kLargestMm = 2000.0;  // largest believed coordinate of a workspace
+constexpr double kSmallestMm = 10.0;   // smallest believed side
 
 struct Word {
   std::string_view word;  // lower case
   std::string_view model;
 };
 
-// The first that occurs. "Geomagic Touch X" has two of them: the longer ones come first.
+// The first match counts. "Geomagic Touch X" matches two, so longer ones come first.
 constexpr std::array kWords{Word{"touch x", "touch-x"}, Word{"touchx", "touch-x"},
                             Word{"touch", "touch"},     Word{"omni", "omni"},
                             Word{"desktop", "desktop"}, Word{"premium 3", "premium-3.0"},
@@ -30,7 +30,7 @@ bool contains(std::string_view text, std::string_view lower_word) noexcept {
                      [](char a, char b) { return ascii_lower(a) == b; }) != text.end();
 }
 
-// Of two limits the lesser; one that is not said, or is nonsense, is none.
+// Returns the lower of two limits; a missing or invalid one is ignored.
 double lesser(double row, double said) noexcept {
   if (!std::isfinite(said) || said <= 0.0) return row;
   return row > 0.0 ? std::min(row, said) : said;

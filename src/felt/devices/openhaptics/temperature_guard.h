@@ -5,24 +5,25 @@
 
 namespace felt {
 
-/// How much force warm motors may give, by their own thermometers (0 cold .. 1 too warm). From 0.7
-/// on the bound sinks by a thousandth a tick, down to the force that they stand for good; below 0.5
-/// it rises again, as slowly. The rule, and its numbers, are those of the maker's own sample for
-/// motor temperature (devices.md 3.3); at 1 kHz it halves in 0.7 s.
+/// Limits the force while motors are warm, according to their own thermometers (0 cold .. 1 too
+/// warm). From 0.7 on the limit falls by a thousandth per tick, down to the continuous force; below
+/// 0.5 it rises again at the same rate. Rule and numbers are those of the maker's own sample for
+/// motor temperature (devices.md 3.3); at 1 kHz the limit halves in 0.7 s.
 ///
 /// Haptic thread; real-time safe.
 class TemperatureGuard {
  public:
   static constexpr double kWarm = 0.7;
   static constexpr double kCool = 0.5;
-  static constexpr double kDown = 0.999;  ///< a tick
+  static constexpr double kDown = 0.999;  ///< per tick
   static constexpr double kUp = 1.001;
 
-  /// N: the most there ever is, and the least; the latter is never the larger.
+  /// In N: the largest limit, and the smallest, which is reduced to the largest if it exceeds it.
   TemperatureGuard(double most_n, double continuous_n) noexcept
       : most_n_(most_n), least_n_(std::min(most_n, continuous_n)), allowed_n_(most_n) {}
 
-  /// One tick, at this temperature of the warmest motor. What is no number is too warm.
+  /// Handles one tick at this temperature of the warmest motor; NaN counts as too warm. Returns the
+  /// limit.
   double allow(double temperature) noexcept {
     if (!(temperature <= kWarm)) is_warm_ = true;
     if (temperature < kCool) is_warm_ = false;

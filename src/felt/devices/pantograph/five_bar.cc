@@ -7,7 +7,8 @@ namespace felt::pantograph {
 namespace {
 
 constexpr double kMetresPerMm = 0.001;
-constexpr double kLeastElbowGap = 0.02;  // of a forearm: closer, the handle could be anywhere
+constexpr double kLeastElbowGap =
+    0.02;  // of a forearm: if closer, the position of the handle is undefined
 
 double cross(const Vec3& a, const Vec3& b) noexcept {
   return a.x * b.y - a.y * b.x;
@@ -17,7 +18,7 @@ double flat_dot(const Vec3& a, const Vec3& b) noexcept {
   return a.x * b.x + a.y * b.y;
 }
 
-// Without a kink, so that no force jumps.
+// Smooth, so that forces do not jump.
 double smooth_step(double from, double to, double v) noexcept {
   const double t = std::clamp((v - from) / (to - from), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
@@ -34,7 +35,7 @@ std::optional<FiveBar> FiveBar::at(const FiveBarSize& size,
   const Vec3 half = 0.5 * (b - a);
   const double half_gap = std::hypot(half.x, half.y);
   const double forearm = size.forearm_mm;
-  // Also where an angle is no number.
+  // Also false for NaN.
   if (!(half_gap >= kLeastElbowGap * forearm && half_gap <= forearm)) return std::nullopt;
   const double height = std::sqrt(forearm * forearm - half_gap * half_gap) / half_gap;
 
@@ -45,7 +46,7 @@ std::optional<FiveBar> FiveBar::at(const FiveBarSize& size,
   const double sine = std::abs(area) / (forearm * forearm);
   bar.authority_ = smooth_step(kNoAuthority, kAllAuthority, sine);
   constexpr double kLeastSine = 1e-9;
-  if (sine < kLeastSine) return bar;  // no Jacobian; no force either
+  if (sine < kLeastSine) return bar;  // no Jacobian, and no force either
   const double turn_a = flat_dot(u, {-size.arm_mm * s1, size.arm_mm * c1, 0.0}) / area;
   const double turn_b = flat_dot(w, {-size.arm_mm * s2, size.arm_mm * c2, 0.0}) / area;
   bar.jacobian_ = {{{w.y * turn_a, -u.y * turn_b}, {-w.x * turn_a, u.x * turn_b}}};

@@ -8,44 +8,45 @@
 
 namespace felt::pantograph {
 
-/// Lengths of a five-bar linkage whose two motors stand side by side, mm: motor 1 at (0, 0), motor
-/// 2 at (base, 0); each turns an arm, and two forearms meet at the handle.
+/// Lengths of a five-bar linkage whose two motors are side by side, mm: motor 1 at (0, 0), motor 2
+/// at (base, 0). Each motor turns an arm, and two forearms meet at the handle.
 struct FiveBarSize {
   double arm_mm = 0.0;
   double forearm_mm = 0.0;
   double base_mm = 0.0;
 };
 
-/// Where the handle is for the angles of both arms, and how forces there become torques at the
-/// motors.
+/// The position of the handle for the angles of both arms, and the map from forces there to torques
+/// at the motors.
 ///
 /// With A and B the elbows, E the handle and u = E - A, w = E - B, the forearms' lengths are
 /// constant: u . E' = u . A' and w . E' = w . B', hence
 ///   J = 1/(u x w) [ w_y (u.a)  -u_y (w.b) ; -w_x (u.a)  u_x (w.b) ],   a = dA/dth1, b = dB/dth2
 /// and torques are J^T F, so that F . v = tau . omega whatever the angles are.
 ///
-/// u x w = L^2 sin(angle between the forearms). Where they come into line, or elbows meet, small
-/// torques would be huge forces the other way round: authority() falls to 0 before that.
+/// u x w = L^2 sin(angle between the forearms). If the forearms are nearly in line, or the elbows
+/// nearly meet, small torques cause huge forces: authority() falls to 0 before that.
 class FiveBar {
  public:
   static constexpr double kNoAuthority = 0.10;   ///< sine of the forearms' angle: no force below it
-  static constexpr double kAllAuthority = 0.30;  ///< all of it from here on
+  static constexpr double kAllAuthority = 0.30;  ///< full force above it
 
-  /// Angles in rad, counter-clockwise from +x. Nothing: the arms cannot be like this (elbows too
-  /// far apart, or one in the other). Of the two places that fit, the one on the left of A to B:
-  /// before the motors, when arm 1 points to the left.
+  /// Returns the linkage for angles in rad, counter-clockwise from +x; nullopt if the arms cannot
+  /// have these angles (elbows too far apart, or at the same point). Of the two possible positions
+  /// of the handle, chooses the one on the left of the line from A to B: in front of the motors if
+  /// arm 1 points to the left.
   static std::optional<FiveBar> at(const FiveBarSize& size,
                                    const std::array<double, 2>& angles_rad) noexcept;
 
-  /// The handle, mm; z is 0.
+  /// Returns the position of the handle, mm; z is 0.
   [[nodiscard]] Vec3 place() const noexcept { return place_; }
-  /// Its velocity for those of the motors, mm/s from rad/s.
+  /// Returns the handle's velocity, mm/s, from those of the motors, rad/s.
   [[nodiscard]] Vec3 velocity(const std::array<double, 2>& omega_rad_s) const noexcept;
-  /// Torques of the motors, N m, that push the handle with this force (x and y of it).
+  /// Returns the torques of the motors, N m, for this force at the handle (its x and y).
   [[nodiscard]] std::array<double, 2> torques(const Force& force) const noexcept;
-  /// Which share of a force may be asked for here, 0..1: 0 near a singular place.
+  /// Returns the part of a force that may be asked for here, 0..1: 0 near a singular position.
   [[nodiscard]] double authority() const noexcept { return authority_; }
-  /// dE/dth, mm/rad: row x, row y.
+  /// Returns dE/dth, mm/rad: row x, row y.
   [[nodiscard]] const std::array<std::array<double, 2>, 2>& jacobian() const noexcept {
     return jacobian_;
   }
@@ -56,8 +57,8 @@ class FiveBar {
   double authority_ = 0.0;
 };
 
-/// The angles that put the handle there, with both elbows outside; nothing: out of reach. For
-/// tests and fakes.
+/// Returns the angles for a position of the handle, with both elbows outside; nullopt if it is out
+/// of reach. For tests and fakes.
 std::optional<std::array<double, 2>> angles_for(const FiveBarSize& size,
                                                 const Vec3& place) noexcept;
 

@@ -20,7 +20,7 @@ struct Pose {
   FiveBar bar;
 };
 
-// Somewhere with authority.
+// Returns a random pose with authority.
 Pose any_pose() {
   const FiveBarSize size = kSizes[*rc::gen::inRange(0, 3)];
   const Vec3 place{size.base_mm / 2 + between(-60, 60), between(20, 130), 0};
@@ -31,7 +31,7 @@ Pose any_pose() {
   return {size, *angles, *bar};
 }
 
-// By hand: elbows at (-50, 0) and (70, 0), 120 apart; forearms of 70.
+// Calculated by hand: elbows at (-50, 0) and (70, 0), 120 apart; forearms of 70.
 TEST(FiveBar, StretchedToBothSidesTheHandleIsBetween) {
   const auto bar = FiveBar::at(kSizes[0], {M_PI, 0.0});
   ASSERT_TRUE(bar.has_value());

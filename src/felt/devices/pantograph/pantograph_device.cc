@@ -10,16 +10,18 @@
 namespace felt::pantograph {
 namespace {
 
-constexpr double kLess = 1.0 - 3e-6;  // so that rounding to the board's floats asks for no more
+constexpr double kLess =
+    1.0 - 3e-6;  // so that rounding to the board's floats cannot increase a torque
 constexpr int kMostUnanswered = 4;
-constexpr int kMostPieces = 8;  // that one answer may come in
+constexpr int kMostPieces = 8;  // pieces in which one answer may arrive
 constexpr double kNsPerS = 1e9;
 
 constexpr std::int64_t kSetUpNs = 300'000'000;
 constexpr int kSetUpTries = 4;
 constexpr std::int64_t kResetPauseNs = 100'000'000;
 
-// Of all makes: what a board does with more than that another might do too much with.
+// The smallest gain of all makes, because a board of another make could turn the same number into
+// too much torque.
 double least_gain() noexcept {
   double least = 1.0;
   for (const BoardModel& model : board_models()) least = std::min(least, model.gain);
@@ -82,7 +84,7 @@ bool PantographDevice::send(const std::array<double, 2>& torques_nm) noexcept {
   return true;
 }
 
-// Whatever waits belongs to no question of ours any more.
+// Discards everything that waits, because it answers no current request.
 void PantographDevice::throw_away() noexcept {
   filled_ = 0;
   unanswered_ = 0;
@@ -106,14 +108,14 @@ PantographDevice::Heard PantographDevice::take_reply() noexcept {
   return Heard::kAngles;
 }
 
-// The newest of the answers that have arrived whole; kBad after the first that is none.
+// Returns the newest complete answer; kBad after the first invalid one.
 PantographDevice::Heard PantographDevice::take_replies(Heard newest) noexcept {
   while (filled_ >= kReplyBytes && newest != Heard::kBad) newest = take_reply();
   return newest;
 }
 
-// The newest answer: also what was not owed is taken, as the guard's frames are answered too. Waits
-// for one only.
+// Returns the newest answer. Reads answers to frames that we did not send, too, because the guard's
+// frames are also answered. Waits only for the first.
 PantographDevice::Heard PantographDevice::hear(std::int64_t within_ns) noexcept {
   const StreamDeadline deadline(within_ns);
   Heard newest = Heard::kNothing;
@@ -147,14 +149,14 @@ tl::expected<PenSample, DeviceFault> PantographDevice::nothing_heard(Heard heard
   return sample_;
 }
 
-// Follows the places that encoders give in steps of some hundredths of a millimetre: critically
-// damped alpha-beta filter, which lags behind no steady movement (Brookner, Tracking and Kalman
-// Filtering Made Easy, 1998, section 1.2).
+// Estimates position and velocity from encoder positions with steps of some hundredths of a
+// millimetre: a critically damped alpha-beta filter, which has no lag in steady movement (Brookner,
+// Tracking and Kalman Filtering Made Easy, 1998, section 1.2).
 void PantographDevice::follow(const Vec3& measured, double step_s) noexcept {
   constexpr double kRadPerS = 6.283185307179586 * 80.0;
   constexpr double kForgetS = 0.02;
   constexpr double kJumpMm =
-      0.5;  // no hand does that in a tick: the safety chain must see it whole
+      0.5;  // no hand moves so far in a tick: passed on unfiltered, for the safety chain
   const Vec3 expected = place_ + step_s * velocity_;
   const Vec3 error = measured - expected;
   const bool follows = has_place_ && step_s >= 0.0 && step_s < kForgetS && norm(error) < kJumpMm;
@@ -239,8 +241,8 @@ tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noex
   return {};
 }
 
-// Also of a board that is given up as silent: it may hear yet. One that is not set up lets go when
-// it begins anew; it must hear no torques, not even none.
+// Sends zero torques, also to a board that was given up as silent, because it may still receive. A
+// board that is not set up gets a reset instead: it must not receive torques, not even zero.
 void PantographDevice::let_go(int tries) noexcept {
   gate_.let_go();
   const auto nothing = torque_frame(model_, {});
@@ -251,7 +253,7 @@ void PantographDevice::let_go(int tries) noexcept {
     const auto sent = port_->send(frame, kSendNs);
     if (sent) {
       sent_ = {};
-      if (!is_set_up_) return;  // which is not answered
+      if (!is_set_up_) return;  // a reset is not answered
       unanswered_ = std::min(unanswered_ + 1, kMostUnanswered);
       sent_ns_ = now_ns_;
       return;
@@ -278,14 +280,14 @@ std::string PantographDevice::homing_words() {
 }
 
 Result<void> PantographDevice::set_up() {
-  // Below nothing is sent for a while, and a board that begins anew must hear no torques.
+  // Nothing is sent for a while below, and a board that restarts must not receive torques.
   static_cast<void>(port_->keep_guard({}, 0));
   is_set_up_ = false;
   sent_ = {};
   if (!port_->send(reset_frame(), kSetUpNs)) {
     return fail(ErrorCode::kIo, "The board takes no bytes.");
   }
-  // It may say something while it begins anew, or nothing.
+  // The board may send something while it restarts, or nothing.
   const StreamDeadline pause(kResetPauseNs);
   while (port_->receive(in_, pause.left_ns()).has_value() && pause.left_ns() > 0) {
   }

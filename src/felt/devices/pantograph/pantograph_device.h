@@ -13,37 +13,37 @@
 
 namespace felt::pantograph {
 
-/// A 2DIY on its serial port.
+/// A 2DIY on a serial port.
 ///
-/// A tick is one frame each way: write() sends torques, the next read() takes the angles that
-/// answer them, carried on to the time of the read by the velocity that the driver makes of them. A
-/// frame has no checksum and no mark of its beginning: what is not an answer in form (the device's
-/// id, two angles that its arms can have) is a fault, everything that waits is thrown away, and the
-/// next frame begins anew. Late angles count kMostMissed ticks longer, then read() fails with
-/// kOther (or kBadData, when half an answer came), and after kMostSilentTicks with kDisconnected.
+/// A tick is one frame each way: write() sends torques, and the next read() receives the angles
+/// that answer them, extrapolated to the time of the read with the velocity that the driver
+/// estimates from them. A frame has neither checksum nor start mark. A reply of the wrong form (not
+/// the device's id and two possible angles) is a fault; then all waiting bytes are discarded, and
+/// the next frame starts again. If angles are late, the last sample is repeated for kMostMissed
+/// ticks; then read() fails with kOther (or kBadData, if half an answer came), and after
+/// kMostSilentTicks with kDisconnected.
 ///
-/// The board has no watchdog that we know of: torques hold until the next frame. All ways out
-/// (stop(), a fault, the end of the device) send zero torques, more than once where they do not go;
-/// a frame that did not go is a fault of write() (kOther). A process of its own (ByteStream's
-/// keep_guard) sends them when this program was killed or stopped, or is silent for kGuardNs.
-/// Without it nothing pushes: find_home() fails where it does not start, and write() (kForcesOff)
-/// from when it has ended. A
-/// board that hangs keeps its torques, whatever we do: pulling the plug switches the motors off
-/// with the USB power, or their own switch.
+/// The board has no known watchdog: torques hold until the next frame. Every end (stop(), a fault,
+/// the destructor) sends zero torques, repeatedly if necessary; a frame that was not sent is a
+/// fault of write() (kOther). A separate process (ByteStream's keep_guard) sends them if this
+/// program was killed or stopped, or is silent for kGuardNs. Without it there is no force:
+/// find_home() fails if it does not start, and write() returns kForcesOff after it has ended. A
+/// board that hangs keeps its torques, whatever we do: only unplugging USB, or their own switch,
+/// turns the motors off.
 ///
-/// Its encoders count from where they are switched on, so that the arms must be at rest then:
+/// The encoders count from the position at power-on, so the arms must be in their rest pose then:
 /// homing() is kRestPose until find_home().
 class PantographDevice final : public DriverDevice {
  public:
   static constexpr std::int64_t kWaitNs = 400'000;
   static constexpr std::int64_t kSendNs = 100'000;
-  /// How often stop() tries, and the end of the device, which has time.
+  /// Number of attempts of stop(), and of the destructor, which has more time.
   static constexpr int kStopTries = 4, kEndTries = 500;
   static constexpr std::int64_t kGuardNs = 50'000'000;  ///< of silence, for the guard
   static constexpr int kMostMissed = 4;
   static constexpr int kMostSilentTicks = 500;
-  /// z of a pen that touches, and of one that does not: between two ticks no jump for the safety
-  /// chain, and no speed that it would damp.
+  /// z of a pen that touches, and of one that does not. The step is small enough that the safety
+  /// chain neither treats it as a jump nor damps its speed.
   static constexpr double kDownMm = -0.25, kUpMm = 0.25;
 
   PantographDevice(std::unique_ptr<ByteStream> port, const BoardModel& model,
@@ -70,8 +70,8 @@ class PantographDevice final : public DriverDevice {
   [[nodiscard]] std::string homing_words() override;
   Result<void> find_home() override;
 
-  /// Resets the board, sets it up, and waits for its first answer. Edit thread; also how a driver
-  /// sees that there is a board at all.
+  /// Resets the board, sets it up, and waits for its first answer. Also used by the driver to check
+  /// that there is a board at all. Edit thread.
   Result<void> set_up();
 
  private:
@@ -93,12 +93,12 @@ class PantographDevice final : public DriverDevice {
   const BoardModel& model_;
   DeviceDescriptor descriptor_;
   ForceGate gate_;
-  Force sent_;  // what the torques of the newest frame push with
+  Force sent_;  // the force of the newest frame's torques
   std::atomic<bool> is_down_;
   bool is_home_ = false;
-  bool is_set_up_ = false;  // it was told what it drives, since it began anew
+  bool is_set_up_ = false;  // it received its set-up after the last reset
 
-  // The haptic thread's own; where no loop runs, that of the edit thread.
+  // Used by the haptic thread; while no loop runs, by the edit thread.
   std::array<std::byte, 64> in_{};
   std::size_t filled_ = 0;
   std::array<double, 2> angles_rad_{};
@@ -112,7 +112,7 @@ class PantographDevice final : public DriverDevice {
   bool is_gone_ = false;
   ShortText gone_words_;
   std::int64_t now_ns_ = 0;
-  std::int64_t sent_ns_ = 0;   // the newest frame
+  std::int64_t sent_ns_ = 0;   // time of the newest frame
   std::int64_t heard_ns_ = 0;  // when the newest angles were measured
   DeviceStatus status_;
 

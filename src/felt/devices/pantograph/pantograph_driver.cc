@@ -17,11 +17,11 @@ DeviceDescriptor descriptor_of(const Port& port, const BoardModel& model) {
   found.driver = "pantograph";
   found.label = std::string(model.label);
   found.model = "2diy";
-  found.is_connected = false;  // only opening tells
+  found.is_connected = false;  // not known without opening it
   found.capabilities = find_device_model("2diy")->capabilities;
   found.capabilities.workspace_min = model.reach_min;
   found.capabilities.workspace_max = model.reach_max;
-  found.capabilities.delay_ticks = 2;  // angles are a period old when they are read
+  found.capabilities.delay_ticks = 2;  // angles are one period old when they are read
   return found;
 }
 
@@ -54,7 +54,7 @@ class PantographDriver final : public Driver {
     return result;
   }
 
-  /// The plane in which it moves lies on the desk.
+  /// Returns the plane of motion, which lies on the desk.
   [[nodiscard]] PlaneCalibration default_plane(const DeviceDescriptor& device,
                                                const OpenOptions&) const override {
     const Capabilities& can = device.capabilities;
@@ -66,7 +66,7 @@ class PantographDriver final : public Driver {
   std::vector<Finding> diagnose(const SystemView& system) override { return examine(system); }
 
  private:
-  /// Each port as each make that it may be, until `visit` says true.
+  /// Calls `visit` for each port and each possible make, until it returns true.
   template <class Visit>
   void each(const Visit& visit) const {
     for (const Port& port : find_ports(*options_.system)) {

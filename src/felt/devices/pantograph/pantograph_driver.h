@@ -8,21 +8,21 @@
 namespace felt {
 
 struct PantographOptions {
-  /// How a port is opened; tests put a fake in its place.
+  /// Opens a port; tests pass a fake.
   SerialOpen open = SerialStream::open;
-  /// Where ports and FELT_PANTOGRAPH_PORT are looked for; must outlive the driver.
+  /// The system in which to look for ports and FELT_PANTOGRAPH_PORT; must outlive the driver.
   const SystemView* system = &this_system();
 };
 
-/// Haply's 2DIY: a five-bar pantograph on Haply's board, by its serial protocol; nothing of the
-/// maker is needed. It moves in a plane that is the drawing plane.
+/// Makes the driver of Haply's 2DIY: a five-bar pantograph on Haply's board, used through its
+/// serial protocol, without software of the maker. Its plane of motion is the drawing plane.
 ///
-/// No board says which make it is: each port that may be one is listed once for each make. Ports of
-/// Arduino-like boards are looked for; FELT_PANTOGRAPH_PORT ("/dev/ttyACM0" or "/dev/ttyACM0:v2")
-/// names one, and with it the make.
+/// A board does not report its make, so each port that may be a board is listed once for each make.
+/// Ports of Arduino-like boards are found automatically; FELT_PANTOGRAPH_PORT ("/dev/ttyACM0" or
+/// "/dev/ttyACM0:v2") names one, and optionally its make.
 ///
-/// The frame: x to the left as one sits before it, y towards the person, z up; the origin at the
-/// axis of motor 1.
+/// The frame, seen by the user: x to the left, y towards the user, z up; the origin at the axis of
+/// motor 1.
 std::unique_ptr<Driver> make_pantograph_driver(PantographOptions options = {});
 
 }  // namespace felt

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kById = "/dev/serial/by-id";
 constexpr const char* kRules = "/etc/udev/rules.d/70-feltline-2diy.rules";
-// Makers of boards as Haply's: Arduino's two, and Atmel.
+// USB vendors of boards like Haply's: Arduino's two, and Atmel.
 constexpr std::array<std::string_view, 3> kVendors{"2341", "2a03", "03eb"};
 
 bool looks_like_a_board(std::string name) {
@@ -88,7 +88,7 @@ std::vector<Port> find_ports(const SystemView& system) {
   if (const auto named = system.environment(kPortVariable); named && !named->empty()) {
     Port port{.path = *named, .name = {}, .model = {}};
     const std::size_t colon = named->rfind(':');
-    // Paths in by-id have colons of their own.
+    // Paths in by-id contain colons, too.
     if (colon != std::string::npos && find_board_model(named->substr(colon + 1)) != nullptr) {
       port.path = named->substr(0, colon);
       port.model = named->substr(colon + 1);

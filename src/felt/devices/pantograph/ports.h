@@ -9,17 +9,17 @@ namespace felt::pantograph {
 
 inline constexpr const char* kPortVariable = "FELT_PANTOGRAPH_PORT";
 
-/// A serial port on which a board may be.
+/// A serial port that may have a board.
 struct Port {
   std::string path;   ///< "/dev/ttyACM0"
   std::string name;   ///< the same each time: "usb-Arduino_...-if00", or "ttyACM0"
-  std::string model;  ///< BoardModel::id where a person said it; empty: not known
+  std::string model;  ///< BoardModel::id if the user named it; empty: unknown
 };
 
-/// FELT_PANTOGRAPH_PORT, or what looks like a board in /dev/serial/by-id.
+/// Returns FELT_PANTOGRAPH_PORT, or the ports in /dev/serial/by-id that look like a board.
 std::vector<Port> find_ports(const SystemView& system);
 
-/// Driver::diagnose.
+/// Implements Driver::diagnose.
 std::vector<Finding> examine(const SystemView& system);
 
 }  // namespace felt::pantograph

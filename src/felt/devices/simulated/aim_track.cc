@@ -6,9 +6,10 @@
 namespace felt {
 namespace {
 
-/// An aim takes this part of the delay that it did not need: some 100 aims forget a burst.
+/// Each aim removes 1/128 of the delay that it did not need: after some 100 aims a burst has little
+/// effect.
 constexpr std::int64_t kForgetting = 128;
-/// Older than this is no time that a hand was there.
+/// Older times are not plausible.
 constexpr std::int64_t kOldestNs = 10'000'000'000;
 
 double pressure_of(const Aim& aim) noexcept {
@@ -17,11 +18,13 @@ double pressure_of(const Aim& aim) noexcept {
 
 }  // namespace
 
-/// Beyond the newest aim there is nothing to play: a pen that rests waits there.
+/// Stops at the newest aim, because nothing is known beyond it: a resting pen waits there.
 std::int64_t AimTrack::played_ns(std::int64_t now_ns) noexcept {
   return played_ns_ = std::max(played_ns_, std::min(now_ns - delay_ns_, newest_ns_));
 }
 
+// The delay grows immediately to the age that this aim has when it can be played (with `joins`, the
+// start of the interpolation towards it), and decays slowly when less is needed.
 void AimTrack::push(const StampedAim& aim, std::int64_t now_ns) noexcept {
   std::int64_t time_ns = std::clamp(aim.time_ns, now_ns - kOldestNs, now_ns);
   std::int64_t way_ns = 0;
@@ -33,7 +36,8 @@ void AimTrack::push(const StampedAim& aim, std::int64_t now_ns) noexcept {
   const std::int64_t needs_ns =
       std::clamp<std::int64_t>(now_ns - time_ns + way_ns, 0, kMostDelayNs);
   delay_ns_ = std::max(delay_ns_ - (delay_ns_ - needs_ns) / kForgetting, needs_ns);
-  // After a rest the way begins where the play is now: what is past cannot be seen any more.
+  // After a rest the interpolation starts at the current playback time, because earlier times have
+  // been played already.
   const std::int64_t known_ns = count_ == 0 ? now_ns - delay_ns_ : newest_ns_;
   const std::int64_t start_ns =
       std::max({time_ns - kLongestWayNs, is_set_ ? newest_ns_ : time_ns, known_ns});

@@ -17,11 +17,11 @@ namespace {
 
 struct Told {
   std::int64_t time_ns = 0;     // when the hand was there
-  std::int64_t arrives_ns = 0;  // when the program hears of it
+  std::int64_t arrives_ns = 0;  // when the program receives it
   Vec3 place;
 };
 
-/// Places that are all different, told at a steady rate.
+/// Returns different positions, reported at a steady rate.
 std::vector<Told> steady(int count, std::int64_t interval_ns) {
   std::vector<Told> told;
   for (int i = 0; i < count; ++i) {
@@ -31,7 +31,7 @@ std::vector<Told> steady(int count, std::int64_t interval_ns) {
   return told;
 }
 
-/// Arrivals in bursts: late by up to `most_ns`, never before the one in front.
+/// Delays arrivals in bursts: by up to `most_ns`, never before an earlier one.
 void delay(std::vector<Told>& told, std::int64_t most_ns, Random& random) {
   std::int64_t burst_end_ns = 0;
   for (Told& t : told) {
@@ -43,7 +43,7 @@ void delay(std::vector<Told>& told, std::int64_t most_ns, Random& random) {
   }
 }
 
-/// All samples of a pen that is told so, through a loop of 1 kHz.
+/// Returns all samples of a pen with these aims, through a loop of 1 kHz.
 std::vector<PenSample> play(std::string_view device, std::span<const Told> told) {
   SimulatedStylus stylus(*find_stylus_preset(device));
   const auto servo = std::make_unique<Servo>(stylus, ServoOptions{});
@@ -61,7 +61,7 @@ std::vector<PenSample> play(std::string_view device, std::span<const Told> told)
   return samples;
 }
 
-/// Where each place turns up, in order; fails where one does not.
+/// Returns the sample of each position, in order; fails if one is missing.
 std::vector<PenSample> find_all(std::span<const PenSample> samples, std::span<const Told> told) {
   std::vector<PenSample> found;
   auto at = samples.begin();
@@ -83,7 +83,7 @@ void expect_times_grow(std::span<const PenSample> samples) {
   }
 }
 
-// Whatever the rate and however late they come: every place is in the samples, in order.
+// At any rate and any delay, every position is in the samples, in order.
 TEST(AimTrack, NoPlaceIsSkipped) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
@@ -97,7 +97,7 @@ TEST(AimTrack, NoPlaceIsSkipped) {
   }
 }
 
-// A tablet tells its lean 133 times a second; in between it moves evenly, as the place does.
+// A tablet reports its tilt 133 times a second; in between it moves evenly, as the position does.
 TEST(AimTrack, LeanMovesOnTheWay) {
   AimTrack track(true);
   track.push({{{0, 0, 0}, 0.5, 0, 20.0}, 0}, 0);
@@ -117,7 +117,7 @@ TEST(AimTrack, LeanMovesOnTheWay) {
   EXPECT_EQ(track.at(40 * kMs).lean_deg, std::nullopt);
 }
 
-// After a stall of 1.5 s all that waited is there, and the delay is what it was.
+// After a stall of 1.5 s all waiting aims are played, and the delay is the same as before.
 TEST(AimTrack, CatchesUpAfterAStall) {
   std::vector<Told> told = steady(4000, kMs);
   for (std::size_t i = 500; i < 2000; ++i) told[i].arrives_ns = told[2000].time_ns;
@@ -128,8 +128,8 @@ TEST(AimTrack, CatchesUpAfterAStall) {
   EXPECT_LT(found.back().time_ns - told.back().time_ns, AimTrack::kMostDelayNs);
 }
 
-// Events that arrive late by up to 8 ms, several at once, keep the spacing that they were made
-// with, and are never older than what the delay is bounded by.
+// Events that arrive up to 8 ms late, several at once, keep their original spacing and are never
+// older than the limit of the delay.
 TEST(AimTrack, KeepsTheSpacing) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(seed);
@@ -148,7 +148,7 @@ TEST(AimTrack, KeepsTheSpacing) {
   }
 }
 
-// What a tablet of 1 kHz waits for: the next event and a tick.
+// A tablet of 1 kHz waits for the next event and one tick.
 TEST(AimTrack, ASteadyTabletIsHardlyDelayed) {
   for (const auto& [interval_ns, most_ns] :
        {std::pair<std::int64_t, std::int64_t>{kMs, 3 * kMs}, {5 * kMs, 7 * kMs}}) {
@@ -161,7 +161,7 @@ TEST(AimTrack, ASteadyTabletIsHardlyDelayed) {
   }
 }
 
-// Between two places of a slow tablet the pen is on its way: no staircase.
+// Between two positions of a slow tablet the pen moves evenly: no staircase.
 TEST(AimTrack, JoinsPlacesEvenly) {
   const std::vector<Told> told = steady(200, 8 * kMs);
   const std::vector<PenSample> samples = play("tablet", told);
@@ -177,7 +177,7 @@ TEST(AimTrack, JoinsPlacesEvenly) {
   EXPECT_LT(longest_mm, 0.3 * longest_told_mm);
 }
 
-// No touch is lost on a pen with a body either, however they are bunched.
+// A pen with a body loses no touch either, however they are bunched.
 TEST(AimTrack, TouchesOfAHandWithABodyAreKept) {
   SimulatedStylus stylus(*find_stylus_preset("touch"));
   std::int64_t now_ns = 0;

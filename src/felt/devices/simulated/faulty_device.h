@@ -9,46 +9,46 @@
 
 namespace felt {
 
-/// What can go wrong with a device (reliability section 3.5).
+/// A fault of a device (reliability section 3.5).
 enum class InjectedFault : std::uint8_t {
-  kReadError,      ///< read() says kDisconnected
-  kWriteError,     ///< write() says kDisconnected; the force in effect stays
+  kReadError,      ///< read() returns kDisconnected
+  kWriteError,     ///< write() returns kDisconnected; the force in effect stays
   kUnplugged,      ///< both, and no force
   kNotFinite,      ///< NaN in the position
   kInfinite,       ///< infinity in the velocity
-  kJump,           ///< the position is `amount` mm away, along x
-  kFrozen,         ///< the same sample again and again, but its time
-  kStuckAxis,      ///< z stays
+  kJump,           ///< the position is shifted by `amount` mm along x
+  kFrozen,         ///< the same sample again and again, with new times
+  kStuckAxis,      ///< z does not change
   kSignFlip,       ///< the position mirrored in all axes
-  kNoise,          ///< evenly distributed within +- `amount` mm, on each axis
+  kNoise,          ///< uniformly distributed within +- `amount` mm, on each axis
   kCoarse,         ///< the position in steps of `amount` mm
   kTimeBackwards,  ///< sample times `amount` ms early
-  kForceIgnored,   ///< write() says yes and does nothing
+  kForceIgnored,   ///< write() succeeds and does nothing
   kButtonBounce,   ///< button 0 flips at each read
-  kForcesOff,      ///< write() says kForcesOff (its own button, guard, watchdog), and none holds
-  kWarmMotors,     ///< write() says kOverheated, and no force holds
-  kUncalibrated,   ///< read() says kNotCalibrated: it lost where it is
-  kButtonStuck,    ///< button 0 is down, whatever the hand does
-  kDenormal,       ///< z and the velocity are the smallest numbers that there are
-  kNoAnswer,       ///< nothing new comes: the last sample, with its old time; writes are lost
-  kJumpOften,      ///< the position is `amount` mm away, along x, in every second sample
+  kForcesOff,      ///< write() returns kForcesOff (its own button, guard, watchdog); no force acts
+  kWarmMotors,     ///< write() returns kOverheated, and no force acts
+  kUncalibrated,   ///< read() returns kNotCalibrated: it lost its reference position
+  kButtonStuck,    ///< button 0 is always down
+  kDenormal,       ///< z and the velocity are the smallest denormal numbers
+  kNoAnswer,       ///< no new data: the last sample, with its old time; writes are lost
+  kJumpOften,      ///< every second sample is shifted by `amount` mm along x
   kSlowAnswers,    ///< a service needs `amount` ms for each answer
-  kLostAnswers,    ///< a service answers every second message only
-  kBurstAnswers,   ///< a service takes and answers what waits each `amount` ms
+  kLostAnswers,    ///< a service answers only every second message
+  kBurstAnswers,   ///< a service handles all waiting messages every `amount` ms
   kLateAnswer,     ///< a service answers one message `amount` ms late
 };
 
-/// True for faults that only a device behind a service can have. FaultyDevice ignores them.
+/// Returns true for faults that only a device behind a service can have. FaultyDevice ignores them.
 constexpr bool is_of_a_service(InjectedFault fault) noexcept {
   return fault >= InjectedFault::kSlowAnswers && fault <= InjectedFault::kLateAnswer;
 }
 
-/// All of them, in this order.
+/// Returns all faults, in the order of the enumeration.
 std::span<const InjectedFault> injected_faults() noexcept;
-/// "read-error": for reports and command lines.
+/// Returns "read-error" and so on, for reports and command lines.
 std::string_view name_of(InjectedFault fault) noexcept;
 
-/// One fault for some time.
+/// One fault and the time in which it is active.
 struct FaultWindow {
   InjectedFault fault = InjectedFault::kReadError;
   std::int64_t from_ns = 0;
@@ -56,9 +56,9 @@ struct FaultWindow {
   double amount = 1.0;
 };
 
-/// A device that fails on schedule, around any other: for tests of everything above. Several faults
-/// may act at once; they act in the order of the list. Deterministic; real-time safe after the
-/// construction.
+/// A wrapper around any device that adds faults on schedule, to test the code above it. Several
+/// faults may be active at once; they act in the order of the list. Deterministic; real-time safe
+/// after construction.
 class FaultyDevice final : public Device {
  public:
   /// `device` must outlive this.
@@ -82,7 +82,7 @@ class FaultyDevice final : public Device {
   std::vector<FaultWindow> schedule_;
   std::int64_t now_ns_ = 0;
   std::uint64_t reads_ = 0;
-  PenSample last_;  // as it was given out
+  PenSample last_;  // as returned
 };
 
 }  // namespace felt

@@ -18,9 +18,9 @@ namespace {
 constexpr double kHoverMm = 3.0;
 constexpr double kArmedS = 0.8;  // the safety chain has engaged by then
 constexpr double kLandedS = 1.3;
-constexpr double kStillS = 0.2;  // before it goes
+constexpr double kStillS = 0.2;  // before it moves
 
-// The hand trembles: three sines of 6 to 12 Hz, 0.03 mm each.
+// The tremor of the hand: three sines of 6 to 12 Hz, 0.03 mm each.
 class Tremor {
  public:
   explicit Tremor(std::uint32_t seed) {
@@ -37,7 +37,7 @@ class Tremor {
     }
     return sum;
   }
-  // Where on the sheet this stroke is.
+  // Returns the offset of this stroke on the page.
   [[nodiscard]] Vec place() const { return place_; }
 
  private:
@@ -53,7 +53,7 @@ double smooth(double from_s, double until_s, double t_s) {
   return t * t * t * (10.0 + t * (6.0 * t - 15.0));
 }
 
-// Way along a leg that starts at 0, mm: at full speed after a tenth of a second.
+// Returns the distance along a leg that starts at 0, mm; full speed after a tenth of a second.
 double way_mm(double speed, double t_s) {
   constexpr double kRampS = 0.1;
   if (t_s <= 0.0) return 0.0;
@@ -78,7 +78,8 @@ StrokeForces draw_stroke(const StrokePlan& plan) {
   servo->publish(ForceModel(make_sheet_force(*plan.surface, *plan.tool, can, grain)));
   servo->arm();
 
-  // A hand that presses so hard aims so deep: its own spring and the sheet's, one behind the other.
+  // To press with this force the hand must aim this deep, because its spring and the surface's are
+  // in series.
   const double sheet_n_per_m = plane_for(*plan.surface, can).stiffness_n_per_m;
   const double depth_mm =
       1e3 * plan.press_n * (1.0 / sheet_n_per_m + 1.0 / plan.hand->stiffness_n_per_m);

@@ -8,11 +8,11 @@ namespace {
 
 constexpr double kStepMm = 0.05;
 constexpr double kSpeedAtUnitCurvature = 40.0;  // mm/s in a circle of 1 mm
-constexpr double kFloorCurvature = 0.01;        // 1/mm: straight lines go like circles of 100 mm
-constexpr double kEndSpeed = 12.0;              // mm/s when the pen touches and leaves the paper
-constexpr double kSlowest = 4.0;                // mm/s, in corners
-constexpr double kAcceleration = 2000.0;        // mm/s^2
-constexpr std::size_t kCurvatureReach = 6;      // steps to either side
+constexpr double kFloorCurvature = 0.01;    // 1/mm: straight lines are drawn like circles of 100 mm
+constexpr double kEndSpeed = 12.0;          // mm/s when the pen touches and leaves the surface
+constexpr double kSlowest = 4.0;            // mm/s, in corners
+constexpr double kAcceleration = 2000.0;    // mm/s^2
+constexpr std::size_t kCurvatureReach = 6;  // steps to either side
 
 // Catmull-Rom by Barry and Goldman's pyramid, knots at sqrt of the chord; b to c for t in [0, 1].
 Point catmull_rom(Point a, Point b, Point c, Point d, double t) {
@@ -26,14 +26,15 @@ Point catmull_rom(Point a, Point b, Point c, Point d, double t) {
   return blend(blend(a1, a2, 0.0, t2), blend(a2, a3, t1, t3), t1, t2);
 }
 
-// A point before a, b, c, on their circle: b and c mirrored. Past a sharp turn, straight on.
+// Returns a point to precede a, b, c on their circle: b and c mirrored. If the turn is sharp,
+// continues straight.
 Point before(Point a, Point b, Point c) {
   const Vec along = normalized(b - a);
   if (dot(c - b, along) <= 0.0) return a - (b - a);
   return c - 2.0 * dot(c - lerp(a, b, 0.5), along) * along;
 }
 
-// The smooth run through all of `via`, without its last point.
+// Appends the smooth curve through all of `via`, without its last point.
 void append_run(std::span<const Point> via, std::vector<Point>& path) {
   for (std::size_t i = 0; i + 1 < via.size(); ++i) {
     const Point b = via[i], c = via[i + 1];
@@ -70,7 +71,8 @@ std::vector<TimedPoint> pace(std::span<const Point> path, double tempo) {
   std::vector<double> speed(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double by_curve = kSpeedAtUnitCurvature / std::cbrt(curvature(path, i) + kFloorCurvature);
-    // A corner turns within one step; its curvature over the reach would let the hand rush it.
+    // A corner turns within one step. Its curvature over the whole reach would be too small and let
+    // the hand pass too fast.
     const bool corner =
         i > 0 && i + 1 < n && angle_between(path[i] - path[i - 1], path[i + 1] - path[i]) > 0.6;
     const bool end = i == 0 || i + 1 == n;

@@ -7,23 +7,23 @@
 
 namespace felt {
 
-/// A place on a path and the time at which an unhurried hand is there.
+/// A point of a path and the time at which an unhurried hand reaches it.
 struct TimedPoint {
   Point position;
   double t_s = 0.0;
 };
 
-/// Points a few hundredths of a millimetre apart on a smooth curve through `via`: the centripetal
-/// Catmull-Rom spline, which has neither cusps nor loops of its own (Yuksel, Schaefer, Keyser,
-/// "Parameterization and applications of Catmull-Rom curves", CAD 43, 2011). A point that is given
-/// twice in a row is a corner.
+/// Returns points a few hundredths of a millimetre apart on a smooth curve through `via`: the
+/// centripetal Catmull-Rom spline, which adds neither cusps nor loops (Yuksel, Schaefer, Keyser,
+/// "Parameterization and applications of Catmull-Rom curves", CAD 43, 2011). A point given twice in
+/// a row is a corner.
 std::vector<Point> smooth_path(std::span<const Point> via);
 
-/// When a hand is where on a path: it slows down in curves by the two-thirds power law, speed
-/// ~ curvature^(-1/3) (Lacquaniti, Terzuolo, Viviani, Acta Psychologica 54, 1983; with the floor of
-/// Viviani, Schneider, J Exp Psychol HPP 17, 1991, that keeps straight parts finite), nearly stops
-/// in corners and at both ends, and never accelerates beyond 2 m/s^2 along the path
-/// (specification 5b). `tempo` multiplies all speeds.
+/// Returns the times at which a hand moves along a path. It slows down in curves by the two-thirds
+/// power law, speed ~ curvature^(-1/3) (Lacquaniti, Terzuolo, Viviani, Acta Psychologica 54, 1983;
+/// with the floor of Viviani, Schneider, J Exp Psychol HPP 17, 1991, that keeps straight parts
+/// finite), nearly stops in corners and at both ends, and never accelerates beyond 2 m/s^2 along
+/// the path (specification 5b). `tempo` multiplies all speeds.
 std::vector<TimedPoint> pace(std::span<const Point> path, double tempo);
 
 }  // namespace felt

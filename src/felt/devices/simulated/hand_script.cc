@@ -10,27 +10,27 @@ namespace felt {
 namespace {
 
 constexpr double kAirSpeed = 250.0;           // mm/s on average, in the air
-constexpr double kTravelS = 0.12;             // shortest way in the air
+constexpr double kTravelS = 0.12;             // shortest movement in the air
 constexpr double kLandS = 0.15;               // from hovering to the first pressure
-constexpr double kLiftS = 0.12;               // and back
+constexpr double kLiftS = 0.12;               // and back up
 constexpr double kSettleS = 0.03;             // before the pen moves off, and before it lifts
 constexpr double kShortestS = 0.06;           // of a stroke: a dot
-constexpr double kLookS = 0.008;              // over which speed and its change are planned
-constexpr double kFrictionFromSpeed = 5.0;    // mm/s: slower, and it counts less
-constexpr double kMinContactPressure = 1e-3;  // that still counts as contact
+constexpr double kLookS = 0.008;              // window for the speed and acceleration of the plan
+constexpr double kFrictionFromSpeed = 5.0;    // mm/s: below it, friction counts less
+constexpr double kMinContactPressure = 1e-3;  // smallest pressure that counts as contact
 
 double press_n(const HandScriptOptions& options, double pressure) noexcept {
   return options.light_n + std::clamp(pressure, 0.0, 1.0) * (options.full_n - options.light_n);
 }
 
-// Where the pen is to be, and how hard it presses there.
+// Planned position of the pen, and its pressure there.
 struct PenPlan {
   Vec3 pen;
   double pressure = 0.0;  // 0 in the air
   std::optional<double> lean_deg{};
 };
 
-// Plans the pen's way through all strokes, one place an interval.
+// Plans the path of the pen through all strokes, one position per interval.
 class PenPlanner {
  public:
   explicit PenPlanner(const HandScriptOptions& options)
@@ -67,7 +67,7 @@ class PenPlanner {
     return {knot.position.x, knot.position.y, -depth_mm};
   }
 
-  // Minimum jerk to there; pressure 0 is in the air.
+  // Moves to `to` with minimum jerk; pressure 0 is in the air.
   void glide(const Vec3& to, double duration_s, double pressure) {
     const Vec3 from = plan_.back().pen;
     const int steps = std::max(1, static_cast<int>(std::ceil(duration_s / interval_s_)));
@@ -91,13 +91,13 @@ class PenPlanner {
 
   const HandScriptOptions& options_;
   double interval_s_;
-  std::optional<double> lean_deg_;  // in the air, and where the pen rests
+  std::optional<double> lean_deg_;  // in the air, and while the pen rests
   std::vector<PenPlan> plan_;
 };
 
-// The aims that take a pen along a plan: the pen and its hand are a known mass on a known spring
-// and damper, against known forces, so the hand aims ahead by what these will take:
-//   b e' + k e = m x'' - F      e = aim - pen.
+// Makes the aims that move a pen along a plan. Pen and hand are a known mass on a known spring and
+// damper, with known forces F, so the hand aims ahead by e = aim - pen to compensate:
+//   b e' + k e = m x'' - F
 class AimMaker {
  public:
   AimMaker(const HandScriptOptions& options, const std::vector<PenPlan>& plan)
@@ -132,7 +132,7 @@ class AimMaker {
     return plan_[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))].pen;
   }
 
-  // What the hand must push with, in N, for the pen to be where it is planned.
+  // Returns the force that the hand must apply, in N, to keep the pen at its planned position.
   [[nodiscard]] Vec3 push_needed(std::size_t index) const {
     const auto i = static_cast<std::ptrdiff_t>(index);
     const double look_s = interval_s_ * static_cast<double>(look_);
@@ -147,8 +147,9 @@ class AimMaker {
     if (depth_mm > 0.0) {
       const double plane_n = 1e-3 * options_.plane_n_per_m * depth_mm;
       push += options_.friction * plane_n * Vec3{way.x, way.y, 0.0};
-      // A pen that sticks must stick pressed: friction may hold it as much as help it. It does
-      // neither while the pen slides, because Coulomb friction acts along the motion.
+      // A resting pen must stay pressed although friction may act either way, so it is pressed
+      // harder by the friction. Not while the pen slides, because Coulomb friction then acts along
+      // the motion.
       push.z -= plane_n + options_.device_friction_n * (1.0 - norm(way));
     }
     return push;

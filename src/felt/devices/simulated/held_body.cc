@@ -8,7 +8,7 @@ namespace {
 constexpr double kPerMm = 1e-3;  // N/m to N/mm, kg to N s^2/mm
 constexpr double kLeastMassKg = 1e-3;
 
-// One axis against its walls.
+// Stops one axis at its walls.
 void stop_axis(double& position, double& velocity, double low, double high) noexcept {
   if (position < low) {
     position = low;
@@ -53,6 +53,8 @@ void HeldBody::prepare(double h_s) noexcept {
   friction_step_ = 0.5 * gain_ * mechanics_.friction_n;
 }
 
+// One implicit midpoint step: finds the mean velocity without friction, shortens it by what
+// friction can remove (to zero if it can), and derives the new velocity and position from it.
 void HeldBody::step(double h_s, const Vec3& aim_from_mm, const Vec3& aim_to_mm,
                     const Force& force) noexcept {
   if (h_s != prepared_for_s_) prepare(h_s);

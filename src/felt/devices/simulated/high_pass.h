@@ -4,8 +4,7 @@
 
 namespace felt {
 
-/// Second-order Butterworth high-pass (bilinear transform, pre-warped): what is left of a signal
-/// above a frequency.
+/// A second-order Butterworth high-pass filter (bilinear transform, pre-warped).
 class HighPass {
  public:
   HighPass(double cutoff_hz, double period_s) noexcept {

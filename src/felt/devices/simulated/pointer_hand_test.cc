@@ -11,7 +11,7 @@
 namespace felt::pointer_hand_test {
 namespace {
 
-// Holds the pen down for 1.5 s on a plane of K n/m and returns the plane's spring force.
+// Holds the pen down for 1.5 s on a surface of K N/m and returns the surface's spring force.
 double pressed_force_n(const StylusPreset& device, const SimulatedHand& hand,
                        const HandScriptOptions& options, PointerEvent event) {
   SimulatedStylus stylus(device, hand);
@@ -32,8 +32,8 @@ double pressed_force_n(const StylusPreset& device, const SimulatedHand& hand,
   return force_n;
 }
 
-// With a device that pushes back, the tablet's pressure arrives as the plane's force: the same
-// share of F0..F1.
+// On a device that pushes back, the tablet's pressure becomes the surface's force: the same part of
+// F0..F1.
 TEST(PointerHand, R18_TabletPressureMapsToTheSamePress) {
   for (const char* name : {"worst", "touch", "premium"}) {
     const StylusPreset& device = *find_stylus_preset(name);
@@ -43,7 +43,7 @@ TEST(PointerHand, R18_TabletPressureMapsToTheSamePress) {
         const double force_n =
             pressed_force_n(device, hand, options, {.position = {40, 40}, .pressure = p});
         const double share = (force_n - options.light_n) / (options.full_n - options.light_n);
-        // Where the device's friction holds the pen, hand and plane need not balance.
+        // If the device's friction holds the pen, hand and surface need not balance.
         const double stuck_n = 2.0 * device.mechanics.friction_n;
         EXPECT_NEAR(share, p, 0.04 + stuck_n / (options.full_n - options.light_n))
             << name << ", " << hand.name;

@@ -11,7 +11,7 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) noexcept : state_(seed) {}
 
-  /// The next 64 bits.
+  /// Returns the next 64 bits.
   std::uint64_t bits() noexcept {
     state_ += 0x9e3779b97f4a7c15ULL;
     std::uint64_t z = state_;
@@ -19,7 +19,7 @@ class Random {
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
     return z ^ (z >> 31);
   }
-  /// Uniform in [low, high).
+  /// Returns a uniform number in [low, high).
   double between(double low, double high) noexcept {
     return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
   }

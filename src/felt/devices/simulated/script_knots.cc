@@ -10,17 +10,17 @@
 namespace felt {
 namespace {
 
-constexpr double kTopSpeed = 500.0;  // mm/s on the sheet
+constexpr double kTopSpeed = 500.0;  // mm/s on the page
 constexpr double kPauseS = 1.0;      // longest rest within a stroke
-constexpr double kDenseMm = 0.05;    // what `pace` expects
-constexpr double kLargestMm = 1e4;   // points farther away are no points of a sheet
+constexpr double kDenseMm = 0.05;    // spacing that `pace` expects
+constexpr double kLargestMm = 1e4;   // points farther away are not on a page
 
 bool is_usable(const RecordedPoint& p) {
   return is_finite(p.position) && std::fabs(p.position.x) <= kLargestMm &&
          std::fabs(p.position.y) <= kLargestMm;
 }
 
-// Where an unhurried hand would be when, at each of the knots.
+// Sets the times at which an unhurried hand reaches each of the knots.
 void give_pace(std::vector<ScriptKnot>& knots) {
   std::vector<Point> dense;
   std::vector<std::size_t> place;
@@ -37,15 +37,15 @@ void give_pace(std::vector<ScriptKnot>& knots) {
   for (std::size_t i = 0; i < knots.size(); ++i) knots[i].t_s = timed[place[i]].t_s;
 }
 
-// How long a hand takes from one point to the next, by their times and what a hand can do.
+// Returns the time from one point to the next: the recorded one, within the limits of a hand.
 double seconds_between(const RecordedPoint& a, const RecordedPoint& b) {
-  // In double: the difference of two hostile times does not fit into 64 bits.
+  // In double, because the difference of two arbitrary times may not fit into 64 bits.
   const double dt_s = 1e-9 * (static_cast<double>(*b.time_ns) - static_cast<double>(*a.time_ns));
   const double least_s = distance(a.position, b.position) / kTopSpeed;
   return std::clamp(dt_s, least_s, std::max(kPauseS, least_s));
 }
 
-// Whether the times of a stroke say how it was drawn.
+// Returns true if the times of a stroke are usable: all present, never going back, not all equal.
 bool has_pace(const RecordedPath& usable) {
   for (std::size_t i = 0; i < usable.size(); ++i) {
     if (!usable[i].time_ns) return false;

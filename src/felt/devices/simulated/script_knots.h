@@ -10,7 +10,7 @@
 
 namespace felt {
 
-/// A point of a stroke as a hand draws it: every field finite, times from 0 on, never backwards.
+/// A point of a stroke to draw: every field is finite, times start at 0 and never go back.
 struct ScriptKnot {
   Point position;
   double pressure = 0.5;
@@ -18,12 +18,12 @@ struct ScriptKnot {
   std::optional<double> lean_deg{};
 };
 
-/// The knots of a recording (hand_script.h says what becomes of its times); empty where nothing of
-/// it is usable.
+/// Returns the knots of a recording (hand_script.h says how its times are used); empty if none of
+/// its points is usable.
 std::vector<ScriptKnot> knots_of(const RecordedPath& path, double absent_pressure);
 
-/// Reads a stroke at growing times, straight between its knots. The knots must outlive it and be at
-/// least one.
+/// Interpolates a stroke linearly between its knots, at growing times. Requires at least one knot;
+/// the knots must outlive it.
 class KnotReader {
  public:
   explicit KnotReader(const std::vector<ScriptKnot>& knots) : knots_(knots) {}

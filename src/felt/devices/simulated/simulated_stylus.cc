@@ -18,7 +18,7 @@ constexpr std::int64_t kLongestNs = 100'000'000;
 constexpr double kStartHeightMm = 20.0;
 constexpr double kAimBeyondMm = 100.0;
 
-// The aim of a device that has a body is that of a hand, which takes its time.
+// A device with a body has the aim of a hand, whose speed is limited.
 MovingAim aim_for(const Capabilities& device) noexcept {
   return MovingAim(device.has_force() ? MovingAim::kHandSpeedMmPerS : 0.0);
 }
@@ -39,7 +39,7 @@ Vec3 start_of(const Capabilities& device) noexcept {
 
 }  // namespace
 
-/// What moves the pen, and the aims on their way to it.
+/// The body, and the aims on their way to it.
 struct SimulatedStylus::Parts {
   explicit Parts(const StylusPreset& preset)
       : body(preset.mechanics, preset.capabilities.workspace_min,
@@ -199,8 +199,7 @@ PenSample SimulatedStylus::sample_of(const Aim& aim, std::int64_t time_ns) noexc
   return sample;
 }
 
-/// Every aim whose turn has come is a sample of its own; where there is none, the pen is on its way
-/// to the next.
+/// Returns every due aim as a sample of its own; if none is due, a sample on the way to the next.
 PenSample SimulatedStylus::read_track(std::int64_t now_ns) noexcept {
   std::array<Aim, kMostSamples> aims;
   std::array<std::int64_t, kMostSamples> times_ns{};
@@ -212,7 +211,8 @@ PenSample SimulatedStylus::read_track(std::int64_t now_ns) noexcept {
     parts_->track.pass();
   }
   if (count == 0) return sample_of(parts_->track.at(now_ns), now_ns);
-  // At their own times, where these lie between the last sample and now; else spread there.
+  // Each sample has its own time if that lies between the last sample and now; otherwise it is
+  // moved into that range.
   const std::int64_t half_ns = (now_ns - sampled_ns_) / (2 * static_cast<std::int64_t>(count) + 2);
   for (std::size_t i = 0; i < count; ++i) {
     const auto after = static_cast<std::int64_t>(count - 1 - i);

@@ -21,7 +21,7 @@ StylusPreset preset(std::string_view name) {
   return *find_stylus_preset(name);
 }
 
-// Ticks at `period_ns` after the stylus' last time, under a force that `control` makes of the
+// Ticks at `period_ns` after the stylus' last time, with the force that `control` computes from the
 // sample.
 class Loop {
  public:
@@ -51,7 +51,7 @@ Force plane_force(const PenSample& s, double stiffness_n_per_m) {
   return {0, 0, std::max(0.0, 1e-3 * (stiffness_n_per_m * depth_mm(s) - 2.0 * s.velocity.z))};
 }
 
-// With hand spring k and plane spring K, aiming at -a rests at -a k/(k + K).
+// With hand spring k and surface spring K, an aim at -a rests at -a k/(k + K).
 TEST(SimulatedStylus, RestsWhereHandAndPlaneBalance) {
   for (const SimulatedHand& hand : simulated_hands()) {
     SimulatedStylus stylus(preset("worst"), hand);
@@ -63,7 +63,7 @@ TEST(SimulatedStylus, RestsWhereHandAndPlaneBalance) {
     loop.run(4000, [&](const PenSample& s) {
       return s.position.z < 0.0 ? plane_force(s, plane) : Force{};
     });
-    // The plane sees the depth in steps of .03 mm, the hand balances its force.
+    // The surface senses the depth in steps of .03 mm; the hand balances its force.
     EXPECT_NEAR(stylus.body().position().z, -1.5, 0.03) << hand.name;
     EXPECT_NEAR(stylus.body().position().x, 50.0, 1e-9) << hand.name;
   }
@@ -89,12 +89,12 @@ TEST(SimulatedStylus, AcceleratesByItsMass) {
   stylus.place({50, 50, 0});
   Loop loop(stylus, kMs);
   loop.run(102, [](const PenSample&) { return Force{0.1, 0, 0}; });
-  // Asked at the first read; acts from the third on (delay 1): 100 ms.
+  // Requested at the first read; acts from the third on (delay 1): 100 ms.
   EXPECT_NEAR(stylus.body().position().x - 50.0, 1e3 * 0.1 / 0.045 * 0.5 * 0.01, 0.12 * 1.02);
   EXPECT_NEAR(stylus.body().velocity().x, 1e3 * 0.1 / 0.045 * 0.1, 1e-6 + 2.3);
 }
 
-// Every preset and hand, against steps of 1 us of the same equations.
+// Compares every preset and hand with steps of 1 us of the same equations.
 TEST(HeldBody, AgreesWithMicrosecondSteps) {
   for (const StylusPreset& device : stylus_presets()) {
     if (!device.capabilities.has_force()) continue;
@@ -125,7 +125,7 @@ TEST(HeldBody, AgreesWithMicrosecondSteps) {
   }
 }
 
-// With no force and the aim at rest, energy only falls; without friction and damping it stays.
+// Without force and with the aim at rest, energy only falls; without friction and damping it stays.
 TEST(HeldBody, EnergyNeverGrows) {
   Random random(7);
   for (int n = 0; n < 200; ++n) {
@@ -182,7 +182,7 @@ TEST(SimulatedStylus, ForcesAreBoundedByTheDevice) {
   }
 }
 
-// A force that is asked for on tick n acts from tick n + delay on, to the tick.
+// A force requested on tick n acts from tick n + delay on, to the tick.
 TEST(SimulatedStylus, DelayIsExactInTicks) {
   for (const int delay : {0, 1, 2, 5}) {
     StylusPreset device = preset("worst");
@@ -190,7 +190,7 @@ TEST(SimulatedStylus, DelayIsExactInTicks) {
     SimulatedStylus stylus(device);
     for (int tick = 0; tick < 100; ++tick) {
       ASSERT_TRUE(stylus.read(tick * kMs).has_value());
-      // What acted since the last read, [tick - 1, tick], was asked for on tick - 1 - delay.
+      // The force since the last read, [tick - 1, tick], was requested on tick - 1 - delay.
       const int asked_on = tick - 1 - delay;
       EXPECT_EQ(stylus.acting_force().x, asked_on >= 0 ? 1e-3 * asked_on : 0.0) << delay;
       ASSERT_TRUE(stylus.write({1e-3 * tick, 0, 0}).has_value());
@@ -260,7 +260,7 @@ TEST(SimulatedStylus, IgnoresWhatIsNotFinite) {
   EXPECT_EQ(stylus.acting_force(), Force{});
 }
 
-// Gaps in time: bounded work, finite state, and the pen is where a held pen must be.
+// After gaps in time: bounded work, finite state, and a plausible position of the pen.
 TEST(SimulatedStylus, SurvivesGapsAndClocksThatRunBackwards) {
   for (const StylusPreset& device : stylus_presets()) {
     SimulatedStylus stylus(device);
@@ -307,7 +307,7 @@ TEST(SimulatedStylus, TheSameCallsGiveTheSameSamples) {
   }
 }
 
-// The velocity that a sample carries is that of the pen, 1.6 ms late.
+// The velocity of a sample is that of the pen, 1.6 ms late.
 TEST(SimulatedStylus, VelocityIsLowPassed) {
   SimulatedStylus stylus(preset("worst"), *find_hand("firm"));
   Loop loop(stylus, kMs);
@@ -337,7 +337,7 @@ TEST(SimulatedStylus, R18_PressureOfTabletsIsPassedThrough) {
   EXPECT_EQ(loop.run(10).pressure, 1.0);
 }
 
-// With a body and without, told at once or with a time.
+// With a body and without, with and without times.
 TEST(SimulatedStylus, ThePenLeansAsTheHandSays) {
   for (const char* name : {"tablet", "touch"}) {
     for (const bool timed : {false, true}) {
@@ -381,7 +381,7 @@ TEST(SimulatedStylus, NoTouchIsLostBetweenTwoReads) {
   EXPECT_EQ(touches, 5);
 }
 
-// For ThreadSanitizer: the hand on a thread of its own, as mouse and tablet have it.
+// For ThreadSanitizer: the hand on its own thread, as for mouse and tablet.
 TEST(SimulatedStylus, IsAimedFromAnotherThread) {
   SimulatedStylus stylus(preset("touch"));
   stylus.aim({0, 20, 4}, {}, 0);
@@ -392,14 +392,14 @@ TEST(SimulatedStylus, IsAimedFromAnotherThread) {
   Loop loop(stylus, kMs);
   loop.run(2000);
   hand.join();
-  loop.run(2000);  // whatever still waits: each of them presses or releases the button
+  loop.run(2000);  // for aims that still wait: each of them presses or releases the button
   stylus.aim({20, 20, 4}, {}, 0);
   loop.run(300);
   EXPECT_NEAR(stylus.hand_aim().x, 20.0, 1e-9);
 }
 
-// A hand with a body does not leap, whatever a mouse does: the safety chain would take it for a
-// jump.
+// A hand with a body does not jump, whatever a mouse does, because the safety chain would treat it
+// as a fault.
 TEST(SimulatedStylus, HandsDoNotLeap) {
   for (const SimulatedHand& hand : simulated_hands()) {
     SimulatedStylus stylus(preset("touch"), hand);

@@ -16,14 +16,15 @@ constexpr std::array<SimulatedHand, 4> kHands{{
 
 constexpr double kOverlapMm = 10.0;
 
-// A workspace of this size, as the header places it.
+// Returns `device` with a workspace of this size, placed as the header says.
 constexpr Capabilities with_workspace(Vec3 size_mm, Capabilities device) {
   device.workspace_min = {-kOverlapMm, -kOverlapMm, -0.5 * size_mm.z};
   device.workspace_max = device.workspace_min + size_mm;
   return device;
 }
 
-// How the sheet lies in the axes of a model: upright in front of the person in both cases.
+// Converts a workspace from the axes of a model; the page is upright in front of the user in both
+// cases.
 constexpr Vec3 as_axes_are(const Vec3& size) {
   return size;
 }
@@ -31,14 +32,15 @@ constexpr Vec3 depth_first(const Vec3& size) {
   return {size.y, size.z, size.x};
 }
 
-// The figures of a model of the drivers' table.
+// Returns the capabilities of a model of device_models().
 Capabilities of_model(std::string_view id, Vec3 (*turn)(const Vec3&) = as_axes_are) noexcept {
   const Capabilities& device = find_device_model(id)->capabilities;
   return with_workspace(turn(device.workspace_max - device.workspace_min), device);
 }
 
-// No device: as weak as the touch, and harder to hold stable than any. Advice, caps and step are
-// such that a light, frictionless pen meets all that the chain lets through.
+// Not a real device: as weak as the touch, and harder to keep stable than any. Advised force,
+// limits and step are chosen so that a light, frictionless pen meets everything that the chain lets
+// through.
 Capabilities of_worst() noexcept {
   Capabilities device = of_model("touch");
   device.advised_force_n = 3.0;

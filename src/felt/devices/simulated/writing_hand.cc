@@ -14,7 +14,7 @@ constexpr double kGridS = 0.001;   // the aim is smoothed on a grid of 1 ms
 constexpr int kMuscleHalfMs = 20;  // half of the smoothing window
 constexpr double kRiseS = 0.05;    // pressure at pen-down
 constexpr double kFallS = 0.07;    // and at pen-up
-constexpr double kDotS = 0.09;     // how long a dot takes
+constexpr double kDotS = 0.09;     // duration of a dot
 
 double smooth_step(double x) {
   x = std::clamp(x, 0.0, 1.0);
@@ -25,7 +25,7 @@ double quantised(double value, double step) {
   return step > 0.0 ? step * std::round(value / step) : value;
 }
 
-// The aim at equal steps of time.
+// Resamples the aim at equal time steps.
 std::vector<Point> on_grid(const std::vector<TimedPoint>& aim) {
   std::vector<Point> grid;
   std::size_t k = 0;
@@ -43,7 +43,8 @@ std::vector<Point> on_grid(const std::vector<TimedPoint>& aim) {
   return grid;
 }
 
-// Raised-cosine window over time; before the start and after the end the aim stands still.
+// Smooths with a raised-cosine window over time; the aim stands still before the start and after
+// the end.
 std::vector<Point> through_muscles(const std::vector<Point>& aim) {
   const auto last = static_cast<std::ptrdiff_t>(aim.size()) - 1;
   std::vector<Point> moved;
@@ -62,7 +63,8 @@ std::vector<Point> through_muscles(const std::vector<Point>& aim) {
   return moved;
 }
 
-// Slow strokes and strokes towards the body (down the sheet) press harder.
+// Returns a factor of pressure: higher for slow strokes and strokes towards the body (down the
+// page).
 double effort(Vec velocity_mm_s) {
   const double speed = norm(velocity_mm_s);
   const double slow = std::pow(60.0 / std::max(speed, 10.0), 0.12);
@@ -98,7 +100,7 @@ Vec WritingHand::value(const Noise& noise, double t_s) noexcept {
   return sum;
 }
 
-// Pauses are whole sampling intervals: the tablet's clock runs on while the pen is up.
+// Pauses are whole sampling intervals, because the tablet's clock runs on while the pen is up.
 void WritingHand::rest_until_start_of(Point start) {
   if (!last_) return;
   const double pause_s = random_.between(0.12, 0.25) + distance(*last_, start) / 300.0;

@@ -10,18 +10,18 @@
 
 namespace felt {
 
-/// What the tablet reports of the hand at one time. The fields of an InkSample, all present; ink is
-/// a layer that devices do not see.
+/// One report of a tablet about the hand. It has the same fields as an InkSample, all present,
+/// because devices do not depend on the ink layer.
 struct HandSample {
-  Point position;            ///< mm, sheet frame
+  Point position;            ///< mm, page frame
   double pressure = 0.0;     ///< above 0 up to 1
-  std::int64_t time_ns = 0;  ///< since the hand's first stroke began
+  std::int64_t time_ns = 0;  ///< since the start of the hand's first stroke
 
   friend constexpr bool operator==(const HandSample&, const HandSample&) noexcept = default;
 };
 
-/// What a hand means to draw with one stroke: points that the pen passes through. A point that is
-/// given twice in a row is a corner; a single point is a dot.
+/// The intention of one stroke: points that the pen passes through. A point given twice in a row is
+/// a corner; a single point is a dot.
 struct Gesture {
   std::vector<Point> via;
   double pressure = 0.5;  ///< level in the middle of the stroke
@@ -30,29 +30,29 @@ struct Gesture {
   double end_pressure = 0.4;
 };
 
-/// How a hand and its tablet are.
+/// The properties of a hand and its tablet.
 struct HandOptions {
   std::int64_t interval_ns = 7'500'000;  ///< between samples: 133 Hz
   double resolution_mm = 0.03;           ///< positions are multiples of it; 0 = not quantised
-  double pressure_step = 1.0 / 1024.0;   ///< likewise
+  double pressure_step = 1.0 / 1024.0;   ///< the same for pressure
   double tremor_mm = 0.03;               ///< rms of physiological tremor, 8-12 Hz, per axis
-  double wander_mm = 0.12;               ///< rms of slow wandering off the aim, below 2.5 Hz
+  double wander_mm = 0.12;               ///< rms of slow wandering around the aim, below 2.5 Hz
   std::uint64_t seed = 1;
 };
 
-/// A simulated hand that writes and draws: a source of pen samples that look like those of a
-/// person, for tests, benchmarks and demonstrations. The same options and gestures give the same
-/// samples, up to the last digits of the machine's libm before quantisation.
+/// A simulated hand that writes and draws: a source of pen samples that look like a person's, for
+/// tests, benchmarks and demonstrations. The same options and gestures give the same samples,
+/// except that the machine's libm may differ in the last digits before quantisation.
 ///
-/// The aim runs along a smooth path through the gesture at the pace of `hand_path.h`; a symmetric
-/// 40 ms window over time stands for the muscles, which round what is drawn fast and keep what is
-/// drawn slowly; wandering and tremor are added; pressure rises and falls at the ends, is higher in
-/// slow parts and in strokes towards the body, and wavers.
+/// The aim moves along a smooth path through the gesture at the pace of `hand_path.h`. A symmetric
+/// 40 ms window over time models the muscles, which smooth fast strokes and preserve slow ones.
+/// Wandering and tremor are added. Pressure rises and falls at the ends, is higher in slow parts
+/// and in strokes towards the body, and varies slightly.
 class WritingHand {
  public:
   explicit WritingHand(const HandOptions& options = {});
 
-  /// Draws one stroke. Times run on from the last one, with a pause for moving the pen there.
+  /// Draws one stroke. Times continue from the last stroke, after a pause for moving the pen.
   std::vector<HandSample> draw(const Gesture& gesture);
 
  private:

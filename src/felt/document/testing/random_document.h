@@ -10,8 +10,9 @@
 
 namespace felt::testing {
 
-/// Random edits that fit a document, for property tests: strokes made, removed, replaced and moved
-/// between layers, layers made, removed, renamed and moved. The same seed gives the same edits.
+/// Makes random edits that fit a document, for property tests: strokes are added, removed, replaced
+/// and moved between layers; layers are added, removed, renamed and moved. The same seed gives the
+/// same edits.
 class RandomEdits {
  public:
   explicit RandomEdits(std::uint64_t seed) : seed_(seed), random_(seed) {}
@@ -161,8 +162,8 @@ class RandomEdits {
   std::vector<StrokeId> changed_;
 };
 
-/// What must hold of every document: each stroke in one layer, once; layers with ids; find, place
-/// and layer_of agree.
+/// Returns true if the invariants of every document hold: each stroke is in one layer, once; layers
+/// have ids; find, place and layer_of agree.
 inline bool is_consistent(const Document& document) {
   std::size_t count = 0;
   for (const Layer& layer : document.layers()) {

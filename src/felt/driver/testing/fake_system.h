@@ -11,8 +11,8 @@
 
 namespace felt {
 
-/// A system for tests of Driver::diagnose and of `feltline doctor`: as a doctor finds a machine,
-/// without one. Empty at first: no file, no library, nobody listens, a user without groups.
+/// A fake machine for tests of Driver::diagnose and of `feltline doctor`. Initially empty: no file,
+/// no library, no listening port, a user without groups.
 ///
 ///   FakeSystem system;
 ///   system.set_user("ada", {"users"})
@@ -21,13 +21,13 @@ namespace felt {
 ///       .refuse_library("libHD.so.3.4", "libncurses.so.5: cannot open shared object file: ...");
 ///   const std::vector<Finding> findings = driver->diagnose(system);
 ///
-/// Folders are there as soon as something lies in them. Links may stand for folders, too.
+/// A folder exists as soon as it contains something. Links may stand for folders, too.
 class FakeSystem final : public SystemView {
  public:
   static constexpr std::string_view kNotAllowed = "Permission denied";
   static constexpr std::string_view kNoSuchFile = "No such file or directory";
 
-  /// A file that this user may read and write, until forbid() says otherwise.
+  /// Adds a file that this user may read and write, until forbid() is called.
   FakeSystem& add_file(const std::string& path, std::string content = {}) {
     files_[path] = std::move(content);
     return *this;
@@ -36,7 +36,7 @@ class FakeSystem final : public SystemView {
     folders_.insert(path);
     return *this;
   }
-  /// `target` is absolute, or relative to the folder that the link lies in, and may end in "..".
+  /// Adds a link. `target` is absolute, or relative to the link's folder, and may end in "..".
   FakeSystem& add_link(const std::string& path, const std::string& target) {
     links_[path] = tidy(target.starts_with('/') ? target : parent(path) + "/" + target);
     return *this;
@@ -47,7 +47,7 @@ class FakeSystem final : public SystemView {
     links_.erase(path);
     return *this;
   }
-  /// It is there, but not for this user; `words` are errno's.
+  /// Makes an existing file inaccessible to this user, with errno's text `words`.
   FakeSystem& forbid(const std::string& path, std::string_view words = kNotAllowed) {
     forbidden_[tidy(path)] = words;
     return *this;
@@ -65,12 +65,13 @@ class FakeSystem final : public SystemView {
     environment_[name] = std::move(value);
     return *this;
   }
-  /// It loads: "libHD.so", or a path.
+  /// Adds a library that loads: "libHD.so", or a path.
   FakeSystem& add_library(const std::string& name) {
     libraries_[name] = {};
     return *this;
   }
-  /// It does not, and dlerror() says these words. Any other library is not found.
+  /// Adds a library that fails to load, with this text of dlerror(). Any other library is not
+  /// found.
   FakeSystem& refuse_library(const std::string& name, std::string words) {
     libraries_[name] = std::move(words);
     return *this;
@@ -104,14 +105,14 @@ class FakeSystem final : public SystemView {
   }
 
  private:
-  static constexpr int kMostLinks = 16;  // what leads in circles leads nowhere
+  static constexpr int kMostLinks = 16;  // for loops of links
 
   static std::string parent(std::string_view path) {
     return std::string(path.substr(0, path.rfind('/')));
   }
-  /// Without "." and "..", doubled and closing slashes.
+  /// Removes "." and "..", doubled and trailing slashes.
   static std::string tidy(std::string_view path);
-  /// With all links followed.
+  /// Resolves all links.
   [[nodiscard]] std::string followed(std::string_view path) const;
 
   std::map<std::string, std::string> files_;
@@ -188,7 +189,7 @@ inline std::string FakeSystem::resolve(std::string_view path) const {
   const std::string tidied = tidy(path);
   if (tidied.empty()) return {};
   if (links_.contains(tidied)) return followed(tidied);
-  // Its folder may lie behind links, too.
+  // Its folder may contain links, too.
   const std::string real = followed(parent(tidied)) + tidied.substr(tidied.rfind('/'));
   return links_.contains(real) ? followed(real) : std::string();
 }

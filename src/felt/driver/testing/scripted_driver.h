@@ -12,8 +12,8 @@
 
 namespace felt {
 
-/// What a test says of an arm that a person holds: plugged in or not, where it is, what fails. A
-/// thread that calls ScriptedDriver::find() reads `is_plugged_in` and `descriptor` only.
+/// The state of an arm that a test controls: plugged in or not, its position, its faults. A thread
+/// that calls ScriptedDriver::find() reads `is_plugged_in` and `descriptor` only.
 struct ScriptedArm {
   ScriptedArm() {
     descriptor.id = "scripted:1";
@@ -26,9 +26,9 @@ struct ScriptedArm {
   DeviceDescriptor descriptor;
   std::atomic<bool> is_plugged_in{true};
   Homing homing = Homing::kNone;
-  bool home_is_found = true;  ///< when it is asked for
+  bool home_is_found = true;  ///< by find_home()
   std::string open_error = {};
-  PenSample at = {};  ///< in its own frame
+  PenSample at = {};  ///< in the device's frame
   std::optional<DeviceFault> read_fault = {};
   std::optional<DeviceFault> write_fault = {};  ///< for forces that are not zero
   std::string vendor_words = {};
@@ -40,7 +40,7 @@ struct ScriptedArm {
   std::vector<Finding> findings = {};
 };
 
-/// A driver of one such arm.
+/// A driver with one such arm.
 class ScriptedDriver final : public Driver {
  public:
   explicit ScriptedDriver(std::shared_ptr<ScriptedArm> arm) : arm_(std::move(arm)) {}

@@ -6,9 +6,9 @@
 
 namespace felt::testing {
 
-/// A random drawing of some layers, for property tests: strokes of all kinds, ids with gaps, some
-/// layers hidden or locked, and a sheet. Layers are counted from 1, as formats without ids of
-/// layers give them back. The same seed gives the same drawing.
+/// Makes a random drawing of several layers, for property tests: strokes of all kinds, ids with
+/// gaps, some layers hidden or locked, and a page. Layers have ids from 1, as formats without layer
+/// ids give them. The same seed gives the same drawing.
 inline Drawing random_drawing(std::uint64_t seed) {
   Document document;
   RandomEdits edits(seed);

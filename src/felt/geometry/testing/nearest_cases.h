@@ -1,7 +1,7 @@
 #pragma once
 
-// For tests and benchmarks, not installed: cubics that are hard for nearest point algorithms, and
-// a slow answer to compare with.
+// For tests and benchmarks, not installed: cubics that are hard for nearest-point algorithms, and a
+// slow reference solution.
 
 #include <cstdint>
 #include <random>
@@ -14,7 +14,7 @@ namespace felt {
 enum class CaseKind : std::uint8_t {
   kRandom,
   kNearLine,     ///< inner points a hair off the chord
-  kOvershoot,    ///< collinear, handles beyond the ends: the line is run several times
+  kOvershoot,    ///< collinear, handles beyond the ends: the line is traced several times
   kPoint,        ///< four equal points
   kCusp,         ///< handles crossed so that the curve stops and turns back
   kLoop,         ///< crosses itself
@@ -24,22 +24,22 @@ enum class CaseKind : std::uint8_t {
 };
 inline constexpr int kCaseKinds = 9;
 
-/// A segment and the point to find the nearest one to.
+/// A segment and a query point.
 struct NearestCase {
   Cubic curve;
   Point query;
 };
 
-/// A case of the kind, of extent about 100 (except kTiny). The queries are a mix: around the curve,
-/// within 1e-14 .. 1 of it, exactly on it, and at its centre of curvature, where stationary points
-/// merge. The same generator state gives the same case with every compiler.
+/// Returns a random case of the kind, of extent about 100 (except kTiny). The queries are a mix:
+/// around the curve, within 1e-14 .. 1 of it, exactly on it, and at its centre of curvature, where
+/// stationary points merge. The same generator state gives the same case with every compiler.
 NearestCase make_case(CaseKind kind, std::mt19937_64& random);
 
-/// Uniform in [lo, hi), the same with every standard library.
+/// Returns a uniform number in [lo, hi), the same with every standard library.
 double uniform(std::mt19937_64& random, double lo, double hi);
 
-/// Smallest distance from the query point to the curve: `samples` samples, then a golden section
-/// search around each of the four lowest local minima among them.
+/// Returns the smallest distance from the query point to the curve: takes `samples` samples, then
+/// does a golden section search around each of the four lowest local minima among them.
 double sampled_distance(const Cubic& curve, Point query, int samples);
 
 }  // namespace felt

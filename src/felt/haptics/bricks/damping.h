@@ -6,23 +6,24 @@
 
 namespace felt {
 
-/// Where a damping acts.
+/// Where the damping is active.
 enum class DampingWhere { kInAir, kOnSheet, kEverywhere };
 
 struct DampingOptions {
   double damping_n_s_per_m = 0.5;
-  double max_force_n = 0.3;  ///< not felt as a wall, however fast the pen
+  double max_force_n = 0.3;  ///< so that a fast pen does not feel a wall
   DampingWhere where = DampingWhere::kInAir;
 };
 
-/// F = -b v, shortened to max_force_n, in all three axes in the air and in the sheet's axes on the
-/// sheet (z belongs to the plane there). Calms a light hand above the sheet.
+/// Damps the pen: F = -b v, shortened to max_force_n. It acts along all three axes above the
+/// surface, and only along the surface while the pen touches it, because z belongs to the plane
+/// there. It calms a light hand above the surface.
 class Damping {
  public:
   explicit Damping(const DampingOptions& options = {}) noexcept : options_(options) {}
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;
-  /// Damping has no stiffness.
+  /// Returns zero, because damping has no stiffness.
   [[nodiscard]] Slopes slopes() const noexcept { return {}; }
 
  private:

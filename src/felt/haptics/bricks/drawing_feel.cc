@@ -11,7 +11,7 @@ namespace felt {
 namespace {
 
 constexpr double kOneSpring = 300.0;
-constexpr double kQuietStepN = 0.025;  // what one step of the sensor may change
+constexpr double kQuietStepN = 0.025;  // the most that one step of the sensor may change a force by
 constexpr double kSoftest = 200.0;
 constexpr double kLeastB = 0.5;
 
@@ -19,7 +19,8 @@ double period_s(const Capabilities& device) noexcept {
   return 1e-9 * static_cast<double>(device.period_ns);
 }
 
-// Springs and dampers that answer one step of the sensor with kQuietStepN at most, each.
+// Limits at which a spring or a damper changes its force by at most kQuietStepN per step of the
+// sensor.
 struct QuietLimits {
   double stiffness_n_per_m = std::numeric_limits<double>::infinity();
   double damping_n_s_per_m = std::numeric_limits<double>::infinity();

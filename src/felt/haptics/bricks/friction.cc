@@ -7,7 +7,7 @@
 namespace felt {
 namespace {
 
-/// v, shortened to at most `limit`; the direction is kept.
+/// Returns v shortened to at most `limit`, in the same direction.
 Vec shortened(Vec v, double limit) noexcept {
   const double length = norm(v);
   return length > limit ? v * (limit / length) : v;

@@ -14,7 +14,7 @@
 namespace felt::friction_test {
 namespace {
 
-/// The force of a bristle alone, pushed with `normal_n`, where the pen is now.
+/// Returns the force of a bristle alone, pushed with `normal_n`, at the pen's present position.
 Force step(const Friction& friction, ForceMemory& memory, Vec3 position, Vec3 velocity,
            double normal_n, double dt_s = 0.001) {
   memory.begin_tick(dt_s);
@@ -42,7 +42,7 @@ TEST(Friction, InTheAirThereIsNoneAndTheBristleIsLifted) {
   EXPECT_GT(norm(step(friction, memory, {0.2, 0, -1}, {}, 1.0)), 0.1);
   EXPECT_EQ(step(friction, memory, {0.2, 0, 1}, {100, 0, 0}, 0.0), Force{});
   EXPECT_FALSE(memory.bristle_is_set);
-  // It stands anew where the pen lands.
+  // The bristle is anchored again where the pen lands.
   EXPECT_EQ(step(friction, memory, {30, 5, -1}, {}, 1.0), Force{});
 }
 
@@ -94,8 +94,9 @@ TEST(Friction, StaticEqualsKinetic) {
 }
 
 TEST(Friction, MovingTheFootAlongMakesNoSpike) {
-  // devices.md 10.3: a damper on dz/dt flips the force where the foot is moved along. Any path of a
-  // pen with its true velocity: between ticks the force changes by what stretch and speed changed.
+  // devices.md 10.3: a damper on dz/dt flips the force when the foot starts to move. On any path
+  // with the true velocity of the pen, the force must change between ticks only by the changes of
+  // stretch and velocity.
   const Friction friction({.coefficient = 0.5, .stiffness_n_per_m = 600, .damping_n_s_per_m = 1.5});
   for (const double hz : {1.0, 3.0, 7.0}) {
     ForceMemory memory;
@@ -110,10 +111,11 @@ TEST(Friction, MovingTheFootAlongMakesNoSpike) {
       const Force force = step(friction, memory, position, velocity, 1.0);
       if (i > 0) {
         const double moved_mm = 1.1e-3 * norm(velocity) + 0.02;
-        // Shortening to a length is 1-Lipschitz, so is moving the foot: twice k dx bounds both.
+        // Shortening to a length is 1-Lipschitz, and so is moving the foot, so twice k dx bounds
+        // both.
         EXPECT_LE(norm(force - last),
                   2 * 0.6 * moved_mm + 1.5e-3 * norm(velocity - last_velocity) + 1e-9);
-        // Whenever the foot is moved along, the force brakes.
+        // Whenever the foot moves, the force brakes.
         if (distance(memory.bristle, foot) > 1e-9) {
           EXPECT_LT(work_mj(force, position - last_position), 0.0);
         }
@@ -144,7 +146,7 @@ TEST(Friction, OnlyTakesEnergyOnAClosedPath) {
         last = now;
       }
       EXPECT_LE(energy, 1e-6) << radius_mm << " mm, T " << period_s;
-      // Sliding costs mu Fn along the way, but where the bristle turns round (0.42 mm).
+      // Sliding costs mu Fn per distance, except where the bristle reverses (0.42 mm).
       if (radius_mm >= 10.0) {
         EXPECT_NEAR(energy / (-0.25 * length_mm), 1.0, 0.1) << "T " << period_s;
       }
@@ -165,13 +167,14 @@ TEST(Friction, TheBudgetTakesFromSpringAndDamperAlike) {
 }
 
 TEST(Friction, R42_LeaningOnItForFourSecondsDoesNotCreep) {
-  // Half of mu Fn sideways for 4 s, with a tremor of 8 Hz on top, on the frictionless device.
+  // Half of mu Fn along the surface for 4 s, with a tremor of 8 Hz on top, on the frictionless
+  // device.
   for (const double period_s : {0.0002, 0.001, 0.004}) {  // R50
     for (int delay = 0; delay <= 1; ++delay) {
       const rig::Setup setup{rig::kHands[0], rig::kStyluses[0], period_s, delay};
       const PlaneOptions plane = plane_for(surface_materials()[0], setup.capabilities());
-      // As the pencil has it: 600 N/m and 2 Ns/m, less where the device takes less. At 250 Hz the
-      // safety chain takes a part of it away (R56).
+      // As for the pencil: 600 N/m and 2 N s/m, less if the device renders less. At 250 Hz the
+      // safety chain reduces it (R56).
       FrictionOptions friction =
           friction_for(media()[0], surface_materials()[0], setup.capabilities());
       if (period_s > 0.002) {
@@ -195,7 +198,8 @@ TEST(Friction, R42_LeaningOnItForFourSecondsDoesNotCreep) {
   }
 }
 
-/// Three ways to move: resting, sliding on, strokes to and fro. Returns the worst HF.
+/// Moves in three patterns: resting, sliding, strokes back and forth. Returns the worst
+/// high-frequency force.
 double worst_hf(const rig::Setup& setup, const Medium& tool) {
   double worst = 0.0;
   for (int scenario = 0; scenario < 3; ++scenario) {

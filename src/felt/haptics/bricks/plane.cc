@@ -10,11 +10,11 @@ constexpr double kFastestMmPerS = 500.0;
 
 void follow_speed(const PenSample& sample, ForceMemory& memory) noexcept {
   const double z_mm = sample.position.z;
-  // The subtraction of two hostile times would overflow: compare instead.
+  // Compares instead of subtracting, because the difference of two arbitrary times may overflow.
   const bool fresh = memory.has_last_z && sample.time_ns >= memory.last_z_time_ns &&
                      sample.time_ns - kGapNs <= memory.last_z_time_ns;
-  // Backward Euler, as VelocityFilter; written so that no division by dt turns the jitter of a
-  // short tick into speed.
+  // Backward Euler, as in VelocityFilter, written without a division by dt so that the jitter of a
+  // short tick does not appear as speed.
   const double way_mm = z_mm - memory.last_z_mm;
   memory.normal_speed_mm_per_s =
       fresh ? (Plane::kSpeedFilterS * memory.normal_speed_mm_per_s + way_mm) /
@@ -29,8 +29,8 @@ void follow_speed(const PenSample& sample, ForceMemory& memory) noexcept {
 
 Force Plane::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   follow_speed(sample, memory);
-  // First the share of the budget, then the cap: where the chain has counted the cap already, it is
-  // not to be taken twice.
+  // Applies the share of the budget first and then the cap, so that the cap is not applied twice if
+  // the safety chain has already included it.
   double stiffness = options_.stiffness_n_per_m * memory.scale.normal;
   if (memory.material_cap_n_per_m > 0.0) {
     stiffness = std::min(stiffness, memory.material_cap_n_per_m);

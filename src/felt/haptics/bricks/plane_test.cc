@@ -27,7 +27,7 @@ RC_GTEST_PROP(Plane, R11_NeverPullsInNorSticksWhateverThePenDoes, ()) {
     RC_ASSERT(force.x == 0.0 && force.y == 0.0);
     RC_ASSERT(memory.normal_force_n == force.z);
     if (z_mm >= 0.0) RC_ASSERT(force.z == 0.0);
-    // No more than its spring and 1 N of its damper (500 mm/s).
+    // At most its spring and 1 N of its damper (500 mm/s).
     RC_ASSERT(force.z <=
               memory.spring_force_n + 1e-3 * plane.options().damping_n_s_per_m * 500.0 + 1e-12);
   }
@@ -56,7 +56,7 @@ TEST(Plane, R55_KeepsToTheCapOfTheDevice) {
   EXPECT_DOUBLE_EQ(Plane({.stiffness_n_per_m = 300.0})(at_z(-1.0), memory).z, 0.30);
   memory.scale.normal = 0.25;
   EXPECT_DOUBLE_EQ(Plane({.stiffness_n_per_m = 800.0})(at_z(-1.0), memory).z, 0.2);
-  // A chain that has put the cap into its scale too does not take it twice.
+  // A chain that has included the cap in its scale does not apply it twice.
   memory.scale.normal = 360.0 / 800.0;
   EXPECT_DOUBLE_EQ(Plane({.stiffness_n_per_m = 800.0})(at_z(-1.0), memory).z, 0.36);
 }
@@ -79,11 +79,11 @@ TEST(Plane, AJumpAfterAGapIsNoSpeed) {
   ForceMemory memory;
   memory.begin_tick(0.001);
   plane(at_z(20.0, 0.0), memory);
-  memory.begin_tick(0.005);  // the loop clamps what was 100 ms
+  memory.begin_tick(0.005);  // the loop clamps 100 ms to this
   const Force late = plane(at_z(-1.0, 0.1), memory);
   EXPECT_DOUBLE_EQ(late.z, 0.5);
   memory.begin_tick(0.001);
-  const Force backwards = plane(at_z(-2.0, 0.05), memory);  // time ran back
+  const Force backwards = plane(at_z(-2.0, 0.05), memory);  // time ran backwards
   EXPECT_DOUBLE_EQ(backwards.z, 1.0);
 }
 
@@ -110,7 +110,7 @@ TEST(Plane, R14_TheSpringForceGrowsWithDepthWhateverTheSpeed) {
   }
 }
 
-/// Presses from the air to `push_n`, then more and less by 30 % at 1.5 Hz.
+/// Presses from above the surface to `push_n`, then varies by 30 % at 1.5 Hz.
 rig::Figures press(const rig::Setup& setup, const PlaneOptions& plane, double push_n) {
   rig::Bench bench(setup, ForceModel(Plane(plane)), {0, 0, 2});
   const double aim = rig::aim_z_mm(setup.hand, push_n, plane.stiffness_n_per_m);

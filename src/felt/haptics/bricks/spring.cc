@@ -8,15 +8,15 @@
 namespace felt {
 namespace {
 
-constexpr double kOldestS = 0.25;  // what is published is as old as this at most
-constexpr double kBriefS = 1e-7;   // below, (1 - exp(-x))/x is 1
+constexpr double kOldestS = 0.25;  // a published curve counts as at most this old
+constexpr double kBriefS = 1e-7;   // below it (1 - exp(-x))/x is 1
 
 }  // namespace
 
 Force pull_back(const ForceLaw& law, Vec displacement_mm, double damping_n_s_per_m,
                 Vec velocity_mm_per_s, double share) noexcept {
   const double distance = norm(displacement_mm);
-  // phi(d)/d is at most Kcap, but 0/0 and subnormal distances are not to be divided by.
+  // phi(d)/d is at most Kcap. The test avoids 0/0 and division by subnormal distances.
   const double per_mm = distance > 1e-12 ? law.softened(share).force_n(distance) / distance : 0.0;
   const Vec pull =
       -(per_mm * displacement_mm + 1e-3 * share * damping_n_s_per_m * velocity_mm_per_s);
@@ -39,15 +39,15 @@ Force SweepSpring::operator()(const PenSample& sample, ForceMemory& memory) cons
   const double age_s =
       std::clamp(1e-9 * (static_cast<double>(sample.time_ns) - static_cast<double>(curve_.time_ns)),
                  0.0, kOldestS);
-  // V' = v - V/tau from the published V on, with a constant v: `kept` of that V is left, and
-  // `counts` of the way made since is added.
+  // Solves V' = v - V/tau with constant v, starting from the published V: `kept` is the share of
+  // that V that remains, and `counts` the share of the displacement since that is added.
   const double kept = std::exp(-age_s / time_constant_s_);
   const double counts = age_s > kBriefS ? time_constant_s_ / age_s * (1.0 - kept) : 1.0;
   const Vec before = curve_.pen - curve_.curve;
   const Vec moved = on_sheet(sample.position) - curve_.pen;
   Vec lag = kept * before + counts * moved, damped{};
   if (!curve_.is_end) {
-    // The nearest point goes along with the pen: only motion across the curve counts.
+    // The nearest point moves along the curve with the pen, so only motion across the curve counts.
     const auto across = [&](Vec v) { return dot(v, curve_.normal) * curve_.normal; };
     lag = kept * before + counts * across(moved);
     damped = across(known_velocity(sample));
@@ -66,7 +66,8 @@ Force PushSpring::operator()(const PenSample& sample, ForceMemory& memory) const
   const ForceLaw law = options_.law.softened(memory.scale.lateral);
   const double per_mm = 1e-3 * law.max_slope_n_per_m();
   const double into = -line_.gap_mm - dot(on_sheet(sample.position) - line_.pen, line_.normal);
-  // The line yields at phi of how far it is displaced; before, and on the way back, it is a spring.
+  // The line yields at phi of its displacement. Below that force, and when the nib moves back, it
+  // is a spring.
   const double yields_n = law.force_n(line_.displacement_mm + std::max(into, 0.0));
   const double spring_n =
       std::clamp(law.force_n(line_.displacement_mm) + per_mm * into, 0.0, yields_n);

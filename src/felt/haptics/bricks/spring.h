@@ -10,18 +10,18 @@
 
 namespace felt {
 
-/// What an edit feels like while its gesture lasts.
+/// Parameters of the force of an edit during its gesture.
 struct EditOptions {
   ForceLaw law = kEditLaw;
   double damping_n_s_per_m = 1.0;  ///< Bed, on the known velocity (pen_sample.h)
 };
 
-/// Draws the pen back to where it took hold (R29, R30; specification 5d, "grab"):
+/// Pulls the pen back to where it grabbed (R29, R30; specification 5d, "grab"):
 ///
-///   F = -phi(|V|) V/|V| - Bed v,   V = pen - origin, in the sheet
+///   F = -phi(|V|) V/|V| - Bed v,   V = pen - origin, along the surface
 ///
-/// V is the total displacement: the force is conservative but for the damping, hence passive, and
-/// does not depend on the loop's rate. Publish it while the gesture lasts and only then.
+/// V is the total displacement. The force is conservative except for the damping, hence passive,
+/// and does not depend on the loop's rate. Publish it only while the gesture lasts.
 class EditSpring {
  public:
   explicit EditSpring(Point origin, const EditOptions& options = {}) noexcept
@@ -35,24 +35,25 @@ class EditSpring {
   EditOptions options_;
 };
 
-/// Where a curve is that gives way to the pen, as a tool saw it at its last sample.
+/// The part of a yielding curve that is near the pen, as a tool saw it at its last sample.
 struct CurveNear {
   Point pen{};               ///< the pen at that sample
   Point curve{};             ///< the point of the curve nearest to it
   Vec normal{};              ///< unit, across the curve there; unused if is_end
-  bool is_end = false;       ///< an end or a corner: the pen may be off it in any direction
+  bool is_end = false;       ///< an end or a corner: the pen may deviate in any direction
   std::int64_t time_ns = 0;  ///< of that sample
 };
 
-/// Draws the pen to a curve that gives way with a time constant (R29, eq. 8; specification 5d,
+/// Pulls the pen towards a curve that yields with a time constant (R29, eq. 8; specification 5d,
 /// "sweep"): F = -phi(|V|) V/|V| - Bed v_n, with V from the curve to the pen and v_n the velocity
-/// across the curve. Moving along a curve that does not change gives no force.
+/// across the curve. Moving along a curve that does not change causes no force.
 ///
-/// The tool publishes the curve every few milliseconds. Between two publications the curve goes on
-/// giving way as the tool will see it, V' = v - V/tau, solved for a pen that moved straight from
-/// there to here; so the force depends on neither rate (R30), and nothing is remembered. Samples
-/// must be in session time, as `curve.time_ns` is (Servo::set_session_offset). A
-/// nonlinear Maxwell element: F v = dU/dt + phi(d) d/tau, so the hand gets back less than it gave.
+/// The tool publishes the curve every few milliseconds. Between two publications the force assumes
+/// that the curve goes on yielding as the tool will compute it: V' = v - V/tau, solved for a pen
+/// that has moved in a straight line since. So the force depends on neither rate (R30) and needs no
+/// memory. Samples must be in session time, as `curve.time_ns` is (Servo::set_session_offset). This
+/// is a nonlinear Maxwell element: F v = dU/dt + phi(d) d/tau, so the hand gets back less energy
+/// than it gave.
 class SweepSpring {
  public:
   explicit SweepSpring(const CurveNear& curve, const EditOptions& options = {},
@@ -68,19 +69,19 @@ class SweepSpring {
   double time_constant_s_;
 };
 
-/// A line under a nib that pushes it, as a tool saw it at its last sample.
+/// A line that a nib pushes, as a tool saw it at its last sample.
 struct LineUnderNib {
   Point pen{};                   ///< the pen at that sample
   Vec normal{};                  ///< unit, from the line to the pen; zero if nothing is near
   double gap_mm = 0.0;           ///< between the nib and the line
   double displacement_mm = 0.0;  ///< how far the line has been pushed there
-  double share = 1.0;            ///< 0..1, less where lines push from opposite sides
+  double share = 1.0;            ///< 0..1; below 1 if lines push from opposite sides
 };
 
-/// Resists a nib that pushes lines (R29, eq. 8): by phi(d) against the normal, with d the
-/// displacement of the pushed line. A line stays where it was pushed, so the force holds while the
-/// nib rests on it, and falls to zero within phi(d)/Kcap when the nib leaves: work done on the line
-/// is not given back but for that last bit.
+/// Resists a nib that pushes lines (R29, eq. 8): phi(d) along the normal, where d is the
+/// displacement of the pushed line. A line stays where it was pushed, so the force remains while
+/// the nib rests against it, and falls to zero within a distance of phi(d)/Kcap when the nib
+/// leaves. The work done on the line is not given back, except over that distance.
 class PushSpring {
  public:
   explicit PushSpring(const LineUnderNib& line, const EditOptions& options = {}) noexcept
@@ -94,9 +95,10 @@ class PushSpring {
   EditOptions options_;
 };
 
-/// -phi(|V|) V/|V| - share b v: what the springs here and in the stabiliser share, N. A share of
-/// the stiffness budget below 1 (R56) makes the spring at the start softer and leaves the level of
-/// the law as it is, so that a slow loop resists as much as a quick one (R30).
+/// Returns -phi(|V|) V/|V| - share b v in N, the part that the springs here and in the stabiliser
+/// have in common. A share of the stiffness budget below 1 (R56) softens the spring near 0 and
+/// leaves the level of the law unchanged, so that a slow loop resists as strongly as a fast one
+/// (R30).
 Force pull_back(const ForceLaw& law, Vec displacement_mm, double damping_n_s_per_m,
                 Vec velocity_mm_per_s, double share) noexcept;
 

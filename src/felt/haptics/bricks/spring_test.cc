@@ -47,7 +47,7 @@ TEST(EditSpring, R29_TheSlopeInTwoDimensionsIsBoundedToo) {
   }
 }
 
-/// Sheet and spring at rest, in slow and in quick loops.
+/// Surface and spring at rest, in slow and fast loops.
 template <class Make>
 void expect_calm(const Make& make, double& worst) {
   for (const double period_s : {0.0002, 0.001}) {
@@ -88,19 +88,19 @@ TEST(EditSpring, R30_IsCalmOnTheSheet) {
   RecordProperty("worst_hf_n", std::to_string(worst));
 }
 
-/// A straight line across y that gives way to a pen as a sweep's does, published every 4 ms.
+/// A straight line across y that yields to a pen as in a sweep, published every 4 ms.
 class GivingLine {
  public:
   static constexpr double kTauS = 0.050;
 
-  /// What is published at this sample.
+  /// Returns the curve to publish at this sample.
   CurveNear at(const PenSample& pen) {
     const Point now = on_sheet(pen.position);
     if (!is_set_) near_ = {.pen = now, .curve = {now.x, now.y}, .normal = {0, 1}};
     is_set_ = true;
     const double passed = 1e-9 * static_cast<double>(pen.time_ns - near_.time_ns);
     if (passed >= 0.004) {
-      // In steps that are short beside tau.
+      // In steps that are short compared to tau.
       double y = near_.curve.y;
       for (int k = 1; k <= 40; ++k) {
         const double there = lerp(near_.pen, now, (k - 0.5) / 40.0).y;
@@ -131,11 +131,12 @@ TEST(SweepSpring, R29_IsTheLawOfTheDistanceToTheCurve) {
     EXPECT_NEAR(force.y, -kEditLaw.force_n(mm), 1e-12);
     EXPECT_EQ(force.x, 0.0);
   }
-  // Along the curve there is none, not even by the damper, until the tool says otherwise.
+  // Along the curve there is no force, not even from the damper, until the tool publishes another
+  // curve.
   ForceMemory memory;
   EXPECT_EQ(norm(SweepSpring({.normal = {0, 1}})(rig::pen_at({9, 0, -1}, {300, 0, 0}), memory)),
             0.0);
-  // Off an end it draws from everywhere.
+  // Near an end it pulls from any direction.
   const CurveNear end{.pen = {3, 4}, .curve = {0, 0}, .is_end = true};
   const Force force = SweepSpring(end)(rig::pen_at({3, 4, -1}), memory);
   EXPECT_NEAR(force.x, -0.6 * kEditLaw.force_n(5.0), 1e-12);
@@ -173,7 +174,7 @@ TEST(SweepSpring, R30_IsCalmOnTheSheet) {
   RecordProperty("worst_hf_n", std::to_string(worst));
 }
 
-/// Mean size of a sweep's force on a pen that moves as it likes: there and back, 1.2 s.
+/// Returns the mean force of a sweep on a pen that moves back and forth freely for 1.2 s.
 double mean_sweep_force(double period_s) {
   GivingLine line;
   ForceMemory memory;
@@ -222,8 +223,8 @@ TEST(PushSpring, R29_HoldsAtTheLawOfTheDisplacementAndLetsGoOfTheNib) {
   for (const double d : {0.1, 0.5, 2.0, 6.0, 30.0}) {
     const LineUnderNib line{.pen = {7, 3}, .normal = {0, 1}, .displacement_mm = d};
     const auto at = [&](double y) { return PushSpring(line)(rig::pen_at({7, y, -1}), memory).y; };
-    EXPECT_NEAR(at(3.0), kEditLaw.force_n(d), 1e-12);        // rests on the line
-    EXPECT_NEAR(at(2.0), kEditLaw.force_n(d + 1.0), 1e-12);  // pushes it on
+    EXPECT_NEAR(at(3.0), kEditLaw.force_n(d), 1e-12);        // rests against the line
+    EXPECT_NEAR(at(2.0), kEditLaw.force_n(d + 1.0), 1e-12);  // pushes it farther
     double last = at(0.0);
     for (double y = 0.0; y < 9.0; y += 0.01) {
       EXPECT_LE(at(y), last + 1e-12);
@@ -239,8 +240,8 @@ TEST(PushSpring, R29_HoldsAtTheLawOfTheDisplacementAndLetsGoOfTheNib) {
             0.0);
 }
 
-/// Work of the force on the pen over one closed cycle of a pen that moves as it likes, mJ. The
-/// force of a tick acts during the next, as on a device.
+/// Returns the work of the force on the pen over one closed cycle of free motion, mJ. The force of
+/// a tick acts during the next tick, as on a device.
 template <class Brick>
 double energy_of_cycle(Brick brick, double period_s, int delay) {
   ForceMemory memory;
@@ -253,7 +254,7 @@ double energy_of_cycle(Brick brick, double period_s, int delay) {
     return {15 * std::sin(kTau * t), 6 * std::sin(2 * kTau * t), -1};
   };
   for (std::int64_t i = 0; i < 3 * ticks; ++i) {
-    if (i == 2 * ticks) energy = 0.0;  // a cycle that began as it ends
+    if (i == 2 * ticks) energy = 0.0;  // measures the third cycle only
     PenSample sample = rig::pen_at(at(i), {}, static_cast<double>(i) * period_s);
     sample.velocity = filter.update(sample.position, period_s);
     memory.begin_tick(period_s);

@@ -29,7 +29,7 @@ TEST(Towed, TheNibFollowsOnItsRopeAtEveryRate) {
     const Towed towed(options);
     ForceMemory memory;
     Force force;
-    Point own{};  // as a tool follows it
+    Point own{};  // as a tool computes it
     for (int i = 0; i < 5000; ++i) {
       const Point pen{100.0 * i * period_s, 0};
       memory.begin_tick(period_s);
@@ -65,7 +65,7 @@ TEST(Towed, ARopeNeverPushes) {
 }
 
 TEST(Inertia, APushIsFeltAsMass) {
-  // Shaken by 2 mm at 2 Hz, well below the coupling's resonance: F = m a, with no drag.
+  // Moves 2 mm at 2 Hz, well below the coupling's resonance: F = m a, without drag.
   const InertiaOptions options{.mass_kg = 0.05, .drag_n_s_per_m = 0.0};
   const Inertia inertia(options);
   ForceMemory memory;

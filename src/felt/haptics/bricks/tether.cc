@@ -14,8 +14,9 @@ constexpr double kNoArmMm = 1e-9;
 constexpr double kLeastScale = 0.05;
 constexpr double kMostScale = 20.0;
 
-/// Turning and scaling fade within this of the centre: 5 mm at 300 N/m, and more with a softened
-/// law, so that F/r, the slope of a force of full size that turns with the arm, is 2/3 of Kcap.
+/// Returns the radius around the centre within which rotation and scale fade: 5 mm at 300 N/m, more
+/// with a softened law, so that F/r, the slope of a full force that turns with the arm, is 2/3 of
+/// Kcap.
 double fade_radius_mm(const ForceLaw& law) noexcept {
   constexpr double kShareOfCap = 2.0 / 3.0;
   return std::max(kCentreMm, 1e3 * law.most_n / (kShareOfCap * std::max(law.cap_n_per_m, 1e-3)));
@@ -100,9 +101,9 @@ Vec Tether::translation_pull(Point pen) const noexcept {
 }
 
 double Tether::turn_size_n(double turn_rad, double radius_mm) const noexcept {
-  // Inside the fading circle the way is that on its rim. th/sqrt(1 + th^2) instead of th: the force
-  // turns with the arm by F/r as the pen goes, which is a slope as well; so both together keep to
-  // Kcap, since (1 + th^2)^-3 + th^2/(1 + th^2) <= 1.
+  // Inside the fade radius, uses the distance on its rim. th/sqrt(1 + th^2) replaces th because the
+  // force also turns with the arm, by F/r per distance, which is a slope too. Both together stay
+  // within Kcap, since (1 + th^2)^-3 + th^2/(1 + th^2) <= 1.
   const double way =
       std::max(radius_mm, fade_radius_mm(law_)) * turn_rad / std::sqrt(1.0 + turn_rad * turn_rad);
   return centre_fade(law_, radius_mm) * size_n(sum_ * turn_rad, way);
@@ -113,7 +114,7 @@ double Tether::stepped_size_n(double turn_rad, double radius_mm) const noexcept 
   if (step < 1.0) return 0.0;
   const double here = turn_size_n(step * kTurnStepRad, radius_mm);
   const double last = turn_size_n((step - 1.0) * kTurnStepRad, radius_mm);
-  // Steeper by no more than what the turning of the force leaves of Kcap, as above.
+  // As above, the slope may be at most what the turning of the force leaves of Kcap.
   const double slope = 1e-3 * law_.gain * law_.cap_n_per_m * centre_fade(law_, radius_mm) /
                        std::sqrt(1.0 + turn_rad * turn_rad);
   const double since_mm =
@@ -147,8 +148,9 @@ Vec Tether::scale_pull(Point pen) const noexcept {
 }
 
 Force Tether::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
-  // A share of the budget softens the spring and keeps the level of the law. Squared: many lines
-  // make a spring that reaches far, which a slow loop bears only if it is softer than its share.
+  // A share of the budget softens the spring and keeps the level of the law. It is squared because
+  // many lines make a spring with a long range, which a slow loop can render only if it is softer
+  // than its share.
   const double share = memory.scale.lateral;
   const Tether softened = with_law(law_.softened(share * share));
   const Point pen = on_sheet(sample.position);

@@ -10,37 +10,40 @@
 
 namespace felt {
 
-/// The counter-force of a transform (paper, eq. 10; specification 5e, E14-E16; R35-R38): curves
-/// that tie the selection to the rest hold it back, by how far their fixed ends *would* have moved:
+/// The counter-force of a transform (paper, eq. 10; specification 5e, E14-E16; R35-R38). Curves
+/// that connect the selection to the rest resist the transform, in proportion to how far their
+/// fixed ends *would* have moved:
 ///
 ///   translation  S = N |d|              F along -d
 ///   rotation     S = sum r_i |th|       F across the arm from centre to pen, against th
 ///   scale        S = sum r_i |ln s|     F along the arm, towards s = 1
 ///   |F| = min(l(S), Kcap way)           l with D = 40 mm
 ///
-/// N anchors at distances r_i from the centre: all that the haptic thread needs to know of the
-/// drawing is N or sum r_i. No anchor, no force.
+/// There are N anchors at distances r_i from the centre; all that the haptic thread needs to know
+/// of the drawing is N or sum r_i. Without an anchor there is no force.
 ///
-/// `way` is how far the pen has gone, such that no slope exceeds Kcap (R38): |d|;
-/// r |th|/sqrt(1 + th^2), th counted on beyond full turns; r0 (1 - min(s, 1/s)), the same for s and
-/// 1/s (R37). Within 5 mm of the centre turning and scaling have no direction to speak of, and F
-/// fades with r/5 mm. s is kept to 0.05..20. Damping Bed while it acts.
+/// `way` is the distance that the pen has moved, defined so that no slope exceeds Kcap (R38): |d|;
+/// r |th|/sqrt(1 + th^2), where th is unwrapped beyond full turns; r0 (1 - min(s, 1/s)), which is
+/// the same for s and 1/s (R37). Within 5 mm of the centre, the direction of a rotation or scaling
+/// is not well defined, so F fades with r/5 mm. s is limited to 0.05..20. The damping Bed is active
+/// while the tether is.
 ///
-/// A share s of the stiffness budget below 1 (R56) lowers Kcap to s^2 Kcap (169 N/m at 250 Hz; with
-/// s Kcap a light hand trembles) and the damping by s, and leaves the level l as it is, so that a
-/// slow loop resists as much as a fast one (R30). The fade is wider then, because F/r, the slope of
-/// a force that turns with the arm, must keep to Kcap too.
+/// If the share s of the stiffness budget is below 1 (R56), Kcap is reduced to s^2 Kcap (169 N/m at
+/// 250 Hz; with s Kcap a light hand trembles) and the damping by s. The level l does not change, so
+/// that a slow loop resists as strongly as a fast one (R30). The fade is then wider, because F/r,
+/// the slope of a force that turns with the arm, must also stay within Kcap.
 ///
-/// A constrained tether holds only what really moves (constrained()): a translation along the axis
-/// of the larger component, a rotation by whole steps of kTurnStepRad. Where the axis or the step
-/// changes the force starts from what it was, by Kcap times the distance from there: no jump, and
-/// nothing that pushes before something has moved.
+/// A constrained tether resists only the motion that the transform really makes (constrained()): a
+/// translation along the axis of the larger component, or a rotation by whole steps of
+/// kTurnStepRad. When the axis or the step changes, the force starts from its previous value and
+/// changes by at most Kcap times the distance from there. So it never jumps, and nothing pushes
+/// before something has moved.
 class Tether {
  public:
-  /// No anchors: no force.
+  /// Makes a tether without anchors, which has no force.
   Tether() noexcept = default;
   static Tether translation(Point grab, int anchors) noexcept;
-  /// `gesture`: another number than that of the last rotation starts to count turns afresh.
+  /// If `gesture` differs from that of the last rotation, counting of turns starts again at 0.
   static Tether rotation(Point centre, Point grab, double sum_of_radii_mm,
                          std::uint32_t gesture) noexcept;
   static Tether scale(Point centre, Point grab, double sum_of_radii_mm) noexcept;
@@ -48,11 +51,12 @@ class Tether {
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;
   [[nodiscard]] Slopes slopes() const noexcept;
 
-  /// The same for a constrained transform; nothing else for a scale.
+  /// Returns this tether for a constrained transform. A scale does not change.
   [[nodiscard]] Tether constrained() const noexcept;
-  /// The same for a scale that goes no further down than this factor.
+  /// Returns this tether for a scale whose factor is never less than `factor`.
   [[nodiscard]] Tether with_least_scale(double factor) const noexcept;
-  /// kTransformLaw, unless a device cannot bear 1 N for long (ForceLaw::gain).
+  /// Returns this tether with another law than kTransformLaw, for devices that cannot hold 1 N for
+  /// long (ForceLaw::gain).
   [[nodiscard]] Tether with_law(const ForceLaw& law) const noexcept;
 
  private:
@@ -75,16 +79,16 @@ class Tether {
   bool constrained_ = false;
 };
 
-/// A constrained rotation goes by steps of 15 degrees.
+/// The step of a constrained rotation: 15 degrees.
 inline constexpr double kTurnStepRad = 15.0 * 3.14159265358979323846 / 180.0;
 
-/// The angle by which `arm` is turned from `first_arm`, rad, counted on from the angle of a moment
-/// ago so that full turns add up: the value nearest to `last_rad`. An arm of no length keeps it.
-/// For the transform tool and its force alike.
+/// Returns the angle from `first_arm` to `arm`, rad, unwrapped so that full turns add up: the
+/// equivalent angle that is nearest to `last_rad`. If an arm has no length, returns `last_rad`.
+/// Both the transform tool and its force use it.
 double unwrapped_turn_rad(Vec first_arm, Vec arm, double last_rad) noexcept;
 
-/// Scale factor of a pen at `arm` from the centre, grabbed at `first_arm`: 0.05..20; 1 where
-/// first_arm has no length.
+/// Returns the scale factor of a pen at `arm` from the centre that grabbed at `first_arm`:
+/// 0.05..20, or 1 if first_arm has no length.
 double scale_factor(Vec first_arm, Vec arm) noexcept;
 
 }  // namespace felt

@@ -83,7 +83,7 @@ TEST(Tether, R36_GrowsOverTwoFullTurnsEitherWay) {
       last = size;
     }
     EXPECT_NEAR(memory.turn_rad, way * 2.0 * kTau, 0.011);
-    // Another gesture starts from nothing.
+    // Another gesture starts from zero.
     const Tether next = Tether::rotation({0, 0}, {20, 0}, 35.0, 2);
     EXPECT_LT(norm(next(rig::pen_at({20, 0.01, -1}), memory)), 0.02);
   }
@@ -161,10 +161,10 @@ struct Stiffest {
   double anywhere = 0.0;
 };
 
-/// N/mm, with a share of the stiffness budget.
+/// In N/mm, with a share of the stiffness budget.
 Stiffest stiffest(double share) {
-  // Along the motion that does the work: any for a translation, across the arm for a rotation,
-  // along it for a scale; and across that a little more is allowed (the arm turns with the pen).
+  // Along the motion that does work: any for a translation, across the arm for a rotation, along it
+  // for a scale. In other directions slightly more is allowed, because the arm turns with the pen.
   Stiffest found;
   constexpr double kH = 1e-5;
   for (int anchors = 1; anchors <= 64; anchors *= 2) {

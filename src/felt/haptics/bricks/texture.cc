@@ -9,7 +9,7 @@ namespace {
 /// The modulation leaves at least a fifth of the friction.
 constexpr double kDeepest = 0.8;
 
-/// x where it is small, never beyond -1 and 1, nowhere steeper than x.
+/// Returns about x if x is small; always within -1 and 1, with a slope of at most 1.
 double bounded(double x) noexcept {
   return x / std::sqrt(1.0 + x * x);
 }

@@ -21,7 +21,7 @@ TEST(Texture, R48_TheLimitIsThatOfTheLoop) {
   EXPECT_DOUBLE_EQ(texture_stiffness_limit_n_per_m(0.0), 800.0);
 }
 
-/// The stiffest place of a texture as it acts, by differences along a path of slow motion.
+/// Returns the largest stiffness of a texture in use, from differences along a path of slow motion.
 double measured_stiffness(const SheetForce& feel, const PlaneOptions& plane, double push_n,
                           bool sliding) {
   const ForceModel model(feel);
@@ -55,7 +55,7 @@ void keeps_every_preset_to_the_bound(double period_s) {
       EXPECT_EQ(grain, nullptr);
       continue;
     }
-    // The bound of the specification, for the field's rms wave and the push that counts.
+    // The bound of the specification, for the field's RMS wave and the counted push.
     const double wave = kTau / surface.grain_mm;
     EXPECT_LE(Texture::kMostCountedN * surface.grain_um * std::sqrt(2.0) * wave * wave, 400.0)
         << surface.id;
@@ -138,7 +138,7 @@ TEST(Texture, R48_IsQuietAtRest) {
 }
 
 TEST(Texture, TheFrictionLawOnlyTakesEnergy) {
-  // Slow circles within the grain: the reason why it is the default.
+  // Slow circles within the grain: the reason why the friction law is the default.
   const SurfaceMaterial& board = *find_surface("blackboard");
   const SheetForce feel =
       make_sheet_force(board, media()[0], rig::Setup{}.capabilities(), surface_grain(board));
@@ -160,7 +160,7 @@ TEST(Texture, TheFrictionLawOnlyTakesEnergy) {
 }
 
 TEST(Texture, CanBeFelt) {
-  // Sliding over paper the friction varies by more than a tenth (Weber fraction 0.08-0.13).
+  // When sliding over paper the friction varies by more than a tenth (Weber fraction 0.08-0.13).
   const SurfaceMaterial& paper = surface_materials()[0];
   const ForceModel model(
       make_sheet_force(paper, media()[0], rig::Setup{}.capabilities(), surface_grain(paper)));
@@ -178,7 +178,7 @@ TEST(Texture, CanBeFelt) {
   EXPECT_GT(least, 0.0);
 }
 
-/// Any relief under any medium in any loop, as far as a person's own files may go.
+/// Any relief under any medium in any loop, within the range of user-defined files.
 struct AnyTexture {
   HeightField field;
   TextureOptions options;
@@ -187,7 +187,7 @@ struct AnyTexture {
 AnyTexture any_texture(TextureLaw law) {
   const auto share = [] { return 0.01 * *rc::gen::inRange(0, 101); };
   const auto character = static_cast<HeightCharacter>(*rc::gen::inRange(0, 5));
-  // Few tiles, many sizes: a tile takes 20 to 60 ms.
+  // Few tiles and many sizes, because a tile takes 20 to 60 ms.
   static std::map<HeightCharacter, HeightField> tiles;
   auto tile = tiles.find(character);
   if (tile == tiles.end()) {
@@ -204,7 +204,7 @@ AnyTexture any_texture(TextureLaw law) {
            .period_s = *rc::gen::element(0.0002, 0.001, 0.004)}};
 }
 
-/// The texture's force at a place of a pen that slides along +x, and the factor that made it.
+/// The texture's force at a position of a pen that slides along +x, and the factor that caused it.
 struct Felt {
   Force force;
   double factor = 1.0;
@@ -223,7 +223,8 @@ Felt felt_at(const Texture& texture, const TextureOptions& options, Point p, dou
   return felt;
 }
 
-/// R48: derivatives of the force by place and by push, at any place and push, are what is promised.
+/// R48: the derivatives of the force by position and by push are within the promised bounds
+/// everywhere.
 void holds_everywhere(TextureLaw law) {
   const AnyTexture any = any_texture(law);
   const Texture texture(&any.field, any.options);
@@ -240,11 +241,11 @@ void holds_everywhere(TextureLaw law) {
     const Felt harder = felt_at(texture, any.options, p, push_n + kStepN);
     const double along_n_per_m = 1e3 * norm(beside.force - here.force) / kStepMm;
     RC_ASSERT(along_n_per_m <= texture.stiffness_n_per_m() * 1.001 + 1e-6);
-    // In the friction law nothing follows the push faster than friction does.
+    // In the friction law, nothing changes with the push faster than friction does.
     if (law == TextureLaw::kFriction) {
       const double by_push = norm(harder.force - here.force) / kStepN;
       RC_ASSERT(by_push <= 0.8 * any.options.friction * (1 + 1e-6) + 1e-9);
-      RC_ASSERT(here.factor >= 0.2 - 1e-12);  // never less than none: it only takes energy
+      RC_ASSERT(here.factor >= 0.2 - 1e-12);  // positive, so it only removes energy
       RC_ASSERT(here.factor <= 1.8 + 1e-12);
     }
   }
@@ -271,7 +272,7 @@ RC_GTEST_PROP(Texture, R47_APushWearsTheReliefAsItDoesForTheEye, ()) {
     const double full = felt_at(whole, unworn, p, push_n).factor - 1.0;
     const double worn = felt_at(texture, any.options, p, push_n).factor - 1.0;
     RC_ASSERT(std::abs(worn - left * full) <= 1e-12);
-    // Share of the relief: falls with the push, by no jump, to 1 - wear and no farther.
+    // The share of the relief decreases with the push, without jumps, to 1 - wear and no farther.
     RC_ASSERT(left <= last_left);
     RC_ASSERT(last_left - left <= 0.01 / any.options.firm_push_n + 1e-12);
     RC_ASSERT(left >= 1.0 - any.options.wear - 1e-12);
@@ -285,7 +286,7 @@ RC_GTEST_PROP(Texture, R47_APushWearsTheReliefAsItDoesForTheEye, ()) {
 }
 
 RC_GTEST_PROP(Texture, AWornTextureOnlyTakesEnergyOnAnyClosedWay, ()) {
-  // Ways that close, with pushes that come and go as they like, within the grain and across it.
+  // Closed paths with arbitrary pushes, within the grain and across it.
   const AnyTexture any = any_texture(TextureLaw::kFriction);
   const double radius_mm = 0.05 + 0.05 * *rc::gen::inRange(0, 100);
   const double wobble = 0.01 * *rc::gen::inRange(0, 100);
@@ -304,7 +305,8 @@ RC_GTEST_PROP(Texture, AWornTextureOnlyTakesEnergyOnAnyClosedWay, ()) {
     const Vec3 now{radius_mm * std::cos(a), radius_mm * std::sin(2.0 * a), -depth};
     memory.begin_tick(0.001);
     const Force force = model(rig::pen_at(now, 1000 * (now - last), 0.001 * i), memory);
-    // What the sheet's plane stores it gives back; here only what acts along it.
+    // The surface's plane returns the energy that it stores, so only forces along the surface
+    // count.
     if (i > kAround) energy_mj += force.x * (now.x - last.x) + force.y * (now.y - last.y);
     last = now;
   }

@@ -16,7 +16,7 @@ SafetyChain::SafetyChain(const SafetyLimits& limits) noexcept
   if (!is_sound(limits)) hard_fault(SafetyFault::kSelfTest);
 }
 
-// --- what the user and the edit side say --------------------------------------------------------
+// --- calls of the user and the edit thread ------------------------------------------------------
 
 void SafetyChain::arm() noexcept {
   if (is_armed() || !(limits_.peak_force_n > 0.0)) return;
@@ -63,7 +63,7 @@ void SafetyChain::forget_motion() noexcept {
 void SafetyChain::soft_fault(SafetyFault fault, SafetyState next) noexcept {
   ++report_.soft_faults;
   report_.fault = fault;
-  // The oldest go out; what is left is in the window.
+  // Drops faults that are older than the window.
   std::uint32_t kept = 0;
   for (std::uint32_t i = 0; i < recent_soft_faults_; ++i) {
     if (credited_s_ - soft_fault_at_s_[i] > limits_.soft_fault_window_s) continue;
@@ -180,6 +180,9 @@ StiffnessScale SafetyChain::budget(const Slopes& slopes) noexcept {
 
 // --- the stages ---------------------------------------------------------------------------------
 
+// After a rejected sample: the last force again, or the next step of a fall. While waiting: no
+// force. Otherwise the stages that depend on the present only (wanted), then the ramps of the
+// state.
 Force SafetyChain::limit(const Force& asked, const PenSample& sample) noexcept {
   const Call call = call_;
   call_ = Call::kNone;
@@ -210,7 +213,7 @@ Force SafetyChain::damping(const Vec3& velocity_mm_per_s) const noexcept {
   return damping_force(most, velocity_mm_per_s, limits_.peak_force_n);
 }
 
-/// The stages that do not depend on what was sent before: peak, brake, motors.
+/// Applies the stages that do not depend on the last sent force: peak, brake, motors.
 Force SafetyChain::wanted(const Force& asked) noexcept {
   Force force = clamp(asked, limits_.peak_force_n, kLimitedByPeak);
   const double brake = brake_damping(limits_, speed_.speed_m_per_s());
@@ -263,8 +266,8 @@ Force SafetyChain::engage(const Force& wanted) noexcept {
   ramp_ = std::min(ramp_ + time_.credited_s / limits_.engage_s, 1.0);
   const Force target = ramp_ * wanted;
   const Force force = limit_rise(sent_, target, credit_n(limits_.engage_rise_n_per_ms));
-  // Only when the force has caught up: otherwise the normal rise would let the rest through at
-  // once.
+  // Engaging ends only when the force has caught up; otherwise the normal rise would let the rest
+  // through immediately.
   const bool has_caught_up = norm(target - force) < limits_.engage_below_n;
   if (ramp_ >= 1.0 && has_caught_up) go_to(SafetyState::kActive);
   return force;

@@ -11,32 +11,32 @@
 
 namespace felt {
 
-/// What the chain lets through at present.
+/// What the chain lets through.
 enum class SafetyState : std::uint8_t {
   kOff,       ///< not armed: no force
   kWaiting,   ///< armed; waits until the commanded force has been small for some ticks
-  kEngaging,  ///< the ramp after that
+  kEngaging,  ///< the force ramps up after kWaiting
   kActive,    ///< forces as commanded, limited
-  kSilent,    ///< the edit side says nothing: damping only
-  kFalling,   ///< a soft fault: the force falls to zero, then it waits again
-  kLatched,   ///< a hard fault: no force until the user arms again
+  kSilent,    ///< no heartbeats of the edit thread: damping only
+  kFalling,   ///< after a soft fault: the force falls to zero, then kWaiting
+  kLatched,   ///< after a hard fault: no force until the user arms again
 };
 
-/// Why the chain last took force away.
+/// Why the chain last reduced or removed the force.
 enum class SafetyFault : std::uint8_t {
   kNone,
   kLateTick,       ///< soft
   kTooFast,        ///< soft
   kEditSilent,     ///< soft
-  kVeryLateTick,   ///< soft, zero at once
+  kVeryLateTick,   ///< soft, zero immediately
   kNotFinite,      ///< hard: NaN or infinity in a sample or a force
   kDeviceError,    ///< hard: the device could not be read or written
-  kPositionJump,   ///< hard, once it lasts
-  kTooManyFaults,  ///< hard: soft ones too often
-  kSelfTest,       ///< hard: the chain's own numbers or the order of its calls make no sense
+  kPositionJump,   ///< hard, if it lasts
+  kTooManyFaults,  ///< hard: too many soft faults
+  kSelfTest,       ///< hard: invalid limits, or calls in the wrong order
 };
 
-/// What limited the force on a tick; bits of SafetyReport::limited_by.
+/// Which stages limited the force on a tick; bits of SafetyReport::limited_by.
 enum SafetyStage : std::uint32_t {
   kLimitedByBudget = 1u << 0,
   kLimitedByRise = 1u << 1,
@@ -52,56 +52,61 @@ struct SafetyReport {
   std::uint32_t limited_by = 0;
   std::uint32_t soft_faults = 0;  ///< since the start
   std::uint32_t hard_faults = 0;
-  double rms_force_n = 0.0;      ///< as the motors feel it (MotorGuard)
-  double energy_mj = 0.0;        ///< work done on the hand since the contact began; <= 0 is passive
-  bool motors_are_warm = false;  ///< notice: forces are or were lately limited by the motors
+  double rms_force_n = 0.0;      ///< RMS, weighted as the motors warm (MotorGuard)
+  double energy_mj = 0.0;        ///< work done on the hand since the contact began; passive if <= 0
+  bool motors_are_warm = false;  ///< notice: the motors limit the force, or did recently
 
   friend bool operator==(const SafetyReport&, const SafetyReport&) = default;
 };
 
-/// The last stage before a device: whatever a force model asks for, what leaves here is finite,
-/// bounded, rises slowly, and is zero within one tick of a hard fault (R49, R55, R56). Nothing
-/// bypasses it: the loop has no other way to a device. The table of docs/safety.md has the numbers.
+/// The last stage before a device. Whatever a force model asks for, the output is finite, bounded,
+/// rises slowly, and is zero within one tick of a hard fault (R49, R55, R56). Nothing bypasses it,
+/// because the loop cannot reach a device in any other way. The table in docs/safety.md has the
+/// numbers.
 ///
 /// One tick, in this order:
-///   begin(now)          measured dt; is the tick late, is the edit side alive?
-///   admit(sample)       is the sample believable? (false: evaluate no model)
-///   budget(slopes)      how much of its stiffness the model may use
-///   limit(asked)        the stages, in order: finite, peak, speed, continuous, engaging or
+///   begin(now)          measures dt; checks if the tick is late and the edit thread alive
+///   admit(sample)       checks if the sample is plausible (false: do not evaluate the model)
+///   budget(slopes)      returns the share of its stiffness that the model may use
+///   limit(asked)        applies the stages in order: finite, peak, speed, continuous, engaging or
 ///                       falling, rise
-/// or, when the device failed, begin(now) and device_failed(); the latter also after limit(), when
-/// writing failed. limit() without begin() and admit() before it is a hard fault.
+/// If the device could not be read, call begin(now) and device_failed(); if it could not be
+/// written, call device_failed() after limit(). Calling limit() without begin() and admit() before
+/// it is a hard fault.
 ///
-/// Engaging: the chain waits until the models ask for less than engage_below_n for some ticks. A
-/// pen that already presses into the plane when the user arms, or after a fault, therefore feels
-/// nothing until it is lifted. The ramp ends when its time is over and the force has caught up.
+/// Engaging: the chain waits until the models ask for less than engage_below_n for some ticks. So a
+/// pen that is already below the plane when the user arms the chain, or after a fault, gets no
+/// force until it is lifted. The ramp ends when its time has passed and the force has caught up.
 ///
-/// Haptic thread, except where noted: bounded, no allocation, no lock. Deterministic.
+/// Haptic thread, unless noted otherwise: bounded, no allocation, no lock. Deterministic.
 class SafetyChain {
  public:
   explicit SafetyChain(const SafetyLimits& limits) noexcept;
 
-  /// The user allows forces: from kOff and kLatched to kWaiting. Nothing else leaves kLatched; no
-  /// effect elsewhere.
+  /// Enables forces: from kOff or kLatched to kWaiting; no effect in other states. This is the only
+  /// way out of kLatched.
   void arm() noexcept;
-  /// The user's force-off key, or the end: zero at once, kOff (kLatched stays).
+  /// Disables forces, for the user's force-off key or at the end: zero immediately, then kOff
+  /// (kLatched stays).
   void disarm() noexcept;
-  /// The edit side was alive at this time. The same time again is not news.
+  /// Reports that the edit thread was alive at this time. The same time again has no effect.
   void heartbeat(std::int64_t made_ns) noexcept;
 
-  /// Starts a tick; returns the measured dt in s, clamped to 0.2..5 ms. The first one returns the
+  /// Starts a tick. Returns the measured dt in s, clamped to 0.2..5 ms; the first call returns the
   /// period.
   double begin(std::int64_t now_ns) noexcept;
-  /// The device could not be read or written: a hard fault, unless forces are off anyway.
+  /// Reports that the device could not be read or written: a hard fault, unless forces are off
+  /// anyway.
   void device_failed() noexcept;
-  /// True when the sample can be believed. Otherwise the model must not be asked; limit() with any
-  /// force gives what is to be sent. While no force can flow, every finite sample is believed: a
-  /// mouse may leap. A sample that repeats the last one (repeats()) is believed and judges nothing:
-  /// jump and speed are measured from the last new sample.
+  /// Returns true if the sample is accepted. If it returns false, do not evaluate the model; pass
+  /// any force to limit(), which returns the force to send. While no force can be output, every
+  /// finite sample is accepted, because a mouse may jump. A sample that repeats the previous one
+  /// (repeats()) is accepted but not used: jump and speed are measured from the last new sample.
   bool admit(const PenSample& sample) noexcept;
-  /// Scales for the bricks such that the slopes keep to the budget: friction gives way first.
+  /// Returns scales for the bricks that keep the slopes within the budget; friction is reduced
+  /// first.
   [[nodiscard]] StiffnessScale budget(const Slopes& slopes) noexcept;
-  /// The force to send: at most limits().peak_force_n long.
+  /// Returns the force to send: at most limits().peak_force_n long.
   Force limit(const Force& asked, const PenSample& sample) noexcept;
 
   [[nodiscard]] const SafetyReport& report() const noexcept { return report_; }
@@ -144,10 +149,10 @@ class SafetyChain {
   PenSample seen_;  // the last finite one
   bool has_seen_ = false;
   double silence_s_ = 0.0;
-  Force sent_;             // what the device holds
+  Force sent_;             // the force that the device holds
   int calm_ticks_ = 0;     // in kWaiting
   double ramp_ = 0.0;      // in kEngaging, 0..1
-  double credited_s_ = 0;  // since the start, of credited time: soft faults are dated with it
+  double credited_s_ = 0;  // credited time since the start; soft faults are dated with it
   std::array<double, 8> soft_fault_at_s_{};
   std::uint32_t recent_soft_faults_ = 0;
 };

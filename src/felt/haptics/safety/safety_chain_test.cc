@@ -12,7 +12,7 @@
 namespace felt::safety_chain_test {
 namespace {
 
-/// A chain on an even clock; each tick is one call.
+/// A chain with a regular clock; each tick is one call.
 class Rig {
  public:
   explicit Rig(const SafetyLimits& limits = {}) : chain(limits) {}
@@ -30,7 +30,7 @@ class Rig {
   void ticks(int n, const Force& asked) {
     for (int i = 0; i < n; ++i) tick(asked);
   }
-  /// Armed, engaged and under this force.
+  /// Returns a chain that is armed, engaged and outputs this force.
   Rig& engaged(const Force& asked = {0, 0, 2}) {
     chain.arm();
     ticks(4, {});
@@ -45,7 +45,7 @@ class Rig {
 
   SafetyChain chain;
   std::int64_t now_ns = 0;
-  std::optional<std::int64_t> said_ns;  ///< the time of the sample, if not now
+  std::optional<std::int64_t> said_ns;  ///< the time of the sample, if different from now
   bool is_edit_alive = true;
   bool admitted = false;
   Force sent;
@@ -124,13 +124,13 @@ TEST(SafetyChain, TheForceRisesBy300NewtonPerSecondAndFallsFreely) {
   rig.ticks(20, {0, 0, 3});
   rig.tick({0, 0, -3});
   EXPECT_NEAR(rig.sent.z, -0.3, 1e-12);
-  // A tick that comes 4 ms late buys two steps, not four.
+  // A tick that is 4 ms late permits two steps of the rise, not four.
   rig.tick({});
   rig.tick({0, 0, 3}, {}, {}, 4 * kMs);
   EXPECT_NEAR(rig.sent.z, 0.6, 1e-12);
 }
 
-// What a person does: arms while pressing.
+// A typical user action: arming while the pen presses.
 TEST(SafetyChain, APenThatPressesWhenArmedMustBeLiftedFirst) {
   Rig rig;
   rig.chain.arm();
@@ -304,7 +304,7 @@ TEST(SafetyChain, APositionThatJumpsHoldsTheForceFor2MillisecondsThenLatches) {
   EXPECT_EQ(back.state(), SafetyState::kActive);
 }
 
-// A device whose answers are late says the same again: the hand draws on meanwhile.
+// A device whose answers are late repeats its last sample while the hand moves on.
 TEST(SafetyChain, R49_AHandThatMovesOnDuringASilenceDoesNotJump) {
   for (const int silent_ms : {3, 5, 10, 16, 20}) {
     for (const double mm_per_ms : {0.1, 0.2, 0.5}) {
@@ -393,7 +393,7 @@ TEST(SafetyChain, WarmMotorsAreReported) {
   EXPECT_FALSE(rig.chain.report().motors_are_warm);
 }
 
-// Every state meets every event; what is written here is the whole table.
+// Every state with every event: the complete transition table.
 TEST(SafetyChain, TheTableOfStatesAndEvents) {
   using S = SafetyState;
   struct Row {

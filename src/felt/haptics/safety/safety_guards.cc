@@ -12,7 +12,7 @@ namespace {
 constexpr double kShortestS = 0.0002;
 constexpr double kLongestS = 0.005;
 
-/// to - from in s; in unsigned numbers, where no difference overflows.
+/// Returns to - from in s. Uses unsigned numbers because their difference does not overflow.
 double seconds_between(std::int64_t from, std::int64_t to) noexcept {
   const auto difference = [](std::int64_t low, std::int64_t high) {
     return 1e-9 *
@@ -61,7 +61,7 @@ double HeartbeatWatch::tick(std::int64_t now_ns, const TickTime& time) noexcept 
   silence_s_ += time.charged_s;
   if (is_new_) {
     is_new_ = false;
-    // One that comes late is as old as it is; one from the future is from now.
+    // A heartbeat that arrives late counts with its age; one from the future counts as made now.
     silence_s_ = std::min(silence_s_, std::max(seconds_between(last_beat_ns_, now_ns), 0.0));
   }
   return silence_s_;
@@ -91,7 +91,7 @@ PositionVerdict JumpGuard::judge(const Vec3& position_mm, const TickTime& time) 
                             ? kMaxReachS
                             : std::min(waited_s_ + time.model_s, kMaxReachS);
   waited_s_ = 0.0;
-  // Squares of huge distances are infinite, which is far enough.
+  // The square of a huge distance is infinite, which correctly counts as too far.
   if (!has_last_ || norm(position_mm - last_mm_) <= jump_mm_per_s_ * span_s) {
     last_mm_ = position_mm;
     has_last_ = true;
@@ -122,6 +122,8 @@ void SpeedGuard::reset() noexcept {
   must_cut_ = false;
 }
 
+// Measures the speed from an anchor position over at least span_s_. Only such measurements count
+// towards cut_samples_; a single higher speed, reported or measured, cuts at cut_now_m_per_s_.
 void SpeedGuard::update(const PenSample& sample, const TickTime& time) noexcept {
   bool is_judged = false;
   if (!has_anchor_) {
@@ -163,14 +165,14 @@ MotorGuard::MotorGuard(const SafetyLimits& limits) noexcept
     : tau_s_(0.5 * limits.rms_window_s),
       sustained_n_(limits.continuous_force_n > 0.0 ? sustained_force_n(limits) : 0.0),
       // A fade from F to s N at `slope` costs (F - s)^2 (F + 2 s)/(3 slope) N^2 s more than holding
-      // s; with F + 2 s <= peak + 2 s this is solved for F.
+      // s. With the bound F + 2 s <= peak + 2 s this can be solved for F.
       gain_(3.0 * (limits.peak_force_n / limits.rms_fade_s) * tau_s_ /
             (limits.peak_force_n + 2.0 * sustained_n_)) {
-  if (!(gain_ > 0.0)) gain_ = 0.0;  // no peak: 0/0
+  if (!(gain_ > 0.0)) gain_ = 0.0;  // if there is no peak: 0/0
 }
 
 void MotorGuard::heat(double force_n, double duration_s) noexcept {
-  // Implicit, so that the energy balance holds for any duration.
+  // Implicit, so that the energy balance is correct for any duration.
   const double share = duration_s / tau_s_;
   mean_square_ = (mean_square_ + share * force_n * force_n) / (1.0 + share);
 }
@@ -179,7 +181,7 @@ double MotorGuard::allowed_n() const noexcept {
   if (!(sustained_n_ > 0.0)) return std::numeric_limits<double>::infinity();
   const double room = std::max(sustained_n_ * sustained_n_ - mean_square_, 0.0);
   const double fading = sustained_n_ + std::sqrt(gain_ * room);
-  // What fits into the room within a single tick, for the very end of the fade.
+  // The force that uses up the room within a single tick, for the end of the fade.
   const double in_a_tick = std::sqrt(sustained_n_ * sustained_n_ + room * (tau_s_ / kLongestTickS));
   return std::min(fading, in_a_tick);
 }

@@ -7,32 +7,34 @@
 #include "felt/haptics/pen_sample.h"
 #include "felt/haptics/safety/safety_limits.h"
 
-/// What the safety chain watches, each guard with the state that it needs from tick to tick.
+/// The monitors of the safety chain. Each guard has its own state from tick to tick.
 namespace felt {
 
 /// How late a tick came.
 enum class Lateness : std::uint8_t {
   kOnTime,
-  kLate,      ///< over late_s since the last one
-  kVeryLate,  ///< over very_late_s; what the pen did meanwhile is not known
+  kLate,      ///< more than late_s after the previous tick
+  kVeryLate,  ///< more than very_late_s; the motion of the pen in between is unknown
 };
 
-/// The time since the last tick, three ways. A doubt about time is settled against the force: what
-/// lets a force grow is credited with little time, what takes it away is charged with much.
+/// The time since the last tick, in three versions. If time is in doubt, the version that gives
+/// less force is used: what lets a force grow is credited with little time, what reduces it is
+/// charged with much.
 struct TickTime {
-  double model_s = 0.001;    ///< for the models: clamped to 0.2..5 ms
-  double credited_s = 0.0;   ///< rise, ramps: at most two periods or 5 ms, 0 when time stands still
-  double charged_s = 0.001;  ///< watchdogs, falls, heat: at least 0.2 ms, without an upper bound
+  double model_s = 0.001;    ///< for the force models: clamped to 0.2..5 ms
+  double credited_s = 0.0;   ///< for rises, ramps: at most two periods or 5 ms; 0 if time stops
+  double charged_s = 0.001;  ///< for watchdogs, falls, heat: at least 0.2 ms, no upper bound
   Lateness lateness = Lateness::kOnTime;
 };
 
-/// Measures ticks (reliability 3.3). Time that stands still or runs backwards credits nothing;
-/// running backwards is as late as it goes back. Real-time safe.
+/// Measures ticks (reliability 3.3). If time stands still or runs backwards, nothing is credited;
+/// running backwards by t counts as late by t. Real-time safe.
 class TickClock {
  public:
   explicit TickClock(const SafetyLimits& limits) noexcept;
 
-  /// The first tick counts as one period. Any two times, even the farthest apart.
+  /// Returns the time since the last tick. The first tick counts as one period. Accepts any two
+  /// times, even the farthest apart.
   TickTime tick(std::int64_t now_ns) noexcept;
 
  private:
@@ -43,16 +45,16 @@ class TickClock {
   bool has_last_ = false;
 };
 
-/// The edit side's signs of life (architecture section 10: edit side silent). Silence is counted in
-/// ticks of the chain's own clock, so that a clock that stops or jumps cannot hide it; the same
-/// heartbeat seen twice is one.
+/// Monitors the heartbeats of the edit thread (architecture section 10: edit side silent). Silence
+/// is measured on the chain's own clock, so that a clock that stops or jumps cannot hide it. The
+/// same heartbeat seen twice counts once.
 class HeartbeatWatch {
  public:
-  /// A heartbeat with the time it was made at.
+  /// Adds a heartbeat, with the time at which it was made.
   void beat(std::int64_t made_ns) noexcept;
-  /// Starts a new count, as when the user arms.
+  /// Sets the silence to 0, for example when the user arms the chain.
   void restart() noexcept;
-  /// Counts a tick; returns the silence in s.
+  /// Counts a tick and returns the silence in s.
   double tick(std::int64_t now_ns, const TickTime& time) noexcept;
 
  private:
@@ -65,25 +67,25 @@ class HeartbeatWatch {
 /// True when every number of the sample is finite.
 bool is_finite(const PenSample& sample) noexcept;
 
-/// True if a device has nothing newer to say than `last`: the same time, position and velocity.
-/// Such a sample does not say that the pen stands still.
+/// True if a sample contains nothing newer than `last`: the same time, position and velocity. This
+/// does not mean that the pen stands still.
 bool repeats(const PenSample& last, const PenSample& sample) noexcept;
 
-/// What to make of a position.
+/// The result of checking a position.
 enum class PositionVerdict : std::uint8_t {
   kBelieved,
-  kHeld,   ///< too far from the last believed one: hold the last force
-  kFault,  ///< and that for too long
+  kHeld,   ///< too far from the last accepted one: hold the last force
+  kFault,  ///< too far for too long
 };
 
-/// Detects positions that jump by more than 3 mm/ms. A position is believed if it lies within reach
-/// of the last believed one; the reach is that of one tick, so a lasting jump does not become
+/// Detects positions that jump by more than 3 mm/ms. A position is accepted if it is within reach
+/// of the last accepted one. The reach is that of one tick, so a lasting jump does not become
 /// plausible by waiting. Ticks without a new sample (wait()) count as part of the next one, because
-/// the pen moves on while a device's answers are late; the reach is that of kMaxReachS at most,
-/// also after a tick that was very late. One jump that comes back within jump_hold_s is forgiven.
-/// Jumps that come back again and again are not: held time adds up to kMaxDoubtS, and believed time
-/// takes only an eighth of itself off, so that a position that lies in every second sample is a
-/// fault after about 20 ms, and in one of nine never.
+/// the pen moves on while a device's answers are late. The reach is that of kMaxReachS at most,
+/// also after a very late tick. A single jump that returns within jump_hold_s is forgiven. Repeated
+/// jumps are not: held time adds up, accepted time reduces the sum by only an eighth of itself, and
+/// a sum of kMaxDoubtS is a fault. So a position that is wrong in every second sample is a fault
+/// after about 20 ms, and one that is wrong in every ninth never is.
 class JumpGuard {
  public:
   static constexpr double kMaxDoubtS = 0.010;
@@ -91,14 +93,14 @@ class JumpGuard {
 
   explicit JumpGuard(const SafetyLimits& limits) noexcept;
 
-  /// Forgets the last position, so that the next one is believed, and all doubts.
+  /// Forgets the last position, so that the next one is accepted, and all doubt.
   void reset() noexcept {
     has_last_ = is_holding_ = false;
     doubt_s_ = waited_s_ = 0.0;
   }
-  /// A tick without a new sample.
+  /// Counts a tick without a new sample.
   void wait(const TickTime& time) noexcept { waited_s_ += time.model_s; }
-  /// True if there is a believed position, and the last one was not held.
+  /// True if there is an accepted position and the last position was not held.
   [[nodiscard]] bool may_wait() const noexcept { return has_last_ && !is_holding_; }
   PositionVerdict judge(const Vec3& position_mm, const TickTime& time) noexcept;
 
@@ -109,36 +111,37 @@ class JumpGuard {
   bool has_last_ = false;
   bool is_holding_ = false;
   double held_s_ = 0.0;
-  double waited_s_ = 0.0;  // since the last judged position
-  double doubt_s_ = 0.0;   // of held positions, less an eighth of the believed time
+  double waited_s_ = 0.0;  // since the last checked position
+  double doubt_s_ = 0.0;   // time of held positions, less an eighth of the accepted time
 };
 
-/// Speed of the pen, by its own account or by its positions, whichever is more: a device that
-/// reports no velocity cannot pass. Positions are compared over at least 0.9 of a period, so that
-/// ticks that come in bursts do not turn a quantum into a speed.
+/// Monitors the speed of the pen: the velocity that the device reports or the speed computed from
+/// its positions, whichever is higher, so that a device that reports no velocity is monitored too.
+/// Positions are compared over at least 0.9 of a period, so that ticks that come in bursts do not
+/// turn one sensor step into a high speed.
 class SpeedGuard {
  public:
   explicit SpeedGuard(const SafetyLimits& limits) noexcept;
 
   /// Forgets the last position and all speeds.
   void reset() noexcept;
-  /// A tick without a new sample.
+  /// Counts a tick without a new sample.
   void wait(const TickTime& time) noexcept { since_anchor_s_ += time.charged_s; }
-  /// Takes a believed sample; finite numbers of any size.
+  /// Processes an accepted sample; its numbers are finite and may have any size.
   void update(const PenSample& sample, const TickTime& time) noexcept;
 
-  /// m/s, at the last sample.
+  /// Returns the speed at the last sample, m/s.
   [[nodiscard]] double speed_m_per_s() const noexcept { return speed_m_per_s_; }
-  /// mm/s, of that speed.
+  /// Returns the velocity that has that speed, mm/s.
   [[nodiscard]] const Vec3& velocity_mm_per_s() const noexcept { return velocity_mm_per_s_; }
-  /// True where forces must be cut: cut_samples in a row above cut, or one above cut_now.
+  /// True if forces must be cut: cut_samples in a row above cut, or one above cut_now.
   [[nodiscard]] bool must_cut() const noexcept { return must_cut_; }
 
  private:
   double cut_m_per_s_;
   double cut_now_m_per_s_;
   int cut_samples_;
-  double span_s_;  // over which positions are compared
+  double span_s_;  // positions are compared over at least this time
 
   bool has_anchor_ = false;
   Vec3 anchor_mm_;
@@ -150,31 +153,32 @@ class SpeedGuard {
   bool must_cut_ = false;
 };
 
-/// The force that the motors may hold for as long as one likes, N: all that MotorGuard lets through
-/// in the end. Infinite without a rating.
+/// Returns the force that the motors may hold indefinitely, N, to which MotorGuard finally limits.
+/// Infinite without a rating.
 double sustained_force_n(const SafetyLimits& limits) noexcept;
 
-/// Keeps the motors cool (architecture section 10: RMS over 10 s at most 80 % of the rating, then a
-/// fade over 1 s with a notice).
+/// Protects the motors from overheating (architecture section 10: RMS over 10 s at most 80 % of the
+/// rating, then a fade over 1 s with a notice).
 ///
-/// The mean square m of the force is a low-pass with half the window as time constant, as a motor
-/// warms. Its bound is set so that the plain RMS over any whole window stays under the limit L: the
-/// energy of a window W is at most tau m + W m, so m <= L^2 W/(W + tau). The force that may be sent
-/// depends on m alone: the more room is left, the more; it reaches the sustainable force sqrt(m) as
-/// the room is used up, along a fade that takes about fade_s from the peak. So a hand that keeps on
-/// pressing feels the plane become softer, once, and never a cut or a swing.
+/// The mean square m of the force is low-pass filtered with half the window as time constant, as a
+/// motor warms. Its bound keeps the plain RMS over any whole window below the limit L: the energy
+/// of a window W is at most tau m + W m, so m <= L^2 W/(W + tau). The permitted force depends only
+/// on m: the more room is left, the higher it is. It reaches the sustainable force sqrt(m) when the
+/// room is used up, along a fade that takes about fade_s from the peak. So a hand that keeps
+/// pressing feels the plane become softer, once, and never a cut or an oscillation.
 class MotorGuard {
  public:
   explicit MotorGuard(const SafetyLimits& limits) noexcept;
 
-  /// The device held force_n for duration_s.
+  /// Adds the heat of force_n, held for duration_s.
   void heat(double force_n, double duration_s) noexcept;
-  /// The force that may be sent now, N; infinite without a rating.
+  /// Returns the permitted force, N; infinite without a rating.
   [[nodiscard]] double allowed_n() const noexcept;
-  /// Root of the mean square, N.
+  /// Returns the root of the mean square, N.
   [[nodiscard]] double rms_n() const noexcept;
-  /// Call with whether the limit was met on this tick; true from then until the motors have cooled
-  /// to half the heat (hysteresis of the notice, not of the force).
+  /// Returns whether to show the notice. Pass whether the force was limited on this tick: the
+  /// result is true from then until the motors have cooled to half the heat. This hysteresis is of
+  /// the notice only, not of the force.
   bool is_warm(bool limited) noexcept;
 
  private:
@@ -185,16 +189,16 @@ class MotorGuard {
   bool warm_ = false;
 };
 
-/// Passivity observer (reliability 3.2, after Hannaford and Ryu): the work that the sent forces did
-/// on the hand since the pen last came down. The force of a tick acts until the next one, so its
-/// work is that force times the way of the pen in between; positions, not velocities, and therefore
-/// no noise adds up.
+/// Passivity observer (reliability 3.2, after Hannaford and Ryu): computes the work that the sent
+/// forces have done on the hand since the pen last touched. The force of a tick is held until the
+/// next one, so its work is that force times the pen's displacement in between. It uses positions
+/// and not velocities, so noise does not add up.
 class PassivityObserver {
  public:
-  /// Forgets everything: the next sample is the first.
+  /// Forgets all state; the next sample is the first.
   void reset() noexcept;
-  /// `sent` was held by the device since the last sample; returns the energy in mJ, > 0 where the
-  /// loop gave more than it took. Huge numbers saturate.
+  /// Adds a sample. The device has held `sent` since the previous one. Returns the energy in mJ, >
+  /// 0 if the loop gave more than it received. Huge numbers saturate.
   double update(const PenSample& sample, const Force& sent) noexcept;
 
  private:

@@ -8,7 +8,7 @@ namespace {
 
 constexpr SafetyLimits kDefaults;
 
-/// 0 or more, and no more than the largest; NaN is not.
+/// True if value is in 0..largest; false for NaN.
 constexpr bool within(double value, double largest) noexcept {
   return value >= 0.0 && value <= largest;
 }
@@ -54,7 +54,7 @@ bool loop_is_sound(const SafetyLimits& l) noexcept {
          l.delay_ticks >= 0 && l.delay_ticks <= kMostDelayTicks;
 }
 
-/// From bounds at the hand to bounds on the sheet; never to higher ones.
+/// Converts bounds at the hand to bounds on the page, without raising any of them.
 void hold_at_the_hand(SafetyLimits& limits, double scale) noexcept {
   if (!(scale >= kSmallestSheetScale && scale <= kLargestSheetScale)) {
     limits.peak_force_n = 0.0;

@@ -6,74 +6,74 @@
 
 namespace felt {
 
-/// Loop periods that the chain takes (R50), and delays.
+/// Loop periods that the chain accepts (R50), in ns, and the largest delay.
 inline constexpr std::int64_t kShortestPeriodNs = 200'000;
 inline constexpr std::int64_t kLongestPeriodNs = 4'000'000;
 inline constexpr int kMostDelayTicks = 100;
 
 /// The numbers of the safety chain (architecture section 10, "peak force" to "late tick"). The
-/// defaults are the upper bounds: `limits_for` only ever lowers forces, and no tool sees them.
+/// defaults are the upper bounds: `limits_for` only lowers forces, and no tool can change them.
 struct SafetyLimits {
   double peak_force_n = 3.0;
-  double continuous_force_n = 0.0;  ///< RMS over any rms_window_s stays below; 0 = no bound
+  double continuous_force_n = 0.0;  ///< the RMS over any rms_window_s stays below it; 0 = no bound
   double rms_window_s = 10.0;
   double rms_fade_s = 1.0;
-  double max_damping_n_s_per_m = 0.0;  ///< half of what the device bears; 0 = no bound
-  double max_stiffness_n_per_m = 0.0;  ///< likewise (R55: 0.9 of its cap); 0 = no bound
+  double max_damping_n_s_per_m = 0.0;  ///< half of the device's maximum; 0 = no bound
+  double max_stiffness_n_per_m = 0.0;  ///< 0.9 of the device's maximum (R55); 0 = no bound
 
   double rise_n_per_ms = 0.3;
   double engage_rise_n_per_ms = 0.01;
-  double soft_fall_n_per_ms = 0.06;  ///< to zero after a soft fault; a hard one takes one tick
+  double soft_fall_n_per_ms = 0.06;  ///< after a soft fault; a hard one takes one tick
 
-  double engage_below_n = 0.2;  ///< commanded force that lets the engaging start
-  int engage_ticks = 4;         ///< as many in a row
-  double engage_s = 0.5;        ///< then the ramp
+  double engage_below_n = 0.2;  ///< engaging may start if the commanded force is below this
+  int engage_ticks = 4;         ///< for this many ticks in a row
+  double engage_s = 0.5;        ///< duration of the ramp that follows
 
-  double brake_from_m_per_s = 0.6;  ///< damping grows from here
-  double brake_n_s_per_m = 2.0;     ///< to this at cut_m_per_s
-  double cut_m_per_s = 1.0;         ///< force cut after cut_samples above
+  double brake_from_m_per_s = 0.6;  ///< additional damping grows from this speed
+  double brake_n_s_per_m = 2.0;     ///< to this value at cut_m_per_s
+  double cut_m_per_s = 1.0;         ///< the force is cut after cut_samples above this speed
   int cut_samples = 3;
-  double cut_now_m_per_s = 2.0;  ///< after a single sample above
+  double cut_now_m_per_s = 2.0;  ///< the force is cut after a single sample above this speed
 
-  double jump_mm_per_ms = 3.0;  ///< a sample farther away is not believed
-  double jump_hold_s = 0.002;   ///< the last force is held this long, then it is a hard fault
+  double jump_mm_per_ms = 3.0;  ///< a sample farther away is not accepted
+  double jump_hold_s = 0.002;   ///< time for which the last force is held before it is a hard fault
 
-  double silent_damp_s = 0.5;  ///< edit side silent: damping only
-  double silent_stop_s = 2.0;  ///< then zero, a soft fault
+  double silent_damp_s = 0.5;  ///< if the edit thread is silent for this long: damping only
+  double silent_stop_s = 2.0;  ///< for this long: zero, a soft fault
   double silent_damping_n_s_per_m = 2.0;
 
-  double late_s = 0.005;       ///< a tick later than this re-engages softly
-  double very_late_s = 0.020;  ///< than this: zero at once, and engage again
-  int soft_faults = 3;         ///< in soft_fault_window_s become a hard one
+  double late_s = 0.005;       ///< a tick later than this engages again, softly
+  double very_late_s = 0.020;  ///< later than this: zero immediately, then engages again
+  int soft_faults = 3;         ///< this many in soft_fault_window_s are a hard fault
   double soft_fault_window_s = 10.0;
 
   double budget_fast_n_per_m = 900.0;  ///< R56: sum of slopes per axis at up to 2 ms of loop delay
-  double budget_slow_n_per_m = 600.0;  ///< at 3 ms, and in proportion beyond
+  double budget_slow_n_per_m = 600.0;  ///< at 3 ms, and in proportion to 1/delay beyond
 
   std::int64_t period_ns = 1'000'000;
   int delay_ticks = 1;
 };
 
-/// True when every number makes sense and none allows more than the defaults do: the self-test of
-/// the chain, which otherwise never lets a force through.
+/// True if every number is valid and none allows more than the defaults do. The chain uses it as a
+/// self-test and outputs no force if it fails.
 bool is_sound(const SafetyLimits& limits) noexcept;
 
-/// The limits for a device: peak = min(user, advised, 0.9 nominal), continuous = 0.8 of the rating
-/// (architecture section 10), damping = 0.5 and stiffness = 0.9 of its caps (reliability 3.3, R55).
-/// `user_limit_n` is clamped to 0..3 N. NaN and negative numbers count as 0; a device that says
-/// nonsense about its force or its scale gets none.
+/// Returns the limits for a device: peak = min(user, advised, 0.9 nominal), continuous = 0.8 of the
+/// rating (architecture section 10), damping = 0.5 and stiffness = 0.9 of its maxima (reliability
+/// 3.3, R55). `user_limit_n` is clamped to 0..3 N. NaN and negative numbers count as 0. A device
+/// that reports an invalid force or scale gets no force.
 ///
-/// With a scale s (Capabilities::sheet_scale) the hand feels s times the sheet's stiffness and
-/// damping, at 1/s of the sheet's speed (driver/plane_calibration.h). So that no bound is higher at
-/// the hand than it is with s = 1, budgets and brakes are divided by max(1, s), and speeds and
-/// jumps multiplied by min(1, s).
+/// With a scale s (Capabilities::sheet_scale) the hand feels s times the stiffness and damping on
+/// the page, and moves at 1/s of the speed on the page (driver/plane_calibration.h). So that no
+/// bound is higher at the hand than it is with s = 1, budgets and brakes are divided by max(1, s),
+/// and speeds and jumps are multiplied by min(1, s).
 SafetyLimits limits_for(const Capabilities& device, double user_limit_n = 3.0) noexcept;
 
 /// Returns the device with advised_force_n lowered to the limit that the user set, so that
 /// limits_for() of it equals limits_for(device, user_limit_n). Pass it to the session (UseDevice),
-/// because the width of a line depends on what the device may give (firm_push_n, R14); recordings
-/// then contain the limit, too. Returns the device unchanged if the limit is higher than its own,
-/// or if it is 0 or less, because forces are off then.
+/// because the width of a line depends on the force that the device may output (firm_push_n, R14);
+/// recordings then contain the limit, too. Returns the device unchanged if the limit is higher than
+/// its own, or if it is 0 or less, because forces are off then.
 Capabilities with_force_limit(const Capabilities& device, double user_limit_n) noexcept;
 
 }  // namespace felt

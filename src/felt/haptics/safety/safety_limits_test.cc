@@ -64,7 +64,7 @@ TEST(SafetyLimits, NonsenseFromADeviceMeansNoForce) {
                                    .delay_ticks = -7})));
 }
 
-// The defaults are upper bounds: no number may be raised, none may be missing.
+// The defaults are upper bounds: no number may be raised or missing.
 TEST(SafetyLimits, TheSelfTestFindsEveryNumberThatIsNoneOrTooBold) {
   EXPECT_TRUE(is_sound(SafetyLimits{}));
   double SafetyLimits::*const numbers[] = {&SafetyLimits::peak_force_n,
@@ -116,7 +116,7 @@ TEST(SafetyLimits, WithAScaleNoBoundIsHigherAtTheHand) {
     const SafetyLimits l = limits_for(device);
     EXPECT_TRUE(is_sound(l));
     EXPECT_EQ(l.peak_force_n, plain.peak_force_n);
-    // At the hand: stiffness and damping times s, speeds through s.
+    // At the hand, stiffness and damping are multiplied by s and speeds divided by s.
     const double e = 1.0 + 1e-12;
     EXPECT_LE(l.budget_fast_n_per_m * s, plain.budget_fast_n_per_m * e);
     EXPECT_LE(l.budget_slow_n_per_m * s, plain.budget_slow_n_per_m * e);

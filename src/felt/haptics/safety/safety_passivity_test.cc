@@ -13,7 +13,7 @@ PenSample at(const Vec3& position_mm) {
   return {0, position_mm, {}, {}, 0};
 }
 
-/// Presses into a plane and lets go again; `delay` ticks between position and force.
+/// Presses into a plane and releases it, with `delay` ticks between position and force.
 double energy_of(double stiffness_n_per_m, std::size_t delay, double speed_mm_per_s) {
   PassivityObserver observer;
   std::array<Force, 8> late{};
@@ -28,7 +28,7 @@ double energy_of(double stiffness_n_per_m, std::size_t delay, double speed_mm_pe
 }
 
 TEST(PassivityObserver, SeesTheEnergyOfTheHoldAndOfDelay) {
-  // A sampled spring gives K d dz T per contact more than it takes, and more with delay.
+  // A sampled spring returns K d dz T more per contact than it receives, and more with delay.
   EXPECT_NEAR(energy_of(500.0, 0, 5.0), 0.5 * 4.5 * 0.005, 0.003);
   EXPECT_GT(energy_of(500.0, 2, 5.0), 2.5 * energy_of(500.0, 0, 5.0));
   EXPECT_EQ(energy_of(0.0, 0, 5.0), 0.0);

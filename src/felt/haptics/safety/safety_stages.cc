@@ -8,16 +8,16 @@
 namespace felt {
 namespace {
 
-/// Length without overflow: forces may be as large as doubles are.
+/// Returns the length without overflow, because a force may be as large as a double.
 double length(const Force& f) noexcept {
   const double largest = std::max({std::abs(f.x), std::abs(f.y), std::abs(f.z)});
   if (largest < 1e100) return norm(f);
-  return largest * norm((1.0 / largest) * f);  // inf where it must be: longer than any bound
+  return largest * norm((1.0 / largest) * f);  // may be inf, which is longer than any bound
 }
 
-/// How much of `wanted` fits into `room`; both in N/m.
+/// Returns the share of `wanted` that fits into `room`; both in N/m.
 double share_of(double wanted, double room) noexcept {
-  if (!(wanted >= 0.0)) return 0.0;  // negative or NaN: no promise to rely on
+  if (!(wanted >= 0.0)) return 0.0;  // negative or NaN: invalid
   if (wanted <= room) return 1.0;
   return std::max(room, 0.0) / wanted;
 }

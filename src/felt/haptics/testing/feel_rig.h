@@ -12,15 +12,16 @@
 #include "felt/haptics/force_model.h"
 #include "felt/haptics/pen_sample.h"
 
-/// Test helper: the bench on which the laws of this layer are proven, as the specification measured
-/// them (its section 0). A point mass in 20 us steps, a hand that pulls it towards where it wants
-/// to be, Coulomb friction of the device, a position in steps of 0.03 mm, a force that comes some
-/// ticks late and holds for a tick. No safety chain: a law has to be calm by itself.
+/// Test helper: the bench for testing the force laws of this layer, as the specification measured
+/// them (its section 0). It simulates a point mass in 20 us steps, a hand that pulls it towards a
+/// target, Coulomb friction of the device, a position in steps of 0.03 mm, and a force that is some
+/// ticks late and held for a tick. There is no safety chain, because a law must be calm by itself.
 ///
-/// Small and separate from devices/simulated on purpose: two rigs that agree are worth more.
+/// Small and intentionally separate from devices/simulated, because two independent simulations
+/// that agree are stronger evidence.
 namespace felt::rig {
 
-/// A sample of a pen somewhere.
+/// Returns a sample of a pen at a position.
 inline PenSample pen_at(const Vec3& position_mm, const Vec3& velocity_mm_per_s = {},
                         double time_s = 0.0) {
   PenSample sample;
@@ -46,7 +47,7 @@ struct Stylus {
 inline constexpr std::array<Stylus, 3> kStyluses{
     {{"worst", 0.045, 0.0}, {"touch-like", 0.045, 0.26}, {"premium-like", 0.075, 0.04}}};
 
-/// One way of holding and running a device.
+/// One combination of a hand, a device and a loop.
 struct Setup {
   Hand hand = kHands[2];
   Stylus stylus = kStyluses[0];
@@ -65,7 +66,7 @@ struct Setup {
   }
 };
 
-/// Every hand on every stylus.
+/// Returns every combination of hand and stylus.
 template <class Visit>
 void for_each_grip(double period_s, int delay_ticks, const Visit& visit) {
   for (const Hand& hand : kHands) {
@@ -73,9 +74,9 @@ void for_each_grip(double period_s, int delay_ticks, const Visit& visit) {
   }
 }
 
-/// What lies above 30 Hz in a force: a Butterworth high-pass of the fourth order, rms over all that
-/// came after `begin`, of the axis where it is largest: the specification's bench had one axis, two
-/// at most. The force holds between ticks, so once per tick is all there is.
+/// Measures the part of a force above 30 Hz: a Butterworth high-pass filter of the fourth order,
+/// RMS over everything after `begin`, of the axis on which it is largest (the specification's bench
+/// had one axis or two). The force is held between ticks, so one value per tick suffices.
 class HighFrequency {
  public:
   explicit HighFrequency(double period_s) {
@@ -120,11 +121,11 @@ class HighFrequency {
   std::int64_t count_ = 0;
 };
 
-/// What was measured from `begin_measuring` on.
+/// Results measured from `begin_measuring` on.
 struct Figures {
-  double hf_n = 0.0;       ///< rms above 30 Hz, of the worst axis
-  double energy_mj = 0.0;  ///< work done on the hand; <= 0 is passive
-  Force mean_force;        ///< of what acted
+  double hf_n = 0.0;       ///< RMS above 30 Hz, of the worst axis
+  double energy_mj = 0.0;  ///< work done on the hand; passive if <= 0
+  Force mean_force;        ///< of the force that acted
   double mean_size_n = 0.0;
   double max_size_n = 0.0;
 };
@@ -140,7 +141,8 @@ class Bench {
     late_.assign(static_cast<std::size_t>(setup.delay_ticks) + 1, Force{});
   }
 
-  /// The hand follows `target(t)`, t in s since the bench began. `each(bench)` after each tick.
+  /// Runs the bench. The hand follows `target(t)`, t in s since the start. Calls `each(bench)`
+  /// after each tick.
   template <class Target, class Each>
   void run(double seconds, const Target& target, const Each& each) {
     const auto steps_per_tick = std::llround(setup_.period_s / kStepS);
@@ -202,13 +204,13 @@ class Bench {
     ++ticks_;
   }
   void move(const Vec3& aim_mm, const Vec3& aim_velocity) {
-    // N/m mm = mN = kg mm/s^2.
+    // Units: N/m mm = mN = kg mm/s^2.
     const double mass = setup_.hand.mass_kg + setup_.stylus.mass_kg;
     const Vec3 push = setup_.hand.stiffness_n_per_m * (aim_mm - position_) +
                       setup_.hand.damping_n_s_per_m * (aim_velocity - velocity_) +
                       1e3 * Vec3{acting_.x, acting_.y, acting_.z};
     Vec3 v = velocity_ + (kStepS / mass) * push;
-    // Coulomb friction takes up to this much speed, and never turns it round.
+    // Coulomb friction removes up to this much speed and never reverses it.
     const double most = kStepS * 1e3 * setup_.stylus.friction_n / mass;
     const double speed = norm(v);
     v = speed > most ? ((speed - most) / speed) * v : Vec3{};
@@ -225,7 +227,7 @@ class Bench {
   PenSample sample_;
   Vec3 position_, velocity_;
   Force acting_;
-  std::vector<Force> late_;  // ring: asked at the last ticks
+  std::vector<Force> late_;  // ring of the forces of the last ticks
   HighFrequency hf_;
   std::int64_t tick_count_ = 0;
   std::int64_t ticks_ = 0;
@@ -236,7 +238,8 @@ class Bench {
   Force sum_;
 };
 
-/// Where a hand aims to press with `push_n` on a plane of stiffness `plane_n_per_m`, z in mm.
+/// Returns where a hand must aim to press with `push_n` on a plane of stiffness `plane_n_per_m`, z
+/// in mm.
 inline double aim_z_mm(const Hand& hand, double push_n, double plane_n_per_m) {
   return -1e3 * push_n * (1.0 / hand.stiffness_n_per_m + 1.0 / plane_n_per_m);
 }

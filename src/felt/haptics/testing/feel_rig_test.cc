@@ -28,7 +28,7 @@ TEST(FeelRig, HighFrequencyPassesWhatIsAbove30Hz) {
 }
 
 TEST(FeelRig, AHeldPenSwingsAsItsEquationSays) {
-  // 75 g on 100 N/m and 1 N s/m, let go 5 mm away, nothing else.
+  // 75 g on 100 N/m and 1 N s/m, released 5 mm away, without other forces.
   const rig::Hand hand{"own", 0.0, 100.0, 1.0};
   const rig::Setup setup{hand, {"own", 0.075, 0.0}};
   rig::Bench bench(setup, ForceModel(), {5, 0, 0});
@@ -73,7 +73,7 @@ TEST(FeelRig, ForcesComeLateByTheirTicks) {
 }
 
 TEST(FeelRig, CountsTheWorkOfASpringThatLosesNothing) {
-  // A hand pulls the pen out against a spring: the spring has taken its potential.
+  // A hand pulls the pen out against a spring, which stores the work as potential energy.
   rig::Setup setup;
   setup.step_mm = 0.0;
   setup.delay_ticks = 0;

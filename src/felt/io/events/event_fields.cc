@@ -15,7 +15,7 @@ constexpr NumberLimit kEventTimeLimit = {limits::kMaxEventTimeMs, "1e9"};
 constexpr NumberLimit kPeriodLimit = {1000.0, "1000"};
 constexpr std::uint64_t kMostCounted = 1000;
 
-/// A number at `key`, into `out`.
+/// Reads the number at `key` into `out`.
 Result<void> parse_number(Value& value, const char* key, NumberLimit limit, double& out) {
   const std::string_view token = token_of(value);
   if (read_number(value, limit, out)) return {};
@@ -41,7 +41,7 @@ Result<void> parse_pressure(Value& value, EventFields& out) {
   if (Result<void> read = parse_number(value, "pressure", kCoordinateLimit, pressure); !read) {
     return read;
   }
-  // Drivers overshoot their own range by a little; a pressure has no meaning outside 0..1.
+  // Drivers slightly exceed their own range, but a pressure outside 0..1 has no meaning.
   out.pressure = std::fmin(std::fmax(pressure, 0.0), 1.0);
   return {};
 }
@@ -106,7 +106,7 @@ Result<void> parse_option_value(Value& value, EventFields& out) {
   return {};
 }
 
-/// A word of a list into the enumeration with the same order.
+/// Converts a word of a list to the enumerator at the same index.
 template <class Enum, std::size_t N>
 Result<void> parse_word(Value& value, const char* key, const std::array<std::string_view, N>& words,
                         Enum& out) {
@@ -132,7 +132,7 @@ Result<void> parse_layer(Value& value, EventFields& out) {
   return {};
 }
 
-/// A quantity of a device that is never negative.
+/// Reads a non-negative quantity of a device.
 template <double Capabilities::*Quantity>
 Result<void> parse_quantity(Value& value, const char* key, EventFields& out) {
   double& number = out.device.*Quantity;
@@ -141,7 +141,7 @@ Result<void> parse_quantity(Value& value, const char* key, EventFields& out) {
   return {};
 }
 
-/// A whole number from 0 on, small enough to count axes and ticks.
+/// Reads a whole number from 0 on, small enough to count axes and ticks.
 template <int Capabilities::*Count>
 Result<void> parse_count(Value& value, const char* key, EventFields& out) {
   const std::string_view token = token_of(value);
@@ -201,7 +201,7 @@ Result<void> parse_index(Value& value, EventFields& out) {
 
 using EventField = Field<EventFields>;
 
-/// Read before the others, to know which they are.
+/// Parsed first, because it decides which other keys apply.
 constexpr EventField kEvent = {"event", true, [](Value& v, EventFields&) -> Result<void> {
                                  const Result<EventName> name = parse_event_name(v);
                                  if (!name) return tl::unexpected(name.error());

@@ -14,7 +14,7 @@
 
 namespace felt::json {
 
-/// What the keys of an event line may say, whichever event it is.
+/// The values of an event line, for all kinds of events.
 struct EventFields {
   std::int64_t time_ns = 0;
   std::string id;
@@ -26,7 +26,7 @@ struct EventFields {
   std::optional<double> lean_deg;
   std::string path;
   bool select = false;
-  int defaults = 1;  ///< of recordings that do not name them
+  int defaults = 1;  ///< 1 for recordings that do not name them
   SelectStrokes::What selection{};
   LayerEvent::Do action{};
   LayerId layer;
@@ -57,10 +57,10 @@ enum class EventName {
   kMaterial
 };
 
-/// Error: none of ours.
+/// Returns the kind of event. Fails if it is not one of ours.
 Result<EventName> parse_event_name(Value& value);
 
-/// The keys of one kind of event, `event` and `t_ms` among them.
+/// Returns the keys of one kind of event, including `event` and `t_ms`.
 std::span<const Field<EventFields>> fields_of(EventName name) noexcept;
 
 }  // namespace felt::json

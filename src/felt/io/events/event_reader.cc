@@ -13,16 +13,16 @@ using json::EventFields;
 using json::EventName;
 using json::Value;
 
-/// Bytes of lines that read_script holds at a time.
+/// Number of bytes of lines that read_script keeps in memory at a time.
 constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
 
-/// What a look at the keys says about a line.
+/// What a first look at the keys tells about a line.
 struct Glance {
   std::optional<EventName> event;
-  bool is_other = false;  ///< a stroke or a header: NdjsonParser's
+  bool is_other = false;  ///< a stroke or a header, which NdjsonParser reads
 };
 
-/// Only what means something to it.
+/// Copies only the fields that its action uses.
 LayerEvent layer_event(EventFields&& fields) {
   using Do = LayerEvent::Do;
   LayerEvent event{fields.action, fields.layer};
@@ -85,14 +85,14 @@ Event event_of(EventName name, EventFields&& fields) {
   return event;
 }
 
-/// Without z only the pressure says whether the pen touches.
+/// A pose without z is valid only if its pressure tells whether the pen touches.
 Result<void> check_pose(EventName name, const EventFields& fields) {
   const bool is_pose = name == EventName::kPen || name == EventName::kHand;
   if (!is_pose || fields.has_z || fields.pressure) return {};
   return json::bad("key \"z\" is missing, and there is no pressure");
 }
 
-/// Which keys a layer event needs depends on what it does.
+/// The required keys of a layer event depend on its action.
 Result<void> check_layer(EventName name, const EventFields& fields) {
   if (name != EventName::kLayer) return {};
   if (fields.action != LayerEvent::Do::kAdd && !fields.layer) {
@@ -121,7 +121,7 @@ struct EventReader::State {
   NdjsonParser strokes;
   std::int64_t last_ns = 0;
 
-  /// Values other than that of "event" are passed over unread.
+  /// Skips all values but that of "event" without reading them.
   Result<Glance> look(const NdjsonLine& line) {
     Glance seen;
     const auto take = [&seen](std::string_view key, Value value) -> Result<void> {

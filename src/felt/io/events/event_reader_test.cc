@@ -8,7 +8,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// The first line of `text`.
+/// The result of reading the first line of `text`.
 struct Read {
   Event event;
   RawStroke stroke;
@@ -288,7 +288,7 @@ TEST(ReadScript, GivesLinesInOrderAndPlacesTheErrorsOfTheSink) {
 }
 
 TEST(ReadScript, HoldsAScriptOfAnyLengthALineAtATime) {
-  // 40 MiB without ever being held: the source makes it as it is read.
+  // 40 MiB that are never in memory together: the source generates them while they are read.
   constexpr int kEvents = 1'000'000;
   int made = 0, seen = 0;
   std::string left;

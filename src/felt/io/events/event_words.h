@@ -1,7 +1,7 @@
 #pragma once
 
-/// The words of event lines that stand for enumerations, in the order of these. Private to this
-/// layer.
+/// The words in event lines that stand for enumerators, in the order of the enumerators. Private to
+/// this layer.
 
 #include <array>
 #include <string_view>

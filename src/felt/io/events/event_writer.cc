@@ -8,7 +8,7 @@
 namespace felt {
 namespace {
 
-/// Of a PenEvent or a HandEvent.
+/// Adds the pose of a PenEvent or a HandEvent.
 template <class Pose>
 void add_pose(JsonObject& out, const Vec3& at, const Pose& pose) {
   out.add_number("x", at.x);

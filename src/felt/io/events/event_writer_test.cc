@@ -60,7 +60,7 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
             "{\"t_ms\":0,\"event\":\"layer\",\"do\":\"hide\",\"id\":12}\n");
 }
 
-/// Any number that a script may hold, many of them with all 17 digits.
+/// Any number that a script may contain, many of them with all 17 digits.
 rc::Gen<double> numbers() {
   return rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), [](std::uint64_t bits) {
     double number = 0.0;
@@ -112,7 +112,7 @@ LayerEvent any_layer_event() {
   return event;
 }
 
-/// Any device but for its workspace, which is not written.
+/// Any device, except for its workspace, which is not written.
 UseDevice any_device() {
   const auto quantity = [] { return std::fabs(*numbers()); };
   Capabilities can;
@@ -178,8 +178,8 @@ Event any_event(std::int64_t time_ns) {
   return event;
 }
 
-// Recording and replaying rest on this: what is written reads back as the same events, bit for bit,
-// and is written again as the same bytes.
+// Recording and replaying depend on this: written events read back as the same events, bit for bit,
+// and are written again as the same bytes.
 RC_GTEST_PROP(EventRoundTrip, IsLossless, ()) {
   constexpr std::int64_t kLatestNs = 1'000'000'000'000'000;
   std::vector<std::int64_t> times = *rc::gen::container<std::vector<std::int64_t>>(

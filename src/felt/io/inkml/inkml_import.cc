@@ -25,12 +25,12 @@ namespace {
 using inkml::ChannelName;
 using inkml::Context;
 
-/// What Windows makes of pressure p and a brush of width W: W (0.25 + 1.5 p).
+/// Windows draws pressure p with a brush of width W as W (0.25 + 1.5 p).
 constexpr double kLightest = 0.25, kHardest = 1.75;
-/// Full pressure of integers where no maximum is stated.
+/// Full pressure of integer channels if no maximum is stated.
 constexpr double kUsualFullPressure = 32767.0;
 
-/// Where the values of ink stand in a point, and how much they are.
+/// The positions in a point of the values that become ink, and their scales.
 struct Columns {
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   std::size_t x = kNone, y = kNone, force = kNone, time = kNone, width = kNone, tip = kNone,
@@ -41,7 +41,8 @@ struct Columns {
   double deg_per_tilt_x = 1.0, deg_per_tilt_y = 1.0, deg_per_elevation = 1.0;
 };
 
-/// How far the pen leans, as its elevation above the sheet or both of its tilts say.
+/// Returns the tilt of the pen from its elevation above the surface, or from both of its tilt
+/// angles.
 std::optional<double> lean_of(std::span<const double> v, const Columns& c) {
   if (c.elevation != Columns::kNone) {
     const double above_deg = std::fabs(v[c.elevation] * c.deg_per_elevation);
@@ -51,10 +52,10 @@ std::optional<double> lean_of(std::span<const double> v, const Columns& c) {
   return lean_of_tilt(v[c.tilt_x] * c.deg_per_tilt_x, v[c.tilt_y] * c.deg_per_tilt_y);
 }
 
-/// The points of a stroke as they are gathered.
+/// The points of a stroke while they are collected.
 struct Points {
   std::vector<InkSample> samples;
-  std::vector<WidePoint> line;  // the same with widths, where the trace has them
+  std::vector<WidePoint> line;  // same, with widths, if the trace has them
   bool has_force = false, is_erased = false;
 
   void clear() {
@@ -90,11 +91,11 @@ class InkmlReader {
   }
 
  private:
-  /// What holds inside an element that is being read.
+  /// The settings inside the element that is being read.
   struct Group {
     Context context;
-    bool only_defines = false;              // inside of definitions
-    std::optional<std::size_t> layer = {};  // that ink goes to; none: that of all that is in none
+    bool only_defines = false;              // inside definitions
+    std::optional<std::size_t> layer = {};  // of its ink; none: the layer for the rest
   };
 
   void notice(const pugi::xml_node& node, std::string what) {
@@ -108,8 +109,8 @@ class InkmlReader {
     return prefix.empty() || prefix == "inkml:" || prefix == prefix_;
   }
 
-  /// The next node in document order, `inside` or behind this one, below `root`; `leave` is called
-  /// for each element that ends on the way.
+  /// Returns the next node below `root` in document order: the first child if `inside`, else the
+  /// next one after this node. Calls `leave` for each element that ends in between.
   template <class Leave>
   static pugi::xml_node next_node(pugi::xml_node node, const pugi::xml_node& root, bool inside,
                                   Leave&& leave) {
@@ -122,7 +123,7 @@ class InkmlReader {
     return node == root ? pugi::xml_node() : node.next_sibling();
   }
 
-  // Traces that go on with an earlier one, and those that wait to be viewed.
+  // Collects traces that continue an earlier one, and traces with ids, which a view may show.
   void find_traces(const pugi::xml_node& root) {
     for (pugi::xml_node node = root.first_child(); node;
          node = next_node(node, root, true, [] {})) {
@@ -141,7 +142,8 @@ class InkmlReader {
     }
   }
 
-  /// Takes an element in. True: go on inside, where a group of its own holds.
+  /// Processes an element. Returns true if its children are to be read, after pushing a group for
+  /// them.
   bool enter(const pugi::xml_node& node) {
     if (node.type() != pugi::node_element) return false;
     const std::string_view name = xml_local_name(node.name());
@@ -187,7 +189,7 @@ class InkmlReader {
     return group;
   }
 
-  // A view of traces that are drawn anyway is no ink; one of traces in definitions draws them.
+  // A view of a trace that is drawn anyway adds no ink. A view of a trace in definitions draws it.
   void view(const pugi::xml_node& node) {
     const std::string_view ref = node.attribute("traceDataRef").value();
     if (ref.empty() || groups_.back().only_defines) return;
@@ -209,7 +211,7 @@ class InkmlReader {
     points_.clear();
     Context context = groups_.back().context.overlaid(settings_.referred(node));
     gather(node, context);
-    // What goes on with this trace belongs to the same stroke; each is taken once.
+    // Traces that continue this one belong to the same stroke. Each is used once.
     std::string_view id = node.attribute("xml:id").value();
     while (!id.empty() && !followers_.empty()) {
       const auto found = followers_.find(id);
@@ -268,7 +270,7 @@ class InkmlReader {
     points_.samples.push_back(sample);
   }
 
-  // Worked out, and complained about, once for all traces of the same kind.
+  // Computed, and its problems reported, once for all traces of the same kind.
   const Columns& columns_of(const pugi::xml_node& node, const Context& context) {
     const std::array key = {context.format, context.source, context.transform, context.canvas};
     const auto [place, is_new] = columns_.try_emplace(key);
@@ -324,7 +326,7 @@ class InkmlReader {
   }
 
   // Values are mapped to the canvas, if there is a transform, and then to mm by the units of the
-  // canvas, or of the device where the canvas has none.
+  // canvas, or by those of the device if the canvas has none.
   void set_transform(const Context& context, double scale_x, double scale_y, Columns& c) const {
     const Affine* transform = settings_.transform(context);
     if (transform == nullptr) {
@@ -344,7 +346,7 @@ class InkmlReader {
     c.mm_per_width *= std::sqrt(std::fabs(determinant(*transform)));
   }
 
-  // A trace that is too long becomes several strokes; the next begins where this one ends.
+  // Divides a trace that is too long into several strokes. The next one begins where this one ends.
   void cut(const pugi::xml_node& node, const Context& context) {
     notice(node, "has more points than a stroke takes (" +
                      std::to_string(limits::kMaxStrokePoints) + "); it became several strokes");
@@ -403,7 +405,7 @@ class InkmlReader {
     return ink_.of_samples(points_.samples, widths);
   }
 
-  /// The layer that ink goes to: that of the group, or one for all that is in none.
+  /// Returns the layer for ink: that of the group, or the one for all ink outside layers.
   std::size_t layer() {
     if (groups_.back().layer) return *groups_.back().layer;
     if (!loose_layer_) loose_layer_ = builder_.add_layer({});

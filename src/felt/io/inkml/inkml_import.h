@@ -7,13 +7,13 @@
 
 namespace felt {
 
-/// Length of a unit of X and Y where a file does not say it: a pixel of CSS, 96 per inch.
+/// Size of a unit of X and Y if the file does not specify it: a CSS pixel, 96 per inch.
 inline constexpr double kInkmlMmPerUnknownUnit = 25.4 / 96.0;
 
 /// Reads InkML: the Recommendation, the subset of Microsoft Office, the plain form of the data sets
-/// CROHME and MathWriting, and what inkml_text() wrote, which comes back exactly, layers too.
-/// docs/formats/inkml.md says what becomes of what. `bytes` is the whole file. Error: it is no
-/// InkML, or beyond the limits.
+/// CROHME and MathWriting, and the output of inkml_text(), which is read back exactly, including
+/// layers. docs/formats/inkml.md lists how content is converted. `bytes` is the whole file. Fails
+/// if it is not InkML or exceeds a limit.
 Result<Imported> import_inkml(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace felt

@@ -213,8 +213,8 @@ TEST(InkmlImport, PressureAndTimesMakeThePencilsWidths) {
   }
 }
 
-// With a medium that is twice as wide on its side (lean_width), a pen that leans by 65 degrees or
-// more draws twice as wide, whichever way the file says so.
+// With a medium that is twice as wide on its side (lean_width), a pen tilted by 65 degrees or more
+// draws twice as wide, in whatever form the file has the tilt.
 TEST(InkmlImport, TiltAndElevationAreThePensLean) {
   const auto width = [](const std::string& channels, const std::string& values,
                         const std::string& more = {}) {

@@ -12,7 +12,7 @@
 namespace felt::inkml {
 namespace {
 
-constexpr std::uint8_t kMarkerAlpha = 0x7f;  // of a highlighter that states no transparency
+constexpr std::uint8_t kMarkerAlpha = 0x7f;  // of a highlighter without a stated transparency
 constexpr double kMaxBrushMm = 1000.0;
 
 struct NamedColor {
@@ -116,7 +116,7 @@ void Settings::remember(const pugi::xml_node& node, Ids& ids, int index) {
 }
 
 Context Settings::read_context(const pugi::xml_node& node) {
-  // A format that the context states goes before that of its device, in whatever order.
+  // A format in the context overrides that of its device, in whatever order they come.
   Context device, own;
   for (const pugi::xml_node& child : node.children()) {
     if (child.type() != pugi::node_element) continue;
@@ -247,7 +247,7 @@ int Settings::read_canvas(const pugi::xml_node& node) {
   return static_cast<int>(canvases_.size()) - 1;
 }
 
-// The first mapping leads from the device to the canvas, a second one back.
+// The first mapping goes from the device to the canvas, a second one back.
 int Settings::read_transform(const pugi::xml_node& node) {
   std::optional<Affine> map;
   int number = 0;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What an InkML file says about its traces: brushes, formats, transforms, contexts. Private to
-/// this layer.
+/// The settings of traces in an InkML file: brushes, formats, transforms, contexts. Private to this
+/// layer.
 
 #include <map>
 #include <optional>
@@ -18,7 +18,7 @@
 
 namespace felt::inkml {
 
-/// What a pen draws with.
+/// The colour and size that a pen draws with.
 struct Brush {
   Rgba color{};
   std::optional<double> width_mm;
@@ -31,34 +31,34 @@ struct Source {
   std::vector<Resolution> resolutions;
 };
 
-/// What holds for a trace: indices into the tables of Settings, -1 where nothing is said.
+/// The settings of a trace: indices into the tables of Settings, -1 if unspecified.
 struct Context {
   int format = -1, source = -1, brush = -1, transform = -1, canvas = -1;
 
-  /// `more` where it says something, else this.
+  /// Returns `more`, with the unspecified settings taken from this.
   [[nodiscard]] Context overlaid(const Context& more) const noexcept;
 };
 
-/// Everything that a file has defined so far, by its ids.
+/// All definitions of a file so far, by their ids.
 class Settings {
  public:
   /// Notices go to `report`.
   Settings(const XmlInput& input, ImportReport& report) : input_(input), report_(report) {}
 
-  /// True for an element that defines something; it is taken in, and the place of what it defines
-  /// in `defined`: a context with that alone set.
+  /// If the element defines something, stores the definition and returns true. `defined` gets a
+  /// context with only that setting.
   bool define(const pugi::xml_node& node, Context& defined);
 
-  /// What the attributes contextRef, brushRef, traceFormatRef, ... of an element refer to.
+  /// Resolves the attributes contextRef, brushRef, traceFormatRef, ... of an element.
   Context referred(const pugi::xml_node& node);
 
-  /// The format of a context; X and Y where it has none.
+  /// Returns the format of a context; X and Y if it has none.
   [[nodiscard]] const Format& format(const Context& context) const;
   [[nodiscard]] const std::vector<Resolution>& resolutions(const Context& context) const;
   [[nodiscard]] const Brush* brush(const Context& context) const;
-  /// Maps values of a trace to values of its canvas; none: they are the same.
+  /// Returns the map from values of a trace to values of its canvas; null: they are the same.
   [[nodiscard]] const Affine* transform(const Context& context) const;
-  /// The format of the canvas, if it has one.
+  /// Returns the format of the canvas, or null.
   [[nodiscard]] const Format* canvas_format(const Context& context) const;
 
  private:
@@ -83,7 +83,7 @@ class Settings {
   std::vector<Source> sources_;
   std::vector<Brush> brushes_;
   std::vector<Affine> transforms_;
-  std::vector<int> canvases_;  // the format of each, or -1
+  std::vector<int> canvases_;  // the format of each canvas, or -1
   std::vector<Context> contexts_;
   std::vector<Affine> mappings_;
   Ids format_ids_, source_ids_, brush_ids_, transform_ids_, canvas_ids_, context_ids_, mapping_ids_;

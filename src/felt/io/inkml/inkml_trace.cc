@@ -14,7 +14,7 @@ bool is_space(char c) noexcept {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/// The front of what cannot be read, safe to show.
+/// Returns the start of unreadable text, in a form that is safe to show.
 std::string shown(std::string_view text) {
   std::string out;
   for (const char c : text.substr(0, 12)) out += c >= ' ' && c <= '~' ? c : '?';

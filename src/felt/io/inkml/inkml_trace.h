@@ -10,25 +10,26 @@
 
 namespace felt {
 
-/// Reads the text of InkML's traces, point by point: values in the order of the channels, explicit
-/// or as first and second differences, run together or apart (InkML, section 3.3.1).
+/// Reads the text of InkML traces point by point: values in the order of the channels, explicit or
+/// as first and second differences, with or without separators (InkML, section 3.3.1).
 ///
 ///   1125 18432,'23'43,"7"-8,3-5     ->  (1125,18432) (1148,18475) (1178,18510) (1211,18540)
 ///
-/// Each channel has a mode of its own, which stays until a prefix changes it: ! explicit,
-/// ' first difference, " second difference. "*" goes on as before (the same value, difference or
-/// second difference), "?" is not known. Booleans are T and F, hexadecimal numbers begin with #.
+/// Each channel has its own mode, which stays until a prefix changes it: ! explicit, ' first
+/// difference, " second difference. "*" repeats the previous value, difference or second
+/// difference, "?" is an unknown value. Booleans are T and F, hexadecimal numbers begin with #.
 class InkmlTraceReader {
  public:
-  /// A text and its number of channels, at least one; regular ones first, then those that a point
-  /// may leave out. The text must outlive the reader.
+  /// Requires at least one channel: regular ones first, then those that a point may omit. The text
+  /// must outlive the reader.
   InkmlTraceReader(std::string_view text, std::size_t channels);
 
-  /// Goes to the next point; false at the end of the text, or where it is broken.
+  /// Advances to the next point. Returns false at the end of the text, or at an error.
   bool next();
-  /// Values of the point, one a channel; NaN where they are unknown or left out.
+  /// Returns the values of the point, one for each channel; NaN if unknown or omitted.
   [[nodiscard]] std::span<const double> values() const noexcept { return values_; }
-  /// Why next() stopped before the end: "has '..' where a value must be, in point 3"; else empty.
+  /// Returns why next() stopped before the end: "has '..' where a value must be, in point 3"; else
+  /// empty.
   [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
 
  private:

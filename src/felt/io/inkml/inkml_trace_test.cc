@@ -8,7 +8,7 @@ namespace felt::inkml_trace_test {
 namespace {
 
 using Rows = std::vector<std::vector<double>>;
-constexpr double kNone = -999.0;  // stands for what is unknown
+constexpr double kNone = -999.0;  // stands for an unknown value
 
 Rows read(std::string_view text, std::size_t channels = 2, std::string* problem = nullptr) {
   InkmlTraceReader reader(text, channels);
@@ -39,7 +39,7 @@ TEST(InkmlTrace, ExplicitValues) {
 }
 
 TEST(InkmlTrace, TheExampleOfTheRecommendation) {
-  // Positions by hand: velocities 23 43, then plus the second differences.
+  // Computed by hand: velocities 23 43, then plus the second differences.
   EXPECT_EQ(read("1125 18432,'23'43,\"7\"-8,3-5,7 -3,6 2,6 8,3 6"), (Rows{{1125, 18432},
                                                                           {1148, 18475},
                                                                           {1178, 18510},

@@ -16,7 +16,7 @@
 namespace felt {
 namespace {
 
-// On the grid, so that the sum of what is read is that of what was written.
+// Rounded to the grid, so that a reader computes the same trace_sum.
 void append_step(std::string& out, double mm) {
   const double on_grid = std::round(mm * inkml::kStepsPerMm) / inkml::kStepsPerMm;
   std::array<char, 40> text;
@@ -26,8 +26,8 @@ void append_step(std::string& out, double mm) {
   out.append(text.data(), end);
 }
 
-/// Part 0 is the head with the definitions; then the strokes, the layers' tags with the first and
-/// the last of each.
+/// Part 0 is the head with the definitions. Then the strokes; the tags of a layer are written with
+/// its first and last part.
 class InkmlParts final : public DrawingParts {
  public:
   explicit InkmlParts(const Document& document)

@@ -9,17 +9,19 @@
 
 namespace felt {
 
-/// How far the straight lines between the points of a written trace may be from the stroke.
+/// Largest distance between the stroke and the straight lines between the points of a written
+/// trace.
 inline constexpr double kTraceToleranceMm = 0.01;
 
-/// A drawing as InkML: for every reader traces with X, Y and W in mm, brushes for the colours and a
-/// traceGroup for each layer; beside them our exact model, which import_inkml() gives back. `paper`
-/// replaces the colour of the page. Equal drawings give equal bytes. Error: a name that XML cannot
-/// hold or of more than 4096 bytes, a coordinate beyond 1e9 mm; it names the stroke.
+/// Returns a drawing as InkML. Every reader gets traces with X, Y and W in mm, brushes for the
+/// colours and a traceGroup for each layer; in addition the file has our exact model, which
+/// import_inkml() reads back. `paper` replaces the colour of the page. Equal drawings give equal
+/// bytes. Fails if a name is longer than 4096 bytes or XML cannot hold it, or if a coordinate is
+/// beyond 1e9 mm; the message names the stroke.
 Result<std::unique_ptr<DrawingParts>> inkml_parts(const Drawing& drawing,
                                                   const std::optional<Rgba>& paper = {});
 
-/// The same as one text.
+/// Same, as one text.
 Result<std::string> inkml_text(const Drawing& drawing);
 
 }  // namespace felt

@@ -7,7 +7,7 @@
 namespace felt {
 
 void append_number(std::string& out, double number) {
-  std::array<char, 32> text;  // the longest shortest double has 24 characters
+  std::array<char, 32> text;  // the shortest form of a double has at most 24 characters
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
   out.append(text.data(), end);
 }

@@ -13,21 +13,21 @@ void append_json_string(std::string& out, std::string_view text);
 
 /// Returns what append_number() appends, or "null" if `value` is not finite.
 std::string json_number(double value);
-/// Returns "[a,b,c]" of values that are JSON.
+/// Returns "[a,b,c]". Requires values that are already JSON.
 std::string json_array(const std::vector<std::string>& values);
 /// Returns `text` quoted and escaped.
 std::string json_string(std::string_view text);
 
-/// Appends a JSON object to a text, on one line, with its keys in the order in which they are
-/// added. Keys are not escaped.
+/// Builds a JSON object on one line, with its keys in the order in which they are added. Keys are
+/// not escaped.
 class JsonObject {
  public:
   void add_text(std::string_view key, std::string_view value);
   void add_number(std::string_view key, double value);
   void add_bool(std::string_view key, bool value) { add_raw(key, value ? "true" : "false"); }
-  /// `json` is JSON already.
+  /// Adds a member whose value is already JSON.
   void add_raw(std::string_view key, std::string_view json);
-  /// The object as text.
+  /// Returns the object as text.
   [[nodiscard]] std::string text() const { return members_ + "}"; }
 
  private:

@@ -11,14 +11,14 @@
 namespace felt::json {
 namespace {
 
-/// The four places of a point.
+/// The four elements of a point.
 enum PointPart : std::size_t { kXPart, kYPart, kPressurePart, kTimePart, kPartCount };
 constexpr std::array<const char*, kPartCount> kPartNames = {"x", "y", "pressure", "time"};
 
 void set_part(std::size_t part, double number, InkSample& out) {
   if (part == kXPart) out.position.x = number;
   if (part == kYPart) out.position.y = number;
-  // Drivers overshoot their own range by a little; a pressure has no meaning outside 0..1.
+  // Drivers slightly exceed their own range, but a pressure outside 0..1 has no meaning.
   if (part == kPressurePart) out.pressure = std::fmin(std::fmax(number, 0.0), 1.0);
   if (part == kTimePart) out.time_ns = std::llround(number * 1e6);
 }
@@ -37,7 +37,7 @@ Result<void> parse_lean(Value& value, InkSample& out) {
   return {};
 }
 
-/// [x, y] in degrees; what is no such pair means nothing to us, as ever.
+/// Reads [x, y] in degrees. Anything else is ignored, like every unknown value.
 Result<void> parse_tilt(Value& value, std::optional<double>& lean_deg) {
   simdjson::ondemand::json_type type{};
   if (const auto error = value.type().get(type)) return tl::unexpected(syntax_error(error));
@@ -66,7 +66,7 @@ Result<void> parse_tilt(Value& value, std::optional<double>& lean_deg) {
   return {};
 }
 
-/// What stands behind the four: how the pen leans, where it is an object that says so.
+/// Reads the element after the first four: the tilt of the pen, if it is an object that has one.
 Result<void> parse_more(Value& value, InkSample& out) {
   simdjson::ondemand::json_type type{};
   if (const auto error = value.type().get(type)) return tl::unexpected(syntax_error(error));

@@ -1,20 +1,21 @@
 #pragma once
 
-/// The keys of raw and sketch records, each parsed into its field. Private to this layer. Errors
-/// start with the key and, in lists, the index.
+/// The keys of raw and sketch records, each parsed into its field. Private to this layer. Error
+/// messages start with the key and, in lists, the index.
 
 #include "felt/io/ndjson/ndjson_json.h"
 #include "felt/io/ndjson/ndjson_record.h"
 
 namespace felt::json {
 
-/// A string; a plain number is taken as it is written.
+/// Reads a string; a plain number is accepted and kept as written.
 Result<void> parse_id(Value& value, std::string& out);
-/// [[x,y,pressure|null,t_ms|null],...]; pressure and time may be missing, what follows is ignored.
+/// [[x,y,pressure|null,t_ms|null],...]; pressure and time may be missing, further elements are
+/// ignored.
 Result<void> parse_points(Value& value, std::vector<InkSample>& out);
 
 Result<void> parse_closed(Value& value, bool& out);
-/// [[x1,y1,..,x4,y4],...], each starting exactly where the one before ends.
+/// [[x1,y1,..,x4,y4],...]; each must start exactly where the previous one ends.
 Result<void> parse_segments(Value& value, std::vector<Point>& out);
 /// ["smooth"|"corner",...]
 Result<void> parse_joints(Value& value, std::vector<JointKind>& out);
@@ -26,9 +27,9 @@ Result<void> parse_material(Value& value, std::string& out);
 /// "#rrggbb" or "#rrggbbaa"
 Result<void> parse_color(Value& value, Rgba& out);
 
-/// Format version of a header: 1.
+/// Format version in a header: 1.
 Result<void> parse_version(Value& value);
-/// Unit of a header: "mm".
+/// Unit in a header: "mm".
 Result<void> parse_unit(Value& value);
 
 }  // namespace felt::json

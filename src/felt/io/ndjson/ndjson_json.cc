@@ -8,7 +8,7 @@ namespace {
 
 using simdjson::ondemand::json_type;
 
-/// A container that check_ignored is inside of.
+/// A container that check_ignored is currently inside.
 struct Level {
   bool is_array = false;
   bool started = false;
@@ -28,7 +28,7 @@ struct Level {
     return object.begin().get(field);
   }
 
-  /// Goes to the next member; false at the end.
+  /// Advances to the next member. Returns false at the end.
   bool next() {
     if (started) is_array ? void(++element) : void(++field);
     started = true;

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Pieces of NdjsonParser on top of simdjson's on-demand interface. Private to this layer.
-/// Each function consumes the value that it gets, and leaves the document where the next one
-/// begins. After an error the document must not be used any more.
+/// The parts of NdjsonParser that use simdjson's on-demand interface. Private to this layer. Each
+/// function consumes its value and leaves the document at the start of the next one. After an error
+/// the document must not be used any more.
 
 #include <simdjson.h>
 
@@ -17,25 +17,27 @@ namespace felt::json {
 
 using Value = simdjson::ondemand::value;
 
-/// An error about a place in a record: a plain text, no format.
+/// Returns an error about a position in a record. The message is plain text, not a format string.
 inline tl::unexpected<Error> bad(std::string message) {
   return fail(ErrorCode::kInvalidData, std::move(message));
 }
 
-/// The front of a piece of the input, made safe to show: printable ASCII only, at most 24 long.
+/// Returns the start of a piece of the input in a form that is safe to show: printable ASCII only,
+/// at most 24 characters.
 std::string excerpt(std::string_view token);
 
-/// Says in our words what simdjson found.
+/// Translates an error of simdjson into our words.
 Error syntax_error(simdjson::error_code code);
 
-/// Text of a scalar as written, and of a container its bracket. Does not consume.
+/// Returns the text of a scalar as written, or the opening bracket of a container. Does not consume
+/// the value.
 inline std::string_view token_of(Value& value) {
   std::string_view token = value.raw_json_token();
   while (!token.empty() && (token.back() == ' ' || token.back() == '\t')) token.remove_suffix(1);
   return token;
 }
 
-/// Largest magnitude of a number, as value and as a person writes it.
+/// Largest magnitude of a number, as a value and as text for messages.
 struct NumberLimit {
   double value;
   const char* text;
@@ -44,24 +46,24 @@ inline constexpr NumberLimit kCoordinateLimit = {limits::kMaxCoordinate, "1e9"};
 inline constexpr NumberLimit kSketchLimit = {limits::kMaxSketchNumber, "1e10"};
 inline constexpr NumberLimit kTimeLimit = {limits::kMaxTimeMs, "9e12"};
 
-/// A finite number of at most `limit` in magnitude. On failure returns false, without a text:
-/// `number_error` makes it. This split keeps the path of good samples free of strings.
+/// Reads a finite number of at most `limit` in magnitude. Returns false on failure, without a
+/// message; `number_error` makes it. This split keeps the path of good samples free of strings.
 bool read_number(Value& value, NumberLimit limit, double& out);
 
-/// Why `read_number` refused `token`.
+/// Returns why `read_number` refused `token`.
 Error number_error(std::string_view token, NumberLimit limit);
 
-/// Exactly out.size() numbers of a sketch.
+/// Reads exactly out.size() numbers of a sketch.
 Result<void> read_numbers(Value& value, std::span<double> out);
 
-/// true or false.
+/// Reads true or false.
 Result<bool> read_bool(Value& value);
 
-/// A string of at most so many bytes.
+/// Reads a string of at most `max_bytes` bytes.
 Result<std::string> read_name(Value& value, std::size_t max_bytes = limits::kMaxNameBytes);
 
-/// Calls `each(value)` for every element of the array `value`; the error of an element starts with
-/// its place, "points[17]: ".
+/// Calls `each(value)` for every element of the array `value`. Errors of an element start with its
+/// position, "points[17]: ".
 template <class Each>
 Result<void> for_each_element(Value& value, const char* key, Each&& each) {
   const std::string_view token = token_of(value);
@@ -83,8 +85,8 @@ Result<void> for_each_element(Value& value, const char* key, Each&& each) {
   return {};
 }
 
-/// Walks through a value that is not ours and finds whether it is JSON at all. No recursion; nested
-/// deeper than `limits::kMaxIgnoredDepth` is an error.
+/// Checks that an ignored value is valid JSON, without recursion. Fails if it is nested deeper than
+/// `limits::kMaxIgnoredDepth`.
 Result<void> check_ignored(Value& value);
 
 }  // namespace felt::json

@@ -53,7 +53,7 @@ Result<bool> LineReader::fill(LineBatch& batch, std::size_t enough_bytes) {
   batch.text_.clear();
   batch.entries_.clear();
   line_begin_ = 0;
-  while (batch.empty() || line_begin_ < enough_bytes) {  // only ever false between two lines
+  while (batch.empty() || line_begin_ < enough_bytes) {  // may only be false between two lines
     if (unread_.empty() && !refill()) {
       if (!failure_) finish_line(batch);
       batch.text_.resize(line_begin_);
@@ -87,7 +87,7 @@ bool LineReader::refill() {
 
 void LineReader::keep(LineBatch& batch, std::string_view piece) {
   if (line_too_long_) return;
-  // One byte more than the limit may be the CR of the terminator.
+  // One byte beyond the limit may be the CR of the terminator.
   if (batch.text_.size() - line_begin_ + piece.size() > max_line_bytes_ + 1) {
     line_too_long_ = true;
     batch.text_.resize(line_begin_);

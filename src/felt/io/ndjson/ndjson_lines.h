@@ -13,21 +13,22 @@
 
 namespace felt {
 
-/// Source of bytes: fills the front of the span and returns how many; 0 is the end of the input.
+/// Source of bytes: fills the front of the span and returns the number of bytes; 0 at the end of
+/// the input.
 using ReadBytes = std::function<Result<std::size_t>(std::span<char>)>;
 
-/// Bytes from an open file descriptor, which stays the caller's. Retries when interrupted.
+/// Reads from an open file descriptor, which the caller owns. Retries when interrupted.
 ReadBytes read_descriptor(int fd);
-/// Bytes of a text in memory, which must outlive the source.
+/// Reads a text in memory, which must outlive the source.
 ReadBytes read_text(std::string_view text);
 
-/// One line of an input. Only a LineBatch makes them, which proves to the parser that kLinePadding
-/// readable bytes follow the text.
+/// One line of an input. Only LineBatch creates lines, so the parser can rely on kLinePadding
+/// readable bytes after the text.
 class NdjsonLine {
  public:
-  /// Without terminator; empty when the line was too long to keep.
+  /// Returns the line without its terminator; empty if the line was too long to keep.
   [[nodiscard]] std::string_view text() const noexcept { return text_; }
-  /// Counted from 1, blank lines included.
+  /// Returns the line number, counted from 1, including blank lines.
   [[nodiscard]] std::int64_t number() const noexcept { return number_; }
   [[nodiscard]] bool too_long() const noexcept { return too_long_; }
 
@@ -40,17 +41,17 @@ class NdjsonLine {
   bool too_long_;
 };
 
-/// Readable bytes behind every line; the JSON parser loads whole vector registers.
+/// Readable bytes after every line, because the JSON parser loads whole vector registers.
 inline constexpr std::size_t kLinePadding = 64;
 
-/// Some consecutive lines of one input, held together: what a worker gets to do. Reusable.
+/// Some consecutive lines of one input in one buffer: the unit of work of a worker. Reusable.
 class LineBatch {
  public:
   [[nodiscard]] std::size_t size() const noexcept { return entries_.size(); }
   [[nodiscard]] bool empty() const noexcept { return entries_.empty(); }
-  /// Line i. Requires i < size(). Valid until the batch changes.
+  /// Returns line i. Requires i < size(). Valid until the batch changes.
   [[nodiscard]] NdjsonLine line(std::size_t i) const noexcept;
-  /// Bytes of text held, padding included.
+  /// Returns the number of bytes of text in the batch, including padding.
   [[nodiscard]] std::size_t bytes() const noexcept { return text_.size(); }
 
  private:
@@ -64,19 +65,19 @@ class LineBatch {
   std::vector<Entry> entries_;
 };
 
-/// Splits a byte stream into lines, a batch at a time, with memory bounded by the batch and the
-/// longest line. Ends of line are LF or CR LF; the last line may lack one. A byte order mark at the
-/// start is dropped, blank lines are counted but not delivered.
+/// Splits a byte stream into lines, a batch at a time. Memory is bounded by the batch and the
+/// longest line. Lines end with LF or CR LF; the last one may lack its end. A byte order mark at
+/// the start is dropped. Blank lines are counted but not delivered.
 class LineReader {
  public:
   explicit LineReader(ReadBytes read, std::size_t max_line_bytes = limits::kMaxLineBytes);
 
-  /// Replaces the content of `batch` by the next lines: at least one, and no more once
-  /// `enough_bytes` are held. False at the end of the input. An error of the source is returned
-  /// after the whole lines before it were delivered; the line that it cuts is dropped.
+  /// Replaces the content of `batch` by the next lines: at least one, and no more once it holds
+  /// `enough_bytes`. Returns false at the end of the input. If the source fails, the complete lines
+  /// before the error are delivered first, then the error; the incomplete line is dropped.
   Result<bool> fill(LineBatch& batch, std::size_t enough_bytes);
 
-  /// Bytes taken from the source so far.
+  /// Returns the number of bytes read from the source so far.
   [[nodiscard]] std::int64_t bytes_read() const noexcept { return bytes_read_; }
 
  private:
@@ -87,11 +88,11 @@ class LineReader {
   ReadBytes read_;
   std::size_t max_line_bytes_;
   std::vector<char> block_;
-  std::string_view unread_;       // what is left of block_
-  std::optional<Error> failure_;  // of the source; delivered after the lines before it
+  std::string_view unread_;       // the rest of block_
+  std::optional<Error> failure_;  // of the source; returned after the lines before it
   std::int64_t bytes_read_ = 0;
   std::int64_t line_number_ = 1;
-  std::size_t line_begin_ = 0;  // where the line in work starts in the batch
+  std::size_t line_begin_ = 0;  // start of the current line in the batch
   bool line_too_long_ = false;
   bool at_start_ = true;
 };

@@ -11,7 +11,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Lines as "number:text", a line that was too long as "number!".
+/// Returns lines as "number:text"; a line that was too long as "number!".
 std::vector<std::string> lines_of(LineReader& reader, std::size_t enough_bytes) {
   std::vector<std::string> lines;
   LineBatch batch;
@@ -30,7 +30,7 @@ std::vector<std::string> lines_of(std::string_view text, std::size_t max_line_by
   return lines_of(reader, 1);
 }
 
-/// A source that hands out `step` bytes at a time.
+/// A source that returns `step` bytes at a time.
 ReadBytes read_slowly(std::string_view text, std::size_t step) {
   return [read = read_text(text), step](std::span<char> into) {
     return read(into.first(std::min(step, into.size())));

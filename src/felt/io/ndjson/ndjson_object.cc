@@ -3,7 +3,7 @@
 namespace felt::json {
 
 Result<void> check_unknown(std::string_view key, Value& value) {
-  const std::string name = excerpt(key);  // the text of the key goes with the next string
+  const std::string name = excerpt(key);  // copied, because the next string overwrites the key
   Result<void> checked = check_ignored(value);
   if (!checked) return tl::unexpected(with_context(checked.error(), name));
   return checked;

@@ -1,7 +1,8 @@
 #pragma once
 
-/// One line of .ndjson as the members of a JSON object, checked against a table of keys. Private to
-/// this layer; what a key's value means is in ndjson_fields.h and event_fields.h.
+/// Reads one line of .ndjson as the members of a JSON object and checks them against a table of
+/// keys. Private to this layer. ndjson_fields.h and event_fields.h have the meaning of each key's
+/// value.
 
 #include <cstdint>
 #include <span>
@@ -14,7 +15,7 @@
 
 namespace felt::json {
 
-/// A key that the record knows, whether it must be there, and where its value goes.
+/// A key of a record, whether it is required, and the function that stores its value.
 template <class Record>
 struct Field {
   std::string_view key;
@@ -22,13 +23,13 @@ struct Field {
   Result<void> (*parse)(Value& value, Record& out);
 };
 
-/// Checks a value whose key is not ours; an error starts with the key.
+/// Checks a value whose key is unknown. Errors start with the key.
 Result<void> check_unknown(std::string_view key, Value& value);
 
-/// What can be said against a line before looking at it as JSON.
+/// Checks what can be checked in a line before it is parsed as JSON.
 Result<void> check_text(const NdjsonLine& line);
 
-/// Which fields of a record have had their key. At most 32 of them.
+/// Tracks which fields of a record were present. At most 32 fields.
 template <class Record>
 class Fields {
  public:
@@ -44,7 +45,7 @@ class Fields {
     return known_[i].parse(value, out_);
   }
 
-  /// Fails when a required key never came.
+  /// Fails if a required key was missing.
   [[nodiscard]] Result<void> finish() const {
     for (std::size_t i = 0; i < known_.size(); ++i) {
       if (known_[i].required && !(seen_ >> i & 1)) {
@@ -60,9 +61,9 @@ class Fields {
   std::uint32_t seen_ = 0;
 };
 
-/// Calls `take(key, value)` -> Result<void> for each member of the object that the line holds, and
-/// finds whether the whole line is that object. The text of `key` is valid until the next string is
-/// read. A value that `take` does not touch is skipped, not checked.
+/// Calls `take(key, value)` -> Result<void> for each member of the object in the line, and checks
+/// that the line holds nothing else. `key` is valid until the next string is read. A value that
+/// `take` does not read is skipped without a check.
 template <class Take>
 Result<void> for_each_member(simdjson::ondemand::parser& parser, const NdjsonLine& line,
                              Take&& take) {

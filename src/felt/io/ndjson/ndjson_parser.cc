@@ -16,7 +16,7 @@ using json::Field;
 using json::Fields;
 using json::Value;
 
-/// Above this a buffer that one huge line needed is given back after it.
+/// A buffer that grew beyond this for one huge line is freed after the line.
 constexpr std::size_t kKeptBytes = std::size_t{16} << 20;
 
 constexpr std::array kRawFields = {
@@ -25,7 +25,8 @@ constexpr std::array kRawFields = {
                      [](Value& v, RawStroke& r) { return json::parse_points(v, r.samples); }},
 };
 
-/// A sketch line whose tones have not come to their widths yet: keys come in any order.
+/// A sketch line while it is parsed. Its tones are kept apart, because keys come in any order and
+/// the widths may come later.
 struct SketchLine {
   SketchRecord record;
   std::optional<std::vector<double>> tones;
@@ -67,7 +68,7 @@ constexpr std::array kSketchFields = {
                 [](Value& v, SketchLine& s) { return json::parse_color(v, s.record.data.color); }},
 };
 
-/// A header stores nothing; what it says must be what we know.
+/// A header stores nothing; its values are only checked against the ones we support.
 struct HeaderRecord {};
 constexpr std::array kHeaderFields = {
     Field<HeaderRecord>{"feltline", true,

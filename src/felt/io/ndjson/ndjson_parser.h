@@ -7,11 +7,10 @@
 
 namespace felt {
 
-/// Turns one line of .ndjson into a record. Strict: the whole line must be JSON in UTF-8 within the
-/// limits of limits.h, keys that are not ours included; a key of ours may occur once. The error
-/// names the key and the element ("points[17]: y is NaN, not a number"); the caller knows the file
-/// and the line. Keeps its buffers from line to line, so that memory follows the longest line.
-/// One thread at a time.
+/// Converts one line of .ndjson to a record. Strict: the whole line must be JSON in UTF-8 within
+/// the limits of limits.h, including unknown keys. A known key may occur once. Error messages name
+/// the key and the element ("points[17]: y is NaN, not a number"); the caller adds the file and the
+/// line. Reuses its buffers, so memory follows the longest line. Thread: one at a time.
 class NdjsonParser {
  public:
   NdjsonParser();
@@ -19,12 +18,12 @@ class NdjsonParser {
   NdjsonParser(NdjsonParser&&) noexcept;
   NdjsonParser& operator=(NdjsonParser&&) noexcept;
 
-  /// {"id":"s1","points":[[x,y,pressure|null,t_ms|null],...]} into `out`, whose content is
-  /// replaced; undefined after an error.
+  /// Reads {"id":"s1","points":[[x,y,pressure|null,t_ms|null],...]} into `out`, replacing its
+  /// content. After an error `out` is unspecified.
   Result<NdjsonKind> raw_stroke(const NdjsonLine& line, RawStroke& out);
 
-  /// {"id":..,"closed":..,"segments":..,"joints":..,"widths":..} into `out`, as above. Says what
-  /// the line says; `Stroke::create` decides whether that is a stroke.
+  /// Reads {"id":..,"closed":..,"segments":..,"joints":..,"widths":..} into `out`, same as above.
+  /// Does not check that the values make a stroke; `Stroke::create` does.
   Result<NdjsonKind> sketch_stroke(const NdjsonLine& line, SketchRecord& out);
 
  private:

@@ -54,7 +54,7 @@ std::string sketch_error(std::string_view text) {
   return parse_sketch(text).error;
 }
 
-/// A raw line with one point whose x is `number`.
+/// Returns a raw line with one point with x = `number`.
 std::string with_x(const std::string& number) {
   return "{\"points\":[[" + number + ",0]]}";
 }
@@ -334,7 +334,7 @@ TEST(NdjsonSketch, TonesBelongToTheWidthsWhereverTheyStand) {
   std::string before = kSketch;
   before.insert(1, R"("tones":[0,0.75,1],)");
   EXPECT_EQ(parse_sketch(before).sketch.data.widths, knots);
-  // Without them they are those of the widths.
+  // Without tones, the tones are those of the widths.
   for (const WidthKnot& knot : parse_sketch(kSketch).sketch.data.widths) {
     EXPECT_EQ(knot.tone, tone_of_width(knot.width_mm));
   }
@@ -376,8 +376,8 @@ TEST(NdjsonSketch, NamesTheKeyTheIndexAndTheReason) {
   EXPECT_EQ(swapped("\"closed\":false", "\"id\":\"s2\""), "key \"id\" occurs twice");
 }
 
-// The bound is two orders of magnitude above what it takes, so that only a change of the order of
-// growth fails.
+// The limit is two orders of magnitude above the measured time, so that only a change of the order
+// of growth fails.
 TEST(NdjsonLimits, AMillionPointsAreReadInTime) {
   std::string text = "{\"points\":[[0,0]";
   for (int i = 0; i < 1'000'000; ++i) text += ",[1.25,2.5,0.5,10]";

@@ -8,23 +8,23 @@
 
 namespace felt {
 
-/// What one line of an .ndjson file holds (docs/formats/ndjson.md).
+/// The kinds of lines in an .ndjson file (docs/formats/ndjson.md).
 enum class NdjsonKind {
-  kStroke,  ///< a stroke, raw or fitted, depending on what was asked for
-  kHeader,  ///< {"feltline":1,...}: says something about the file, is no stroke
+  kStroke,  ///< a stroke, raw or fitted, depending on which function was called
+  kHeader,  ///< {"feltline":1,...}: describes the file
 };
 
-/// A pen recording: samples as they came from the device, in the unit of the file.
+/// A pen recording: samples as the device reported them, in the unit of the file.
 struct RawStroke {
-  std::string id;  ///< empty when the line has none
+  std::string id;  ///< empty if the line has none
   std::vector<InkSample> samples;
 
   friend bool operator==(const RawStroke&, const RawStroke&) = default;
 };
 
-/// What a sketch line says, not yet known to be a stroke: `Stroke::create` decides that.
+/// The values of a sketch line. They may not make a valid stroke; `Stroke::create` checks that.
 struct SketchRecord {
-  std::string id;  ///< empty when the line has none
+  std::string id;  ///< empty if the line has none
   StrokeData data;
 
   friend bool operator==(const SketchRecord&, const SketchRecord&) = default;

@@ -14,7 +14,7 @@
 namespace felt {
 namespace {
 
-/// Appends `items` as a JSON array, each by `append(item)`.
+/// Appends `items` as a JSON array. `append(item)` appends one element.
 template <class Range, class Append>
 void append_array(std::string& out, const Range& items, Append&& append) {
   out += '[';
@@ -41,7 +41,7 @@ void append_segments(std::string& out, const std::vector<Point>& points) {
   out += ']';
 }
 
-/// Milliseconds that read back as the same nanoseconds.
+/// Converts to milliseconds that read back as the same nanoseconds.
 double milliseconds(std::int64_t time_ns) {
   return static_cast<double>(time_ns) / 1e6;
 }

@@ -11,23 +11,23 @@
 
 namespace felt {
 
-/// Each function appends one line, terminator included, to `out`. Keys come in a fixed order and
-/// numbers in the shortest form that reads back as the same double, whatever the locale, so equal
-/// values give equal bytes. Ids and materials must be UTF-8.
+/// Each function appends one line to `out`, with its terminator. Keys have a fixed order, and
+/// numbers have the shortest form that reads back as the same double in any locale, so equal values
+/// give equal bytes. Ids and materials must be UTF-8.
 
-/// {"id":..,"closed":..,"segments":..,"joints":..,"widths":..}, then "material" and "color" where
-/// they are not the default ones.
+/// {"id":..,"closed":..,"segments":..,"joints":..,"widths":..}, then "material" and "color" if they
+/// differ from the defaults.
 void append_sketch_line(std::string& out, std::string_view id, const StrokeData& data);
 
-/// One such line for each stroke of visible layers, named by stroke_name().
+/// Appends one such line for each stroke of the visible layers, named by stroke_name().
 void append_sketch_lines(std::string& out, const Document& document);
 
-/// Fails if a line could not be read back: a number of the stroke is larger than
+/// Fails if a line could not be read back because a number of the stroke is larger than
 /// limits::kMaxSketchNumber.
 Result<void> check_sketch_numbers(const StrokeData& data);
 
-/// {"id":..,"points":[[x,y,pressure|null,t_ms|null],...]}; both last parts are left out when no
-/// sample has them.
+/// {"id":..,"points":[[x,y,pressure|null,t_ms|null],...]}. Pressure or time is omitted if no sample
+/// has one.
 void append_raw_line(std::string& out, std::string_view id, std::span<const InkSample> samples);
 
 /// {"feltline":1,"unit":"mm"}

@@ -111,7 +111,7 @@ TEST(NdjsonWriter, LeavesOutPartsThatNoSampleHas) {
 
 TEST(NdjsonWriter, IgnoresTheLocale) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
-  std::setlocale(LC_ALL, "de_DE.UTF-8");  // decimal comma, where the system has it
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // decimal comma, if the system has this locale
   std::string line;
   append_sketch_line(line, "s1", one_segment());
   EXPECT_EQ(read_sketch(line).data, one_segment());
@@ -126,7 +126,7 @@ TEST(NdjsonWriter, ZeroKeepsItsSign) {
   EXPECT_TRUE(std::signbit(read_sketch(line).data.points[1].x)) << line;
 }
 
-/// Any double that a file may hold, many of them with all 17 digits.
+/// Any double that a file may contain, many of them with all 17 digits.
 rc::Gen<double> coordinates() {
   return rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), [](std::uint64_t bits) {
     double number = 0.0;
@@ -156,7 +156,7 @@ rc::Gen<std::string> names() {
                       });
 }
 
-// R53: what is written reads back as the same value, bit for bit.
+// R53: a written value reads back as the same value, bit for bit.
 RC_GTEST_PROP(NdjsonRoundTrip, SketchIsLossless, ()) {
   const auto segments = *rc::gen::inRange<std::size_t>(1, 20);
   StrokeData data;
@@ -183,7 +183,7 @@ RC_GTEST_PROP(NdjsonRoundTrip, SketchIsLossless, ()) {
 }
 
 RC_GTEST_PROP(NdjsonRoundTrip, RawIsLossless, ()) {
-  constexpr std::int64_t kMonthNs = 2'000'000'000'000'000;  // exact to here (docs/formats)
+  constexpr std::int64_t kMonthNs = 2'000'000'000'000'000;  // exact up to here (docs/formats)
   std::vector<InkSample> samples;
   for (const Point p : *rc::gen::nonEmpty(rc::gen::container<std::vector<Point>>(points()))) {
     InkSample sample{p, {}, {}};

@@ -13,12 +13,14 @@ namespace {
 
 /// Rows that are drawn at a time.
 constexpr int kBandRows = 256;
-/// Of 255: below that the share of the ink at the edge of a stroke is told by the places beside it.
+/// Of 255. Below this coverage, at the edge of a stroke, the visible share of the ink is taken from
+/// the neighbouring pixels, because it cannot be measured reliably.
 constexpr std::uint8_t kSure = 48;
-/// What rounding makes of ink that is seen whole.
+/// Smallest value that rounding leaves of fully visible ink.
 constexpr std::uint8_t kWhole = 253;
 
-/// The pixels that a stroke may touch and the area has, with one around for smooth scaling.
+/// Returns the pixels that both the stroke and the area may touch, with a border of one pixel for
+/// smooth scaling.
 PixelRect pixels_of(const Rect& ink, const Rect& area, const View& view) noexcept {
   const Rect seen{std::max(ink.x0, area.x0), std::max(ink.y0, area.y0), std::min(ink.x1, area.x1),
                   std::min(ink.y1, area.y1)};
@@ -28,7 +30,8 @@ PixelRect pixels_of(const Rect& ink, const Rect& area, const View& view) noexcep
           static_cast<int>(std::ceil(px.x1)) + 1, static_cast<int>(std::ceil(px.y1)) + 1};
 }
 
-/// At the very edge the ink is hardly there, and what is seen of it goes on from inside.
+/// Replaces the value of pixels with little ink, at the very edge, by the mean of the neighbours
+/// with enough ink.
 void spread(GrainMask& mask, const std::vector<std::uint8_t>& coverage) {
   const std::vector<std::uint8_t> inside = mask.seen;
   for (int y = 0; y < mask.height; ++y) {
@@ -74,7 +77,7 @@ std::optional<double> GrainMasks::dpi_for_all(std::span<const StrokePtr> strokes
     }
     if (pixels <= static_cast<double>(kMostPixels)) return dpi;
     if (!(dpi > GrainPrint::kLeastDpi)) return std::nullopt;
-    // A little less than what they fit into: every mask is of whole pixels.
+    // Slightly less than the exact fit, because every mask is rounded up to whole pixels.
     const double share = 0.98 * std::sqrt(static_cast<double>(kMostPixels) / pixels);
     dpi = std::max(GrainPrint::kLeastDpi, dpi * share);
   }
@@ -83,7 +86,7 @@ std::optional<double> GrainMasks::dpi_for_all(std::span<const StrokePtr> strokes
 GrainMasks::GrainMasks(const GrainPrint& print, const Rect& area) noexcept
     : print_(print), area_(area) {}
 
-/// `seen` and coverage_ of a mask whose size is known; `view` begins at its corner.
+/// Computes `seen` and coverage_ of a mask of known size. `view` begins at its corner.
 void GrainMasks::draw(const Stroke& stroke, const View& view, GrainMask& mask) {
   const auto row = static_cast<std::size_t>(mask.width);
   const Outline& outline = outliner_.trace(stroke, kRasterTolerancePx / view.px_per_mm);

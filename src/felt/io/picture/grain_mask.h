@@ -16,34 +16,34 @@
 
 namespace felt {
 
-/// How much of a stroke's ink is seen where: a picture that lies over its outline, which stays what
-/// it is. Outside of it nothing is seen.
+/// How much of a stroke's ink is visible at each point: a picture that is laid over its outline.
+/// The outline does not change. Outside the picture nothing is visible.
 struct GrainMask {
   Rect area;  ///< mm
   int width = 0, height = 0;
-  std::vector<std::uint8_t> seen;  ///< 255: all of it; rows from the top
+  std::vector<std::uint8_t> seen;  ///< 255: fully visible; rows from the top
 
-  /// A PNG file of it: white, its alpha is what is seen.
+  /// Returns the mask as a PNG file: white, with the visibility as alpha.
   [[nodiscard]] Result<std::string> png(double dpi) const;
 };
 
-/// Makes the masks of a file's strokes, by the rasteriser that draws them on screen. Their pixels
-/// lie on the grid of a picture of `area` at that resolution, so that both show the same grains.
+/// Makes the masks of a file's strokes with the rasteriser that draws them on screen. Their pixels
+/// lie on the grid of a picture of `area` at that resolution, so that both show the same grain.
 class GrainMasks {
  public:
-  /// Pixels of all masks of a file.
+  /// Largest number of pixels in all masks of a file.
   static constexpr std::int64_t kMostPixels = 200'000'000;
 
-  /// The finest resolution, `dpi` at most, at which the masks of all these strokes are made; none
-  /// where they have more than kMostPixels even at GrainPrint::kLeastDpi.
+  /// Returns the finest resolution up to `dpi` at which all these strokes can have masks. Returns
+  /// nullopt if they need more than kMostPixels even at GrainPrint::kLeastDpi.
   static std::optional<double> dpi_for_all(std::span<const StrokePtr> strokes, const Rect& area,
                                            double dpi) noexcept;
 
-  /// Of what is in `area` only.
+  /// Masks cover only the part of strokes inside `area`.
   GrainMasks(const GrainPrint& print, const Rect& area) noexcept;
 
-  /// None where all of the ink is seen, or none of it is in the area. Error: a resolution beyond
-  /// its range, or more than kMostPixels in all.
+  /// Returns nullopt if all of the ink is visible, or none of it is in the area. Fails if the
+  /// resolution is out of range, or if all masks together exceed kMostPixels.
   Result<std::optional<GrainMask>> of(const Stroke& stroke);
   [[nodiscard]] double dpi() const noexcept { return print_.dpi; }
 
@@ -58,7 +58,7 @@ class GrainMasks {
   std::vector<std::uint8_t> ink_, covered_, coverage_;
 };
 
-/// As text for a data: URI.
+/// Encodes bytes as base64 for a data: URI.
 std::string base64_text(std::string_view bytes);
 
 }  // namespace felt

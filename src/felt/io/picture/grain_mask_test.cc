@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-constexpr double kDpi = 101.6;  // 4 pixels a millimetre
+constexpr double kDpi = 101.6;  // 4 pixels per millimetre
 constexpr Rect kSheet{0.0, 0.0, 120.0, 90.0};
 
 Grain grain_of(std::string_view surface) {
@@ -54,7 +54,7 @@ Drawing all_media() {
   return testing::drawing_of(strokes);
 }
 
-/// What is pressed on lightly shows the most grain.
+/// Lines drawn with light pressure, which show the most grain.
 Drawing thin_lines() {
   std::vector<Stroke> strokes;
   for (int i = 0; i < 12; ++i) {
@@ -66,7 +66,7 @@ Drawing thin_lines() {
   return testing::drawing_of(strokes);
 }
 
-/// The outline through the mask.
+/// Draws the outline through the mask.
 Image through(const GrainMask& mask, const Stroke& stroke) {
   Image image = Image::create(mask.width, mask.height).value();
   const Pixels pixels = image.pixels();
@@ -82,7 +82,8 @@ Image through(const GrainMask& mask, const Stroke& stroke) {
   return image;
 }
 
-// What another program makes of outline and mask is what is drawn on screen: all media, all sheets.
+// Outline and mask in another program look the same as the ink on screen, for all media and
+// surfaces.
 TEST(GrainMask, OutlineThroughItIsTheInkOnTheScreen) {
   int masks_made = 0;
   for (const SurfaceMaterial& surface : surface_materials()) {
@@ -104,7 +105,8 @@ TEST(GrainMask, OutlineThroughItIsTheInkOnTheScreen) {
       for (std::size_t i = 3; i < ours.bytes().size(); i += 4) {
         worst = std::max(worst, std::abs(ours.bytes()[i] - theirs.bytes()[i]));
       }
-      // At the rim, where less than a fifth of a pixel is ink, it goes on as beside it.
+      // At the rim, where less than a fifth of a pixel is ink, values are taken from the
+      // neighbours.
       EXPECT_LE(worst, mask ? 48 : 3);
     }
   }
@@ -139,7 +141,7 @@ TEST(GrainMask, IsBounded) {
   EXPECT_THAT(mask.error().message, HasSubstr("200 million pixels at 1200 dots per inch"));
 }
 
-// One file has as fine a grain as all of its strokes can have.
+// All strokes of a file share the finest grain that is possible for all of them.
 TEST(GrainMask, ForAllStrokesIsAsFineAsTheyFit) {
   const Rect page{0, 0, 297, 210};
   StrokeData data = wavy("pencil", 3.0).data();
@@ -170,7 +172,7 @@ TEST(GrainMask, Base64IsThatOfRfc4648) {
   EXPECT_EQ(base64_text(std::string_view("\xff\xfe\x00", 3)), "//4A");
 }
 
-/// Without the masks and what asks for them.
+/// Removes the masks and the references to them.
 std::string unmasked(std::string svg) {
   const auto cut = [&svg](const std::string& from, const std::string& to) {
     for (std::size_t at = 0; (at = svg.find(from, at)) != std::string::npos;) {
@@ -182,7 +184,7 @@ std::string unmasked(std::string svg) {
   return svg;
 }
 
-// The grain never touches lines and outlines, and we read the same drawing with it and without.
+// Grain never changes lines and outlines, and we read the same drawing with and without it.
 TEST(GrainMask, AnSvgIsTheSameBesideIt) {
   const SvgOptions plain{.sheet = kSheet};
   SvgOptions grained = plain;
@@ -236,7 +238,7 @@ class GrainPicture : public ::testing::Test {
     page.grain = print_.grain;
     return render_page(visible_strokes(drawing_.document), page).value();
   }
-  /// How far it is from solid ink, for scale.
+  /// The difference from solid ink, for comparison.
   [[nodiscard]] double solid_difference() const {
     return mean_difference(
         ours(),
@@ -285,7 +287,7 @@ TEST_F(GrainPicture, AnotherProgramShowsItFromPdf) {
                             .c_str()),
             0);
   const double mean = mean_difference(picture_in(path("a.png")), ours());
-  EXPECT_LE(mean, 1.3);  // nearly all is how it smoothes edges, of which dust has many
+  EXPECT_LE(mean, 1.3);  // most of it is anti-aliasing of edges, of which dust has many
   EXPECT_GE(mean_difference(picture_in(path("b.png")), ours()), mean + 0.5 * solid_difference());
   RecordProperty("mean_1e6", static_cast<int>(1e6 * mean));
 }

@@ -23,7 +23,7 @@ constexpr double kClipMarginMm = 1e6;
 constexpr double kPdfStepsPerMm = 1e3;  // of coordinates: 1e-3 mm
 constexpr double kHairMm = 5e-4;
 
-/// A value to four places without trailing zeros, and a space.
+/// Appends a value with four decimals, without trailing zeros, and a space.
 void append_pdf_number(std::string& out, double value) {
   constexpr double kPlaces = 1e4;
   std::array<char, 40> text;
@@ -34,7 +34,7 @@ void append_pdf_number(std::string& out, double value) {
   out += ' ';
 }
 
-/// A length of the sheet in whole steps, and a space.
+/// Appends a length in mm as whole steps, and a space.
 void append_grid_steps(std::string& out, double mm) {
   std::array<char, 24> text;
   out.append(
@@ -43,15 +43,15 @@ void append_grid_steps(std::string& out, double mm) {
   out += ' ';
 }
 
-/// A part of the page's content. Each sets its colour for itself.
+/// A part of the page's content. Each part sets its own colour.
 class Content {
  public:
-  /// Turns the coordinate system to ours, steps from the top left of the area, y down, so that
-  /// numbers are those of the sheet.
+  /// Transforms to our coordinate system: steps from the top left of the area, y down, so that
+  /// numbers are those of the page.
   void begin(const Rect& area) {
     constexpr int kMatrixDigits = 12;
     std::array<char, 160> text{};
-    // The scale needs more digits than the rest: 14400 points are a long way.
+    // The scale needs more digits than the rest, because a page can be 14400 points long.
     std::snprintf(text.data(), text.size(), "%.*f 0 0 %.*f ", kMatrixDigits,
                   kPointsPerMm / kPdfStepsPerMm, kMatrixDigits, -kPointsPerMm / kPdfStepsPerMm);
     out_ += text.data();
@@ -69,7 +69,7 @@ class Content {
     out_ += "re f\n";
   }
 
-  /// `mask` counts from 1; 0: all of its ink is seen.
+  /// `mask` counts from 1; 0: all of the ink is visible.
   void stroke(const Stroke& stroke, double tolerance_mm, std::size_t mask) {
     set_color(stroke.color());
     if (mask > 0) out_ += "q /G" + std::to_string(mask) + " gs\n";
@@ -125,21 +125,21 @@ class Content {
   bool has_color_ = false;
 };
 
-/// The objects of the masks come behind the page's content, two for each: the picture, and the
-/// group that lays it on the sheet.
+/// The objects of the masks follow the page's content, two for each mask: the picture, and the
+/// group that places it on the page.
 constexpr std::size_t kFirstMaskObject = 6;
 
 std::size_t picture_of(std::size_t mask) {
   return kFirstMaskObject + 2 * (mask - 1);
 }
 
-/// Picture and group as bodies of objects.
+/// Collects picture and group of each mask as bodies of objects.
 class Masks {
  public:
   [[nodiscard]] std::size_t count() const noexcept { return bodies_.size() / 2; }
   [[nodiscard]] const std::vector<std::string>& bodies() const noexcept { return bodies_; }
 
-  /// Which it is, from 1.
+  /// Adds a mask and returns its number, from 1.
   std::size_t add(const GrainMask& mask) {
     const std::string packed =
         zlib_packed({reinterpret_cast<const char*>(mask.seen.data()), mask.seen.size()});
@@ -147,9 +147,9 @@ class Masks {
                       " /Height " + std::to_string(mask.height) +
                       " /ColorSpace /DeviceGray /BitsPerComponent 8 /Filter /FlateDecode /Length " +
                       std::to_string(packed.size()) + " >>\nstream\n" + packed + "\nendstream");
-    // The unit square of a picture stands upright; y goes down on our sheet. A hair less than its
-    // area: programs that round a picture outwards to whole pixels, as poppler does, would stretch
-    // one that ends on a pixel's edge by a pixel.
+    // The unit square of a picture has y up; our page has y down. The picture is slightly smaller
+    // than its area, because programs that round a picture outwards to whole pixels, such as
+    // poppler, would stretch one that ends on a pixel's edge by a pixel.
     const Rect area = mask.area.inflated(-kHairMm);
     std::string place = "q ";
     for (const double v : {area.width(), 0.0, 0.0, -area.height(), area.x0, area.y1}) {
@@ -177,7 +177,8 @@ std::string page_object(const Rect& area, const std::set<std::uint8_t>& alphas,
   std::string out = "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 ";
   append_pdf_number(out, area.width() * kPointsPerMm);
   append_pdf_number(out, area.height() * kPointsPerMm);
-  // A group: transparency is worked out in sRGB-like device colours, as everywhere else here.
+  // A group makes transparency blend in device colours, which are close to sRGB, as everywhere else
+  // here.
   out +=
       "] /Contents 4 0 R /Group << /S /Transparency /CS /DeviceRGB >> "
       "/Resources << /ExtGState <<";
@@ -217,8 +218,8 @@ Result<void> check(const Document& document, const PdfOptions& options, const Re
   return {};
 }
 
-/// Catalogue (1), pages (2) and the packed content of the page (4), whose length (5), page (3) and
-/// masks follow when they are known.
+/// Catalogue (1), pages (2) and the packed content of the page (4) come first. The length of the
+/// content (5), the page (3) and the masks follow when they are known.
 class PdfParts final : public DrawingParts {
  public:
   PdfParts(const Document& document, const PdfOptions& options, const Rect& area)
@@ -235,7 +236,7 @@ class PdfParts final : public DrawingParts {
   }
 
   [[nodiscard]] std::size_t count() const override { return ranges_.size() + 1; }
-  // Masks are numbered as they come.
+  // Masks are numbered in the order in which parts are made.
   [[nodiscard]] bool any_order() const override { return !grain_; }
 
   Result<void> make(std::size_t i, DrawingPart& out) const override {
@@ -280,7 +281,7 @@ class PdfParts final : public DrawingParts {
   }
 
  private:
-  // The second line tells transfer programs that the file is no text (PDF 1.4, 3.4.1).
+  // The second line tells transfer programs that the file is binary (PDF 1.4, 3.4.1).
   static constexpr std::string_view kStart = "%PDF-1.4\n%\xe2\xe3\xcf\xd3\n";
   static constexpr std::string_view kFirst = "1 0 obj\n<< /Type /Catalog /Pages 2 0 R >>\nendobj\n";
   static constexpr std::string_view kSecond =
@@ -331,7 +332,7 @@ class PdfParts final : public DrawingParts {
   std::set<std::uint8_t> alphas_;
   std::uint64_t bytes_ = 0;
   std::uint32_t checksum_ = adler32_of({});
-  // Of one thread: any_order().
+  // Used by one thread only: any_order().
   mutable std::optional<GrainMasks> grain_;
   mutable Masks masks_;
 };

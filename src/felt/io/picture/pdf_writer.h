@@ -12,30 +12,29 @@
 
 namespace felt {
 
-/// What a PDF file shows.
+/// What a PDF file shows, and how.
 struct PdfOptions {
-  /// The sheet, which is the page; without it, all ink and the margin around it.
+  /// The page; if not set, all ink and the margin around it.
   std::optional<Rect> sheet{};
   double margin_mm = 5.0;
-  /// How far the outline of a stroke may be from its true one; rounding adds 0.0007 mm.
+  /// Largest distance between the outline of a stroke and its true one; rounding adds 0.0007 mm.
   double tolerance_mm = 0.009;
-  Rgba paper{255, 255, 255, 0};  ///< behind the ink; alpha 0 leaves it out
-  /// Strokes are seen through a picture of the sheet's grain; they stay outlines.
+  Rgba paper{255, 255, 255, 0};  ///< colour behind the ink; not drawn if alpha is 0
+  /// If set, strokes are seen through a picture of the surface's grain. They stay outlines.
   std::optional<GrainPrint> grain{};
 };
 
-/// The strokes of visible layers as a PDF 1.4 file of one page at true size: each stroke is one
-/// filled outline of curves, sharp at any zoom, in its colour; a transparent one does not darken
-/// where it crosses itself. Equal sketches give equal bytes: no date, no name of a program's
-/// version.
+/// Returns the strokes of visible layers as a PDF 1.4 file with one page at true size. Each stroke
+/// is one filled outline of curves, sharp at any zoom, in its colour; a transparent stroke is not
+/// darker where it crosses itself. Equal sketches give equal bytes: no date, no program version.
 ///
 /// Grain is a soft mask on the outline (PDF 1.4, 7.5.4).
 ///
-/// Error: a page that is empty or larger than the 5080 mm that PDF allows (14400 points), options
-/// that make no sense, a stroke that reaches farther than 1e6 mm from the page.
+/// Fails if the page is empty or larger than the 5080 mm that PDF allows (14400 points), if an
+/// option is invalid, or if a stroke reaches farther than 1e6 mm from the page.
 Result<std::unique_ptr<DrawingParts>> pdf_parts(const Drawing& drawing, const PdfOptions& options);
 
-/// The same as one text.
+/// Same, as one text.
 Result<std::string> pdf_text(const Drawing& drawing, const PdfOptions& options);
 
 }  // namespace felt

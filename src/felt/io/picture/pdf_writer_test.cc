@@ -31,7 +31,7 @@ Drawing drawing_on_page(std::uint64_t seed, int count) {
   return testing::drawing_of(strokes);
 }
 
-/// Every object begins where the table of the file says.
+/// Every object begins at the offset in the file's table.
 TEST(PdfWriter, TheTableFindsEveryObject) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const std::string pdf = pdf_text(drawing_on_page(seed, static_cast<int>(seed)), {}).value();
@@ -61,7 +61,7 @@ TEST(PdfWriter, WhatCannotBeAPageIsAnError) {
   EXPECT_FALSE(pdf_text({}, {.tolerance_mm = 0.0}));
 }
 
-/// Another program's picture of the file is ours.
+/// Another program's picture of the file equals ours.
 TEST(PdfWriter, AnotherProgramSeesTheSameInk) {
   if (std::system("pdftoppm -v >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "pdftoppm is not installed (package poppler-utils)";
@@ -91,7 +91,7 @@ TEST(PdfWriter, AnotherProgramSeesTheSameInk) {
         sum += std::abs(int{ours.at(x, y).r} - int{theirs->image.at(x, y).r});
       }
     }
-    // Edges differ by how programs smooth them; a shift of a pixel would be ten times as much.
+    // Programs anti-alias edges differently; a shift by one pixel would be ten times as much.
     EXPECT_LT(sum / (ours.width() * ours.height()), 1.5) << "seed " << seed;
   }
   fs::remove_all(folder);

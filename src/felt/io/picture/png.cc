@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kInchesPerMetre = 1000.0 / 25.4;
 
-/// What libpng's callbacks share with the functions below. libpng leaves by longjmp, which runs
-/// no destructor; so everything that owns memory lives here or in the callers, never in a frame
-/// that is jumped over.
+/// Data shared between libpng's callbacks and the functions below. libpng returns from errors by
+/// longjmp, which runs no destructor, so everything that owns memory lives here or in the callers,
+/// never in a frame that is jumped over.
 struct Session {
   std::string message;
   std::string out;
@@ -64,7 +64,7 @@ bool opaque(const Image& image) noexcept {
   return true;
 }
 
-/// Fills `row` with row y as PNG stores it: straight alpha, or none.
+/// Fills `row` with row y as PNG stores it: straight alpha, or no alpha.
 void load_row(const Image& image, int y, bool alpha, std::vector<std::uint8_t>& row) {
   const auto width = static_cast<std::size_t>(image.width());
   const std::uint8_t* p = image.bytes().data() + 4 * width * static_cast<std::size_t>(y);
@@ -79,7 +79,7 @@ void load_row(const Image& image, int y, bool alpha, std::vector<std::uint8_t>& 
   }
 }
 
-/// False when libpng gave up; the reason is in the session.
+/// Returns false if libpng failed; the reason is in the session.
 bool encode(png_structp png, png_infop info, const Image& image, double dpi, Session& session) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_write_fn(png, &session, on_write, on_flush);
@@ -128,7 +128,7 @@ bool decode(png_structp png, png_infop info, Session& session) {
   return true;
 }
 
-/// The same as one channel of 16 bits, high byte first.
+/// Same, but decodes to one channel of 16 bits, high byte first.
 bool decode_grey(png_structp png, png_infop info, Session& session) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_read_fn(png, &session, on_read);

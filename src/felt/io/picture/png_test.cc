@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A picture with a different colour in every column; the right half is transparent to a degree.
+/// A picture with a different colour in every column; the right half is partly transparent.
 Image sample(bool transparent) {
   Image image = Image::create(32, 8).value();
   for (int x = 0; x < 32; ++x) {
@@ -56,11 +56,11 @@ TEST(Png, DamageIsAnError) {
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     std::string broken = bytes;
     broken[i] = static_cast<char>(broken[i] ^ 0x55);
-    static_cast<void>(decode_png(broken));  // may pass where only text changes, must not crash
+    static_cast<void>(decode_png(broken));  // may succeed if only text changed, but must not crash
   }
 }
 
-/// A PNG of 16-bit grey, by libpng's own writer.
+/// Returns a PNG of 16-bit grey, written with libpng directly.
 std::string grey_png(int width, int height, const std::vector<std::uint16_t>& grey) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
@@ -98,7 +98,7 @@ TEST(Png, R47_AReliefOfColoursIsTheirBrightness) {
   ASSERT_EQ(relief->heights.size(), 32u * 8u);
   EXPECT_GT(relief->heights[0], 0.25F);  // green and blue
   EXPECT_LT(relief->heights[0], 0.6F);
-  EXPECT_NEAR(relief->heights[4 * 32], 0.2, 0.001);  // grey stays as it is
+  EXPECT_NEAR(relief->heights[4 * 32], 0.2, 0.001);  // grey is unchanged
 }
 
 TEST(Png, AReliefThatIsDamagedOrNotThereIsAnErrorWithItsName) {
@@ -112,7 +112,7 @@ TEST(Png, AReliefThatIsDamagedOrNotThereIsAnErrorWithItsName) {
     broken[i] = static_cast<char>(broken[i] ^ 0x55);
     static_cast<void>(decode_height_png(broken));  // must not crash
   }
-  // A header that promises 2^31 - 1 pixels by as many.
+  // A header that claims 2^31 - 1 pixels in both directions.
   std::string huge = bytes;
   for (const std::size_t at : {std::size_t{16}, std::size_t{20}})
     huge.replace(at, 4, "\x7f\xff\xff\xff");
@@ -128,7 +128,7 @@ TEST(Png, AReliefThatIsDamagedOrNotThereIsAnErrorWithItsName) {
   EXPECT_THAT(bad.error().message, HasSubstr(path));
 }
 
-// The name may stand in a material of somebody else: nothing waits, and nothing reads without end.
+// The path may come from a material of somebody else, so reading must neither block nor be endless.
 TEST(Png, AReliefIsReadFromAFileOnly) {
   const std::string pipe = scratch_path("relief-pipe.png"), link = scratch_path("relief-link.png");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

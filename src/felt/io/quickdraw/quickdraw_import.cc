@@ -57,14 +57,14 @@ class QuickdrawReader {
   }
 
  private:
-  /// Where a drawing lies in its cell.
+  /// The position of a drawing in its cell.
   struct Placing {
     Point origin{0.0, 0.0};
     double scale = kQuickdrawMmPerUnit;
   };
 
-  // Simplified drawings lie in their square; others are moved and scaled into it, as the data set
-  // does it for the simplified ones.
+  // Simplified drawings already lie in their square. Others are moved and scaled into it, as the
+  // data set did to make the simplified ones.
   static Placing placing_of(const QuickdrawRecord& record) {
     Rect box;
     for (const auto& stroke : record.strokes) {

@@ -7,17 +7,17 @@
 
 namespace felt {
 
-/// How large a unit of the simplified drawings is: 255 of them are 51 mm.
+/// Size of a unit of the simplified drawings: 255 of them are 51 mm.
 inline constexpr double kQuickdrawMmPerUnit = 0.2;
-/// From the place of one drawing on the contact sheet to the next.
+/// Distance from one drawing on the contact sheet to the next.
 inline constexpr double kQuickdrawCellMm = 60.0;
-/// Drawings taken from one file; the rest is counted in a notice.
+/// Largest number of drawings that are read from one file. The rest is counted in a notice.
 inline constexpr int kMaxQuickdrawDrawings = 1000;
 
 /// Reads drawings of the Quick, Draw! data set, simplified or raw, as a contact sheet: a grid with
-/// a layer for each drawing, named after its word. Raw drawings, in pixels of any screen, are moved
-/// and scaled into the square of the simplified ones (docs/formats/quickdraw.md). A line that is no
-/// drawing becomes a notice. Error: there is no drawing at all.
+/// a layer for each drawing, named after its word. Raw drawings, in pixels of unknown screens, are
+/// moved and scaled into the square of the simplified ones (docs/formats/quickdraw.md). A line that
+/// is not a drawing becomes a notice. Fails if there is no drawing at all.
 Result<Imported> import_quickdraw(std::string_view text, const ImportOptions& options = {});
 
 }  // namespace felt

@@ -15,7 +15,7 @@ namespace {
 using json::Field;
 using json::Value;
 
-/// The columns of a stroke, one array each.
+/// The columns of a stroke, one array for each.
 using InkColumns = std::array<std::vector<double>, 3>;
 constexpr std::array<const char*, 3> kColumnNames = {"x", "y", "t"};
 

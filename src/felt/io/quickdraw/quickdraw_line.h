@@ -13,30 +13,30 @@ namespace felt {
 
 /// One drawing of the Quick, Draw! data set: a line of its files.
 struct QuickdrawRecord {
-  std::string word;    ///< what was to be drawn; may be empty
+  std::string word;    ///< the word to be drawn; may be empty
   std::string key_id;  ///< may be empty
-  /// Samples of each stroke, in the unit of the file; times in the raw variant only. Never empty.
+  /// Samples of each stroke, in the unit of the file; only the raw variant has times. Never empty.
   std::vector<std::vector<InkSample>> strokes;
 
   friend bool operator==(const QuickdrawRecord&, const QuickdrawRecord&) = default;
 };
 
-/// True when a line of JSON looks like such a drawing: it has a key "drawing" and neither "points"
-/// nor "segments". Cheap; QuickdrawParser decides.
+/// Returns true if a line of JSON looks like such a drawing: it has a key "drawing" and neither
+/// "points" nor "segments". This is a quick test; QuickdrawParser decides.
 bool looks_like_quickdraw(std::string_view line) noexcept;
 
-/// The error for such a line in a file whose start did not show that it holds them.
+/// The error for such a line in a file that did not begin like one of Quick, Draw!.
 inline constexpr const char* kUnknownQuickdraw =
     "is a drawing of Quick, Draw!, but the first 4096 bytes of the file do not show it";
 
-/// Puts back what the simplified variant left out of a stroke: only the points that its lines need
-/// were kept. Points on these lines, dense near their ends, show the fit the lines instead of a few
-/// points far apart. Strokes with times, outside of 0..255 or of more than kMaxSimplifiedPoints are
-/// no such strokes and stay as they are.
+/// Restores the points that the simplified variant removed from a stroke, which keeps only the ends
+/// of straight lines. Adds points on these lines, densely near their ends, so that the fit follows
+/// the lines instead of a few points far apart. Strokes that have times, values outside 0..255 or
+/// more than kMaxSimplifiedPoints points are not simplified ones and do not change.
 void restore_simplified(std::vector<InkSample>& stroke);
 inline constexpr std::size_t kMaxSimplifiedPoints = 1000;
 
-/// Turns a line into a drawing. As strict and as bounded as NdjsonParser. One thread at a time.
+/// Converts a line to a drawing. As strict and as bounded as NdjsonParser. Thread: one at a time.
 class QuickdrawParser {
  public:
   QuickdrawParser();
@@ -44,8 +44,8 @@ class QuickdrawParser {
   QuickdrawParser(QuickdrawParser&&) noexcept;
   QuickdrawParser& operator=(QuickdrawParser&&) noexcept;
 
-  /// {"word":..,"key_id":..,"drawing":[[[x,..],[y,..],[t,..]?],..]}; other keys are checked to be
-  /// JSON and ignored. Replaces the content of `out`, which is undefined after an error. The error
+  /// Reads {"word":..,"key_id":..,"drawing":[[[x,..],[y,..],[t,..]?],..]}; other keys must be JSON
+  /// and are ignored. Replaces the content of `out`, which is unspecified after an error. The error
   /// names the key and the element.
   Result<void> parse(const NdjsonLine& line, QuickdrawRecord& out);
 

@@ -7,7 +7,9 @@
 namespace felt {
 namespace {
 
-/// Puts the segments of a contour one behind the other, the short ones into their neighbours.
+/// Appends the segments of a contour one after the other. A segment that is too short waits: it and
+/// the following short ones are joined to the next long segment, become one straight segment when
+/// they are long enough together, or are joined to the last segment at the end of the contour.
 class Joiner {
  public:
   explicit Joiner(const SvgContour& contour) : contour_(contour) {
@@ -35,14 +37,15 @@ class Joiner {
   void add(std::size_t i) {
     Cubic c = contour_.segment(i);
     if (waiting_) {
-      // The way so far is shorter than a segment may be: this one begins where that began.
+      // The waiting path is shorter than a segment may be: this segment begins where that path
+      // began.
       const Vec back = start_ - c.p[0];
       c.p[0] = start_;
       c.p[1] = c.p[1] + back;
     }
     if (control_length(contour_.segment(i)) >= kMinSegmentMm &&
         control_length(c) >= kMinSegmentMm) {
-      set_places(waiting_from_, i, made());  // where it begins, as all that went into it
+      set_places(waiting_from_, i, made());  // everything that was joined lies at its start
       append(c);
       waiting_ = false;
     } else if (const Point end = c.p[3]; waiting_ && distance(start_, end) >= kMinSegmentMm) {
@@ -72,7 +75,7 @@ class Joiner {
     const Point end = contour_.points.back();
     if (line_.points.empty()) return make_dot(end);
     if (!waiting_) return;
-    // What is left over goes into the last segment.
+    // The rest is joined to the last segment.
     const std::size_t last = line_.points.size() - 1;
     Point* p = &line_.points[last - 3];
     const Cubic longer{{p[0], p[1], p[2] + (end - p[3]), end}};
@@ -99,7 +102,7 @@ class Joiner {
 
   const SvgContour& contour_;
   SvgCenterLine line_;
-  Point start_;  ///< where the short way that waits for more begins
+  Point start_;  ///< start of the short path that waits for more
   std::size_t waiting_from_ = 0;
   bool waiting_ = false;
 };
@@ -113,7 +116,7 @@ double SvgCenterLine::place(double u) const noexcept {
   const double t = at - static_cast<double>(i);
   if (t == 0.0) return places[i];
   if (t == 1.0) return places[i + 1];
-  // Where nothing was joined this is u itself, to the last bit.
+  // If nothing was joined this is exactly u, to the last bit.
   return places[i + 1] - places[i] == 1.0 ? places[i] + t
                                           : places[i] + t * (places[i + 1] - places[i]);
 }

@@ -20,7 +20,7 @@ struct SvgColorName {
   std::uint32_t rgb;
 };
 
-/// All of them, in the order of their names.
+/// All colour names in alphabetical order.
 inline constexpr std::array<SvgColorName, 148> kSvgColorNames{{{"aliceblue", 0xf0f8ff},
                                                                {"antiquewhite", 0xfaebd7},
                                                                {"aqua", 0x00ffff},
@@ -174,7 +174,7 @@ std::uint8_t channel(double share) noexcept {
   return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
 }
 
-/// "#rgba", which the rest of the house does not have, as "#rrggbbaa".
+/// Converts "#rgba", which no other format here has, to "#rrggbbaa".
 std::optional<Rgba> hex_color(std::string_view text) {
   if (text.size() != 5) return color_from_text(text);
   std::string doubled = "#";
@@ -188,7 +188,7 @@ struct Argument {
   bool percent = false;
 };
 
-/// The arguments up to the closing parenthesis; false where they are not 3 or 4 numbers.
+/// Reads the arguments up to the closing parenthesis. Returns false unless they are 3 or 4 numbers.
 bool color_arguments(SvgScan& scan, std::array<Argument, 4>& v, std::size_t& n) {
   for (n = 0; n < v.size(); ++n) {
     scan.skip_spaces();
@@ -235,7 +235,7 @@ std::optional<Rgba> hsl_color(const std::array<Argument, 4>& v, std::size_t n) {
   return Rgba{channel(part(0.0)), channel(part(8.0)), channel(part(4.0)), channel(alpha_of(v, n))};
 }
 
-/// A colour at the front of `scan`; what follows stays.
+/// Reads a colour at the front of `scan`; the rest stays.
 std::optional<Rgba> take_color(SvgScan& scan) {
   if (scan.peek() == '#') {
     const std::string_view from = scan.rest();
@@ -261,7 +261,7 @@ std::optional<Rgba> take_color(SvgScan& scan) {
   return std::nullopt;
 }
 
-/// "url(#id)" at the front, with or without quotes.
+/// Reads "url(#id)" at the front, with or without quotes.
 std::optional<std::string_view> take_reference(SvgScan& scan) {
   if (!scan.take("url(")) return std::nullopt;
   std::string_view id = svg_trimmed(scan.until(')'));
@@ -272,7 +272,7 @@ std::optional<std::string_view> take_reference(SvgScan& scan) {
   return id.substr(1);
 }
 
-/// A colour with nothing behind it but another form of the same, for printing.
+/// Reads a colour that may be followed only by another form of the same colour, for printing.
 std::optional<Rgba> whole_color(std::string_view text) {
   SvgScan scan(svg_trimmed(text));
   const std::optional<Rgba> color = take_color(scan);
@@ -281,7 +281,7 @@ std::optional<Rgba> whole_color(std::string_view text) {
   return color;
 }
 
-/// A paint that is in no other element.
+/// Reads a paint that needs no other element.
 std::optional<SvgPaint> plain_paint(std::string_view text) {
   SvgPaint paint;
   if (svg_same_word(text, "none")) return paint;

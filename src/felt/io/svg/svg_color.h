@@ -7,38 +7,38 @@
 
 namespace felt {
 
-/// A colour of CSS: #rgb, #rgba, #rrggbb, #rrggbbaa, rgb(), rgba(), hsl(), hsla() with commas or
-/// spaces, a name in any case, "transparent", and what svg_color_in_space() reads. None for
-/// anything else, "currentColor" included.
+/// Parses a CSS colour: #rgb, #rgba, #rrggbb, #rrggbbaa, rgb(), rgba(), hsl(), hsla() with commas
+/// or spaces, a name in any case, "transparent", and everything that svg_color_in_space() reads.
+/// Returns nullopt for anything else, including "currentColor".
 std::optional<Rgba> svg_color(std::string_view text);
 
-/// What fills or strokes a shape, as the property says it.
+/// The paint that fills or strokes a shape, as the property specifies it.
 struct SvgPaint {
   enum class Kind {
     kNone,
     kColor,
     kCurrent,        ///< the property `color` of the shape
-    kServer,         ///< an element of the file: a gradient, a pattern
-    kContextFill,    ///< the filling of the `use` that repeats it
-    kContextStroke,  ///< its line
+    kServer,         ///< an element of the file: a gradient or pattern
+    kContextFill,    ///< the fill of the `use` that repeats the shape
+    kContextStroke,  ///< the stroke of that `use`
   };
   Kind kind = Kind::kNone;
   Rgba color{0, 0, 0, 255};
-  std::string_view server{};      ///< its id
-  Kind fallback = Kind::kServer;  ///< kServer: there is none
+  std::string_view server{};      ///< the id of that element
+  Kind fallback = Kind::kServer;  ///< used if the server is missing; kServer: no fallback
   Rgba fallback_color{0, 0, 0, 255};
 };
 
-/// None: the property has an error and counts as not there.
+/// Parses a paint. Returns nullopt if the property has an error; it is then treated as missing.
 std::optional<SvgPaint> svg_paint(std::string_view text);
 
-/// The id of "url(#id)", with or without quotes; empty where it is none.
+/// Returns the id of "url(#id)", with or without quotes; empty if the text is not such a reference.
 std::string_view svg_reference(std::string_view text);
 
-/// A share as "0.5" or "50%", clamped to 0..1. None: no number.
+/// Parses a fraction, "0.5" or "50%", clamped to 0..1. Returns nullopt if it is not a number.
 std::optional<double> svg_share(std::string_view text);
 
-/// A colour with its alpha times a share of 0..1.
+/// Returns the colour with its alpha multiplied by a factor of 0..1.
 Rgba svg_faded(Rgba color, double share) noexcept;
 
 }  // namespace felt

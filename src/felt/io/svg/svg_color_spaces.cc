@@ -85,7 +85,7 @@ Rgba from_oklab(const Triple& lab, double alpha) noexcept {
   return from_xyz(times(kLmsToXyz, lms), alpha);
 }
 
-/// Lightness, chroma and hue to lightness and two axes.
+/// Converts lightness, chroma and hue to lightness and two axes.
 Triple from_polar(const Triple& lch) noexcept {
   const double hue = lch[2] * (std::numbers::pi / 180.0);
   return {lch[0], lch[1] * std::cos(hue), lch[1] * std::sin(hue)};
@@ -106,7 +106,7 @@ Rgba from_hwb(const Triple& hwb, double alpha) noexcept {
   return from_srgb({part(0.0), part(8.0), part(4.0)}, alpha);
 }
 
-/// Three components, then "/ alpha". A percentage is a share of `full` of its component.
+/// Reads three components, then "/ alpha". A percentage is a fraction of `full` of its component.
 bool components(SvgScan& scan, const Triple& full, Triple& v, double& alpha) {
   for (std::size_t i = 0; i < 3; ++i) {
     scan.skip_comma();
@@ -144,7 +144,7 @@ std::optional<Rgba> color_function(SvgScan& scan) {
   return std::nullopt;
 }
 
-/// Where the first comma outside of parentheses is, or the end.
+/// Returns the position of the first comma outside parentheses, or the end.
 std::size_t comma_of(std::string_view text) noexcept {
   int depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -197,7 +197,7 @@ std::optional<Rgba> color_mix(std::string_view text) {
   const double faded = std::min(sum, 1.0);
   of_a /= sum;
   of_b /= sum;
-  const double alpha = of_a * a->color.a + of_b * b->color.a;  // premultiplied, as CSS says
+  const double alpha = of_a * a->color.a + of_b * b->color.a;  // premultiplied, as CSS requires
   const auto part = [&](std::uint8_t x, std::uint8_t y) {
     return alpha > 0.0 ? (of_a * a->color.a * x + of_b * b->color.a * y) / alpha / 255.0 : 0.0;
   };
@@ -206,7 +206,7 @@ std::optional<Rgba> color_mix(std::string_view text) {
       alpha / 255.0 * faded);
 }
 
-/// CSS Color 4, section 10, as of a light theme.
+/// CSS Color 4, section 10, with the values of a light theme.
 std::optional<Rgba> system_color(std::string_view name) {
   constexpr std::array<std::string_view, 4> kWhite{"Canvas", "Field", "HighlightText",
                                                    "AccentColorText"};

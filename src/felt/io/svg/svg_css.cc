@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-/// Place of c outside of quotes and brackets, or the end.
+/// Returns the position of c outside quotes and brackets, or the end.
 std::size_t find_outside(std::string_view text, char c, std::size_t from = 0) noexcept {
   char quote = 0;
   int depth = 0;
@@ -30,7 +30,7 @@ std::size_t find_outside(std::string_view text, char c, std::size_t from = 0) no
   return text.size();
 }
 
-/// Where the block that begins before `from` ends: behind its brace.
+/// Returns the end of the block that begins before `from`: the position after its brace.
 std::size_t end_of_block(std::string_view css, std::size_t from) noexcept {
   int depth = 1;
   for (; from < css.size() && depth > 0; ++from) {
@@ -132,7 +132,7 @@ std::string svg_without_comments(std::string_view css) {
   return clean;
 }
 
-/// Reads selectors and blocks of one text.
+/// Parses the selectors and blocks of one text.
 class SvgStyleSheet::Parser {
  public:
   Parser(SvgStyleSheet& sheet, std::string_view css) : sheet_(sheet), css_(css) {}
@@ -163,7 +163,7 @@ class SvgStyleSheet::Parser {
   }
 
  private:
-  /// The declarations before the first rule inside of this one; those after it are left out too.
+  /// Returns the declarations before the first nested rule. Those after it are ignored too.
   std::string_view without_nested_rules(std::string_view block) {
     const std::size_t brace = block.find('{');
     if (brace == std::string_view::npos) return block;
@@ -172,7 +172,7 @@ class SvgStyleSheet::Parser {
     return block.substr(0, last == std::string_view::npos ? 0 : last);
   }
 
-  /// One rule for each selector of a list.
+  /// Adds one rule for each selector of a list.
   void add_rules(std::string_view selectors, std::string_view body) {
     while (!selectors.empty()) {
       const std::size_t end = find_outside(selectors, ',');
@@ -203,7 +203,7 @@ class SvgStyleSheet::Parser {
     sheet_.rules_.push_back(std::move(rule));
   }
 
-  /// False: it has what we do not know, and the rule must not apply.
+  /// Returns false if the selector has an unsupported part, so that the rule must not apply.
   static bool read_selector(std::string_view text, Rule& rule) {
     SvgScan scan(svg_trimmed(text));
     if (scan.empty()) return false;
@@ -237,7 +237,7 @@ class SvgStyleSheet::Parser {
   static bool read_compound(SvgScan& scan, Compound& c) {
     const std::size_t before = scan.taken();
     if (!scan.take('*')) c.type = scan.name();
-    if (scan.take('|') && !scan.take('*')) c.type = scan.name();  // of any namespace
+    if (scan.take('|') && !scan.take('*')) c.type = scan.name();  // in any namespace
     while (true) {
       if (scan.take('#')) {
         const std::string_view id = scan.name();
@@ -320,8 +320,8 @@ bool SvgStyleSheet::is_like(const Compound& c, const pugi::xml_node& node) {
   return !c.root || node.parent().type() == pugi::node_document;
 }
 
-/// From the last compound to the first, every place that one may stand is tried; the steps of a
-/// file are counted, since a hostile rule has very many.
+/// Compares from the last compound to the first and tries every element that each one may match.
+/// Counts the steps for the whole file, because a hostile rule can need very many.
 bool SvgStyleSheet::matches(const Rule& rule, pugi::xml_node node) {
   struct Choice {
     std::size_t compound;

@@ -25,16 +25,17 @@ struct SvgDeclaration {
   bool important = false;
 };
 
-/// Takes "name: value; ..." apart. What is none is skipped.
+/// Splits "name: value; ..." into declarations. Anything else is skipped.
 void svg_declarations(std::string_view text,
                       const std::function<void(const SvgDeclaration&)>& found);
 
-/// CSS without its comments.
+/// Returns CSS without its comments.
 std::string svg_without_comments(std::string_view css);
 
-/// The rules of the style elements of a file. Selectors: type, *, #id, .class, [attribute] with its
-/// operators, :first-child, :last-child, :only-child, :root, and the four combinators. Rules with
-/// others, and those inside of @media and its like, are left out and counted.
+/// The rules of the style elements of a file. Supported selectors: type, *, #id, .class,
+/// [attribute] with its operators, :first-child, :last-child, :only-child, :root, and the four
+/// combinators. Rules with other selectors, and rules inside @media and similar, are skipped and
+/// counted.
 class SvgStyleSheet {
  public:
   static constexpr std::size_t kMostSelectors = 100000;
@@ -42,38 +43,38 @@ class SvgStyleSheet {
   /// Appends the text of a style element.
   void add(std::string_view css);
 
-  /// Every declaration that applies to an element; `precedence` is greater where it wins over
-  /// another one. Which of two equal ones comes first is not said.
-  /// False: the steps that matching may take in this file are used up, and rules no longer apply.
+  /// Calls back with every declaration that applies to an element. If two declarations set the same
+  /// property, the one with the greater `precedence` wins; the order of equal ones is unspecified.
+  /// Returns false if the matching steps of this file are used up; rules then no longer apply.
   bool match(const pugi::xml_node& node,
              const std::function<void(const SvgDeclaration&, std::uint64_t precedence)>& found);
 
   [[nodiscard]] bool empty() const noexcept { return rules_.empty(); }
-  /// Keeps a value for as long as the sheet lives; "" once those of a file are 16 MiB.
+  /// Keeps a value for the lifetime of the sheet. Returns "" once those of a file reach 16 MiB.
   std::string_view keep(std::string_view value);
-  /// The custom properties of the root, which hold wherever no others do.
+  /// Returns the custom properties of the root, which apply wherever no others do.
   [[nodiscard]] const SvgVariables& root_variables() const noexcept { return root_variables_; }
   void set_root_variables(SvgVariables variables) { root_variables_ = std::move(variables); }
   /// Bytes of variables that may still be read for this file.
   [[nodiscard]] std::size_t& variable_bytes_left() noexcept { return variable_bytes_left_; }
-  /// Rules and @-rules that were left out.
+  /// Returns the number of rules and @-rules that were skipped.
   [[nodiscard]] std::int64_t left_out() const noexcept { return left_out_; }
 
  private:
   struct Attribute {
     std::string_view name, value;
-    char relation = 0;  ///< 0: is there; '=', '~', '|', '^', '$', '*'
+    char relation = 0;  ///< 0: present; '=', '~', '|', '^', '$', '*'
   };
-  /// What one element has to be: "rect.leaf:first-child".
+  /// The conditions for one element: "rect.leaf:first-child".
   struct Compound {
-    char combinator = ' ';  ///< how the one before it relates: ' ', '>', '+', '~'
+    char combinator = ' ';  ///< its relation to the previous compound: ' ', '>', '+', '~'
     std::string_view type, id;
     std::vector<std::string_view> classes;
     std::vector<Attribute> attributes;
     bool first_child = false, last_child = false, root = false;
   };
   struct Rule {
-    std::vector<Compound> compounds;  ///< the last is the element itself
+    std::vector<Compound> compounds;  ///< the last one is for the element itself
     std::uint64_t precedence = 0;
     std::string_view body;
   };
@@ -82,7 +83,7 @@ class SvgStyleSheet {
   bool matches(const Rule& rule, pugi::xml_node node);
   bool is_like(const Compound& compound, const pugi::xml_node& node);
 
-  std::deque<std::string> texts_;  ///< what the views look at
+  std::deque<std::string> texts_;  ///< the text that the views refer to
   std::vector<Rule> rules_;
   std::map<std::string_view, std::vector<std::uint32_t>> by_id_, by_class_, by_type_;
   std::vector<std::uint32_t> for_all_;

@@ -6,7 +6,7 @@
 namespace felt {
 namespace {
 
-/// Goes along a contour and through the pattern at once.
+/// Walks along a contour and through the pattern at the same time.
 class Dasher {
  public:
   Dasher(std::span<const double> pattern, double offset, bool keep_dots)
@@ -52,7 +52,7 @@ class Dasher {
     left_ = pattern_[index_];
   }
 
-  /// One of no length is a dot.
+  /// Starts a dash. One without length becomes a dot.
   void begin_dash(const Cubic& c, double at) {
     is_fresh_ = false;
     if (left_ > 0.0 || !is_drawn() || !keep_dots_) return;
@@ -75,8 +75,8 @@ class Dasher {
   std::vector<SvgContour> dashes_;
   std::size_t index_ = 0;
   double left_ = 0.0;
-  bool is_fresh_ = true;  ///< nothing of this length was gone along yet
-  bool open_ = false;     ///< whether the last dash goes on
+  bool is_fresh_ = true;  ///< no part of the current pattern length was used yet
+  bool open_ = false;     ///< the last dash continues
 };
 
 }  // namespace

@@ -9,10 +9,10 @@
 
 namespace felt {
 
-/// The dashes of a contour, by arc length: pieces of its cubics. `pattern` has an even number of
-/// lengths of 0 or more, drawn and left out in turns, with a sum above 0; `offset` is where in it
-/// the contour begins. A dash of no length is a contour of one point, where `keep_dots` asks for
-/// it. None where there would be more than `most` of them.
+/// Divides a contour into dashes by arc length: pieces of its cubics. `pattern` has an even number
+/// of lengths of 0 or more, alternately drawn and skipped, with a sum above 0. The contour begins
+/// at `offset` in the pattern. If `keep_dots` is set, a dash without length becomes a contour of a
+/// single point. Returns nullopt if there would be more than `most` dashes.
 std::optional<std::vector<SvgContour>> svg_dashes(const SvgContour& contour,
                                                   std::span<const double> pattern, double offset,
                                                   bool keep_dots, std::size_t most);

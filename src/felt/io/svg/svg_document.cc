@@ -15,19 +15,19 @@
 namespace felt {
 namespace {
 
-/// Whether a document type with definitions of its own stands before the first element.
+/// Returns true if a document type with an internal subset precedes the first element.
 bool has_svg_entities(std::string_view text) noexcept;
 
-/// The text with its document type blanked out, line ends kept, and the entities that it defines as
-/// text put in, as some drawing programs write them for their namespaces. Those that refer to a
-/// file stay as they are and mean nothing; so do entities inside of entities, which could grow
-/// without end.
-/// Error: they add more than limits::kMaxSvgEntityBytes, or the document type does not end.
+/// Returns the text with its document type blanked out (line ends kept) and with the entities that
+/// it defines as text replaced; some drawing programs use them for their namespaces. Entities
+/// inside entities are replaced too. Entities that refer to a file are left as they are and have no
+/// effect. Fails if they add more than limits::kMaxSvgEntityBytes or are nested too deep, or if the
+/// document type does not end.
 Result<std::string> svg_with_entities(std::string_view text);
 
 constexpr std::string_view kDoctype = "<!DOCTYPE";
 
-/// Where the document type begins; npos where the first element comes before one.
+/// Returns the position of the document type; npos if the first element precedes it.
 std::size_t find_doctype(std::string_view text) noexcept {
   std::size_t at = 0;
   while ((at = text.find('<', at)) != std::string_view::npos) {
@@ -40,7 +40,7 @@ std::size_t find_doctype(std::string_view text) noexcept {
   return at;
 }
 
-/// Where its definitions begin, or npos where it has none.
+/// Returns the start of its definitions, or npos if it has none.
 std::size_t find_definitions(std::string_view text, std::size_t doctype) noexcept {
   if (doctype == std::string_view::npos) return doctype;
   char quote = 0;
@@ -63,7 +63,7 @@ class Definitions {
  public:
   Definitions(std::string_view text, std::size_t at) : text_(text), at_(at) {}
 
-  /// Where the document type ends; npos where it does not.
+  /// Returns the position after the document type; npos if it does not end.
   std::size_t read() {
     while (at_ < text_.size() && text_[at_] != ']') {
       if (text_.substr(at_, 4) == "<!--") {
@@ -85,7 +85,8 @@ class Definitions {
   }
 
  private:
-  /// What begins with `start` here and ends with `end`; the two share no character ("<!-->").
+  /// Skips markup that begins with `start` here and ends with `end`. The two share no character
+  /// ("<!-->").
   void skip(std::string_view start, std::string_view end) {
     const std::size_t found = text_.find(end, at_ + start.size());
     at_ = found == std::string_view::npos ? text_.size() : found + end.size();
@@ -118,13 +119,13 @@ class Definitions {
   std::map<std::string_view, std::string_view> entities_;
 };
 
-/// Replaces entities, also those inside of others, within a budget for the whole file.
+/// Replaces entities, including nested ones, within a budget for the whole file.
 class Expander {
  public:
   using Entities = std::map<std::string_view, std::string_view>;
   explicit Expander(const Entities& entities) : entities_(entities) {}
 
-  /// False: more is added than a file may, or they are nested too deep.
+  /// Returns false if the file's budget is exceeded or entities are nested too deep.
   bool append(std::string_view text, std::string& result, int nesting) {
     constexpr int kMaxNesting = 16;
     added_ += text.size();
@@ -238,7 +239,7 @@ Result<std::unique_ptr<SvgDocument>> SvgDocument::parse(std::string_view text) {
   return document;
 }
 
-/// Attributes, ids and style sheets of all elements.
+/// Collects attributes, ids and style sheets of all elements.
 Result<void> SvgDocument::look_through() {
   pugi::xml_node node = root_;
   while (true) {
@@ -267,8 +268,8 @@ Result<void> SvgDocument::look_through() {
   }
 }
 
-/// Prefixes may be declared on any element. One that means the same everywhere is enough for what
-/// programs write.
+/// Prefixes may be declared on any element. We assume that a prefix has one meaning in the whole
+/// file, which holds for the files that programs write.
 void SvgDocument::note_prefixes(const pugi::xml_node& node) {
   for (const pugi::xml_attribute& a : node.attributes()) {
     const std::string_view name = a.name(), space = a.value();

@@ -16,27 +16,29 @@ namespace felt {
 
 inline constexpr std::string_view kSvgElementNamespace = "http://www.w3.org/2000/svg";
 
-/// A parsed file with what has to be known of all of it before the walk.
+/// A parsed file with all information about the whole file that the walk needs.
 class SvgDocument {
  public:
-  /// Error: no XML, no SVG, or beyond a limit; the message names line and reason.
+  /// Parses a file. Fails if it is not XML, not SVG, or beyond a limit. The message has line and
+  /// reason.
   static Result<std::unique_ptr<SvgDocument>> parse(std::string_view text);
 
   [[nodiscard]] pugi::xml_node root() const { return root_; }
   [[nodiscard]] std::int64_t line_of(const pugi::xml_node& node) const {
     return input_.line_of(node);
   }
-  /// The first element with this id, or a null node.
+  /// Returns the first element with this id, or a null node.
   [[nodiscard]] pugi::xml_node find(std::string_view id) const;
-  /// An attribute in the namespace of Inkscape or in ours; its data() is null if there is none.
+  /// Returns an attribute in the namespace of Inkscape or in ours. Its data() is null if there is
+  /// none.
   [[nodiscard]] std::string_view inkscape(const pugi::xml_node& node, const char* name) const;
   [[nodiscard]] std::string_view ours(const pugi::xml_node& node, const char* name) const;
   [[nodiscard]] std::string_view sodipodi(const pugi::xml_node& node, const char* name) const;
-  /// The name of an element of SVG without its prefix; empty for elements of others.
-  /// `default_is_svg` says whether names without a prefix are of SVG where it stands.
+  /// Returns the name of an SVG element without its prefix; empty for other elements.
+  /// `default_is_svg` tells whether names without a prefix are SVG at this point.
   [[nodiscard]] std::string_view svg_name(const pugi::xml_node& node, bool default_is_svg) const;
   SvgStyleSheet& sheet() noexcept { return sheet_; }
-  /// The file names a style sheet in another one (xml-stylesheet).
+  /// Returns true if the file refers to an external style sheet (xml-stylesheet).
   [[nodiscard]] bool names_outer_style() const noexcept { return names_outer_style_; }
 
  private:
@@ -53,7 +55,7 @@ class SvgDocument {
   bool names_outer_style_ = false;
 };
 
-/// The value of `href`, with whatever prefix or none; empty where there is none.
+/// Returns the value of `href`, with any prefix or none; empty if there is none.
 std::string_view svg_href(const pugi::xml_node& node);
 
 }  // namespace felt

@@ -1,4 +1,4 @@
-// SVG of other programs: what becomes ink, what becomes a notice, and where it ends.
+// SVG of other programs: which content becomes ink, which becomes a notice, and the limits.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 using testing::notice_lines;
 
-/// A document whose user unit is a millimetre.
+/// Returns a document with user units of one millimetre.
 std::string svg(const std::string& inside) {
   return "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' "
          "xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' "
@@ -60,7 +60,7 @@ TEST(SvgForeign, CurvesAreTakenAsTheyAre) {
 }
 
 TEST(SvgForeign, ShortSegmentsGoIntoTheirNeighbours) {
-  // A circle of 400 pieces of 0.03 mm, a dot, and a curve with a standing still.
+  // A circle of 400 pieces of 0.03 mm, a dot, and a curve with a zero-length part.
   std::string d = "M12 10";
   for (int i = 1; i < 400; ++i) {
     const double a = 6.283185307179586 * i / 400.0;
@@ -281,7 +281,7 @@ TEST(SvgForeign, EntitiesAddLittle) {
 }
 
 TEST(SvgForeign, RepeatingElementsEnds) {
-  // Ten levels of ten: 10^10 of the last one.
+  // Ten levels of ten entities: 10^10 of the last one.
   std::string text;
   for (int level = 0; level < 10; ++level) {
     text += "<g id='l" + std::to_string(level) + "'>";
@@ -295,7 +295,7 @@ TEST(SvgForeign, RepeatingElementsEnds) {
       svg("<g id='a'><use xlink:href='#b'/></g><g id='b'><use xlink:href='#a'/></g><use id='c' "
           "xlink:href='#c'/>"));
   EXPECT_THAT(notice_lines(cycle), HasSubstr("it repeats itself"));
-  // One long path, repeated: the curves of all of them are bounded.
+  // One long path, repeated: the total number of curves is limited.
   std::string path = "M0 0";
   for (int i = 0; i < 20000; ++i) path += "l9 9";
   text = "<path id='p'" + std::string(kLine) + " d='" + path + "'/>";
@@ -310,7 +310,7 @@ TEST(SvgForeign, RepeatingElementsEnds) {
   EXPECT_THAT(notice_lines(many), HasSubstr("more curves than are taken"));
 }
 
-/// What costs time without being an element that is repeated: each of these would take minutes.
+/// Work that is not a repeated element: each of these would take minutes without a limit.
 TEST(SvgForeign, HiddenWorkIsCounted) {
   const auto times = [](const std::string& text, int count) {
     std::string all;

@@ -59,7 +59,7 @@ Drawing drawing_in_layers(std::uint64_t seed) {
   return std::move(builder).build();
 }
 
-/// What a stream of these strokes becomes.
+/// Returns the SVG of a stream of these strokes.
 std::string svg_of_strokes(const std::vector<Stroke>& strokes, const SvgOptions& options = {}) {
   return svg_ink_text(testing::drawing_of(strokes), options).value();
 }
@@ -77,7 +77,7 @@ std::string changed(std::string text, std::string_view from, std::string_view to
   return text;
 }
 
-/// The value of the first attribute of that name.
+/// Returns the value of the first attribute with that name.
 std::string attribute_in(const std::string& text, const std::string& name) {
   const std::size_t begin = text.find(" " + name + "=\"") + name.size() + 3;
   return text.substr(begin, text.find('"', begin) - begin);
@@ -168,7 +168,7 @@ TEST(SvgImport, TonesComeBackAndDamagedOnesAreToldOf) {
   EXPECT_EQ(widths_in(text), data.widths);
   const std::string tones_attribute = "felt:tones=\"" + attribute_in(text, "felt:tones") + "\"";
   EXPECT_EQ(widths_in(changed(text, tones_attribute, ""))[0].tone, tone_of_width(1));
-  // Too few, too many, beyond 1, not a digit, none.
+  // Too few, too many, beyond 1, not a digit, missing.
   for (const char* tones : {"BA", "BAAA", "JAAAAAAAAAAAAAAAAQQ", "B!!", "x", "A"}) {
     SCOPED_TRACE(tones);
     const Imported back =
@@ -179,7 +179,7 @@ TEST(SvgImport, TonesComeBackAndDamagedOnesAreToldOf) {
   }
 }
 
-/// Where Inkscape changed the widths, tones are those of the place.
+/// If Inkscape changed the widths, tones are interpolated at the new positions.
 TEST(SvgImport, TonesAreInterpolatedWhereWidthsWereChanged) {
   StrokeData data = testing::straight_stroke({0, 0}, {10, 0}, 1, 2).data();
   data.widths[0].tone = 0.0;
@@ -190,7 +190,7 @@ TEST(SvgImport, TonesAreInterpolatedWhereWidthsWereChanged) {
   EXPECT_EQ(widths, (std::vector<WidthKnot>{{0, 1, 0.0}, {0.25, 4, 0.25}, {1, 2, 1.0}}));
 }
 
-/// Ours with a transform that another program put on it.
+/// Our file, with a transform added by another program.
 TEST(SvgImport, OursIsMovedExactly) {
   const std::vector<Stroke> strokes = strokes_of_media(5, 4);
   const std::string text = svg_of_strokes(strokes);
@@ -232,7 +232,7 @@ TEST(SvgImport, OursIsMovedExactly) {
   }
 }
 
-/// Another program moved one joint: the rest stays as it was, to the last bit.
+/// Another program moved one joint: everything else is unchanged, to the last bit.
 TEST(SvgImport, WhatAnotherProgramMovedIsTakenAndTheRestStays) {
   StrokeData data = felt::testing::straight_stroke({0, 0}, {1.0 / 3.0, 2.0 / 7.0}, 1, 2).data();
   data.points.insert(data.points.end(), {{2, 1}, {3, 1}, {4.0 / 3.0, 1}});
@@ -252,7 +252,7 @@ TEST(SvgImport, WhatAnotherProgramMovedIsTakenAndTheRestStays) {
   EXPECT_EQ(is, moved);
 }
 
-/// What Feltline wrote before version 2.
+/// A file that Feltline wrote before version 2.
 constexpr const char* kVersion1 = R"svg(<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" xmlns:felt="https://feltline.org/ns/1" version="1.1" felt:version="1" width="31.73mm" height="18.56mm" viewBox="-4.5 -3.4 31.73 18.56">
 <defs><inkscape:path-effect id="width1" effect="powerstroke" is_visible="true" lpeversion="1.3" scale_width="1" interpolator_type="Linear" interpolator_beta="0.2" start_linecap_type="round" end_linecap_type="round" linejoin_type="round" miter_limit="4" sort_points="true" not_jump="false" offset_points="0,0.25 | 0.3333333333333333,0.6 | 2,0.3535533905932738"/></defs>

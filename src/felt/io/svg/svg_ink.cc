@@ -17,9 +17,9 @@
 namespace felt {
 namespace {
 
-/// Where ink is drawn that stands in no layer.
+/// Layer for ink that is in no layer of the file.
 constexpr const char* kLayerName = "Ink";
-/// As far as files can be written.
+/// Files can be written up to this distance.
 constexpr const char* kFar = "reaches farther than 1e9 mm and was left out";
 
 Rect bounds_mm(const SvgShape& shape) {
@@ -30,7 +30,7 @@ Rect bounds_mm(const SvgShape& shape) {
   return box;
 }
 
-/// Whether all of it lies on one straight line, so that a filling shows nothing.
+/// Returns true if all points lie on one straight line, so that a fill shows nothing.
 bool is_flat(const SvgContour& c) {
   const Point a = c.points.front();
   Vec longest;
@@ -193,8 +193,9 @@ void SvgInk::notice_ends(const SvgShape& shape) {
 
 namespace {
 
-/// Flat dashes made shorter by the width of the line, so that round ends reach as far as the flat
-/// ones do. One that is not longer than the line is wide becomes a dot in its middle.
+/// Converts flat dashes to round ones: shortens them by the line width, so that round ends reach as
+/// far as the flat ones do. A dash that is not longer than the line width becomes a dot in its
+/// middle.
 struct RoundDashes {
   std::vector<double> pattern;
   double offset = 0.0;
@@ -205,7 +206,7 @@ RoundDashes round_dashes(const SvgLine& line) {
   const auto inset = [&](std::size_t i) { return 0.5 * std::min(line.width, line.dashes[i]); };
   const std::size_t count = line.dashes.size();
   for (std::size_t i = 0; i < count; i += 2) {
-    if (line.dashes[i] == 0.0) return {line.dashes, line.dash_offset};  // flat ones show nothing
+    if (line.dashes[i] == 0.0) return {line.dashes, line.dash_offset};  // they show nothing
     result.pattern[i] -= 2.0 * inset(i);
     result.pattern[i + 1] += inset(i) + inset((i + 2) % count);
     result.has_dots = result.has_dots || line.dashes[i] < line.width;
@@ -234,7 +235,7 @@ void SvgInk::add_line(SvgShape& shape) {
   if (line.color.a < 255 && (shape.contours.size() > 1 || !line.dashes.empty())) {
     say(shape, "is transparent and of several parts; where these cross, it became darker");
   }
-  // Each is taken out of the shape: a long path is not kept twice.
+  // Contours are moved out of the shape, so that a long path is not in memory twice.
   for (SvgContour& contour : shape.contours) {
     if (line.dashes.empty()) {
       add_contour(shape, std::move(contour), line.color, line.width);
@@ -267,8 +268,8 @@ void SvgInk::add_edge(SvgShape& shape) {
   }
 }
 
-/// One contour as a stroke of a width in user units, or as several end to end where it is longer
-/// than a stroke may be.
+/// Adds one contour as a stroke with a width in user units, or as several strokes end to end if it
+/// is longer than a stroke may be.
 void SvgInk::add_contour(const SvgShape& shape, SvgContour contour, Rgba color, double width) {
   constexpr std::size_t kMost = limits::kMaxSvgStrokeSegments;
   const std::size_t count = contour.segment_count();
@@ -291,10 +292,10 @@ void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, doubl
   if (is_far(box)) return say(shape, kFar);
   const bool is_point = std::all_of(moved.points.begin(), moved.points.end(),
                                     [&](Point p) { return p == moved.points.front(); });
-  // As in SVG: what has neither length nor caps shows nothing.
+  // As in SVG, a line without length and without caps shows nothing.
   if (is_point && (!shape.line || shape.line->cap == SvgCap::kButt)) return;
   SvgCenterLine line = svg_center_line(moved);
-  moved.points = std::vector<Point>();  // long paths take much memory
+  moved.points = std::vector<Point>();  // frees memory: paths can be long
   if (line.joined_short) {
     say(shape, "has parts shorter than 0.05 mm, which were joined to those beside them");
   }
@@ -319,7 +320,7 @@ void SvgInk::push(const SvgShape& shape, StrokeData data, std::string_view name)
   if (!stroke) return say(shape, "makes no stroke and was left out: " + stroke.error().message);
   if (is_far(stroke->bounds())) return say(shape, kFar);
   const bool is_ours = shape.variable_width && shape.variable_width->is_ours;
-  // Of several strokes that become of one shape, the first has its name.
+  // If a shape becomes several strokes, the first one gets its name.
   if (name.empty() && !is_ours && !std::exchange(has_part_, true)) name = shape.id;
   if (builder_.layer_count() == 0) layer({});
   builder_.add(builder_.layer_count() - 1, *std::move(stroke), name);

@@ -12,11 +12,11 @@
 
 namespace felt {
 
-/// Makes ink of a scene: the second step of reading SVG. Feed it to read_svg_scene, then take what
-/// it made.
+/// Makes ink of a scene: the second step of reading SVG. Pass it to read_svg_scene, then call
+/// take().
 class SvgInk final : public SvgSceneSink {
  public:
-  /// Width of the line along a shape that is only filled.
+  /// Width of the line along the edge of a shape that is only filled.
   static constexpr double kEdgeWidthMm = 0.35;
 
   void root(const SvgRoot& root) override;
@@ -43,13 +43,14 @@ class SvgInk final : public SvgSceneSink {
   DrawingBuilder builder_;
   ImportReport report_;
   std::size_t dashes_left_ = limits::kMaxSvgDashes;
-  bool has_part_ = false;  ///< there is a stroke of the shape already
+  bool has_part_ = false;  ///< a stroke of the current shape was already added
   bool is_ours_ = false;
   bool has_page_attribute_ = false;
-  bool may_be_paper_ = true;  ///< only what lies below everything else
+  bool may_be_paper_ = true;  ///< only the lowest shape can be the paper
 };
 
-/// Text as a name: what XML cannot hold is replaced, and it ends at limits::kMaxNameBytes.
+/// Returns `text` as a valid name: characters that XML cannot hold are replaced, and it is
+/// truncated to limits::kMaxNameBytes.
 std::string svg_clean_name(std::string_view text);
 
 }  // namespace felt

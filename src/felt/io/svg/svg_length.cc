@@ -16,7 +16,7 @@ struct Unit {
   double mm;
 };
 
-/// Units that are the same everywhere.
+/// Units that do not depend on the context.
 constexpr std::array<Unit, 6> kPaperUnits{{{"px", kSvgMmPerPx},
                                            {"pt", 25.4 / 72.0},
                                            {"pc", 25.4 / 6.0},
@@ -32,7 +32,7 @@ std::optional<double> paper_unit_mm(std::string_view name) {
   return std::nullopt;
 }
 
-/// How much one of a relative unit is.
+/// Returns the size of a relative unit.
 std::optional<double> relative_unit(std::string_view name, const SvgUnits& u) {
   if (svg_same_word(name, "em")) return u.font_size;
   if (svg_same_word(name, "ex") || svg_same_word(name, "ch")) return 0.5 * u.font_size;
@@ -50,7 +50,7 @@ double percent_base(SvgAxis axis, const SvgUnits& u) {
   return std::hypot(u.view_width, u.view_height) / std::numbers::sqrt2;
 }
 
-/// An argument of a transform in user units or degrees; CSS writes units behind it.
+/// Reads an argument of a transform in user units or degrees. In CSS it is followed by a unit.
 bool transform_argument(SvgScan& scan, double& value) {
   if (!scan.number(value)) return false;
   const std::string_view unit = scan.letters();
@@ -69,7 +69,7 @@ bool transform_argument(SvgScan& scan, double& value) {
   return true;
 }
 
-/// Turns by degrees; quarter turns exactly.
+/// Rotation by degrees; quarter turns are exact.
 Affine turned(double deg, Point center) {
   const double quarter = std::fmod(deg, 360.0) / 90.0;
   if (quarter != std::floor(quarter)) {
@@ -98,7 +98,7 @@ std::optional<Affine> one_transform(std::string_view name, const std::array<doub
   return std::nullopt;
 }
 
-/// The share of the free space that goes before the box: xMin 0, xMid 0.5, xMax 1.
+/// Returns the fraction of the free space before the box: xMin 0, xMid 0.5, xMax 1.
 double alignment(std::string_view aspect, char axis) {
   const std::size_t at = aspect.find(axis);
   const std::string_view word = at == std::string_view::npos ? "" : aspect.substr(at + 1, 3);
@@ -109,7 +109,7 @@ bool is_vertical(std::string_view word) {
   return svg_same_word(word, "top") || svg_same_word(word, "bottom");
 }
 
-/// One coordinate of transform-origin.
+/// Reads one coordinate of transform-origin.
 double origin_part(std::string_view word, SvgAxis axis, const SvgUnits& units) {
   if (svg_same_word(word, "left") || svg_same_word(word, "top")) word = "0%";
   if (svg_same_word(word, "center")) word = "50%";
@@ -171,7 +171,7 @@ Affine svg_view_transform(const Rect& box, double width, double height, std::str
   if (aspect.substr(0, 5) == "defer") aspect = svg_trimmed(aspect.substr(5));
   if (aspect.substr(0, 4) == "none") return {sx, 0.0, 0.0, sy, -sx * box.x0, -sy * box.y0};
   const bool slice = aspect.find("slice") != std::string_view::npos;
-  // Equal but for rounding is equal: what is a millimetre stays one, exactly.
+  // If the scales differ only by rounding they become equal, so that a millimetre stays exact.
   if (std::fabs(sx - sy) > 1e-12 * std::fabs(sx)) sx = slice ? std::max(sx, sy) : std::min(sx, sy);
   sy = sx;
   const double free_x = width - sx * box.width(), free_y = height - sy * box.height();
@@ -200,7 +200,7 @@ std::optional<Affine> svg_transform(std::string_view text) {
     }
     const std::optional<Affine> one = one_transform(name, v, n);
     if (!one) return std::nullopt;
-    all = then(*one, all);  // the last of the list comes first
+    all = then(*one, all);  // the last transform of the list applies first
     scan.skip_comma();
   }
   constexpr double kMost = 1e38;

@@ -10,9 +10,9 @@
 namespace felt {
 namespace {
 
-/// Samples of a curved segment; straight ones have one width.
+/// Samples of a curved segment. A straight one has a single width.
 constexpr int kSamples = 8;
-/// How far before a corner the width begins to become the one behind it, in u.
+/// How far before a corner the width begins to change to the one after it, in u.
 constexpr double kCornerU = 1e-3;
 
 class Stretched {
@@ -40,7 +40,7 @@ class Stretched {
     return size_ * norm(apply(back_, tangent(c, t)));
   }
 
-  /// At a corner the width jumps: two knots beside each other.
+  /// At a corner the width jumps: two knots next to each other.
   void add(std::vector<WidthKnot>& knots, double u, double width, std::size_t joint,
            bool begins) const {
     const double end = static_cast<double>(line_.segment_count());

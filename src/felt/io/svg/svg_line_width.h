@@ -9,14 +9,14 @@ namespace felt {
 
 /// The widths of a line that was drawn in user units.
 struct SvgLineWidths {
-  std::vector<WidthKnot> knots;  ///< in mm; empty where the transform flattens the line to nothing
+  std::vector<WidthKnot> knots;  ///< in mm; empty if the transform flattens the line to nothing
   bool is_stretched = false;     ///< the width depends on the direction, and was sampled
-  bool was_thin = false;         ///< below kMinWidthMm somewhere, and raised
+  bool was_thin = false;         ///< was below kMinWidthMm somewhere, and was raised
 };
 
-/// Of a line `width` user units wide along `line` (in mm), which `to_mm` took to the sheet. A
-/// stretched pen of width w is w |det| / |to_mm d| wide where it goes in the user direction d of
-/// length 1.
+/// Returns the widths of a line that is `width` user units wide along `line` (in mm). `to_mm`
+/// transformed the line to the page. A stretched pen of width w is w |det| / |to_mm d| wide where
+/// it moves in the user direction d of length 1.
 SvgLineWidths svg_line_widths(const SvgCenterLine& line, const Affine& to_mm, double width);
 
 }  // namespace felt

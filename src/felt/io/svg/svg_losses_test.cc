@@ -1,4 +1,4 @@
-// SVG of other programs: nothing is lost or drawn otherwise in silence.
+// SVG of other programs: no content is lost or drawn differently without a notice.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using ::testing::IsEmpty;
 constexpr Rgba kRed{255, 0, 0, 255}, kBlack{0, 0, 0, 255};
 constexpr const char* kRound = " stroke-linecap='round' stroke-linejoin='round' fill='none'";
 
-/// What became of a document whose user unit is a millimetre.
+/// The result of reading a document with user units of one millimetre.
 struct ReadBack {
   std::vector<Stroke> strokes;
   std::string notices;
@@ -56,7 +56,7 @@ void expect_near(Rgba a, Rgba b, int most) {
   EXPECT_LE(std::abs(a.a - b.a), most);
 }
 
-// The expected values are those that CSS Color 4 and web-platform-tests give for these colours.
+// The expected values for these colours are from CSS Color 4 and web-platform-tests.
 TEST(SvgLosses, ColoursOfCss4) {
   for (const char* red :
        {"oklch(62.8% 0.25768 29.234)", "oklab(0.628 0.22486 0.1258)", "lab(54.29 80.81 69.89)",
@@ -78,7 +78,7 @@ TEST(SvgLosses, AColourThatIsNotReadBecomesBlackAndIsTold) {
   ASSERT_EQ(read.strokes.size(), 1U);
   EXPECT_EQ(read.strokes[0].color(), kBlack);
   EXPECT_THAT(read.notices, HasSubstr("has a stroke that is not read, and became black"));
-  // An older form before it is what CSS means it for.
+  // CSS intends this: an older form before the new one is the fallback.
   const ReadBack older(line("style='stroke:red;stroke:rgb(from blue r g b)'"));
   ASSERT_EQ(older.strokes.size(), 1U);
   EXPECT_EQ(older.strokes[0].color(), kRed);
@@ -109,7 +109,8 @@ TEST(SvgLosses, Variables) {
   EXPECT_EQ(loop.strokes.size(), 1U);
 }
 
-// 30 variables in each of seven values: 30^7 replacements, of nothing, without a bound of the work.
+// 30 variables in each of seven values are 30^7 replacements by nothing, so the work must be
+// limited.
 TEST(SvgLosses, VariablesThatMultiplyAreLeftOutInBoundedWork) {
   const std::string names = "abcdefg";
   std::string style;
@@ -123,7 +124,7 @@ TEST(SvgLosses, VariablesThatMultiplyAreLeftOutInBoundedWork) {
   ASSERT_EQ(read.strokes.size(), 1U);
   EXPECT_THAT(read.notices, HasSubstr("has a stroke that is not read, and became black"));
 
-  // What one value may read is less than what it needs here; a file has so much for all together.
+  // One value may read less than this needs. The file has a total limit for all values.
   const SvgVariables variables{{"--a", "var(--none,)"}};
   std::size_t left = 1000;
   EXPECT_EQ(svg_with_variables("x var(--a)", variables, left), "x ");
@@ -173,7 +174,7 @@ TEST(SvgLosses, TransformsAsProperties) {
   const ReadBack read("<g style='translate: 10px 20px; rotate: 90deg; scale: 2'>" +
                       line("stroke='red'") + "</g>");
   ASSERT_EQ(read.strokes.size(), 1U);
-  // (10, 10) is scaled to (20, 20), turned to (-20, 20), moved to (-10, 40).
+  // (10, 10) is scaled to (20, 20), rotated to (-20, 20), moved to (-10, 40).
   const Point begin = read.strokes[0].position(0.0);
   EXPECT_NEAR(begin.x, -10.0, 1e-9);
   EXPECT_NEAR(begin.y, 40.0, 1e-9);
@@ -192,7 +193,7 @@ TEST(SvgLosses, PathLengthAndLinesThatAreNotScaled) {
 }
 
 TEST(SvgLosses, FlatDashesStayAsLongAsTheyAre) {
-  // 10 mm of line and 5 mm of gap, 4 mm wide: what is seen of the ink, caps included.
+  // 10 mm of line and 5 mm of gap, 4 mm wide: the visible ink, including caps.
   const ReadBack read(
       "<path d='M0 10h100' fill='none' stroke='red' stroke-width='4' "
       "stroke-dasharray='10 5'/>");

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// An ellipse arc by its centre.
+/// An elliptical arc in centre parameterisation.
 struct CenterArc {
   Point center;
   Vec axis_x, axis_y;  ///< images of the unit circle's axes
@@ -49,7 +49,8 @@ CenterArc center_arc(Point from, Point to, Vec radii, double turn_rad, bool larg
   return arc;
 }
 
-/// Relative commands in decimals come back to the beginning, apart from rounding.
+/// Decides whether the current point is the start. Relative commands in decimals return to it only
+/// up to rounding.
 bool is_back(Point here, Point begin) noexcept {
   const double size = std::max({1.0, std::fabs(begin.x), std::fabs(begin.y)});
   return distance(here, begin) <= 1e-9 * size;
@@ -79,7 +80,7 @@ bool SvgPathBuilder::begin_segment() {
 }
 
 void SvgPathBuilder::line(Point p) {
-  // Thirds of no way are rounded, and would be one.
+  // For a line without length, the thirds would be rounded and could differ from its ends.
   const Cubic c = p == here_ ? Cubic{{p, p, p, p}} : straight(here_, p);
   cubic(c.p[1], c.p[2], p);
 }
@@ -100,7 +101,7 @@ void SvgPathBuilder::arc(double rx, double ry, double turn_deg, bool large, bool
   if (radii.x == 0.0 || radii.y == 0.0) return line(p);
   const CenterArc arc = center_arc(here_, p, radii, turn_deg * (kPi / 180.0), large, sweep);
   if (!std::isfinite(arc.sweep_rad) || !is_finite(arc.center)) return line(p);
-  // A hair above a quarter is still one piece: rounding makes half circles a little more.
+  // Slightly more than a quarter is still one piece, because rounding enlarges half circles.
   const double quarters = std::ceil(std::fabs(arc.sweep_rad) / (0.5 * kPi) - 1e-9);
   const int count = std::clamp(static_cast<int>(quarters), 1, 4);
   const double step = arc.sweep_rad / count, handle = 4.0 / 3.0 * std::tan(0.25 * step);
@@ -112,8 +113,8 @@ void SvgPathBuilder::arc(double rx, double ry, double turn_deg, bool large, bool
 }
 
 void SvgPathBuilder::close() {
-  if (!open_ && !moved_) return;  // closed already
-  // A move that is closed at once is a dot, where caps make one.
+  if (!open_ && !moved_) return;  // already closed
+  // A move that is closed immediately is a dot, if caps make one.
   if (open_ && is_back(here_, begin_)) {
     contours_.back().points.back() = begin_;
   } else {

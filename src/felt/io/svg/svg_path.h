@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// A run of joined cubics of a path: 3 n + 1 points, n >= 1. Straight lines have their handles at
-/// thirds. A closed one ends at its first point, bit for bit.
+/// A sequence of joined cubics of a path: 3 n + 1 points, n >= 1. Straight lines have their handles
+/// at thirds. A closed one ends exactly at its first point.
 struct SvgContour {
   std::vector<Point> points;
   bool closed = false;
@@ -20,25 +20,25 @@ struct SvgContour {
   }
 };
 
-/// Makes contours of drawing commands, as SVG's path data has them: everything becomes cubics.
+/// Builds contours from drawing commands like those of SVG path data. Everything becomes cubics.
 class SvgPathBuilder {
  public:
-  /// At most `most_segments`; commands beyond them are ignored and `full` says so.
+  /// Accepts at most `most_segments` segments. Further commands are ignored and set `full`.
   explicit SvgPathBuilder(std::size_t most_segments) noexcept : room_(most_segments) {}
 
   void move(Point p);
   void line(Point p);
   void cubic(Point a, Point b, Point p);
   void quadratic(Point control, Point p);
-  /// An arc of an ellipse as up to four cubics, by the centre parameterisation of SVG 1.1 F.6:
-  /// radii that do not reach are scaled up, a zero one makes a line.
+  /// Adds an elliptical arc as up to four cubics, by the centre parameterisation of SVG 1.1 F.6:
+  /// radii that are too small are scaled up, a zero radius makes a line.
   void arc(double rx, double ry, double turn_deg, bool large, bool sweep, Point p);
-  /// Back to where this contour began; what follows begins there too.
+  /// Closes the contour. The next command begins at its start.
   void close();
 
   [[nodiscard]] Point here() const noexcept { return here_; }
   [[nodiscard]] bool full() const noexcept { return full_; }
-  /// The contours; moves that nothing followed are none.
+  /// Returns the contours. A move without a following line is not one.
   std::vector<SvgContour> take();
 
  private:
@@ -47,8 +47,8 @@ class SvgPathBuilder {
   std::vector<SvgContour> contours_;
   Point here_, begin_;
   std::size_t room_;
-  bool open_ = false;   ///< whether the last contour goes on
-  bool moved_ = false;  ///< whether the last command was a move
+  bool open_ = false;   ///< the last contour continues
+  bool moved_ = false;  ///< the last command was a move
   bool full_ = false;
 };
 

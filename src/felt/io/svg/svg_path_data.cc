@@ -8,7 +8,7 @@
 namespace felt {
 namespace {
 
-/// Numbers that a command takes each time; -1 for what is no command.
+/// Returns how many numbers a command takes each time; -1 if it is not a command.
 int argument_count(char command) noexcept {
   switch (command) {
     case 'm':
@@ -71,7 +71,7 @@ class PathParser {
     return {};
   }
 
-  /// A command with its numbers, as often as numbers follow.
+  /// Reads a command with its numbers, repeatedly as long as numbers follow.
   std::string read_repeats(char command, bool relative, int count) {
     scan_.skip_spaces();
     do {
@@ -102,7 +102,7 @@ class PathParser {
     const auto place = [&](std::size_t i) {
       return relative ? here + Vec{v[i], v[i + 1]} : Point{v[i], v[i + 1]};
     };
-    Point handle = here;  // what a following S or T mirrors
+    Point handle = here;  // mirrored by a following S or T
     switch (command) {
       case 'm':
         path_.move(place(0));
@@ -139,7 +139,8 @@ class PathParser {
     last_ = command;
   }
 
-  /// The last handle on the other side of the place reached, if the last command had such one.
+  /// Returns the last handle, mirrored at the current point, if the last command was one of the
+  /// two.
   [[nodiscard]] Point mirrored(char a, char b) const noexcept {
     const Point here = path_.here();
     return last_ == a || last_ == b ? here + (here - handle_) : here;

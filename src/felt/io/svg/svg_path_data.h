@@ -9,18 +9,18 @@
 
 namespace felt {
 
-/// What path data says, up to its first error.
+/// The contours of path data, up to its first error.
 struct SvgPathData {
   std::vector<SvgContour> contours;
-  std::string problem;  ///< what is wrong and where, empty where nothing is
+  std::string problem;  ///< the error and its position; empty if there is none
 };
 
-/// Reads the attribute `d` by the whole grammar of SVG: repeated commands, numbers that run
-/// together, flags without separators. An error ends it; what came before counts, as the standard
-/// has it. `most` is the largest magnitude of a number.
+/// Parses the attribute `d` in the full grammar of SVG: repeated commands, numbers without
+/// separators, flags without separators. Parsing stops at an error; the commands before it count,
+/// as the standard requires. `most` is the largest magnitude of a number.
 SvgPathData parse_svg_path(std::string_view d, std::size_t most_segments, double most = 1e9);
 
-/// Reads pairs of numbers, as polylines have them: x,y x,y ...
+/// Pairs of numbers, as in polylines: x,y x,y ...
 struct SvgPointList {
   std::vector<Point> points;
   std::string problem;

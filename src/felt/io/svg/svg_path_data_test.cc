@@ -90,8 +90,8 @@ TEST(SvgPathData, NumberOfCurvesIsLimited) {
   EXPECT_NE(cut.problem, "");
 }
 
-/// Points of an arc lie on the ellipse, whose axes are given and whose centre fits both ends; the
-/// larger and the other one, and both directions, are told apart.
+/// Points of an arc lie on an ellipse with the given axes and a centre that fits both ends. Large
+/// and small arcs, and both directions, are distinguished.
 TEST(SvgPathData, ArcsLieOnTheirEllipse) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -107,7 +107,8 @@ TEST(SvgPathData, ArcsLieOnTheirEllipse) {
     const SvgContour arc = builder.take().at(0);
     ASSERT_EQ(arc.points.front(), from);
     ASSERT_EQ(arc.points.back(), to);
-    // In units of the ellipse it is a part of a circle of radius 1, or more where it had to grow.
+    // In units of the ellipse it is a part of a circle of radius 1, or larger if the radii were too
+    // small.
     const Affine round =
         then(rotation(-turn * 3.14159265358979323846 / 180.0), scaling(1.0 / rx, 1.0 / ry));
     std::vector<Point> on;
@@ -120,7 +121,7 @@ TEST(SvgPathData, ArcsLieOnTheirEllipse) {
     on.push_back(apply(round, to));
     const Point a = on.front(), b = on[on.size() / 2], c = on.back();
     const double chord = 0.5 * distance(a, c), radius = std::max(1.0, chord);
-    // The centre is at `radius` from three points of the arc: the bisectors' crossing.
+    // The centre has the distance `radius` from three points of the arc: intersect the bisectors.
     const double d = 2.0 * cross(b - a, c - a);
     if (std::fabs(d) < 1e-3) continue;
     const Vec bb = b - a, cc = c - a;
@@ -139,7 +140,7 @@ TEST(SvgPathData, ArcsLieOnTheirEllipse) {
   }
 }
 
-/// Taking a path to another place point by point is taking its curves there.
+/// Transforming a path point by point equals transforming its curves.
 TEST(SvgPathData, TransformsCommute) {
   const Affine a = *svg_transform("rotate(30) translate(3 4)");
   const Affine b = then(*svg_transform("translate(3 4)"), *svg_transform("rotate(30)"));

@@ -17,7 +17,7 @@ constexpr char lower(char c) noexcept {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Characters of the number at the front; 0 where there is none.
+/// Returns the number of characters of the number at the front; 0 if there is none.
 std::size_t number_size(std::string_view text) noexcept {
   std::size_t at = 0, digits = 0;
   const auto skip_digits = [&] {
@@ -63,7 +63,7 @@ bool SvgScan::number(double& value) noexcept {
   double read = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), read);
   if (error == std::errc::result_out_of_range) {
-    // Too small to be told from nothing, or too large.
+    // The number is too small to differ from 0, or too large.
     const std::size_t e = digits.find_first_of("eE");
     if (e == std::string_view::npos || digits[e + 1] != '-') return false;
     read = 0.0;

@@ -5,39 +5,40 @@
 
 namespace felt {
 
-/// Takes numbers, words and signs off the front of an attribute of SVG. Never throws, never reads
-/// beyond the text; what was not taken stays.
+/// Reads numbers, words and signs from the front of an attribute of SVG. Never throws and never
+/// reads beyond the text. Text that was not read stays.
 class SvgScan {
  public:
-  /// Numbers beyond `most` are not taken.
+  /// Numbers with a magnitude beyond `most` are not read.
   explicit SvgScan(std::string_view text, double most = 1e9) noexcept
       : text_(text), size_(text.size()), most_(most) {}
 
   void skip_spaces() noexcept;
-  /// Spaces, and one comma among them.
+  /// Skips spaces with at most one comma among them.
   void skip_comma() noexcept;
-  /// A number of SVG: sign, digits, point, exponent; "1e" is 1 and an "e". At most 64 characters.
+  /// Reads a number of SVG: sign, digits, point, exponent; "1e" is 1 and an "e". At most 64
+  /// characters.
   bool number(double& value) noexcept;
-  /// 0 or 1, the next character of whatever follows it.
+  /// Reads 0 or 1. No separator needs to follow.
   bool flag(bool& value) noexcept;
   bool take(char c) noexcept;
-  /// In any case of letters.
+  /// Reads this word. The case of letters is ignored.
   bool take(std::string_view word) noexcept;
-  /// Letters, digits, '-', '_' and everything that is not ASCII; empty where there are none.
+  /// Reads letters, digits, '-', '_' and non-ASCII characters; empty if there are none.
   std::string_view name() noexcept;
-  /// ASCII letters; empty where there are none.
+  /// Reads ASCII letters; empty if there are none.
   std::string_view letters() noexcept;
-  /// Everything before c, without it and with it gone; everything where there is none.
+  /// Returns the text before c and removes both. Returns all text if there is no c.
   std::string_view until(char c) noexcept;
-  /// Whether a number may begin here.
+  /// Returns true if a number may begin here.
   [[nodiscard]] bool at_number() const noexcept;
-  /// The next character, or 0 at the end.
+  /// Returns the next character, or 0 at the end.
   [[nodiscard]] char peek() const noexcept { return text_.empty() ? '\0' : text_.front(); }
   [[nodiscard]] bool empty() const noexcept { return text_.empty(); }
-  /// Whether only spaces are left.
+  /// Returns true if only spaces are left.
   bool at_end() noexcept;
   [[nodiscard]] std::string_view rest() const noexcept { return text_; }
-  /// Characters taken so far.
+  /// Returns the number of characters read so far.
   [[nodiscard]] std::size_t taken() const noexcept { return size_ - text_.size(); }
 
  private:
@@ -46,10 +47,10 @@ class SvgScan {
   double most_;
 };
 
-/// Without spaces at both ends.
+/// Returns `text` without spaces at both ends.
 std::string_view svg_trimmed(std::string_view text) noexcept;
 
-/// Whether two words are the same but for the case of their ASCII letters.
+/// Returns true if two words are equal, ignoring the case of ASCII letters.
 bool svg_same_word(std::string_view a, std::string_view b) noexcept;
 
 constexpr bool is_svg_space(char c) noexcept {

@@ -15,7 +15,7 @@
 namespace felt {
 namespace {
 
-/// A side of the whole: as it is given, a share of the view box, or all of that.
+/// Returns a side of the page: as given, as a fraction of the view box, or the whole view box.
 std::optional<double> page_side(std::string_view text, std::optional<double> box_px) {
   text = svg_trimmed(text);
   if (const std::optional<double> mm = svg_paper_mm(text)) {
@@ -30,8 +30,8 @@ std::optional<double> page_side(std::string_view text, std::optional<double> box
 
 }  // namespace
 
-/// The transform from the outermost user units to the sheet. In a file of ours these are
-/// millimetres of the sheet, whatever part of it the file shows.
+/// Computes the transform from the outermost user units to the page. In our files these are
+/// millimetres on the page, whatever part of it the file shows.
 void SvgWalker::place_page(const std::optional<Rect>& box, SvgRoot& root, State& state) const {
   const bool has_size = root.width_mm && root.height_mm;
   if (!box || !has_size) {
@@ -41,7 +41,7 @@ void SvgWalker::place_page(const std::optional<Rect>& box, SvgRoot& root, State&
   Affine m = svg_view_transform(*box, *root.width_mm, *root.height_mm,
                                 document_.root().attribute("preserveAspectRatio").value());
   root.begins_at_zero = !root.is_ours || (box->x0 == 0.0 && box->y0 == 0.0);
-  // Another program that cut our page to its content moved the origin of the view box.
+  // If another program cropped our page to its content, it moved the origin of the view box.
   const bool was_cut = !root.begins_at_zero && !root.page.empty() && root.page != "none";
   if (root.is_ours && !was_cut) m = {m.a, m.b, m.c, m.d, 0.0, 0.0};
   if (root.is_ours && std::fabs(m.a - 1.0) < 1e-9 && std::fabs(m.d - 1.0) < 1e-9) m.a = m.d = 1.0;

@@ -14,25 +14,25 @@ namespace {
 constexpr std::array<std::string_view, 7> kShapes{"path", "rect",     "circle", "ellipse",
                                                   "line", "polyline", "polygon"};
 
-/// Lengths of one element.
+/// Reads the lengths of one element.
 class Lengths {
  public:
   Lengths(const pugi::xml_node& node, const SvgDeclared& declared, const SvgUnits& units,
           std::string& problem)
       : node_(node), declared_(declared), units_(units), problem_(problem) {}
 
-  /// The attribute, or 0.
+  /// Returns the attribute, or 0.
   [[nodiscard]] double operator()(const char* name, SvgAxis axis) const {
     return given(name, axis).value_or(0.0);
   }
-  /// None: it is not there, "auto", no length, or negative.
+  /// Returns nullopt if the radius is missing, "auto", not a length, or negative.
   [[nodiscard]] std::optional<double> radius(const char* name, SvgAxis axis) const {
     const std::optional<double> value = given(name, axis);
     return value && *value >= 0.0 ? value : std::nullopt;
   }
 
  private:
-  /// What is there and no length is a problem to be told.
+  /// Returns the attribute if it is there. If it is not a length, that is reported as a problem.
   [[nodiscard]] std::optional<double> given(const char* name, SvgAxis axis) const {
     const std::string_view said = declared_.value_of(name);
     const std::string_view text = said.empty() ? svg_trimmed(node_.attribute(name).value()) : said;
@@ -97,7 +97,7 @@ std::string add_points(std::string_view text, bool closed, SvgPathBuilder& path)
   return list.problem;
 }
 
-/// The commands of an attribute `d`, or of CSS: path(evenodd, "M0 0...").
+/// Returns the commands of an attribute `d`, or of CSS: path(evenodd, "M0 0...").
 std::string_view path_data(std::string_view text) {
   SvgScan scan(text);
   if (svg_same_word(text, "none")) return {};

@@ -18,14 +18,14 @@ namespace felt {
 /// The outline of a shape of SVG in its user units.
 struct SvgOutline {
   std::vector<SvgContour> contours;
-  std::string problem;  ///< what of it could not be read, empty where all was
+  std::string problem;  ///< the part that could not be read; empty if there is none
 };
 
-/// True for path, rect, circle, ellipse, line, polyline, polygon.
+/// Returns true for path, rect, circle, ellipse, line, polyline, polygon.
 bool is_svg_shape(std::string_view name) noexcept;
 
-/// The outline of an element with such a name, `most_segments` curves of it at most. None of it
-/// where its sizes are zero, negative or missing, as the standard has it.
+/// Returns the outline of an element with such a name, with at most `most_segments` curves. It is
+/// empty if sizes are zero, negative or missing, as the standard requires.
 SvgOutline svg_outline(std::string_view name, const pugi::xml_node& node,
                        const SvgDeclared& declared, const SvgUnits& units,
                        std::size_t most_segments);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kCount = static_cast<std::size_t>(SvgProperty::kCount);
 
-/// Names in the order of SvgProperty, which is theirs.
+/// Property names in the order of SvgProperty, which is alphabetical.
 constexpr std::array<std::string_view, kCount> kNames{"background-color",
                                                       "clip-path",
                                                       "color",
@@ -73,7 +73,7 @@ std::optional<std::size_t> property_of(std::string_view name) noexcept {
   return static_cast<std::size_t>(at - kNames.begin());
 }
 
-/// A value that leaves the property as the parent has it, or at its beginning.
+/// Returns true for values that inherit from the parent or reset the property.
 bool is_inherit(std::string_view value) noexcept {
   return svg_same_word(value, "inherit") || svg_same_word(value, "unset") ||
          svg_same_word(value, "revert") || svg_same_word(value, "revert-layer");
@@ -84,8 +84,8 @@ bool is_initial(std::string_view value) noexcept {
 
 std::optional<std::vector<double>> dash_list(std::string_view text, const SvgUnits& units);
 
-/// Whether a paint, colour, opacity or width can be read, so that an earlier declaration stays if
-/// not. What has variables is looked at once they are replaced.
+/// Returns true if a paint, colour, opacity or width can be read. If not, an earlier declaration
+/// stays. Values with variables are checked after the variables are replaced.
 bool is_readable(SvgProperty p, std::string_view value) {
   if (is_inherit(value) || is_initial(value)) return true;
   if (value.find("var(") != std::string_view::npos) return true;
@@ -118,7 +118,7 @@ bool is_geometry(SvgProperty p) noexcept {
          p == P::kRy || p == P::kWidth || p == P::kX || p == P::kY;
 }
 
-/// A length of CSS has a unit; without one only the attribute counts.
+/// In CSS a length needs a unit; without one it is valid only in an attribute.
 bool is_css_length(std::string_view value) noexcept {
   const char last = value.back();
   return value == "0" || last == '%' || last == ')' || (last >= 'a' && last <= 'z') ||
@@ -130,7 +130,7 @@ bool is_color(SvgProperty p) noexcept {
          p == SvgProperty::kStopColor || p == SvgProperty::kSolidColor;
 }
 
-/// Sets an inherited property: `read` gives the value or none where it has an error.
+/// Sets an inherited property. `read` returns the value, or nullopt if it has an error.
 template <class T, class Read>
 void compute(std::string_view value, T& computed, const T& initial, Read read) {
   if (value.empty() || is_inherit(value)) return;
@@ -161,7 +161,7 @@ std::optional<double> plain_number(std::string_view text) {
   return scan.number(value) && scan.at_end() ? std::optional(value) : std::nullopt;
 }
 
-/// None: an error, as if it were not there; an empty list: a solid line.
+/// Returns nullopt if the list has an error and is to be ignored; an empty list is a solid line.
 std::optional<std::vector<double>> dash_list(std::string_view text, const SvgUnits& units) {
   std::vector<double> dashes;
   double sum = 0.0;
@@ -189,7 +189,7 @@ std::optional<std::vector<double>> dash_list(std::string_view text, const SvgUni
   return dashes;
 }
 
-/// Keywords of CSS 2.1, 15.7, and lengths; a percentage is one of the parent's size.
+/// Keywords of CSS 2.1, 15.7, and lengths. A percentage is relative to the parent's size.
 std::optional<double> font_size(std::string_view value, double parent, const SvgUnits& units) {
   struct Word {
     std::string_view name;
@@ -272,7 +272,7 @@ std::string_view SvgDeclared::value_of(std::string_view name) const noexcept {
 
 namespace {
 
-/// What is declared on one element, by the rank of each declaration.
+/// Collects the declarations on one element; the one with the highest rank wins.
 class Declarations {
  public:
   explicit Declarations(SvgDeclared& declared) : declared_(declared) {}
@@ -292,7 +292,8 @@ class Declarations {
     ranks_[*p] = rank;
   }
 
-  /// Once all is said: replaces variables, and finds what has no value that can be read.
+  /// Call after the last declaration. Replaces variables and finds properties without a readable
+  /// value.
   void finish(SvgStyleSheet& sheet) {
     if (!own_.empty()) {
       SvgVariables all = inherited(sheet);

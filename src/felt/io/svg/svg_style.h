@@ -20,7 +20,7 @@ namespace felt {
 
 class SvgStyleSheet;
 
-/// The properties that matter to ink, or of which a notice is given.
+/// The properties that affect ink, or that cause a notice.
 enum class SvgProperty : std::uint8_t {
   kBackgroundColor,
   kClipPath,
@@ -72,15 +72,15 @@ enum class SvgProperty : std::uint8_t {
   kCount,
 };
 
-/// What an element itself says of each property; empty where it says nothing. Views into the file,
-/// or into its style sheet.
+/// The declared value of each property of one element; empty if not declared. Views into the file
+/// or its style sheet.
 class SvgDeclared {
  public:
-  /// The same by name; empty for a name that is no property.
+  /// Same, by name. Empty for a name that is not a property.
   [[nodiscard]] std::string_view value_of(std::string_view name) const noexcept;
-  /// The properties "--name" that hold here; null: those of the root.
+  /// The properties "--name" that apply here; null: those of the root.
   std::shared_ptr<const SvgVariables> variables;
-  /// A property whose value could not be read, and that has no other one; empty if there is none.
+  /// A property that was declared only with unreadable values; empty if there is none.
   std::string_view unread;
 
   [[nodiscard]] std::string_view operator[](SvgProperty p) const noexcept {
@@ -94,11 +94,11 @@ class SvgDeclared {
   std::array<std::string_view, static_cast<std::size_t>(SvgProperty::kCount)> values_{};
 };
 
-/// The declarations of an element in the order of CSS: presentation attributes, then rules, then
-/// its style attribute, then what is `!important`. `clean_style` takes the style attribute where it
-/// has comments to be left out, and must live as long as the result. `declared.variables` are those
-/// of the parent before, its own after. A colour that cannot be read becomes black. False: see
-/// SvgStyleSheet::match.
+/// Collects the declarations of an element in CSS order: presentation attributes, then rules, then
+/// its style attribute, then `!important` ones. If the style attribute has comments, its text
+/// without them is stored in `clean_style`, which must live as long as the result.
+/// `declared.variables` is that of the parent before the call, and the element's own after it. An
+/// unreadable colour becomes black. Returns false as SvgStyleSheet::match does.
 bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string& clean_style,
                   SvgDeclared& declared);
 
@@ -124,14 +124,14 @@ struct SvgStyle {
   bool has_marker = false;
   bool reorders_paint = false;
   double font_size = 16.0;
-  // Of the element alone.
+  // Not inherited.
   bool displayed = true;
   double opacity = 1.0;
   bool overflows = false;
   bool scales_line = true;  ///< vector-effect is not non-scaling-stroke
 };
 
-/// The style of an element with these declarations inside of one with the style `parent`.
+/// Computes the style of an element with these declarations inside a parent with style `parent`.
 SvgStyle svg_style(const SvgDeclared& declared, const SvgStyle& parent, SvgUnits units);
 
 }  // namespace felt

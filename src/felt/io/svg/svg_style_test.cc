@@ -9,7 +9,7 @@
 namespace felt::svg_style_test {
 namespace {
 
-/// The fill of the element with the id "t" of a document.
+/// Returns the fill of the element with the id "t" of a document.
 std::string fill_of(const std::string& css, const std::string& xml) {
   pugi::xml_document document;
   EXPECT_TRUE(document.load_string(xml.c_str()));

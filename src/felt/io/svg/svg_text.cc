@@ -17,7 +17,7 @@
 namespace felt {
 namespace {
 
-/// A place on the grid of path coordinates. Integers, so that differences are exact.
+/// A point on the grid of path coordinates. Integers, so that differences are exact.
 struct GridPoint {
   std::int64_t x = 0, y = 0;
 };
@@ -26,7 +26,8 @@ GridPoint on_grid(Point p) noexcept {
   return {std::llround(p.x * kSvgStepsPerMm), std::llround(p.y * kSvgStepsPerMm)};
 }
 
-/// True if a number with this first character needs a space before it. ".5.5" are two numbers.
+/// Returns true if a number with this first character needs a space before it: ".5.5" are two
+/// numbers.
 bool needs_space(std::string_view before, char first) noexcept {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   if (first == '-' || before.empty() || !is_digit(before.back())) return false;
@@ -35,7 +36,7 @@ bool needs_space(std::string_view before, char first) noexcept {
   return before.empty() || before.back() != '.';
 }
 
-/// A number of steps in mm, in as few characters as there are: "-1.5", ".003", "20".
+/// Appends a number of steps as mm, in as few characters as possible: "-1.5", ".003", "20".
 void append_steps(std::string& out, std::int64_t steps) {
   constexpr auto kPerMm = static_cast<std::int64_t>(kSvgStepsPerMm);
   std::array<char, 32> text;
@@ -52,7 +53,7 @@ void append_steps(std::string& out, std::int64_t steps) {
   out.append(text.data(), end);
 }
 
-/// Writes path commands relative to the place reached so far.
+/// Writes path commands relative to the current point.
 class PathText {
  public:
   explicit PathText(std::string& out) : out_(out) {}
@@ -71,7 +72,7 @@ class PathText {
     here_ = relative(p);
   }
 
-  /// A curve as it is, to half a step.
+  /// Appends a curve, rounded to half a step.
   void cubic(const Point* p) {
     command('c');
     relative(p[0]);
@@ -79,8 +80,8 @@ class PathText {
     here_ = relative(p[2]);
   }
 
-  /// A curve of an outline: nothing where it is shorter than a step or two, and a line where its
-  /// handles are that near to one.
+  /// Appends a curve of an outline. Skips it if it is shorter than a step or two, and draws a line
+  /// if its handles are that close to one.
   void edge(const Point* p) {
     const GridPoint h0 = on_grid(p[0]), h1 = on_grid(p[1]), end = on_grid(p[2]);
     const auto length = std::hypot(end.x - here_.x, end.y - here_.y);
@@ -103,16 +104,16 @@ class PathText {
   }
 
  private:
-  /// The curve is nearer to the line than three quarters of that.
+  /// The distance between curve and line is then at most three quarters of this.
   static constexpr double kFlatSteps = 2.0;
-  /// So that products of differences are exact.
+  /// Limit that keeps products of differences exact.
   static constexpr double kLongestSteps = 1e7;
 
   [[nodiscard]] bool is_near(GridPoint g, std::int64_t steps) const noexcept {
     return std::abs(g.x - here_.x) <= steps && std::abs(g.y - here_.y) <= steps;
   }
 
-  /// A repeated command need not be named again.
+  /// Appends a command letter, unless the previous command was the same.
   void command(char c) {
     if (last_ != c) out_ += c;
     last_ = c;
@@ -130,12 +131,12 @@ class PathText {
   char last_ = 0;
 };
 
-/// A length of the sheet without the noise of its last digits.
+/// Appends a length in mm, without the noise in its last digits.
 void append_length(std::string& out, double mm) {
   append_number(out, std::round(mm * 1e6) / 1e6);
 }
 
-/// The centre line in steps; what it is more precisely says append_points().
+/// Appends the centre line in steps; append_points() adds the rest of its precision.
 void append_center_line(std::string& out, const StrokeData& d) {
   PathText text(out);
   text.move(d.points[0]);
@@ -143,10 +144,10 @@ void append_center_line(std::string& out, const StrokeData& d) {
   if (d.closed) text.close();
 }
 
-/// Knots of Inkscape's PowerStroke: place and HALF width.
+/// Appends the knots of Inkscape's PowerStroke: position and HALF width.
 void append_power_knots(std::string& out, const StrokeData& d) {
   constexpr double kPlaces = 1e4;
-  // Round a closed path the first knot follows the last one.
+  // On a closed path Inkscape continues from the last knot to the first, so the last is omitted.
   const std::size_t count = d.widths.size() - (d.closed ? 1 : 0);
   for (std::size_t i = 0; i < count; ++i) {
     if (i > 0) out += " | ";
@@ -156,7 +157,7 @@ void append_power_knots(std::string& out, const StrokeData& d) {
   }
 }
 
-/// What is not said here is as Inkscape has it anyway.
+/// Attributes that are omitted here have the value that Inkscape uses by default.
 void append_path_effect(std::string& out, const StrokeData& d, const std::string& number) {
   out += "<defs><inkscape:path-effect id=\"w" + number +
          "\" effect=\"powerstroke\" lpeversion=\"1.3\" "
@@ -166,7 +167,7 @@ void append_path_effect(std::string& out, const StrokeData& d, const std::string
   out += "\"/></defs>\n";
 }
 
-/// Where a rectangle or picture is.
+/// Appends the position and size of a rectangle or picture.
 void append_area(std::string& out, const Rect& area) {
   const auto attribute = [&out](const char* name, double mm) {
     out += name;
@@ -179,7 +180,7 @@ void append_area(std::string& out, const Rect& area) {
   attribute(" height=\"", area.height());
 }
 
-/// The picture in all that SVG viewers understand, the old ones too.
+/// Embeds the picture with features that all SVG viewers support, including old ones.
 void append_mask(std::string& out, const Rect& mm, std::string_view png,
                  const std::string& number) {
   std::string place;
@@ -195,18 +196,18 @@ void append_color(std::string& out, Rgba color) {
   out += " fill=\"" + color_to_text({color.r, color.g, color.b, 255}) + "\" ";
   if (color.a == 255) return;
   out += "fill-opacity=\"";
-  append_number(out, std::round(color.a * (1e4 / 255.0)) / 1e4);  // enough to tell all 256
+  append_number(out, std::round(color.a * (1e4 / 255.0)) / 1e4);  // enough for all 256 values
   out += "\" ";
 }
 
-/// Ends the start of the root element and begins a rectangle over all of it.
+/// Ends the start tag of the root element and begins a rectangle that covers it.
 void append_paper(std::string& out, const Rect& area, Rgba color) {
   out += ">\n<rect id=\"paper\"";
   append_area(out, area);
   append_color(out, color);
 }
 
-/// What the control points are more than the steps of the centre line.
+/// Appends the differences between the control points and the rounded centre line.
 void append_points(std::string& out, const StrokeData& d) {
   std::vector<double> values, guesses;
   const std::size_t count = d.points.size() - (d.closed ? 1 : 0);
@@ -223,7 +224,7 @@ void append_joints(std::string& out, const StrokeData& d) {
   for (const JointKind kind : d.joints) out += kind == JointKind::kSmooth ? 's' : 'c';
 }
 
-/// Places of the breakpoints but the first and the last, then the widths of all.
+/// Appends the positions of the inner breakpoints, then the widths of all.
 void append_widths(std::string& out, const StrokeData& d) {
   std::vector<double> values;
   for (std::size_t i = 1; i + 1 < d.widths.size(); ++i) values.push_back(d.widths[i].u);
@@ -363,7 +364,7 @@ std::string page_text(const SheetPage* page) {
   append_number(text, page->width_mm);
   text += ' ';
   append_number(text, page->height_mm);
-  // All eight digits: the colour of an opaque paper too says that it is one.
+  // All eight digits, so that an opaque paper also states its alpha.
   const Rgba paper = page->paper;
   text += ' ' + color_to_text({paper.r, paper.g, paper.b, 255});
   constexpr std::string_view kDigits = "0123456789abcdef";

@@ -24,23 +24,23 @@
 namespace felt {
 namespace {
 
-/// The widths that a PowerStroke of Inkscape says, in user units.
+/// The widths of a PowerStroke of Inkscape, in user units.
 struct SvgPowerKnots {
   std::vector<WidthKnot> widths;   ///< from 0 to the end, linear in between
-  std::vector<WidthKnot> written;  ///< the knots as the file has them, by their places
+  std::vector<WidthKnot> written;  ///< the knots as the file has them, sorted by position
   bool is_sampled = false;         ///< `widths` are samples of a curve through the knots
 };
 
-/// Of a path with so many segments. Outside of the knots an open path keeps the width of the
-/// nearest one, and a closed one goes on from the last to the first, as Inkscape does.
-/// Error: no knots.
+/// Reads the widths for a path of `segments` segments. Beyond the knots, an open path keeps the
+/// width of the nearest one; a closed path interpolates from the last to the first, as Inkscape
+/// does. Fails if there are no knots.
 Result<SvgPowerKnots> svg_power_knots(const SvgVariableWidth& attributes, std::size_t segments,
                                       bool closed);
 
 constexpr std::size_t kMostKnots = 1'000'000;
 constexpr int kSamplesBetweenKnots = 16;
 
-/// "t,w | t,w": w is half of a width.
+/// "t,w | t,w": w is half the width.
 std::vector<WidthKnot> read_knots(std::string_view text, double scale) {
   std::vector<WidthKnot> knots;
   SvgScan scan(text, limits::kMaxSketchNumber);
@@ -49,7 +49,7 @@ std::vector<WidthKnot> read_knots(std::string_view text, double scale) {
     if (!scan.number(k.u)) break;
     scan.skip_comma();
     if (!scan.number(k.width_mm)) break;
-    // Twice a half is exact; a scale of 1 changes nothing.
+    // Doubling is exact; a scale of 1 changes nothing.
     k.width_mm = 2.0 * std::fabs(k.width_mm) * scale;
     knots.push_back(k);
     while (!scan.empty() && scan.peek() != '|') scan.take(scan.peek());
@@ -60,12 +60,12 @@ std::vector<WidthKnot> read_knots(std::string_view text, double scale) {
   return knots;
 }
 
-/// Knots that cover all of [0, end].
+/// Adds knots so that they cover all of [0, end].
 std::vector<WidthKnot> covering(std::vector<WidthKnot> knots, double end, bool closed,
                                 bool zero_begin, bool zero_end) {
   for (WidthKnot& k : knots) k.u = std::clamp(k.u, 0.0, end);
   if (closed) {
-    // Round the path from the last knot to the first.
+    // Interpolate across the start of the path, from the last knot to the first.
     const WidthKnot a = knots.back(), b = knots.front();
     const double gap = end - a.u + b.u;
     const double seam =
@@ -86,7 +86,7 @@ std::vector<WidthKnot> covering(std::vector<WidthKnot> knots, double end, bool c
   return rising;
 }
 
-/// Handles of the width curve between knots i and i + 1, in the plane of place and width.
+/// Returns the width curve between knots i and i + 1, as a cubic over position and width.
 Cubic width_curve(const std::vector<WidthKnot>& knots, std::size_t i, bool flat, double beta) {
   const auto point = [&](std::size_t k) { return Point{knots[k].u, knots[k].width_mm}; };
   const Point a = point(i), b = point(i + 1);
@@ -99,7 +99,7 @@ Cubic width_curve(const std::vector<WidthKnot>& knots, std::size_t i, bool flat,
   return {{a, a + (b - before) / 6.0, b - (after - a) / 6.0, b}};
 }
 
-/// The widths of a curve through the knots, by samples.
+/// Samples a curve through the knots.
 std::vector<WidthKnot> sampled(const std::vector<WidthKnot>& knots, bool flat, double beta) {
   std::vector<WidthKnot> widths{knots.front()};
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
@@ -118,7 +118,7 @@ std::vector<WidthKnot> sampled(const std::vector<WidthKnot>& knots, bool flat, d
 Result<SvgPowerKnots> svg_power_knots(const SvgVariableWidth& a, std::size_t segments,
                                       bool closed) {
   double scale = 1.0, beta = 0.2;
-  // What cannot be read leaves them as they are.
+  // If they cannot be read, the defaults stay.
   static_cast<void>(SvgScan(a.scale_width).number(scale));
   static_cast<void>(SvgScan(a.interpolator_beta).number(beta));
   SvgPowerKnots result;
@@ -137,7 +137,7 @@ Result<SvgPowerKnots> svg_power_knots(const SvgVariableWidth& a, std::size_t seg
 
 constexpr double kAnyDifference = std::numeric_limits<double>::infinity();
 
-/// How far knots that we wrote may be from those of the model: places, and widths in mm.
+/// Largest difference between our knots and those of the model: positions, and widths in mm.
 constexpr double kKnotPlace = 1e-4, kKnotWidthMm = 1.5 / kSvgStepsPerMm;
 
 bool read_joints(std::string_view text, std::vector<JointKind>& joints) {
@@ -164,8 +164,8 @@ bool read_widths(std::string_view text, std::vector<WidthKnot>& widths) {
   return true;
 }
 
-/// A tone for each breakpoint. False, and nothing is changed: there are more or fewer, or one that
-/// is none.
+/// Reads one tone for each breakpoint. Returns false, and changes nothing, if the number of tones
+/// differs or one is invalid.
 bool read_tones(std::string_view text, std::vector<WidthKnot>& widths) {
   SvgScan scan(text);
   std::vector<double> tones;
@@ -189,11 +189,11 @@ bool read_joint_letters(std::string_view text, std::vector<JointKind>& joints) {
   return true;
 }
 
-/// The exact control points beside a centre line that is rounded to steps.
+/// Reads the exact control points of a centre line that was rounded to steps.
 bool read_exact_points(std::string_view text, const SvgContour& line, std::vector<Point>& points) {
-  // Half of a step and some rounding.
+  // Half a step, and some rounding.
   constexpr double kNearMm = 0.501 / kSvgStepsPerMm;
-  // Plus zero, because -0 is another guess than 0.
+  // Adding zero turns -0 into 0, which is a different guess.
   const auto guess = [](double mm) {
     return std::round(mm * kSvgStepsPerMm) / kSvgStepsPerMm + 0.0;
   };
@@ -234,7 +234,7 @@ bool read_exact_tones(std::string_view text, std::vector<WidthKnot>& widths) {
   return true;
 }
 
-/// What version 2 wrote beside the centre line, in mm.
+/// Reads the model that version 2 stores next to the centre line, in mm.
 std::optional<StrokeData> exact_model(const SvgVariableWidth& a, const SvgContour& line) {
   StrokeData d;
   const std::size_t n = line.segment_count();
@@ -247,8 +247,8 @@ std::optional<StrokeData> exact_model(const SvgVariableWidth& a, const SvgContou
   return d;
 }
 
-/// What we wrote beside the centre line. None: it does not fit that any more, since another program
-/// changed the line.
+/// Reads the model that we stored next to the centre line. Returns nullopt if it no longer fits,
+/// because another program changed the line.
 std::optional<StrokeData> our_model(const SvgVariableWidth& a, const SvgContour& line) {
   if (!a.points.empty()) return exact_model(a, line);
   StrokeData d;
@@ -263,7 +263,8 @@ std::optional<StrokeData> our_model(const SvgVariableWidth& a, const SvgContour&
   return d;
 }
 
-/// Whether the knots of the effect are still those that we wrote: others changed the widths.
+/// Returns true if the knots of the effect are still those that we wrote. Otherwise another program
+/// changed the widths.
 bool same_widths(const std::vector<WidthKnot>& ours, const std::vector<WidthKnot>& theirs,
                  bool closed, double near_mm) {
   const std::size_t count = ours.size() - (closed ? 1 : 0);
@@ -277,7 +278,7 @@ bool same_widths(const std::vector<WidthKnot>& ours, const std::vector<WidthKnot
   return true;
 }
 
-/// Makes joints that rounding bent smooth again, or calls them corners.
+/// Makes joints smooth again if they were bent by rounding, or makes them corners.
 void mend_joints(StrokeData& d, std::vector<std::string>& notices) {
   if (mend_rounding(d).corners == 0) return;
   notices.emplace_back("has a smooth joint that another program bent; it became a corner");
@@ -291,7 +292,7 @@ void raise_widths(StrokeData& d, std::vector<std::string>& notices) {
   }
 }
 
-/// Takes knots along to where a centre line came to lie.
+/// Moves knots to their positions on the centre line.
 std::vector<WidthKnot> moved_knots(const std::vector<WidthKnot>& knots, const SvgCenterLine& line) {
   std::vector<WidthKnot> moved;
   const double end = static_cast<double>(line.segment_count());
@@ -306,7 +307,7 @@ std::vector<WidthKnot> moved_knots(const std::vector<WidthKnot>& knots, const Sv
   return moved;
 }
 
-/// The same with its segments joined where they are too short.
+/// Joins segments that are too short.
 void rejoin(StrokeData& d, std::vector<std::string>& notices) {
   SvgCenterLine line = svg_center_line({d.points, d.closed});
   d.widths = moved_knots(d.widths, line);
@@ -326,7 +327,7 @@ void move_to_sheet(StrokeData& d, const Affine& m, std::vector<std::string>& not
   }
 }
 
-/// Path of a PowerStroke whose widths are not ours.
+/// Reads the path of a PowerStroke that has widths of another program.
 Result<StrokeData> power_stroke(const SvgVariableWidth& a, const SvgContour& line,
                                 std::vector<std::string>& notices) {
   if (!a.has_effect) return invalid_data("its centre line was changed by another program");

@@ -10,19 +10,20 @@
 
 namespace felt {
 
-/// A stroke that travelled in the attributes of a path, and what became of it on the way.
+/// A stroke that was stored in the attributes of a path, with notices of changes to it.
 struct SvgWideStroke {
   StrokeData data;
-  std::string id;  ///< ours; empty where it has none
+  std::string id;  ///< ours; empty if it has none
   std::vector<std::string> notices;
 };
 
-/// Reads it: ours exactly, as long as no other program changed the path; a PowerStroke of Inkscape
-/// by its knots. `to_mm` moves it; one that does not keep shapes alike scales widths by the mean.
-/// Error: the attributes say nothing that makes a stroke, and the outline has to do.
+/// Reads the stroke: exactly, if it is ours and no other program changed the path; a PowerStroke of
+/// Inkscape from its knots. `to_mm` transforms it; if that is not a similarity, widths are scaled
+/// by the mean. Fails if the attributes do not make a stroke; the caller then uses the outline.
 Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& attributes, const Affine& to_mm);
 
-/// Whether a transform keeps shapes: it turns, mirrors, moves, and scales all directions alike.
+/// Returns true if a transform is a similarity: it rotates, mirrors, moves, and scales all
+/// directions equally.
 bool svg_is_similarity(const Affine& m) noexcept;
 
 }  // namespace felt

@@ -10,18 +10,18 @@ namespace {
 
 constexpr int kMaxVariableNesting = 8;
 constexpr std::size_t kMaxBytes = 4096;
-/// Of one value; each replacement counts as kReplacementBytes more than the text that it reads.
+/// Limit for one value. Each replacement counts as kReplacementBytes more than the text it reads.
 constexpr std::size_t kMaxReadBytes = std::size_t{64} << 10, kReplacementBytes = 16;
 constexpr std::string_view kVar = "var(";
 
-/// Takes `bytes` from what is left. False if that is less.
+/// Subtracts `bytes` from `left`. Returns false if there are fewer left.
 bool spend(std::size_t bytes, std::size_t& left) noexcept {
   const bool enough = bytes <= left;
   left -= std::min(bytes, left);
   return enough;
 }
 
-/// The place of the parenthesis that closes one that is open already, or npos.
+/// Returns the position of the parenthesis that closes one opened before the text, or npos.
 std::size_t closing(std::string_view text) noexcept {
   int depth = 1;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -31,8 +31,8 @@ std::size_t closing(std::string_view text) noexcept {
   return std::string_view::npos;
 }
 
-/// Nesting and the length of the result do not bound the work: with fallbacks that are empty, a few
-/// values of 30 variables each are 10^10 replacements of nothing. `bytes_left` does.
+/// Limits of nesting and length do not bound the work: with empty fallbacks, a few values of 30
+/// variables each need 10^10 replacements by nothing. `bytes_left` bounds it.
 std::optional<std::string> replaced(std::string_view value, const SvgVariables& variables,
                                     int nesting, std::size_t& bytes_left) {
   if (nesting > kMaxVariableNesting || !spend(kReplacementBytes + value.size(), bytes_left)) {

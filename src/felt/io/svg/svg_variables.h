@@ -11,15 +11,15 @@ namespace felt {
 /// Custom properties of CSS ("--name") with their values.
 using SvgVariables = std::map<std::string, std::string, std::less<>>;
 
-/// Returns `value` with every "var(--name)" and "var(--name, fallback)" replaced. Nullopt if one of
-/// them is not defined and has no fallback, if they are nested more than 8 deep, become longer than
-/// 4096 bytes or need more than 64 KiB of values to be read (16 bytes of it for each replacement),
-/// or if that is more than `bytes_left`, from which it is subtracted.
+/// Returns `value` with every "var(--name)" and "var(--name, fallback)" replaced. Returns nullopt
+/// if one of them is undefined and has no fallback, or if a limit is exceeded: more than 8 levels
+/// of nesting, a result longer than 4096 bytes, more than 64 KiB of values read (each replacement
+/// adds 16 bytes), or more than `bytes_left`, from which that amount is subtracted.
 std::optional<std::string> svg_with_variables(std::string_view value, const SvgVariables& variables,
                                               std::size_t& bytes_left);
 
-/// Returns the result of "calc(...)" with + - * / and parentheses, nested 8 deep at most. `length`
-/// reads a number with its unit. Nullopt if it has an error.
+/// Evaluates "calc(...)" with + - * / and parentheses, nested at most 8 deep. `length` reads a
+/// number with its unit. Returns nullopt if the text has an error.
 std::optional<double> svg_calc(
     std::string_view text, const std::function<std::optional<double>(std::string_view)>& length);
 

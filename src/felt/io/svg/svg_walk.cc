@@ -14,7 +14,7 @@
 namespace felt {
 namespace {
 
-/// Elements that paint nothing by themselves.
+/// Elements that paint nothing themselves.
 constexpr std::array<std::string_view, 28> kSilent{
     "clipPath",  "color-profile",  "cursor",
     "defs",      "desc",           "filter",
@@ -30,9 +30,9 @@ constexpr std::array<std::string_view, 9> kAnimations{
     "animate", "animateColor", "animateMotion", "animateTransform", "discard",
     "handler", "script",       "set",           "listener"};
 
-/// What a node or attribute counts against the bytes that a use may repeat.
+/// Bytes that each node and attribute counts in the budget for `use`.
 constexpr std::int64_t kNodeBytes = 16;
-/// Children that are looked at: of a switch, and of a shape, where one may be an animation.
+/// Largest number of children that are examined: of a switch, and of a shape, to find animations.
 constexpr int kMostChoices = 1000;
 constexpr int kMostOfShape = 50;
 
@@ -41,7 +41,7 @@ bool is_one_of(std::string_view name, const List& list) noexcept {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-/// Where a rectangle comes to lie; none where it is turned.
+/// Transforms a rectangle. Returns nullopt if the result is rotated.
 std::optional<Rect> mapped(const Affine& m, const Rect& r) noexcept {
   if ((m.b != 0.0 || m.c != 0.0) && (m.a != 0.0 || m.d != 0.0)) return std::nullopt;
   Rect image;
@@ -59,7 +59,8 @@ bool is_given(std::string_view reference) noexcept {
          !svg_same_word(reference, "inherit") && !svg_same_word(reference, "initial");
 }
 
-/// The size of a viewport: of the use that repeats it, else its own, else all of the outer one.
+/// Returns the size of a viewport: that of the `use` that repeats it, else its own, else that of
+/// the outer one.
 double viewport_size(const pugi::xml_node& node, const pugi::xml_node& use, const char* name,
                      SvgAxis axis, const SvgUnits& units) {
   if (use) {
@@ -98,7 +99,7 @@ Result<void> SvgWalker::walk() {
     }
     top.next = top.only_one ? pugi::xml_node() : node.next_sibling();
     if (node.type() != pugi::node_element) {
-      // Text between elements takes time too where a use repeats it.
+      // Text between elements costs time too if a `use` repeats it.
       if (top.repeats && (repeat_bytes_left_ -= kNodeBytes) < 0) top.next = pugi::xml_node();
       continue;
     }
@@ -108,7 +109,7 @@ Result<void> SvgWalker::walk() {
   return {};
 }
 
-/// `use` may ask for the same elements without end.
+/// Limits the work for `use`, which could repeat the same elements without end.
 bool SvgWalker::within_budget(const pugi::xml_node& node, bool repeats) {
   if (!repeats) return true;
   for (const pugi::xml_attribute& a : node.attributes()) {
@@ -147,7 +148,7 @@ void SvgWalker::visit(const pugi::xml_node& node, const Frame& from) {
   if (resolve(e)) dispatch(e, from);
 }
 
-/// Style and transform. False: it is not displayed.
+/// Computes style and transform. Returns false if the element is not displayed.
 bool SvgWalker::resolve(Element& e) {
   State& s = e.state;
   e.declared.variables = s.variables;
@@ -179,7 +180,7 @@ bool SvgWalker::resolve(Element& e) {
   return true;
 }
 
-/// The properties translate, rotate and scale come before `transform`, in this order.
+/// The properties translate, rotate and scale apply before `transform`, in this order.
 void SvgWalker::apply_transform(Element& e) {
   State& s = e.state;
   std::string text;
@@ -211,7 +212,7 @@ void SvgWalker::notice_effects(Element& e) {
     if (is_given(e.declared[p])) notice(e.node, what);
   };
   check(SvgProperty::kClipPath, "is cut to a clip path, which was ignored");
-  // Our own masks show the grain of the sheet, which is no part of the line.
+  // Our own masks show the grain of the surface, which is not part of the line.
   const bool is_grain =
       !document_.ours(e.node, "widths").empty() &&
       e.declared[SvgProperty::kMask].starts_with("url(#" + std::string(kSvgMaskId));

@@ -14,37 +14,37 @@
 
 namespace felt {
 
-/// The walk over a file that finds what is painted (read_svg_scene), on a stack of its own.
+/// Walks a file and finds its painted content (read_svg_scene), with an explicit stack.
 class SvgWalker {
  public:
   SvgWalker(SvgDocument& document, std::size_t text_size, SvgSceneSink& sink);
 
-  /// Error: the file is one of a newer Feltline.
+  /// Walks the whole file. Fails if a newer Feltline wrote it.
   Result<void> walk();
 
  private:
-  /// What an element inherits from those around it.
+  /// State that an element inherits from its ancestors.
   struct State {
     SvgStyle style;
     Affine to_mm;
     double opacity = 1.0;
     SvgUnits units;
     std::optional<Rect> frame;
-    SvgPaint context_fill, context_stroke;  ///< of the use around it
+    SvgPaint context_fill, context_stroke;  ///< of the enclosing use
     bool default_is_svg = true;
     bool is_cut = false;  ///< by a clip path or mask
     std::shared_ptr<const SvgVariables> variables;
     SvgLayer layer;
   };
-  /// An element whose children are looked at.
+  /// An element that has its children visited.
   struct Frame {
     pugi::xml_node node, next;
-    bool only_one = false;  ///< `next` has no siblings that count: of use and switch
+    bool only_one = false;  ///< only `next` itself is visited, not its siblings: for use and switch
     bool is_use = false;
-    bool repeats = false;  ///< inside of a use
+    bool repeats = false;  ///< inside a use
     State state;
   };
-  /// A shape or group that is being looked at.
+  /// The shape or group that is being processed.
   struct Element {
     pugi::xml_node node;
     std::string_view name;
@@ -84,7 +84,7 @@ class SvgWalker {
   std::int64_t repeats_left_, repeat_bytes_left_;
   std::size_t layers_ = 0;
   std::size_t current_layer_ = 0;
-  bool has_layer_ = false;  ///< whether the sink was told one
+  bool has_layer_ = false;  ///< a layer was passed to the sink
   bool is_ours_ = false;
 };
 

@@ -1,4 +1,4 @@
-// What a shape of an SVG file is painted with, told to the sink.
+// Computes how a shape of an SVG file is painted, and passes it to the sink.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,22 +18,22 @@
 namespace felt {
 namespace {
 
-/// What a gradient or pattern looks like as one colour: the mean of a gradient along its way from 0
-/// to 1, grey for patterns. None where there is no such element that paints, or a gradient without
-/// stops, which paints nothing. `current` is what currentColor means.
+/// The single colour that replaces a gradient or pattern: the mean of a gradient from 0 to 1, grey
+/// for patterns. There is no colour if no such element paints, or if a gradient has no stops and so
+/// paints nothing. `current` is the value of currentColor.
 struct SvgServerColor {
-  bool paints = false;  ///< whether the id names a gradient, pattern or their like
+  bool paints = false;  ///< the id is that of a gradient, pattern or similar
   std::optional<Rgba> color;
   bool is_gradient = false;
-  bool is_solid = false;  ///< solidColor of SVG Tiny: that colour, exactly
+  bool is_solid = false;  ///< solidColor of SVG Tiny: exactly that colour
 };
 SvgServerColor svg_server_color(SvgDocument& document, std::string_view id, Rgba current);
 
 constexpr int kMostLinks = 16;
-/// Among which the stops have to be: every shape may ask again.
+/// Stops are searched among this many children, because every shape may repeat the search.
 constexpr int kMostChildren = 100;
 
-/// The mean of a gradient, from stop to stop: colours are weighted by how much of them is seen.
+/// Computes the mean of a gradient from stop to stop. Colours are weighted by their alpha.
 class GradientMean {
  public:
   void add(double offset, Rgba color) {
@@ -60,7 +60,7 @@ class GradientMean {
   }
 
  private:
-  /// Half of the span in each colour: the mean of a straight change.
+  /// Half of the span counts for each colour, which is the mean of a linear change.
   void add_span(double length, Rgba a, Rgba b) {
     for (const Rgba c : {a, b}) {
       const double weight = 0.5 * length * c.a;
@@ -139,7 +139,8 @@ SvgServerColor svg_server_color(SvgDocument& document, std::string_view id, Rgba
 
 namespace {
 
-/// Returns how long a unit of dashes is, if the author says how long the path is (pathLength).
+/// Returns the length of a unit of dashes, if the author specifies the length of the path
+/// (pathLength).
 double path_length_scale(const char* path_length, std::span<const SvgContour> contours) {
   const std::optional<double> written = svg_length(path_length, SvgAxis::kDiagonal, SvgUnits());
   if (!written || !(*written > 0.0)) return 1.0;
@@ -191,7 +192,7 @@ std::optional<SvgVariableWidth> SvgWalker::variable_width(const Element& e) cons
   v.is_ours = !v.widths.empty();
   v.points = document_.ours(e.node, "points");
   v.id = document_.ours(e.node, "id");
-  // From version 2 on, the id of the stroke is that of the element unless ours is given.
+  // Since version 2, the id of the stroke is that of the element, unless our own is given.
   if (v.id.data() == nullptr && !v.points.empty()) v.id = e.node.attribute("id").value();
   v.material = document_.ours(e.node, "material");
   if (v.material.data() == nullptr && !v.points.empty()) v.material = kSvgUsualMaterial;
@@ -215,7 +216,7 @@ std::optional<SvgVariableWidth> SvgWalker::variable_width(const Element& e) cons
   return v;
 }
 
-/// The line of a shape, if it has one.
+/// Sets the line of a shape, if it has one.
 void SvgWalker::draw_line(const Element& e, SvgShape& shape) {
   const SvgStyle& style = e.state.style;
   const auto color = paint_color(style.stroke, e, style.stroke_opacity);

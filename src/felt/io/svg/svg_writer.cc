@@ -12,7 +12,8 @@ constexpr Rgba kNoPaper{255, 255, 255, 0};
 
 enum class SvgLayers { kWritten, kLeftOut };
 
-/// Part 0 is the head; then the strokes, the layers' tags with the first and the last of each.
+/// Part 0 is the head. Then the strokes; the tags of a layer are written with its first and last
+/// part.
 class SvgParts final : public DrawingParts {
  public:
   SvgParts(const Document& document, const SvgOptions& options, const Rect& area, std::string head,
@@ -26,7 +27,7 @@ class SvgParts final : public DrawingParts {
   }
 
   [[nodiscard]] std::size_t count() const override { return ranges_.size() + 1; }
-  // Masks share a budget of pixels.
+  // Masks share a budget of pixels, so their order matters.
   [[nodiscard]] bool any_order() const override { return !masks_; }
 
   Result<void> make(std::size_t i, DrawingPart& out) const override {
@@ -83,7 +84,7 @@ class SvgParts final : public DrawingParts {
   double tolerance_mm_;
   std::string head_;
   SvgLayers layers_;
-  mutable std::optional<GrainMasks> masks_;  // of one thread: any_order()
+  mutable std::optional<GrainMasks> masks_;  // used by one thread only: any_order()
 };
 
 }  // namespace

@@ -13,32 +13,32 @@
 
 namespace felt {
 
-/// What an SVG file shows.
+/// The content and precision of an SVG file.
 struct SvgOptions {
-  /// The part that is shown, in place of the page, which the file leaves out then. Without either,
-  /// all ink and the margin around it.
+  /// The part to show instead of the page; the page is then not written. Without both, the file
+  /// shows all ink and the margin around it.
   std::optional<Rect> sheet{};
   double margin_mm = 5.0;
-  /// How far the drawn outline may be from the true one. With the rounding of coordinates it stays
-  /// within 0.01 mm (R53); the model itself is written exactly.
+  /// Largest distance between the drawn outline and the true one. Including the rounding of
+  /// coordinates it stays within 0.01 mm (R53). The model itself is written exactly.
   double tolerance_mm = 0.005;
-  /// Behind the ink; alpha 0 leaves it out. Without it, the colour of the page, or nothing if there
-  /// is no page.
+  /// Colour behind the ink; not drawn if alpha is 0. If not set, the colour of the page, or nothing
+  /// if there is no page.
   std::optional<Rgba> paper{};
-  /// Strokes are seen through a picture of the surface's grain, which all viewers show. Lines and
-  /// outlines stay what they are, and import_svg reads them as without it.
+  /// If set, strokes are seen through a picture of the surface's grain, which all viewers show.
+  /// Lines and outlines do not change, and import_svg reads the same drawing.
   std::optional<GrainPrint> grain{};
 };
 
-/// A whole drawing in parts: its layers become layers of Inkscape, hidden and locked ones too.
-/// import_svg gives it back equal. Error: the page cannot be written.
+/// Returns a whole drawing in parts. Its layers become layers of Inkscape, including hidden and
+/// locked ones. import_svg reads back an equal drawing. Fails if the page cannot be written.
 Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const SvgOptions& options);
 
-/// The same as one text.
+/// Same, as one text.
 Result<std::string> svg_text(const Drawing& drawing, const SvgOptions& options);
 
-/// The ink alone, without layers and without a page that import_svg would give back: what a stream
-/// of strokes becomes (svg_text.h).
+/// Returns the ink alone, without layers and without a page for import_svg, as for a stream of
+/// strokes (svg_text.h).
 Result<std::string> svg_ink_text(const Drawing& drawing, const SvgOptions& options);
 
 }  // namespace felt

@@ -44,8 +44,7 @@ std::string stream_text(const std::vector<Stroke>& strokes, const SvgOptions& op
   return svg_ink_text(testing::drawing_of(strokes), options).value();
 }
 
-/// Two different ways to read it: here the text is taken apart by hand, as docs/formats/svg.md
-/// says.
+/// An independent reader: parses the text by hand, as docs/formats/svg.md specifies.
 class ExactText {
  public:
   explicit ExactText(std::string text) : text_(std::move(text)) {}
@@ -58,7 +57,7 @@ class ExactText {
     }
     const std::uint64_t up = folded % 2 == 0 ? folded / 2 : 0;
     const std::uint64_t down = folded % 2 == 1 ? folded / 2 + 1 : 0;
-    // Steps from a double to its neighbours; +0 and -0 are neighbours too.
+    // Counts steps from a double to its neighbours; +0 and -0 are neighbours too.
     const auto bits = std::bit_cast<std::int64_t>(guess);
     const auto rank = bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits - 1 : bits;
     const auto moved = static_cast<std::int64_t>(static_cast<std::uint64_t>(rank) + up - down);
@@ -92,7 +91,7 @@ std::vector<Point> steps_of(std::string text) {
   return points;
 }
 
-/// The stroke that our attributes on a path describe.
+/// Returns the stroke that our attributes on a path describe.
 StrokeData model_of(const pugi::xml_node& path) {
   StrokeData d;
   const std::string line = path.attribute("inkscape:original-d").value();
@@ -150,8 +149,8 @@ TEST(SvgWriter, CarriesTheModelExactly) {
   EXPECT_EQ(i, strokes.size());
 }
 
-/// The `d` of a path as polygons in mm, curves cut finely. The writer uses relative lines and
-/// curves.
+/// Returns the `d` of a path as polygons in mm, with curves divided finely. The writer uses
+/// relative lines and curves.
 Outline outline_in(const std::string& d) {
   constexpr int kSteps = 64;
   Outline outline;
@@ -188,7 +187,7 @@ Outline outline_in(const std::string& d) {
   return outline;
 }
 
-/// As other programs see it: the written path, rounded to steps, with lines for flat curves.
+/// Checks the path as other programs see it: rounded to steps, with lines for flat curves.
 TEST(SvgWriter, R53_TheWrittenPathIsWithinAHundredthOfAMillimetre) {
   const std::vector<Stroke> strokes = strokes_in_rows(300, 60);
   const auto document = parsed(stream_text(strokes));
@@ -202,7 +201,7 @@ TEST(SvgWriter, R53_TheWrittenPathIsWithinAHundredthOfAMillimetre) {
   EXPECT_EQ(i, strokes.size());
 }
 
-/// 6.6 kB a stroke before there were steps and exact numbers beside them.
+/// It was 6.6 kB per stroke before steps and exact numbers were introduced.
 TEST(SvgWriter, R53_AStrokeTakesFewBytes) {
   const std::vector<Stroke> strokes = strokes_in_rows(100, 60);
   EXPECT_LE(stream_text(strokes).size() / strokes.size(), kMostBytesAStroke);
@@ -277,7 +276,7 @@ TEST(SvgWriter, AStreamOfStrokesIsTheSameText) {
   EXPECT_EQ(text, svg_ink_text(drawing, {}).value());
 }
 
-/// Largest and mean difference of two pictures' channels.
+/// Returns the largest and the mean difference of two pictures' channels.
 std::pair<int, double> difference(const Image& a, const Image& b) {
   int worst = 0;
   double sum = 0.0;

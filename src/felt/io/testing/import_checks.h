@@ -11,7 +11,7 @@
 #include "felt/io/testing/test_drawings.h"
 #include "felt/stroke/outline/outline.h"
 
-/// What tests of several readers and writers of ink ask.
+/// Helpers for the tests of several readers and writers of ink.
 namespace felt::testing {
 
 inline std::vector<std::string> texts(const ImportReport& report) {
@@ -20,7 +20,7 @@ inline std::vector<std::string> texts(const ImportReport& report) {
   return all;
 }
 
-/// Returns all notices, one a line.
+/// Returns all notices, one on each line.
 inline std::string notice_lines(const Imported& imported) {
   std::string text;
   for (const std::string& line : texts(imported.report)) text += line + "\n";
@@ -33,7 +33,7 @@ inline Stroke only_stroke(const Imported& d) {
   return strokes_in(d.drawing.document).at(0);
 }
 
-/// Largest distance of the centre line of a from that of b, in mm.
+/// Returns the largest distance of the centre line of a from that of b, in mm.
 inline double distance_of(const Stroke& a, const Stroke& b) {
   std::vector<Dab> from, to;
   flatten(a, 0.002, from);

@@ -8,8 +8,8 @@
 
 namespace felt::testing {
 
-/// Drawings of every kind for round trips: none to four layers, hidden, locked, empty, names that
-/// need escaping, with and without a sheet. The same seed gives the same drawing.
+/// Returns a random drawing for round trips: none to four layers, hidden, locked, empty, names that
+/// need escaping, with and without a page. The same seed gives the same drawing.
 inline Drawing random_layers(std::uint64_t seed) {
   RandomStroke random(seed);
   DrawingBuilder builder;

@@ -24,7 +24,7 @@ inline std::vector<Stroke> strokes_in(const Document& document, std::size_t laye
   return strokes;
 }
 
-/// Returns all strokes, those of hidden layers too.
+/// Returns all strokes, including those of hidden layers.
 inline std::vector<Stroke> strokes_in(const Document& document) {
   std::vector<Stroke> strokes;
   for (std::size_t i = 0; i < document.layers().size(); ++i) {

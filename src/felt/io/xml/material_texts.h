@@ -6,11 +6,12 @@
 
 namespace felt {
 
-/// Whether a drawing may carry this as the text of a material: 1 to limits::kMaxMaterialTextBytes
-/// bytes of UTF-8 that XML can hold. What it says is not looked at.
+/// Returns true if a drawing may carry `text` as the text of a material: 1 to
+/// limits::kMaxMaterialTextBytes bytes of UTF-8 that XML can hold. Does not check its meaning.
 bool is_material_text(std::string_view text);
 
-/// Adds a text that is not there yet. False: it is none, or there are limits::kMaxMaterialTexts.
+/// Adds a text unless it is already there. Returns false if it is not a material text, or if there
+/// are limits::kMaxMaterialTexts already.
 bool add_material_text(std::vector<std::string>& texts, std::string_view text);
 
 }  // namespace felt

@@ -62,7 +62,7 @@ bool declares_latin1(std::string_view text) {
   return head.substr(0, 5) == "<?xml" && head.find("iso-8859-1") != std::string::npos;
 }
 
-/// The document as UTF-8 without a byte order mark.
+/// Returns the document as UTF-8 without a byte order mark.
 Result<std::string> to_utf8(std::string_view bytes) {
   if (bytes.substr(0, 2) == "\xFF\xFE") return utf8_of_utf16(bytes.substr(2), false);
   if (bytes.substr(0, 2) == "\xFE\xFF") return utf8_of_utf16(bytes.substr(2), true);
@@ -74,8 +74,8 @@ Result<std::string> to_utf8(std::string_view bytes) {
   return text;
 }
 
-/// Walks over the tags of a document and finds whether it keeps to the limits. Knows no more XML
-/// than it takes to tell tags from text; what else is wrong, the parser finds.
+/// Scans the tags of a document and checks that it keeps to the limits. Understands only enough XML
+/// to tell tags from text; the parser finds all other errors.
 class TagCounter {
  public:
   TagCounter(std::string_view text, const XmlLimits& limits) : text_(text), limits_(limits) {}
@@ -101,7 +101,8 @@ class TagCounter {
   [[nodiscard]] bool starts(std::string_view word) const {
     return text_.substr(at_, word.size()) == word;
   }
-  /// What begins with `start` here and ends with `end`; the two share no character ("<!-->").
+  /// Skips markup that begins with `start` here and ends with `end`. The two share no character
+  /// ("<!-->").
   void skip(std::string_view start, std::string_view end) {
     const std::size_t found = text_.find(end, at_ + start.size());
     at_ = found == std::string_view::npos ? text_.size() : found + end.size();
@@ -110,7 +111,8 @@ class TagCounter {
     return "line " + std::to_string(line_at(text_, at_)) + ": ";
   }
 
-  // One with a part of its own could define entities that grow; one without only names the kind.
+  // Refuses a document type with an internal subset, because that could define entities that
+  // expand. Without one it only names the kind of document.
   Result<void> document_type() {
     const std::size_t end = text_.find_first_of("[>", at_);
     if (end != std::string_view::npos && text_[end] == '[') {

@@ -47,7 +47,7 @@ Result<void> append_xml_attribute(std::string& out, std::string_view text) {
       case '"':
         escaped += "&quot;";
         break;
-      // As themselves, parsers turn these into spaces.
+      // Written as themselves, parsers would turn these into spaces.
       case '\t':
         escaped += "&#9;";
         break;

@@ -7,8 +7,9 @@
 
 namespace felt {
 
-/// Appends text as the value of an attribute in double quotes, or nothing and says why. Error: not
-/// UTF-8, or a character that XML forbids (most control characters, U+FFFE, U+FFFF).
+/// Appends `text` as the value of an attribute in double quotes. On error nothing is appended.
+/// Fails if the text is not UTF-8 or has a character that XML forbids (most control characters,
+/// U+FFFE, U+FFFF).
 Result<void> append_xml_attribute(std::string& out, std::string_view text);
 
 }  // namespace felt

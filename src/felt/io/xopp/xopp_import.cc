@@ -19,7 +19,7 @@ namespace {
 
 using Next = NumberList::Next;
 
-/// The newest version of the format whose elements are known here.
+/// The newest version of the format that this reader knows completely.
 constexpr double kKnownVersion = 5.0;
 constexpr double kA4WidthPt = 595.27559, kA4HeightPt = 841.88976;
 constexpr double kUsualWidthPt = 1.41;  // the medium pen of Xournal++
@@ -168,7 +168,7 @@ class XoppReader {
         notice(child, "is unknown and was left out");
       }
     }
-    // A page without ink needs no layer among those of the others.
+    // A page without ink gets no layer.
     if (several_pages_ && strokes.empty()) return;
     const std::size_t layer = builder_.add_layer({std::move(label)});
     for (Stroke& stroke : strokes) builder_.add(layer, std::move(stroke));
@@ -229,7 +229,7 @@ class XoppReader {
     if (cap == "butt" || cap == "square") notice(node, "has round ends now");
   }
 
-  /// The points of a stroke, in mm on the sheet, with no width yet.
+  /// Reads the points of a stroke, in mm on the page, without widths.
   void read_points(const pugi::xml_node& node) {
     line_.clear();
     const std::string text = xml_text_of(node);
@@ -248,8 +248,9 @@ class XoppReader {
     }
   }
 
-  /// Widths: one for the whole, then one for each piece between two points. A point gets the mean
-  /// of the pieces at it, so the profile goes through the middle of each step.
+  /// Reads the widths: one for the whole stroke, then one for each piece between two points. A
+  /// point gets the mean of the two pieces at it, so the profile passes through the middle of each
+  /// step.
   void read_widths(const pugi::xml_node& node) {
     const std::string_view text = node.attribute("width").value();
     double nominal_pt = 0.0;
@@ -265,7 +266,7 @@ class XoppReader {
     while (next == Next::kNumber && (next = numbers.next(width_pt)) == Next::kNumber) {
       pieces_.push_back(width_pt);
     }
-    if (pieces_.empty() && next == Next::kEnd) {  // where MrWriter keeps them
+    if (pieces_.empty() && next == Next::kEnd) {  // MrWriter stores them there
       NumberList pressures(node.attribute("pressures").value());
       while ((next = pressures.next(width_pt)) == Next::kNumber) pieces_.push_back(width_pt);
     }
@@ -317,7 +318,7 @@ class XoppReader {
   std::vector<double> pieces_;
 };
 
-/// The XML of a document, whatever it is packed in.
+/// Returns the XML of a document, unpacked if necessary.
 Result<std::string> unpacked(std::string_view bytes) {
   if (is_gzip(bytes)) return gunzip(bytes);
   if (!is_zip(bytes)) return std::string(bytes);

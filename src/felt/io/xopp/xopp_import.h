@@ -7,15 +7,16 @@
 
 namespace felt {
 
-/// Points of Xournal++ and PostScript, 72 per inch.
+/// Length of a point of Xournal++ and PostScript, 72 per inch.
 inline constexpr double kMmPerPoint = 25.4 / 72.0;
 
-/// Empty space between the sheets of pages that are laid out below each other.
+/// Gap between pages, which are placed below each other.
 inline constexpr double kPageGapMm = 5.0;
 
-/// Reads a document of Xournal++ or Xournal: gzip'ed XML, XML as it is, or the zip container.
-/// Pages come below each other, each layer as a layer; docs/formats/xopp.md says what becomes of
-/// what. `bytes` is the whole file. Error: it is no such document, or beyond the limits.
+/// Reads a document of Xournal++ or Xournal: gzip'ed XML, plain XML, or the zip container. Pages
+/// are placed below each other, and each layer becomes a layer. docs/formats/xopp.md lists how
+/// content is converted. `bytes` is the whole file. Fails if it is not such a document or exceeds a
+/// limit.
 Result<Imported> import_xopp(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace felt

@@ -210,7 +210,7 @@ TEST(XoppImport, OtherFilesAreErrors) {
   EXPECT_THAT(error("PK\x03\x04 and so on"), HasSubstr("is a damaged zip archive"));
 }
 
-/// Files that Xournal++ wrote; in the folder "xopp" of FELT_SHARED_FILES.
+/// Files written by Xournal++, in the folder "xopp" of FELT_SHARED_FILES.
 TEST(XoppImport, RealFiles) {
   const char* variable = std::getenv("FELT_SHARED_FILES");
   const std::filesystem::path folder =

@@ -19,7 +19,7 @@ namespace {
 
 /// Points are written in steps of 0.0001 pt, 35 nm.
 constexpr double kStepsPerPoint = 1e4;
-/// Pieces that a part of a line is cut into at most, however fast its width grows.
+/// Largest number of pieces that a part of a line is divided into, however fast its width grows.
 constexpr double kMostPieces = 64.0;
 
 void append_points(std::string& out, double mm) {
@@ -41,7 +41,7 @@ std::string color_text(Rgba c) {
   return text;
 }
 
-/// A stroke as a line whose pieces differ little in width from their neighbours.
+/// Converts a stroke to a line of pieces that differ little in width from their neighbours.
 class WideLine {
  public:
   const std::vector<WidePoint>& sample(const Stroke& stroke) {
@@ -69,7 +69,8 @@ class WideLine {
   std::vector<WidePoint> line_;
 };
 
-/// Part 0 is the head; then the strokes, the layers' tags with the first and the last of each.
+/// Part 0 is the head. Then the strokes; the tags of a layer are written with its first and last
+/// part.
 class XoppParts final : public DrawingParts {
  public:
   XoppParts(const Drawing& drawing, const std::optional<Rgba>& paper)

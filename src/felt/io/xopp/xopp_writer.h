@@ -9,21 +9,22 @@
 
 namespace felt {
 
-/// How far a written line may be from the stroke: its points lie on it.
+/// Largest distance between a written line and the stroke. The points of the line lie on the
+/// stroke.
 inline constexpr double kXoppToleranceMm = 0.02;
-/// Largest step from the width of one piece of a line to the next.
+/// Largest step in width from one piece of a line to the next.
 inline constexpr double kXoppWidthStepMm = 0.1;
-/// Around the ink of a drawing without a sheet.
+/// Margin around the ink of a drawing without a page.
 inline constexpr double kXoppMarginMm = 5.0;
 
-/// A drawing as a document of Xournal++, of one page: layers, and strokes as lines with a width for
-/// each piece. docs/formats/xopp.md says what the format cannot hold. `paper` replaces the colour
-/// of the page. Equal drawings give equal bytes. Error: a layer's name that XML cannot hold, a
-/// coordinate beyond 1e9 mm.
+/// Returns a drawing as a document of Xournal++ with one page: layers, and strokes as lines with a
+/// width for each piece. docs/formats/xopp.md lists what the format cannot hold. `paper` replaces
+/// the colour of the page. Equal drawings give equal bytes. Fails if XML cannot hold the name of a
+/// layer, or if a coordinate is beyond 1e9 mm.
 Result<std::unique_ptr<DrawingParts>> xopp_parts(const Drawing& drawing,
                                                  const std::optional<Rgba>& paper = {});
 
-/// The same as one file.
+/// Same, as one file.
 Result<std::string> xopp_bytes(const Drawing& drawing);
 
 }  // namespace felt

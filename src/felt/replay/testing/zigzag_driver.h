@@ -12,10 +12,10 @@
 
 #include "felt/driver/driver.h"
 
-/// For tests: a driver with one device, whose pen draws by itself, is lost, or hangs.
+/// For tests: a driver with one device that draws by itself, is lost, or becomes unresponsive.
 namespace felt {
 
-/// What a driver and its devices share; the loop's thread writes it, too.
+/// State shared by a driver and its devices. The loop's thread also writes it.
 struct ZigzagWorld {
   std::atomic<int> opened{0};
   std::atomic<int> looks{0};
@@ -26,13 +26,13 @@ struct ZigzagWorld {
   int gone_after_reads = 400;  ///< of the first device that is opened
   int hangs_after_reads = 1 << 30;
   bool never_comes_back = false;
-  std::atomic<int> refusals{0};  ///< of open(), once the first was open
-  std::atomic<int> refused{0};   ///< so far
+  std::atomic<int> refusals{0};  ///< number of times that open() fails after the first success
+  std::atomic<int> refused{0};   ///< failures so far
   ErrorCode refusal = ErrorCode::kIo;
-  bool is_calm = false;  ///< up and down without leaps, which latch the chain
+  bool is_calm = false;  ///< moves up and down without leaps, which would latch the safety chain
 };
 
-/// A pen that draws zigzags into the plane by itself, 0.2 s down and 0.1 s up; real threads.
+/// A pen that draws zigzags into the plane by itself, 0.2 s down and 0.1 s up, in real time.
 class ZigzagDevice final : public DriverDevice {
  public:
   ZigzagDevice(ZigzagWorld& world, DeviceDescriptor descriptor, bool fails)
@@ -61,7 +61,7 @@ class ZigzagDevice final : public DriverDevice {
     const double phase = std::fmod(t, 0.3);
     PenSample sample;
     sample.time_ns = now_ns;
-    // Each at a place of its own: strokes that meet may become one.
+    // Each stroke has its own position, because strokes that meet may become one.
     const double row = std::fmod(std::floor(t / 0.3), 16.0);
     sample.position = {50.0 * phase + 40.0 * world_.opened,
                        12.0 * row + 2.0 * std::sin(20.0 * phase), phase < 0.2 ? -1.0 : 2.0};

@@ -9,7 +9,7 @@
 
 namespace felt {
 
-/// A device for tests that says what it is told, fails when it is told, and counts.
+/// A device for tests that returns the sample or fault that a test sets, and counts calls.
 class ScriptedDevice final : public Device {
  public:
   ScriptedDevice() {
@@ -44,15 +44,15 @@ class ScriptedDevice final : public Device {
   std::optional<Vec3> axis;
   std::optional<DeviceFault> read_fault;
   std::optional<DeviceFault> write_fault;
-  Force force;                 ///< holds, as in a device
-  std::optional<Force> holds;  ///< what it says that it holds
-  bool has_arm = false;        ///< set before the servo is made
+  Force force;                 ///< the last requested force
+  std::optional<Force> holds;  ///< what held_force() returns
+  bool has_arm = false;        ///< set it before the servo is made
   int writes = 0;
   int stops = 0;
   Capabilities abilities;
 };
 
-/// Waits for `condition` without end: the test's own time limit is the only one.
+/// Waits for `condition` without a time limit of its own; only the test's limit applies.
 template <class Condition>
 void wait_until(Condition condition) {
   while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tools for the tests of this layer, small enough to know what they must do.
+/// Tools for the tests of this layer, small enough that their results are obvious.
 
 #include <cmath>
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace felt {
 
-/// A soft wall at z = 0 with a little damping in the sheet.
+/// A soft wall at z = 0 without damping.
 struct FakeWall {
   double stiffness_n_per_mm = 0.3;
 
@@ -25,8 +25,8 @@ struct FakeWall {
   [[nodiscard]] Slopes slopes() const noexcept { return {1000.0 * stiffness_n_per_mm, 0, 0}; }
 };
 
-/// Draws a straight segment a sample while the pen touches: the document has every place that was
-/// told. Shows what it has so far as a preview.
+/// Draws one straight segment per sample while the pen touches, so that the document contains every
+/// position it received. Shows the line so far as a preview.
 class FakePencil : public Tool {
  public:
   static constexpr OptionSpec kOptions[] = {
@@ -43,7 +43,7 @@ class FakePencil : public Tool {
     const bool touches = in_contact(sample);
     if (!touches) {
       waits_for_lift_ = false;
-      // Just above the sheet it may have been a bounce: the line waits.
+      // Just above the surface it may be a bounce, so the line waits.
       return sample.position.z < 0.5 ? ToolResult{} : finish(scene);
     }
     if (waits_for_lift_) return {};
@@ -103,8 +103,8 @@ class FakePencil : public Tool {
   bool waits_for_lift_ = false;
 };
 
-/// Takes the topmost stroke of the layer in use away as soon as it touches, and says so at once: a
-/// gesture whose outcome comes before the pen is lifted.
+/// Removes the topmost stroke of the current layer at the touch and reports the edit immediately: a
+/// gesture whose result comes before the pen is lifted.
 class FakeEraser : public FakePencil {
  public:
   FakeEraser() : FakePencil("eraser", ToolKind::kErases) {}

@@ -6,10 +6,10 @@
 
 #include "felt/sound/rubbing_sound.h"
 
-/// For tests and measurements: strokes, and what can be said of a sound in one number.
+/// For tests and measurements: strokes, and figures that describe a sound.
 namespace felt {
 
-/// Of materials that come with the program, by their ids.
+/// Returns the pair of two built-in materials by their ids.
 inline RubbingPair pair_of(const char* surface, const char* medium) {
   return rubbing_pair(*find_surface(surface), *find_medium(medium));
 }
@@ -23,7 +23,7 @@ struct RubbedStroke {
   Point from{20.0, 30.0};
 };
 
-/// What follows the last sample of the way is not rendered.
+/// Returns the sound of a stroke up to its last sample.
 inline std::vector<float> sound_of(RubbingSound& sound, const RubbedStroke& stroke,
                                    std::int64_t start_ns = 0) {
   std::vector<float> all;
@@ -45,7 +45,7 @@ inline std::vector<float> sound_of(const RubbingPair& pair, const RubbedStroke& 
   return sound_of(sound, stroke);
 }
 
-/// Without the first part, in s: the touch.
+/// Returns the sound without its first `seconds`, which have the touch.
 inline std::vector<float> after(const std::vector<float>& sound, double seconds) {
   const auto n = static_cast<std::ptrdiff_t>(seconds * RubbingSound::kRateHz);
   return {sound.begin() + n, sound.end()};
@@ -57,7 +57,7 @@ inline double rms_of(const std::vector<float>& sound) {
   return std::sqrt(sum / static_cast<double>(sound.size()));
 }
 
-/// Power at a frequency of a block with a Hann window (Goertzel).
+/// Returns the power at a frequency of a block, with a Hann window (Goertzel).
 inline double power_at(const std::vector<float>& sound, std::size_t from, std::size_t n,
                        double hz) {
   const double w = 2.0 * 3.14159265358979324 * hz / RubbingSound::kRateHz;
@@ -73,7 +73,7 @@ inline double power_at(const std::vector<float>& sound, std::size_t from, std::s
   return (s1 * s1 + s2 * s2 - turn * s1 * s2) / static_cast<double>(n * n);
 }
 
-/// Mean power in thirds of an octave from 50 Hz to 16 kHz, of bands as wide: 26 of them.
+/// Returns the power in each of the 26 bands of a third of an octave from 50 Hz to 16 kHz.
 inline std::vector<double> spectrum_of(const std::vector<float>& sound) {
   constexpr std::size_t kBlock = 2048;
   std::vector<double> bands;
@@ -89,7 +89,7 @@ inline std::vector<double> spectrum_of(const std::vector<float>& sound) {
   return bands;
 }
 
-/// The mean frequency, by power, Hz.
+/// Returns the mean frequency in Hz, weighted by power.
 inline double centroid_of(const std::vector<float>& sound) {
   double sum = 0.0, all = 0.0, hz = 50.0;
   for (const double power : spectrum_of(sound)) {

@@ -11,11 +11,11 @@
 
 namespace felt::testing {
 
-/// What SQLite asks of a file.
+/// Kinds of calls that SQLite makes on a file.
 enum class DiskCall { kOpen, kWrite, kSync };
 
-/// A file system for tests: the system's, but for what it is told to do worse. Registered as
-/// "faulty" once for the whole program.
+/// A file system for tests: that of the system, with faults on request. Registered as "faulty" once
+/// for the whole program.
 class FaultyVfs {
  public:
   static FaultyVfs& the() {
@@ -24,11 +24,12 @@ class FaultyVfs {
   }
   static constexpr const char* kName = "faulty";
 
-  /// Answers each call before it is carried out: SQLITE_OK lets it through. On the caller's thread.
+  /// Called before each call is carried out: SQLITE_OK lets it through, anything else is its
+  /// result. On the caller's thread.
   std::function<int(DiskCall, const std::string& path)> judge;
-  /// Held by a test, the disk stands still.
+  /// While a test holds this lock, the disk stalls.
   std::mutex stall;
-  /// Calls that came so far, before they were judged.
+  /// Number of calls so far, including those that `judge` refused.
   std::atomic<int> calls{0};
 
   void reset() {
@@ -87,7 +88,7 @@ class FaultyVfs {
   static int write(sqlite3_file* f, const void* bytes, int count, sqlite3_int64 at) {
     const int code = ask(DiskCall::kWrite, *of(f)->path);
     if (code == SQLITE_OK) return real(f)->xWrite(of(f)->real, bytes, count, at);
-    // A disk that fails may have taken the half of it.
+    // A failing disk may have written half of it.
     if (count > 1) real(f)->xWrite(of(f)->real, bytes, count / 2, at);
     return code;
   }
@@ -96,7 +97,7 @@ class FaultyVfs {
     return code == SQLITE_OK ? real(f)->xSync(of(f)->real, flags) : code;
   }
 
-  /// Version 1: no shared memory and no mapping, which an exclusive lock needs not.
+  /// Version 1: no shared memory and no mapping, because an exclusive lock does not need them.
   static const sqlite3_io_methods& methods() {
     static const sqlite3_io_methods table = [] {
       sqlite3_io_methods m{};

@@ -1,4 +1,9 @@
-// The second half of subdivide.h: runs of segments fitted anew by one cubic each.
+// The second half of subdivide.h: replaces runs of segments by one cubic each.
+//
+// From each joint, `longest` tries ever longer runs, then finds the limit by bisection. RunFit fits
+// one cubic to points of a run: the end points and tangents are given, least squares finds the two
+// handle lengths, the parameters move to the feet of the points, and so on. A fit is accepted only
+// if the curve is within the tolerance everywhere, not just at the points (is_within).
 
 #include <algorithm>
 #include <array>
@@ -15,36 +20,36 @@ namespace {
 
 using Match = ProfileBuilder::Match;
 
-/// Widths along a run that became one segment stay as close as this.
+/// The tolerance of the widths along a merged run.
 constexpr double kWidthToleranceMm = 0.005;
-/// Longest run, in segments, and places looked at on each segment of it.
+/// The longest run, in segments, and the number of points taken on each segment of it.
 constexpr int kMaxRun = 96;
 constexpr int kPlaces = 4;
-/// Least-squares rounds of a fit.
+/// The most least-squares rounds of a fit.
 constexpr int kSearchRounds = 16;
-/// After so many a curve that is this many tolerances away will not come near enough.
+/// A fit is given up if it is still kHopeless tolerances away after kPatience rounds.
 constexpr int kPatience = 4;
 constexpr double kHopeless = 3.0;
-/// Share of the distance along the curve that counts, beside the distance from its tangent line.
+/// The weight of a distance along the curve, compared with the distance from its tangent line.
 constexpr double kTangentWeight = 0.01;
-/// Handles are between these parts of the length of the run: neither standing nor crossing over.
+/// The limits of the handle lengths, as shares of the length of the run: neither zero nor crossing.
 constexpr double kMinHandle = 0.04;
 constexpr double kMaxHandle = 1.0;
-/// A place that is to be met is met to this, mm.
+/// The accuracy with which the curve goes through the point `through`, mm.
 constexpr double kMeetMm = 1e-11;
-/// Steps that may take, of the handles and of the place on the curve.
+/// The most steps to get there, for the handles and for the parameter of the point.
 constexpr int kMeetRounds = 8;
 constexpr int kFootRounds = 4;
-/// Runs are tried by this part longer each time, until so many in a row did not fit.
+/// Each run tried is longer by 1/kGrowth, until kFailures runs in a row did not fit.
 constexpr int kGrowth = 3;
 constexpr int kFailures = 3;
 
-/// One cubic in place of a run of segments: its ends and the directions there are given, the
-/// lengths of its two handles are fitted to places on the run.
+/// One cubic that replaces a run of segments. Its ends and the directions there are given; the
+/// lengths of its two handles are fitted to points on the run.
 class RunFit {
  public:
-  /// Segments [first, last) of the stroke; the curve will go through the joint `through` if that is
-  /// within.
+  /// Prepares the segments [first, last) of the stroke. The curve will go through the joint
+  /// `through` if that is inside.
   RunFit(const Stroke& stroke, int first, int last, int through) : stroke_(stroke), first_(first) {
     if (through > first && through < last) {
       met_ = static_cast<std::size_t>(kPlaces * (through - first));
@@ -64,7 +69,7 @@ class RunFit {
     set_handles(length_ / 3.0, length_ / 3.0);
   }
 
-  /// True when the curve is within the tolerance of the run, and the run of the curve.
+  /// Fits the curve. Returns true if it is within the tolerance of the run, and vice versa.
   bool fit(double tolerance_mm) {
     if (!(length_ > 0.0)) return false;
     for (int round = 0; round < kSearchRounds; ++round) {
@@ -82,8 +87,8 @@ class RunFit {
   }
 
   [[nodiscard]] const Cubic& curve() const { return curve_; }
-  /// Places of the run by the parameters of the old stroke and of the new one, whose segment `now`
-  /// is the curve.
+  /// Returns the parameters of the points on the old stroke and on the new one, in which the curve
+  /// is segment `now`.
   [[nodiscard]] std::vector<Match> matches(int now) const {
     std::vector<Match> result;
     for (std::size_t k = 0; k < t_.size(); ++k) {
@@ -105,7 +110,7 @@ class RunFit {
     curve_ = {{a, a + start_mm * start_, b + end_mm * end_, b}};
   }
 
-  /// The handle lengths that serve the places best; distances along the curve count little.
+  /// Finds the handle lengths by least squares; distances along the curve have little weight.
   bool solve() {
     double c11 = 0.0, c12 = 0.0, c22 = 0.0, x1 = 0.0, x2 = 0.0;
     const Cubic bare{{curve_.p[0], curve_.p[0], curve_.p[3], curve_.p[3]}};
@@ -131,8 +136,8 @@ class RunFit {
     return true;
   }
 
-  /// Changes the handles as little as it takes to go through the place that is to be met. False
-  /// where they would become too short or too long.
+  /// Changes the handles as little as possible so that the curve goes through the point `through`.
+  /// Returns false if they would become too short or too long.
   bool meet() {
     if (met_ == 0) return true;
     const Point target = places_[met_];
@@ -159,7 +164,7 @@ class RunFit {
     return false;
   }
 
-  /// Moves the parameters one step to the feet of their places, in order.
+  /// Moves each parameter one step towards the foot of its point, and keeps them in order.
   void place() {
     for (std::size_t k = 1; k + 1 < places_.size(); ++k) {
       const Vec d = derivative(curve_, t_[k]);
@@ -168,7 +173,7 @@ class RunFit {
     }
   }
 
-  /// The largest distance of a place from its partner on the curve.
+  /// Returns the largest distance of a point from its counterpart on the curve.
   [[nodiscard]] double farthest() const {
     double worst = 0.0;
     for (std::size_t k = 0; k < t_.size(); ++k) {
@@ -177,8 +182,9 @@ class RunFit {
     return std::sqrt(worst);
   }
 
-  /// Whether the pieces between neighbouring places, of the run and of the curve, run side by side:
-  /// the difference of two cubics is a cubic, which stays in the hull of its control points.
+  /// Returns true if the curve is within the tolerance of the run everywhere. Compares the pieces
+  /// between neighbouring points: the difference of two cubics is a cubic, which is inside the hull
+  /// of its control points.
   [[nodiscard]] bool is_within(double tolerance_mm) const {
     const int count = static_cast<int>(places_.size()) - 1;
     const double most = tolerance_mm * tolerance_mm;
@@ -197,7 +203,7 @@ class RunFit {
 
   const Stroke& stroke_;
   int first_;
-  std::size_t met_ = 0;  // the place that is to be met, or 0
+  std::size_t met_ = 0;  // the index of the point `through`, or 0
   std::vector<Point> places_;
   std::vector<double> t_;
   double length_ = 0.0;
@@ -205,7 +211,7 @@ class RunFit {
   Cubic curve_{};
 };
 
-/// Copies a stroke and puts fewer segments into parts of it.
+/// Copies a stroke and replaces runs by single segments.
 class Rewriter {
  public:
   explicit Rewriter(const Stroke& stroke) : stroke_(stroke), profile_(stroke.widths()) {
@@ -220,7 +226,7 @@ class Rewriter {
     profile_.shift(segment, segment + 1, count() - segment);
     push(stroke_.segment(segment), segment + 1);
   }
-  /// One segment for [first, last).
+  /// Appends one segment for the run up to `last`.
   void merge(const RunFit& fit, int last) {
     profile_.follow(fit.matches(count()), kWidthToleranceMm);
     push(fit.curve(), last);
@@ -244,7 +250,7 @@ class Rewriter {
   StrokeData data_;
 };
 
-/// For each joint whether runs must end there.
+/// Returns for each joint whether runs must end there.
 std::vector<bool> fixed_joints(const Stroke& stroke, int first, int last,
                                std::span<const int> keep) {
   const int n = stroke.segment_count();
@@ -261,8 +267,8 @@ std::vector<bool> fixed_joints(const Stroke& stroke, int first, int last,
   return fixed;
 }
 
-/// A long run from `first` that one cubic can stand for, up to `end`: it grows until it no longer
-/// fits, then the limit is searched by halves.
+/// Returns a long run from `first`, up to `end`, that one cubic can replace. The run grows until it
+/// no longer fits; then the limit is found by bisection.
 std::optional<std::pair<RunFit, int>> longest(const Stroke& stroke, int first, int end,
                                               double tolerance_mm, int through) {
   std::optional<std::pair<RunFit, int>> best;

@@ -10,18 +10,18 @@
 namespace felt {
 namespace {
 
-/// Lengths along a stroke need not be better than the eye.
+/// The accuracy of lengths along a stroke, mm: finer than the eye can see.
 constexpr double kLengthAccuracy = 1e-3;
 
-/// A standing handle at a smooth joint gets this length, so that its direction is its own and does
-/// not depend on control points that move elsewhere. The curve moves by less than a micrometre.
+/// A zero handle at a smooth joint gets this length, so that it has a direction and does not depend
+/// on control points that move elsewhere. The curve moves by less than a micrometre.
 constexpr double kStandingHandleMm = 1e-3;
 
 tl::unexpected<Error> refuse(const char* why) {
   return fail(ErrorCode::kInvalidArgument, why);
 }
 
-/// 1 at the end, 0 from L on, flat at both.
+/// Returns 1 at x = 0 and 0 from x = 1 on, with zero slope at both.
 double fade(double x) noexcept {
   return x < 1.0 ? 1.0 - x * x * (3.0 - 2.0 * x) : 0.0;
 }
@@ -30,7 +30,7 @@ Cubic segment_of(const StrokeData& d, std::size_t i) {
   return {{d.points[3 * i], d.points[3 * i + 1], d.points[3 * i + 2], d.points[3 * i + 3]}};
 }
 
-/// Makes both handles at `at` collinear with `direction`, with their lengths.
+/// Makes both handles at `at` collinear with `direction`; they keep their lengths.
 void align(Point at, Vec direction, Point& before, Point& after) {
   const double in = std::max(distance(before, at), kStandingHandleMm);
   const double out = std::max(distance(after, at), kStandingHandleMm);
@@ -38,7 +38,7 @@ void align(Point at, Vec direction, Point& before, Point& after) {
   after = at + out * direction;
 }
 
-/// Arc lengths from the tip to each joint, in the order of the joints.
+/// Returns the arc lengths from the tip to each joint, in the order of the joints.
 std::vector<double> lengths_from_tip(const Stroke& stroke, StrokeTip tip) {
   const auto n = static_cast<std::size_t>(stroke.segment_count());
   std::vector<double> lengths(n + 1, 0.0);
@@ -52,23 +52,22 @@ std::vector<double> lengths_from_tip(const Stroke& stroke, StrokeTip tip) {
   return lengths;
 }
 
-/// Goes on with the breakpoints of `more`, which begin at n, up to `end`.
+/// Appends the breakpoints of `more`, which start at n, up to `end`.
 void append_profile(std::vector<WidthKnot>& knots, const std::vector<WidthKnot>& more, double n,
                     double end) {
   const auto add = [&](double u, const WidthKnot& k) { knots.push_back({u, k.width_mm, k.tone}); };
-  // Where both profiles are the same, one breakpoint is enough; else the step is as steep as it
-  // gets.
+  // If both profiles agree at n, one breakpoint is enough; otherwise the step is one ulp wide.
   const WidthKnot &in = knots.back(), &out = more.front();
   if (in.width_mm != out.width_mm || in.tone != out.tone) add(std::nextafter(n, n + 1.0), out);
   for (std::size_t k = 1; k < more.size(); ++k) {
     if (const double u = n + more[k].u; u > knots.back().u) add(u, more[k]);
   }
-  // Rounding may have swallowed the very last one.
+  // Rounding may have moved the last u: set it exactly.
   knots.pop_back();
   add(end, more.back());
 }
 
-/// Appends `more` to `data`, whose last point is its first.
+/// Appends `more` to `data`. Requires that the last point of `data` is the first of `more`.
 void append(StrokeData& data, const StrokeData& more, JointKind joint) {
   const double n = static_cast<double>(data.points.size() / 3);
   data.points.insert(data.points.end(), more.points.begin() + 1, more.points.end());
@@ -77,8 +76,8 @@ void append(StrokeData& data, const StrokeData& more, JointKind joint) {
   append_profile(data.widths, more.widths, n, static_cast<double>(data.points.size() / 3));
 }
 
-/// The same stroke with a joint at u, or at the nearest joint other than the tip where a cut there
-/// would leave a sliver. Returns the joint's number.
+/// Stores in `data` the stroke with a joint at u and returns its number. If a cut there would leave
+/// a sliver, uses the nearest joint other than the tip.
 std::size_t cut_at(const Stroke& stroke, StrokeTip tip, double u, StrokeData& data) {
   const double n = stroke.segment_count();
   if (const auto parts = split(stroke, u); u != std::round(u) && parts) {
@@ -91,10 +90,10 @@ std::size_t cut_at(const Stroke& stroke, StrokeTip tip, double u, StrokeData& da
   return static_cast<std::size_t>(std::clamp(std::round(u), start ? 1.0 : 0.0, start ? n : n - 1));
 }
 
-/// The place at arc length `length` from the tip, with n + 1 lengths at the joints.
+/// Returns the u at arc length `length` from the tip; `lengths` are those at the n + 1 joints.
 double parameter_at(const Stroke& stroke, StrokeTip tip, const std::vector<double>& lengths,
                     double length) {
-  std::size_t i = 0;  // segment that holds it: one end nearer than length, the other not
+  std::size_t i = 0;  // the segment with one end nearer than `length`, and the other not
   const auto beyond = [&](std::size_t k) { return lengths[k] > length; };
   while (i + 2 < lengths.size() && beyond(i) == beyond(i + 1)) ++i;
   const Cubic c = stroke.segment(static_cast<int>(i));
@@ -102,13 +101,13 @@ double parameter_at(const Stroke& stroke, StrokeTip tip, const std::vector<doubl
   return static_cast<double>(i) + parameter_at_length(c, along, kLengthAccuracy);
 }
 
-/// The part of a stroke that moves with one of its ends: from that end to a joint put where the
-/// shift has faded away.
+/// The part of a stroke that moves with one of its ends: from that end to a joint inserted where
+/// the shift has faded to 0.
 class TipZone {
  public:
   TipZone(const Stroke& stroke, StrokeTip tip, double reach, const std::vector<double>& lengths_mm)
       : tip_(tip), cut_(cut_at(stroke, tip, parameter_at(stroke, tip, lengths_mm, reach), data_)) {
-    // Lengths again, by the segments that there are now, from the end inwards.
+    // Computes the lengths again for the new segments, from the end inwards.
     for (std::size_t i = 0; i < count(); ++i) {
       from_tip_.push_back(length_);
       length_ += arc_length(segment_of(data_, segment(i)), kLengthAccuracy);
@@ -129,11 +128,11 @@ class TipZone {
 
  private:
   [[nodiscard]] std::size_t segments() const { return data_.points.size() / 3; }
-  /// Number of segments in the zone, and of joints that move.
+  /// Returns the number of segments in the zone, which is also that of the joints that move.
   [[nodiscard]] std::size_t count() const {
     return tip_ == StrokeTip::kStart ? cut_ : segments() - cut_;
   }
-  // The i-th from the end inwards.
+  // Return the number of the i-th segment or joint from the end inwards.
   [[nodiscard]] std::size_t segment(std::size_t i) const {
     return tip_ == StrokeTip::kStart ? i : segments() - 1 - i;
   }
@@ -156,7 +155,7 @@ class TipZone {
     if (is_smooth(j)) align(data_.points[k], direction, data_.points[k - 1], data_.points[k + 1]);
   }
 
-  /// The moving side's handle at the cut: in line with the other one, which stays.
+  /// Aligns the handle of the moving side at the cut with the other handle, which stays.
   void align_cut() {
     if (!is_smooth(cut_)) return;
     const bool start = tip_ == StrokeTip::kStart;
@@ -169,22 +168,22 @@ class TipZone {
 
   StrokeTip tip_;
   StrokeData data_;
-  std::size_t cut_;  // the joint where the zone begins; it stays
+  std::size_t cut_;  // the joint at the inner end of the zone; it stays
   std::vector<double> from_tip_;
   double length_ = 0.0;
 };
 
-/// The joint kind for ink that arrives and leaves in the given directions.
+/// Returns the kind of a joint with these directions on both sides.
 JointKind kind_of(Vec in, Vec out, double smooth_below_deg) {
   const double deg = angle_between(in, out) * (180.0 / std::numbers::pi);
   return deg < smooth_below_deg ? JointKind::kSmooth : JointKind::kCorner;
 }
 
-/// Turns the ends of two segments into each other: both take their average direction. `before` ends
-/// where `after` begins.
+/// Rotates the handles of two segments at their common joint to their average direction. Requires
+/// that `before` ends where `after` starts.
 void make_smooth(StrokeData& data, std::size_t before, std::size_t after, Vec in, Vec out) {
-  // A handle that stands at the other end of either segment takes its direction from the one that
-  // turns: it gets a length of its own first.
+  // A zero handle at the other end of either segment takes its direction from the handle that
+  // rotates, so give it a length first.
   if (before > 0 && data.joints[before - 1] == JointKind::kSmooth) {
     Point* p = &data.points[3 * before];
     if (p[1] == p[0]) p[1] = p[0] + kStandingHandleMm * tangent(segment_of(data, before), 0.0);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRadian = 180.0 / std::numbers::pi;
 
-/// Open strokes as they come: drawn ones of any shape and hand-made ones.
+/// Returns open strokes: drawn ones of any shape, and hand-made ones.
 std::vector<Stroke> open_strokes(int count) {
   std::vector<Stroke> result;
   for (std::uint64_t seed = 0; static_cast<int>(result.size()) < count; ++seed) {
@@ -43,7 +43,7 @@ Point end_of(const Stroke& s) {
   return tip_point(s, StrokeTip::kEnd);
 }
 
-/// A straight stroke of 40 mm to or from the origin at an angle.
+/// Return a straight stroke of 40 mm to the origin, or from it at an angle.
 Stroke arriving() {
   return testing::straight_stroke({-40, 0}, {0, 0}, 1.0, 2.0);
 }
@@ -74,7 +74,7 @@ TEST(WithTipAt, TheEndLiesExactlyThereAndTheInvariantsHold) {
       EXPECT_EQ(result->widths().front(), s.widths().front());
       EXPECT_EQ(result->widths().back().width_mm, s.widths().back().width_mm);
       EXPECT_EQ(result->widths().back().tone, s.widths().back().tone);
-      // The tangent at the end that moves is kept, if it has a handle of its own.
+      // The tangent at the moved end is kept if its handle is not zero.
       const auto& points = s.data().points;
       const Point handle = tip == StrokeTip::kStart ? points[1] : points[points.size() - 2];
       if (handle == tip_point(s, tip)) continue;
@@ -99,7 +99,7 @@ TEST(WithTipAt, WhatIsFartherThanTheFadeStaysBitForBit) {
 }
 
 TEST(WithTipAt, TheShiftFadesEvenly) {
-  // A line of ten segments, 200 mm long: exactly 25 mm move, by less and less.
+  // A line of ten segments, 200 mm long: exactly 25 mm move, and the shift decreases to 0.
   StrokeData data = testing::straight_stroke({0, 0}, {20, 0}, 1, 1).data();
   for (int i = 1; i < 10; ++i) {
     const Cubic c = straight({20.0 * i, 0}, {20.0 * (i + 1), 0});
@@ -151,7 +151,7 @@ TEST(Joined, R45_SmoothBelowThirtyDegreesElseCorner) {
       const double turn = angle_between(in, out) * kRadian;
       if (kind == JointKind::kSmooth) {
         EXPECT_LE(turn, kSmoothJointMaxDeg);
-        // The average direction.
+        // Has the average direction.
         EXPECT_NEAR(std::atan2(in.y, in.x) * kRadian, sign * deg / 2, 1e-9);
       } else {
         EXPECT_NEAR(turn, deg, 1e-9);
@@ -192,13 +192,13 @@ TEST(Joined, AnyTwoStrokesMakeOneWithTheInvariantsAndTheirWidths) {
   for (std::size_t i = 1; i < strokes.size(); ++i) {
     SCOPED_TRACE(i);
     const Stroke& a = strokes[i - 1];
-    // The second one where the first one ends.
+    // Moves the second one to the end of the first.
     StrokeData moved = strokes[i].data();
     const Vec by = end_of(a) - moved.points.front();
     for (Point& p : moved.points) p += by;
     moved.points.front() = end_of(a);
     const auto b = Stroke::create(moved);
-    if (!b) continue;  // rounding took a smooth joint
+    if (!b) continue;  // rounding made a smooth joint invalid
     const auto one = joined(a, *b, i % 3 == 0 ? 180.0 : kSmoothJoinBelowDeg);
     ASSERT_TRUE(one) << one.error().message;
     const int n = a.segment_count();

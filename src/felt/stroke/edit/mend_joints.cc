@@ -10,7 +10,7 @@
 namespace felt {
 namespace {
 
-// The two sides of a joint: the segment that arrives and the one that leaves.
+// The two sides of a joint: the segment that ends there and the one that starts there.
 struct Joint {
   Point* in;
   Point* out;
@@ -32,8 +32,8 @@ struct Joint {
   }
 };
 
-// Turns both handles to the direction between theirs, nearer to that of the longer one, so that
-// both move by the same. A handle of no length has no direction of its own: then the other turns.
+// Rotates both handles to a direction between theirs, nearer to that of the longer one, so that
+// both ends move by the same distance. If one handle is zero, only the other rotates.
 bool straighten(const Joint& joint) {
   const bool has_in = joint.in[2] != joint.in[3], has_out = joint.out[1] != joint.out[0];
   const Vec arriving = joint.arriving(), leaving = joint.leaving();
@@ -52,8 +52,8 @@ bool straighten(const Joint& joint) {
   return false;
 }
 
-// Moves the end `p[3]` of a segment that is a hair too short outwards; p steps from its start by
-// `step`.
+// Moves the end of a segment that is slightly too short outwards. The control points are p[0],
+// p[step], p[2 * step], and the end p[3 * step].
 bool lengthen(Point* p, std::ptrdiff_t step) {
   Point& end = p[3 * step];
   const Point before = p[2 * step];
@@ -66,7 +66,7 @@ bool lengthen(Point* p, std::ptrdiff_t step) {
   return true;
 }
 
-// Leaves out breakpoints at the place of another; the first and the last stay.
+// Removes breakpoints with the same u as another; the first and the last stay.
 int drop_double_knots(std::vector<WidthKnot>& knots) {
   const std::size_t before = knots.size();
   if (before < 2) return 0;

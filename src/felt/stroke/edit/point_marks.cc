@@ -21,18 +21,18 @@ bool is_on_curve(std::size_t i) {
 /// A smooth joint: its point, and the segments that meet there.
 struct SmoothJoint {
   std::size_t point = 0;
-  std::size_t in = 0;   // segment that arrives
-  std::size_t out = 0;  // segment that leaves
+  std::size_t in = 0;   // segment that ends there
+  std::size_t out = 0;  // segment that starts there
 };
 
-/// The k-th joint of StrokeData::joints, when it is smooth.
+/// Returns the k-th joint of StrokeData::joints if it is smooth.
 std::optional<SmoothJoint> smooth_joint(const StrokeData& d, std::size_t k) {
   if (d.joints[k] != JointKind::kSmooth) return std::nullopt;
   const std::size_t n = d.points.size() / 3, next = k + 1 < n ? k + 1 : 0;
   return SmoothJoint{3 * next, k, next};
 }
 
-/// The arm on the side of the segment that arrives.
+/// Returns the arm on the side of the segment that ends at the joint.
 std::size_t in_arm(const StrokeData& d, const SmoothJoint& j) {
   for (std::size_t k = 3; k-- > 1;) {
     if (d.points[3 * j.in + k] != d.points[j.point]) return 3 * j.in + k;
@@ -40,7 +40,7 @@ std::size_t in_arm(const StrokeData& d, const SmoothJoint& j) {
   return 3 * j.in;
 }
 
-/// The arm on the side of the segment that leaves.
+/// Returns the arm on the side of the segment that starts at the joint.
 std::size_t out_arm(const StrokeData& d, const SmoothJoint& j) {
   for (std::size_t k = 1; k < 3; ++k) {
     if (d.points[3 * j.out + k] != d.points[j.point]) return 3 * j.out + k;
@@ -48,15 +48,15 @@ std::size_t out_arm(const StrokeData& d, const SmoothJoint& j) {
   return 3 * j.out + 3;
 }
 
-/// True when the point is a smooth joint.
+/// Returns true if the point is a smooth joint.
 bool is_smooth(const StrokeData& d, std::size_t point) {
   const std::size_t n = d.points.size() / 3, joint = point / 3;
   if (joint == 0 || joint == n) return d.closed && d.joints.back() == JointKind::kSmooth;
   return d.joints[joint - 1] == JointKind::kSmooth;
 }
 
-/// True when the arm may turn about its joint: it is the joint's own handle, and the joint at the
-/// segment's other end does not take its tangent from it.
+/// Returns true if the arm may rotate about its joint: it is the joint's own handle, and the joint
+/// at the other end of the segment does not take its tangent from it.
 bool in_arm_is_free(const StrokeData& d, const SmoothJoint& j, std::size_t arm) {
   const std::size_t start = 3 * j.in;
   return arm == start + 2 && !(d.points[start + 1] == d.points[start] && is_smooth(d, start));
@@ -67,7 +67,7 @@ bool out_arm_is_free(const StrokeData& d, const SmoothJoint& j, std::size_t arm)
          !(d.points[start + 2] == d.points[start + 3] && is_smooth(d, start + 3));
 }
 
-/// Marks, with the seam of a closed stroke as one.
+/// Marks, in which both copies of the seam of a closed stroke are one point.
 class Marker {
  public:
   Marker(const StrokeData& d, std::span<std::uint8_t> marks) : d_(d), marks_(marks) {}
@@ -93,7 +93,7 @@ class Marker {
 
  private:
   [[nodiscard]] bool must_be_set(const SmoothJoint& j, std::size_t in, std::size_t out) const {
-    // A marked point that stands on the joint is the joint.
+    // A marked point at the same position as the joint marks the joint.
     for (std::size_t i = in + 1; i < 3 * j.in + 3; ++i) {
       if (is_set(i)) return true;
     }
@@ -111,8 +111,8 @@ class Marker {
   bool changed_ = false;
 };
 
-/// `handle` turned about `joint` to point away from `arm`, as long as before. Unchanged when the
-/// arm has no length.
+/// Returns `handle` rotated about `joint` to point away from `arm`, with the same length. Unchanged
+/// if the arm has no length.
 Point turned(Point joint, Point handle, Point arm) {
   const Vec way = normalized(joint - arm);
   return way == Vec{} ? handle : joint + distance(joint, handle) * way;
@@ -125,8 +125,8 @@ bool is_similarity(const Affine& m) {
   return std::min(turn, mirror) <= 1e-12 * size;
 }
 
-/// Maps the marked points. Handles go relative to their joint where that is marked too: parallel
-/// arms stay parallel to rounding, however far the map's origin is.
+/// Maps the marked points. If the joint of a handle is marked too, the handle is mapped relative to
+/// it, so that parallel arms stay parallel up to rounding, however far away the map's origin is.
 void move_points(const StrokeData& before, std::span<const std::uint8_t> marks, const Affine& map,
                  std::vector<Point>& points) {
   for (std::size_t i = 0; i < points.size(); i += 3) {
@@ -144,14 +144,14 @@ void move_points(const StrokeData& before, std::span<const std::uint8_t> marks, 
   }
 }
 
-/// Turns what has to turn for the joint to stay smooth. `points` are the moved ones.
+/// Rotates a handle if that is necessary to keep the joint smooth. `points` are the mapped ones.
 void keep_smooth(const StrokeData& before, const SmoothJoint& j,
                  std::span<const std::uint8_t> marks, bool keeps_angles,
                  std::vector<Point>& points) {
   const std::size_t in = in_arm(before, j), out = out_arm(before, j);
   const Point joint = points[j.point];
   if (marks[j.point]) {
-    // A stretch magnifies what was left of an angle, 20 : 0.05 at most.
+    // A non-uniform scaling magnifies the remaining angle, by 20 : 0.05 at most.
     if (keeps_angles) return;
     const double turn = angle_between(joint - points[in], points[out] - joint);
     if (turn <= 0.1 * kSmoothJointMaxDeg * std::numbers::pi / 180.0) return;
@@ -166,7 +166,7 @@ void keep_smooth(const StrokeData& before, const SmoothJoint& j,
   if (marks[out] && !marks[in]) points[in] = turned(joint, before.points[in], points[out]);
 }
 
-/// Factor of the widths at u: `factor` at marked joints, 1 at others, linear between.
+/// Returns the width factor at u: `factor` at marked joints, 1 at others, linear in between.
 double factor_at(std::span<const std::uint8_t> marks, double u, double factor) {
   const std::size_t n = marks.size() / 3;
   const std::size_t i = std::min(static_cast<std::size_t>(u), n - 1);
@@ -178,7 +178,8 @@ double scaled_width(double width_mm, double factor) {
   return std::clamp(factor * width_mm, kMinWidthMm, std::max(kMostScaledWidthMm, width_mm));
 }
 
-/// The profile with its breakpoints scaled, and a breakpoint wherever the factor starts to fade.
+/// Returns the profile with its breakpoints scaled, and a new breakpoint at every joint where the
+/// factor starts or ends to fade.
 std::vector<WidthKnot> scaled_widths(const StrokeData& d, std::span<const std::uint8_t> marks,
                                      double factor) {
   std::vector<WidthKnot> knots = d.widths;
@@ -207,7 +208,7 @@ void close_marks(const Stroke& stroke, std::span<std::uint8_t> marks) {
   if (marks.size() != d.points.size()) return;
   if (d.closed) marks.front() = marks.back() = marks.front() | marks.back();
   Marker marker(d, marks);
-  // Each way in turn: what one joint asks of the next is met in one sweep.
+  // Sweeps forward and backward until nothing changes, because marks spread from joint to joint.
   do {
     for (std::size_t k = 0; k < d.joints.size(); ++k) {
       if (const auto j = smooth_joint(d, k)) marker.settle(*j);
@@ -240,8 +241,8 @@ std::vector<std::size_t> anchors(const Stroke& stroke, std::span<const std::uint
   const bool closed = stroke.closed();
   const std::size_t size = stroke.data().points.size();
   if (marks.size() != size) return {};
-  const std::size_t m = closed ? size - 1 : size;  // the seam once
-  // The next and the last unmarked on-curve point of each place; twice round a closed stroke.
+  const std::size_t m = closed ? size - 1 : size;  // counts the seam once
+  // For each point the next and the last unmarked on-curve point. Goes round a closed stroke twice.
   std::vector<std::size_t> next(m, kNone), last(m, kNone);
   const std::size_t rounds = closed ? 2 * m : m;
   std::size_t seen = kNone;

@@ -13,7 +13,7 @@ namespace {
 
 using Marks = std::vector<std::uint8_t>;
 
-/// "110 100 1" -> marks; blanks only for the eye.
+/// Converts "110 100 1" to marks; blanks are ignored.
 Marks marks_of(const std::string& text) {
   Marks marks;
   for (const char c : text) {
@@ -33,7 +33,7 @@ Marks closed_marks(const Stroke& stroke, Marks marks) {
   return marks;
 }
 
-/// n segments of a wave along x, or of a ring; joints smooth or corners.
+/// Returns n segments of a wave along x, or of a ring if closed, with joints of this kind.
 Stroke chain(int n, bool closed, JointKind kind) {
   StrokeData d;
   d.closed = closed;
@@ -54,7 +54,7 @@ Stroke chain(int n, bool closed, JointKind kind) {
   return Stroke::create(std::move(d)).value();
 }
 
-/// Random strokes, every other closed one smooth at its seam too.
+/// Random strokes; every other closed one is also smooth at its seam.
 Stroke any_stroke(std::uint64_t seed) {
   StrokeData d = testing::RandomStroke(seed).make();
   const std::size_t last = d.points.size() - 1;
@@ -90,7 +90,7 @@ TEST(PointMarks, R32_SmoothJointsTakeTheirHandlesCornersDoNot) {
   EXPECT_EQ(text_of(closed_marks(smooth, marks_of("000 100 000 0"))), "0011100000");
   EXPECT_EQ(text_of(closed_marks(smooth, marks_of("000 010 000 0"))), "0000100000");
   EXPECT_EQ(text_of(closed_marks(smooth, marks_of("100 000 000 0"))), "1000000000");
-  // Both handles: nothing could turn, so the joint goes along.
+  // Both handles are marked: none is free to rotate, so the joint is marked too.
   EXPECT_EQ(text_of(closed_marks(smooth, marks_of("001 010 000 0"))), "0011100000");
   const Stroke sharp = chain(3, false, JointKind::kCorner);
   EXPECT_EQ(text_of(closed_marks(sharp, marks_of("001 110 000 0"))), "0011100000");
@@ -106,19 +106,19 @@ TEST(PointMarks, R32_TheSeamOfAClosedStrokeCountsOnce) {
 }
 
 TEST(PointMarks, R32_AStandingHandleIsItsJoint) {
-  // The handle into joint 1 stands on it: the joint's arm is the point before.
+  // The handle before joint 1 is zero: the joint's arm is the point before it.
   StrokeData d = chain(2, false, JointKind::kSmooth).data();
   d.points[2] = d.points[3];
   d.points[4] = d.points[3] + normalized(d.points[3] - d.points[1]);
   const Stroke stroke = Stroke::create(std::move(d)).value();
   EXPECT_EQ(text_of(closed_marks(stroke, marks_of("000 100 0"))), "0111100");
   EXPECT_EQ(text_of(closed_marks(stroke, marks_of("001 000 0"))), "0111100");
-  // There is no handle that could turn: the joint goes along.
+  // No handle is free to rotate: the joint is marked too.
   EXPECT_EQ(text_of(closed_marks(stroke, marks_of("000 010 0"))), "0111100");
   EXPECT_EQ(text_of(closed_marks(stroke, marks_of("010 000 0"))), "0100000");
 }
 
-/// Moves random closed marks of random strokes; `visit` what comes of it.
+/// Calls `visit` with random strokes, random marks, and the result of close_marks() for them.
 template <class Visit>
 void for_random_moves(int count, const Visit& visit) {
   for (int i = 0; i < count; ++i) {
@@ -152,7 +152,7 @@ TEST(PointMarks, R32_AnyLassoAndAnySimilarityKeepTheInvariants) {
                              const Marks& marks) {
     const auto result = with_marked_moved(stroke, marks, any_similarity(random));
     if (!result) {
-      // Points that come to lie on each other are refused; nothing else is.
+      // It fails only with I5: a segment became too short.
       EXPECT_EQ(result.error().message.substr(0, 2), "I5") << "seed " << seed;
       return;
     }
@@ -321,7 +321,7 @@ TEST(PointMarks, R34_AnchorsAreAsAWalkFindsThem) {
           for (int i = 1; i <= m; ++i) {
             const int at = stroke.closed() ? (from + step * i + m * m) % m : from + step * i;
             if (at < 0 || at >= m) return;
-            if (i == 1 && marks[static_cast<std::size_t>(at)]) return;  // not the end of its run
+            if (i == 1 && marks[static_cast<std::size_t>(at)]) return;  // the run does not end here
             if (at % 3 == 0 && !marks[static_cast<std::size_t>(at)]) {
               expected.push_back(static_cast<std::size_t>(at));
               return;

@@ -9,8 +9,8 @@
 namespace felt {
 namespace {
 
-/// The part of c with t in [t0, t1]. A handle of zero length at an end that stays keeps zero
-/// length: rounding would give it a direction of its own, and the tangent is taken from it (I2).
+/// Returns the part of c with t in [t0, t1]. A zero handle at an end that stays is kept exactly
+/// zero, because rounding would give it a direction, which would become the tangent (I2).
 Cubic part(const Cubic& c, double t0, double t1) noexcept {
   Cubic result = sub_segment(c, t0, t1);
   if (t0 == 0.0 && c.p[1] == c.p[0]) result.p[1] = result.p[0];
@@ -18,13 +18,13 @@ Cubic part(const Cubic& c, double t0, double t1) noexcept {
   return result;
 }
 
-/// Adds a breakpoint unless rounding put it on or before the last one.
+/// Appends a breakpoint, unless rounding moved it to or before the last one.
 void append(std::vector<WidthKnot>& knots, WidthKnot k) {
   if (knots.empty() || k.u > knots.back().u) knots.push_back(k);
 }
 
-/// Segments `first` to `last` of a stroke, of which the first begins at t0 and the last ends at
-/// t1. On a closed stroke indices go on past n and mean the next lap.
+/// Segments `first` to `last` of a stroke; the first one starts at t0 and the last one ends at t1.
+/// On a closed stroke, indices of n or more refer to the next lap.
 struct Span {
   int first, last;
   double t0, t1;
@@ -36,11 +36,11 @@ struct Span {
   }
   [[nodiscard]] double begin_t(int i) const noexcept { return i == first ? t0 : 0.0; }
   [[nodiscard]] double end_t(int i) const noexcept { return i == last ? t1 : 1.0; }
-  /// True when segment i is cut, so that its parameter is stretched.
+  /// Returns true if segment i is cut, so that its parameter is stretched.
   [[nodiscard]] bool cut(int i) const noexcept { return end_t(i) - begin_t(i) < 1.0; }
 };
 
-/// Adds the breakpoints of segment i of the span, its end left out.
+/// Appends the breakpoints of segment i of the span, except that at its end.
 void append_widths(const Stroke& stroke, const Span& span, int i, std::vector<WidthKnot>& out) {
   const auto knots = stroke.widths();
   const int segment = i % stroke.segment_count();
@@ -60,8 +60,8 @@ void append_widths(const Stroke& stroke, const Span& span, int i, std::vector<Wi
   }
 }
 
-/// At the seam of a closed stroke the profile may step from its last to its first width or tone:
-/// the step is kept, one unit in the last place wide.
+/// At the seam of a closed stroke the profile may step from its last to its first width or tone.
+/// Keeps the step, one unit in the last place wide.
 void append_seam(const Stroke& stroke, double u, std::vector<WidthKnot>& out) {
   const WidthKnot& before = stroke.widths().back();
   const WidthKnot& after = stroke.widths().front();
@@ -128,7 +128,7 @@ Stroke reversed(const Stroke& stroke) {
   for (auto k = stroke.widths().rbegin(); k != stroke.widths().rend(); ++k) {
     append(data.widths, {n - k->u, k->width_mm, k->tone});
   }
-  // Rounding of n - u may have merged the breakpoints next to the end; the end itself stays.
+  // Rounding of n - u may have moved the last breakpoint to n already: the end replaces it.
   const WidthKnot& end = stroke.widths().front();
   if (data.widths.back().u == n) data.widths.pop_back();
   data.widths.push_back({n, end.width_mm, end.tone});

@@ -11,7 +11,7 @@
 namespace felt::split_test {
 namespace {
 
-/// Where u of the part [u0, ...) of a stroke lies on the stroke, by how the parts are cut.
+/// Converts u of the part [u0, u1] of a stroke to u of the whole stroke.
 double original_u(double u0, double u1, double u) {
   const double first = std::floor(u0), last = std::max(first, std::ceil(u1) - 1.0);
   const double i = std::min(first + std::floor(u), last);
@@ -27,7 +27,7 @@ void expect_same_ink(const Stroke& whole, const Stroke& part, double u0, double 
     const double v = original_u(u0, u1, u);
     const double lap = v > n ? v - n : v;
     EXPECT_LE(distance(part.position(u), whole.position(lap)), 1e-9);
-    // Widths jump at the seam of a random closed stroke.
+    // Widths step at the seam of a random closed stroke.
     if (std::fabs(v - n) > 1e-6) {
       EXPECT_NEAR(part.width_mm(u), whole.width_mm(lap), 1e-9);
       EXPECT_NEAR(part.tone(u), whole.tone(lap), 1e-9);

@@ -10,11 +10,11 @@
 namespace felt {
 namespace {
 
-/// Lengths that decide about slivers need not be better than this.
+/// The accuracy of lengths that decide about slivers, mm.
 constexpr double kExactLength = 1e-9;
 
-/// Both parts of c. Handles of zero length stay so: rounding would give them a direction of their
-/// own, and tangents are taken from them (I2).
+/// Returns both parts of c. Zero handles are kept exactly zero, because rounding would give them a
+/// direction, which would become the tangent (I2).
 std::pair<Cubic, Cubic> divided(const Cubic& c, double t) noexcept {
   auto parts = split(c, t);
   auto& [a, b] = parts;
@@ -29,13 +29,14 @@ std::pair<Cubic, Cubic> divided(const Cubic& c, double t) noexcept {
   return parts;
 }
 
-/// The kind of a cut. Only in a cusp, where the ink turns back within a segment, it is a corner.
+/// Returns the kind of the joint at a cut: a corner only at a cusp, where the curve turns back
+/// within a segment.
 JointKind kind_between(const Cubic& a, const Cubic& b) {
   const double deg = angle_between(tangent(a, 1.0), tangent(b, 0.0)) * (180.0 / std::numbers::pi);
   return deg <= kSmoothJointMaxDeg ? JointKind::kSmooth : JointKind::kCorner;
 }
 
-/// Goes along a stroke and copies it with more joints.
+/// Copies a stroke segment by segment, and adds joints.
 class Subdivision {
  public:
   explicit Subdivision(const Stroke& stroke) : stroke_(stroke), profile_(stroke.widths()) {
@@ -45,7 +46,7 @@ class Subdivision {
     data_.color = stroke.color();
   }
 
-  /// Copies segment i with joints at `us`, places on it; writes their numbers.
+  /// Copies segment i with joints at `us`, all on that segment; appends their numbers to `joints`.
   void add(int i, std::span<const double> us, std::vector<int>& joints) {
     const Cubic whole = stroke_.segment(i);
     rest_ = whole;
@@ -61,7 +62,8 @@ class Subdivision {
   }
 
  private:
-  /// The number of the joint at t of the segment: a new one, or the nearer of its neighbours.
+  /// Returns the number of the joint at t of the segment: a new one, or the nearer neighbour if a
+  /// part would be too short.
   int cut(const Cubic& whole, int i, double t) {
     const double before = arc_length(whole, from_, t, kExactLength);
     const double after = arc_length(whole, t, 1.0, kExactLength);
@@ -93,8 +95,8 @@ class Subdivision {
   ProfileBuilder profile_;
   StrokeData data_;
   int count_ = 0;      // segments so far
-  Cubic rest_;         // of the segment at work
-  double from_ = 0.0;  // where it begins
+  Cubic rest_;         // the rest of the current segment
+  double from_ = 0.0;  // the t at which it starts
 };
 
 }  // namespace

@@ -8,23 +8,26 @@
 
 namespace felt {
 
-/// The same ink in more or in fewer segments. Pure; I1-I6 hold; what is not named stays bit for
-/// bit; the width profile is carried along (a breakpoint is added wherever u is stretched).
+/// Divides a stroke into more or fewer segments with the same ink. Pure functions; I1-I6 hold; the
+/// rest of the stroke stays the same bit for bit. The width profile is kept (a breakpoint is added
+/// wherever u is stretched).
 
-/// The stroke with a smooth joint at each of `us` (ascending, in [0, n]). A place nearer than
-/// kMinSegmentMm to a joint, or to another place, gets that joint instead of a sliver. `joints`,
-/// when given, is filled with the number of the joint for each place.
-/// Error: kInvalidArgument when us are not ascending or not in range.
+/// Returns the stroke with a smooth joint at each of `us`. If one is nearer than kMinSegmentMm to a
+/// joint or to another one, that joint is used instead, so that there are no slivers. At a cusp the
+/// joint is a corner. If `joints` is not null, stores the number of the joint for each of `us`.
+/// Fails with kInvalidArgument if `us` are not ascending or not in [0, n].
 Result<Stroke> subdivided(const Stroke& stroke, std::span<const double> us,
                           std::vector<int>* joints = nullptr);
 
-/// The stroke with as few segments as found between the joints `first` and `last` (numbers of
-/// joints; on a closed stroke last <= first means through the seam; a whole closed stroke is first
-/// = last): runs of segments between corners are fitted anew by one cubic each, with the tangents
-/// at their outer joints kept, so that both G1 and what lies outside stay as they are. Every point
-/// of the old curve is within `tolerance_mm` of the new one, and the other way round. `keep`:
-/// numbers of joints that must stay joints, in place. `through`: the number of a joint whose place
-/// stays on the curve, to 1e-10 mm, whether it stays a joint or not.
+/// Merges segments between the joints with the numbers `first` and `last`. On a closed stroke,
+/// last <= first means through the seam, and first = last the whole stroke. Each run of segments
+/// between corners that one cubic can replace is fitted by one cubic. The tangents at its outer
+/// joints are kept, so that G1 and the rest of the stroke do not change. Every point of the old
+/// curve is within `tolerance_mm` of the new one, and vice versa. The joints numbered in `keep`
+/// stay joints in the same position. The curve still passes the position of joint `through` within
+/// 1e-10 mm, even if it is no longer a joint.
+/// Fails with kInvalidArgument if `first` or `last` is not on the stroke or the tolerance is
+/// negative.
 Result<Stroke> with_fewer_segments(const Stroke& stroke, int first, int last, double tolerance_mm,
                                    std::span<const int> keep = {}, int through = -1);
 

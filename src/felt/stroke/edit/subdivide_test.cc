@@ -16,7 +16,7 @@ namespace felt::subdivide_test {
 namespace {
 
 using testing::distance_to;
-/// The largest distance of places on a from b.
+/// Returns the largest distance of points on a from b.
 double deviation(const Stroke& a, const Stroke& b) {
   double worst = 0.0;
   const int count = 40 * a.segment_count();
@@ -26,7 +26,7 @@ double deviation(const Stroke& a, const Stroke& b) {
   return worst;
 }
 
-/// Where u of `fine` lies on `coarse`, of which fine is a subdivision: by lengths.
+/// Converts u of `fine`, which is a subdivision of `coarse`, to u of `coarse`, by arc lengths.
 double coarse_u(const ArcMap& coarse, const ArcMap& fine, double u) {
   return coarse.u_at(std::min(fine.length_at(u), coarse.length_mm()));
 }
@@ -48,7 +48,7 @@ TEST(Subdivided, TracesTheSameInk) {
     const ArcMap coarse_map(s), fine_map(*fine);
     EXPECT_NEAR(fine_map.length_mm(), coarse_map.length_mm(), 1e-4);
     for (std::size_t k = 0; k < us.size(); ++k) {
-      // Where places were too close together they share a joint.
+      // Points that are too close together share a joint.
       EXPECT_LE(std::fabs(fine_map.start_of(joints[k]) - coarse_map.length_at(us[k])),
                 kMinSegmentMm + 1e-4);
     }
@@ -157,7 +157,8 @@ TEST(WithFewerSegments, TakesBackWhatSubdivisionMade) {
   EXPECT_GT(whole, 400);
 }
 
-/// A random stroke whose width changes by at most 3 mm a segment, cut into quarters.
+/// Returns a random stroke, with segments divided into quarters, whose width changes by at most
+/// 3 mm a segment.
 Stroke quarters(std::uint64_t seed) {
   StrokeData d = testing::random_stroke(seed).data();
   testing::RandomStroke random(seed + 1);

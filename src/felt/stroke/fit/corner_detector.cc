@@ -7,13 +7,13 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kArmSamples = 2;
-// Samples measured in one update: enough to catch up after ink that had to be waited for, few
-// enough to bound the work of one sample.
+// Samples measured in one update: enough to catch up after samples that had to wait for later ones,
+// few enough to bound the work of one sample.
 constexpr std::size_t kMeasuresPerUpdate = 4;
 constexpr std::size_t kOpen = static_cast<std::size_t>(-1);
 constexpr double kCornerRad = CornerDetector::kCornerDeg * std::numbers::pi / 180.0;
 
-// From sample k the way back or on.
+// The direction from sample k: towards earlier samples (kBack) or later ones (kOn).
 enum class Way { kBack, kOn };
 
 std::size_t sample_at(std::size_t k, Way way, std::size_t steps) noexcept {
@@ -27,8 +27,8 @@ double distance_to_segment(Point p, Point a, Point b) noexcept {
   return distance(p, a + t * along);
 }
 
-// Steps from sample k to the first sample that is `reach` away from it. 0 when the path there is a
-// detour; kOpen when the samples end before either is known.
+// Returns the number of steps from sample k to the first sample that is `reach` away from it. 0 if
+// the path to it is a detour; kOpen if the samples end before either is known.
 std::size_t steps_to(const KeptSamples& w, std::size_t k, Way way, double reach) noexcept {
   const Point p = w.point(k);
   const double squared = reach * reach, longest = CornerDetector::kCornerDetour * reach;
@@ -45,7 +45,7 @@ double corner_reach(const KeptSamples& w) noexcept {
   return CornerDetector::kCornerArm * w.tolerance_mm();
 }
 
-// From sample k to the place, before the end of its `steps`-th step, that is `reach` away.
+// Returns the vector from sample k to the point on the last of `steps` steps that is `reach` away.
 Vec chord_of(const KeptSamples& w, std::size_t k, Way way, std::size_t steps,
              double reach) noexcept {
   const Point p = w.point(k);
@@ -69,7 +69,7 @@ Arm find_arm(const KeptSamples& w, std::size_t k, Way way) noexcept {
   return {kArmSamples, w.point(sample_at(k, way, kArmSamples)) - w.point(k)};
 }
 
-// The angle by which the samples inside the arm leave its chord.
+// Returns how far the samples inside the arm deviate from its chord, as an angle.
 double bend(const KeptSamples& w, std::size_t k, Way way, const Arm& arm) noexcept {
   const Point p = w.point(k);
   double largest = 0.0;
@@ -86,13 +86,15 @@ Vec half_chord(const KeptSamples& w, std::size_t k, Way way, const Arm& arm) noe
   return steps == 0 || steps == kOpen ? 0.5 * arm.chord : chord_of(w, k, way, steps, reach);
 }
 
-// Turn of the ink at sample k in radians if it counts as a corner, else 0.
+// Returns the turn of the ink at sample k in radians if it may be a corner, else 0.
 double corner_turn(const KeptSamples& w, std::size_t k) noexcept {
+  // Tests in order of cost: the turn of the chords, then without the part that the arms can cause,
+  // then with arms of half the length (see the header).
   const Arm back = find_arm(w, k, Way::kBack);
   if (back.steps == 0) return 0.0;
   const Arm on = find_arm(w, k, Way::kOn);
   if (on.steps == 0) return 0.0;
-  // cos(turn) > cos(limit) without an arc tangent: nearly all samples leave here.
+  // Compares cosines, because nearly all samples return here and an arc tangent is slower.
   static const double cos_limit = std::cos(kCornerRad);
   if (dot(-back.chord, on.chord) > cos_limit * norm(back.chord) * norm(on.chord)) return 0.0;
   const double faked = bend(w, k, Way::kBack, back) + bend(w, k, Way::kOn, on);
@@ -103,8 +105,8 @@ double corner_turn(const KeptSamples& w, std::size_t k) noexcept {
   return near_turn < CornerDetector::kCornerPersistence * turn ? 0.0 : turn;
 }
 
-// True when no other turn within one arm is larger; of equal ones the first counts. Requires a
-// turn at sample k, hence arms.
+// Returns true if no other turn within one arm is larger; of equal ones the first counts. Requires
+// a turn at sample k, and therefore arms.
 bool is_largest(const KeptSamples& w, std::size_t k) noexcept {
   const std::size_t back = steps_to(w, k, Way::kBack, corner_reach(w));
   for (std::size_t step = 1; step < back; ++step) {
@@ -146,7 +148,7 @@ void CornerDetector::measure(KeptSamples& w, std::size_t most) noexcept {
 }
 
 void CornerDetector::decide(KeptSamples& w) noexcept {
-  // A turn is the largest of its neighbourhood once all of the neighbourhood is measured.
+  // A sample can be decided once its whole neighbourhood is measured.
   while (decided_ < measured_) {
     if (w.turn(decided_) > 0.0) {
       if (decided_ + steps_to(w, decided_, Way::kOn, corner_reach(w)) > measured_) break;

@@ -6,32 +6,32 @@
 
 namespace felt {
 
-/// Finds where ink turns a corner, as the samples come.
+/// Finds the corners of ink while its samples arrive.
 ///
-/// What a corner is: at a sample, the ink's direction changes by more than kCornerDeg between two
-/// straight arms, one reaching back and one forward to where the ink first is kCornerArm tolerances
-/// away, or two samples. So the scale is above both the tolerance and the sampling, and a pen that
-/// slows down or rests in the corner, where the tremor of the sensor makes more path than the hand,
-/// is measured where it came from and went to. Three conditions keep noise and tight curves out:
-///   - the part of the turn that bent or noisy arms can fake is taken off first: 2 da / a + 2 db /
-///   b,
-///     da and db the largest distances of the arms' samples from their chords of lengths a and b. A
-///     circle loses half its turn by this, a corner nothing;
-///   - halving the arms must leave at least kCornerPersistence of the turn: a corner keeps all of
-///     it, a circle half;
-///   - of several within one arm only the largest turn counts.
-/// There is no arm where the ink takes more than kCornerDetour times its length to get that far.
-/// No corner is reported within kCornerMargin tolerances of path of an end of the stroke, where
-/// hooks live.
+/// A sample is a corner if the ink's direction changes by more than kCornerDeg between two straight
+/// arms at it. One arm reaches back and one forward, each to the first point of the ink that is
+/// kCornerArm tolerances away, but over at least two samples. So the scale is larger than both the
+/// tolerance and the sampling. If the pen slows down or rests in the corner, the noise of the
+/// sensor makes more path than the hand does; the arms reach beyond that. Three conditions keep
+/// noise and tight curves out:
+///   - the part of the turn that curved or noisy arms can cause is subtracted first: 2 da / a + 2
+///     db / b, with da and db the largest distances of the arms' samples from their chords, whose
+///     lengths are a and b. A circle loses half its turn by this, a corner nothing;
+///   - with arms of half the length, at least kCornerPersistence of the turn must remain: a corner
+///     keeps all of it, a circle half;
+///   - of several turns within one arm only the largest counts.
+/// An arm does not exist if the ink needs a path of more than kCornerDetour times its length to get
+/// that far. No corner is reported within kCornerMargin tolerances of path of an end of the stroke,
+/// because hooks occur there.
 ///
 ///            P                 turn = angle(P - A, B - P)
 ///      h   /   \   h
 ///        A       B
 ///
-/// A corner is decided when the ink has gone on for kCornerMargin + kCornerArm tolerances, about
-/// 1.7 mm at the default tolerance, or later where it dwells. Streaming and in one go give the same
-/// corners (R5, R7). Work is bounded: merged samples are not looked at, so an arm has at most
-/// kCornerDetour * kCornerArm tolerances / CurveFitter::spacing_mm() of them.
+/// A corner is decided when the ink has continued for kCornerMargin + kCornerArm tolerances, about
+/// 1.7 mm at the default tolerance, or later if the pen dwells. The corners do not depend on how
+/// the samples are divided into calls (R5, R7). Work is bounded: merged samples are not looked at,
+/// so an arm has at most kCornerDetour * kCornerArm tolerances / CurveFitter::spacing_mm() of them.
 class CornerDetector {
  public:
   static constexpr double kCornerDeg = 60.0;
@@ -42,9 +42,9 @@ class CornerDetector {
 
   /// Starts a stroke.
   void clear() noexcept;
-  /// Looks at some of the samples added to `kept` and marks corners in it; bounded work.
+  /// Processes some of the samples added to `kept` and marks the corners among them. Bounded work.
   void update(KeptSamples& kept) noexcept;
-  /// The stroke has ended: decides the rest.
+  /// Decides the remaining samples. Call when the stroke has ended.
   void finish(KeptSamples& kept) noexcept;
   /// Samples before this index are decided.
   [[nodiscard]] std::size_t decided() const noexcept { return decided_; }
@@ -53,7 +53,7 @@ class CornerDetector {
   void measure(KeptSamples& kept, std::size_t most) noexcept;
   void decide(KeptSamples& kept) noexcept;
 
-  std::size_t measured_ = 0;  // samples before it have their turn
+  std::size_t measured_ = 0;  // samples before it have a turn
   std::size_t decided_ = 0;
 };
 

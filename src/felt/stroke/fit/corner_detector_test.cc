@@ -38,7 +38,7 @@ std::vector<std::size_t> corners_of(const std::vector<Point>& ink) {
   return marked(kept);
 }
 
-// Two legs of `leg_mm` that meet at sample leg_mm / step_mm.
+// Returns two legs of `leg_mm` that meet at sample leg_mm / step_mm.
 std::vector<Point> two_legs(double turn_deg, double step_mm, double leg_mm = 10.0) {
   const Vec out{std::cos(turn_deg * kDeg), std::sin(turn_deg * kDeg)};
   const int steps = static_cast<int>(std::lround(leg_mm / step_mm));
@@ -91,7 +91,7 @@ TEST(CornerDetector, R5RoundShapesHaveNone) {
   }
 }
 
-// The tremor of the sensor turns by any angle, but below the scale of a corner.
+// The noise of the sensor turns by any angle, but below the scale of a corner.
 TEST(CornerDetector, R5ARestingPenHasNone) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const auto ink = TestInk(seed).draw(InkShape::kResting, 3000);

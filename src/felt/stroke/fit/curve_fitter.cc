@@ -10,16 +10,17 @@ namespace {
 
 // Samples looked at for corners, or placed, in one step.
 constexpr std::size_t kStepSamples = 128;
-// A proven part of a run that is at least this long is worth a segment; else all of its samples are
-// looked at in the search.
+// If the proven part of a run has at least this many samples, it becomes a segment; else the search
+// is repeated with every sample in the window.
 constexpr std::size_t kWorthACut = SegmentFit::kMaxRun / 2;
-// A stroke with less path is a dot: what its samples stand for is within the least tolerance of
-// the first one.
+// A stroke with a shorter path is a dot: even its merged samples are within kMinSegmentMm, the
+// smallest tolerance, of the first one.
 constexpr double kDotMm = (1.0 - CurveFitter::kMaxSpacing - KeptSamples::kReserve) * kMinSegmentMm;
-// A joint's tangent is taken where the curve moves at least at this part of its mean speed.
+// At a joint, the curve's speed must be at least this fraction of its mean, so that the tangent is
+// well determined.
 constexpr double kJointSpeed = 0.6;
 
-// What a step costs besides its fit: gate updates, solving, a commit.
+// Work of a step besides its fit: gate updates, solving, a commit.
 constexpr long kStepWork = 64;
 constexpr long kAllWork = std::numeric_limits<long>::max();
 
@@ -118,7 +119,7 @@ void CurveFitter::copy_to(FittedCurve& curve) const {
   }
 }
 
-// Works on the open run until `work` is used up.
+// Processes the open run until `work` is used up.
 void CurveFitter::advance(long work) {
   const long before = this->work();
   for (long steps = 1; this->work() - before + kStepWork * (steps - 1) < work; ++steps) {
@@ -135,7 +136,7 @@ void CurveFitter::advance(long work) {
   }
 }
 
-// False if there are not enough samples.
+// Starts the search for the next run. Returns false if there are not enough samples.
 bool CurveFitter::start_search() {
   const std::size_t least = next_kind_ == RunStart::Kind::kFree ? 2 : 1;
   if (corners_.decided() < next_first_ + least) return false;
@@ -145,7 +146,8 @@ bool CurveFitter::start_search() {
   return true;
 }
 
-// Moves `scanned_` on: the open run may use the samples before it, and ends there at a corner.
+// Advances `scanned_`. The open run may use the samples before it, and ends there if they end at a
+// corner.
 void CurveFitter::scan_for_corner() noexcept {
   const std::size_t end = std::min(corners_.decided(), scanned_ + kStepSamples);
   while (!at_corner_ && scanned_ < end) {
@@ -154,7 +156,7 @@ void CurveFitter::scan_for_corner() noexcept {
   }
 }
 
-// The search is over: what becomes of the run?
+// Decides what becomes of the run after its search.
 void CurveFitter::finish_run() noexcept {
   run_.ensure_length();
   const bool is_corner = at_corner_ && run_.end() == scanned_;
@@ -174,7 +176,8 @@ void CurveFitter::propose_whole() noexcept {
   phase_ = Phase::kPlace;
 }
 
-// Cuts the run where it has samples on both sides; the first `count` of its window may be used.
+// Proposes to cut the run at a joint with samples on both sides. Uses the first `count` samples of
+// its window.
 void CurveFitter::propose_cut(std::size_t count) noexcept {
   const auto samples = static_cast<double>(run_.source(count - 1) + 1 - run_.first());
   const auto wanted = run_.first() + static_cast<std::size_t>(std::ceil(kReach * samples)) - 1;
@@ -202,8 +205,8 @@ void CurveFitter::place_some() {
   }
 }
 
-// The run misses kept sample `sample`. It is searched for again with that sample in sight, for some
-// times; then the part before is cut if it is long.
+// Handles a run that misses kept sample `sample`: searches again with that sample held in the
+// window, a limited number of times. After that it uses the part before the sample if that is long.
 void CurveFitter::retry_before(std::size_t sample) noexcept {
   places_.truncate(placed_before_);
   if (run_.search_again(kept_, sample, placer_.furthest())) {
@@ -254,7 +257,7 @@ void CurveFitter::append_live_tail(std::vector<Cubic>& tail) const {
   if (kept_.newest() != at) tail.push_back(straight(at, kept_.newest()));
 }
 
-// All samples within kMinSegmentMm of the first.
+// Adds the segment of a dot: all samples are within kMinSegmentMm of the first.
 void CurveFitter::add_dot() {
   const Point first = kept_.point(0);
   const Vec along = normalized(kept_.newest() - first);

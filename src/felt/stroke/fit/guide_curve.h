@@ -11,31 +11,33 @@ namespace felt {
 
 struct FittedCurve;
 
-/// A curve that a later fit of the same samples must stay close to: what the user has been looking
-/// at while drawing. At each kept sample and at three places between neighbours it knows where
-/// that curve was, so closeness is checked between corresponding places and costs a few distances.
+/// A curve that a later fit of the same samples must stay close to: the one that the user has seen
+/// while drawing. It stores the point of that curve at each kept sample and at three positions
+/// between neighbours. So closeness is checked between corresponding points and costs only a few
+/// distances.
 class GuideCurve {
  public:
-  /// Places kept from one sample to the next.
+  /// Points stored from one sample to the next.
   static constexpr std::size_t kPlaces = 4;
 
-  /// Takes the places of the kept samples on `curve`, which was fitted to exactly the samples that
-  /// `kept` was given.
+  /// Sets the guide: stores the points of `curve` at the kept samples. Requires that `curve` was
+  /// fitted to exactly the samples that were added to `kept`.
   void follow(const KeptSamples& kept, const FittedCurve& curve);
-  /// Follows nothing: everything is close.
+  /// Removes the guide: every curve is close.
   void clear() noexcept { places_.clear(); }
   [[nodiscard]] bool empty() const noexcept { return places_.empty(); }
 
-  /// True when p is within `limit_mm` of the curve's place at kept sample i.
+  /// Returns true if p is within `limit_mm` of the guide's point at kept sample i.
   [[nodiscard]] bool is_close_at(std::size_t i, Point p, double limit_mm) const noexcept;
-  /// True when the two curves stay within `limit_mm` of each other between kept samples `from` and
-  /// `to`, where the other one passes through `stretch`, in order. Requires from < to.
+  /// Returns true if the guide and the polyline `stretch` stay within `limit_mm` of each other
+  /// between kept samples `from` and `to`. `stretch` are points of the other curve there, in order.
+  /// Requires from < to.
   [[nodiscard]] bool is_close_between(std::size_t from, std::size_t to,
                                       std::span<const Point> stretch,
                                       double limit_mm) const noexcept;
 
  private:
-  std::vector<Point> places_;  // kPlaces for each kept sample: at it, and on the way to the next
+  std::vector<Point> places_;  // kPlaces for each kept sample: at it, and between it and the next
 };
 
 }  // namespace felt

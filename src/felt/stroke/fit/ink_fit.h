@@ -10,21 +10,21 @@
 #include "felt/geometry/cubic.h"
 #include "felt/stroke/stroke.h"
 
-/// What goes into a fit of ink and what comes out of it (InkFitter).
+/// Input, options and result of a fit of ink (InkFitter).
 namespace felt {
 
-/// One pen sample as the ink sees it: where, how hard, when.
+/// One pen sample, reduced to what ink is made of: position, pressure, time and tilt.
 struct InkSample {
-  Point position;                       ///< mm, sheet frame
-  std::optional<double> pressure;       ///< 0..1, absent where the source has none
+  Point position;                       ///< mm, page coordinates
+  std::optional<double> pressure;       ///< 0..1; absent if the source reports none
   std::optional<std::int64_t> time_ns;  ///< since the drawing session began; may run backwards
-  std::optional<double> lean_deg{};     ///< from the upright, 0..90 (geometry/lean.h makes a share
-                                        ///< of it); absent where the source has none
+  std::optional<double> lean_deg{};  ///< tilt from the upright, 0..90 (geometry/lean.h converts it
+                                     ///< to 0..1); absent if the source reports none
 
   friend constexpr bool operator==(const InkSample&, const InkSample&) noexcept = default;
 };
 
-/// What a curve fit must keep to.
+/// The tolerance of a curve fit.
 struct CurveFitOptions {
   /// Largest distance from any sample to the curve, in mm. Values below kMinSegmentMm, the
   /// resolution of the stroke model (I5), count as kMinSegmentMm.
@@ -34,74 +34,76 @@ struct CurveFitOptions {
   }
 };
 
-/// What counts as an artefact of the pen rather than as ink. Times are those of the samples.
+/// Thresholds by which PenFilter recognises artefacts of the pen. Times are those of the samples.
 struct PenFilterOptions {
-  /// How long a sample is held before it is ink, and so how far back both ends can be mended.
+  /// Delay of each sample before it becomes ink, and therefore the time at either end of the stroke
+  /// in which artefacts can be corrected.
   double window_ms = 30.0;
-  /// Time between samples that carry no time (a tablet at 133 Hz).
+  /// Assumed time between samples without times (a tablet at 133 Hz).
   double interval_ms = 7.5;
 
-  /// A pressure blob: from an end of the stroke on, over at most blob_ms and blob_mm, the pressure
+  /// A pressure blob: for at most blob_ms and blob_mm from an end of the stroke, the pressure
   /// exceeds the one a window away by this ratio.
   double blob_ratio = 1.3;
   double blob_ms = 25.0;
   double blob_mm = 0.5;
 
   /// A hook at lift: at most hook_max_mm of path after a turn by at least hook_angle_deg, all of it
-  /// below hook_pressure_ratio of the pressure before. Shorter than hook_min_mm it is noise.
+  /// below hook_pressure_ratio of the pressure before. If it is shorter than hook_min_mm, it is
+  /// noise.
   double hook_max_mm = 1.5;
   double hook_min_mm = 0.15;
   double hook_angle_deg = 90.0;
   double hook_pressure_ratio = 0.5;
 
-  /// A stray sample: farther from its neighbours than jump_mm and than any hand moves, which in
-  /// fast strokes is 1.5 to 2.5 m/s.
+  /// A stray sample: farther from its neighbours than jump_mm and faster than jump_mm_per_s. Hands
+  /// reach 1.5 to 2.5 m/s in fast strokes.
   double jump_mm = 10.0;
   double jump_mm_per_s = 5000.0;
 };
 
-/// How pressure and lean become tone (WidthKnot::tone), for a medium that has its own:
+/// How pressure p and tilt l become tone (WidthKnot::tone), for a medium with its own tone:
 ///   tone = (light + (heavy - light) p^gamma) (1 + (lean - 1) l)
 struct ToneMapOptions {
   double light = 0.0;  ///< tone at p = 0; 0..1
   double heavy = 1.0;  ///< at p = 1; 0..1
   double gamma = 1.0;  ///< > 0
-  double lean = 1.0;   ///< tone of a pen that leans fully, in tones of an upright one; 0..1
+  double lean = 1.0;   ///< tone of a fully tilted pen relative to an upright one; 0..1
 
   friend bool operator==(const ToneMapOptions&, const ToneMapOptions&) = default;
 };
 
 /// How pressure becomes width: W = (min + (max - min) p^gamma) (1 + (lean_width - 1) l), by
-/// specification section 5b and the lean share l of geometry/lean.h. The defaults are those of the
-/// haptic plane, where pressing is the paper's way to draw broader, without any lean.
+/// specification section 5b, with the tilt l of geometry/lean.h. The defaults are for the haptic
+/// plane, on which the paper draws broader lines by pressing harder; tilt has no effect.
 struct WidthMapOptions {
-  double min_mm = 0.3;                   ///< width at p = 0; not below kMinWidthMm
-  double max_mm = 6.0;                   ///< width at p = 1; not below min_mm
-  double gamma = 1.0;                    ///< > 0; above 1 keeps a light hand thin
-  double absent_pressure = 0.5;          ///< p where the source has none (a mouse)
-  double time_constant_ms = 20.0;        ///< of the low-pass on p; 0 switches it off
-  double interval_ms = 7.5;              ///< between samples without times (a tablet at 133 Hz)
-  double lean_width = 1.0;               ///< width of a pen that leans fully, in upright ones; >= 1
-  double absent_lean_deg = 0.0;          ///< lean where the source has none
-  std::optional<ToneMapOptions> tone{};  ///< absent: tone_of_width of the width
+  double min_mm = 0.3;             ///< width at p = 0; not below kMinWidthMm
+  double max_mm = 6.0;             ///< width at p = 1; not below min_mm
+  double gamma = 1.0;              ///< > 0; above 1 keeps a light hand thin
+  double absent_pressure = 0.5;    ///< p if the source reports none (a mouse)
+  double time_constant_ms = 20.0;  ///< of the low-pass on p; 0 switches it off
+  double interval_ms = 7.5;        ///< between samples without times (a tablet at 133 Hz)
+  double lean_width = 1.0;         ///< width of a fully tilted pen relative to an upright one; >= 1
+  double absent_lean_deg = 0.0;    ///< tilt if the source reports none
+  std::optional<ToneMapOptions> tone{};  ///< if absent, tone_of_width(width)
 
   friend bool operator==(const WidthMapOptions&, const WidthMapOptions&) = default;
 };
 
-/// Widths of an ordinary pen: what tablet and mouse ink gets unless asked otherwise. A tablet
-/// reports about 0.3..0.6 in writing, which would be 2..4 mm on the scale of the haptic plane.
+/// Widths of an ordinary pen: the default for tablet and mouse ink. A tablet reports about 0.3..0.6
+/// in writing, which would be 2..4 mm with the widths of the haptic plane.
 inline constexpr WidthMapOptions kPenWidths{.min_mm = 0.3, .max_mm = 2.0};
 
-/// What a width profile must keep to.
+/// Tolerances of the fit of a width profile.
 struct WidthFitOptions {
-  /// Largest difference between the profile and the filtered width of any sample, in mm. 0 puts a
-  /// knot at every sample that is not on the line of its neighbours.
+  /// Largest difference between the profile and the filtered width of any sample, in mm. With 0,
+  /// every sample that is not on the line between its neighbours gets a knot.
   double tolerance_mm = 0.15;
   double min_mm = kMinWidthMm;  ///< widths are clamped to [min_mm, max_mm] (I4)
   double max_mm = 6.0;
-  /// Largest difference between the profile and the tone of any sample, where samples have a tone
-  /// of their own. Of handwriting on a tablet 0.05 takes 11 % more breakpoints than the widths of
-  /// 0.3..2 mm alone, and none more than those of 0.3..6 mm; 0.1 takes none, 0.03 takes 28 %.
+  /// Largest difference between the profile and the tone of any sample, if samples have their own
+  /// tone. Measured with handwriting on a tablet: 0.05 costs 11 % more knots than widths of 0.3..2
+  /// mm alone, and no more than widths of 0.3..6 mm; 0.1 costs none, 0.03 costs 28 %.
   double tone_tolerance = 0.05;
 };
 
@@ -111,7 +113,7 @@ enum class FitScheme {
   kPaper2002,  ///< the scheme of the paper, eq. 2 with s shared samples (R6), for study
 };
 
-/// How ink is made from samples.
+/// Options of the whole path from samples to a stroke.
 struct InkFitOptions {
   FitScheme scheme = FitScheme::kFeltline;
   CurveFitOptions curve;
@@ -127,8 +129,8 @@ struct InkFitOptions {
 struct FittedCurve {
   std::vector<Point> points;      ///< 3n + 1 control points; empty before the first segment
   std::vector<JointKind> joints;  ///< n - 1 kinds of the inner joints
-  /// For each sample that the n segments cover, in order: its place u = segment index + t on the
-  /// curve. Non-decreasing; the curve at u lies within the tolerance of the sample.
+  /// For each sample that the n segments cover, in order: its parameter u = segment index + t on
+  /// the curve. Non-decreasing; the curve at u lies within the tolerance of the sample.
   std::vector<double> sample_u;
 
   [[nodiscard]] int segment_count() const noexcept {
@@ -142,7 +144,7 @@ struct FittedCurve {
   friend bool operator==(const FittedCurve&, const FittedCurve&) = default;
 };
 
-/// Where on a curve `count` consecutive samples lie.
+/// The position on a curve that `count` consecutive samples share.
 struct SamplePlace {
   double u = 0.0;
   std::uint32_t count = 0;

@@ -47,7 +47,8 @@ struct InkFitter::State {
   ChunkedVector<InkSample> samples;
   std::size_t ignored = 0;
   bool ended = false;
-  // After end(), made when it is asked for: copying a long stroke takes longer than a sample may.
+  // Whether `curve` is valid. It is made on the first request after end(), because copying a long
+  // stroke takes longer than the time of a sample.
   bool has_curve = false;
   FittedCurve curve;
   std::vector<Cubic> tail;
@@ -147,7 +148,8 @@ std::span<const Cubic> InkFitter::live_tail() {
   if (s.options.filter_artefacts) {
     const auto held = s.filter.held();
     if (held.empty()) return s.tail;
-    // Before the first sample is ink it is there already: a pen that touches must leave a mark.
+    // The held samples are shown even before the first sample is ink, because a pen that touches
+    // must leave a mark.
     Point at = s.samples.empty() ? held.front().position : s.samples.back().position;
     for (const InkSample& sample : held) {
       s.tail.push_back(straight(at, sample.position));

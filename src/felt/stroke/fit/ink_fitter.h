@@ -10,18 +10,18 @@
 
 namespace felt {
 
-/// Pen samples in, a variable-width stroke out, while it is being drawn.
+/// Turns pen samples into a stroke of variable width while it is being drawn.
 ///
-/// Life-cycle of one stroke:
+/// Use, for each stroke:
 ///   1. `begin()`;
 ///   2. `push()` for each sample: bounded work, no allocation after warm-up; `segment_count()`,
-///      `segment()` and `joint()` are the stable prefix, which never changes, `live_tail()` the
-///      short rest;
+///      `segment()` and `joint()` are the stable prefix, which never changes, and `live_tail()` is
+///      the short rest;
 ///   3. `end()` at pen-up: the online curve is complete;
 ///   4. optionally `refine()`: fewer segments within the same tolerance;
 ///   5. `curve()`, `stroke()`: the result.
-/// The object is reused for the next stroke and keeps its buffers. The result depends on the
-/// samples only, not on how they are grouped in time (R7). Thread: one.
+/// The object can be reused for the next stroke and keeps its buffers. The result depends on the
+/// samples only, not on how calls are grouped in time (R7). Thread: one at a time.
 class InkFitter {
  public:
   explicit InkFitter(const InkFitOptions& options);
@@ -29,37 +29,41 @@ class InkFitter {
   InkFitter(InkFitter&&) noexcept;
   InkFitter& operator=(InkFitter&&) noexcept;
 
-  /// Forgets the last stroke and starts one.
+  /// Discards the last stroke and starts a new one.
   void begin();
-  /// Takes the next sample. One whose coordinates are not finite or exceed kMaxCoordinateMm is
-  /// ignored and counted.
+  /// Adds the next sample. Ignores and counts it if a coordinate is not finite or exceeds
+  /// kMaxCoordinateMm.
   void push(const InkSample& sample);
-  /// Pen-up: completes the online curve.
+  /// Completes the online curve. Call at pen-up.
   void end();
-  /// Replaces the online curve by one with fewer segments within the same tolerance, if there is
-  /// one. After end(); time linear in the samples. kFeltline only; else it does nothing.
+  /// Replaces the online curve by one with fewer segments within the same tolerance, if one is
+  /// found. Requires end() before. Time is linear in the samples. Does nothing unless the scheme is
+  /// kFeltline.
   void refine();
 
-  /// Segments of the stable prefix while drawing, of the whole curve after end().
+  /// Returns the number of segments: of the stable prefix while drawing, of the whole curve after
+  /// end().
   [[nodiscard]] int segment_count() const;
-  /// Segment i of them.
+  /// Returns segment i, 0 <= i < segment_count().
   [[nodiscard]] Cubic segment(int i) const;
-  /// Kind of the joint before segment i, 0 < i < segment_count().
+  /// Returns the kind of the joint before segment i, 0 < i < segment_count().
   [[nodiscard]] JointKind joint(int i) const;
-  /// Where on the stable prefix the samples lie that it covers, in order; the rest of samples() is
-  /// still open. kFeltline only, else empty. Before refine().
+  /// Returns the positions, on the stable prefix, of the samples that it covers, in order. The
+  /// other samples() have no final position yet. Empty unless the scheme is kFeltline. Valid until
+  /// refine().
   [[nodiscard]] const ChunkedVector<SamplePlace>& places() const;
-  /// Provisional segments from the stable prefix to the newest sample, for display only; valid
-  /// until the next call.
+  /// Returns provisional segments from the stable prefix to the newest sample, for display only.
+  /// Valid until the next call.
   [[nodiscard]] std::span<const Cubic> live_tail();
 
-  /// The samples that became ink since begin(): those taken, after the filter.
+  /// Returns the samples that became ink since begin(): the accepted ones, after the filter.
   [[nodiscard]] const ChunkedVector<InkSample>& samples() const;
-  /// Number of samples ignored since begin().
+  /// Returns the number of samples ignored since begin().
   [[nodiscard]] std::size_t ignored_count() const;
-  /// The whole curve. After end().
+  /// Returns the whole curve. Requires end() before.
   [[nodiscard]] const FittedCurve& curve() const;
-  /// The finished stroke with its width profile. After end(). Error: no sample was taken.
+  /// Returns the finished stroke with its width profile. Requires end() before. Fails if no sample
+  /// was accepted.
   [[nodiscard]] Result<Stroke> stroke() const;
 
  private:

@@ -46,13 +46,13 @@ void KeptSamples::merge(Point p, double squared) noexcept {
   open_[open_count_++] = p;
 }
 
-// Divides the open samples between the newest kept sample, which stands for the first of them, and
-// the next one, so that the larger slack is as small as can be.
+// Divides the open samples between the newest kept sample, which gets the first of them, and the
+// next one, so that the larger of the two slacks is as small as possible.
 void KeptSamples::share_open(Sample& next) noexcept {
   Sample& last = samples_.back();
   double before = last.slack;
   double after = 0.0;
-  std::size_t first = open_count_;  // of those that the next one stands for
+  std::size_t first = open_count_;  // of those that the next one represents
   while (first > 0) {
     const double slack = std::max(after, distance(open_[first - 1], next.point));
     if (slack >= before) break;

@@ -11,46 +11,49 @@ namespace felt {
 
 /// The data points of a stroke: the samples that a curve fit keeps, from the first one on.
 ///
-/// A sample within the spacing of the last kept one is not stored: that one stands for it, or the
-/// next one if that turns out to be nearer. It only widens their *slack*, the largest distance of
-/// what they stand for. A curve that stays within (tolerance - slack) of a kept sample stays within
-/// the tolerance of all samples that it stands for, so no sample is lost to the guarantee (R3, R8)
-/// and resting the pen costs nothing.
+/// A sample within the spacing of the last kept one is not stored. That one represents it, or the
+/// next kept one if that turns out to be nearer. It only widens the *slack* of the one that
+/// represents it: the largest distance to a represented sample. A curve that stays within
+/// (tolerance - slack) of a kept sample stays within the tolerance of all samples that it
+/// represents. So the tolerance holds for every sample (R3, R8), and resting the pen costs nothing.
 ///
-/// Adding a sample costs the same at the millionth as at the first. No allocation once warm.
+/// Adding a sample takes constant time. No allocation after warm-up.
 class KeptSamples {
  public:
-  /// Part of the tolerance that is not used, so that a distance that someone measures by sampling
-  /// the curve is still within it.
+  /// Fraction of the tolerance that is not used, so that a distance measured by sampling the curve,
+  /// which is a little too large, is still within the tolerance.
   static constexpr double kReserve = 1e-3;
 
   KeptSamples(double tolerance_mm, double spacing_mm);
 
-  /// Forgets all samples.
+  /// Removes all samples.
   void clear() noexcept {
     samples_.clear();
     open_count_ = 0;
   }
-  /// Adds a sample. True if it was kept, false if it was merged into the last kept one.
+  /// Adds a sample. Returns true if it was kept, false if it was merged.
   bool add(Point p);
 
   [[nodiscard]] std::size_t size() const noexcept { return samples_.size(); }
   [[nodiscard]] Point point(std::size_t i) const noexcept { return samples_[i].point; }
-  /// Path length in mm along the kept samples, from the first one of the stroke.
+  /// Returns the path length in mm along the kept samples, from the first one of the stroke to
+  /// sample i.
   [[nodiscard]] double path_mm(std::size_t i) const noexcept { return samples_[i].path_mm; }
-  /// 1 / (tolerance - slack)^2: a squared distance times this is at most 1 if it is allowed.
+  /// Returns 1 / (tolerance - slack)^2 of sample i, in 1/mm^2. A squared distance is allowed if its
+  /// product with this is at most 1.
   [[nodiscard]] double inverse_limit(std::size_t i) const noexcept {
     return samples_[i].inverse_limit;
   }
-  /// Number of samples that kept sample i stands for, itself included: neighbours in order.
+  /// Returns the number of consecutive samples that kept sample i represents, itself included.
   [[nodiscard]] std::uint32_t sample_count(std::size_t i) const noexcept {
     return samples_[i].count;
   }
-  /// The newest sample, kept or merged.
+  /// Returns the newest sample, kept or merged.
   [[nodiscard]] Point newest() const noexcept { return newest_; }
   [[nodiscard]] double tolerance_mm() const noexcept { return tolerance_mm_; }
 
-  /// Turn of the ink at sample i in radians where it may be a corner, else 0 (CornerDetector).
+  /// Returns the turn of the ink at sample i in radians if it may be a corner, else 0
+  /// (CornerDetector).
   [[nodiscard]] double turn(std::size_t i) const noexcept { return samples_[i].turn; }
   void set_turn(std::size_t i, double radians) noexcept { samples_[i].turn = radians; }
   [[nodiscard]] bool is_corner(std::size_t i) const noexcept { return samples_[i].is_corner; }
@@ -67,7 +70,7 @@ class KeptSamples {
     bool is_corner = false;
   };
 
-  // Merged samples that the next kept one may stand for.
+  // Most merged samples that the next kept one may still take over.
   static constexpr std::size_t kMaxOpen = 16;
 
   void set_slack(Sample& sample, double slack) const noexcept;
@@ -79,7 +82,7 @@ class KeptSamples {
   Point newest_;
   std::array<Point, kMaxOpen> open_{};
   std::size_t open_count_ = 0;
-  double settled_slack_ = 0.0;  // of the newest kept sample without the open ones
+  double settled_slack_ = 0.0;  // slack of the newest kept sample without the open ones
   ChunkedVector<Sample> samples_;
 };
 

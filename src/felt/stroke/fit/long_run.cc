@@ -5,7 +5,7 @@
 namespace felt {
 namespace {
 
-// Steps from the guess between two neighbours in the window to the foot point.
+// Newton steps from the interpolated guess to the foot point.
 constexpr int kFootSteps = 2;
 
 }  // namespace
@@ -62,6 +62,9 @@ void RunPlacer::begin(const LongRun& run, const Cubic& curve, double end) noexce
   furthest_sample_ = next_;
 }
 
+// A sample of the window already has the parameter of the fit. For one that was left out, it is
+// guessed from its neighbours in the window. The fit has proven the distance of the former if they
+// are in order; the distance of all others is checked here.
 std::optional<double> RunPlacer::place(const LongRun& run, const KeptSamples& kept) noexcept {
   const bool was_fitted = run.source(in_window_) == next_;
   const Point p = kept.point(next_);

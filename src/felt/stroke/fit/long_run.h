@@ -11,22 +11,22 @@
 
 namespace felt {
 
-/// Finds how far one cubic can go over the kept samples of a stroke, however many they are: whoever
-/// draws slowly makes more samples, but the curve is the same.
+/// Finds how far one cubic can go over the kept samples of a stroke, for any number of samples: a
+/// slow stroke has more samples but the same curve.
 ///
 /// RunSearch looks at a window of at most SegmentFit::kMaxRun samples. When the run fills it,
-/// samples are left out of the window (RunSearch::thin) and the search goes on with those that
-/// follow. What is found is then accepted for the samples of the window only; RunPlacer proves it
-/// for all. If it does not hold, search_again() with the samples that were missed held in the
-/// window; in the end begin() with Detail::kEverySample: such a run ends where the window does, and
+/// samples are removed from the window (RunSearch::thin) and the search continues with those that
+/// follow. The result is then proven only for the samples in the window; RunPlacer proves it for
+/// all. If the curve misses a sample, call search_again(), which holds that sample in the window,
+/// and finally begin() with Detail::kEverySample: such a run ends at the end of the window and
 /// needs no proof.
 ///
 /// Work of one step() is bounded by kMaxRun additions and one step of RunSearch. No allocation.
 class LongRun {
  public:
   enum class Detail {
-    kThinned,      ///< of any length
-    kEverySample,  ///< at most SegmentFit::kMaxRun samples, all of them looked at
+    kThinned,      ///< any length; samples may be left out of the search
+    kEverySample,  ///< at most SegmentFit::kMaxRun samples, all of them in the window
   };
 
   /// Samples that search_again() can hold in the window.
@@ -41,28 +41,30 @@ class LongRun {
   /// Starts a search at kept sample `first`, as RunSearch::begin() does.
   void begin(const KeptSamples& kept, const RunStart& start, std::size_t first,
              Detail detail = Detail::kThinned) noexcept;
-  /// Starts the same search again, with these two kept samples always in the window. False, and
-  /// nothing is done, after kMaxHeld of them.
+  /// Starts the same search again, with kept samples a and b always in the window. Returns false,
+  /// and does nothing, if more than kMaxHeld samples would be held.
   bool search_again(const KeptSamples& kept, std::size_t a, std::size_t b) noexcept;
-  /// Does one step. Kept samples before `limit` may be used; `is_final` says that there will be no
-  /// more of them for this run. Requires limit > first().
+  /// Does one step. Kept samples before `limit` may be used; `is_final`: there will be no more of
+  /// them for this run. Requires limit > first().
   RunSearch::Status step(const KeptSamples& kept, std::size_t limit, bool is_final) noexcept;
-  /// Ensures the least length of a segment, and pins the ends to their samples (RunSearch).
+  /// Ensure the minimum length of a segment, and pin the ends to their samples (see RunSearch).
   void ensure_length() noexcept { search_.ensure_length(window_); }
   void pin(bool start, bool end) noexcept { search_.pin(window_, start, end); }
 
   [[nodiscard]] const RunStart& start() const noexcept { return search_.start(); }
-  /// The first kept sample of the run, and one past the last. Equal before the first exact fit.
+  /// Return the first kept sample of the run, and one past the last. Equal before the first exact
+  /// fit.
   [[nodiscard]] std::size_t first() const noexcept { return first_; }
   [[nodiscard]] std::size_t end() const noexcept {
     return count() == 0 ? first_ : source(count() - 1) + 1;
   }
-  /// Samples of the window in the run, their parameters, and which kept samples they are.
+  /// Return the number of window samples in the run, their parameters, and the kept sample that
+  /// window sample i is.
   [[nodiscard]] std::size_t count() const noexcept { return search_.count(); }
   [[nodiscard]] std::span<const double> parameters() const noexcept { return search_.parameters(); }
   [[nodiscard]] std::size_t source(std::size_t i) const noexcept { return window_.source(i); }
   [[nodiscard]] const Cubic& curve() const noexcept { return search_.curve(); }
-  /// Work since construction, in samples x rounds of exact fits.
+  /// Returns the work since construction, in samples x rounds of exact fits.
   [[nodiscard]] long work() const noexcept { return search_.work(); }
 
  private:
@@ -76,21 +78,22 @@ class LongRun {
   std::size_t held_count_ = 0;
   Detail detail_ = Detail::kThinned;
   std::size_t first_ = 0;
-  std::size_t next_ = 0;  // kept sample that the window gets next
+  std::size_t next_ = 0;  // kept sample that is added to the window next
 };
 
-/// Places the kept samples of a run on its curve one after the other, those that the window left
-/// out too, and thereby proves that each is within its limit, in order.
+/// Assigns parameters on a run's curve to its kept samples, one after the other, including those
+/// that are not in the window. This proves that each is within its limit, in order.
 class RunPlacer {
  public:
   /// Starts at the first sample of `run`. `curve` is the run's curve up to parameter `end`.
   void begin(const LongRun& run, const Cubic& curve, double end) noexcept;
-  /// The kept sample that comes next.
+  /// Returns the kept sample to place next.
   [[nodiscard]] std::size_t next() const noexcept { return next_; }
-  /// The parameter of that sample on the curve, not less than that of the one before; nullopt if
-  /// the curve does not meet it. Requires next() < run.end().
+  /// Places that sample and returns its parameter, which is not less than that of the one before.
+  /// Returns nullopt if the sample is outside its limit. Requires next() < run.end().
   std::optional<double> place(const LongRun& run, const KeptSamples& kept) noexcept;
-  /// The sample that is furthest along the curve so far: what comes later may not lie before it.
+  /// Returns the sample that is furthest along the curve so far. Later samples may not lie before
+  /// it.
   [[nodiscard]] std::size_t furthest() const noexcept { return furthest_sample_; }
 
  private:

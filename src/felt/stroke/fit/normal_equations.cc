@@ -43,10 +43,10 @@ bool solve_in_place(System<N>& s) noexcept {
 
 // Coefficients of B1..B4 in the jerk f'''/6.
 constexpr std::array<double, 4> kJerk = {-1.0, 3.0, -3.0, 1.0};
-// Place of B1..B4 on the chord.
+// Positions of B1..B4 on the chord, as fractions.
 constexpr std::array<double, 4> kOnChord = {0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0};
 
-// The system of the control points kFirst..4, x and y interleaved, with the priors.
+// Assembles the system of the control points kFirst..4, x and y interleaved, with the priors.
 template <std::size_t kFirst>
 System<2 * (4 - kFirst)> assemble(const NormalSums& sums, const Priors& priors) noexcept {
   constexpr std::size_t kCount = 4 - kFirst;
@@ -68,7 +68,8 @@ System<2 * (4 - kFirst)> assemble(const NormalSums& sums, const Priors& priors) 
   return s;
 }
 
-// The system of (a, B3, B4), B2 = a tangent: the rows and columns of B2 projected on the tangent.
+// Assembles the system of (a, B3, B4) with B2 = a tangent: the rows and columns of B2 are projected
+// on the tangent.
 System<5> assemble_on_tangent(const NormalSums& sums, const Priors& priors, Vec tangent) noexcept {
   // Pairs of (B2, B3, B4) in the lower triangle.
   enum Pair : std::size_t { k22, k32, k33, k42, k43, k44 };

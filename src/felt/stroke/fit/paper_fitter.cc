@@ -14,7 +14,8 @@ bool long_enough(Point a, Point b) {
   return distance(a, b) >= kMinSegmentMm;
 }
 
-// Unit direction of the curve at its end; past a zero-length handle the next control point decides.
+// Returns the unit direction of the curve at its end. If a handle has length zero, the next control
+// point decides.
 Vec end_direction(const Cubic& c) {
   for (const std::size_t i : {2u, 1u, 0u}) {
     if (c.p[i] != c.p[3]) return normalized(c.p[3] - c.p[i]);
@@ -32,13 +33,13 @@ JointKind joint_between(const Cubic& before, const Cubic& after) {
                                                                     : JointKind::kCorner;
 }
 
-// part / whole, or 0 where the path is too long for a double.
+// Returns part / whole, or 0 if the path is too long for a double.
 double share_of(double part, double whole) {
   const double share = part / whole;
   return std::isfinite(share) ? share : 0.0;
 }
 
-// One Newton step for (f(t) - p) . f'(t) = 0.
+// Returns t after one Newton step for (f(t) - p) . f'(t) = 0.
 double newton_step(const Cubic& c, Point p, double t) {
   const Vec d = evaluate(c, t) - p, d1 = derivative(c, t), d2 = second_derivative(c, t);
   const double next = t - dot(d, d1) / (norm_squared(d1) + dot(d, d2));
@@ -99,7 +100,7 @@ void PaperFitter::end() {
   place_merged();
 }
 
-// Gives the samples between two data points their places between those of these two.
+// Gives the samples between two data points parameters between those of these two.
 void PaperFitter::place_merged() {
   std::vector<double> u;
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -132,7 +133,7 @@ void PaperFitter::grow_to(std::size_t to) {
 
 bool PaperFitter::fit_within(Run& run) const {
   if (!long_enough(points_[run.from], points_[run.to])) return false;
-  // Something must be accepted: as a rule the chord of two neighbours, which meets both exactly.
+  // Something must be accepted: usually the chord of two neighbours, which meets both exactly.
   const bool first_try = good_.to == good_.from;
   if (run.to - run.from > kMaxRun && !first_try) return false;
   return fit(run) <= tolerance_mm_ || first_try;
@@ -216,9 +217,9 @@ void PaperFitter::uncommit_last() {
   }
 }
 
-// The samples after the last joint are too close to it for a segment of their own (I5): the last
-// segment is fitted again to draw them too. Where that misses the tolerance it stays as it is, and
-// its end stands for them.
+// The samples after the last joint are too close to it for a segment (I5). So the last segment is
+// fitted again to draw them too. If that fit misses the tolerance, the segment stays as it is, and
+// its end represents them.
 void PaperFitter::absorb_tail() {
   const std::size_t last = points_.size() - 1;
   const std::size_t from = ends_[ends_.size() - 2];

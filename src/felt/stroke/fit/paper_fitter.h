@@ -8,53 +8,52 @@
 
 namespace felt {
 
-/// The curve fit of the paper, kept as a mode of its own for study and comparison (R6).
+/// The curve fit of the paper, kept as a separate mode for study and comparison (R6).
 ///
 /// Points are added to the current segment while its error stays within a threshold; then a new
-/// segment starts, and "for smoothness two successive segments share a number of points". With
-/// our readings of the text:
+/// segment starts, and "for smoothness two successive segments share a number of points". We read
+/// the text as follows:
 ///   - "a threshold" decides what is a data point: a sample nearer than `data_point_mm` to the last
-///     one is none, but the last of the stroke is. So slow drawing costs no segments.
+///     one is not, except the last sample of the stroke. So slow drawing costs no segments.
 ///   - [Paper eq. 2, E7] a segment fitted to the points P_1..P_n runs from B1 = P_(1+s) to
 ///     B4 = P_(n-s); neighbours share 2s + 1 samples and the joint is the middle one, so C0 is
 ///     exact. The first segment starts at its P_1 and the last one ends at its P_n.
 ///   - B2 and B3 are the least-squares solution over P_1..P_n at chord-length parameters, 0 at B1
 ///     and 1 at B4. The s samples outside have parameters below 0 and above 1 and bend the
 ///     handles, although the segment does not draw them.
-///   - [E9] the tolerance is on the largest distance of the data points that the segment draws,
-///   each
-///     measured at its parameter after one Newton step towards the nearest point.
+///   - [E9] the tolerance limits the largest distance of the data points that the segment draws,
+///     each measured at its parameter after one Newton step towards the nearest point.
 ///
 /// Sharing samples does not make joints smooth (E8): their tangents differ by 3 to 10 degrees. A
-/// joint is declared kSmooth only where they agree to kSmoothJointMaxDeg, else kCorner.
+/// joint is declared kSmooth only if they agree to kSmoothJointMaxDeg, else kCorner.
 ///
 ///      P: o--o--o--o--o--o--o--o--o--o--o--o      s = 2
 ///         B1===================B4                 first segment, fitted to the first 9
 ///                     |--------|--------|         shared: 2s + 1 = 5
 ///                              B1==========...    second segment
 ///
-/// Life-cycle: begin(); push() for each point; end(). Work per sample is bounded by the longest
-/// run, kMaxRun samples, and is refitting from scratch: for study, not for a device loop.
+/// Use: begin(); push() for each point; end(). Each sample refits the run from scratch, so its work
+/// is bounded only by the longest run, kMaxRun samples: for study, not for drawing with a device.
 class PaperFitter {
  public:
-  /// Samples that one segment may draw.
+  /// Most samples that one segment may draw.
   static constexpr std::size_t kMaxRun = 400;
 
-  /// Requires shared_samples >= 0: s of [Paper eq. 2].
+  /// `shared_samples` is s of [Paper eq. 2]. Requires shared_samples >= 0.
   PaperFitter(const CurveFitOptions& options, int shared_samples,
               double data_point_mm = CurveFitter::kDataPointMm);
 
-  /// Forgets the last stroke and starts one.
+  /// Discards the last stroke and starts a new one.
   void begin();
-  /// Takes the next point, in mm. Requires finite coordinates.
+  /// Adds the next point, in mm. Requires finite coordinates.
   void push(Point p);
-  /// Pen-up: fits the rest. A stroke that never leaves kMinSegmentMm becomes one straight segment
-  /// of that length (R10); without any point the curve stays empty.
+  /// Fits the rest. Call at pen-up. A stroke that stays within kMinSegmentMm becomes one straight
+  /// segment of that length (R10). The curve stays empty if there was no point.
   void end();
-  /// The segments so far; complete after end(). Only then has each sample its place, before that
-  /// each data point; a sample between two of them lies between their places. No chord is below
-  /// kMinSegmentMm (I5), so up to that distance of the end may be left out when the tolerance is
-  /// smaller.
+  /// Returns the segments so far; complete after end(). `sample_u` has the data points until end(),
+  /// then every sample; a sample between two data points lies between their parameters. No chord is
+  /// below kMinSegmentMm (I5), so the curve may stop up to that distance before the end of the
+  /// stroke if the tolerance is smaller.
   [[nodiscard]] const FittedCurve& curve() const noexcept { return curve_; }
 
  private:
@@ -79,7 +78,7 @@ class PaperFitter {
   double tolerance_mm_;
   std::size_t shared_;
   double data_point_mm_;
-  std::vector<std::size_t> merged_;  // samples after each data point that are none
+  std::vector<std::size_t> merged_;  // samples after each data point that are not data points
   Point newest_;
   std::vector<Point> points_;
   std::vector<double> path_mm_;    // along the chords from the first point

@@ -31,7 +31,7 @@ std::vector<Point> loops(int count) {
   return points;
 }
 
-// Sample index of each joint, from the places u that are whole numbers.
+// Returns the sample index of each joint, from the u that are whole numbers.
 std::vector<std::size_t> joint_samples(const FittedCurve& curve) {
   std::vector<std::size_t> joints;
   for (std::size_t i = 0; i < curve.sample_u.size(); ++i) {
@@ -45,7 +45,7 @@ double distance_at(const FittedCurve& curve, double u, Point p) {
   return distance(evaluate(curve.segment(i), u - i), p);
 }
 
-// What FittedCurve promises, and I5.
+// Returns true if the invariants of FittedCurve, and I5, hold.
 bool is_sound(const FittedCurve& curve, std::size_t samples) {
   const int n = curve.segment_count();
   return n > 0 && curve.points.size() == 3 * static_cast<std::size_t>(n) + 1 &&
@@ -188,7 +188,7 @@ RC_GTEST_PROP(PaperFitter, TakesAnyPoints, ()) {
   RC_ASSERT(curve.points.front() == points.front());
   RC_ASSERT(distance(curve.points.back(), points.back()) <= kMinSegmentMm);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // kMinSegmentMm where the last few samples are too close for a segment of their own.
+    // plus kMinSegmentMm if the last few samples are too close for another segment.
     RC_ASSERT(distance_at(curve, curve.sample_u[i], points[i]) <= 0.25 + kMinSegmentMm);
   }
 }

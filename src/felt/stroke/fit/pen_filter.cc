@@ -72,7 +72,7 @@ bool PenFilter::is_jump(std::size_t from, std::size_t to) const noexcept {
          std::max(options_.jump_mm, options_.jump_mm_per_s * dt_s);
 }
 
-// The sample before the newest, when the pen jumped there and back.
+// Drops the sample before the newest if the pen jumped there and back.
 void PenFilter::drop_stray() {
   const std::size_t n = held_.size();
   if (n < 3 || !is_jump(n - 3, n - 2) || !is_jump(n - 2, n - 1)) return;
@@ -82,7 +82,8 @@ void PenFilter::drop_stray() {
   held_ms_.erase(held_ms_.end() - 2);
 }
 
-// `level_is_known`: the stroke is longer than the window, so its newest pressure is the level.
+// Corrects late pressure and a blob at pen-down. `level_is_known`: the stroke is longer than the
+// window, so its newest pressure is the normal level.
 void PenFilter::mend_start(bool level_is_known) {
   const auto first_real = std::find_if(held_.begin(), held_.end(),
                                        [](const InkSample& s) { return is_real(s.pressure); });
@@ -94,8 +95,9 @@ void PenFilter::mend_start(bool level_is_known) {
   for (std::size_t i = 0; i < held_.size() && is_blob(i, 0, *level); ++i) held_[i].pressure = level;
 }
 
-// An unbroken run from the end of the stroke, the sample `end`: pressure that rises first and then
-// falls is the hand's.
+// Returns true if sample i may belong to a blob at the sample `end`, an end of the stroke. Callers
+// stop at the first sample that is not: pressure that rises first and then falls comes from the
+// hand.
 bool PenFilter::is_blob(std::size_t i, std::size_t end, double level) const noexcept {
   return held_[i].pressure.value_or(0.0) > options_.blob_ratio * level &&
          std::fabs(held_ms_[i] - held_ms_[end]) <= options_.blob_ms &&
@@ -113,7 +115,7 @@ void PenFilter::mend_end() {
   for (std::size_t i = last; i > 0 && is_blob(i, last, *level); --i) held_[i].pressure = level;
 }
 
-// The sharpest turn that starts a hook, or the last sample.
+// Returns the sharpest turn that starts a hook, or the last sample if there is no hook.
 std::size_t PenFilter::find_hook() const noexcept {
   std::size_t best = held_.size() - 1;
   double best_deg = options_.hook_angle_deg;
@@ -139,7 +141,8 @@ bool PenFilter::is_hook(std::size_t turn) const noexcept {
          distance(held_[turn].position, held_.back().position) >= options_.hook_min_mm;
 }
 
-// Angle between the way into the sample `turn`, over at least hook_min_mm, and the way on.
+// Returns the angle at sample `turn` between the path into it, over at least hook_min_mm, and the
+// path out of it.
 double PenFilter::turn_deg(std::size_t turn) const noexcept {
   const Point at = held_[turn].position;
   Point from = *last_released_;

@@ -145,7 +145,7 @@ RC_GTEST_PROP(PenFilter, InkWithoutArtefactsPassesUnchanged, ()) {
   RC_ASSERT(filtered(stroke) == stroke);
 }
 
-// Whatever comes in: the order stays, the start stays, and the end loses no more than it may.
+// For any input the order and the start stay the same, and the end loses no more than allowed.
 RC_GTEST_PROP(PenFilter, LosesNoMoreThanItSays, ()) {
   const auto steps = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::array<int, 4>>>(
       rc::gen::container<std::array<int, 4>>(rc::gen::inRange(-10, 11))));

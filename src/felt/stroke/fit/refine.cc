@@ -29,6 +29,8 @@ void Refiner::follow(const FittedCurve& online) {
   guide_.follow(kept_, online);
 }
 
+// Each pass extends all partial curves of the beam by one segment, so the first one that reaches
+// the end of the stroke has the fewest segments.
 FittedCurve Refiner::end() {
   const std::size_t size = kept_.size();
   if (size < 2 || kept_.path_mm(size - 1) < kMinSegmentMm) return {};
@@ -96,8 +98,8 @@ void Refiner::find_longest(const Partial& from, Run& run) {
   run.curve = search_.curve();
 }
 
-// Gives each sample of the run its parameter. False if the curve does not meet all of them; the run
-// then ends before the first that it misses.
+// Gives each sample of the run its parameter. Returns false if the curve does not meet all of them;
+// the run then ends before the first that it misses.
 bool Refiner::place_samples(RunPlacer& placer, Run& run) const {
   run.t.clear();
   placer.begin(search_, run.curve, 1.0);

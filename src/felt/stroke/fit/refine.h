@@ -13,11 +13,11 @@ namespace felt {
 
 /// Fits a whole stroke again at pen-up, with fewer segments within the same tolerance.
 ///
-/// While drawing, CurveFitter must put each joint before it knows what comes. With the stroke at
-/// hand, a beam search tries several: from each of the kBeam best partial curves with m segments
-/// the longest run is found and cut at each of kReaches, which makes the candidates with m + 1
-/// segments; kept are those that cover most ink. The first to cover all of it has the fewest
-/// segments that were found. Same cubic fits, corners and guarantees as CurveFitter.
+/// While drawing, CurveFitter must place each joint before later samples arrive. With the whole
+/// stroke available, a beam search tries several joints. It extends each of the kBeam best partial
+/// curves with m segments by its longest run, cut at each of kReaches. Of these candidates with m +
+/// 1 segments it keeps those that cover most ink. The first candidate that covers all of it is the
+/// result. Fits, corners and guarantees are those of CurveFitter.
 ///
 /// Time is linear in the samples, about kBeam times that of the online fit. Runs on any thread,
 /// one Refiner per thread; buffers are kept between strokes.
@@ -30,16 +30,16 @@ class Refiner {
 
   explicit Refiner(const CurveFitOptions& options);
 
-  /// Forgets the last stroke and starts one.
+  /// Discards the last stroke and starts a new one.
   void begin();
-  /// Takes the next sample. Requires finite coordinates of at most 1e9 mm.
+  /// Adds the next sample. Requires finite coordinates of at most 1e9 mm.
   void push(Point p);
-  /// Asks for a curve that stays within the tolerance of `online`, the curve that CurveFitter made
-  /// of the same samples, so that nothing jumps by more when it takes its place. After the last
-  /// push().
+  /// Makes end() accept only curves within the tolerance of `online`, so that nothing visible jumps
+  /// by more when the result replaces it. Requires that CurveFitter made `online` of the same
+  /// samples. Call after the last push().
   void follow(const FittedCurve& online);
-  /// The curve with the fewest segments found, or an empty one where there is nothing to improve
-  /// (a dot, no sample) or no way to stay close to the curve that is followed.
+  /// Returns the curve with the fewest segments found. Returns an empty one if there is nothing to
+  /// improve (a dot, no sample) or no curve that stays close enough to `online`.
   FittedCurve end();
 
  private:
@@ -49,7 +49,7 @@ class Refiner {
     Cubic segment{};
     JointKind joint = JointKind::kCorner;  // at its start
     std::size_t first = 0, count = 0;      // samples that it covers
-    std::size_t places = 0;                // their parameters, in places_
+    std::size_t places = 0;                // index in places_ of their parameters
   };
   /// A partial curve: its last segment, and how the next one starts.
   struct Partial {
@@ -65,7 +65,7 @@ class Refiner {
     bool ends_at_corner = false;
     bool is_last = false;
   };
-  /// A place to cut a run.
+  /// A position at which to cut a run.
   struct Cut {
     std::size_t run = 0;
     std::size_t joint = 0;  // index in the run

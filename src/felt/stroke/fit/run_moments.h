@@ -4,26 +4,27 @@
 
 namespace felt {
 
-/// The gate in front of the exact fit: running sums from which the least-squares cubic through the
-/// two end samples of a run, and its residual, follow in constant time per sample.
+/// A cheap test before the exact fit. It keeps running sums from which the least-squares cubic
+/// through the two end samples of a run, and its residual, follow in constant time per sample.
 ///
-/// With s = path length from the origin, kept are M_k = sum s^k (k 0..6), Q_k = sum s^k P (k 0..3)
-/// and sum |P|^2, positions relative to the origin. Dividing by powers of the whole length L turns
-/// them into sums over t = s / L, from which the normal equations and the sum of squared distances
-/// at chord-length parameters expand. When that sum is at most tolerance^2, every single sample
-/// is within the tolerance: the run can grow without looking at a sample again. When it is not,
-/// nothing follows, since distance along the curve counts as error too; then the exact fit
-/// decides. Doubles lose 3e-10 mm over 100,000 samples.
+/// With s the path length from the origin, the sums are M_k = sum s^k (k 0..6), Q_k = sum s^k P (k
+/// 0..3) and sum |P|^2, with positions P relative to the origin. Divided by powers of the whole
+/// length L they become sums over t = s / L. From these follow the normal equations and the sum of
+/// squared distances at chord-length parameters. If that sum is at most tolerance^2, every single
+/// sample is within the tolerance, so the run can grow without visiting its samples again. If it is
+/// larger, the exact fit must decide, because the sum also counts distance along the curve as
+/// error. Doubles lose 3e-10 mm over 100,000 samples.
 class RunMoments {
  public:
   /// Starts a run at `origin` with a free tangent.
   void begin(Point origin) noexcept;
   /// Starts a run at `origin` with the unit tangent `tangent`.
   void begin(Point origin, Vec tangent) noexcept;
-  /// Adds the sample p at `path_mm` from the origin along the samples. `path_mm` does not decrease.
+  /// Adds the sample p at `path_mm` from the origin along the samples. Requires that `path_mm` does
+  /// not decrease.
   void add(Point p, double path_mm) noexcept;
-  /// Sum of squared distances in mm^2 of the best cubic from the origin to the last sample, or
-  /// infinity when the sums do not determine one.
+  /// Returns the sum of squared distances in mm^2 of the best cubic from the origin to the last
+  /// sample, or infinity if the sums do not determine one.
   [[nodiscard]] double residual() const noexcept;
 
  private:

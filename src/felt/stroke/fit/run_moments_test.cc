@@ -96,7 +96,7 @@ TEST(RunMoments, AgreeWithDirectLeastSquaresOnANoisyArc) {
          {std::optional<Vec>{}, std::optional<Vec>{{1.0, 0.0}}}) {
       const double residual = moments_of(run, tangent).residual();
       const auto direct = static_cast<double>(direct_fit(run, tangent).sum);
-      // 1e-9 of the residual, or what the sum of |P|^2 leaves when it is taken off.
+      // 1e-9 of the residual, plus the rounding error of subtracting from the sum of |P|^2.
       EXPECT_NEAR(residual, direct, 1e-9 * direct + 1e-13 * 300 * 2500);
     }
   }
@@ -136,7 +136,7 @@ TEST(RunMoments, AreInfiniteWhereTheyDoNotDetermineACubic) {
   moments.add({2.0, 2.0}, 1.0);
   EXPECT_EQ(moments.residual(), kInfinity) << "two places";
 
-  // Samples that go against the given tangent.
+  // Samples that go in the opposite direction of the tangent.
   moments.begin({0.0, 0.0}, {-1.0, 0.0});
   for (int i = 0; i < 10; ++i) moments.add({1.0 * i, 0.0}, 1.0 * i);
   EXPECT_EQ(moments.residual(), kInfinity);

@@ -10,7 +10,7 @@ namespace {
 
 // Gate updates in one step: about as much work as a small exact fit.
 constexpr std::size_t kGateStep = 32;
-// The gate opens at this many samples; fewer are fitted by any cubic.
+// The gate tests runs of at least this many samples; a cubic fits any fewer.
 constexpr std::size_t kGateLeast = 4;
 
 std::size_t longer(std::size_t count) {
@@ -36,7 +36,7 @@ void RunSearch::begin(const SampleWindow& window, const RunStart& start,
   phase_ = Phase::kGate;
 }
 
-// A free start needs two samples to be a curve at all.
+// Returns the least number of samples of a run. From a free start two are needed to define a curve.
 std::size_t RunSearch::least_count() const noexcept {
   return start_.kind == RunStart::Kind::kFree ? 2 : 1;
 }
@@ -115,6 +115,7 @@ RunSearch::Status RunSearch::run_bisect(const SampleWindow& window) noexcept {
     return Status::kDone;
   }
   std::size_t middle = (good_ + bad_) / 2;
+  // Tries the longest run that the gate has proven first, because a fit of it usually succeeds.
   if (proven_ > good_ && proven_ < bad_) middle = proven_;
   middle = std::max(middle, least);
   if (!try_count(window, middle)) bad_ = middle;
@@ -138,8 +139,8 @@ void RunSearch::keep_fit(std::size_t count) noexcept {
   std::copy(fit_.parameters().begin(), fit_.parameters().end(), t_.begin());
 }
 
-// Not even the shortest run is accepted (a hairpin inside the tolerance band, say): go straight to
-// the first sample that is far enough for a segment.
+// Used if not even the shortest run is accepted, for example a hairpin inside the tolerance band:
+// goes straight to the first sample that is far enough for a segment.
 void RunSearch::bridge(const SampleWindow& window) noexcept {
   std::size_t count = least_count();
   const auto is_at_start = [&](std::size_t i) {

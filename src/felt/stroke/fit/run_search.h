@@ -11,21 +11,21 @@
 namespace felt {
 
 /// Finds how far one cubic can go: the longest run of a window's samples from a given start that
-/// SegmentFit accepts, in small steps of bounded work, so that it can follow a pen. LongRun goes on
-/// where the window ends.
+/// SegmentFit accepts. It works in small steps of bounded work, so that it keeps up with a pen.
+/// LongRun continues beyond the end of the window.
 ///
-///   1. gate: as long as the moments prove that the run is within the tolerance, a sample costs
+///   1. gate: as long as running sums prove that the run is within the tolerance, a sample costs
 ///      one update (RunMoments);
 ///   2. gallop: then exact fits, each a quarter longer than the last good one;
-///   3. bisect: after the first that fails, halve the gap to the last good one until it is within
-///      a sixteenth of the run. The last few samples of a run are given to the next segment
-///      anyway, where a joint has samples on both sides.
+///   3. bisect: after the first that fails, halve the gap to the last good one until it is within a
+///      sixteenth of the run. Greater precision is not needed, because the last samples of a run go
+///      to the next segment anyway.
 ///
-/// Use: begin(); step() until it says kDone; then count(), curve(), parameters().
+/// Use: begin(); step() until it returns kDone; then count(), curve(), parameters().
 class RunSearch {
  public:
   enum class Status {
-    kNeedSamples,  ///< all samples offered are used; call again when there are more
+    kNeedSamples,  ///< all available samples are used; call again when there are more
     kBusy,         ///< one step of work done, more to do
     kDone,         ///< the run is found
   };
@@ -33,42 +33,43 @@ class RunSearch {
   /// Accepts only runs within the tolerance of `guide` (SegmentFit::set_guide).
   void set_guide(const GuideCurve* guide) noexcept { fit_.set_guide(guide); }
 
-  /// True unless the run is a bridge, for want of any fit, that leaves the guide.
+  /// Returns false if the run is a bridge (no fit was accepted) that leaves the guide.
   [[nodiscard]] bool is_close_to_guide() const noexcept { return is_close_to_guide_; }
 
-  /// Starts a search at sample `first` of the window. On a free start that sample is the first of
-  /// the curve, else it is the one after the joint.
+  /// Starts a search at sample `first` of the window. If the start is free, that sample is the
+  /// first of the curve, else it is the one after the joint.
   void begin(const SampleWindow& window, const RunStart& start, std::size_t first) noexcept;
 
   /// Does one step: some gate updates or one exact fit. Samples before `limit` may be used;
-  /// `is_final` says that there will be no more of them for this run (a corner, the end of the
-  /// stroke). Requires limit > first.
+  /// `is_final`: there will be no more of them for this run, because of a corner or the end of the
+  /// stroke. Requires limit > first.
   Status step(const SampleWindow& window, std::size_t limit, bool is_final) noexcept;
 
-  /// The start, after begin().
+  /// Returns the start and the first sample given to begin(). pin() may change the start.
   [[nodiscard]] const RunStart& start() const noexcept { return start_; }
   [[nodiscard]] std::size_t first() const noexcept { return first_; }
-  /// Samples in the best run so far; 0 before the first exact fit.
+  /// Returns the number of samples in the best run so far; 0 before the first exact fit.
   [[nodiscard]] std::size_t count() const noexcept { return good_; }
-  /// Its curve, and the parameters of its samples.
+  /// Return its curve, and the parameters of its samples.
   [[nodiscard]] const Cubic& curve() const noexcept { return curve_; }
   [[nodiscard]] std::span<const double> parameters() const noexcept { return {t_.data(), good_}; }
 
   /// Replaces the run found by one with the same samples that begins or ends exactly on its first
-  /// or last sample, if that is within the tolerance. For the ends of a stroke.
+  /// or last sample, if such a curve is within the tolerance. Used at the ends of a stroke.
   void pin(const SampleWindow& window, bool start, bool end) noexcept;
 
-  /// Where the run found is shorter than a segment may be (I5), goes straight to the first sample
-  /// that is far enough from the start, or to the last one offered. All samples between are within
-  /// kMinSegmentMm of the start, so the tolerance holds. After kDone; may change count().
+  /// If the run found is shorter than a segment may be (I5), replaces it by a bridge
+  /// (SegmentFit::bridge) to the first sample that is far enough from the start, or to the last
+  /// available one. All samples between are within kMinSegmentMm of the start, so the tolerance
+  /// holds. After kDone; may change count().
   void ensure_length(const SampleWindow& window) noexcept;
 
-  /// Makes room in a window that the run found fills, and takes the search up again: of its samples
-  /// those farthest to either side of the curve stay, so what a longer run misses is seen on them
-  /// first. Requires kDone, first() == 0 and count() == SegmentFit::kMaxRun == window.size().
+  /// Removes samples from a window that the run found fills, and resumes the search. The samples
+  /// farthest to either side of the curve stay, because a longer run would miss them first.
+  /// Requires kDone, first() == 0 and count() == SegmentFit::kMaxRun == window.size().
   void thin(SampleWindow& window) noexcept;
 
-  /// Work since construction, in samples x rounds of exact fits.
+  /// Returns the work since construction, in samples x rounds of exact fits.
   [[nodiscard]] long work() const noexcept { return fit_.work(); }
 
  private:

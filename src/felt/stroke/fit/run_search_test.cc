@@ -29,7 +29,7 @@ class SearchIn : public ::testing::TestWithParam<InkShape> {};
 INSTANTIATE_TEST_SUITE_P(AllInk, SearchIn, ::testing::ValuesIn(kAllShapes),
                          ::testing::PrintToStringParamName());
 
-// What is found is a fit, and not far beyond it a run fails.
+// The run found is a valid fit, and a slightly longer run fails.
 TEST_P(SearchIn, FindsARunThatHardlyCouldBeLonger) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE(seed);

@@ -6,8 +6,8 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kGroup = 4;
-// A group is thinned if it stands for at most this part of all samples. Of the heavier groups
-// there are then fewer than 32, so that a full window is reduced to 3/4 at most.
+// A group is thinned if it represents at most this fraction of all samples. Then there are fewer
+// than 32 heavier groups, so that a full window is reduced to 3/4 or less.
 constexpr double kGroupShare = 1.0 / 32.0;
 
 }  // namespace

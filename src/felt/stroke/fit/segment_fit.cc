@@ -11,14 +11,14 @@
 namespace felt {
 namespace {
 
-// From this round on a fit that is not converging fast enough to arrive is given up.
+// From this round on, a fit that does not converge fast enough is abandoned.
 constexpr int kGiveUpRound = 2;
-// Part of the tolerance by which a curve may leave its guide at the places compared; the rest is
-// for what lies between them.
+// Fraction of the tolerance by which a curve may leave its guide at the points compared; the rest
+// is for the curve between them.
 constexpr double kGuideShare = 0.95;
-// Of a pinned end sample against 1 of the mean of all.
+// Weight of a pinned end sample, relative to the mean of all.
 constexpr double kPinWeight = 1e6;
-// Of an end sample against all others together, at least.
+// Minimum weight of an end sample, relative to all samples together.
 constexpr double kEndShare = 0.02;
 
 detail::PowerCubic power_form(const Cubic& c, Point origin) noexcept {
@@ -31,8 +31,9 @@ detail::RunView view(const SampleWindow& w, std::size_t first, std::size_t count
           w.weight() + first, count,         origin};
 }
 
-// True when the error, shrinking by the same factor as in the last round, could still get within
-// its limit. Convergence slows down as it goes, so nearly all fits that would arrive pass.
+// Returns true if the error would still get within its limit by shrinking in each round as it did
+// in the last one. Convergence slows down over time, so hardly any fit is abandoned that would have
+// succeeded.
 bool may_arrive(double worst, double before, int rounds_left) noexcept {
   const double factor = worst / before;
   if (factor >= 1.0) return false;
@@ -42,6 +43,9 @@ bool may_arrive(double worst, double before, int rounds_left) noexcept {
 
 }  // namespace
 
+// The first solution is ordinary least squares (tangent weight 1), because the metric needs a
+// curve. Each round then moves the parameters to the foot points and tests the curve. If it is not
+// accepted, the next solution uses the metric of that curve.
 bool SegmentFit::fit(const SampleWindow& window, const RunStart& start, std::size_t first,
                      std::size_t count, End end, std::span<const double> known) noexcept {
   start_ = start;
@@ -64,11 +68,12 @@ bool SegmentFit::fit(const SampleWindow& window, const RunStart& start, std::siz
   }
 }
 
-// Chord-length parameters, or the known ones. False when all samples coincide with the start.
+// Sets chord-length parameters, or the known ones. Returns false if all samples coincide with the
+// start.
 bool SegmentFit::initialise(const SampleWindow& window, std::span<const double> known) noexcept {
   const double begin = window.path_mm(first_);
   const double lead = distance(start_.point, window.point(first_));
-  curve_ = {};  // no metric of a former run
+  curve_ = {};  // the metric must not depend on an earlier run
   length_mm_ = lead + (window.path_mm(first_ + count_ - 1) - begin);
   if (!(length_mm_ > 0.0)) return false;
   const double scale = 1.0 / length_mm_;
@@ -83,7 +88,8 @@ bool SegmentFit::initialise(const SampleWindow& window, std::span<const double> 
   return true;
 }
 
-// One least-squares solution at the present parameters; the metric comes from the present curve.
+// Solves the least-squares problem at the current parameters; the metric comes from the current
+// curve.
 bool SegmentFit::solve(const SampleWindow& window, double tangent_weight, End end) noexcept {
   const detail::RunView run = view(window, first_, count_, start_.point);
   const detail::PowerCubic power = power_form(curve_, start_.point);
@@ -91,11 +97,12 @@ bool SegmentFit::solve(const SampleWindow& window, double tangent_weight, End en
   const double* weights = run.weight;
   double weight = 0.0;
   for (std::size_t i = 0; i < count_; ++i) weight += weights[i];
-  // Samples hold the curve across its direction; along it only the end does, if they are many.
+  // Samples hold the curve mainly across its direction; along it the end sample must, so its weight
+  // grows with the number of samples.
   const double least = kEndShare * weight;
   const double end_weight = end == End::kPinned ? kPinWeight * weight / static_cast<double>(count_)
                                                 : std::max(least, weights[count_ - 1]);
-  detail::NormalSums sums;  // all that is used of it is written
+  detail::NormalSums sums;  // uninitialised: every value that is read is written first
   detail::Priors priors{weight * kEnergy, weight * kRidge, last, length_mm_};
   switch (start_.kind) {
     case RunStart::Kind::kFree:
@@ -116,7 +123,7 @@ bool SegmentFit::solve(const SampleWindow& window, double tangent_weight, End en
       break;
   }
   if (end == End::kPinned) {
-    // The weight has brought it there but for rounding; B3 moves along.
+    // The large weight leaves only a rounding error here; B3 moves with B4.
     const Vec shift = window.point(first_ + count_ - 1) - curve_.p[3];
     curve_.p[2] += shift;
     curve_.p[3] = window.point(first_ + count_ - 1);
@@ -124,8 +131,8 @@ bool SegmentFit::solve(const SampleWindow& window, double tangent_weight, End en
   return is_finite(curve_.p[1]) && is_finite(curve_.p[2]) && is_finite(curve_.p[3]);
 }
 
-// Moves the parameters to the foot points and returns the largest squared distance over its limit,
-// each at a parameter that is not before the one of the sample before.
+// Moves the parameters to the foot points. Returns the largest ratio of a squared distance to its
+// limit, with each sample measured at a parameter not less than those of the samples before it.
 double SegmentFit::place(const SampleWindow& window) noexcept {
   const detail::PowerCubic power = power_form(curve_, start_.point);
   const std::size_t last = count_ - 1;
@@ -134,7 +141,7 @@ double SegmentFit::place(const SampleWindow& window) noexcept {
     const Vec e = (evaluate(curve_, t) - window.point(first_ + i));
     return norm_squared(e) * window.inverse_limit()[first_ + i];
   };
-  // The ends of the run belong to the ends of the curve.
+  // The end samples of the run have the parameters of the ends of the curve.
   if (start_.kind == RunStart::Kind::kFree) {
     t_[0] = 0.0;
     ratio_[0] = measure(0, 0.0);
@@ -173,7 +180,8 @@ bool SegmentFit::gaps_are_tame(const SampleWindow& window) const noexcept {
   return true;
 }
 
-// True when the curve stays within the tolerance of the guide, at the samples and between.
+// Returns true if the curve stays within the tolerance of the guide, at the samples and between
+// them.
 bool SegmentFit::follows_guide(const SampleWindow& window) const noexcept {
   if (guide_ == nullptr || guide_->empty()) return true;
   const double limit = kGuideShare * window.tolerance_mm();

@@ -27,12 +27,12 @@ FELT_INLINE void store(double* to, const Lanes& lanes) noexcept {
   std::memcpy(to, &lanes, sizeof(lanes));
 }
 
-// Fixed order of addition.
+// Adds the lanes in a fixed order.
 FELT_INLINE double sum(const Lanes& v) noexcept {
   return (v[0] + v[2]) + (v[1] + v[3]);
 }
 
-// Bernstein functions b1..b4 at t.
+// Computes the Bernstein functions b1..b4 at t.
 FELT_INLINE void bernstein(const Lanes& t, Lanes* b) noexcept {
   const Lanes s = 1.0 - t;
   const Lanes tt = t * t, ss = s * s;
@@ -61,7 +61,7 @@ FELT_INLINE void accumulate(const PowerCubic& c, const RunView& run, const doubl
     const Lanes gx = (3.0 * c.a3.x * t + 2.0 * c.a2.x) * t + c.a1.x;
     const Lanes gy = (3.0 * c.a3.y * t + 2.0 * c.a2.y) * t + c.a1.y;
     const Lanes squared = gx * gx + gy * gy;
-    // A standing point has no normal: the ordinary metric then, M = I.
+    // Where the curve's derivative is zero there is no normal, so the metric is M = I.
     const Mask moving = squared > 1e-30;
     const Lanes a = weight * (moving ? keep / squared : Lanes{});
     const Lanes damp = weight * (moving ? Lanes{} + w : Lanes{} + 1.0);

@@ -25,11 +25,11 @@ struct RunView {
   Point origin;
 };
 
-/// One Newton step of every parameter towards the foot point of its sample, clamped to [0, 1],
-/// then the squared distance there over its limit.
+/// Moves every parameter one Newton step towards the foot point of its sample, clamped to [0, 1],
+/// and sets `ratio` to the squared distance there over its limit.
 ///   t <- t - (e.f') / (f'.f' + e.f''),  e = f(t) - P   [Plass & Stone 1983; Schneider 1990]
-/// Where the denominator is not safely positive the Gauss-Newton one, f'.f', is taken.
-/// Requires room for three more than `count` in t and ratio.
+/// If the denominator is not safely positive, the Gauss-Newton one, f'.f', is used. Requires room
+/// for three more than `count` in t and ratio.
 void project(const PowerCubic& curve, const RunView& run, double* t, double* ratio) noexcept;
 
 /// Sums over samples for the normal equations of the control points. Index pairs (j, k) of the
@@ -42,14 +42,15 @@ struct NormalSums {
   double ry[4];   ///< sum b_j (M q).y
 };
 
-/// Adds up `first_basis`..4 of the Bernstein functions (first_basis 1: all four control points
-/// are free; 2: B1 is fixed, which the caller has made the origin). The metric of each sample is
+/// Compute the sums over the Bernstein functions of the free control points: B1..B4 with a free
+/// start; B2..B4 with a fixed start, where the caller has made B1 the origin. The metric of each
+/// sample is
 ///   M = (1 - w) n n' + w I,   n = unit normal of the curve at t,
 /// distance along the normal plus w of the distance along the tangent (tangent distance
 /// minimisation with a damping term: Wang, Pottmann, Liu 2006, "Fitting B-spline curves to point
 /// clouds by curvature-based squared distance minimization", section 3). w = 1 is the ordinary
-/// least squares. Each sample counts by its weight. Samples whose index is not in [begin, end) do
-/// not count.
+/// least squares. Each sample counts by its weight. Only samples with an index in [begin, end)
+/// count.
 void accumulate_fixed_start(const PowerCubic& curve, const RunView& run, const double* t,
                             std::size_t begin, std::size_t end, double w,
                             NormalSums& sums) noexcept;

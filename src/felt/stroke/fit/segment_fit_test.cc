@@ -32,7 +32,7 @@ std::vector<Point> samples_of(const Cubic& cubic, int count) {
   return ink;
 }
 
-// A start for any run: free, on the first sample, or there with a tangent near the ink's.
+// Returns a start for a run: free, on the first sample, or on it with a tangent near the ink's.
 RunStart random_start(TestInk& random, const SampleWindow& window) {
   const Point first = window.point(0);
   switch (random.pick(0, 2)) {
@@ -46,7 +46,7 @@ RunStart random_start(TestInk& random, const SampleWindow& window) {
   }
 }
 
-// The rounds are bounded, so a few cubics whose speed varies wildly are given up.
+// The rounds are bounded, so the fit of a few cubics whose speed varies a lot is abandoned.
 TEST(SegmentFit, RecoversAnExactCubic) {
   int recovered = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
@@ -105,7 +105,7 @@ TEST(SegmentFit, R4TheStartTangentIsKept) {
   }
 }
 
-// Whatever is accepted is within the tolerance of every sample, merged ones included, in order.
+// An accepted curve is within the tolerance of every sample in order, including merged ones.
 TEST(SegmentFit, R2AcceptedMeansWithinTheTolerance) {
   int accepted = 0;
   for (std::uint64_t seed = 0; seed < 4000; ++seed) {
@@ -165,7 +165,7 @@ TEST(SegmentFit, ABridgeKeepsItsStartAndReachesItsSample) {
   }
 }
 
-// The lane kernels against plain loops in the words of their header.
+// Compares the lane kernels with plain loops that follow their header.
 class Kernels : public ::testing::TestWithParam<std::size_t> {
  protected:
   static constexpr std::size_t kRoom = 64;
@@ -195,7 +195,7 @@ class Kernels : public ::testing::TestWithParam<std::size_t> {
   [[nodiscard]] Vec second(double t) const { return 2.0 * curve_.a2 + 6.0 * t * curve_.a3; }
   [[nodiscard]] Vec sample(std::size_t i) const { return Point{x_[i], y_[i]} - run_.origin; }
 
-  // Sums over samples [begin, end) of the functions from `skip` on.
+  // Returns the sums over samples [begin, end) of the Bernstein functions from `skip` on.
   [[nodiscard]] detail::NormalSums plain_sums(std::size_t skip, std::size_t begin, std::size_t end,
                                               double w) const {
     detail::NormalSums sums{};

@@ -1,4 +1,4 @@
-// How fast the pen goes decides how many samples a line has, not how many segments.
+// The speed of the pen affects the number of a line's samples, but not of its segments.
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ Point point_of(Line line, double a) {
   return {};
 }
 
-// What a sensor of 0.03 mm makes of a position.
+// Returns the position that a sensor with 0.03 mm resolution reports.
 Point seen(Sensor sensor, Point p, TestInk& random) {
   constexpr double kStep = CurveFitter::kResolutionMm;
   switch (sensor) {
@@ -56,7 +56,7 @@ Point seen(Sensor sensor, Point p, TestInk& random) {
   return p;
 }
 
-// The samples of a pen that draws `length_mm` of the line at an even speed.
+// Returns the samples of a pen that draws `length_mm` of the line at constant speed.
 std::vector<Point> drawn(Line line, Sensor sensor, double length_mm, double mm_per_s,
                          std::uint64_t seed) {
   constexpr double kStep = 1e-3;
@@ -78,7 +78,7 @@ struct Counts {
   int refined = 0;
 };
 
-// Fits the ink, and expects every sample to be met.
+// Fits the ink, and expects every sample to be within the tolerance.
 Counts fitted(const std::vector<Point>& ink) {
   InkFitter fitter({});
   for (const Point p : ink) fitter.push({.position = p, .pressure = 0.5, .time_ns = 0});
@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Lines, AtAnySpeed,
                                            Case{Line::kWriting, Sensor::kNoisy, 120.0, 10.0}),
                          ::testing::PrintToStringParamName());
 
-// What the fit keeps of ink that is far denser than that: seen in the places of the samples.
+// Which samples the fit keeps of much denser ink; visible in places().
 TEST(CurveFitter, R3_ADataPointIsKeptOnlyAfterTheThreshold) {
   for (const double tolerance : {0.05, 0.15, 0.5, 3.0}) {
     SCOPED_TRACE(tolerance);
@@ -146,7 +146,7 @@ TEST(CurveFitter, R3_ADataPointIsKeptOnlyAfterTheThreshold) {
     fitter.begin();
     for (const Point p : ink) fitter.push(p);
     fitter.end();
-    // A kept sample stands for neighbours on both sides.
+    // A kept sample represents neighbours on both sides.
     const double threshold = CurveFitter::spacing_mm(tolerance);
     std::size_t next = 0, kept = 0;
     for (const SamplePlace& place : fitter.places()) {
@@ -169,17 +169,19 @@ TEST(CurveFitter, R3_TheThresholdIsThatOfTheDeviceOrTheSpecification) {
   EXPECT_EQ(CurveFitter::spacing_mm(0.2), 0.03);
   EXPECT_EQ(CurveFitter::spacing_mm(2.0), 0.25);
   EXPECT_EQ(CurveFitter::spacing_mm(3.0), 0.25);
-  // Between the two it grows with the tolerance; what merged samples take off it stays a fifth.
+  // Between the two it grows with the tolerance. At most a fifth of the tolerance is subtracted for
+  // merged samples.
   for (double tolerance = kMinSegmentMm; tolerance < 3.0; tolerance *= 1.1) {
     EXPECT_LE(CurveFitter::spacing_mm(tolerance), 0.2 * tolerance + 1e-15);
     EXPECT_LE(CurveFitter::spacing_mm(tolerance), CurveFitter::spacing_mm(1.1 * tolerance));
   }
 }
 
-// What a push may do at most, in samples x rounds of exact fits and samples placed: about 0.1 ms.
+// Upper bound of the work of a push, in samples x rounds of exact fits and samples placed: about
+// 0.1 ms.
 constexpr long kMaxWork = 10'300;
 
-// Largest work of one push.
+// Returns the largest work of one push.
 long largest_work(const std::vector<Point>& ink, double tolerance_mm) {
   CurveFitter fitter({.tolerance_mm = tolerance_mm});
   fitter.begin();

@@ -7,7 +7,7 @@
 namespace felt {
 namespace {
 
-// Interpolating between knots rounds; this much of the tolerance pays for it.
+// Part of the tolerance reserved for rounding in the interpolation between knots.
 constexpr double kRounding = 1e-12;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -26,7 +26,7 @@ WidthFitter::Range WidthFitter::Channel::allowed() const noexcept {
     const double middle = 0.5 * (here.least + here.most);
     return {middle, middle};
   }
-  // The model's limits as well, so that every knot keeps to them (I4, I7).
+  // Clamps to the limits of the stroke model too, so that every knot is within them (I4, I7).
   return {std::max(low, min), std::min(high, max)};
 }
 
@@ -122,13 +122,15 @@ void WidthFitter::finish(double u_end) {
   if (span > 0.0) {
     start_segment(knot(reach_, width_.end_at_last(span), tone_.end_at_last(span)));
   }
-  // Past the last sample width and tone are held.
+  // Width and tone are constant after the last sample.
   if (WidthKnot end = knots_.back(); end.u < u_end) {
     end.u = u_end;
     knots_.push_back(end);
   }
 }
 
+// Adds the samples collected at one position. If no slope of the open segment reaches them, it ends
+// at the position before, and the next one starts there.
 void WidthFitter::take_place() {
   if (knots_.empty()) start_segment(knot(0.0, width_.first(count_), tone_.first(count_)));
   double du = place_u_ - knots_.back().u;
@@ -146,6 +148,8 @@ void WidthFitter::take_place() {
   reach_ = place_u_;
 }
 
+// If samples at or beyond `u` were added: removes the knots there, and restarts the segment before
+// without its samples.
 void WidthFitter::forget_from(double u) {
   if (knots_.empty() || reach_ < u) return;
   while (knots_.size() > 1 && knots_.back().u >= u) knots_.pop_back();

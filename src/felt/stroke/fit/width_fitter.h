@@ -8,66 +8,69 @@
 
 namespace felt {
 
-/// Samples closer than this in u share one place: a profile is a function and has one width there.
+/// Samples closer than this in u share one position, because a profile is a function with one width
+/// at each u.
 inline constexpr double kSameWidthPlace = 1e-9;
 
 /// Fits the width profile of a stroke [Paper eq. 3] while it is drawn: continuous, linear between
 /// knots, within the tolerance of every sample, with knots that need not be Bezier joints (R16).
 ///
-/// Life-cycle of one stroke: `begin()`; `push()` for each sample, in order; `finish()`; `knots()`.
-/// The object is reused and keeps its buffer: no allocation after warm-up.
+/// Use, for each stroke: `begin()`; `push()` for each sample, in order; `finish()`; `knots()`. The
+/// object is reused and keeps its buffer: no allocation after warm-up.
 ///
 /// Each segment starts at the end (u1, W1) of the last one [Paper, E10] and has one unknown, its
-/// slope a. A sample (u, w) is met when a lies in
+/// slope a. A sample (u, w) is within the tolerance if a lies in
 ///   [(w - tol - W1) / (u - u1), (w + tol - W1) / (u - u1)],
 /// so the intersection of these intervals decides exactly, for all samples so far and in O(1),
 /// whether one more sample fits: the swing filter of Elmeleegy, Elmagarmid, Cecchet, Aref,
 /// Zwaenepoel, "Online piece-wise linear approximation of numerical streams with precision
-/// guarantees", VLDB 2009, section 3. Within it the least-squares slope
+/// guarantees", VLDB 2009, section 3. The slope is the least-squares slope
 ///   a = sum (u - u1)(w - W1) / sum (u - u1)^2
-/// is taken (specification 5b, E11). An empty intersection ends the segment at the sample before.
+/// clamped to the intersection (specification 5b, E11). If the intersection is empty, the segment
+/// ends at the sample before.
 ///
-/// Samples that share a place (the pen stands still while the pressure changes) count as one
-/// requirement. When their widths spread by more than twice the tolerance no function can meet
-/// them all; the middle of the spread is then taken, which misses the outermost by the least.
+/// Samples that share a position (the pen stands still while the pressure changes) count as one
+/// requirement. If their widths spread by more than twice the tolerance, no function can meet them
+/// all. Then the profile goes through the middle of the spread, which minimises the largest error.
 ///
-/// The tone of samples that have one of their own is fitted by the same filter beside the width, on
-/// the same knots: a slope for each, and the segment ends where either has none left. Else a knot
-/// has the tone of its width, which costs no knot.
+/// If samples have their own tone, it is fitted by the same filter as the width, on the same knots:
+/// each has a slope, and the segment ends as soon as either intersection is empty. Otherwise a knot
+/// gets the tone of its width, which costs no additional knots.
 class WidthFitter {
  public:
   explicit WidthFitter(const WidthFitOptions& options = {});
 
-  /// Forgets the last stroke and starts one.
+  /// Discards the last stroke and starts a new one.
   void begin() noexcept;
-  /// Takes the width of the next sample, at stroke parameter `u`. A `u` below the one before
-  /// counts as equal to it; a sample that is not finite is ignored.
+  /// Adds the width of the next sample, at stroke parameter `u`. A `u` below the one before counts
+  /// as equal to it. Ignores a sample that is not finite.
   void push(double u, double width_mm);
-  /// Likewise, with a tone of its own; clamped to 0..1. Of the samples of one stroke either all
-  /// have a tone or none.
+  /// Adds a width and a tone, which is clamped to 0..1. Requires that either all samples of a
+  /// stroke have a tone or none.
   void push(double u, double width_mm, double tone);
-  /// Pen-up: ends the profile at `u_end` > 0, the number of Bezier segments, with the filtered
-  /// width of the last sample as far as the tolerance allows (E11). Samples past u_end count as at
-  /// u_end. Without any sample the profile is constant at min_mm.
+  /// Ends the profile at `u_end` > 0, the number of Bezier segments, with the filtered width of the
+  /// last sample as far as the tolerance allows (E11). Call at pen-up. Samples past u_end count as
+  /// at u_end. If there was no sample, the profile is constant at min_mm.
   void finish(double u_end);
-  /// The knots so far: u strictly increasing from 0; after finish() they end exactly at u_end.
+  /// Returns the knots so far, with u strictly increasing from 0; after finish() they end exactly
+  /// at u_end.
   [[nodiscard]] std::span<const WidthKnot> knots() const noexcept { return knots_; }
 
  private:
   struct Range {
     double low, high;
   };
-  // The values at one place.
+  // The values at one position.
   struct Values {
     double least = 0.0, most = 0.0, sum = 0.0, last = 0.0;
 
     void start(double value) noexcept { *this = {value, value, 0.0, value}; }
     void add(double value) noexcept;
   };
-  // What is linear between knots: the width, the tone.
+  // A quantity that is linear between knots: the width or the tone.
   struct Channel {
     double min, max, tolerance;
-    Values here{};      // at the place that is still collecting
+    Values here{};      // at the position that is still collecting
     double from = 0.0;  // value at the start of the open segment
     Range slopes{};     // feasible ones of the open segment
     double sum_uw = 0.0;
@@ -94,7 +97,7 @@ class WidthFitter {
   double place_u_ = 0.0;          // of the samples that are still collecting
   double count_ = 0.0;            // of them
   double sum_uu_ = 0.0;
-  double reach_ = 0.0;  // u of the last place taken into the open segment
+  double reach_ = 0.0;  // u of the last position added to the open segment
 };
 
 }  // namespace felt

@@ -32,7 +32,7 @@ double largest_residual(const std::vector<WidthKnot>& samples, const std::vector
   return worst;
 }
 
-// I4 and I6.
+// Returns true if I4 and I6 hold.
 bool is_profile(const std::vector<WidthKnot>& knots, double u_end) {
   return knots.size() >= 2 && knots.front().u == 0.0 && knots.back().u == u_end &&
          std::adjacent_find(knots.begin(), knots.end(),
@@ -52,8 +52,8 @@ std::vector<WidthKnot> sampled(double u_end, int count, Function width) {
   return samples;
 }
 
-// A knot wherever the width has moved by the tolerance since the last one: the simplest scheme with
-// the same guarantee.
+// Counts the knots of the simplest scheme with the same guarantee: a knot wherever the width has
+// changed by the tolerance since the last one.
 std::size_t knots_by_dead_band(const std::vector<WidthKnot>& samples) {
   std::size_t knots = 2;
   double last = samples.front().width_mm;
@@ -106,7 +106,8 @@ std::vector<WidthKnot> random_walk(double u_end) {
   double u = 0.0, width = 2.0, total = 0.0;
   for (const auto& [du, dw] : steps) total += std::max(du, 0);
   for (const auto& [du, dw] : steps) {
-    // At one place widths spread by at most 2 tol, else no profile can meet them.
+    // At one position the widths spread by at most 2 tol, because otherwise no profile is within
+    // tol of all of them.
     const double step = du > 0 ? dw / 50.0 : 0.0;
     if (du > 0) u += du;
     width = std::clamp(width + step, 0.3, 6.0);
@@ -176,7 +177,7 @@ double largest_tone_residual(const std::vector<WidthKnot>& samples,
   return worst;
 }
 
-// Tones that wander beside the widths.
+// Adds tones that vary independently of the widths.
 std::vector<WidthKnot> with_random_tones(std::vector<WidthKnot> samples) {
   double tone = 0.5, u = -1.0;
   for (WidthKnot& s : samples) {
@@ -204,7 +205,7 @@ RC_GTEST_PROP(WidthFitter, InkWithoutAToneOfItsOwnNeedsNoKnotForIt, ()) {
   const auto samples = random_walk(5.0);
   const auto knots = fit(samples, 5.0);
   for (const WidthKnot& k : knots) RC_ASSERT(k.tone == tone_of_width(k.width_mm));
-  // A tolerance of all tones leaves the widths alone.
+  // A tolerance of the whole range of tones does not affect the widths.
   const auto free = fit_both(samples, 5.0, {.tone_tolerance = 1.0});
   RC_ASSERT(free.size() == knots.size());
   for (std::size_t i = 0; i < knots.size(); ++i) {

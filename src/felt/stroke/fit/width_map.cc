@@ -23,14 +23,14 @@ double sane_share(double value, double fallback) {
   return std::clamp(finite_or(value, fallback), 0.0, 1.0);
 }
 
-/// p^gamma, exactly 0 and 1 at the ends.
+/// Returns p^gamma, exactly 0 and 1 at the ends.
 double bent(double p, double gamma) {
   if (!(p > 0.0)) return 0.0;
   if (p >= 1.0) return 1.0;
   return gamma == 1.0 ? p : std::pow(p, gamma);
 }
 
-/// 1 for an upright pen, `full` for one that leans fully.
+/// Returns 1 for an upright pen, `full` for a fully tilted one.
 double by_lean(double full, double l) {
   return 1.0 + (full - 1.0) * std::clamp(finite_or(l, 0.0), 0.0, 1.0);
 }
@@ -109,7 +109,7 @@ InkWidth WidthMap::push(const InkSample& sample) noexcept {
 double WidthMap::elapsed_ms(const InkSample& sample) noexcept {
   double dt_ms = options_.interval_ms;
   if (sample.time_ns && last_time_ns_) {
-    // In double: the difference of two hostile times does not fit into 64 bits.
+    // In double, because the difference of two arbitrary times may not fit into 64 bits.
     const double dt_ns = static_cast<double>(*sample.time_ns) - static_cast<double>(*last_time_ns_);
     dt_ms = dt_ns > 0.0 ? dt_ns * 1e-6 : kFastestTickMs;
   }

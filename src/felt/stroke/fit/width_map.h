@@ -7,18 +7,19 @@
 
 namespace felt {
 
-/// Width in mm of the pressure p. p is clamped to [0, 1], NaN counts as absent. Non-decreasing
-/// in p; exactly min_mm at 0 and max_mm at 1 (R14).
+/// Returns the width in mm for the pressure p, which is clamped to [0, 1]; NaN counts as absent.
+/// Non-decreasing in p; exactly min_mm at 0 and max_mm at 1 (R14).
 double width_of_pressure(const WidthMapOptions& options, double p) noexcept;
 
-/// Likewise of pressure and lean share, both clamped. Exactly width_of_pressure() at l = 0.
+/// Returns the width in mm for the pressure p and the tilt l, both clamped to [0, 1]. Exactly
+/// width_of_pressure() at l = 0.
 double width_of(const WidthMapOptions& options, double p, double l) noexcept;
 
-/// Tone of pressure and lean share, 0..1; that of the width when the medium has none of its own.
-/// Monotonic in both.
+/// Returns the tone, 0..1, for the pressure p and the tilt l; that of the width if the medium has
+/// no tone of its own. Monotonic in both.
 double tone_of(const WidthMapOptions& options, double p, double l) noexcept;
 
-/// What the ink is like under the pen.
+/// Width and tone of the ink under the pen.
 struct InkWidth {
   double width_mm = 0.0;
   double tone = 0.0;
@@ -26,23 +27,23 @@ struct InkWidth {
   friend constexpr bool operator==(const InkWidth&, const InkWidth&) noexcept = default;
 };
 
-/// Filtered widths and tones of one stroke's samples, one after the other.
+/// Computes the filtered widths and tones of one stroke's samples, one after the other.
 ///
-/// Pressure and lean share each pass a first-order low-pass before they are mapped, since the noise
-/// of the sensor and the tremor of the hand would otherwise cost 2.6 to 8.5 times as many width
+/// Pressure and tilt each pass a first-order low-pass before they are mapped, because the noise of
+/// the sensor and the tremor of the hand would otherwise cost 2.6 to 8.5 times as many width
 /// segments (specification, decision 9). Implicit Euler, y += (x - y) dt / (tau + dt): stable and
 /// without overshoot for every dt, and free of transcendental functions whose last bit depends on
 /// the machine.
 class WidthMap {
  public:
-  /// Out-of-range options are moved to the nearest sensible value.
+  /// Moves options that are out of range to the nearest valid value.
   explicit WidthMap(const WidthMapOptions& options = {}) noexcept;
 
-  /// Forgets the last stroke. The first sample sets the filters to its pressure and lean.
+  /// Discards the last stroke. The first sample sets the filters to its pressure and tilt.
   void begin() noexcept;
-  /// Takes the next sample and returns its width and tone. A sample without pressure or lean holds
-  /// the last one of the stroke. Time that stands still or runs backwards counts as 0.2 ms, the
-  /// tick of the fastest device, so a stuck clock cannot freeze the width.
+  /// Processes the next sample and returns its width and tone. A sample without pressure or tilt
+  /// keeps the last one of the stroke. Time that stands still or runs backwards counts as 0.2 ms,
+  /// the tick of the fastest device, so a stuck clock cannot freeze the width.
   InkWidth push(const InkSample& sample) noexcept;
 
   [[nodiscard]] const WidthMapOptions& options() const noexcept { return options_; }

@@ -7,12 +7,12 @@
 namespace felt {
 namespace {
 
-/// True when the end of a normal of length r at a dab lies within the left half strip of a stretch
-/// that passes the dab and reaches from `begin` to `end` along its tangent, the dab being at 0.
-/// In the skewed axes (tangent, normal) of the strip it is begin <= a <= end, 0 <= b <= radius.
+/// Returns true if the end of a normal of length r at a dab is within the left half strip of a
+/// stretch. The stretch reaches from `begin` to `end` along its tangent, with the dab at 0. In the
+/// skewed axes (tangent, normal) of the strip, this is begin <= a <= end, 0 <= b <= radius.
 bool reaches_into(Vec normal, const EnvelopeFrame& strip, double begin, double end,
                   double r) noexcept {
-  // A nearly swallowed stretch has no strip worth the name, and skewed axes that do not resolve.
+  // A stretch that is almost covered by one dab has a negligible strip and ill-conditioned axes.
   if (strip.height < 1e-3) return false;
   const double b = r * cross(strip.tangent, normal) / strip.height;
   const double a = r * dot(normal, strip.tangent) + b * strip.slope;
@@ -20,13 +20,14 @@ bool reaches_into(Vec normal, const EnvelopeFrame& strip, double begin, double e
   return a >= begin - slack && a <= end + slack && b >= 0.0 && b <= r + strip.slope * a + slack;
 }
 
-/// Angle by which the left normal turns, in (-2 pi, 2 pi): the whole turn, not its remainder.
+/// Returns the angle by which the left normal turns, in (-2 pi, 2 pi): not reduced modulo 2 pi.
 double normal_turn(const EnvelopeFrame& from, const EnvelopeFrame& to, int tie) noexcept {
   const double c = cross(from.tangent, to.tangent), d = dot(from.tangent, to.tangent);
   const Vec n = from.normal(), m = to.normal();
-  // Both turn by less than a right angle and end up close: no remainder to mistake.
+  // Both turn by less than a right angle and are close: the angle is unambiguous.
   if (d > 0.0 && dot(n, m) > 0.5) return std::atan2(cross(n, m), dot(n, m));
-  // Which way a stroke turns that reverses must not hang on rounding, which differs between sides.
+  // If the stroke reverses, rounding must not decide which way it turns, because it differs between
+  // the sides.
   const bool reverses = d < 0.0 && std::fabs(c) < 1e-9;
   const double heading = reverses ? tie * std::numbers::pi : std::atan2(c, d);
   return heading + to.normal_angle() - from.normal_angle();

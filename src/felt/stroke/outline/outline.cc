@@ -9,17 +9,17 @@
 namespace felt {
 namespace {
 
-/// The tolerance is shared between the centre line and the arcs around it.
+/// The share of the tolerance for the centre line; the rest is for the arcs around it.
 constexpr double kShare = 0.5;
 
-/// Largest angle of a polygon's edge within the tolerance of a circle of radius r.
+/// Returns the largest angle of an edge of a polygon within the tolerance of a circle of radius r.
 double arc_step(double r, double tolerance) noexcept {
   constexpr double kCoarsest = std::numbers::pi / 4;
   return tolerance < 0.1 * r ? std::min(kCoarsest, 2.0 * std::acos(1.0 - tolerance / r))
                              : kCoarsest;
 }
 
-/// Inks the same; the outline does not know tones.
+/// Returns true if both dabs ink the same area; the outline ignores tones.
 bool is_same(const Dab& a, const Dab& b) noexcept {
   return a.center == b.center && a.radius_mm == b.radius_mm;
 }
@@ -56,7 +56,7 @@ const Outline& StrokeOutliner::trace(std::span<const Dab> dabs, bool closed, dou
   return outline_;
 }
 
-/// Takes over the dabs without repetitions and finds the edges between them.
+/// Copies the dabs without repetitions and computes the edges between them.
 void StrokeOutliner::link(std::span<const Dab> dabs, bool closed) {
   dabs_.clear();
   for (const Dab& dab : dabs) {
@@ -72,20 +72,21 @@ void StrokeOutliner::link(std::span<const Dab> dabs, bool closed) {
     const Dab& b = dabs_[i + 1 == dabs_.size() ? 0 : i + 1];
     const Vec way = b.center - a.center;
     const double length = norm(way);
-    // A change of width on the spot has no direction of its own; any will do.
+    // If only the width changes, there is no direction: any will do, so keep the last one.
     if (length > 0.0) tangent = normalized(way);
     edges_.push_back({EnvelopeFrame::of(tangent, b.radius_mm - a.radius_mm, length), length});
   }
 }
 
-/// Appends the left side of the row walked in `direction` (+1 or -1) and, where the row ends, the
-/// cap around its last dab, which brings the walk to where the other side begins.
+/// Appends the left side of the row in `direction` (+1 or -1). For an open row, also appends the
+/// cap around the last dab, which leads to the start of the other side.
 void StrokeOutliner::trace_side(bool closed, int direction) {
   const std::size_t count = edges_.size();
   const auto edge = [&](std::size_t i) {
     return direction > 0 ? edges_[i] : backwards(edges_[count - 1 - i]);
   };
-  const auto dab_before = [&](std::size_t i) -> const Dab& {  // of edge i, in walking order
+  const auto dab_before =
+      [&](std::size_t i) -> const Dab& {  // the dab before edge i in this direction
     return direction > 0 ? dabs_[i] : dabs_[(count - i) % dabs_.size()];
   };
   Stretch from = edge(closed ? count - 1 : 0);
@@ -101,8 +102,8 @@ void StrokeOutliner::turn(const Dab& dab, const Stretch& from, const Stretch& to
   const Vec n = from.frame.normal(), m = to.frame.normal();
   const double r = dab.radius_mm;
   const double cosine = dot(n, m);
-  // A gentle bend: one point between the normals, r (1 - cos(turn / 2)) off, which is less than
-  // r (1 - cos turn) / 3.7 below 60 degrees.
+  // A gentle bend: one point between the normals is enough. Its error is r (1 - cos(turn / 2)),
+  // which is less than r (1 - cos turn) / 3.7 below 60 degrees.
   if (cosine > 0.5 && r * (1.0 - cosine) <= 3.7 * tolerance_mm_ &&
       dot(from.frame.tangent, to.frame.tangent) > 0.0 &&
       (cross(n, m) <= 0.0 || has_room(from, to, r))) {
@@ -119,7 +120,7 @@ void StrokeOutliner::turn(const Dab& dab, const Stretch& from, const Stretch& to
   outline_.points.push_back(dab.center + r * m);
 }
 
-/// Appends an arc around the dab from `normal`, both ends included.
+/// Appends an arc around the dab from `normal`, including both ends.
 void StrokeOutliner::arc(const Dab& dab, Vec normal, double sweep) {
   const double step = arc_step(dab.radius_mm, tolerance_mm_);
   const int steps = std::max(1, static_cast<int>(std::ceil(std::fabs(sweep) / step - 1e-9)));
@@ -141,7 +142,8 @@ Outline outline_of(const Stroke& stroke, double tolerance_mm) {
 }
 
 int flatten_steps(const Cubic& c, double span, double tolerance_mm) noexcept {
-  // |f''| is largest at one of the ends, where it is 6 times a second difference of the points.
+  // |f''| is largest at one of the ends, where it is 6 times a second difference of the control
+  // points.
   const double bend = std::max(norm_squared((c.p[2] - c.p[1]) - (c.p[1] - c.p[0])),
                                norm_squared((c.p[3] - c.p[2]) - (c.p[2] - c.p[1])));
   const double steps = span * std::sqrt(0.75 * std::sqrt(bend) / tolerance_mm);
@@ -159,7 +161,7 @@ void flatten(const Stroke& stroke, int first, int last, double tolerance_mm,
   const int most = std::max(1, kMaxStrokeSteps / stroke.segment_count());
   out.clear();
   out.push_back({stroke.segment(first).p[0], 0.5 * stroke.width_mm(first), stroke.tone(first)});
-  // The width piece in hand runs from knot k to k + 1.
+  // The current width piece runs from knot k to k + 1.
   const auto after = std::upper_bound(knots.begin(), knots.end() - 1, static_cast<double>(first),
                                       [](double u, const WidthKnot& knot) { return u < knot.u; });
   auto k = static_cast<std::size_t>(after - knots.begin()) - 1;

@@ -25,7 +25,7 @@ void OutlinePolygon(benchmark::State& state) {
 }
 BENCHMARK(OutlinePolygon)->Arg(10)->Arg(20)->Unit(benchmark::kMicrosecond);
 
-/// Curves as an SVG file gets them.
+/// Curves as they are written to an SVG file.
 void OutlineCurves(benchmark::State& state) {
   const std::vector<Stroke> strokes = testing::screen_of_strokes(1000);
   std::size_t points = 0;

@@ -9,10 +9,10 @@
 namespace felt {
 namespace {
 
-/// Turns that move the edge by less than this are rounding, not geometry.
+/// Turns that move the edge by less than this are considered rounding errors.
 constexpr double kNoticeableMm = 1e-6;
 
-/// The stroke cut at joints and width breakpoints.
+/// Returns the stroke cut at joints and width breakpoints.
 std::vector<InkPiece> pieces_of(const Stroke& stroke) {
   std::vector<InkPiece> pieces;
   std::size_t k = 0;
@@ -31,9 +31,9 @@ std::vector<InkPiece> pieces_of(const Stroke& stroke) {
   return pieces;
 }
 
-/// A closed stroke may change its width at the seam: there the edge goes from one dab to another
-/// on the spot. In what direction does not matter, but both sides must agree on it: that in which
-/// the stroke ends.
+/// If the width of a closed stroke steps at the seam, appends a stretch of length 0 between the two
+/// dabs. Its direction does not matter, but both sides must use the same one: the direction in
+/// which the stroke ends.
 void append_seam(std::vector<SideStretch>& side, int direction) {
   const Dab from = side.back().to, to = side.front().from;
   if (from.radius_mm == to.radius_mm) return;
@@ -51,7 +51,7 @@ class PathBuilder {
  public:
   PathBuilder(double tolerance_mm, OutlinePath& path) : tolerance_mm_(tolerance_mm), path_(path) {}
 
-  /// Walks along one side; a round cap ends that of an open stroke.
+  /// Appends one side; that of an open stroke ends with a round cap.
   void side(const std::vector<SideStretch>& side, bool closed, int direction) {
     for (std::size_t i = 0; i < side.size(); ++i) {
       const SideStretch& now = side[i];
@@ -75,7 +75,7 @@ class PathBuilder {
   }
 
  private:
-  /// Begins a contour at p, unless one is under way: that has come there.
+  /// Starts a contour at p. Does nothing if one is open, because its last point is then p.
   void begin(Point p) {
     if (open_) return;
     path_.verbs.push_back(OutlinePath::Verb::kMove);
@@ -93,8 +93,8 @@ class PathBuilder {
     path_.points.insert(path_.points.end(), {h0, h1, end});
   }
 
-  /// From the end of a stretch to the start of the next one, around the dab between them. Moves
-  /// along a normal, between the edge and the inside of a bend, enclose nothing.
+  /// Appends the connection from the end of a stretch to the start of the next one, around the dab
+  /// between them. Lines along a normal, from the edge to the inside of a bend, enclose no area.
   void turn(const SideStretch& from, const SideStretch& to, int direction) {
     const Dab& dab = to.from;
     const Turn turn = turn_between({from.end, from.end_length_mm}, {to.begin, to.begin_length_mm},
@@ -113,13 +113,13 @@ class PathBuilder {
       if (to.starts_inside) line(to.start);
       return;
     }
-    // The shortcut relies on both strips being as wide as the radius.
+    // A shortcut is valid only if both strips are as wide as the radius.
     if (turn.kind == Turn::Kind::kPivot || is_inside) line(dab.center);
     line(to.start);
   }
 
-  /// An arc by cubics whose distance from the circle is r 4/27 sin(a/4)^6 / cos(a/4)^2 for an
-  /// angle a. Source: Goldapp, "Approximation of circular arcs by cubic polynomials", 1991.
+  /// Appends an arc as cubics, whose distance from the circle is r 4/27 sin(a/4)^6 / cos(a/4)^2 for
+  /// an angle a. Source: Goldapp, "Approximation of circular arcs by cubic polynomials", 1991.
   void arc(const Dab& dab, Vec normal, double sweep) {
     int count = std::max(
         1, static_cast<int>(std::ceil(std::fabs(sweep) / (0.5 * std::numbers::pi) - 1e-9)));

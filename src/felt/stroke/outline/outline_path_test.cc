@@ -11,7 +11,7 @@
 namespace felt::outline_path_test {
 namespace {
 
-/// The path as polygons, curves cut finely.
+/// Returns the path as polygons, with its curves finely flattened.
 Outline polygons_of(const OutlinePath& path) {
   constexpr int kSteps = 64;
   Outline out;
@@ -55,7 +55,7 @@ TEST(OutlinePath, IsTheInkOfRandomStrokes) {
   }
 }
 
-/// As files have it: with rounding to 0.001 mm it stays within 0.01 mm (R53).
+/// As in files: rounded to 0.001 mm, the outline is within 0.01 mm (R53).
 TEST(OutlinePath, R53_IsWithinAHundredthOfAMillimetre) {
   for (std::uint64_t seed = 250; seed < 450; ++seed) {
     SCOPED_TRACE(seed);
@@ -65,7 +65,8 @@ TEST(OutlinePath, R53_IsWithinAHundredthOfAMillimetre) {
   }
 }
 
-/// A line out and straight back, wider where it turns: both sides agree on who goes round the end.
+/// A line that goes straight back, wider where it reverses: both sides agree on which one goes
+/// round the end.
 TEST(OutlinePath, ALineThatReversesKeepsItsEnd) {
   for (const std::uint64_t seed : {55U, 760U, 2167U, 2782U}) {
     SCOPED_TRACE(seed);

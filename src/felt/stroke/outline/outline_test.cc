@@ -85,7 +85,7 @@ TEST(Outline, RingHasAHole) {
     EXPECT_EQ(winding(outline, {6.1, 0}), 0);
     std::reverse(ring.begin(), ring.end());
   }
-  for (Dab& d : ring) d.radius_mm = 5.5;  // the hole is grown over
+  for (Dab& d : ring) d.radius_mm = 5.5;  // the ink covers the hole
   EXPECT_NE(winding(outliner.trace(ring, true, 0.01), {0, 0}), 0);
 }
 

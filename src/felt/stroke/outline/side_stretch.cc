@@ -10,7 +10,14 @@
 namespace felt {
 namespace {
 
-/// Fits one cubic to points along a smooth edge. Private to this layer.
+// How it works: each piece is sampled at kSamples points of its edge.
+//  1. If all samples are on a smooth edge and one cubic fits them, it is collected. Later,
+//     flush_curves replaces as many neighbouring curves as possible by one.
+//  2. If the bend is tighter than the radius everywhere, the edge follows the centres of the bend
+//     with straight lines.
+//  3. Otherwise the piece is halved. The last resort are strips along the flattened centre line.
+
+/// Fits one cubic to points along a smooth edge.
 ///
 /// Usage: `clear`, `add` for each point in order, `fit`. Keeps its buffers.
 class EdgeFit {
@@ -20,8 +27,8 @@ class EdgeFit {
     if (points_.empty() || p != points_.back()) points_.push_back(p);
   }
 
-  /// Finds the cubic from the first to the last point that leaves along `begin` and arrives along
-  /// `end`, both unit vectors. Returns false if it would leave the tolerance at a point.
+  /// Fits the cubic from the first to the last point that starts along `begin` and ends along
+  /// `end`, both unit vectors. Returns false if a point would be out of tolerance.
   bool fit(Vec begin, Vec end, double tolerance_mm, Cubic& c);
 
  private:
@@ -32,16 +39,17 @@ class EdgeFit {
   std::vector<double> t_;
 };
 
-/// Rounds of moving the parameters of the points along the fitted curve and fitting again.
+/// The most rounds of fitting the curve and moving the parameters of the points along it.
 constexpr int kRounds = 4;
-/// A curve that is that many tolerances off will not do after another round.
+/// The fit is given up if the error is more than this many tolerances.
 constexpr double kHopelessStretch = 8.0;
-/// Between the points a cubic strays a little more than at them.
+/// The share of the tolerance allowed at the points, because the error is a little larger between
+/// them.
 constexpr double kShareAtPoints = 0.8;
 
-/// Handle lengths of the cubic between the end points that leaves least squares of distance to the
-/// points at their parameters; false when there is no sensible answer. The normal equations of
-/// Schneider, "An algorithm for automatically fitting digitized curves", 1990.
+/// Finds the handle lengths of the cubic between the end points by least squares of the distances
+/// to the points at their parameters. Returns false if the result is not sensible. Uses the normal
+/// equations of Schneider, "An algorithm for automatically fitting digitized curves", 1990.
 bool EdgeFit::fit_handles(Vec d0, Vec d1, Cubic& c) const noexcept {
   const Point p0 = points_.front(), p3 = points_.back();
   double c00 = 0, c01 = 0, c11 = 0, x0 = 0, x1 = 0;
@@ -66,7 +74,7 @@ bool EdgeFit::fit_handles(Vec d0, Vec d1, Cubic& c) const noexcept {
   return h0 > 0.0 && h1 > 0.0 && h0 + h1 < 3.0 * chord;
 }
 
-/// Moves each parameter towards the nearest place of the curve by Newton's method. Returns the
+/// Moves each parameter towards the nearest point of the curve by Newton's method. Returns the
 /// largest squared distance of a point from the curve at its parameter.
 double EdgeFit::move_parameters(const Cubic& c) noexcept {
   constexpr int kSteps = 2;
@@ -103,28 +111,28 @@ bool EdgeFit::fit(Vec begin, Vec end, double tolerance_mm, Cubic& c) {
   return false;
 }
 
-/// Halvings of a piece on which the edge is smooth in parts only.
+/// The most halvings of a piece whose edge is only partly smooth.
 constexpr int kMaxHalvings = 6;
-/// Places at which an edge is looked at, ends included.
+/// The number of samples of an edge, including its ends.
 constexpr std::size_t kSamples = 9;
-/// Cosine of the largest angle between neighbouring samples: a wider one may hide a cusp.
+/// The cosine of the largest angle between neighbouring samples; a larger one may hide a cusp.
 constexpr double kSlowTurn = 0.5;
-/// Cosine of the largest kink of the edge that a curve may run over, and how far the edge may be
-/// apart there, in tolerances.
+/// The cosine of the largest kink, and the largest gap in tolerances, across which two curves of
+/// the edge may be merged.
 constexpr double kSmallKink = 0.97, kSmallGap = 2.0;
-/// Share of the tolerance within which lines inside of tight bends follow the centres of the bend.
+/// The tolerance of the lines inside tight bends, as a share of the whole tolerance.
 constexpr double kInsideShare = 0.4;
 
-/// A place on the left edge, and on the centre line.
+/// A point of the left edge, and its point on the centre line.
 struct EdgePoint {
   Dab dab;
   EnvelopeFrame frame;
   Point place;  ///< `share` of the radius away from the centre line
-  /// 1 on the edge. Less where the bend is tighter than the radius, so that the edge would run
-  /// backwards: the place is then the centre of the bend.
+  /// 1 on the true edge. Less if the bend is tighter than the radius, so that the edge would run
+  /// backwards: `place` is then the centre of the bend.
   double share = 1.0;
-  /// Whether there is an edge at all: a stroke that stands still, or grows faster than it moves on,
-  /// has none.
+  /// False if there is no edge: the centre line stands still, or the radius grows faster than the
+  /// arc length.
   bool is_regular = false;
 };
 
@@ -135,8 +143,8 @@ EdgePoint edge_at(const InkPiece& piece, double t) noexcept {
   EdgePoint e;
   e.dab = {evaluate(piece.center, t), r};
   e.frame = EnvelopeFrame::of(tangent(piece.center, t), dr, ds);
-  // The normal lies at the angle acos(-slope) from the tangent and turns with both. A place on it
-  // moves on by `onward` less its share of `backward`.
+  // The normal is at the angle acos(-slope) from the tangent and turns with both. As t grows, a
+  // point on it moves forward by `onward` minus its share of `backward`.
   e.is_regular = e.frame.height > 0.0 && ds > 0.0;
   if (e.is_regular) {
     const double turning = cross(v, a) / v2;
@@ -155,14 +163,14 @@ bool turns_slowly(const EdgePoint& a, const EdgePoint& b) noexcept {
          dot(a.frame.normal(), b.frame.normal()) >= kSlowTurn;
 }
 
-/// Whether the strip between two places is a simple quadrilateral. Where their normals cross, the
-/// bend is tightest in between, and the strip would be wound the wrong way beyond that.
+/// Returns true if the strip between two points is a simple quadrilateral. If their normals cross,
+/// the bend is tightest in between, and a part of the strip would have the wrong orientation.
 bool is_simple(const EdgePoint& a, const EdgePoint& b) noexcept {
   const Vec between = b.dab.center - a.dab.center;
   const Vec p = a.place - a.dab.center, q = b.place - b.dab.center;
   const double turn = cross(p, q);
   if (turn == 0.0) return true;
-  // a.center + s p = b.center + t q.
+  // Solves a.center + s p = b.center + t q.
   const double s = cross(between, q) / turn, t = cross(between, p) / turn;
   return s <= 0.0 || s >= 1.0 || t <= 0.0 || t >= 1.0;
 }
@@ -174,14 +182,14 @@ class LeftEdge {
 
   void append(const InkPiece& piece) { append(piece, 0.0, 1.0, kMaxHalvings); }
 
-  /// Call at the end.
+  /// Appends everything that is still collected. Call it at the end.
   void finish() {
     flush_curves();
     flush_inside();
   }
 
  private:
-  /// Curve k runs along samples [8 k, 8 k + 8] of `curve_samples_`, which share no sample.
+  /// Curve k belongs to the kSamples samples of `curve_samples_` that start at k * kSamples.
   struct Curve {
     Cubic cubic;
   };
@@ -209,8 +217,8 @@ class LeftEdge {
     append(piece, middle, t1, halvings - 1);
   }
 
-  /// Fits one cubic to the samples of one or more neighbours: to all of one, to the more important
-  /// ones of many, each of which is smooth.
+  /// Fits one cubic to the samples of one or more neighbours. If there are several, each of which
+  /// is smooth, every second or fourth sample is enough.
   bool fit(std::span<const EdgePoint> samples, Cubic& c) {
     const std::size_t count = samples.size() / kSamples;
     if (count > 1 && dot(samples.front().frame.normal(), samples.back().frame.normal()) < 0.0) {
@@ -221,15 +229,15 @@ class LeftEdge {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       if (i % kSamples % step == 0) fit_.add(samples[i].place);
     }
-    // The edge runs at a right angle to its normal.
+    // The edge is at a right angle to its normal.
     return fit_.fit(-perp(samples.front().frame.normal()), -perp(samples.back().frame.normal()),
                     tolerance_mm_, c);
   }
 
   // --- Curves
 
-  /// Whether a line from sample `a` to the next one `b` may stand for the edge. Where one of them
-  /// is on it, the edge may bulge between them, by r (1 - cos(turn / 2)).
+  /// Returns true if a line from sample `a` to the next one, `b`, may replace the edge. If one of
+  /// them is on the true edge, it may bulge between them, by r (1 - cos(turn / 2)).
   [[nodiscard]] bool lines_will_do(const EdgePoint& a, const EdgePoint& b) const noexcept {
     if (!is_simple(a, b)) return false;
     if (a.share < 1.0 && b.share < 1.0) return true;
@@ -237,7 +245,7 @@ class LeftEdge {
            4.0 * tolerance_mm_;
   }
 
-  /// Whether one curve may run on from `a` to `b`, the end and the start of neighbours.
+  /// Returns true if one curve may continue from `a` to `b`, the end and the start of neighbours.
   [[nodiscard]] bool runs_on(const EdgePoint& a, const EdgePoint& b) const noexcept {
     return distance(a.place, b.place) <= kSmallGap * tolerance_mm_ &&
            dot(a.frame.normal(), b.frame.normal()) > kSmallKink;
@@ -254,7 +262,8 @@ class LeftEdge {
     return std::span(curve_samples_).subspan(first * kSamples, (last - first) * kSamples);
   }
 
-  /// Replaces neighbours by one curve as long as that stays within the tolerance.
+  /// Replaces neighbours by one curve while that stays within the tolerance. Finds the longest run
+  /// by doubling, then by bisection.
   void flush_curves() {
     for (std::size_t first = 0; first < curves_.size();) {
       Cubic best = curves_[first].cubic, longer;
@@ -304,7 +313,7 @@ class LeftEdge {
     inside_.insert(inside_.end(), samples.begin() + (inside_.empty() ? 0 : 1), samples.end());
   }
 
-  /// Whether a line from sample `a` to sample `b` may stand for all between them.
+  /// Returns true if a line from sample `a` to sample `b` may replace all samples between them.
   [[nodiscard]] bool may_skip(std::size_t a, std::size_t b) const noexcept {
     const Point p = inside_[a].place, q = inside_[b].place;
     if (dot(inside_[a].frame.normal(), inside_[b].frame.normal()) < 0.0) return false;
@@ -344,7 +353,7 @@ class LeftEdge {
                     .finishes_inside = b.share < 1.0});
   }
 
-  // --- Strips along the flattened centre line, where there is no edge to speak of
+  // --- Strips along the flattened centre line, if there is no edge
 
   void append_lines(const InkPiece& piece, double t0, double t1) {
     finish();

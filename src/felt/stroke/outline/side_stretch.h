@@ -15,8 +15,8 @@ struct InkPiece {
   Cubic center;
   double radius0_mm = 0.0;
   double radius1_mm = 0.0;
-  /// Unit direction to assume where the radius changes on the spot. Any will do, but both sides
-  /// must take the same.
+  /// Unit direction to use if the radius changes but the centre does not move. Any will do, but
+  /// both sides must use the same.
   Vec heading;
 
   [[nodiscard]] double radius(double t) const noexcept {
@@ -24,29 +24,28 @@ struct InkPiece {
   }
 };
 
-/// The same piece walked from its end.
+/// Returns the same piece in the opposite direction.
 constexpr InkPiece reversed(const InkPiece& piece) noexcept {
   return {reversed(piece.center), piece.radius1_mm, piece.radius0_mm, -piece.heading};
 }
 
-/// One curve or line of the left edge, and what a turn at its ends needs to know.
+/// One curve or line of the left edge, with the data that a turn at its ends needs.
 struct SideStretch {
   Dab from{}, to{};
   EnvelopeFrame begin{}, end{};
-  /// Of the chord of the centre line next to `from`, and next to `to`.
+  /// Lengths of the chord of the centre line next to `from`, and next to `to`.
   double begin_length_mm = 0.0, end_length_mm = 0.0;
-  Point start{}, finish{};     ///< of the edge
-  bool curved = false;         ///< false: a straight line from `start` to `finish`
-  Point handle0{}, handle1{};  ///< of the cubic that is the edge, when curved
-  /// Where the bend is tighter than the radius, the edge stays nearer to the centre line than that:
-  /// at the centre of the bend, since what is farther along the normal belongs to the ink
-  /// elsewhere.
+  Point start{}, finish{};     ///< ends of the edge
+  bool curved = false;         ///< false for a straight line from `start` to `finish`
+  Point handle0{}, handle1{};  ///< handles of the cubic, if curved
+  /// True if the bend is tighter than the radius at that end. Then the edge is at the centre of the
+  /// bend instead of a full radius away, because the area farther along the normal is inked by
+  /// other parts of the stroke.
   bool starts_inside = false, finishes_inside = false;
 };
 
-/// Appends the left edge of pieces that follow each other, from the first to the last: as few
-/// cubics as stay within the tolerance of the true edge, across pieces too where it is smooth, and
-/// straight lines where it is not.
+/// Appends the left edge of consecutive pieces. Where the edge is smooth, it uses as few cubics as
+/// stay within the tolerance of the true edge, also across pieces; elsewhere straight lines.
 void append_left_edge(std::span<const InkPiece> pieces, double tolerance_mm,
                       std::vector<SideStretch>& out);
 

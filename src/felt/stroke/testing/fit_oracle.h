@@ -11,7 +11,7 @@
 
 namespace felt::testing {
 
-/// The online curve of some samples.
+/// Returns the curve that the online fit makes of some samples.
 inline FittedCurve fit_online(std::span<const Point> ink, double tolerance_mm) {
   CurveFitter fitter({.tolerance_mm = tolerance_mm});
   fitter.begin();
@@ -20,7 +20,7 @@ inline FittedCurve fit_online(std::span<const Point> ink, double tolerance_mm) {
   return fitter.curve();
 }
 
-/// The samples of some ink, as a fit keeps them.
+/// Returns the samples of some ink that a fit keeps.
 inline SampleWindow window_of(const std::vector<Point>& ink, double tolerance_mm) {
   KeptSamples kept(tolerance_mm, 0.125 * tolerance_mm);
   for (const Point p : ink) kept.add(p);
@@ -29,13 +29,13 @@ inline SampleWindow window_of(const std::vector<Point>& ink, double tolerance_mm
   return window;
 }
 
-/// The curve at stroke parameter u.
+/// Returns the point of the curve at stroke parameter u.
 inline Point place_at(const FittedCurve& curve, double u) {
   const int i = std::clamp(static_cast<int>(u), 0, curve.segment_count() - 1);
   return evaluate(curve.segment(i), u - i);
 }
 
-/// Largest distance of a sample from its own place on the curve. Requires a place for each.
+/// Returns the largest distance of a sample from its point on the curve. Requires one for each.
 inline double worst_error(const FittedCurve& curve, std::span<const Point> ink) {
   double worst = 0.0;
   for (std::size_t i = 0; i < ink.size(); ++i) {
@@ -44,20 +44,20 @@ inline double worst_error(const FittedCurve& curve, std::span<const Point> ink) 
   return worst;
 }
 
-/// True when every sample has a place, in order, between the ends of the curve.
+/// Returns true if every sample has a parameter on the curve, in order, between its ends.
 inline bool has_all_places(const FittedCurve& curve, std::size_t samples) {
   const std::vector<double>& u = curve.sample_u;
   return u.size() == samples && std::is_sorted(u.begin(), u.end()) &&
          (u.empty() || (u.front() >= 0.0 && u.back() <= curve.segment_count()));
 }
 
-/// Turn of the tangent in degrees at the joint before segment i.
+/// Returns the turn of the tangent in degrees at the joint before segment i.
 inline double joint_turn_deg(const FittedCurve& curve, int i) {
   const Vec in = tangent(curve.segment(i - 1), 1.0), out = tangent(curve.segment(i), 0.0);
   return angle_between(in, out) * (180.0 / std::numbers::pi);
 }
 
-/// Largest turn at a joint that is declared smooth, in degrees.
+/// Returns the largest turn at a joint that is declared smooth, in degrees.
 inline double worst_smooth_turn_deg(const FittedCurve& curve) {
   double worst = 0.0;
   for (int i = 1; i < curve.segment_count(); ++i) {
@@ -68,7 +68,7 @@ inline double worst_smooth_turn_deg(const FittedCurve& curve) {
   return worst;
 }
 
-/// Places of the joints that are declared corners.
+/// Returns the positions of the joints that are declared corners.
 inline std::vector<Point> corners_of(const FittedCurve& curve) {
   std::vector<Point> corners;
   for (std::size_t i = 0; i < curve.joints.size(); ++i) {
@@ -84,7 +84,7 @@ inline double distance_to_line(Point p, Point a, Point b) {
   return distance(p, a + t * along);
 }
 
-/// Distance of p to the straight lines that join points, by looking at all of them.
+/// Returns the distance of p from a polyline, by brute force.
 inline double distance_to_polyline(Point p, std::span<const Point> points) {
   if (points.size() == 1) return distance(p, points[0]);
   double best = std::numeric_limits<double>::infinity();
@@ -94,7 +94,7 @@ inline double distance_to_polyline(Point p, std::span<const Point> points) {
   return best;
 }
 
-/// The curve as `steps` points a segment, and its end.
+/// Returns `steps` points of each segment, and the end of the curve.
 inline std::vector<Point> dense_points(const FittedCurve& curve, int steps) {
   std::vector<Point> dense;
   for (int i = 0; i < curve.segment_count(); ++i) {
@@ -106,13 +106,13 @@ inline std::vector<Point> dense_points(const FittedCurve& curve, int steps) {
   return dense;
 }
 
-/// Largest distance of the curve from the ink's polyline beyond the gap between the two samples
-/// that the place lies between: what the ink does not account for.
+/// Returns the largest distance of a point of the curve from the polyline of the ink, minus the gap
+/// between its two neighbouring samples: a deviation that the ink does not explain.
 inline double worst_overshoot(const FittedCurve& curve, std::span<const Point> ink) {
   constexpr int kSteps = 16;
   const std::vector<Point> dense = dense_points(curve, kSteps);
   double worst = 0.0;
-  std::size_t next = 0;  // the first sample past the place
+  std::size_t next = 0;  // the first sample past the point
   for (std::size_t k = 0; k < dense.size(); ++k) {
     const double u = static_cast<double>(k) / kSteps;
     while (next < ink.size() && curve.sample_u[next] <= u) ++next;

@@ -13,10 +13,10 @@
 
 namespace felt::testing {
 
-/// How finely strokes are cut for the judgement by brute force.
+/// The tolerance with which strokes are flattened for the brute-force check.
 inline constexpr double kOracleToleranceMm = 1e-4;
 
-/// How often the contours wind round q.
+/// Returns the winding number of the contours around q.
 inline int winding(const Outline& outline, Point q) {
   int count = 0;
   for (std::size_t k = 0; k < outline.contour_count(); ++k) {
@@ -32,8 +32,8 @@ inline int winding(const Outline& outline, Point q) {
   return count;
 }
 
-/// How far q is outside the ink between two dabs: min over the way of |q - c| - r, both taken
-/// linearly. Convex along the way, so the place where its derivative vanishes is the minimum.
+/// Returns how far q is outside the ink between two dabs: the minimum of |q - c| - r between them,
+/// with c and r interpolated linearly. It is convex, so the zero of its derivative is the minimum.
 inline double distance_outside(const Dab& a, const Dab& b, Point q) {
   const Vec way = b.center - a.center;
   const double length = norm(way), slope = (b.radius_mm - a.radius_mm) / length;
@@ -49,7 +49,7 @@ inline double distance_outside(const Dab& a, const Dab& b, Point q) {
   return best;
 }
 
-/// How far q is outside the ink of a row of dabs.
+/// Returns how far q is outside the ink of a row of dabs.
 inline double distance_outside(const std::vector<Dab>& dabs, Point q) {
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < dabs.size(); ++i) {
@@ -58,8 +58,9 @@ inline double distance_outside(const std::vector<Dab>& dabs, Point q) {
   return best;
 }
 
-/// Looks at `count` places, half of them near an edge: an outline must hold every place that is
-/// deeper than the margin in the ink, none that is farther out, and wind none the wrong way.
+/// Checks `count` points, half of them near an edge. The outline must contain every point that is
+/// deeper than the margin inside the ink and none that is farther than it outside, and no winding
+/// number may have the wrong sign.
 inline void expect_outline_is_the_ink(const Outline& outline, const Stroke& s, double margin,
                                       std::uint64_t seed, int count) {
   std::vector<Dab> dense;

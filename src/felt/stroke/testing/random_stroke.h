@@ -7,7 +7,7 @@
 
 namespace felt::testing {
 
-/// Valid strokes of every shape, for property tests: smooth and sharp joints, standing handles,
+/// Makes valid strokes of every shape, for property tests: smooth and sharp joints, zero handles,
 /// cusps and loops, open and closed, few and many width breakpoints. The same seed gives the same
 /// stroke.
 class RandomStroke {
@@ -54,7 +54,7 @@ class RandomStroke {
     } else if (chance(0.2)) {
       h1 = a;
     }
-    // A ring of one segment needs a handle, or it is nothing.
+    // A ring of one segment needs a handle; otherwise it is a point.
     const Point h2 = chance(0.15) && b != a ? b : b + handle();
     d.points.insert(d.points.end(), {h1, h2, b});
   }
@@ -78,12 +78,12 @@ class RandomStroke {
   std::mt19937_64 random_;
 };
 
-/// A valid stroke from a seed.
+/// Returns a valid stroke from a seed.
 inline Stroke random_stroke(std::uint64_t seed) {
   return Stroke::create(RandomStroke(seed).make()).value();
 }
 
-/// A straight stroke of one segment from a to b with widths w0 to w1.
+/// Returns a straight stroke of one segment from a to b with widths from w0 to w1.
 inline Stroke straight_stroke(Point a, Point b, double w0, double w1) {
   const Cubic c = straight(a, b);
   return Stroke::create({.points = {c.p.begin(), c.p.end()},

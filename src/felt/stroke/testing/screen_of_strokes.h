@@ -8,8 +8,8 @@
 
 namespace felt::testing {
 
-/// Strokes of 1 to 8 segments about 125 px long and 1 to 6 px wide, anywhere on a full-HD screen
-/// at 4 px/mm: the scene that rasterisers were compared on.
+/// Returns strokes of 1 to 8 segments, about 125 px long and 1 to 6 px wide, anywhere on a full-HD
+/// screen at 4 px/mm: the scene with which rasterisers were compared.
 inline std::vector<Stroke> screen_of_strokes(int count) {
   std::mt19937_64 random(1);
   const auto uniform = [&](double a, double b) {

@@ -9,7 +9,7 @@
 #include "felt/geometry/nearest.h"
 #include "felt/stroke/stroke.h"
 
-/// For tests: strokes shared, and measured independently of what is tested.
+/// For tests: shared strokes, and measurements that do not use the tested code.
 namespace felt::testing {
 
 inline std::shared_ptr<const Stroke> share(Stroke stroke) {

@@ -12,16 +12,16 @@
 
 namespace felt::testing {
 
-/// Kinds of ink, from an ordinary hand to what no hand would do.
+/// Kinds of ink, from ordinary handwriting to what no hand would draw.
 enum class InkShape {
-  kSmooth,      ///< bends gently, a sample each half millimetre
-  kDense,       ///< 1 kHz: a sample each tenth, tremor, quantised to 0.03 mm
-  kSparse,      ///< a mouse: gaps of 2 to 15 mm, quantised to a quarter
+  kSmooth,      ///< gentle bends, a sample every 0.5 mm
+  kDense,       ///< 1 kHz: a sample every 0.1 mm, with tremor, quantised to 0.03 mm
+  kSparse,      ///< a mouse: gaps of 2 to 15 mm, quantised to 0.25 mm
   kZigzag,      ///< straight legs with sharp turns
   kSpiral,      ///< from a point to 20 mm and more
-  kHairpin,     ///< out and back on nearly the same way
+  kHairpin,     ///< forward and back on almost the same path
   kResting,     ///< dense, with rests in which the sensor trembles
-  kDuplicates,  ///< every place reported up to 20 times
+  kDuplicates,  ///< every position reported up to 20 times
   kFractal,     ///< bends at every scale
   kSawtooth,    ///< teeth as high as a tolerance
   kJumps,       ///< steps from a hundredth of a millimetre to a metre
@@ -43,12 +43,12 @@ inline std::ostream& operator<<(std::ostream& out, InkShape shape) {
   return out << kNames[static_cast<std::size_t>(shape)];
 }
 
-/// Random ink for tests of the fit. The same seed gives the same ink.
+/// Makes random ink for tests of the fit. The same seed gives the same ink.
 class TestInk {
  public:
   explicit TestInk(std::uint64_t seed) : random_(seed) {}
 
-  /// `count` samples (at least one) of ink of the given shape, in mm.
+  /// Returns `count` samples (at least one) of ink of the given shape, in mm.
   std::vector<Point> draw(InkShape shape, int count) {
     std::vector<Point> ink;
     ink.reserve(static_cast<std::size_t>(count));
@@ -57,13 +57,13 @@ class TestInk {
     return ink;
   }
 
-  /// Ink of any shape and of 2 to `most` samples.
+  /// Returns 2 to `most` samples of ink of any shape.
   std::vector<Point> draw_any(int most) {
     const auto last = static_cast<int>(kAllShapes.size()) - 1;
     return draw(kAllShapes[static_cast<std::size_t>(pick(0, last))], pick(2, most));
   }
 
-  /// A tolerance between 0.05 and 3 mm, small ones as likely as large ones.
+  /// Returns a tolerance between 0.05 and 3 mm; its logarithm is uniform.
   double tolerance() { return 0.05 * std::pow(60.0, uniform(0.0, 1.0)); }
 
   double uniform(double a, double b) {
@@ -127,7 +127,7 @@ class TestInk {
     return at_;
   }
 
-  // One step ahead; the curvature is a sum of waves over the path, at most 1.2 per mm.
+  // Takes one step forward; the curvature is a sum of waves over the path, at most 1.2 per mm.
   Point wander(double step_mm) {
     double bend = 0.0;
     for (const Wave& w : waves_) bend += w.height * std::sin(w.frequency * path_ + w.phase);
@@ -136,7 +136,7 @@ class TestInk {
     return at_ = at_ + step_mm * Vec{std::cos(heading_), std::sin(heading_)};
   }
 
-  // One step along a straight leg of 10 to 60 samples; between legs a turn of turn +- spread.
+  // Takes one step along a straight leg of 10 to 60 samples; turns by turn +- spread between legs.
   Point leg(double step_mm, double turn, double spread) {
     if (left_-- == 0) {
       left_ = pick(10, 60);
@@ -145,7 +145,7 @@ class TestInk {
     return at_ = at_ + step_mm * Vec{std::cos(heading_), std::sin(heading_)};
   }
 
-  // True while the pen rests, for up to `most` samples at a time.
+  // Returns true while the pen rests, for up to `most` samples at a time.
   bool rest(int most) {
     if (left_ == 0) left_ = chance(0.1) ? pick(1, most) : -pick(1, 10);
     left_ += left_ > 0 ? -1 : 1;

@@ -5,33 +5,33 @@
 
 namespace felt {
 
-/// Where two ends meet.
+/// The point where two ends meet.
 enum class MeetingPlace {
-  kAtTarget,  ///< the moved end comes to the other one, which stays
-  /// Both go half of the way, but not over a gap that is wider than bending covers
-  /// (TipLead::small_gap_mm). A stroke that must not be changed stays.
+  kAtTarget,  ///< the moved end goes to the other one, which stays
+  /// Both go halfway, unless the gap is wider than bending covers (TipLead::small_gap_mm) or the
+  /// other stroke must not be changed; then the other end stays.
   kHalfWay,
 };
 
 struct ConnectEndsOptions {
   MeetingPlace place = MeetingPlace::kAtTarget;
-  /// Strokes that meet stay two, with a shared point.
+  /// Strokes that meet stay separate, with a shared point.
   bool keep_separate = false;
 };
 
-/// The edit that puts the end `moved` and the end `to` onto each other (paper, "Connect curves";
-/// specification 5g; R43, R45):
-///   - the two ends of one stroke: it is closed, "Close";
-///   - ends of two strokes that look alike, in one layer: they become one, "Connect", which keeps
-///     id, place and direction of the stroke of `to`; widths are carried, and where they differ the
-///     profile steps at the joint;
-///   - else the strokes share the point, "Connect": ink of another look or layer must not change
-///     its own. A stroke of a locked or hidden layer stays as it is.
-/// Joints are smooth if the ink turns by less than 30 degrees, else corners. Over a gap that is
-/// wider than bending covers, the moved end arrives in the direction of the target (TipLead).
+/// Returns the edit that connects the ends `moved` and `to` (paper, "Connect curves"; specification
+/// 5g; R43, R45):
+///   - if they are the two ends of one stroke, it is closed: "Close";
+///   - if they belong to two strokes that look alike, in one layer, the strokes are joined:
+///     "Connect". The result keeps id, position in the layer and direction of the stroke of `to`.
+///     Widths are kept; if they differ, the profile steps at the joint;
+///   - otherwise the strokes share the point: "Connect", because ink must not change its look or
+///     layer. A stroke of a locked or hidden layer stays as it is.
+/// Joints are smooth if the ink turns by less than 30 degrees, else corners. If the gap is wider
+/// than bending covers, the moved end arrives in the direction of the target (TipLead).
 ///
-/// Empty when an end is not there, `moved` may not be edited, the strokes are too short for a valid
-/// one, or nothing would change: ink is never lost. Pure.
+/// Returns an empty edit if an end does not exist, `moved` is not editable, the strokes are too
+/// short for a valid result, or nothing would change; so ink is never lost. Pure.
 Edit connect_ends(const Document& document, TipId moved, TipId to,
                   const ConnectEndsOptions& options = {});
 

@@ -40,7 +40,7 @@ TEST(ConnectEnds, R45_JoinsAtAnyOfTheFourPairsOfEnds) {
         desk.apply(edit);
         ASSERT_EQ(desk.strokes().size(), 2u);
         EXPECT_EQ(desk.document.layers()[0].strokes[0], below);
-        EXPECT_EQ(desk.document.layers()[0].strokes[1], to);  // its id, above what it was above
+        EXPECT_EQ(desk.document.layers()[0].strokes[1], to);  // its id and position in the layer
         const Stroke& one = *desk.document.find(to);
         EXPECT_FALSE(one.closed());
         EXPECT_EQ(tip_point(one, opposite(tip)), (Point{0, 0}));  // its direction
@@ -90,7 +90,7 @@ TEST(ConnectEnds, R43_TheTwoEndsOfAStrokeCloseIt) {
     for (const MeetingPlace place : kPlaces) {
       Desk desk;
       const StrokeId id = desk.add(open);
-      // Closing is closing, even where other strokes are kept apart.
+      // A stroke is closed even if other strokes are kept separate.
       const Edit edit = connect_ends(desk.document, {id, mine}, {id, opposite(mine)},
                                      {place, /*keep_separate=*/true});
       EXPECT_EQ(edit.label, "Close");
@@ -123,7 +123,7 @@ TEST(ConnectEnds, OtherLooksLayersAndKeptSeparateShareThePoint) {
       if (place == MeetingPlace::kAtTarget) {
         EXPECT_EQ(two, b);
       }
-      // Again: nothing is left to do.
+      // A second time nothing changes.
       EXPECT_TRUE(connect_ends(desk.document, {moved, kStart}, {to, kEnd}, {place, keep}).empty());
     }
   }
@@ -167,12 +167,12 @@ TEST(ConnectEnds, R45_AWideGapIsBridgedByOneFairCurve) {
   const Stroke left = straight_stroke({0, 0}, {80, 0}, 1, 1);
   const std::pair<Point, Point> targets[] = {
       {{140, 0}, {220, 0}},    // 60 mm ahead
-      {{140, 15}, {220, 15}},  // and beside
+      {{140, 15}, {220, 15}},  // and sideways
       {{80, 60}, {0, 60}},     // a U
       {{80, 60}, {160, 60}},   // an S
       {{100, 30}, {100, 90}},  // around the corner
-      {{100, 3}, {180, 3}},    // 20 mm ahead and a little beside
-      {{80, 20}, {160, 30}},   // 20 mm beside
+      {{100, 3}, {180, 3}},    // 20 mm ahead and slightly sideways
+      {{80, 20}, {160, 30}},   // 20 mm sideways
   };
   for (const auto& [from, to] : targets) {
     for (const MeetingPlace place : kPlaces) {

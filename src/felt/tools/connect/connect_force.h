@@ -12,17 +12,19 @@
 
 namespace felt {
 
-/// What the hand feels besides the sheet.
+/// The points of the forces in addition to the surface.
 struct ConnectFeel {
-  std::optional<Point> well;          ///< where the pen is attracted to
-  std::optional<Point> dragged_from;  ///< where the pen took hold of an end
+  std::optional<Point> well;          ///< attracts the pen
+  std::optional<Point> dragged_from;  ///< position of the pen when it grabbed an end
 };
 
-/// Share of the law of edits (specification 5d) with which a dragged end holds back: 0.2 N at most.
+/// Fraction of the edit force law (specification 5d) with which a dragged end resists: 0.2 N at
+/// most.
 inline constexpr double kDragShare = 0.2;
 
-/// The sheet under a pencil, the end that attracts, and while one is dragged a small spring back to
-/// where it was taken (R43): 1 N at most beside the friction.
+/// Returns the force model of the connect tool: the surface under a pencil, the end that attracts
+/// and, while an end is dragged, a weak spring back to the point of the grab (R43): 1 N at most in
+/// addition to friction.
 inline ForceModel make_connect_force(const ConnectSettings& settings, const Scene& scene,
                                      const ConnectFeel& feel) {
   const Medium material =

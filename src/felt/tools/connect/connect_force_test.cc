@@ -22,7 +22,7 @@ ConnectFeel dragged_from(Point p) {
   return {.well = {}, .dragged_from = p};
 }
 
-/// In the air, where neither sheet nor friction speak.
+/// Hovering, without forces of surface and friction.
 Force force_at(const ForceModel& model, Point pen) {
   ForceMemory memory;
   memory.begin_tick(0.001);
@@ -135,7 +135,7 @@ TEST(ConnectForce, R43_CalmWhileAHandLeadsAnEndOntoAnother) {
         rig::Bench bench(setup, model, {0, 0, 1});
         bench.memory().scale = SafetyChain(limits_for(setup.capabilities())).budget(model.slopes());
         const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
-        // Lands, leads the end 12 mm far in 0.6 s, and rests in the well.
+        // Lands, drags the end 12 mm in 0.6 s, and rests in the well.
         const auto smooth = [](double x) {
           const double y = std::clamp(x, 0.0, 1.0);
           return y * y * (3 - 2 * y);

@@ -87,7 +87,7 @@ inline constexpr std::array<OptionSpec, ConnectOption::kCount> kConnectOptions{{
         "as it is."),
 }};
 
-/// The options as the tool uses them.
+/// The options in the form that the tool uses.
 struct ConnectSettings {
   SnapOptions snap;
   double grab_radius_mm = 8.0;
@@ -96,7 +96,7 @@ struct ConnectSettings {
   double strength = 1.0;
 };
 
-/// Reads them. Requires values of kConnectOptions.
+/// Reads the options. Requires values of kConnectOptions.
 ConnectSettings connect_settings(const OptionValues& values);
 
 }  // namespace felt

@@ -34,7 +34,7 @@ struct Connect {
     tool.draw(o);
     return o;
   }
-  /// In the air: how hard the hand is pulled.
+  /// Returns the lateral force while hovering.
   [[nodiscard]] double pull_at(Point p) const {
     ForceMemory memory;
     PenSample s;
@@ -59,7 +59,7 @@ Stroke horseshoe() {
 
 TEST(Connect, R43_AnEndThatIsDraggedOntoAnotherIsConnected) {
   Gap g;
-  g.pen.line(way({49, 1}, {52.5, 1}));  // the end follows by as much as the pen goes
+  g.pen.line(way({49, 1}, {52.5, 1}));  // the end moves by as much as the pen
   EXPECT_EQ(g.pen.commits, 1);
   EXPECT_EQ(g.desk.history.undo_label(), "Connect");
   ASSERT_EQ(g.desk.strokes().size(), 1u);
@@ -83,7 +83,7 @@ TEST(Connect, R43_WithTheForceOnlyGeometryIsNeverConnected) {
   EXPECT_EQ(tip_point(*g.desk.document.find(g.left), kEnd), (Point{53, 0}));
   EXPECT_EQ(*g.desk.document.find(g.right), straight_stroke({53, 0}, {103, 0}, 1, 1));
   EXPECT_EQ(g.desk.history.undo_label(), "Move end");
-  // A hand that resists leaves it beside.
+  // If the hand resists, the end stays next to the target.
   g.pen.line(way({53, 0}, {50, 1}));
   g.pen.up({0, 80});
   g.pen.up({50, 1});
@@ -99,20 +99,21 @@ TEST(Connect, R43_TheHandIsAttractedInTheModesThatSaySo) {
     const bool attracts = mode == std::string_view("force") || mode == std::string_view("both");
     EXPECT_EQ(g.pull_at({49, 1}) > 0.1, attracts) << mode;
     g.pen.along(way({49, 1}, {50, 3}));
-    // The pen is led to where the end comes to lie on the target, 1 mm beside it and below.
+    // The pen is attracted to the point at which the end lies on the target, 1 mm beside it and
+    // below.
     EXPECT_EQ(g.pull_at({50, 3}) > 0.3, attracts) << mode;
     if (attracts) {
-      EXPECT_LT(g.pull_at({52, 1}), 0.1) << mode;  // there is but the drag
+      EXPECT_LT(g.pull_at({52, 1}), 0.1) << mode;  // only the drag
     }
   }
 }
 
 TEST(Connect, R44_TheOtherEndOfTheStrokeCountsAtOnce) {
-  // Closing is what an end is taken for: no way has to be gone first, unlike in the pencil.
+  // An end may be closed immediately, without first moving away, unlike in the pencil.
   Connect c;
   const StrokeId id = c.desk.add(horseshoe());
   c.pen.up({0, 6});
-  c.pen.along(way({0, 6}, {0, 4.9}));  // 1.1 mm: no tap any more
+  c.pen.along(way({0, 6}, {0, 4.9}));  // 1.1 mm: too far for a tap
   EXPECT_FALSE(c.overlay().rings.empty());
   c.pen.along(way({0, 4.9}, {0, 1.5}));
   c.pen.up({0, 1.5});
@@ -130,7 +131,7 @@ TEST(Connect, R44_NothingIsConnectedWithoutBeingAskedTo) {
   c.pen.line({{0, 6}});  // a tap; the other end is out of reach
   EXPECT_EQ(c.desk.document, before);
   c.set("reach_mm", 8.0);
-  // Pressed for long, and lifted again.
+  // A long press, then lifted.
   c.pen.up({0, 6});
   for (int k = 0; k < 600; ++k) c.pen.down({0, 6});
   c.pen.up({0, 6});
@@ -199,7 +200,7 @@ TEST(Connect, WhatIsShownIsWhatComes) {
   }
   ASSERT_TRUE(shown);
   EXPECT_EQ(shown->label, "Connect");
-  EXPECT_GT(same, 30);  // within the snap radius nothing changes any more
+  EXPECT_GT(same, 30);  // within the snap radius nothing changes
   Document before = g.desk.document;
   g.pen.up({52.9, 0});
   ASSERT_TRUE(before.apply(*shown));
@@ -263,7 +264,7 @@ TEST(Connect, CancelAndFinish) {
   g.pen.up({50, 0});
   EXPECT_EQ(g.desk.document, before);
   g.pen.at({50, 3, 1});
-  EXPECT_GT(g.pull_at({50, 3}), 0.1);  // ready for the next
+  EXPECT_GT(g.pull_at({50, 3}), 0.1);  // ready for the next gesture
   g.pen.along(way({50, 0}, {53, 0}));
   const ToolResult end = g.tool.finish(g.desk.scene());
   ASSERT_TRUE(end.commit);

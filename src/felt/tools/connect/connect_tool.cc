@@ -33,7 +33,7 @@ constexpr ToolInfo kConnectInfo{
             .caption = "Drag one end onto another: they snap, and become one line.",
             .seconds = 16.0}};
 
-/// Radius of the ring around the end that would be taken.
+/// Radius of the ring around the end that would be grabbed.
 constexpr double kTipRingMm = 1.5;
 
 }  // namespace
@@ -72,7 +72,7 @@ void ConnectTool::find(Point pen, const Scene& scene) {
   shown_ = editable_tips_near(scene, pen, settings_.grab_radius_mm, kMostShown);
   partner_.reset();
   if (shown_.empty()) return;
-  // The same as for targets: the one that is shown stays until another is nearer by 1 mm.
+  // Same as for targets: the end shown stays until another is nearer by 1 mm.
   const double limit = shown_.front().distance_mm + SnapFinder::kHysteresisMm;
   const auto kept = std::find_if(shown_.begin(), shown_.end(), [&](const TipHit& hit) {
     return !last.empty() && hit.id == last.front().id && hit.point == last.front().point &&
@@ -101,7 +101,7 @@ ToolResult ConnectTool::move(const PenSample& sample, const Scene& scene) {
   if (!drag_) return {.same_preview = true};
   Drag& d = *drag_;
   d.extend = settings_.extend != ((sample.buttons & kFirstModifier) != 0);
-  // In double: the difference of two hostile times does not fit into 64 bits.
+  // In double, because the difference of two invalid times may overflow 64 bits.
   d.is_long = static_cast<double>(sample.time_ns) - static_cast<double>(d.since_ns) >
               static_cast<double>(kTapNs);
   const Point at = d.from + (on_sheet(sample.position) - d.pen_from);
@@ -126,7 +126,7 @@ ToolResult ConnectTool::lead_to(Point at, const Scene& scene) {
   }
   d.on.reset();
   auto led = d.lead.at(at);
-  if (!led) return {.same_preview = true};  // as far as it went
+  if (!led) return {.same_preview = true};  // keep the last valid shape
   d.edit = d.place.with(std::make_shared<const Stroke>(*std::move(led)), "Move end");
   return {.preview = d.edit};
 }
@@ -174,7 +174,7 @@ ForceModel ConnectTool::force(const Scene& scene) const {
   if (drag_) {
     feel.dragged_from = drag_->pen_from;
     if (finder_.target() && attracts(settings_.snap.mode)) {
-      // The pen is led to where it puts the end onto the target.
+      // Attracts the pen to the point at which the end lies on the target.
       feel.well = finder_.target()->point + (drag_->pen_from - drag_->from);
     }
   } else if (!in_gesture() && near_ && !is_waiting() && !released_at_ && !shown_.empty() &&

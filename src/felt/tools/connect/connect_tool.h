@@ -12,26 +12,27 @@
 
 namespace felt {
 
-/// Joins two ends that are there, or closes a stroke (paper, "Connect curves"; connect.md):
+/// Joins two existing ends, or closes a stroke (paper, "Connect curves"; connect.md):
 ///
-///   - dragging: what is near the pen is taken hold of, and the end moves as the pen moves; within
-///     the snap radius of another end it is connected to it, and shown so; letting go there commits
-///     that. Elsewhere the end goes back, or stays (`extend`).
-///   - tapping: an end with another one within reach; each goes half of the way.
+///   - drag: the pen grabs the nearest end, which moves with the pen. Within the snap radius of
+///     another end it is shown connected, and lifting the pen there commits that. Elsewhere the end
+///     goes back, or stays (`extend`).
+///   - tap: connects an end with another one within reach; each goes halfway.
 ///
-/// The other end of the same stroke counts at once, unlike in the pencil (R44): there a line begins
-/// at its start and must get away from it first, here a person takes hold of an end to close it.
+/// The other end of the same stroke is a target immediately, unlike in the pencil (R44): there a
+/// new line must first get away from its start, but here the user grabs an end to close the stroke.
 class ConnectTool final : public GestureTool {
  public:
-  /// A gesture is a tap until the pen has gone this far, ...
+  /// A gesture is a tap until the pen has moved this far, ...
   static constexpr double kTapMm = 1.0;
-  /// ... and no longer one after this time: who presses on an end and thinks wants nothing.
+  /// ... but not after this time, because a user who presses on an end and hesitates wants no
+  /// change.
   static constexpr std::int64_t kTapNs = 500'000'000;
-  /// Below this height over the sheet a pen in the air is attracted by the end it would take ...
+  /// Below this height above the surface a hovering pen is attracted by the end it would grab ...
   static constexpr double kNearMm = 5.0;
   /// ... until it is higher than this.
   static constexpr double kFarMm = 7.0;
-  /// So many ends are shown before the touch, the one that would be taken among them.
+  /// Maximum number of ends shown before the touch, including the one that would be grabbed.
   static constexpr std::size_t kMostShown = 4;
 
   ConnectTool();
@@ -48,22 +49,22 @@ class ConnectTool final : public GestureTool {
   void take_options(const OptionValues& options) override;
 
  private:
-  /// An end that the pen has taken hold of. Its stroke as it was at the touch decides everything.
+  /// A grabbed end. Everything is computed from its stroke as it was at the touch.
   struct Drag {
     Drag(const Scene& scene, const TipHit& tip, const PenSample& pen);
 
     TipId tip;
-    Point from;      ///< where the end was
-    Point pen_from;  ///< where the pen was then
+    Point from;      ///< position of the end at the touch
+    Point pen_from;  ///< position of the pen at the touch
     std::int64_t since_ns;
     StrokeReplacement place;
     TipLead lead;
-    Point at;                       ///< where the end is led to
-    std::optional<TipId> on = {};   ///< what it is connected to
-    std::optional<Edit> edit = {};  ///< what has come of it; none: as before
-    bool is_pulled = false;         ///< no tap any more
-    bool is_long = false;           ///< nor that
-    bool extend = false;            ///< what the modifier makes of the option
+    Point at;                       ///< current position of the end
+    std::optional<TipId> on = {};   ///< the end that it is connected to
+    std::optional<Edit> edit = {};  ///< the current edit; nullopt: unchanged
+    bool is_pulled = false;         ///< moved too far for a tap
+    bool is_long = false;           ///< too long for a tap
+    bool extend = false;            ///< the option, inverted by the modifier
   };
 
   void find(Point pen, const Scene& scene);
@@ -76,10 +77,10 @@ class ConnectTool final : public GestureTool {
 
   ConnectSettings settings_;
   SnapFinder finder_;
-  std::vector<TipHit> shown_;      // the first is the one that would be taken
-  std::optional<TipHit> partner_;  // what a tap would connect it to
+  std::vector<TipHit> shown_;      // the first one would be grabbed
+  std::optional<TipHit> partner_;  // the end that a tap would connect it to
   bool near_ = false;
-  std::optional<Point> released_at_;  // the last drag ended there, and the pen has not left since
+  std::optional<Point> released_at_;  // where the last drag ended, until the pen leaves
   std::optional<Drag> drag_;
 };
 

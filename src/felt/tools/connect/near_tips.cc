@@ -8,8 +8,8 @@
 namespace felt {
 namespace {
 
-/// The index knows the ends of visible strokes, locked ones too. So many of those are skipped one
-/// by one; among more, the segments of editable strokes are looked through instead.
+/// The index has the ends of all visible strokes, including locked ones. Up to this many locked
+/// ends are skipped one by one; beyond that, the segments of editable strokes are searched instead.
 constexpr std::size_t kMostSkipped = 32;
 
 bool is_before(const TipHit& a, const TipHit& b) noexcept {

@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// The ends nearest to a place, within radius_mm, that may be dragged: of strokes of visible,
-/// unlocked layers. The nearest first, at most `most`.
+/// Returns the ends that may be dragged (of strokes on visible, unlocked layers) within radius_mm
+/// of a point: the nearest first, at most `most`.
 std::vector<TipHit> editable_tips_near(const Scene& scene, Point place, double radius_mm,
                                        std::size_t most);
 

@@ -13,13 +13,14 @@ namespace {
 
 constexpr double kBendAccuracy = 1e-3;
 
-/// A standing handle at a smooth joint gets this length (join.cc): its direction is its own then.
+/// A zero-length handle at a smooth joint gets this length (join.cc), so that it has its own
+/// direction.
 constexpr double kMinHandleMm = 1e-3;
 
-/// A part of the stroke that ends, seen from the tip, where the shift has faded away.
+/// The part of the stroke from the tip to the point where the shift has faded out.
 struct Zone {
   StrokeData data;
-  int segments = 0;           // in the zone
+  int segments = 0;           // number of segments in the zone
   std::vector<double> at_mm;  // arc length from the tip to each of its joints
 };
 
@@ -35,19 +36,19 @@ class TipBend {
   }
 
  private:
-  /// The k-th control point from the tip.
+  /// Returns the k-th control point from the tip.
   Point& point(int k) {
     const auto i = static_cast<std::size_t>(k);
     return zone_.data.points[start_ ? i : zone_.data.points.size() - 1 - i];
   }
-  /// Of the i-th joint from the tip, i > 0.
+  /// Returns true if the i-th joint from the tip, i > 0, is smooth.
   [[nodiscard]] bool is_smooth(int i) const {
     const auto k = static_cast<std::size_t>(i);
     const auto& joints = zone_.data.joints;
     return joints[start_ ? k - 1 : joints.size() - k] == JointKind::kSmooth;
   }
 
-  /// Handles that stand at the tip or at a smooth joint get a direction before anything moves.
+  /// Gives zero-length handles at the tip and at smooth joints a direction before anything moves.
   void give_direction(int i) {
     if (i > 0 && !is_smooth(i)) return;
     const Point at = point(3 * i);
@@ -89,8 +90,9 @@ void append(StrokeData& data, const StrokeData& more) {
   }
 }
 
-/// Cuts the stroke at arc length `reach` from the tip, or at the joint next to it where a cut would
-/// leave a sliver, but not nearer than `least`. Nothing when the stroke is shorter.
+/// Cuts the stroke at arc length `reach` from the tip, or at the nearest joint if the cut would
+/// leave too short a segment, but not nearer than `least`. Returns nullopt if the stroke is
+/// shorter.
 std::optional<Zone> zone_of(const Stroke& stroke, StrokeTip tip, double reach, double least) {
   const int n = stroke.segment_count();
   const bool start = tip == StrokeTip::kStart;

@@ -23,7 +23,7 @@ double length_mm(const Stroke& s) {
 }
 
 TEST(TipBend, FollowsItsLawAlongTheStroke) {
-  // A straight line of uneven segments, so that u is nothing like the length.
+  // A straight line of uneven segments, so that u is not proportional to the length.
   const Stroke line = Stroke::create({.points = {{0, 0},
                                                  {1, 0},
                                                  {9, 0},
@@ -73,7 +73,7 @@ TEST(TipBend, RandomStrokesKeepTheirInvariantsTangentAndTheRest) {
       EXPECT_EQ(bent->tone(bent->segment_count()), stroke.tone(stroke.segment_count()));
       const double turn = angle_between(tip_direction(*bent, tip), tip_direction(stroke, tip));
       EXPECT_LT(turn, 1e-6) << seed;
-      // Segments that are farther than the reach are the same points, bit for bit.
+      // Segments beyond the reach keep their points, bit for bit.
       const int n = stroke.segment_count(), more = bent->segment_count() - n;
       const bool end = tip == StrokeTip::kEnd;
       double far = length_mm(stroke) - reach - 0.1;

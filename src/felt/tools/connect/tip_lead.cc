@@ -16,16 +16,17 @@ namespace {
 constexpr double kLeadAccuracy = 1e-3;
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-/// A stroke is not prolonged by less: it bends instead.
+/// A stroke is not extended by less than this; it bends instead.
 constexpr double kMinPieceMm = 0.5;
 
 /// Samples of a segment for its bending energy.
 constexpr int kEnergySamples = 24;
 
-/// Strokes of fewer segments are worked on whole.
+/// Strokes of fewer segments are changed as a whole.
 constexpr int kFewSegments = 48;
 
-/// The number of segments at the end that are long enough for every bend: twice the longest fade.
+/// Returns the number of segments at the end that are long enough for every bend: twice the longest
+/// fade.
 int segments_at(const Stroke& stroke, StrokeTip tip) {
   constexpr double kEnoughMm = 2.0 * TipLead::kMaxFadeMm;
   const int n = stroke.segment_count();
@@ -55,7 +56,7 @@ Stroke part_at(const Stroke& stroke, StrokeTip tip) {
   return part ? *part : stroke;
 }
 
-/// Appends `more`, whose first point is the last one of `data`; widths and tones agree there.
+/// Appends `more`. Its first point, width and tone are the last ones of `data`.
 void append(StrokeData& data, const StrokeData& more, JointKind joint) {
   const auto n = static_cast<double>(data.points.size() / 3);
   data.points.insert(data.points.end(), more.points.begin() + 1, more.points.end());
@@ -67,7 +68,8 @@ void append(StrokeData& data, const StrokeData& more, JointKind joint) {
   }
 }
 
-/// `stroke` prolonged at `tip` by `piece`, which begins there, in the width and tone of the end.
+/// Returns `stroke` extended at `tip` by `piece`, which begins there, with the width and tone of
+/// the end.
 Result<Stroke> prolonged(const Stroke& stroke, StrokeTip tip, const Cubic& piece) {
   const bool start = tip == StrokeTip::kStart;
   const WidthKnot& ink = start ? stroke.widths().front() : stroke.widths().back();
@@ -82,8 +84,9 @@ Result<Stroke> prolonged(const Stroke& stroke, StrokeTip tip, const Cubic& piece
   return start ? joined(*more, stroke) : joined(stroke, *more);
 }
 
-/// A cubic from the end of `stroke`, along its tangent, to `target`. Its handles are those of a
-/// circular arc, 2/3 chord/(1 + cos), up to the chord. Without an arrival it ends uncurved.
+/// Returns a cubic from the end of `stroke`, along its tangent, to `target`. Its handles are those
+/// of a circular arc, 2/3 chord/(1 + cos), at most the chord. Without an arrival its curvature is
+/// zero at the end.
 Cubic bridge(const Stroke& stroke, StrokeTip tip, Point target, std::optional<Vec> arrival) {
   const Point from = tip_point(stroke, tip);
   const Vec direction = tip_direction(stroke, tip), chord = target - from;
@@ -96,7 +99,7 @@ Cubic bridge(const Stroke& stroke, StrokeTip tip, Point target, std::optional<Ve
   return {{from, out, in, target}};
 }
 
-/// The integral of the squared curvature over the segments, without corners.
+/// Returns the integral of the squared curvature over the segments, without corners.
 double bending_energy(const Stroke& stroke) {
   double energy = 0.0;
   for (int i = 0; i < stroke.segment_count(); ++i) {
@@ -124,7 +127,7 @@ TipLead::TipLead(const Stroke& stroke, StrokeTip tip)
   const bool start = tip == StrokeTip::kStart;
   const auto rest = start ? sub_stroke(stroke, m, n) : sub_stroke(stroke, 0, n - m);
   joint_ = stroke.joint(start ? m : n - m);
-  rest_ = rest->data();  // cuts at joints are always possible
+  rest_ = rest->data();  // cutting at a joint never fails
 }
 
 Result<Stroke> TipLead::at(Point target) const {
@@ -146,6 +149,8 @@ Result<Stroke> TipLead::at(Point target, Vec arrival) const {
   return whole(bends ? one : other);
 }
 
+/// Extends the stroke straight ahead, then bends it by the rest of the shift over a reach that
+/// grows with it. If it is too short for that, bridges the gap with a cubic.
 Result<Stroke> TipLead::bent(Point target, std::optional<Vec> arrival) const {
   const Point from = tip_point(part_, tip_);
   const Vec direction = tip_direction(part_, tip_);
@@ -163,7 +168,7 @@ Result<Stroke> TipLead::bent(Point target, std::optional<Vec> arrival) const {
   const double reach =
       std::max(std::min(std::max(kMinFadeMm, kFadePerShift * far), ahead + half),
                std::min(kMinFadePerShift * far, ahead + std::min(1.9 * half, kMaxFadeMm)));
-  // The turn that leaves the end uncurved, which comes in gradually above the small gap.
+  // The turn that makes the curvature zero at the end; blended in above the small gap.
   const double x = std::clamp(gap / small_gap_mm_ - 1.0, 0.0, 1.0);
   const Vec turn =
       arrival ? direction - *arrival : (-1.5 * x * x * (3.0 - 2.0 * x) / reach) * shift;

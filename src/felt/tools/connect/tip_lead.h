@@ -6,17 +6,18 @@
 
 namespace felt {
 
-/// Moves one end of a stroke to other points, always from the stroke as it was: where the end has
-/// been in between does not matter. Pure, except for what is prepared once per gesture.
+/// Moves one end of a stroke to other points, always starting from the original stroke, so that
+/// intermediate positions do not matter. Pure, after some preparation once per gesture.
 ///
-/// The stroke stays one fair curve (specification 5g; R45). Of the shift, the part straight ahead
-/// prolongs the stroke along its tangent. The rest bends it (with_tip_bent) over four times that
-/// rest, at least 25 mm, and at most half of the stroke and what was prolonged; over 2.7 times that
-/// rest where half of the stroke is not enough, up to 200 mm. If that is not enough either, the
-/// stroke stays as it is and one cubic along its tangent, uncurved at its end, covers the gap. Up
-/// to `small_gap_mm` the end keeps its tangent; beyond it turns gradually towards the target.
+/// The stroke stays one fair curve (specification 5g; R45). The part of the shift straight ahead
+/// extends the stroke along its tangent. The rest bends it (with_tip_bent) over a length of four
+/// times that rest, at least 25 mm and at most the extension plus half of the stroke; if half of
+/// the stroke is not enough, over 2.7 times that rest, up to 200 mm. If that is not enough either,
+/// the stroke stays as it is and one cubic along its tangent, with zero curvature at its end,
+/// bridges the gap. Up to `small_gap_mm` the end keeps its tangent; beyond that it turns gradually
+/// towards the target.
 ///
-/// Of a stroke of many segments only a part at the end is changed; the rest stays bit for bit.
+/// If a stroke has many segments, only a part at the end is changed; the rest stays bit for bit.
 class TipLead {
  public:
   static constexpr double kMinFadeMm = 25.0;
@@ -32,12 +33,12 @@ class TipLead {
   /// a segment would become too short (I5).
   [[nodiscard]] Result<Stroke> at(Point target) const;
 
-  /// The same, for an end that is to go on in the direction `arrival` (a unit vector) at the
-  /// target. Over more than small_gap_mm it arrives in this direction: along the bent stroke or, if
-  /// that has less bending energy, along one cubic from the unchanged stroke.
+  /// Same, for an end that is to continue in the direction `arrival` (a unit vector) at the target.
+  /// If the gap is more than small_gap_mm, it arrives in this direction: along the bent stroke or,
+  /// if that has less bending energy, along one cubic from the unchanged stroke.
   [[nodiscard]] Result<Stroke> at(Point target, Vec arrival) const;
 
-  /// An eighth of the stroke, but not more than 6 mm.
+  /// Returns an eighth of the length of the stroke, at most 6 mm.
   [[nodiscard]] double small_gap_mm() const { return small_gap_mm_; }
 
  private:
@@ -45,10 +46,10 @@ class TipLead {
   [[nodiscard]] Result<Stroke> whole(const Result<Stroke>& part) const;
 
   StrokeTip tip_;
-  Stroke part_;                           // what may change: the stroke, or enough of it at the end
-  StrokeData rest_;                       // without points when there is none
-  JointKind joint_ = JointKind::kSmooth;  // between them
-  double length_mm_;                      // of the part
+  Stroke part_;                           // what may change: the stroke, or enough of its end
+  StrokeData rest_;                       // the rest of the stroke; empty if there is none
+  JointKind joint_ = JointKind::kSmooth;  // joint between part_ and rest_
+  double length_mm_;                      // length of part_
   double small_gap_mm_;
 };
 

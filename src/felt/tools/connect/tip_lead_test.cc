@@ -104,7 +104,7 @@ TEST(TipLead, GoesOnAheadAndBendsSideways) {
   EXPECT_EQ(ahead->segment(1), straight({80, 0}, {140, 0}));
   const auto bent = lead.at({80, 14});
   ASSERT_TRUE(bent);
-  EXPECT_NEAR(bent->position(1).x, 40.0, 0.01);  // cut half-way, that half as it was
+  EXPECT_NEAR(bent->position(1).x, 40.0, 0.01);  // cut halfway; the rest is unchanged
   EXPECT_EQ(bent->position(0.7).y, 0.0);
   EXPECT_GT(bent->position(1.3).y, 0.0);
   // Small gaps keep the tangent of the end.
@@ -128,8 +128,8 @@ TEST(TipLead, R45_TheEndGoesThereOnOneFairCurveWithoutCorners) {
           const auto led = lead.at(from + shift);
           ASSERT_TRUE(led) << way << " " << a;
           EXPECT_EQ(tip_point(*led, tip), from + shift);
-          // No more than to the target and half as much again; there and back if it is sideways
-          // and near, where the end keeps its tangent.
+          // At most 1.5 times the turn to the target; there and back if it is sideways and near,
+          // because the end then keeps its tangent.
           EXPECT_LE(added_turn_deg(stroke, *led), 1.5 * std::fabs(a) + 40.0) << way << " " << a;
           EXPECT_LE(largest_joint_deg(*led), 1e-6) << way << " " << a;
         }
@@ -151,7 +151,7 @@ TEST(TipLead, R45_ArrivesInTheDirectionOfTheTarget) {
       EXPECT_LT(angle_between(tip_direction(*led, StrokeTip::kEnd), arrival), 1e-6)
           << a << " " << b;
       EXPECT_LE(largest_joint_deg(*led), 1e-6) << a << " " << b;
-      // Any curve turns towards the target and from there to the arrival; a fair one a little more.
+      // Any curve turns towards the target and from there to the arrival; a fair one slightly more.
       const double needed = std::fabs(a) + std::fabs(std::remainder(b - a, 360.0));
       EXPECT_LE(added_turn_deg(stroke, *led), 1.5 * needed + 20.0) << a << " " << b;
     }

@@ -17,14 +17,14 @@ struct Piece {
   double width;
 };
 
-/// De Casteljau in the middle: the piece becomes its left half, the right one is returned.
+/// Splits at the middle by de Casteljau: `left` becomes the left half, the right half is returned.
 Piece halve(Piece& left, std::size_t n) noexcept {
   Piece right = left;
   left.width *= 0.5;
   right.width = left.width;
   right.from = left.from + left.width;
   for (std::size_t step = 1; step < n; ++step) {
-    // In `right` the last values of each step remain, in `left` the first ones.
+    // `right` keeps the last value of each step, `left` the first one.
     for (std::size_t k = 0; k + step < n; ++k) right.c[k] = 0.5 * (right.c[k] + right.c[k + 1]);
     left.c[step] = right.c[0];
   }
@@ -39,7 +39,8 @@ double value(const Piece& piece, std::size_t n, double u) noexcept {
   return c[0];
 }
 
-/// Sign on the right of the left end, where that is clear.
+/// Returns true if the polynomial is positive just after the left end, judged by the first non-zero
+/// coefficient.
 bool starts_above(const Piece& piece, std::size_t n) noexcept {
   for (std::size_t k = 0; k < n; ++k) {
     if (piece.c[k] != 0.0) return piece.c[k] > 0.0;
@@ -47,7 +48,8 @@ bool starts_above(const Piece& piece, std::size_t n) noexcept {
   return true;
 }
 
-/// The only root within a piece, u in [0, 1], by the Illinois rule: secants that keep the bracket.
+/// Returns the only root in a piece, u in [0, 1], by the Illinois method (secants that keep the
+/// bracket), with every third step a bisection.
 double only_root(const Piece& piece, std::size_t n) noexcept {
   double lo = 0.0, hi = 1.0;
   double at_lo = piece.c[0], at_hi = piece.c[n - 1];
@@ -84,7 +86,7 @@ int sign_changes(const Piece& piece, std::size_t n) noexcept {
   return changes;
 }
 
-/// Adds what is known of a piece. False when it must be halved.
+/// Adds the part of a piece that is below zero. Returns false if the piece must be halved first.
 bool settle(const Piece& piece, std::size_t n, UnitParts& parts) noexcept {
   const auto end = piece.c.begin() + static_cast<std::ptrdiff_t>(n);
   const auto [least, most] = std::minmax_element(piece.c.begin(), end);

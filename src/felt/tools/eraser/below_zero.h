@@ -6,10 +6,10 @@
 
 namespace felt {
 
-/// Parts of [0, 1], ascending and apart.
+/// Disjoint parts of [0, 1], ascending.
 class UnitParts {
  public:
-  /// Seven roots of each of two polynomials of the sixth degree, and some room.
+  /// Enough for all roots of two polynomials of degree 6, and some spare.
   static constexpr std::size_t kMost = 16;
 
   struct Part {
@@ -19,8 +19,8 @@ class UnitParts {
     friend constexpr bool operator==(Part, Part) noexcept = default;
   };
 
-  /// Appends a part that begins where the last one ends, or after it; then they are one. What does
-  /// not fit is added to the last one.
+  /// Appends a part that begins where the last one ends, which joins them, or after it. If there is
+  /// no room, the last part is extended.
   void append(Part part) noexcept;
   [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
   [[nodiscard]] const Part* begin() const noexcept { return parts_.data(); }
@@ -31,15 +31,15 @@ class UnitParts {
   std::size_t count_ = 0;
 };
 
-/// What lies in both.
+/// Returns the intersection of both.
 UnitParts common(const UnitParts& a, const UnitParts& b) noexcept;
 
-/// The parts of [0, 1] where a polynomial, given by its Bernstein coefficients (degree up to 6), is
-/// below zero. Certified: a piece is left alone when all coefficients are at least zero, taken
-/// when none is above, and holds exactly one root when they change sign once (Descartes' rule for
-/// Bernstein forms); else it is halved. So no dip below zero is missed, however narrow, down to the
-/// rounding of the coefficients. Roots to 1e-15. No recursion, bounded work; nothing for
-/// coefficients that are not finite.
+/// Returns the parts of [0, 1] in which a polynomial, given by its Bernstein coefficients (degree
+/// up to 6), is below zero. Certified: a piece is skipped if all coefficients are >= 0, added if
+/// all are <= 0, and has exactly one root if they change sign once (Descartes' rule for Bernstein
+/// forms); otherwise it is halved. So no dip below zero is missed, however narrow, down to the
+/// rounding of the coefficients. Roots to 1e-15. No recursion, bounded work. Returns nothing if a
+/// coefficient is not finite.
 UnitParts below_zero(std::span<const double> coefficients) noexcept;
 
 }  // namespace felt

@@ -10,9 +10,10 @@
 namespace felt {
 namespace {
 
-/// A crossing at the very place that was touched is not on either side of it.
+/// A crossing this near to the touched parameter counts on neither side of it.
 constexpr double kHere = 1e-9;
-/// Neighbouring segments always meet at their joint: that far from it counts as the joint.
+/// Neighbouring segments always meet at their joint; crossings within this distance count as the
+/// joint.
 constexpr double kSameCrossingMm = 0.01;
 
 }  // namespace
@@ -40,14 +41,14 @@ void StrokeCrossings::start(int segment, const Scene& scene) {
   scene.index.for_each_segment_in(area, [&](StrokeId stroke, int i) {
     if (stroke != id_ || i != segment) work_.candidates.push_back({stroke, i});
   });
-  // The index knows no order.
+  // Sorted, because the order of the index is not defined.
   std::sort(work_.candidates.begin(), work_.candidates.end());
   meet_itself();
 }
 
 void StrokeCrossings::meet_itself() {
   if (const auto loop = self_intersection(stroke_->segment(work_.segment))) {
-    // A closed stroke of one segment meets itself at its seam, which is no crossing.
+    // A closed stroke of one segment meets itself at its seam, which is not a crossing.
     const bool seam = stroke_->closed() && stroke_->segment_count() == 1 && loop->t1 < 1e-6 &&
                       loop->t2 > 1.0 - 1e-6;
     if (seam) return;
@@ -89,11 +90,11 @@ void StrokeCrossings::meet_tips(const Candidate& with, const Stroke& other, cons
   const auto meet_tip = [&](Point tip) {
     const auto hit = nearest_within(mine, tip, kTeeMm * kTeeMm);
     if (!hit) return;
-    // An end that has gone through is a crossing already.
+    // If the end has passed through, the crossing is in the list already.
     for (const double u : work_.places) {
       if (distance(stroke_->position(u), tip) <= kTeeMm) return;
     }
-    // The nearest place may be on the segment next door.
+    // The nearest point may be on the next segment.
     const int next = work_.segment + (hit->t <= 0.0 ? -1 : hit->t >= 1.0 ? 1 : 0);
     if (next != work_.segment && next >= 0 && next < stroke_->segment_count() &&
         nearest(stroke_->segment(next), tip).distance_squared < hit->distance_squared) {
@@ -110,7 +111,7 @@ bool SpanSearch::advance(StrokeCrossings& crossings, const Scene& scene, int& bu
   if (!right_done_ && !go_right(crossings, scene, budget)) return false;
   const Stroke& stroke = crossings.stroke();
   if (!stroke.closed() && from_ <= 0.0 && to_ >= stroke.segment_count()) whole_ = true;
-  // One crossing, reached from both sides.
+  // A single crossing, reached from both sides.
   if (stroke.closed() && std::fabs(from_ - to_) <= kHere) whole_ = true;
   return true;
 }
@@ -122,7 +123,7 @@ bool SpanSearch::go_left(StrokeCrossings& crossings, const Scene& scene, int& bu
   for (const int last = stroke.closed() ? n : start; left_ <= last; ++left_) {
     const auto* places = crossings.on_segment((start - left_ + n) % n, scene, budget);
     if (!places) return false;
-    // The largest of them; on the first segment of those before the touch.
+    // The largest one; on the first segment, the largest one before the touch.
     auto end = places->end();
     if (left_ == 0) end = std::lower_bound(places->begin(), end, from_ - kHere);
     if (end == places->begin()) continue;

@@ -10,24 +10,23 @@
 
 namespace felt {
 
-/// Where a stroke is crossed, touched or overlapped by strokes that may be edited, itself included:
-/// the places at which erasing up to the next crossing stops. A stroke whose end lies within
-/// kTeeMm of this one counts as crossing it (hands rarely meet a line exactly).
+/// The points at which a stroke is crossed, touched or overlapped by editable strokes, including
+/// itself: erasing up to the next crossing stops there. A stroke that ends within kTeeMm of this
+/// one counts as crossing it, because people rarely hit a line exactly.
 ///
-/// Found segment by segment, as they are asked for, with a budget: a sample of the pen must not
-/// wait for a stroke that is crossed a thousand times. What is found is kept, so that the answers
-/// are those of the time when they were first asked for.
+/// Computed segment by segment on request, with a budget, so that a pen sample does not wait for a
+/// stroke with a thousand crossings. Results are cached, so they are those of the first request.
 class StrokeCrossings {
  public:
   static constexpr double kTeeMm = 0.5;
-  /// Limit on pairs of pieces for one pair of segments (intersect.h): copies a hair apart would
-  /// take all that there is.
+  /// Limit on pairs of pieces for one pair of segments (intersect.h), because two almost identical
+  /// curves would use up any budget.
   static constexpr int kMostPairs = 1024;
 
   StrokeCrossings(StrokeId id, StrokePtr stroke) : id_(id), stroke_(std::move(stroke)) {}
 
-  /// The places u on a segment, ascending, or null when the budget does not suffice for now; it is
-  /// lowered by the work done, about a unit for 0.2 us.
+  /// Returns the crossings u on a segment, ascending, or null if the budget is exhausted; call
+  /// again later. The budget is reduced by the work done, about one unit per 0.2 us.
   const std::vector<double>* on_segment(int segment, const Scene& scene, int& budget);
   [[nodiscard]] const Stroke& stroke() const noexcept { return *stroke_; }
   [[nodiscard]] StrokeId id() const noexcept { return id_; }
@@ -40,7 +39,7 @@ class StrokeCrossings {
 
     friend auto operator<=>(const Candidate&, const Candidate&) noexcept = default;
   };
-  /// The segment that is being looked at.
+  /// The segment in progress.
   struct Work {
     int segment = -1;
     std::vector<Candidate> candidates;
@@ -60,18 +59,20 @@ class StrokeCrossings {
   Work work_;
 };
 
-/// Finds the part of a stroke between the crossings next to a part of it that was touched. Ends of
-/// an open stroke end it too; a closed stroke with a single crossing, and one without, goes whole.
+/// Finds the part of a stroke between the crossings next to a touched part. The ends of an open
+/// stroke also limit it; a closed stroke with at most one crossing is erased whole.
 class SpanSearch {
  public:
   explicit SpanSearch(ParameterSet::Interval touched) : from_(touched.from), to_(touched.to) {}
 
-  /// Goes on; true when the span is known. Each call uses up some of the budget.
+  /// Continues the search. Returns true once the span is known. Each call uses up some of the
+  /// budget.
   bool advance(StrokeCrossings& crossings, const Scene& scene, int& budget);
-  /// Its start and end, once known. On a closed stroke to() <= from() means: through the seam.
+  /// Return the start and end of the span, once known. On a closed stroke, to() <= from() means
+  /// through the seam.
   [[nodiscard]] double from() const noexcept { return from_; }
   [[nodiscard]] double to() const noexcept { return to_; }
-  /// True when all of the stroke goes.
+  /// Returns true if the span is the whole stroke.
   [[nodiscard]] bool is_whole() const noexcept { return whole_; }
 
  private:
@@ -79,7 +80,7 @@ class SpanSearch {
   bool go_right(StrokeCrossings& crossings, const Scene& scene, int& budget);
 
   double from_, to_;
-  int left_ = 0, right_ = 0;  // segments looked at so far
+  int left_ = 0, right_ = 0;  // number of segments searched so far
   bool left_done_ = false, right_done_ = false;
   bool whole_ = false;
 };

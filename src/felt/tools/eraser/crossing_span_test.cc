@@ -67,7 +67,7 @@ TEST(CrossingSpan, AnEndHalfAMillimetreAwayIsATee) {
   }
   const Fence beyond(0.51, 10);
   EXPECT_TRUE(span_at(beyond.desk, beyond.rail, 0.3).whole);
-  // An end that has gone through by less is one crossing, not two.
+  // An end that passes through by less is one crossing, not two.
   const Fence through(-0.3, 10);
   StrokeCrossings crossings(through.rail, through.desk.document.find(through.rail));
   int budget = 1'000'000;
@@ -90,10 +90,10 @@ TEST(CrossingSpan, WithoutCrossingsTheWholeStrokeGoes) {
           .value();
   const StrokeId closed = desk.add(ring);
   EXPECT_TRUE(span_at(desk, closed, 0.5).whole);
-  // One crossing: nowhere to stop before it is reached again.
+  // One crossing: there is no other one to stop at.
   desk.add(straight_stroke({55, -20}, {55, 0}, 1, 1));
   EXPECT_TRUE(span_at(desk, closed, 0.1).whole);
-  // Two: either side, the one with the seam too.
+  // Two crossings: either side, including the one with the seam.
   desk.add(straight_stroke({55, 0}, {55, 20}, 1, 1));
   const Span right = span_at(desk, closed, 0.9);
   EXPECT_NEAR(right.from, 0.5, 1e-9);

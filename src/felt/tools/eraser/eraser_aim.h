@@ -12,17 +12,16 @@
 
 namespace felt {
 
-/// What would go if the eraser touched here: shown before it does, in the modes that take more
-/// than they cover. Crossings are looked for a little with each sample, so that the mark appears a
-/// few samples after a pen has come to a long line.
+/// Marks what a touch here would erase, in the modes that erase more than the eraser covers. Each
+/// sample searches for a few crossings, so on a long line the mark appears some samples late.
 class EraserAim {
  public:
-  /// Marks that long are made anew: the strokes around may have changed (undo).
+  /// Older marks are computed again, because the strokes around may have changed (undo).
   static constexpr std::int64_t kFreshNs = 250'000'000;
-  /// More strokes than that under the ring are not marked.
+  /// Maximum number of strokes under the ring that are marked.
   static constexpr std::size_t kMostMarked = 64;
 
-  /// The pen is in the air over this place.
+  /// Updates the marks for a pen that hovers here.
   void update(Point pen, std::int64_t time_ns, EraserMode mode, const EraserSettings& settings,
               const Scene& scene);
   void clear();

@@ -7,9 +7,9 @@
 
 namespace felt {
 
-/// What the hand feels with an eraser: the sheet, and rubber on it, which drags 2.4 times as much
-/// as a pencil by the same law (R41) and does not creep (R42). The same in every mode, in the air
-/// and on the sheet.
+/// Returns the force model of the eraser: the surface with rubber on it, which has 2.4 times the
+/// friction of a pencil by the same law (R41) and does not creep (R42). The same in every mode,
+/// while hovering and in contact.
 inline ForceModel make_eraser_force(const EraserSettings& settings, const Scene& scene) {
   const Medium material =
       felt_with(medium_of(scene, "eraser"), settings.strength, settings.strength);

@@ -8,9 +8,9 @@
 
 namespace felt {
 
-/// How much of a line goes.
+/// Which part of a line is erased.
 enum class EraserMode {
-  kTouched,   ///< what the eraser covers
+  kTouched,   ///< the part that the eraser covers
   kCrossing,  ///< the part of a line between its crossings with others, or itself
   kStroke,    ///< the whole line
 };
@@ -47,7 +47,7 @@ inline constexpr std::array<OptionSpec, EraserOption::kCount> kEraserOptions = {
     strength_option("Share of friction and grain that is felt; the sheet stays as hard as it is."),
 }};
 
-/// The options as the tool uses them.
+/// The options in the form that the tool uses.
 struct EraserSettings {
   EraserMode mode = EraserMode::kTouched;
   double radius_mm = 2.0;
@@ -55,7 +55,7 @@ struct EraserSettings {
   double strength = 1.0;
 };
 
-/// Reads them. Requires values of kEraserOptions.
+/// Reads the options. Requires values of kEraserOptions.
 EraserSettings eraser_settings(const OptionValues& values);
 
 }  // namespace felt

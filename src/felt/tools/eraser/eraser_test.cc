@@ -102,7 +102,7 @@ TEST(Eraser, R39_WhatIsLeftIsTheOriginalOutsideOfTheSweep) {
   }
 }
 
-/// The control points of two desks agree.
+/// Expects the control points of two fixtures to be equal.
 void expect_same(const Desk& a, const Desk& b, double within_mm) {
   const auto one = a.strokes(), other = b.strokes();
   ASSERT_EQ(one.size(), other.size());
@@ -224,7 +224,7 @@ TEST(Eraser, R39_TheMiddleOfALineDecidesIfAsked) {
 TEST(Eraser, R39_ALineThatLosesItsRimBecomesNarrowerThere) {
   Eraser e;
   e.desk.add(straight_stroke({0, 0}, {60, 0}, 6, 6));
-  e.pen.line(way({20, 4}, {40, 4}));  // 1 mm of the rim
+  e.pen.line(way({20, 4}, {40, 4}));  // covers 1 mm of the rim
   ASSERT_EQ(e.desk.strokes().size(), 1u);
   const Stroke& line = *e.desk.strokes()[0];
   EXPECT_EQ(line.segment_count(), 1);
@@ -388,7 +388,7 @@ TEST(Eraser, RandomGesturesInEveryModeOnlyTakeAwayAndAreTakenBack) {
 }
 
 TEST(Eraser, WhatIsLeftIsShownWithinAFrameOfThePen) {
-  // More strokes at once than one sample cuts; then the pen rests.
+  // More strokes at the same time than one sample cuts; then the pen rests.
   Eraser e;
   e.set("radius_mm", 20.0);
   for (int i = 0; i < 300; ++i) e.desk.add(straight_stroke({0, 0.1 * i}, {100, 0.1 * i}, 1, 1));
@@ -404,7 +404,7 @@ TEST(Eraser, WhatIsLeftIsShownWithinAFrameOfThePen) {
   EXPECT_EQ(e.desk.strokes().size(), 600u);
 }
 
-/// As a hand moves: resting, sliding on, rubbing to and fro.
+/// Like a hand: resting, sliding, rubbing back and forth.
 Vec3 hand(int scenario, double time, double aim) {
   const double x = std::min(time / 0.4, 1.0), z = 1 + (aim - 1) * x * x * (3 - 2 * x);
   const double t = std::max(0.0, time - 0.7);
@@ -432,7 +432,7 @@ TEST(EraserForce, R41_DragsMoreThanTwiceAsMuchAsAPencilAndIsCalm) {
         });
         EXPECT_LT(bench.figures().hf_n, 0.03) << setup.name() << ", scenario " << scenario;
         worst = std::max(worst, bench.figures().hf_n);
-        // Soft hands do not yet slide steadily: they are dragged along.
+        // Soft hands do not slide steadily yet; they are dragged along.
         if (scenario == 1 && setup.hand.stiffness_n_per_m >= 300) {
           EXPECT_NEAR(drag / push, 0.6, 0.06) << setup.name();
           EXPECT_GE(drag / push, 2.0 * friction_of(*find_medium("pencil"), desk.surface));

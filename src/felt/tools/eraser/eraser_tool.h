@@ -10,10 +10,10 @@
 
 namespace felt {
 
-/// Erases what the pen sweeps over, the part of a line up to its next crossings, or whole lines
-/// (paper, "eraser"; specification 5f; eraser.md). What is left is shown at once; one gesture is
-/// one edit, "Erase". kFirstModifier at the touch: up to the crossings; kSecondModifier: whole
-/// lines.
+/// Erases the ink that the pen sweeps over, lines up to their next crossings, or whole lines
+/// (paper, "eraser"; specification 5f; eraser.md). The remains are shown immediately; each gesture
+/// is one edit, "Erase". With kFirstModifier at the touch it erases up to the crossings, with
+/// kSecondModifier whole lines.
 class EraserTool final : public GestureTool {
  public:
   EraserTool();

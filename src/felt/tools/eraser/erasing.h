@@ -18,33 +18,34 @@
 
 namespace felt {
 
-/// One gesture of the eraser: what it has erased so far of the strokes as they were at the touch.
+/// One gesture of the eraser: the parts erased so far of the strokes as they were at the touch.
 ///
-/// kTouched and kStroke act on all that the eraser covers. kCrossing acts on one line at a time, or
-/// a tail could not be taken without what it hangs on: at the touch on the line nearest to the
-/// pen, within the radius, and then on each line that the pen's way crosses.
+/// kTouched and kStroke act on all ink that the eraser covers. kCrossing acts on one line at a
+/// time, because otherwise a tail could not be erased without the line it is attached to: at the
+/// touch on the line nearest to the pen within the radius, then on each line that the path of the
+/// pen crosses.
 ///
-/// Work of a sample: the segments near its capsule, a few cuts, and the crossings of a budget. What
-/// does not fit waits for the next samples, until finish() at most. What is to be shown holds all
-/// that was erased so far, so it is made as often as eyes can tell, and less often when it is long.
+/// Work per sample: the segments near its capsule, a few cuts, and a budget of crossings. The rest
+/// is left to the next samples, or to finish(). A preview contains everything erased so far, so it
+/// is made only as often as the eye can see, and less often if it is large.
 class Erasing {
  public:
-  /// How near to a line the pen's way must come to cross it: as good as through it, and less than a
-  /// resting hand trembles.
+  /// How near the path of the pen must come to a line to cross it: practically through it, and less
+  /// than the tremor of a resting hand.
   static constexpr double kPointMm = 0.1;
-  /// Work on crossings of one sample (StrokeCrossings::on_segment).
+  /// Budget for crossings per sample (StrokeCrossings::on_segment).
   static constexpr int kCrossingBudget = 120;
-  /// Strokes that are cut per millisecond of the pen, and at most by one sample.
+  /// Number of strokes cut per millisecond of pen time, and the maximum per sample.
   static constexpr int kCutsPerMs = 6;
   static constexpr int kMaxCuts = 64;
-  /// A line that was cut is cut again after this pause at the earliest. The pause grows with the
-  /// places that a cut goes through (25,000 on a hatching of 5 m: a quarter of a second), so that
-  /// all cuts of a gesture together cost time in proportion to how long the gesture lasts.
+  /// Minimum pause before a line is cut again. It grows with the number of points that a cut
+  /// processes (25,000 on a hatching of 5 m: a quarter of a second), so that the cost of all cuts
+  /// is proportional to the duration of the gesture.
   static constexpr std::int64_t kCutPauseNs = 4'000'000;
   static constexpr std::int64_t kCutPauseNsPerPlace = 10'000;
-  /// Lines that one sample looks at to find those whose pause is over.
+  /// Maximum number of lines that one sample checks for the end of their pause.
   static constexpr int kMaxWaiting = 256;
-  /// Time between two previews: 120 Hz, and for many strokes what copying them is worth.
+  /// Time between two previews: 120 Hz, longer for many strokes because they are copied.
   static constexpr std::int64_t kShowNs = 8'000'000;
   static constexpr std::int64_t kShowNsPerStroke = 10'000;
   static constexpr std::int64_t kShowNsAtMost = 40'000'000;
@@ -52,25 +53,25 @@ class Erasing {
   Erasing(const EraserSettings& settings, EraserMode mode) noexcept
       : settings_(settings), mode_(mode) {}
 
-  /// The pen touches here. Like move() true when what is left is to be shown anew.
+  /// Begins the gesture. Returns true, like move(), if a new preview is due.
   bool begin(Point pen, std::int64_t time_ns, const Scene& scene);
-  /// It has come here since.
+  /// Moves the pen straight to here.
   bool move(Point pen, std::int64_t time_ns, const Scene& scene);
-  /// No sample follows: does what is left to do.
+  /// Ends the gesture: does all remaining work.
   void finish(const Scene& scene);
 
   [[nodiscard]] bool empty() const noexcept { return divisions_.empty(); }
-  /// All that was erased so far.
+  /// Returns everything erased so far as an edit.
   [[nodiscard]] Edit edit(const Scene& scene) const {
     return divisions_.build(scene.document, "Erase");
   }
-  /// Places that all cuts went through so far, for tests.
+  /// Returns the number of points that all cuts have processed so far, for tests.
   [[nodiscard]] std::size_t cut_places() const noexcept { return cut_places_; }
 
  private:
   struct Line {
     explicit Line(StrokePtr s) : stroke(s), remains(std::move(s)) {}
-    /// For what the eraser covers of its ink.
+    /// For a line that is erased by what the eraser covers of its ink.
     Line(StrokePtr s, double radius_mm)
         : stroke(s),
           remains(s, Remains::Crumbs::kOfInk),
@@ -81,9 +82,9 @@ class Erasing {
     Remains remains;
     std::optional<InkClearance> ink;
     std::optional<StrokeCrossings> crossings;
-    bool waits = false;                  // to be cut
-    std::optional<std::int64_t> cut_ns;  // when it was cut last
-    std::size_t cut_places = 0;          // of that cut
+    bool waits = false;                  // is in to_cut_
+    std::optional<std::int64_t> cut_ns;  // time of the last cut
+    std::size_t cut_places = 0;          // points processed by that cut
 
     [[nodiscard]] bool is_due(std::int64_t time_ns) const noexcept;
   };
@@ -113,15 +114,16 @@ class Erasing {
   StrokeDivisions divisions_;
   std::deque<StrokeId> to_cut_;
   std::size_t cut_places_ = 0;
-  bool changed_ = false;       // since what was shown last
-  std::int64_t shown_ns_ = 0;  // when that was
+  bool changed_ = false;       // since the last preview
+  std::int64_t shown_ns_ = 0;  // time of the last preview
   std::int64_t time_ns_ = 0;   // of the last sample
-  StrokePtr looked_at_;        // the last stroke that was met, and
-  StrokeId looked_at_id_;      // its name
+  StrokePtr looked_at_;        // the last stroke that the sweep met, and
+  StrokeId looked_at_id_;      // its id
   ParameterSet covered_;       // reused
 };
 
-/// What an eraser there would take in kCrossing: the line nearest to the pen and the place on it.
+/// Returns the line that the eraser would erase in kCrossing, and the point on it: the nearest to
+/// the pen within the radius.
 std::optional<StrokeHit> aimed_at(Point pen, const EraserSettings& settings, const Scene& scene);
 
 }  // namespace felt

@@ -12,9 +12,9 @@ namespace {
 
 constexpr int kMaxMarches = 1 << 24;
 
-/// Appends the breakpoints that follow the narrowed widths of places[first..last] to
-/// kWidthErrorMm and their tones to kToneError. Each takes the longest step from its predecessor
-/// that stays within that.
+/// Appends the breakpoints that follow the narrowed widths of places[first..last] to kWidthErrorMm
+/// and their tones to kToneError. Greedy: each is as far from its predecessor as these errors
+/// allow.
 template <class Place>
 void append_profile(const std::vector<Place>& places, std::size_t first, std::size_t last,
                     const Stroke& stroke, std::vector<WidthKnot>& knots) {
@@ -46,7 +46,7 @@ void append_profile(const std::vector<Place>& places, std::size_t first, std::si
   }
 }
 
-/// The profile of a stroke with the breakpoints in `replaced` exchanged for `narrowed`.
+/// Returns the profile of a stroke with the breakpoints in `replaced` replaced by `narrowed`.
 std::vector<WidthKnot> with_narrowed(const Stroke& stroke, const ParameterSet& replaced,
                                      std::vector<WidthKnot> narrowed) {
   constexpr double kSame = 1e-9;
@@ -64,7 +64,7 @@ std::vector<WidthKnot> with_narrowed(const Stroke& stroke, const ParameterSet& r
       knots.back().width_mm = std::min(knots.back().width_mm, k.width_mm);
     }
   }
-  // In a hole any width does: the profile goes on to the ends as it is.
+  // In a hole the width does not matter, so the first and last widths continue to the ends.
   if (knots.front().u > kSame) knots.insert(knots.begin(), knots.front());
   if (knots.back().u < n - kSame) knots.push_back(knots.back());
   knots.front().u = 0.0;
@@ -79,7 +79,7 @@ InkClearance::InkClearance(std::shared_ptr<const Stroke> stroke, double radius_m
 
 int InkClearance::steps_of(int segment) const noexcept {
   const Cubic c = stroke_->segment(segment);
-  // The speed in t is at most three times the longest leg of the control polygon.
+  // |f'(t)| is at most three times the longest leg of the control polygon.
   const double leg =
       std::max({distance(c.p[0], c.p[1]), distance(c.p[1], c.p[2]), distance(c.p[2], c.p[3])});
   const double steps = std::ceil(3.0 * leg / step_mm_);
@@ -128,7 +128,7 @@ void InkClearance::append_samples(double from, double to, double add_u,
     }
     const double u = segment + static_cast<double>(s->first.second) / steps;
     if (u < from || u > to) continue;
-    // A joint is a step of both of its segments.
+    // A joint is sampled on both of its segments.
     if (!places.empty() && u + add_u <= places.back().u + 1e-9) {
       places.back().clear_mm = std::min(places.back().clear_mm, s->second);
       continue;
@@ -163,7 +163,7 @@ std::vector<InkClearance::Part> InkClearance::parts() const {
       spans.back().to = n + spans.front().to;
       spans.erase(spans.begin());
     } else {
-      // Touched all around: begins at a place that goes, if there is any.
+      // Touched all around: begin at an erased point, if there is one.
       Part all = part_between(0.0, n);
       const auto gone = std::find_if(all.places.begin(), all.places.end(),
                                      [](const Place& p) { return !stays(p); });
@@ -193,7 +193,7 @@ InkClearance::Run InkClearance::trimmed(const Part& part, Run run) {
     return distance(places[j].point, places[k].point) + places[k].clear_mm - places[j].clear_mm <=
            slack;
   };
-  // The first place, seen from the other end, whose cap covers all that follows.
+  // Find the first sample whose cap covers all samples after it.
   if (last + 1 < places.size() || part.free_end) {
     const double slack = last + 1 < places.size() ? kLostTipMm : kWidthErrorMm;
     std::size_t j = first, k = first + 1;
@@ -229,6 +229,8 @@ void InkClearance::add_hole(double from, double to, ParameterSet& holes) const {
   }
 }
 
+/// Walks the samples in order: each run that stays is trimmed at its cut ends and gets a width
+/// profile; everything between the runs becomes a hole.
 std::vector<WidthKnot> InkClearance::cut(const Part& part, ParameterSet& holes) const {
   const auto& places = part.places;
   const double n = stroke_->segment_count();

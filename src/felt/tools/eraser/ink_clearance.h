@@ -12,35 +12,36 @@
 
 namespace felt {
 
-/// Erases the ink of one stroke that the eraser covered, and as little else as round ink allows
-/// (R39).
+/// Erases the ink of one stroke that the eraser covered, and as little other ink as round pen tips
+/// allow (R39).
 ///
 /// The ink of a stroke is a union of discs: at u, of diameter W(u). The clearance of u is the
-/// distance from f(u) to the nearest place that was covered. Discs as large as their clearance
-/// cover nothing that was erased, and they are the largest ones that do:
-///   * where the eraser only bit into the rim, the line becomes narrower: W(u) = 2 clearance;
-///   * where it reached the middle, or less than kThinnestMm would be left, the line is cut;
-///   * a cut end goes back to the place from which one round cap covers what is left of the taper,
-///     to kLostTipMm: a line crossed at right angles ends in a cap of its own width that touches
-///     the edge of what was covered.
+/// distance from f(u) to the nearest point that was covered. A disc with its clearance as radius is
+/// the largest one that covers no erased point:
+///   * if the eraser covered only the rim, the line becomes narrower: W(u) = 2 clearance;
+///   * if it reached the centre line, or less than kThinnestMm would be left, the line is cut;
+///   * a cut end moves back to the point at which one round cap covers the rest of the taper,
+///   within
+///     kLostTipMm: a line crossed at right angles ends in a cap of its own width that touches the
+///     edge of the covered area.
 /// The centre line never moves.
 ///
-/// The clearance is kept at steps along the curve where the ink was touched. It is the least over
-/// all capsules, so the result does not depend on their order or number.
+/// The clearance is sampled along the touched parts of the curve. It is the minimum over all
+/// capsules, so the result does not depend on their order or number.
 class InkClearance {
  public:
   static constexpr double kThinnestMm = 0.1;
   static constexpr double kLostTipMm = 0.1;
-  /// Largest difference between the narrowed width and what its breakpoints say.
+  /// Largest error of the narrowed width between its breakpoints.
   static constexpr double kWidthErrorMm = 0.01;
-  /// The same of the tone.
+  /// Same for the tone.
   static constexpr double kToneError = 0.05;
 
-  /// All capsules must have this radius.
+  /// All capsules passed to add() must have this radius.
   InkClearance(std::shared_ptr<const Stroke> stroke, double radius_mm);
 
-  /// The capsule covers these parts of the ink of a segment (add_swept with adds_half_width).
-  /// Returns true if that is anything new.
+  /// Adds a capsule that covers these parts of the ink of a segment (add_swept with
+  /// adds_half_width). Returns true if this changes the result.
   bool add(int segment, const ParameterSet& covered, const Capsule& capsule);
 
   struct Result {
@@ -48,25 +49,25 @@ class InkClearance {
     std::vector<WidthKnot> widths;  ///< the new profile of the whole stroke; empty: unchanged
   };
   [[nodiscard]] Result result() const;
-  /// The number of places that result() goes through, at most.
+  /// Returns the maximum number of points that result() processes.
   [[nodiscard]] std::size_t place_count() const noexcept { return clear_.size(); }
 
  private:
-  /// A place where the ink was touched. On a closed stroke u may exceed n: through the seam.
+  /// A sample in touched ink. On a closed stroke u may exceed n if the part goes through the seam.
   struct Place {
     double u = 0.0;
     Point point;
-    double half_mm = 0.0;   // of the ink
-    double clear_mm = 0.0;  // what may stay, at most half_mm
+    double half_mm = 0.0;   // half width of the ink
+    double clear_mm = 0.0;  // half width that may remain, at most half_mm
     double tone = 0.0;
   };
-  /// A part of the stroke that was touched; a free end has nothing beyond it to hold on to.
+  /// A touched part of the stroke. A free end is an end of the stroke, with no ink beyond it.
   struct Part {
     std::vector<Place> places;
     bool free_start = false;
     bool free_end = false;
   };
-  using Run = std::pair<std::size_t, std::size_t>;  // indices of places, both included
+  using Run = std::pair<std::size_t, std::size_t>;  // indices of places, both inclusive
 
   [[nodiscard]] int steps_of(int segment) const noexcept;
   [[nodiscard]] Place place_at(double u, double clear_mm) const noexcept;
@@ -74,9 +75,9 @@ class InkClearance {
   [[nodiscard]] Part part_between(double from, double to) const;
   void append_samples(double from, double to, double add_u, std::vector<Place>& places) const;
   [[nodiscard]] static bool stays(const Place& place) noexcept;
-  /// The run without the tips that the round caps of what is left cover.
+  /// Returns the run without the tips that the round caps of the rest cover.
   [[nodiscard]] static Run trimmed(const Part& part, Run run);
-  /// Adds the cuts of a part; returns the breakpoints of what is narrowed in it.
+  /// Adds the cuts of a part to `holes`; returns the breakpoints of its narrowed ink.
   [[nodiscard]] std::vector<WidthKnot> cut(const Part& part, ParameterSet& holes) const;
   void add_hole(double from, double to, ParameterSet& holes) const;
 

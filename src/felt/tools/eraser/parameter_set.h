@@ -4,8 +4,8 @@
 
 namespace felt {
 
-/// A set of places on a stroke: intervals of u, ascending and apart. Whatever the order in which
-/// they were added, the same set: what an eraser has swept does not depend on its steps (R39).
+/// A set of points of a stroke: disjoint intervals of u, ascending. It does not depend on the order
+/// in which they were added, so the result of erasing does not depend on the eraser's steps (R39).
 class ParameterSet {
  public:
   struct Interval {
@@ -15,13 +15,14 @@ class ParameterSet {
     friend constexpr bool operator==(Interval, Interval) noexcept = default;
   };
 
-  /// Intervals this near to each other are one: what rounding left between two steps.
+  /// Intervals this near to each other are merged, because rounding may leave gaps between two
+  /// steps.
   static constexpr double kGap = 1e-12;
 
-  /// Unites with an interval; nothing when from >= to. True when the set grew. Logarithmic, and
+  /// Adds an interval; ignored if from >= to. Returns true if the set grew. Logarithmic, plus
   /// linear in the intervals after it.
   bool add(Interval interval);
-  /// True when all of it is in the set.
+  /// Returns true if the whole interval is in the set.
   [[nodiscard]] bool contains(Interval interval) const noexcept;
   [[nodiscard]] const std::vector<Interval>& intervals() const noexcept { return intervals_; }
   [[nodiscard]] bool empty() const noexcept { return intervals_.empty(); }

@@ -10,17 +10,17 @@
 
 namespace felt {
 
-/// What is left of a stroke when places of it are erased (R39, R40): each gap in
-/// the set becomes an open stroke of its own, cut by de Casteljau, with a width breakpoint that
-/// keeps the width at each cut. A closed stroke is opened; its seam is no cut.
+/// The remains of a stroke of which parts are erased (R39, R40): each part that is not in the set
+/// becomes a separate open stroke, cut by de Casteljau, with a width breakpoint at each cut that
+/// keeps the width there. A closed stroke is opened; its seam is not a cut.
 ///
-/// Crumbs are dropped (Crumbs). A cut less than I5 (0.05 mm) from a joint moves to the joint, so
-/// that the piece gets no sliver of a segment: that much more goes. Holes of less than a micrometre
-/// are ignored.
+/// Pieces that are too small are dropped (Crumbs). A cut less than 0.05 mm (I5) from a joint moves
+/// to the joint, so that the piece has no segment that is too short; this erases that much more.
+/// Holes of less than a micrometre are ignored.
 class Remains {
  public:
   static constexpr double kLeastPieceMm = 0.25;
-  /// Which pieces are too small to keep, W being the width in their middle.
+  /// Which pieces are too small to keep; W is the width in their middle.
   enum class Crumbs {
     kOfLine,  ///< shorter than max(0.25 mm, W/2)
     kOfInk,   ///< shorter than I5, or their ink is less than 0.25 mm long
@@ -30,23 +30,23 @@ class Remains {
   explicit Remains(std::shared_ptr<const Stroke> stroke, Crumbs crumbs = Crumbs::kOfLine)
       : whole_stroke_(stroke), stroke_(std::move(stroke)), crumbs_(crumbs) {}
 
-  /// Cuts again; pieces that stay as they were are the same objects as before. If `widths` is not
-  /// empty, it replaces the width profile of the stroke.
+  /// Cuts the stroke again; unchanged pieces keep their objects. If `widths` is not empty, it
+  /// replaces the width profile of the stroke.
   void cut(const ParameterSet& erased, std::vector<WidthKnot> widths = {});
-  /// True if nothing is cut off and the widths are the old ones: there are no pieces then.
+  /// Returns true if nothing is cut off and the widths are unchanged; pieces() is empty then.
   [[nodiscard]] bool is_whole() const noexcept { return whole_; }
-  /// In the order of u.
+  /// Returns the pieces in the order of u.
   [[nodiscard]] std::vector<std::shared_ptr<const Stroke>> pieces() const;
 
  private:
-  /// A piece from u0 to u1; through the seam when u1 > n.
+  /// A piece; it goes through the seam if `to` > n.
   struct Piece {
     double from = 0.0;
     double to = 0.0;
     std::shared_ptr<const Stroke> stroke;  // null: dropped
   };
 
-  /// Between the holes; nothing when there is no hole.
+  /// Returns the parts between the holes, or nullopt if there is no hole.
   [[nodiscard]] std::optional<std::vector<ParameterSet::Interval>> gaps(
       const ParameterSet& erased) const;
   [[nodiscard]] std::shared_ptr<const Stroke> make(ParameterSet::Interval part) const;

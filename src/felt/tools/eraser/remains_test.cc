@@ -54,7 +54,7 @@ TEST(Remains, R39_R40_RandomHolesLeaveTheRestAsItWas) {
     ParameterSet erased;
     for (int k = make.pick(1, 6); k > 0; --k) {
       double from = make.uniform(-0.2, n);
-      if (make.chance(0.2)) from = std::floor(from) + make.uniform(-1e-6, 1e-6);  // beside a joint
+      if (make.chance(0.2)) from = std::floor(from) + make.uniform(-1e-6, 1e-6);  // next to a joint
       erased.add({std::max(0.0, from), std::min(n, from + make.uniform(1e-7, 0.4))});
     }
     Remains remains(stroke);
@@ -74,7 +74,7 @@ TEST(Remains, R39_R40_RandomHolesLeaveTheRestAsItWas) {
       }
       ++cuts;
     }
-    // Nothing of the holes is left, and each place outside of them is, but for slivers.
+    // Nothing in the holes remains, and everything outside of them does, except slivers.
     double kept = 0.0, whole = length_of(*stroke), holes = 0.0;
     for (const auto& piece : pieces) kept += length_of(*piece);
     for (const auto& hole : erased.intervals()) {

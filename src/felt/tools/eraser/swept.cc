@@ -62,7 +62,7 @@ class Sweep {
   Sweep(const Capsule& capsule, ParameterSet& swept) noexcept
       : capsule_(capsule), axis_(capsule.axis_bounds()), swept_(swept) {}
 
-  /// A piece of a stroke from u0 to u1 within a segment, with the ink's width at both.
+  /// Adds a piece of a segment from u0 to u1, with the ink's width at both ends.
   void add(const Cubic& curve, double u0, double u1, double width0, double width1) {
     const double half = capsule_.adds_half_width ? 0.5 : 0.0;
     const Tube tube(curve, capsule_.radius_mm + half * width0, capsule_.radius_mm + half * width1);
@@ -74,7 +74,7 @@ class Sweep {
     unite(within_rectangle(tube, capsule_.from, capsule_.to), u0, u1);
   }
 
-  /// False when the capsule is surely too far away from ink of that width.
+  /// Returns false if the capsule is certainly too far away from ink of this width.
   [[nodiscard]] bool may_reach(const Cubic& curve, double width_mm) const noexcept {
     return control_bounds(curve).intersects(axis_.inflated(capsule_.radius_mm + 0.5 * width_mm));
   }
@@ -92,7 +92,7 @@ class Sweep {
   bool grew_ = false;
 };
 
-/// The largest width from u = begin to u = end.
+/// Returns the largest width from u = begin to u = end.
 double widest_between(std::span<const WidthKnot> knots, double begin, double end) noexcept {
   double widest = std::max(width_at(knots, begin), width_at(knots, end));
   auto k = std::upper_bound(knots.begin(), knots.end(), begin,

@@ -6,37 +6,37 @@
 
 namespace felt {
 
-/// What a round eraser covers while it goes straight from one place to another.
+/// The area that a round eraser covers on a straight path.
 struct Capsule {
   Point from;
   Point to;
   double radius_mm = 2.0;
-  /// The radius grows by half the width of the ink: what the eye sees touched is touched.
+  /// If true, half the width of the ink is added to the radius, so that all ink that looks touched
+  /// is touched.
   bool adds_half_width = false;
-  /// What lies around `from` was covered before: the capsule goes on from another one's end.
+  /// If true, the disc around `from` was covered before, because the capsule continues another one.
   bool goes_on = false;
 
-  /// Around the axis.
+  /// Returns the bounding box of the axis.
   [[nodiscard]] Rect axis_bounds() const noexcept {
     Rect box;
     box.extend(from);
     box.extend(to);
     return box;
   }
-  /// Around all of it, without what broad ink adds.
+  /// Returns the bounding box of the capsule, without half the width of the ink.
   [[nodiscard]] Rect bounds() const noexcept { return axis_bounds().inflated(radius_mm); }
 };
 
 /// Adds {u : dist(f(u), axis) < radius} of one segment of a stroke to `swept` (specification 5f,
-/// R39); true when it grew.
+/// R39). Returns true if it grew.
 ///
-/// A capsule is two discs and a rectangle, and a place is in it when it is in one of them. With
-/// the radius r linear between width breakpoints, each is a polynomial below zero in Bernstein
-/// form:
+/// A capsule is the union of two discs and a rectangle. With the radius r linear between width
+/// breakpoints, a point is inside one of these if polynomials in Bernstein form are below zero:
 ///   disc        |f - p|^2 - r^2                                      degree 6
 ///   rectangle   n.(f - p) - r, -n.(f - p) - r, -d.(f - p), d.(f - p) - L,    all four, degree 3
-/// so below_zero() misses no grazing touch and the ends of the intervals are right to rounding:
-/// 1e-12 of t, about sqrt(rounding) where a graze is as shallow as that.
+/// So below_zero() misses no grazing touch, and the ends of the intervals are exact up to rounding:
+/// 1e-12 of t, or about sqrt(rounding) if the touch grazes.
 bool add_swept(const Stroke& stroke, int segment, const Capsule& capsule, ParameterSet& swept);
 
 }  // namespace felt

@@ -9,16 +9,17 @@
 
 namespace felt {
 
-/// The inside of a lasso, prepared for many questions: the edges lie in strips across the sheet, so
-/// that a question looks at those beside the point only. The same answers as felt::contains() with
+/// The inside of a lasso, prepared for many queries: the edges are sorted into horizontal strips,
+/// so that a query checks only those near the point. Same results as felt::contains() with
 /// FillRule::kEvenOdd (R31: even-odd, a point on an edge is inside).
 class LassoArea {
  public:
-  /// The outline is closed by itself. It may cross itself. Of fewer than three points nothing.
+  /// Closes the outline, which may cross itself. With fewer than three points the area is empty.
   explicit LassoArea(std::vector<Point> outline);
 
   [[nodiscard]] bool contains(Point p) const noexcept;
-  /// True when any part of the curve is inside, within the flattening of 1/64 of a segment.
+  /// Returns true if any part of the curve is inside. Segments are flattened to 4..64 chords of
+  /// about 0.5 mm.
   [[nodiscard]] bool touches(const Stroke& stroke) const noexcept;
   [[nodiscard]] const Rect& bounds() const noexcept { return bounds_; }
   [[nodiscard]] std::span<const Point> outline() const noexcept { return outline_; }
@@ -37,12 +38,12 @@ class LassoArea {
   std::vector<Point> outline_;
   Rect bounds_;
   double strip_mm_ = 0.0;
-  std::vector<std::uint32_t> begins_;  // of each strip in edges_, and the end
-  std::vector<std::uint32_t> edges_;   // by their first point
+  std::vector<std::uint32_t> begins_;  // start of each strip in edges_, and the end
+  std::vector<std::uint32_t> edges_;   // indices of first points, by strip
 };
 
-/// Area that a path sweeps as seen from its start, without signs: 0 for a straight line, and more
-/// than 0 for an eight, whose signed area is 0.
+/// Returns the unsigned area that a path sweeps as seen from its start: 0 for a straight line, but
+/// more than 0 for a figure eight, whose signed area is 0.
 double swept_area_mm2(std::span<const Point> path) noexcept;
 
 }  // namespace felt

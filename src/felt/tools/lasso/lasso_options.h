@@ -60,7 +60,7 @@ inline constexpr std::array<OptionSpec, LassoOption::kCount> kLassoOptions = {{
         "is."),
 }};
 
-/// The options as the tool uses them.
+/// The options in the form that the tool uses.
 struct LassoSettings {
   LassoMode mode = LassoMode::kFree;
   LassoTake take = LassoTake::kStrokes;
@@ -69,7 +69,7 @@ struct LassoSettings {
   double strength = 1.0;
 };
 
-/// Reads them. Requires values of kLassoOptions.
+/// Reads the options. Requires values of kLassoOptions.
 LassoSettings lasso_settings(const OptionValues& values);
 
 }  // namespace felt

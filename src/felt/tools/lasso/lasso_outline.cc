@@ -7,11 +7,11 @@
 namespace felt {
 namespace {
 
-/// Nearer than this to the last point nothing is new; together with the simplification it stays
+/// Points nearer than this to the last one are skipped. This and the simplification together stay
 /// within the tolerance.
 constexpr double kSpacingMm = 0.05;
 constexpr double kSimplifyMm = LassoOutline::kToleranceMm - kSpacingMm;
-/// Points that are simplified together: at worst 30 us.
+/// Number of points that are simplified together: 30 us at worst.
 constexpr std::size_t kTail = 96;
 
 }  // namespace

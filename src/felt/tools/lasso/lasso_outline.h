@@ -7,9 +7,9 @@
 
 namespace felt {
 
-/// The way of the pen round what is to be selected, simplified while it grows: every place the pen
-/// was at lies within kToleranceMm of it (specification 5e, R31). A sample costs a bounded time,
-/// however long the way is.
+/// The path of the pen around the area to select, simplified while it grows: every position of the
+/// pen is within kToleranceMm of it (specification 5e, R31). The time per sample is bounded,
+/// however long the path is.
 class LassoOutline {
  public:
   static constexpr double kToleranceMm = 0.25;
@@ -18,18 +18,18 @@ class LassoOutline {
   void add(Point p);
   void clear();
 
-  /// The way so far, from its first to its last point.
+  /// Returns the path so far, from its first to its last point.
   [[nodiscard]] std::span<const Point> points() const noexcept { return points_; }
-  /// Around every place the pen was at.
+  /// Returns the box around all positions of the pen.
   [[nodiscard]] const Rect& bounds() const noexcept { return bounds_; }
-  /// The whole of it, simplified. `add` may follow.
+  /// Returns the whole path, simplified. More calls of add() are allowed.
   [[nodiscard]] std::vector<Point> finished() const;
 
  private:
   void simplify_tail();
 
   std::vector<Point> points_;
-  std::size_t simplified_ = 0;  // the points before this one stay
+  std::size_t simplified_ = 0;  // points before this one are final
   Rect bounds_;
 };
 

@@ -15,28 +15,28 @@
 
 namespace felt {
 
-/// Marks what a lasso would take so far, while it is drawn. With each sample it looks at a little:
-/// one patch of the sheet for strokes it does not know yet, and some of those it knows, turn by
-/// turn. So the marks of fifty strokes are 20 ms old at most, those of a thousand half a second,
-/// and a sample costs the same in any document (tens of microseconds). What is taken in the end is
-/// not decided here, but by taken_by().
+/// Marks what a lasso would select so far, while it is drawn. Each sample does a part of the work:
+/// it searches a few patches of the page for new strokes and tests some of the known ones in turn.
+/// So the marks of fifty strokes are at most 20 ms old, those of a thousand half a second, and a
+/// sample costs the same in any document (tens of microseconds). The final selection does not
+/// depend on this; taken_by() computes it.
 class LassoPreview {
  public:
-  /// Strokes that are marked at most.
+  /// Maximum number of strokes that are tested, and of segments that are marked.
   static constexpr std::size_t kMostStrokes = 2'000;
 
   void begin();
-  /// `outline` as it is now, closed by itself; `bounds` around it.
+  /// Continues with the current outline, which is closed here; `bounds` is the box around it.
   void look(std::span<const Point> outline, const Rect& bounds, LassoTake take,
             const Document& document, const StrokeIndex& index);
   void draw(Overlay& overlay) const;
-  /// Strokes that are marked now.
+  /// Returns the number of strokes that are currently marked.
   [[nodiscard]] std::size_t count() const noexcept;
 
  private:
   struct Candidate {
     StrokeId id;
-    std::vector<Overlay::Span> spans;  // what is taken of it
+    std::vector<Overlay::Span> spans;  // the selected segments
   };
   struct Patch {
     std::int64_t column = 0, row = 0;
@@ -46,12 +46,12 @@ class LassoPreview {
   void find_strokes(const StrokeIndex& index);
   void test_strokes(LassoTake take, const Document& document);
 
-  std::deque<Patch> patches_;  // to be looked at
+  std::deque<Patch> patches_;  // still to be searched
   Patch low_, high_;           // the patches covered are [low, high)
-  bool gave_up_ = false;       // too large to be marked while it is drawn
+  bool gave_up_ = false;       // the area is too large for a preview
   std::set<StrokeId> known_;
   std::vector<Candidate> candidates_;
-  std::size_t next_ = 0;  // of candidates_
+  std::size_t next_ = 0;  // index of the next candidate to test
   std::optional<LassoArea> area_;
   std::size_t looks_ = 0;
 };

@@ -9,25 +9,26 @@
 
 namespace felt {
 
-/// What of the strokes a lasso takes.
+/// Which parts of strokes a lasso selects.
 enum class LassoTake : std::uint8_t {
-  kPoints,   ///< each control point that is inside (the paper's way)
-  kOnCurve,  ///< each joint and end that is inside, and the handles that belong to it
-  kStrokes,  ///< the whole of each stroke of which any part is inside
+  kPoints,   ///< each control point inside (as in the paper)
+  kOnCurve,  ///< each joint and end inside, with its handles
+  kStrokes,  ///< each whole stroke of which any part is inside
 };
 
-/// What becomes of what was selected before.
+/// How the previous selection is combined with the new one.
 enum class LassoCombine : std::uint8_t { kReplace, kAdd, kSubtract };
 
-/// The marks that a lasso makes on a stroke, before close_marks (R31).
+/// Returns the marks that a lasso sets on a stroke, before close_marks (R31).
 Selection::Marks marks_inside(const Stroke& stroke, const LassoArea& area, LassoTake take);
 
-/// What the lasso takes of the strokes that may be edited, closed by close_marks (R32). kPoints
-/// takes handles inside as well if all of the ink is outside.
+/// Returns what the lasso selects of the editable strokes, closed by close_marks (R32). kPoints
+/// selects handles inside even if all of the ink is outside.
 Selection taken_by(const LassoArea& area, LassoTake take, const Document& document,
                    const StrokeIndex& index);
 
-/// What is selected then. Marks are closed again; strokes that are in one of both only keep theirs.
+/// Returns the combined selection, with marks closed again. A stroke that is only in `before`, or
+/// is added from `taken` alone, keeps its marks.
 Selection combined(const Document& document, const Selection& before, const Selection& taken,
                    LassoCombine combine);
 

@@ -31,7 +31,7 @@ struct Lasso {
     ASSERT_TRUE(ok) << ok.error().message;
   }
   void choose(std::string_view id, const char* value) { set(id, std::string(value)); }
-  /// Draws along a way with buttons pressed; a lasso, a rectangle or a click.
+  /// Draws along a path with buttons pressed: a lasso, a rectangle or a click.
   void draw(const std::vector<Point>& line, std::uint32_t buttons = 0) {
     pen.up(line.front());
     for (const Point p : line) {

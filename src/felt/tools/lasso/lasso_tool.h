@@ -11,13 +11,13 @@
 
 namespace felt {
 
-/// Selects control points by a line drawn round them, by a rectangle, or whole strokes by a click
-/// (paper, "Transformations": the lasso selects control points, not pixels; lasso.md; R31, R32).
-/// What comes of a gesture is a selection: no edit, no undo step.
+/// Selects control points with a line drawn around them or a rectangle, or whole strokes with a
+/// click (paper, "Transformations": the lasso selects control points, not pixels; lasso.md; R31,
+/// R32). A gesture results in a selection, not in an edit or undo step.
 class LassoTool final : public GestureTool {
  public:
-  /// A touch whose way stays within a square of this size, and encloses less than kLeastAreaMm2, is
-  /// a click.
+  /// A touch is a click if its path stays within a square of this size and encloses less than
+  /// kLeastAreaMm2.
   static constexpr double kClickMm = 3.0;
   static constexpr double kLeastAreaMm2 = 1.0;
 
@@ -39,12 +39,12 @@ class LassoTool final : public GestureTool {
   [[nodiscard]] Selection click(const Scene& scene) const;
 
   LassoSettings settings_;
-  LassoCombine combine_ = LassoCombine::kReplace;  // of this gesture
+  LassoCombine combine_ = LassoCombine::kReplace;  // for this gesture
   LassoOutline way_;
   Point start_, pen_;
   LassoPreview preview_;
   SelectionView selected_;
-  StrokePtr under_pen_;  // what a click would take
+  StrokePtr under_pen_;  // the stroke that a click would select
 };
 
 std::unique_ptr<Tool> make_lasso();

@@ -26,7 +26,7 @@ class Connector {
     return std::make_shared<const Stroke>(std::move(stroke));
   }
 
-  /// Moves the ends onto what they are put on; drops what cannot be reached.
+  /// Moves the ends to their targets; drops targets that cannot be reached.
   void place_ends() {
     place(StrokeTip::kStart, to_.start, stroke_with_tip(scene_.document, to_.start));
     if (!to_.start && to_.start_meets) move(StrokeTip::kStart, *to_.start_meets);
@@ -59,7 +59,7 @@ class Connector {
     return true;
   }
 
-  /// True when the stroke of an end may become one with the ink.
+  /// Returns true if the stroke of an end may be joined with the ink.
   [[nodiscard]] bool may_join(const std::optional<TipId>& on) const {
     if (!on) return false;
     const Stroke& other = *scene_.document.find(on->stroke);
@@ -83,7 +83,7 @@ class Connector {
     return one.has_value();
   }
 
-  /// Both ends lie on strokes: two become one, or one becomes a ring.
+  /// Both ends lie on strokes: joins two strokes, or closes one.
   bool add_between() {
     const TipId a = *to_.start, b = *to_.end;
     auto one = joined_at(*scene_.document.find(a.stroke), a.tip, ink_, StrokeTip::kStart);
@@ -94,7 +94,7 @@ class Connector {
       edit_.replace(a.stroke, share(*std::move(ring)));
       return true;
     }
-    // The ink's free end is where the first stroke was extended.
+    // After the first join, the ink's free end is the end `a.tip` of the joined stroke.
     auto both = joined_at(*one, a.tip, *scene_.document.find(b.stroke), b.tip);
     if (!both) return false;
     edit_.replace(a.stroke, share(*std::move(both)));

@@ -8,29 +8,30 @@
 
 namespace felt {
 
-/// What the ends of new ink are put on.
+/// The targets of the ends of new ink.
 struct InkConnections {
   std::optional<TipId> start = std::nullopt;
   std::optional<TipId> end = std::nullopt;
   /// Points on other strokes that the ends meet.
   std::optional<Point> start_meets = std::nullopt;
   std::optional<Point> end_meets = std::nullopt;
-  bool closes = false;  ///< the end is put on the ink's own start
-  /// Strokes that meet stay two, with a shared point. An outline of two is closed all the same.
+  bool closes = false;  ///< the end is moved to the ink's own start
+  /// Strokes that meet stay separate, with a shared point. An outline of two strokes is still
+  /// closed.
   bool keep_separate = false;
 };
 
 /// Returns the edit that adds new ink to the document, connected (R43, R45):
-///   - An end goes exactly to the point that it is put on. The shift fades along the stroke over
-///     five times itself, between 2 and 25 mm, so that the rest stays as drawn.
+///   - An end moves exactly to its target. The shift fades out along the stroke over five times its
+///     length, limited to 2..25 mm, so that the rest stays as drawn.
 ///   - Ink whose end meets its own start becomes a closed stroke.
 ///   - Ink that meets the end of another stroke becomes one stroke with it, which keeps its id,
 ///     position and direction; ink that meets both ends of the same stroke closes it. Only if both
 ///     look the same (medium, colour) and the stroke is in the layer that is drawn in, unlocked.
 ///     Otherwise they share the point.
 ///   - Ink that meets a point on another stroke shares that point; the other stroke stays.
-/// A connection that is not possible (the stroke was removed meanwhile, the ink is too short to
-/// reach) is left out: ink is never lost. Pure.
+/// An impossible connection (the stroke was removed meanwhile, the ink is too short to reach) is
+/// skipped, so that ink is never lost. Pure.
 Edit connect_ink(const Stroke& ink, const InkConnections& connections, const Scene& scene);
 
 }  // namespace felt

@@ -45,10 +45,10 @@ TEST(ConnectInk, R45_JoinsAtAnyOfTheFourPairsOfEnds) {
                          : InkConnections{.end = TipId{old, tip}});
       ASSERT_EQ(desk.strokes().size(), 3u);
       EXPECT_EQ(desk.document.layers()[0].strokes[0], below);
-      EXPECT_EQ(desk.document.layers()[0].strokes[1], old);  // its id, its place
+      EXPECT_EQ(desk.document.layers()[0].strokes[1], old);  // its id and position
       const Stroke& one = *desk.document.find(old);
       EXPECT_FALSE(one.closed());
-      // Its direction: the part that was there runs as before.
+      // Its direction: the existing part keeps it.
       EXPECT_EQ(tip_point(one, opposite(tip)), (tip == kEnd ? Point{0, 0} : Point{50, 0}));
       EXPECT_EQ(tip_point(one, tip), far);
       const int joint = tip == kEnd ? 1 : one.segment_count() - 1;
@@ -171,7 +171,7 @@ TEST(ConnectInk, WhatCannotBeConnectedIsStillInk) {
   const Stroke dot = straight_stroke({51, 0}, {51.05, 0}, 1, 1);
   run(desk, dot, {.start = TipId{old, kEnd}});  // too short to reach
   run(desk, dot, {.closes = true});
-  run(desk, dot, {.start = TipId{{77}, kEnd}, .end = TipId{{78}, kStart}});  // not there
+  run(desk, dot, {.start = TipId{{77}, kEnd}, .end = TipId{{78}, kStart}});  // do not exist
   run(desk, dot, {.start = TipId{old, kEnd}, .end = TipId{old, kEnd}});
   ASSERT_EQ(desk.strokes().size(), 5u);
   for (std::size_t i = 1; i < 5; ++i) EXPECT_EQ(*desk.strokes()[i], dot);

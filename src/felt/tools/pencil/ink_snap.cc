@@ -14,31 +14,32 @@ namespace {
 
 using namespace snap_rules;
 
-/// A movement that ends at distance d has about 3 d / v left to go (minimum jerk: d = 10 A u^3,
-/// v = 30 A u^2 / T with u the remaining share of time T; Flash and Hogan 1985). Less than 0.12 s
-/// is too little for a hand to stop (visual correction takes 0.1 to 0.2 s; Crossman and Goodeve).
+/// A movement that ends at distance d lasts about another 3 d / v (minimum jerk: d = 10 A u^3, v =
+/// 30 A u^2 / T with u the remaining fraction of the time T; Flash and Hogan 1985). A hand cannot
+/// stop in less than 0.12 s (visual correction takes 0.1 to 0.2 s; Crossman and Goodeve).
 constexpr double kRemainingS = 0.12;
 constexpr double kRestingMmPerS = 15.0;
 constexpr double kSlowMmPerS = 100.0;
-/// Faster pens are flicked away from the surface, or pass.
+/// A faster pen is flicked off the surface or passes by.
 constexpr double kMaxEndMmPerS = 150.0;
 constexpr double kMaxCloseMmPerS = 400.0;
 constexpr double kMaxMeetMmPerS = 60.0;
 
-/// A gap this small beside the extent of an outline is closed from every direction.
+/// A gap this small relative to the extent of an outline is closed from every direction.
 constexpr double kSureShare = 0.2;
 
 constexpr double kCrossingStepMm = 0.5;
-/// A longer step is a jump; so many pieces of it are looked at.
+/// A longer step is a jump, of which at most this many pieces are checked.
 constexpr int kMaxCrossingPieces = 32;
-/// A line that crosses others this near to its end is heading for none of them.
+/// A line that crosses another line this near to its end is not heading for any line.
 constexpr double kClearMm = 4.0;
 constexpr double kMeetDeg = 35.0;
-/// A line that goes on straight begins no farther ahead; else it is a dash.
+/// A line that continues another straight ahead begins at most this far from its end; otherwise it
+/// is a dash.
 constexpr double kDashMm = 0.8, kDashDeg = 40.0;
-/// The attraction of a target ends when the pen has moved away from it by this.
+/// An attraction ends if the pen moves away from the target by this.
 constexpr double kLeaveMm = 1.0;
-/// In the air.
+/// Reach of the attraction while hovering.
 constexpr double kAirReachMm = 1.4;
 constexpr std::size_t kMaxCandidates = 4;
 
@@ -108,7 +109,7 @@ void InkSnap::find_begun_on(const Scene& scene) {
   const StrokePtr stroke = hit ? stroke_with_tip(scene.document, hit->id) : nullptr;
   if (!stroke || is_dot(*stroke)) return;
   begun_on_ = hit->id;
-  // From the other end to this one, seen from here.
+  // Measures the stroke from its other end to this one; areas are relative to this end.
   const bool start = hit->id.tip == StrokeTip::kStart;
   const int n = stroke->segment_count();
   Point last = tip_point(*stroke, opposite(hit->id.tip));
@@ -170,8 +171,9 @@ bool InkSnap::closes(Point target, const Part& before) const noexcept {
   return roundness >= (is_large ? kMinRoundnessOfLarge : kMinRoundness);
 }
 
-/// An outline tells more than the direction of its last millimetre, so the pen may be heading for
-/// its start less exactly than for the end of another line; in a large one not at all.
+/// The shape of an outline is better evidence than the direction of its last millimetre. So the pen
+/// need not head for the start as exactly as for the end of another line, and in a large outline
+/// not at all.
 bool InkSnap::is_closing(Point target, const Part& before, const Aim& aim) const noexcept {
   const double gap = distance(track_.pen(), target);
   const double speed = track_.speed_mm_per_s();
@@ -186,7 +188,8 @@ bool InkSnap::is_closing(Point target, const Part& before, const Aim& aim) const
                                             .felt = aim.felt});
 }
 
-/// In the air only what does not need a direction.
+/// Returns true if the line may join this end. While hovering, only the conditions that need no
+/// direction are checked.
 bool InkSnap::may_join(const TipHit& end, const Scene& scene) const {
   const StrokePtr stroke = stroke_with_tip(scene.document, end.id);
   if (!stroke || is_dot(*stroke) || end.id == begun_on_) return false;
@@ -215,6 +218,8 @@ std::optional<TipHit> InkSnap::nearest_end(const Aim& aim, const Scene& scene) c
   return std::nullopt;
 }
 
+/// Returns the first that applies: the line's own start, the other end of the line it was begun on,
+/// an end of another line, a point on a line just ahead.
 std::optional<SnapTarget> InkSnap::find(const Aim& aim, double meet_mm, const Scene& scene) const {
   if (is_drawing_ && is_closing(track_.start(), {}, aim)) return SnapTarget{{}, track_.start()};
   if (begun_on_) {
@@ -261,6 +266,7 @@ bool InkSnap::may_begin_on(const TipId& end, const Scene& scene) const {
   return !is_crowded(scene, {end, at}, StrokeId{});
 }
 
+/// Returns the end that the line was begun on, or else a point on a line just behind its start.
 std::optional<SnapTarget> InkSnap::find_start(const Scene& scene) const {
   const auto direction = track_.first_direction();
   if (!direction || track_.extent_mm() < kDotMm) return std::nullopt;

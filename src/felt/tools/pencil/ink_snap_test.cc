@@ -18,7 +18,7 @@ using testing::operator+;
 
 const SnapOptions kOptions{.reach_mm = 3.0, .radius_mm = 1.5, .force_n = 0.3};
 
-/// A pen that draws on a desk, 1 kHz.
+/// A pen that draws on a fixture at 1 kHz.
 struct Line {
   Desk& desk;
   InkSnap snap = {};
@@ -40,7 +40,7 @@ struct Line {
   }
 };
 
-/// The circle but for a gap before its end.
+/// A circle with a gap before its end.
 std::vector<Point> ring(double diameter, double gap_mm) {
   const double open_deg = 2.0 * std::asin(gap_mm / diameter) * 180.0 / std::numbers::pi;
   return arc({50, 50}, 0.5 * diameter, 0, 360 - open_deg);
@@ -101,7 +101,7 @@ TEST(InkSnap, R43_AnEndAttractsThePenThatComesToItSlowly) {
   EXPECT_EQ(slow.snap.target()->tip, (TipId{id, StrokeTip::kStart}));
   ASSERT_TRUE(slow.snap.attraction());
   EXPECT_EQ(slow.snap.attraction()->point, (Point{50, 50}));
-  // Past it, away from it, and fast: not.
+  // Not past it, away from it, or fast.
   Line past{desk};
   past.draw(way({20, 48}, {80, 48}));
   EXPECT_EQ(past.attracted, 0);

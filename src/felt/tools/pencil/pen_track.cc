@@ -8,11 +8,11 @@ namespace felt {
 namespace {
 
 constexpr double kVelocityTauS = 0.015;
-/// A longer gap between samples says nothing about the speed within it.
+/// Longer gaps between samples count as this long.
 constexpr double kMaxStepS = 0.1;
-/// Distance between the points at which turns are counted.
+/// Distance between the points at which turns are measured.
 constexpr double kTurnStepMm = 0.5;
-/// A path does not turn by more than this on the way to a target.
+/// Assumed largest turn of a path on its way to a target.
 constexpr double kMaxBend = 45.0 * std::numbers::pi / 180.0;
 
 double turn_between(Vec a, Vec b) noexcept {
@@ -42,7 +42,7 @@ void PenTrack::begin(Point start, std::int64_t time_ns) noexcept {
 }
 
 void PenTrack::push(Point pen, std::int64_t time_ns) noexcept {
-  // In double: the difference of two hostile times does not fit into 64 bits.
+  // In double, because the difference of two invalid times may overflow 64 bits.
   const double dt_s =
       std::min(1e-9 * (static_cast<double>(time_ns) - static_cast<double>(time_ns_)), kMaxStepS);
   if (dt_s > 0.0) {
@@ -94,7 +94,7 @@ std::optional<Vec> PenTrack::heading(double ahead_mm) const noexcept {
   if (!a || norm(pen_ - *a) < 0.5 * kNodeMm) return std::nullopt;
   const Vec last = pen_ - *a;
   if (!b) return normalized(last);
-  // The chords stand for the directions at their middles.
+  // Each chord gives the direction at its middle.
   const double bend = turn_between(*a - *b, last) * (0.5 + 0.5 * ahead_mm / kChordMm);
   return turned(normalized(last), std::clamp(bend, -kMaxBend, kMaxBend));
 }

@@ -12,8 +12,8 @@
 
 namespace felt {
 
-/// The inertia of the stabiliser, of which only a share is felt; the nib moves as with all of it,
-/// so that the line does not depend on the strength.
+/// The inertia of the stabiliser, rendered with only a fraction of its force. The nib moves as with
+/// the full force, so that the line does not depend on the strength.
 class FeltInertia {
  public:
   FeltInertia(const InertiaOptions& options, double share) noexcept
@@ -35,9 +35,9 @@ class FeltInertia {
   double share_;
 };
 
-/// What the hand feels with a pencil: the sheet (plane, grain, friction of the pair), the target
-/// that attracts, if any, and the stabiliser. The same in the air and on the sheet, so that nothing
-/// changes at the moment of touching; every part knows by itself when the pen is down.
+/// Returns the force model of a pencil: the surface (plane, grain, friction of the pair), the
+/// attracting target, if any, and the stabiliser. It is the same above and on the surface, so that
+/// it does not change at the touch; each part detects by itself whether the pen is down.
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
                                     const std::optional<SnapTarget>& target) {
   const Medium material =

@@ -12,7 +12,7 @@
 
 namespace felt {
 
-/// Media that draw, by the ids of media(); a session knows a person's own besides.
+/// Built-in media that draw, by their ids in media(). A session may have user-defined ones, too.
 inline constexpr std::array<std::string_view, 9> kPencilMaterials = {
     "pencil", "pencil-hard", "pencil-soft", "charcoal", "chalk",
     "crayon", "felt-tip",    "ink-pen",     "brush-pen"};
@@ -183,7 +183,7 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
         "hard as it is."),
 }};
 
-/// The options as the tool uses them.
+/// The options in the form that the tool uses.
 struct PencilSettings {
   std::string material;
   InkFitOptions ink;
@@ -194,7 +194,7 @@ struct PencilSettings {
   double strength = 1.0;
 };
 
-/// Reads them. Requires values of kPencilOptions.
+/// Reads the options. Requires values of kPencilOptions.
 PencilSettings pencil_settings(const OptionValues& values);
 
 }  // namespace felt

@@ -64,7 +64,7 @@ TEST(Pencil, OneLineIsOneStrokeAndOneUndoStep) {
   EXPECT_EQ(p.desk.history.undo_label(), "Draw");
   EXPECT_EQ(p.stroke().material(), "crayon");
   EXPECT_EQ(p.stroke().color(), (Rgba{10, 20, 30, 255}));
-  EXPECT_LE(largest_gap(p.stroke(), points), 0.15 + 0.1);  // the check looks every 0.2 mm
+  EXPECT_LE(largest_gap(p.stroke(), points), 0.15 + 0.1);  // the check samples every 0.2 mm
   const StrokePtr drawn = p.desk.strokes()[0];
   p.desk.undo();
   EXPECT_EQ(p.desk.document, Document());
@@ -158,7 +158,7 @@ TEST(Pencil, ALiftBetweenTwoLinesMakesTwo) {
 TEST(Pencil, ALowSlowLiftLeavesNoTail) {
   Pencil p;
   p.pen.along(way({0, 0}, {20, 0}));
-  // The hand moves on, just above the sheet.
+  // The hand moves on, just above the surface.
   for (const Point q : way({20, 0}, {20, 10}, 0.2)) p.pen.at({q.x, q.y, 0.2});
   EXPECT_EQ(p.pen.commits, 1);
   EXPECT_NEAR(tip_point(p.stroke(), StrokeTip::kEnd).y, 0.0, 0.2);
@@ -175,7 +175,7 @@ TEST(Pencil, CancelLeavesNothingAndWaitsForALift) {
   EXPECT_EQ(p.desk.document, Document());
   p.pen.line(way({0, 0}, {50, 0}));
   EXPECT_EQ(p.desk.strokes().size(), 1u);
-  // In the air it has nothing to wait for.
+  // While hovering it does not wait.
   p.tool.cancel();
   p.pen.line(way({0, 30}, {50, 30}));
   EXPECT_EQ(p.desk.strokes().size(), 2u);
@@ -189,7 +189,7 @@ TEST(Pencil, FinishKeepsTheInk) {
   p.desk.apply(*result.commit);
   EXPECT_NEAR(tip_point(p.stroke(), StrokeTip::kEnd).x, 50, 0.15);
   EXPECT_FALSE(p.tool.finish(p.desk.scene()).commit);
-  // The same contact goes on: it is not another line.
+  // The same contact continues: it does not begin another line.
   p.pen.along(way({50, 0}, {90, 0}));
   p.pen.up({90, 0});
   EXPECT_EQ(p.desk.strokes().size(), 1u);
@@ -350,7 +350,7 @@ TEST(Pencil, WetInkIsTheStrokeThatComes) {
   Pencil p;
   p.set("refine", false);
   p.choose("snap", "off");
-  p.set("gamma", 1.2);  // a tone of its own
+  p.set("gamma", 1.2);  // gives the line its own tone
   p.pen.up({0, 0});
   std::size_t shown = 0;
   for (const Point q : arc({60, 60}, 40, 0, 340)) {
@@ -369,7 +369,7 @@ TEST(Pencil, WetInkIsTheStrokeThatComes) {
   EXPECT_GT(shown, 20u);
   const Overlay wet = p.overlay();
   p.pen.up({60, 60});
-  // Width and place of the wet ink, piece by piece, against the dry stroke.
+  // Compares width and position of the wet ink, piece by piece, with the dry stroke.
   for (const auto& piece : wet.ink) {
     double best = 1e9, width = 0.0, tone = 0.0;
     for (int k = 0; k <= 4000; ++k) {
@@ -387,7 +387,7 @@ TEST(Pencil, WetInkIsTheStrokeThatComes) {
   }
 }
 
-/// What is left of the pressure when the range of widths is another than the usual one.
+/// The tone reflects the pressure even if the range of widths is not the default.
 TEST(Pencil, TheToneIsThatOfThePressureWhateverTheWidths) {
   Pencil p;
   p.choose("snap", "off");
@@ -439,7 +439,7 @@ TEST(Pencil, TheFeelHasANewIdExactlyWhenItChanges) {
   p.pen.at({21, 50, 2});
   EXPECT_EQ(id(), free);
   p.pen.down({22, 50});
-  EXPECT_EQ(id(), free);  // the same bricks know by themselves when the pen is down
+  EXPECT_EQ(id(), free);  // the same bricks detect by themselves whether the pen is down
   p.pen.step_ns = 10'000'000;
   p.pen.along(way({22, 50}, {48.5, 50}));
   const auto attracted = id();
@@ -478,7 +478,7 @@ TEST(Pencil, R43_TheLineJustDrawnDoesNotAttractInTheAir) {
   p.pen.step_ns = 10'000'000;
   for (double x = 50; x < 60; x += 0.1) EXPECT_EQ(pull(x), 0.0);
   for (double x = 60; x > 50; x -= 0.1) EXPECT_EQ(pull(x), 0.0);
-  // Another line later it does.
+  // After another line it does.
   p.pen.line(way({20, 80}, {50, 80}));
   p.pen.at({60, 50, 1});
   double largest = 0.0;
@@ -504,7 +504,7 @@ TEST(Pencil, R43_AHatchingComesOutLineByLine) {
   }
 }
 
-/// A pen that bounces at landing makes a dot. It is not held by it.
+/// A pen that bounces at landing makes a dot. The dot does not attract the pen.
 TEST(Pencil, R43_ADotDoesNotHoldThePen) {
   Pencil p;
   p.pen.step_ns = 5'000'000;
@@ -543,7 +543,7 @@ TEST(Pencil, R44_SmallCirclesClose) {
   }
 }
 
-/// What a pen says itself goes before it: WidthMap.
+/// A tilt that the pen reports overrides the option: WidthMap.
 TEST(Pencil, AMousesPenLeansAsTheOptionSays) {
   OptionValues values(kPencilOptions);
   EXPECT_EQ(pencil_settings(values).ink.width_map.absent_lean_deg, 0.0);
@@ -677,7 +677,7 @@ TEST(Pencil, AMillionSamplesAreNoBurden) {
   EXPECT_GT(p.stroke().segment_count(), 1000);
 }
 
-// Hostile input: any sequence of samples, options, cancels and undos.
+// Robustness: any sequence of samples, options, cancels and undos.
 
 class Hostile {
  public:

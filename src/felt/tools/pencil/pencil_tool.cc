@@ -33,7 +33,7 @@ constexpr ToolInfo kPencilInfo{
                        "Near its start, an outline snaps shut.",
             .seconds = 36.0}};
 
-/// How far between the thinnest and the broadest line a mouse draws, 0..1.
+/// Returns the width that a mouse draws, 0 (thinnest) to 1 (broadest).
 double share_of_mouse(const OptionValues& options) {
   const double gamma = std::max(0.1, options.number(Row::kGamma));
   return std::pow(std::clamp(options.number(Row::kMousePressure), 0.0, 1.0), gamma);
@@ -66,7 +66,8 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
   return move(sample, scene);
 }
 
-/// The fitter keeps its buffers from line to line, and what it was made with.
+/// Makes a new fitter only if the widths have changed, so that its buffers are reused from line to
+/// line.
 void PencilTool::make_fitter(const Scene& scene) {
   const InkFitOptions ink = drawn_with(medium_of(scene, settings_.material), settings_.ink);
   if (fitter_ && fitted_widths_ == ink.width_map) return;
@@ -82,7 +83,7 @@ ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   ink.position = stabiliser_.update(pen_point_, sample.time_ns);
   fitter_->push(ink);
   wet_.update(*fitter_, ink);
-  // A sample of a bounce is ink, but no place to snap from.
+  // A sample during a bounce draws ink, but does not snap.
   if (in_contact(sample)) snap_.update(pen_point_, sample.time_ns, settings_.snap, scene);
   return {};
 }
@@ -101,7 +102,7 @@ ToolResult PencilTool::end(const Scene& scene) {
     StrokeData data = drawn->data();
     data.material = settings_.material;
     data.color = color_;
-    // Still valid: neither material nor colour is part of an invariant.
+    // Still valid, because no invariant involves medium or colour.
     if (const auto ink = Stroke::create(std::move(data))) {
       result.commit = connect_ink(*ink, connections(scene), scene);
     }
@@ -185,7 +186,7 @@ std::optional<ToolSize> PencilTool::size() const {
   const double broad = std::max(thin, options().number(Row::kMaxWidth));
   const double mm = thin + (broad - thin) * share_of_mouse(options());
   const OptionSpec& spec = kPencilOptions[Row::kMaxWidth];
-  // Half of the range, so that the broadest line can still follow. Options may be set beyond it.
+  // Half of the range, so that the broadest line can scale with it. Options may be set beyond it.
   return ToolSize{mm, std::min(spec.min, mm), std::max(0.5 * spec.max, mm)};
 }
 

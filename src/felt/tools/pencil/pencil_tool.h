@@ -14,17 +14,17 @@
 namespace felt {
 
 /// Draws lines of variable width (paper, "sketch creation", "controlling the width", "connect
-/// curves"; pencil.md). One gesture is one line and one edit, "Draw".
+/// curves"; pencil.md). Each gesture makes one line and one edit, "Draw".
 ///
-/// The work per sample is bounded whatever the length of the stroke, except for the last one, which
-/// completes it.
+/// The work per sample does not depend on the length of the stroke, except for the last sample,
+/// which completes it.
 class PencilTool final : public GestureTool {
  public:
-  /// Below this height over the sheet a pen in the air is attracted by ends of lines ...
+  /// Below this height above the surface a hovering pen is attracted by ends of lines ...
   static constexpr double kNearMm = 5.0;
   /// ... until it is higher than this.
   static constexpr double kFarMm = 7.0;
-  /// Lines of more samples are not refined: a minute at 1 kHz, a tenth of a second of work.
+  /// Lines with more samples are not refined: this is a minute at 1 kHz and takes 0.1 s to refine.
   static constexpr std::size_t kMaxRefinedSamples = 60'000;
 
   PencilTool();
@@ -32,10 +32,10 @@ class PencilTool final : public GestureTool {
   [[nodiscard]] ForceModel force(const Scene& scene) const override;
   void draw(Overlay& overlay) const override;
 
-  /// Returns the width of the line that a mouse draws. A pen with pressure draws below and above
-  /// it.
+  /// Returns the width of the line that a mouse draws. A pen with pressure draws thinner and
+  /// broader lines.
   [[nodiscard]] std::optional<ToolSize> size() const override;
-  /// Keeps the ratio of the thinnest to the broadest line as long as their ranges allow.
+  /// Keeps the ratio of the thinnest to the broadest line if their ranges allow it.
   [[nodiscard]] std::vector<std::pair<std::string_view, double>> options_for_size(
       double mm) const override;
 
@@ -53,15 +53,15 @@ class PencilTool final : public GestureTool {
   [[nodiscard]] InkConnections connections(const Scene& scene) const;
   [[nodiscard]] std::optional<SnapTarget> attraction() const noexcept;
 
-  PencilSettings settings_;  // of the line being drawn, or of the next one
+  PencilSettings settings_;  // of the line being drawn, or of the next line
   std::unique_ptr<InkFitter> fitter_;
-  WidthMapOptions fitted_widths_;  // that fitter_ was made with
+  WidthMapOptions fitted_widths_;  // the widths that fitter_ was made with
   Stabiliser stabiliser_;
-  InkSample pen_;  // the last one of the line
+  InkSample pen_;  // last sample of the line
   Rgba color_;
 
   InkSnap snap_;
-  Point pen_point_;  // where the pen is, for the overlay
+  Point pen_point_;  // position of the pen, for the overlay
   bool near_ = false;
 
   WetInk wet_;

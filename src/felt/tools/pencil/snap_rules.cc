@@ -12,12 +12,12 @@
 namespace felt::snap_rules {
 namespace {
 
-/// Ends looked at around one; more are a crowd anyway.
+/// Maximum number of ends checked around one; more are a crowd anyway.
 constexpr std::size_t kMaxNeighbours = 8;
-/// Meetings of one stroke this near are one, where two of its segments join.
+/// Hits on one stroke this near to each other count as one, at the joint of two segments.
 constexpr double kJointMm = 0.01;
 
-/// Calls visit(StrokeId, segment, Crossing) for each place where the chord meets a stroke.
+/// Calls visit(StrokeId, curve, Crossing) for each point where the chord meets a stroke.
 template <class Visit>
 void for_each_meeting(const Scene& scene, Point a, Point b, Visit visit) {
   Rect area;

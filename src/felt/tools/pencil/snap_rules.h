@@ -9,62 +9,63 @@
 
 namespace felt {
 
-/// What tells a line that is meant to meet another from one that only comes near it
+/// Rules that distinguish a line that is meant to meet another from one that only comes near it
 /// (docs/decisions/0011-when-a-line-snaps.md). Pure functions of the document.
 namespace snap_rules {
 
-/// An end turns back when the joined line would turn by more than this: neighbours in a hatching
-/// turn by 180 degrees, the sharpest corner of a five-pointed star by 144.
+/// Ends are not joined if the joined line would turn by more than this: neighbours in a hatching
+/// turn by 180 degrees, the corners of a five-pointed star by 144.
 inline constexpr double kFoldDeg = 150.0;
-/// Beyond this the ends must nearly coincide, because hatching fans out and trembles.
+/// Beyond this turn the ends must nearly coincide, because hatching fans out and is shaky.
 inline constexpr double kSharpDeg = 115.0;
 inline constexpr double kSharpRadiusMm = 0.5;
-/// Shorter strokes are dots: their ends have no direction.
+/// Shorter strokes are dots, whose ends have no direction.
 inline constexpr double kDotMm = 1.5;
-/// Another end this near means that the end belongs to a hatching.
+/// If another end is this near, the end belongs to a hatching.
 inline constexpr double kCrowdMm = 3.2;
-/// Ends nearer than this share a point.
+/// Ends nearer than this count as one point.
 inline constexpr double kSameMm = 0.3;
 /// Distance over which the direction of an end is measured.
 inline constexpr double kInwardMm = 1.5;
 
-/// True if the control points of the stroke lie within kDotMm.
+/// Returns true if the diagonal of the control points' bounding box is shorter than kDotMm.
 bool is_dot(const Stroke& stroke) noexcept;
 
-/// Unit direction from an end into its stroke.
+/// Returns the unit direction from an end into its stroke.
 Vec inward_direction(const Stroke& stroke, StrokeTip tip) noexcept;
 
-/// True if ink that arrives at the end with direction `heading`, `gap_mm` away from it, would turn
-/// back along the stroke instead of going on as one line.
+/// Returns true if ink arriving with direction `heading`, `gap_mm` away from the end, would turn
+/// back along the stroke instead of continuing it.
 bool turns_back(const Stroke& stroke, StrokeTip tip, Vec heading, double gap_mm) noexcept;
 
-/// True if an end of a third stroke lies beside this one, as in a hatching. `friend_stroke` and
-/// strokes that share a point with this one do not count.
+/// Returns true if an end of a third stroke lies next to this one, as in a hatching.
+/// `friend_stroke` and strokes that share an end with this one are ignored.
 bool is_crowded(const Scene& scene, const TipHit& tip, StrokeId friend_stroke);
 
-/// Where the ray from `from` first meets a stroke that may be edited.
+/// The first point where a ray meets an editable stroke.
 struct RayHit {
   StrokeId stroke;
   Point point;
   double distance_mm = 0.0;
   double angle_deg = 0.0;  ///< between ray and stroke, 0..90
-  int hits = 0;            ///< places where the ray meets strokes, this one included
+  int hits = 0;            ///< number of points where the ray meets strokes, including this one
 };
 std::optional<RayHit> first_hit(const Scene& scene, Point from, Vec direction, double length_mm);
 
-/// A stroke that the pen crossed, and where it did so first and last.
+/// A stroke that the pen crossed, and its first and last crossing.
 struct Crossed {
   StrokeId stroke;
   Point first, last;
 };
-/// A crossing this near to an end belongs to the corner that is drawn there.
+/// A crossing this near to an end is part of the corner drawn there.
 inline constexpr double kCornerMm = 2.0;
 
-/// Adds the strokes that the chord meets to a list without doubles. Returns true if it meets any.
+/// Adds the strokes that the chord meets to a list without duplicates. Returns true if it meets
+/// any.
 bool append_crossed(const Scene& scene, Point a, Point b, std::vector<Crossed>& crossed);
 
-/// True if the stroke was crossed elsewhere than near its end at `tip`: a line over another darkens
-/// it and does not continue it.
+/// Returns true if the stroke was crossed anywhere but near its end at `tip`: a line drawn over
+/// another darkens it and does not continue it.
 bool is_drawn_over(const std::vector<Crossed>& crossed, StrokeId stroke, Point tip) noexcept;
 
 }  // namespace snap_rules

@@ -8,46 +8,47 @@
 
 namespace felt {
 
-/// What lies between the pen and the point that draws, the nib.
+/// The mechanism between the pen and the nib, the point that draws.
 enum class StabiliserKind {
   kOff,      ///< the nib is the pen
   kInertia,  ///< the nib is a mass on a spring (Keefe 2007; Snibbe 1998: sprung mass)
-  kTowed,    ///< the nib hangs on a rope and follows when that is taut
+  kTowed,    ///< the pen tows the nib on a rope
 };
 
 struct StabiliserOptions {
   StabiliserKind kind = StabiliserKind::kOff;
   double mass_g = 50.0;    ///< kInertia
-  double length_mm = 4.0;  ///< kTowed: of the rope
+  double length_mm = 4.0;  ///< kTowed: length of the rope
 
   friend bool operator==(const StabiliserOptions&, const StabiliserOptions&) noexcept = default;
 };
 
-/// The mass of kInertia. Its drag makes it critically damped, B + c = 2 sqrt(K m), for a nib that
-/// overshoots would draw loops; it trails by c v/K, 2 mm at 100 mm/s for 50 g.
+/// Returns the options of kInertia. The drag makes the mass critically damped, B + c = 2 sqrt(K m),
+/// because a nib that overshoots would draw loops. The nib trails by c v/K, 2 mm at 100 mm/s for 50
+/// g.
 InertiaOptions inertia_of(const StabiliserOptions& options) noexcept;
-/// The rope of kTowed.
+/// Returns the options of kTowed.
 TowOptions tow_of(const StabiliserOptions& options) noexcept;
 
-/// Steadies a hand: moves the nib with the same functions that make the force in the hand, so that
-/// what is drawn and what is felt agree. The pen is taken to move evenly between samples, in steps
-/// of at most 1 ms: nearly the same line at 133 Hz as at 1 kHz. One thread.
+/// Steadies the line: moves the nib with the same functions that compute the force, so that drawing
+/// and feeling agree. The pen is assumed to move uniformly between samples, in steps of at most 1
+/// ms, so that 133 Hz gives nearly the same line as 1 kHz. Not thread-safe.
 class Stabiliser {
  public:
   explicit Stabiliser(const StabiliserOptions& options = {}) noexcept : options_(options) {}
 
   void begin(Point pen, std::int64_t time_ns) noexcept;
-  /// The pen is here now; returns the nib. Bounded, whatever the times say.
+  /// Moves the pen and returns the nib. Bounded work for any times.
   Point update(Point pen, std::int64_t time_ns) noexcept;
   [[nodiscard]] Point nib() const noexcept { return nib_.position; }
 
-  /// A point of the nib's way.
+  /// A point of the nib's path.
   struct Step {
     Point nib;
     std::int64_t time_ns = 0;
   };
-  /// Pen-up: the rest of the line, as the nib would draw it while the pen rests where it is, since
-  /// people expect ink to reach the pen. The last point is the pen. At most 2000 points.
+  /// Ends the line at pen-up. Sets `rest` to the remaining path of the nib to the resting pen,
+  /// because users expect ink to reach the pen. The last point is the pen. At most 2000 points.
   void finish(std::vector<Step>& rest);
 
  private:

@@ -28,7 +28,7 @@ class BrushGesture final : public PullGesture {
     const Vec displacement = curve_displacement(on_sheet(pen.position) - start_, offset_, mode_);
     if (displacement == displacement_) return std::nullopt;
     Result<Stroke> pulled = pull_.at(displacement);
-    if (!pulled) return std::nullopt;  // the last good shape stays
+    if (!pulled) return std::nullopt;  // keep the last valid shape
     displacement_ = displacement;
     shown_ = is_home() ? stroke_.before() : std::make_shared<const Stroke>(*std::move(pulled));
     return stroke_.with(shown_, kPullLabel);

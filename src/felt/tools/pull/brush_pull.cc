@@ -12,25 +12,27 @@ namespace felt {
 namespace {
 
 constexpr double kPullAccuracy = 1e-7;
-/// A standing handle at a smooth joint gets a length of its own, so that its direction is its own
-/// too; shorter ones than the first have none (specification 5c). The curve moves by less than a
-/// micrometre.
+/// A handle shorter than kNoHandleMm counts as having no length (specification 5c). At a smooth
+/// joint it gets the length kStandingHandleMm, so that it has its own direction. The curve moves by
+/// less than a micrometre.
 constexpr double kNoHandleMm = 1e-6;
 constexpr double kStandingHandleMm = 1e-3;
-/// Displacements up to this many radii follow the influence within the tolerance; beyond, the ink
-/// is so long drawn that the same share of it is not seen.
+/// Displacements up to this many radii follow the influence within the tolerance. Beyond that the
+/// ink is stretched so far that the same relative error is not visible.
 constexpr double kExactRadii = 2.0;
-/// The release may put joints at these parts of the segments; the best of them is taken.
+/// On release, joints may lie at multiples of 1/k of the segments, for each k here; the result with
+/// the fewest segments is used.
 constexpr int kFiner[] = {3, 4, 5, 6};
-/// The displacement is followed to this part of the tolerance.
+/// Fraction of the tolerance within which the pull follows the exact displacement.
 constexpr double kPullShare = 0.2;
-/// Halvings of a piece at most.
+/// Maximum number of times that a piece is halved.
 constexpr int kMostRounds = 5;
-/// Ink that is pushed together to less than I5 allows gets handles of this length at least.
+/// Minimum handle length of ink that is compressed below the length that I5 requires.
 constexpr double kSliverHandleMm = 0.03;
-/// What that moves the grab by is taken out again, and may push together the next one.
+/// Those handles move the grab. Correcting that may compress another segment, so both are repeated
+/// up to this often.
 constexpr int kMendRounds = 4;
-/// Squared sine of the angle up to which two handles are left as they are: 6e-9 degrees.
+/// Squared sine of the largest angle between two handles that is not corrected: 6e-9 degrees.
 constexpr double kStraight = 1e-20;
 
 double bernstein(const std::array<double, 4>& b, double t) {
@@ -79,7 +81,7 @@ Cubic BrushPull::segment(int i) const noexcept {
   return {{p[0], p[1], p[2], p[3]}};
 }
 
-/// Makes joints at the five places that Joints names, and at others.
+/// Cuts base_ at the five parameters `places`, whose joint numbers go to joints_, and at `more`.
 void BrushPull::cut(std::span<const double> places, std::span<const double> more) {
   std::vector<std::pair<double, std::size_t>> all;
   for (std::size_t i = 0; i < places.size(); ++i) all.emplace_back(places[i], i);
@@ -91,7 +93,7 @@ void BrushPull::cut(std::span<const double> places, std::span<const double> more
   auto stroke = Stroke::create(base_).and_then(
       [&](const Stroke& base) { return subdivided(base, us, &numbers); });
   if (!stroke) {
-    // What cannot be cut is pulled by the joints it has.
+    // A stroke that cannot be cut is pulled by its existing joints.
     numbers.clear();
     for (const double u : us) numbers.push_back(static_cast<int>(std::lround(u)));
   } else {
@@ -104,7 +106,7 @@ void BrushPull::cut(std::span<const double> places, std::span<const double> more
   }
 }
 
-/// Finds the influence along the segments of both sides.
+/// Computes the influence along the segments of both sides.
 void BrushPull::plan(const BrushReach& reach) {
   runs_.clear();
   add_runs(wrapped(joints_.held_first - joints_.first), reach.before, -1.0);
@@ -120,7 +122,8 @@ void BrushPull::add_runs(int count, const BrushSide& side, double sign) {
     runs_.push_back({.segment = i, .sign = sign, .start_mm = way});
     way += arc_length(segment(i), kPullAccuracy);
   }
-  // By the lengths that there are now, so that the influence ends where the last segment does.
+  // Uses the lengths after the cuts, so that the influence ends exactly at the end of the last
+  // segment.
   const double radius = side.radius_mm > side.way_mm ? side.radius_mm : way;
   for (auto r = begin; r < runs_.size(); ++r) {
     Run& run = runs_[r];
@@ -135,7 +138,8 @@ void BrushPull::add_runs(int count, const BrushSide& side, double sign) {
   }
 }
 
-/// Middles of segments over which the influence is not a cubic of t, by more than `most_error`.
+/// Returns the middles of the segments over which a cubic in t misses the influence by more than
+/// `most_error`.
 std::vector<double> BrushPull::crooked(double most_error) const {
   std::vector<double> middles;
   for (const Run& run : runs_) {
@@ -190,7 +194,8 @@ void BrushPull::weigh(bool is_whole) {
   }
 }
 
-/// The grab is a joint, unless that would have made a sliver.
+/// Finds the parameter of the grab. It is a joint, unless cutting there would have made a piece
+/// that is too short.
 void BrushPull::find_grab() {
   const int n = count();
   grab_segment_ = std::min(joints_.grab, n - 1);
@@ -208,8 +213,8 @@ void BrushPull::find_grab() {
   }
 }
 
-/// Puts both handles of a smooth joint into line again where rounding, or ink that is pushed
-/// together to almost nothing there, has turned them: by the longer one.
+/// Makes both handles of a smooth joint collinear again, in the direction of the longer one, if
+/// rounding or extreme compression has turned them.
 void BrushPull::keep_smooth(StrokeData& data, int joint) const {
   const std::size_t n = data.points.size() / 3;
   const auto j = static_cast<std::size_t>(joint);
@@ -233,7 +238,7 @@ void BrushPull::keep_all_smooth(StrokeData& data) const {
   }
 }
 
-/// Takes out what the cubic pieces leave at the grab where that is no joint.
+/// Corrects the error of the cubic pieces at the grab if that is not a joint.
 void BrushPull::follow_exactly(StrokeData& data, Point target) const {
   const std::size_t n = data.points.size() / 3;
   const auto i = static_cast<std::size_t>(grab_segment_);
@@ -262,8 +267,8 @@ void BrushPull::pull(StrokeData& data, Vec displacement) const {
   }
 }
 
-/// Lengthens what is pushed together to less than I5 allows, by its handles: nothing moves by more
-/// than these. True when there was any.
+/// Lengthens the handles of segments that are compressed below the length that I5 requires. No
+/// point moves by more than the handles. Returns true if there was such a segment.
 bool BrushPull::keep_lengths(StrokeData& data) const {
   bool any = false;
   const int n = count();
@@ -303,8 +308,8 @@ Result<Stroke> BrushPull::finished(Vec displacement) const {
   return best;
 }
 
-/// With as few segments as the tolerance allows, whose joints lie at whole parts of the segments
-/// there are, `finer` to each.
+/// Returns the stroke with as few segments as the tolerance allows. Candidate joints divide each
+/// existing segment into `finer` parts.
 Result<Stroke> BrushPull::with_free_joints(const Stroke& pulled, int finer) const {
   const int n = pulled.segment_count();
   const int span = wrapped(joints_.last - joints_.first);
@@ -312,7 +317,7 @@ Result<Stroke> BrushPull::with_free_joints(const Stroke& pulled, int finer) cons
   for (int k = 0; k < (span > 0 ? span : n); ++k) {
     is_cut[static_cast<std::size_t>(wrapped(joints_.first + k))] = true;
   }
-  // The grab within a segment: that one stays as it is.
+  // If the grab is inside a segment, that segment is kept.
   const bool is_within = grab_t_ > 0.0 && grab_t_ < 1.0;
   if (is_within) is_cut[static_cast<std::size_t>(grab_segment_)] = false;
   std::vector<double> us;

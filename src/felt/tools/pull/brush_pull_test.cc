@@ -25,7 +25,7 @@ using testing::RandomStroke;
 using testing::share;
 using testing::straight_stroke;
 
-/// A line of the pencil; a smooth one is as a hand draws it, half a millimetre a sample.
+/// A line of the pencil; a smooth one as drawn by hand, half a millimetre per sample.
 Stroke drawn(std::uint64_t seed, int samples,
              testing::InkShape shape = testing::InkShape::kSmooth) {
   testing::TestInk ink(seed);
@@ -149,8 +149,8 @@ TEST(BrushPull, OutsideTheSpanEveryByteStays) {
 }
 
 TEST(BrushPull, NoPullIsRefused) {
-  // Ink of every kind, divided so that there are segments hardly longer than I5 asks: those that
-  // lie along the pull are pushed together to less than that.
+  // Ink of every kind, with segments hardly longer than I5 requires: those along the pull are
+  // compressed below that.
   using testing::InkShape;
   constexpr std::array kShapes = {InkShape::kSmooth, InkShape::kDense,   InkShape::kZigzag,
                                   InkShape::kSpiral, InkShape::kHairpin, InkShape::kFractal};
@@ -183,7 +183,7 @@ TEST(BrushPull, NoPullIsRefused) {
 }
 
 TEST(BrushPull, TheLiftAddsFewSegmentsAndMovesLittle) {
-  // A trembling hand's line has segments enough to hold a pull as well; the lift finds them.
+  // A shaky line has enough segments for a pull already; the lift finds them.
   double added = 0.0, moved = 0.0;
   constexpr int kPulls = 60;
   for (std::uint64_t seed = 0; seed < kPulls; ++seed) {
@@ -206,7 +206,7 @@ TEST(BrushPull, TheLiftAddsFewSegmentsAndMovesLittle) {
 }
 
 TEST(BrushReach, EndsWithinTheRadiusOfTheGrab) {
-  // Where a corner is held as well.
+  // With a corner that is held, too.
   int held = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     SCOPED_TRACE(seed);
@@ -227,7 +227,7 @@ TEST(BrushReach, EndsWithinTheRadiusOfTheGrab) {
 }
 
 TEST(BrushPull, TheInfluenceFallsOffAlongTheInk) {
-  // Of a straight line in two unequal segments; away from joints, so that the radius is exact.
+  // A straight line of two unequal segments; away from joints, so that the radius is exact.
   StrokeData d{.points = {{0, 0}, {20, 0}, {40, 0}, {60, 0}, {80, 0}, {90, 0}, {100, 0}},
                .joints = {JointKind::kSmooth},
                .closed = false,
@@ -240,7 +240,7 @@ TEST(BrushPull, TheInfluenceFallsOffAlongTheInk) {
     const double u = pulled.segment_count() * k / 1000.0;
     const Point p = pulled.position(u);
     EXPECT_NEAR(p.y, 10.0 * influence(std::fabs(p.x - s->position(0.5).x) / 24.0), tolerance);
-    // Widths stay with the ink: here a function of x, by u of the line it was.
+    // Widths stay with the ink: here a function of x, by u of the original line.
     const double was = p.x < 60.0 ? 0.0 : 1.0;
     if (std::fabs(p.x - 60.0) > 1e-6 && p.x < 60.0) {
       EXPECT_NEAR(pulled.width_mm(u), 1.0 + (was + p.x / 60.0), 1e-6);
@@ -413,7 +413,7 @@ TEST(BrushPull, InkThatIsPushedTogetherFoldsAndStaysValid) {
   EXPECT_EQ(failures, 0);
 }
 
-/// The place on a stroke nearest to p.
+/// Returns the point on a stroke nearest to p.
 Nearest nearest_on(const Stroke& s, Point p) {
   Nearest best{.t = 0.0, .distance_squared = std::numeric_limits<double>::infinity(), .point = {}};
   for (int i = 0; i < s.segment_count(); ++i) {
@@ -423,7 +423,7 @@ Nearest nearest_on(const Stroke& s, Point p) {
   return best;
 }
 
-/// A watched build takes ten times as long, and looks for other faults.
+/// An instrumented build takes ten times as long and looks for other faults.
 #ifdef __SANITIZE_ADDRESS__
 constexpr int kManyPulls = 1'000;
 #else
@@ -438,7 +438,7 @@ TEST(BrushPull, R24_TenThousandPullsLeaveAGoodLine) {
   double worst_turn = 0.0, longest = 0.0, least_handle = 1.0;
   int most = 0, refused = 0;
   for (int k = 0; k < kManyPulls; ++k) {
-    // Somewhere, to within 2 mm of the line it was: out and back, again and again.
+    // Random pulls to within 2 mm of the original line: out and back, repeatedly.
     const double u0 = random.uniform(0.0, s->segment_count());
     const Point home = nearest_on(first, s->position(u0)).point;
     const Point pen = home + Vec{random.uniform(-1.4, 1.4), random.uniform(-1.4, 1.4)};

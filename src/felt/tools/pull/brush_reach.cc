@@ -9,33 +9,33 @@ namespace felt {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
-/// Pins as near as this to ink that is held are held too, and a ring as short as ten of these
-/// moves as a whole: there is no room to fall off.
+/// Pins this close to held ink are held too, and a ring shorter than ten times this moves as a
+/// whole, because there is no room for the influence to fall off.
 constexpr double kNoRoomMm = 0.1;
-/// Ends of both sides as near as this are one.
+/// If the ends of both sides are this close, they count as one point.
 constexpr double kRingMeetMm = 0.01;
-/// A side ends at a joint in this last part of its radius.
+/// A side ends at a joint if there is one in this last part of its radius.
 constexpr double kJointShare = 0.2;
 
-/// Ways along a stroke to one side of a place.
+/// Arc lengths along a stroke to one side of the grab.
 class Side {
  public:
   /// `sign` is -1 towards the start, +1 towards the end.
   Side(const Stroke& stroke, const ArcMap& map, double grab_mm, double sign)
       : stroke_(stroke), map_(map), grab_(grab_mm), sign_(sign) {}
 
-  /// The way from the grab to joint i on this side, from 0 on; infinite when it is on the other.
+  /// Returns the arc length from the grab to joint i, >= 0, or infinity if it is on the other side.
   [[nodiscard]] double way_to(int joint) const {
     double way = sign_ * (map_.start_of(joint) - grab_);
     if (stroke_.closed() && way < 0.0) way += map_.length_mm();
     return way >= 0.0 ? way : kFar;
   }
-  /// The end of an open stroke.
+  /// Returns the arc length to the end of an open stroke.
   [[nodiscard]] double way_to_end() const {
     if (stroke_.closed()) return kFar;
     return sign_ < 0.0 ? grab_ : map_.length_mm() - grab_;
   }
-  /// Ways to ends and corners on this side, ascending.
+  /// Returns the arc lengths to ends and corners on this side, ascending.
   [[nodiscard]] std::vector<double> pins() const {
     std::vector<double> ways;
     const int n = stroke_.segment_count();
@@ -45,7 +45,7 @@ class Side {
     std::sort(ways.begin(), ways.end());
     return ways;
   }
-  /// The largest way to a joint between these two, or the longer of them.
+  /// Returns the largest arc length to a joint between these two, or the longer of them.
   [[nodiscard]] double at_joint(double shortest, double longest) const {
     double best = -1.0;
     const int n = stroke_.segment_count();
@@ -62,7 +62,7 @@ class Side {
   double grab_, sign_;
 };
 
-/// How much is held, and the way from the grab to the pin that limits the side, if any.
+/// The held length, and the arc length from the grab to the pin that limits the side, if any.
 struct Hold {
   double held_mm = 0.0;
   double pin_mm = kFar;
@@ -124,7 +124,7 @@ BrushReach brush_reach(const Stroke& stroke, const ArcMap& map, double u0,
   reach.before = side_of(before, first, most, options);
   reach.after = side_of(after, last, most, options);
   if (!stroke.closed()) {
-    // Held up to both ends, or what is not held has no room to fall off: a dot.
+    // The stroke is held up to both ends, or has no room to fall off (a dot).
     reach.is_whole = (reach.before.way_mm < kNoRoomMm && reach.after.way_mm < kNoRoomMm) ||
                      map.length_mm() < kNoRoomMm;
   }
@@ -137,7 +137,7 @@ double BrushReach::first_u(const ArcMap& map) const noexcept {
 
 double BrushReach::last_u(const ArcMap& map) const noexcept {
   if (is_whole) return map.u_at(map.length_mm());
-  // Both sides of a ring meet: they end at one and the same place.
+  // Both sides of a ring meet, so they end at the same point.
   const double reach = before.held_mm + before.way_mm + after.held_mm + after.way_mm;
   if (is_ring && reach >= map.length_mm() - kRingMeetMm) return first_u(map);
   return map.u_at(grab_mm + after.held_mm + after.way_mm);

@@ -5,54 +5,55 @@
 
 namespace felt {
 
-/// How the brush pulls.
+/// Options of the brush.
 struct BrushOptions {
   double radius_mm = 20.0;  ///< reach of the influence along the ink, to each side
-  /// Ends and corners go along as all other ink does, instead of staying where they are.
+  /// Whether ends and corners move like all other ink instead of staying in place.
   bool free_ends = false;
-  /// How far the ink may move at the lift, beside the pen, so that it needs few segments; while it
-  /// is pulled it follows the exact displacement to a fifth of that.
+  /// How far the ink may move at the lift, except under the pen, to save segments. During the pull
+  /// it follows the exact displacement within a fifth of that.
   double tolerance_mm = 0.1;
 };
 
-/// An end or a corner this near to the grab, along the ink, is itself taken hold of.
+/// An end or corner within this arc length of the grab is grabbed itself.
 inline constexpr double kPinGrabMm = 2.0;
 
-/// How far a pull reaches to one side of what is held rigidly.
+/// The reach of a pull to one side of the rigidly held part.
 struct BrushSide {
-  double held_mm = 0.0;    ///< from the grab to where the influence begins to fall off
-  double way_mm = 0.0;     ///< from there to where the change ends; 0 at an end of the stroke
-  double radius_mm = 0.0;  ///< where the influence would be 0: way_mm, or more at a free end
+  double held_mm = 0.0;    ///< from the grab to the point where the influence begins to fall off
+  double way_mm = 0.0;     ///< from there to the end of the change; 0 at an end of the stroke
+  double radius_mm = 0.0;  ///< distance at which the influence is 0: way_mm, or more at a free end
 };
 
-/// What of a stroke a pull moves, by arc length: known before the touch, the same for every
-/// displacement (architecture section 10).
+/// The part of a stroke that a pull moves, by arc length. It is known before the touch and is the
+/// same for every displacement (architecture section 10).
 ///
-///   influence  w = 1 on what is held;  w(x) = 1 - 3x^2 + 2x^3, x = way / radius, beside it
+///   influence  w = 1 on held ink;  next to it w(x) = 1 - 3x^2 + 2x^3, x = distance / radius
 ///
-/// Pins are ends and corners. Towards a pin the radius is at most the way to it, so that it stays
-/// with its tangents, since w and w' are 0 there. A pin within kPinGrabMm of the grab is held
-/// instead, together with the ink up to it: it moves exactly with the pen, and so does the grab.
-/// The radius counts from the grab all the same (where it is less than 4 mm, pins within half of it
-/// are held): ink farther than the radius from the grab, along the ink, never moves. On a closed
-/// stroke both sides share the length. A side that nothing but the radius limits ends at a joint if
-/// there is one in its last fifth, so that no joint has to be made.
+/// Pins are ends and corners. Towards a pin the radius is at most the distance to it, so that the
+/// pin and its tangents stay, because w and w' are 0 there. If a pin is within kPinGrabMm of the
+/// grab, it is held instead, with the ink up to it: pin and grab move exactly with the pen. The
+/// radius still counts from the grab (if it is less than 4 mm, pins within half of it are held):
+/// ink farther along than the radius never moves. On a closed stroke both sides share the length. A
+/// side that only the radius limits ends at a joint if there is one in its last fifth, so that no
+/// joint has to be added.
 struct BrushReach {
   double grab_mm = 0.0;  ///< arc length from the start of the stroke
   BrushSide before, after;
-  bool is_whole = false;  ///< all of the stroke moves with the pen
+  bool is_whole = false;  ///< the whole stroke moves with the pen
   bool is_ring = false;   ///< the stroke is closed
 
-  /// The part of the stroke that moves; on a closed one last <= first goes through the seam.
+  /// Return the part of the stroke that moves; on a closed one, last <= first means through the
+  /// seam.
   [[nodiscard]] double first_u(const ArcMap& map) const noexcept;
   [[nodiscard]] double last_u(const ArcMap& map) const noexcept;
 };
 
-/// `map` is of `stroke`; u0 in [0, n].
+/// Returns the reach of a pull at u0. Requires the arc map of `stroke` and u0 in [0, n].
 BrushReach brush_reach(const Stroke& stroke, const ArcMap& map, double u0,
                        const BrushOptions& options);
 
-/// w(x) and its derivative; 1 and 0 for x <= 0, 0 and 0 from x = 1 on.
+/// Return w(x) and its derivative; 1 and 0 for x <= 0, 0 and 0 from x = 1 on.
 constexpr double influence(double x) noexcept {
   if (x <= 0.0) return 1.0;
   return x < 1.0 ? 1.0 - x * x * (3.0 - 2.0 * x) : 0.0;

@@ -10,7 +10,7 @@
 namespace felt {
 namespace {
 
-/// The u of the point of a stroke nearest to p.
+/// Returns the u of the point of a stroke nearest to p.
 double nearest_u(const Stroke& stroke, Point p) {
   double best = 0.0, least = distance_squared(stroke.position(0.0), p);
   for (int i = 0; i < stroke.segment_count(); ++i) {
@@ -29,8 +29,8 @@ bool lies_on(const Stroke& stroke, Point p) {
   return false;
 }
 
-/// Where places of a stroke go when a part of it between its ends changes: each keeps its share of
-/// the length of that part.
+/// Maps points of a stroke if a part between its ends changes: each keeps its relative arc length
+/// within that part.
 class Slide {
  public:
   Slide(const Stroke& before, const ArcMap& before_arc, const Stroke& after)
@@ -48,7 +48,7 @@ class Slide {
   }
 
  private:
-  /// Length from the start (or the end) over which the strokes are the same, in 64ths.
+  /// Returns the length from the start (or the end) over which both strokes are equal, in 64ths.
   [[nodiscard]] double same_length_mm(const Stroke& before, bool from_end) const {
     constexpr int kSteps = 64;
     const double length = before_arc_.length_mm(), after_length = after_arc_.length_mm();
@@ -83,7 +83,7 @@ StrokePtr ConnectedPull::pulled(StrokePtr stroke, double u, Point to) {
   return pulled(BrushPull(stroke, u, brush_), stroke, to - stroke->position(u));
 }
 
-/// Brings ends that lie on strokes of locked layers back to where they were.
+/// Pulls ends that lie on strokes of locked layers back to their points.
 StrokePtr ConnectedPull::held(const Leader& leader, StrokePtr after) {
   const Stroke& before = *leader.before;
   const double n = before.segment_count();
@@ -95,8 +95,8 @@ StrokePtr ConnectedPull::held(const Leader& leader, StrokePtr after) {
   return after;
 }
 
-/// Where the shared points of a stroke have gone: ends go with the ends, a place that still lies on
-/// the curve stays, and another one slides along.
+/// Returns the new positions of the shared points of a stroke: ends move with the ends, a point
+/// that is still on the curve stays, and any other one slides along.
 std::vector<Point> ConnectedPull::carried(Leader& leader) {
   const Stroke &before = *leader.before, &after = *leader.after;
   const double n = before.segment_count();

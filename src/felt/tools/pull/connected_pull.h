@@ -16,32 +16,33 @@
 
 namespace felt {
 
-/// Keeps strokes together that share a point (junctions.h) while one of them is pulled or pushed
-/// (R33), whatever the mode: adds to an edit of the gesture what the others must do.
+/// Keeps strokes that share a point (junctions.h) together while one of them is pulled or pushed,
+/// in any mode (R33): adds the changes of the other strokes to the gesture's edit.
 ///
-/// A stroke whose shared point goes somewhere is pulled there by a brush, so its other end and its
-/// corners stay; what is connected to that one follows in its turn. An end on a stroke of a locked
-/// layer is brought back instead, by a brush as well. A function of the edit and of the document at
-/// the touch, as long as no more than kMaxFollowers are needed: going back undoes it.
+/// If its shared point moves, a stroke is pulled there by a brush, so its other end and its corners
+/// stay; strokes connected to it follow in turn. An end that lies on a stroke of a locked layer is
+/// pulled back to it by a brush instead. The result depends only on the edit and the document at
+/// the touch, as long as at most kMaxFollowers are needed, so moving back undoes it.
 ///
-/// Strokes that stay as they were since the last edit cost a look-up, one that changed its shared
-/// points, and each follower of it one multiplication per control point. One object a gesture.
+/// A stroke that has not changed since the last edit costs a look-up, a changed one the search for
+/// its shared points, and each of its followers one multiplication per control point. One object
+/// per gesture.
 class ConnectedPull {
  public:
   static constexpr int kMaxRounds = 4;
-  /// The strokes that follow in one gesture, at most: the first ones. Strokes that the gesture
-  /// itself pulls or pushes do not count.
+  /// Maximum number of strokes that follow in one gesture; the first ones do. Strokes that the
+  /// gesture itself pulls or pushes do not count.
   static constexpr std::size_t kMaxFollowers = 256;
 
-  /// What was prepared so far, for tests.
+  /// Counts the preparations so far, for tests.
   struct Work {
-    int maps = 0;     ///< of arc lengths
-    int brushes = 0;  ///< pulls of one stroke at one place
+    int maps = 0;     ///< arc length maps
+    int brushes = 0;  ///< brush pulls of one stroke at one point
   };
 
   explicit ConnectedPull(const BrushOptions& brush) : brush_(brush) { brush_.free_ends = false; }
 
-  /// `edit` is what the gesture has made of the document of the scene.
+  /// Adds the followers to `edit`, the gesture's edit of the document of the scene.
   void complete(Edit& edit, const Scene& scene);
   [[nodiscard]] const Work& work() const noexcept { return work_; }
 
@@ -56,25 +57,25 @@ class ConnectedPull {
   struct Leader {
     StrokePtr before;
     std::vector<Junction> junctions;
-    std::optional<ArcMap> arc;  // of `before`, when it is needed
-    StrokePtr given;            // by the gesture, the last time
-    StrokePtr after;            // the same with the ends that are held
+    std::optional<ArcMap> arc;  // of `before`, made when needed
+    StrokePtr given;            // the gesture's result in the last edit
+    StrokePtr after;            // `given` with the held ends pulled back
     std::vector<Point> places;  // of the junctions, on `after`
   };
   struct Follower {
     explicit Follower(StrokeReplacement stroke) : place(std::move(stroke)), after(place.before()) {}
 
     StrokeReplacement place;
-    std::vector<Pull> pulls;  // the last ones, and what they made
+    std::vector<Pull> pulls;  // the last pulls, and their result
     StrokePtr after;
-    std::optional<BrushPull> brush;  // of the first pull, at
+    std::optional<BrushPull> brush;  // of the first pull, at brush_u
     double brush_u = 0.0;
   };
 
   const Leader& lead(const StrokeChange& change, const Scene& scene);
   [[nodiscard]] StrokePtr held(const Leader& leader, StrokePtr after);
   [[nodiscard]] std::vector<Point> carried(Leader& leader);
-  /// Null if there are too many.
+  /// Returns null if there are too many.
   Follower* follower(StrokeId id, const Scene& scene);
   void follow(Follower& follower, std::vector<Pull> pulls);
   [[nodiscard]] static StrokePtr pulled(const BrushPull& brush, StrokePtr stroke, Vec displacement);

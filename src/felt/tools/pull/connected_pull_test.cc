@@ -106,7 +106,7 @@ TEST(ConnectedPull, R33_AnEndOnALockedLineIsHeld) {
   EXPECT_LE(distance(p.at(line).position(p.at(line).segment_count()), {80, 0}), 1e-9);
 }
 
-/// Lines side by side, and on the middle of each a post.
+/// Parallel lines, with a post on the middle of each.
 struct Posts {
   Desk desk;
   std::vector<StrokeId> lines;
@@ -119,7 +119,7 @@ struct Posts {
       posts.insert(desk.add(straight_stroke({x + 40, 70}, {x + 40, 0}, 1, 1)));
     }
   }
-  /// What a gesture has made of the lines from `first` on: each is bent by so much.
+  /// Returns the edit of a gesture that bends each line from `first` on by this much.
   [[nodiscard]] Edit bent(std::size_t first, double mm) const {
     EditBuilder edit(desk.document);
     for (std::size_t i = first; i < lines.size(); ++i) {

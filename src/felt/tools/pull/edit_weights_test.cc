@@ -10,14 +10,14 @@
 namespace felt::edit_weights_test {
 namespace {
 
-/// The places that R21 names, and what lies between.
+/// The parameters that R21 names, and some in between.
 std::vector<double> places() {
   std::vector<double> t{0.0, 1e-9, 1.0 - 1e-9};
   for (int i = 1; i <= 100; ++i) t.push_back(0.01 * i);
   return t;
 }
 
-/// Segments with every mix of joints that hold and joints that give way.
+/// Segments with every combination of joints that hold and joints that yield.
 struct Pins {
   bool left, right;
   [[nodiscard]] Compliance at(double t) const {
@@ -93,7 +93,8 @@ TEST(EditWeights, R25_CasesOfThePaper) {
 }
 
 TEST(EditWeights, Eq7AsPrintedFallsShort) {
-  // E1: B4 by t, not t^3. E2: the point goes 0.3417 of the way at t = .39, all of it at the ends.
+  // E1: B4 by t, not t^3. E2: the point moves 0.3417 of the displacement at t = .39, all of it at
+  // the ends.
   const EditWeights w = printed_weights(0.5);
   EXPECT_EQ(w.w, (std::array<double, 4>{0.125, 0.375, 0.375, 0.5}));
   double least = 1.0, where = 0.0;
@@ -115,7 +116,7 @@ TEST(EditWeights, APinnedJointStaysUnlessItIsNear) {
     EXPECT_GT(w.w[1], soft_weights(t).w[1] - soft_weights(t).w[0]);
   }
   EXPECT_EQ(soft_weights(0.0, {.left_joint = pinned_compliance(0.0)}).w[0], 1.0);
-  // Nothing may move: nothing does.
+  // If nothing may move, nothing does.
   EXPECT_EQ(soft_weights(0.5, {0, 0, 0, 0}).w, (std::array<double, 4>{}));
 }
 

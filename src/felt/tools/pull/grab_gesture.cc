@@ -24,7 +24,7 @@ class GrabGesture final : public PullGesture {
     const Vec displacement = curve_displacement(on_sheet(pen.position) - start_, offset_, mode_);
     if (displacement == displacement_) return std::nullopt;
     Result<Stroke> bent = pull_.at(displacement);
-    if (!bent) return std::nullopt;  // the last good shape stays
+    if (!bent) return std::nullopt;  // keep the last valid shape
     displacement_ = displacement;
     shown_ = std::make_shared<const Stroke>(*std::move(bent));
     return stroke_.with(shown_, kLabel);
@@ -42,7 +42,7 @@ class GrabGesture final : public PullGesture {
 
   void draw(Overlay& overlay) const override {
     const bool moved = displacement_ != Vec{};
-    // The snapshot may have other joints than what at() makes of it.
+    // The snapshot may have fewer joints than the strokes made by at().
     if (moved) {
       add_span(overlay, *shown_, pull_.first_joint(), pull_.last_joint(), Overlay::Role::kSpan);
     }

@@ -9,13 +9,14 @@
 
 namespace felt {
 
-/// Bends the one segment that the pen took hold of (specification 5c, "Grab"; GrabPull): a function
-/// of the stroke at the touch and of how far the pen has come since, so going back undoes it and
-/// the rate of samples means nothing (R23). Feels like EditSpring about the place of the touch.
+/// Makes a gesture that bends the one segment that the pen grabbed (specification 5c, "Grab";
+/// GrabPull). The result depends only on the stroke at the touch and the displacement of the pen
+/// since, so moving back undoes it and the sample rate has no effect (R23). Feels like EditSpring
+/// around the point of the touch.
 ///
-/// `hit` is what scene.index found under the touch. The touch itself moves nothing; `offset` says
-/// whether the curve then comes to the pen (curve_displacement). A shape that would break an
-/// invariant is not shown, the last good one stays.
+/// `hit` is the result of scene.index for the touch. The touch itself moves nothing; `offset` says
+/// whether the curve then moves to the pen (curve_displacement). If a shape would break an
+/// invariant, the last valid shape stays.
 std::unique_ptr<PullGesture> make_grab(const PenSample& touch, const Scene& scene,
                                        const StrokeHit& hit, const GrabOptions& options,
                                        TouchOffset offset = TouchOffset::kBlendedOut);

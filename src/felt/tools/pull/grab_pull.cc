@@ -10,7 +10,8 @@
 namespace felt {
 namespace {
 
-/// Divides the strand `away_mm` along the stroke on both sides of the place at arc length s0.
+/// Divides the strand on both sides of the point at arc length s0, `away_mm` along the stroke from
+/// it.
 void divide_around(Strand& strand, const ArcMap& map, double s0, double away_mm) {
   const double length = map.length_mm();
   for (const double side : {-1.0, 1.0}) {
@@ -77,8 +78,8 @@ Result<Strand> GrabPull::bent(Vec displacement) const {
     return fail(ErrorCode::kInvalidData, "nothing that may move moves what was taken hold of");
   }
   Strand strand = strand_;
-  // From where the point is, not from where it was: standing handles that got a length have moved
-  // it by a micrometre (R21).
+  // Starts at the current position of the point, because giving zero-length handles a length has
+  // moved it by a micrometre (R21).
   const Point from = evaluate(strand.segment(place_.segment), place_.t);
   if (!strand.bend(place_.segment, place_.t, weights_, origin_ + displacement - from)) {
     return fail(ErrorCode::kInvalidData, "the pull would fold a segment to nothing");

@@ -127,7 +127,7 @@ TEST(GrabPull, R24_TenThousandTicksKeepG1) {
   }
 }
 
-/// The nearest place on a stroke.
+/// Returns the nearest point on a stroke.
 double nearest_u(const Stroke& stroke, Point p) {
   double best = 1e300, u = 0.0;
   for (int i = 0; i < stroke.segment_count(); ++i) {
@@ -139,8 +139,8 @@ double nearest_u(const Stroke& stroke, Point p) {
 }
 
 TEST(GrabPull, R24_TwoThousandCommittedPullsDoNotBlowUp) {
-  // Whoever pulls a line about for an hour: each pull takes what is near to a place near where the
-  // line once was.
+  // Like a user who pulls a line around for an hour: each pull moves a nearby point to a position
+  // near the original line.
   RandomStroke random(2400);
   const StrokePtr first = wave(8);
   StrokePtr stroke = first;
@@ -237,7 +237,7 @@ TEST(GrabPull, R26_CornersStayCornersAndMoveAsAWhole) {
     for (const std::size_t k : {2U, 3U, 4U}) EXPECT_LE(distance(p[k], old[k] + v), 1e-12);
     EXPECT_EQ(bent.joint(1), JointKind::kCorner);
   }
-  // Pulled in the middle of a segment, a corner stays where it is and its other side too.
+  // If the middle of a segment is pulled, a corner stays, and so does its other side.
   const Stroke bent = *GrabPull(stroke, 0.5, {}).at(v);
   for (std::size_t k = 3; k < 7; ++k) EXPECT_EQ(bent.data().points[k], stroke->data().points[k]);
 }
@@ -269,7 +269,7 @@ TEST(GrabPull, R26_OnlyTheSegmentAndItsNeighboursChange) {
       for (const bool finished : {false, true}) {
         const Vec v{2.0, 3.0};
         const Stroke bent = finished ? *pull.finished(v) : *pull.at(v);
-        if (bent.segment_count() != 8) continue;  // refitted: compared below by place
+        if (bent.segment_count() != 8) continue;  // refitted: compared below by position
         for (int k = 0; k < 8; ++k) {
           const int away = std::abs(k - segment);
           const bool adjacent = away <= 1 || (closed && away == 7);
@@ -287,7 +287,7 @@ TEST(GrabPull, DividedAtTheGrabLittleChanges) {
   const Result<Stroke> bent = pull.at({0.0, 6.0});
   ASSERT_TRUE(bent);
   for (double x = 0.0; x <= 200.0; x += 0.5) {
-    double low = 1e9;  // distance of the stroke from where it was
+    double low = 1e9;  // distance of the stroke from its original position
     for (int k = 0; k < bent->segment_count(); ++k) {
       low = std::min(low, std::sqrt(nearest(bent->segment(k), {x, 0.0}).distance_squared));
     }

@@ -12,16 +12,17 @@
 namespace felt {
 namespace {
 
-/// Handles longer than this part of their segment's length make loops (specification 5c, sweep).
+/// Handles longer than this fraction of their segment's length make loops (specification 5c,
+/// sweep).
 constexpr double kLongestHandle = 1.5;
 
 /// R27: the stroke is no nearer than the radius less this, mm.
 constexpr double kTouchMm = 1e-6;
 
-/// What a correction beyond the usual number adds to the radius, mm.
+/// Added to the radius by each correction after the first kExactCorrections, mm.
 constexpr double kRoomMm = 1e-3;
 
-/// The steps of a straight way.
+/// The steps of a straight motion.
 struct Steps {
   Point from, to;
   int count = 1;
@@ -44,8 +45,8 @@ Rect box_of(Point a, Point b) noexcept {
   return box;
 }
 
-/// The parameter at which a segment crosses the straight line from a to b, the one nearest to a, by
-/// chords: good enough to take hold of it.
+/// Returns the parameter at which a segment crosses the straight line from a to b, nearest to a.
+/// Uses chords, which is accurate enough to grab the segment.
 std::optional<double> crossing(const Cubic& c, Point a, Point b) noexcept {
   constexpr int kChords = 16;
   if (!control_bounds(c).intersects(box_of(a, b))) return std::nullopt;
@@ -151,7 +152,7 @@ bool NibPush::clear(Point p, Vec came_from) {
     const double depth = distance(p, met->point);
     Vec n = depth > 1e-9 ? (p - met->point) / depth : came_from;
     if (n == Vec{}) n = perp(tangent(strand_.segment(met->place.segment), met->place.t));
-    // Places that push each other back under the nib get a little more room each time.
+    // Points that push each other back under the nib get a little more room each time.
     const double room = k < kExactCorrections ? 0.0 : kRoomMm * (k - kExactCorrections + 1);
     contact_ = p - (radius_mm_ + room) * n;
     if (!displace(*met, *contact_)) break;
@@ -182,7 +183,7 @@ double NibPush::u_of(StrandPlace place) const noexcept {
 void NibPush::note_material() {
   const Stroke& snapshot = *strand_.snapshot();
   const int n = strand_.count();
-  const auto handle = [&](int i, double t) {  // a third of the derivative
+  const auto handle = [&](int i, double t) {  // handle length: a third of the derivative
     const double from = strand_.snapshot_u(i), to = strand_.snapshot_u(i + 1);
     const int segment = static_cast<int>(from);
     return norm(derivative(snapshot.segment(segment), from - segment + t * (to - from))) *
@@ -209,7 +210,7 @@ bool NibPush::divide_within(double s_mm, double reach_mm) {
         std::fabs(map_.way(s_mm, material_[static_cast<std::size_t>(i) + 1].s_mm));
     const double length = material_[static_cast<std::size_t>(i) + 1].s_mm -
                           material_[static_cast<std::size_t>(i)].s_mm;
-    // An end within reach, or the place between both.
+    // Skip the segment unless one of its ends is within reach or the point s_mm lies on it.
     if (std::min(to_start, to_end) >= reach_mm && to_start + to_end > length + 1e-6) continue;
     is_in_pieces_[origin] = 1;
     const int most = kMostSegments - strand_.count() + 1;
@@ -220,7 +221,8 @@ bool NibPush::divide_within(double s_mm, double reach_mm) {
 }
 
 NibPush::Influence NibPush::influence_at(int joint, double s_mm, double reach_mm) const {
-  // Round a closed stroke both sides meet where they are flat: what reaches farther lifts all.
+  // On a closed stroke both sides meet at half its length, where the influence must be flat. A
+  // larger reach instead raises the influence everywhere.
   const double half = strand_.closed() ? 0.5 * map_.length_mm() : reach_mm;
   const double radius = std::min(reach_mm, half);
   const double base = 1.0 - radius / reach_mm;
@@ -239,7 +241,8 @@ std::array<double, 3> NibPush::weights_at(int joint, const Influence& influence)
   double after = j < n ? length(3 * j, 3 * j + 1) : 0.0;
   if (strand_.closed() && j == 0) before = length(3 * n - 1, 3 * n);
   if (strand_.closed() && j == n) after = length(0, 1);
-  // Both turn alike, whatever their lengths have become; on the whole as their ink asks.
+  // Both handles turn by the same angle, whatever their current lengths; together as much as the
+  // original ink requires.
   const double both = before + after;
   const double turn = both > 0.0 ? influence.slope * material_[j].handles_mm / both : 0.0;
   return {influence.weight - turn * before, influence.weight, influence.weight + turn * after};
@@ -249,7 +252,7 @@ bool NibPush::displace(Nearest at, Point target) {
   const double u = u_of(at.place);
   const double depth = distance(strand_.snapshot()->position(u), target);
   double reach = kReachRadii * radius_mm_ + kReachPerDepth * depth;
-  // Ink that would be crushed is moved along with more of its neighbourhood.
+  // If ink would be compressed too much, more of its neighbourhood is moved with it.
   for (int trial = 0; trial < kReachTrials; ++trial, reach *= 2.0) {
     if (divide_within(map_.length_at(u), reach)) at.place = strand_.locate(u);
     if (displace_within(reach, at, target)) return true;
@@ -290,7 +293,7 @@ bool NibPush::displace_within(double reach, const Nearest& at, Point target) {
 Result<Stroke> NibPush::finished(Point pen) const {
   Result<Stroke> refitted = with_good_shapes(strand_);
   if (!refitted) return refitted;
-  // The refit may have moved the stroke towards the nib by kRefitToleranceMm: once more.
+  // The refit may have moved the stroke towards the nib by kRefitToleranceMm, so push once more.
   NibPush again(std::make_shared<const Stroke>(*std::move(refitted)), radius_mm_);
   again.move(pen, pen);
   if (again.nearest_to(pen, radius_mm_ - kTouchMm) && !nearest_to(pen, radius_mm_ - kTouchMm)) {

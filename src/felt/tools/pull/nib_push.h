@@ -12,55 +12,54 @@
 
 namespace felt {
 
-/// One stroke in the way of a round nib (R27; specification 5c, "Push"). The nib goes in steps of
-/// at most half its radius. After each, as long as the point f of the stroke nearest to the pen p
-/// is nearer than the radius, f goes to p - r n, n = (p - f)/|p - f|. So the stroke is parted from
-/// outside and never drawn along; and since the pen is never within half a radius of it, it cannot
-/// get to the other side.
+/// One stroke that a round nib pushes aside (R27; specification 5c, "Push"). The nib moves in steps
+/// of at most half its radius. After each step, while the point f of the stroke nearest to the pen
+/// p is nearer than the radius, f is moved to p - r n, n = (p - f)/|p - f|. So the stroke is pushed
+/// away from outside and never dragged along. Because it is never closer to the pen than half a
+/// radius, the nib cannot pass through it.
 ///
-/// What moves with f is its neighbourhood: with s the arc length in the stroke at the touch, a
-/// place moves by w(s) = 1 - 3x^2 + 2x^3, x = |s - s_f|/R, of what f does, and the tangents turn as
-/// the slope of w says. R is kReachRadii radii, and more as f is farther from where it was
-/// (kReachPerDepth), so that a deep push makes a dale with slopes that the nib glides along, not a
-/// slot that catches it. The influence is measured in the ink, not in what it has been stretched
-/// to. Where it reaches, the stroke is divided into pieces of kPieceRadii radii.
+/// The neighbourhood of f moves with it: with s the arc length in the stroke at the touch, a point
+/// moves by w(s) = 1 - 3x^2 + 2x^3, x = |s - s_f|/R, times the displacement of f, and the tangents
+/// turn with the slope of w. R is kReachRadii radii, plus kReachPerDepth times the total
+/// displacement of f, so that a deep push makes a wide dent that the nib can glide out of, not a
+/// narrow slot that catches it. Arc lengths are those of the original ink, before it is stretched.
+/// Within the reach the stroke is divided into pieces of kPieceRadii radii.
 class NibPush {
  public:
   static constexpr double kReachRadii = 3.0;
   static constexpr double kReachPerDepth = 1.25;
   static constexpr double kPieceRadii = 2.0;
   static constexpr int kReachTrials = 6;
-  /// Steps that one motion is walked in. Of a motion that is longer than so many half radii the
-  /// steps are longer, and what they jump over is caught on the way.
+  /// Maximum number of steps of one motion. If a motion is longer than this many half radii, its
+  /// steps are longer, and ink that they jump over is caught separately.
   static constexpr int kMostSteps = 64;
-  /// Corrections after each step (specification 5c: up to 6), and how many more there may be where
-  /// ink lies all round the nib; those leave some micrometres more than the radius.
+  /// Corrections after each step (specification 5c: up to 6), and the maximum if ink lies all
+  /// around the nib; the additional ones leave some micrometres more than the radius.
   static constexpr int kExactCorrections = 6;
   static constexpr int kCorrections = 24;
-  /// A stroke is not divided into more segments than so.
+  /// Maximum number of segments into which a stroke is divided.
   static constexpr int kMostSegments = 1000;
-  /// Within this of the radius is at the radius, mm.
+  /// Distances within this of the radius count as equal to it, mm.
   static constexpr double kContactMm = 1e-7;
 
   NibPush(StrokePtr snapshot, double radius_mm);
 
-  /// The pen went straight from `from` to `to`. `came_from`: unit direction from the stroke towards
-  /// the pen for a pen that lies exactly on it; zero where it is not known. True when something
-  /// moved. What would break an invariant is left as it was.
+  /// Moves the nib straight from `from` to `to`. `came_from` is the unit direction from the stroke
+  /// towards the pen, used if the pen lies exactly on the stroke; zero if unknown. Returns true if
+  /// the stroke moved. A motion that would break an invariant is not applied.
   bool move(Point from, Point to, Vec came_from = {});
-  /// The stroke as it is now.
+  /// Returns the stroke as pushed so far.
   [[nodiscard]] const StrokePtr& stroke() const noexcept { return stroke_; }
-  /// The point of the stroke nearest to a place, and how far it has been pushed; nothing if it is
-  /// farther than `within_mm`.
+  /// The point of the stroke nearest to a position, and how far it has been pushed.
   struct Under {
     Point point;
     double displacement_mm = 0.0;
   };
   [[nodiscard]] std::optional<Under> under(Point p, double within_mm) const;
-  /// Where the last move touched it, if it did.
+  /// Returns the point where the last move touched the stroke, if it did.
   [[nodiscard]] const std::optional<Point>& contact() const noexcept { return contact_; }
-  /// The stroke with what changed in good shape (refit.h), for the end; as clear of the nib at
-  /// `pen` as it is now.
+  /// Returns the final stroke: changed segments are refitted (refit.h), but the nib at `pen` stays
+  /// as clear of the stroke as it is now.
   [[nodiscard]] Result<Stroke> finished(Point pen) const;
 
  private:
@@ -69,13 +68,13 @@ class NibPush {
     Point point;
   };
 
-  /// What a place of the stroke was in the stroke at the touch.
+  /// Properties of a joint in the stroke at the touch.
   struct Material {
-    double s_mm = 0.0;        ///< arc length from its start
-    double handles_mm = 0.0;  ///< both handles of the joint
+    double s_mm = 0.0;        ///< arc length from the start of the stroke
+    double handles_mm = 0.0;  ///< sum of the lengths of both handles of the joint
   };
 
-  /// Part of the motion that a joint makes, and its slope along the ink, 1/mm.
+  /// The fraction of the motion by which a joint moves, and its slope along the ink, 1/mm.
   struct Influence {
     double weight = 0.0, slope = 0.0;
   };
@@ -98,11 +97,12 @@ class NibPush {
   double radius_mm_;
   std::vector<std::uint8_t> is_in_pieces_;  // by segment of the snapshot
   std::vector<Material> material_;          // by joint
-  std::vector<double> weights_;             // room for displace()
+  std::vector<double> weights_;             // buffer of displace_within()
   std::optional<Point> contact_;
 };
 
-/// True when a nib that goes straight from `from` to `to` meets the segment, by the same steps.
+/// Returns true if a nib that moves straight from `from` to `to`, in the same steps, meets the
+/// segment.
 bool nib_meets(const Cubic& c, Point from, Point to, double radius_mm) noexcept;
 
 }  // namespace felt

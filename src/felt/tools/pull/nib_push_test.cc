@@ -22,7 +22,7 @@ using testing::share;
 
 constexpr double kRadius = 3.0;
 
-/// A smooth line of n segments along x with waves that high.
+/// A smooth line of n segments along x with waves of this height.
 StrokePtr line(int n, double segment_mm, double wave_mm = 0.0) {
   StrokeData d;
   d.points.push_back({0, 0});
@@ -52,7 +52,7 @@ Near nearest_place(const Stroke& stroke, Point p) {
   return best;
 }
 
-/// Goes along a polyline in samples `step_mm` apart and calls `check` after each.
+/// Moves along a polyline in samples `step_mm` apart and calls `check` after each.
 template <class Check>
 void go(NibPush& push, const std::vector<Point>& way, double step_mm, Check check) {
   Point last = way.front();
@@ -66,7 +66,7 @@ void go(NibPush& push, const std::vector<Point>& way, double step_mm, Check chec
       const double before = nearest_place(*push.stroke(), next).distance_mm;
       const StrokePtr old = push.stroke();
       const bool moved = push.move(last, next);
-      // No motion without contact, on the way or at its end.
+      // No motion without contact, along the step or at its end.
       if (step_mm <= 0.5 * kRadius && before >= kRadius) {
         ASSERT_FALSE(moved);
       }
@@ -87,13 +87,13 @@ TEST(NibPush, R27_ACrossingPartsTheLineAndNeverFlipsIt) {
         go(push, {{x, -20}, {x, 25}}, 1e-3 * speed, [&](Point pen, bool) {
           const Near near = nearest_place(*push.stroke(), pen);
           ASSERT_GE(near.distance_mm, kRadius - 1e-6) << speed << ", " << x << ", " << pen.y;
-          // The line is ahead of the pen: above it in y right over the pen.
+          // The line is ahead of the pen: above it in y at the x of the pen.
           const Near ahead = nearest_place(*push.stroke(), pen + Vec{0.0, kRadius});
           if (pen.y > -3.0) {
             ASSERT_GT(ahead.point.y, pen.y);
           }
         });
-        // The straight line of 120 mm is led round the pen, 28 mm away; that takes 137 mm.
+        // The straight line of 120 mm goes around the pen, 28 mm away; that takes 137 mm.
         if (wave == 0.0) {
           EXPECT_LT(length_of(*push.stroke()), 150.0);
         }
@@ -120,7 +120,7 @@ TEST(NibPush, R27_NeverPulls) {
   go(push, {{60, -20}, {60, 5}}, 0.5, [](Point, bool) {});
   const StrokePtr parted = push.stroke();
   EXPECT_NEAR(nearest_place(*parted, {60, 20}).point.y, 8.0, 1e-6);
-  // Away again, on any way through the dale: nothing moves.
+  // Away again, on any path through the dent: nothing moves.
   go(push, {{60, 5}, {60, -20}, {90, -20}}, 0.5, [&](Point, bool moved) { ASSERT_FALSE(moved); });
   EXPECT_EQ(push.stroke(), parted);
 }
@@ -141,10 +141,10 @@ TEST(NibPush, R27_StridesJumpOverNothing) {
 TEST(NibPush, R27_LandingOnALinePartsItToTheSideAwayFromThePen) {
   for (const double side : {-1.0, 1.0}) {
     NibPush push(line(10, 12.0), kRadius);
-    ASSERT_TRUE(push.move({50, 0}, {50, 0}, {0.0, side}));  // it came from that side
+    ASSERT_TRUE(push.move({50, 0}, {50, 0}, {0.0, side}));  // the pen came from that side
     EXPECT_NEAR(nearest_place(*push.stroke(), {50, -5.0 * side}).point.y, -kRadius * side, 1e-2);
   }
-  NibPush push(line(10, 12.0), kRadius);  // from nowhere: to one of them
+  NibPush push(line(10, 12.0), kRadius);  // no direction: to either side
   ASSERT_TRUE(push.move({50, 0}, {50, 0}));
   EXPECT_GE(nearest_place(*push.stroke(), {50, 0}).distance_mm, kRadius - 1e-6);
 }
@@ -165,7 +165,7 @@ TEST(NibPush, WhatIsFarFromTheNibStaysBitForBit) {
 }
 
 TEST(NibPush, R27_ARimThatShutsTheNibInIsWidened) {
-  // A drop of ink round the pen, smaller than the nib.
+  // A closed drop of ink around the pen, smaller than the nib.
   const StrokePtr drop = share(Stroke::create({.points = {{10, 10}, {13, 10}, {10, 13}, {10, 10}},
                                                .joints = {JointKind::kCorner},
                                                .closed = true,

@@ -54,14 +54,14 @@ TEST(GrabGesture, R23_BackHomeNothingHasHappened) {
   const auto moved = grab->move(pen_at({53, 7.5}), desk.scene());
   ASSERT_TRUE(moved);
   ASSERT_EQ(moved->changes.size(), 1U);
-  // The point keeps the distance at which it was taken hold of.
+  // The point keeps the distance at which it was grabbed.
   EXPECT_LE(distance_to(*after(*moved, hit.stroke), {53, 7}), 1e-9);
   EXPECT_FALSE(grab->move(pen_at({53, 7.5}), desk.scene()));
   Overlay overlay;
   grab->draw(overlay);
   EXPECT_FALSE(overlay.spans.empty());
   EXPECT_FALSE(overlay.lines.empty());
-  // Home again.
+  // Back at the start.
   const auto home = grab->move(pen_at({50, 0.5}), desk.scene());
   ASSERT_TRUE(home);
   EXPECT_EQ(*after(*home, hit.stroke), *desk.document.find(hit.stroke));

@@ -10,10 +10,10 @@
 
 namespace felt {
 
-/// What the hand feels with the pull tool (paper, eq. 8 and 9; R29, R30): the sheet, and while
-/// something is held the counter-force: back to where the pen took hold, or, in modes that remember
-/// their path, that of the line as it is now. One feel lasts as long as the gesture, so that
-/// nothing is cross-faded in between.
+/// Returns the force model of the pull tool (paper, eq. 8 and 9; R29, R30): the surface and, while
+/// a line is held, the counter-force. It pulls back to the point where the pen grabbed the line or,
+/// in modes that depend on the path (push, sweep), acts against the line as it is now. The model
+/// stays the same during a gesture, so that nothing is cross-faded.
 inline ForceModel make_pull_force(const PullSettings& settings, const Scene& scene,
                                   const PullFeel& feel) {
   const Medium material =

@@ -19,14 +19,15 @@ namespace {
 using testing::Desk;
 using testing::straight_stroke;
 
-/// A pull tool in the loop of a device: it gets every sample, and publishes what is felt each 4 ms.
+/// A pull tool in the loop of a device: it gets every sample and publishes its force model every 4
+/// ms.
 struct Loop {
   explicit Loop(const char* mode) {
     EXPECT_TRUE(tool.set_option("mode", std::string(mode)));
     now = desk.document.find(line);
   }
 
-  /// One sample; the part of the force that the edit makes.
+  /// Processes one sample; returns the edit term of the force.
   Force give(const PenSample& sample) {
     const ToolResult result = tool.sample(sample, contact.update(sample), desk.scene());
     if (result.preview) now = result.preview->changes.front().after;
@@ -41,7 +42,7 @@ struct Loop {
   Force at(Point p, Vec velocity = {}) {
     return give(rig::pen_at({p.x, p.y, -1}, {velocity.x, velocity.y, 0}, 0.001 * ++ms));
   }
-  /// From the curve, as it is shown, to a place.
+  /// Distance from the curve, as shown, to a point.
   [[nodiscard]] Vec from_curve(Point p) const {
     double best = std::numeric_limits<double>::infinity();
     Vec away;
@@ -53,7 +54,7 @@ struct Loop {
     return away;
   }
 
-  /// From the point of the curve that follows the pen, which the tool shows.
+  /// Distance from the point of the curve that follows the pen, which the tool shows.
   [[nodiscard]] Vec from_handle(Point p) const {
     Overlay overlay;
     tool.draw(overlay);
@@ -82,13 +83,13 @@ TEST(SweepForce, R29_AlongALineThatDoesNotChangeThereIsNone) {
 TEST(SweepForce, R29_IsThatOfTheDistanceFromTheCurveToThePen) {
   Loop loop("sweep");
   Force force = loop.at({70, 56});
-  EXPECT_NEAR(force.y, -kEditLaw.force_n(6.0), 1e-9);  // the line is 6 mm off yet
+  EXPECT_NEAR(force.y, -kEditLaw.force_n(6.0), 1e-9);  // the line is still 6 mm away
   for (int i = 0; i < 400; ++i) {
     force = loop.at({70, 56});
     EXPECT_NEAR(-force.y, kEditLaw.force_n(norm(loop.from_curve({70, 56}))), 0.01) << i;
   }
-  EXPECT_LT(norm(force), 0.01);  // it has come
-  // A pen that wanders about.
+  EXPECT_LT(norm(force), 0.01);  // it has arrived
+  // A pen that moves around.
   for (int i = 0; i < 1500; ++i) {
     const double t = 0.001 * i;
     const Point pen{70 + 20 * std::sin(kTau * t), 56 + 12 * std::sin(1.7 * kTau * t)};
@@ -128,11 +129,11 @@ TEST(PushForce, R29_IsThatOfHowFarTheLineWasPushedWhateverTheSpeed) {
     for (int i = 1; i <= 120; ++i) {
       for (int k = 0; k < wait_ms; ++k) force = loop.at({70, 60 - 0.1 * i});
       const double pushed = std::max(0.0, 0.1 * i - 7.0);
-      // What the loop does not know at the first touch is made good within 4 ms.
+      // What the loop does not have at the first touch is corrected within 4 ms.
       EXPECT_NEAR(force.y, kEditLaw.force_n(pushed), pushed < 0.5 ? 0.1 : 0.02) << i;
       EXPECT_NEAR(force.x, 0.0, 0.02);
     }
-    // It rests on the line: the force stays. Then it leaves, and the line stays.
+    // The pen rests on the line: the force stays. Then it leaves, and the line stays.
     for (int k = 0; k < 500; ++k) force = loop.at({70, 48});
     EXPECT_NEAR(force.y, kEditLaw.force_n(5.0), 1e-3);
     double last = force.y;
@@ -169,8 +170,8 @@ TEST(PullForce, R30_SweepAndPushAreCalmAndGiveNoEnergy) {
         const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
         const auto target = [&](double t) -> Vec3 {
           const double x = std::min(t / 0.4, 1.0), s = std::max(0.0, t - 0.7);
-          // Not so that the line is folded: where it is, the nearest point leaps, and the loop
-          // fades.
+          // Without folding the line, because on a fold the nearest point leaps and the loop
+          // cross-fades.
           return {100 + 30 * std::sin(0.5 * kTau * s), 54 + 5 * std::sin(kTau * s),
                   1 + (aim - 1) * x};
         };

@@ -13,32 +13,33 @@
 
 namespace felt {
 
-/// What the hand feels while a pull gesture lasts; pull_force.h makes a model of it.
+/// The kind and the parameters of the force during a pull gesture; pull_force.h makes the force
+/// model from them.
 struct PullFeel {
   enum class Kind : std::uint8_t {
-    kNone,    ///< the sheet alone: nothing has been taken hold of
-    kSpring,  ///< EditSpring: back to where the gesture took hold
-    kSweep,   ///< SweepSpring: to a curve that gives way with a time constant
-    kPush,    ///< PushSpring: against what the nib pushes
+    kNone,    ///< the surface alone: nothing is grabbed
+    kSpring,  ///< EditSpring: back to the point of the grab
+    kSweep,   ///< SweepSpring: towards a curve that yields with a time constant
+    kPush,    ///< PushSpring: against the lines that the nib pushes
   };
   Kind kind = Kind::kNone;
-  Point origin{};           ///< kSpring: where the pen was when it took hold
+  Point origin{};           ///< kSpring: position of the pen at the grab
   CurveNear curve{};        ///< kSweep
-  std::uint32_t leaps = 0;  ///< kSweep: another number is another place, and faded over to
+  std::uint32_t leaps = 0;  ///< kSweep: changes when `curve` leaps, which cross-fades the force
   LineUnderNib line{};      ///< kPush
 };
 
-/// One gesture of one mode of the pull tool: what the pen has made of the strokes so far. Modes
-/// that only know the pen's present place (brush, grab) are functions of it and of the document at
-/// the touch; push and sweep remember their way. Edit thread only.
+/// One gesture in one mode of the pull tool: the strokes as the pen has changed them so far. In
+/// brush and grab mode they depend only on the pen's current position and the document at the
+/// touch; in push and sweep mode they depend on the path of the pen. Edit thread only.
 class PullGesture {
  public:
   virtual ~PullGesture() = default;
-  /// The pen is here now. What it has made so far, to be shown; nothing when nothing changed since
-  /// the last call.
+  /// Handles the next pen sample. Returns the changes so far, to be shown, or nullopt if nothing
+  /// changed since the last call.
   virtual std::optional<Edit> move(const PenSample& pen, const Scene& scene) = 0;
-  /// The pen was lifted: what is to be committed, refitted where the tolerance asks; empty when
-  /// nothing changed.
+  /// Called when the pen is lifted. Returns the edit to commit, refitted within the tolerance;
+  /// empty if nothing changed.
   virtual Edit end(const Scene& scene) = 0;
   [[nodiscard]] virtual PullFeel feel() const = 0;
   virtual void draw(Overlay& overlay) const = 0;

@@ -130,7 +130,7 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
         "as it is."),
 }};
 
-/// The options as the tool uses them.
+/// The options in the form that the tool uses.
 struct PullSettings {
   PullMode mode = PullMode::kBrush;
   BrushOptions brush;
@@ -142,7 +142,7 @@ struct PullSettings {
   double strength = 1.0;
 };
 
-/// Reads them. Requires values of kPullOptions.
+/// Reads the options. Requires values of kPullOptions.
 PullSettings pull_settings(const OptionValues& values);
 
 }  // namespace felt

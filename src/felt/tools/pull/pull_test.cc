@@ -41,7 +41,7 @@ struct Pull {
     tool.draw(o);
     return o;
   }
-  /// The force at a place, with the pen at rest there.
+  /// Returns the force at a point, with the pen at rest there.
   [[nodiscard]] Force force_at(Point p) const {
     ForceMemory memory;
     return tool.force(desk.scene())(rig::pen_at({p.x, p.y, -1}), memory);
@@ -69,7 +69,7 @@ TEST(Pull, OneGestureIsOneUndoStepThatRestoresTheBytes) {
 TEST(Pull, R21_WhatIsUnderThePenFollowsItInEverySample) {
   Pull p;
   p.pen.up({70, 53});
-  p.pen.down({70, 53});  // 3 mm beside
+  p.pen.down({70, 53});  // 3 mm next to the line
   double worst = 0.0;
   for (const Point q : way({70, 53}, {80, 75}, 0.37)) {
     const ToolResult r = p.pen.at({q.x, q.y, -1});
@@ -80,7 +80,7 @@ TEST(Pull, R21_WhatIsUnderThePenFollowsItInEverySample) {
   EXPECT_LE(worst, 1e-9);
 }
 
-/// How far the curve of a preview is from where the pen is, after a touch 5 mm beside the line.
+/// Distance of a preview's curve from the pen, after a touch 5 mm next to the line.
 struct BesideALine : Pull {
   explicit BesideALine(const char* mode) {
     choose("mode", mode);
@@ -103,13 +103,13 @@ TEST(Pull, R21_ALineTouchedFromBesideComesToThePenWithoutAJump) {
     for (double d = 0.05; d <= 60.0; d += 0.05) {
       const double gap = p.gap_at(p.touch + Vec{0.6 * d, 0.8 * d});
       EXPECT_LE(gap, last + 1e-9) << d;
-      EXPECT_LE(last - gap, 1.5 * 0.05 * 1.01) << d;  // what S takes out of the offset
+      EXPECT_LE(last - gap, 1.5 * 0.05 * 1.01) << d;  // what S removes of the offset
       if (d >= 5.0) {
         EXPECT_LE(gap, 1e-9) << d;
       }
       last = gap;
     }
-    // Back home nothing has happened.
+    // Back at the start nothing has changed.
     EXPECT_NEAR(p.gap_at(p.touch), 5.0, 1e-9);
     p.pen.up(p.touch);
     EXPECT_EQ(p.pen.commits, 0);
@@ -152,7 +152,7 @@ TEST(Pull, R23_BackHomeNothingIsCommittedAndRatesDoNotMatter) {
   p.pen.line(way({70, 50}, {90, 80}) + way({90, 80}, {60, 20}) + way({60, 20}, {70, 50}));
   EXPECT_EQ(p.pen.commits, 0);
   EXPECT_EQ(p.desk.document, before);
-  // The same way at 1 kHz and at 60 Hz.
+  // The same path at 1 kHz and at 60 Hz.
   Pull quick, slow;
   const std::vector<Point> all = way({70, 50}, {90, 80}, 0.02);
   quick.pen.line(all);
@@ -269,7 +269,7 @@ TEST(PullForce, R29_PointsBackAndGrowsFromAFifthToOneNewton) {
   }
   EXPECT_EQ(p.force_at({70, 50}).x, 0.0);
   EXPECT_EQ(p.force_at({70, 50}).y, 0.0);
-  // Where the pen goes changes nothing of the feel, so that nothing is faded.
+  // Moving the pen does not change the fade_id, so that nothing is cross-faded.
   const auto id = p.tool.force(p.desk.scene()).fade_id();
   p.pen.down({80, 70});
   EXPECT_EQ(p.tool.force(p.desk.scene()).fade_id(), id);
@@ -295,7 +295,7 @@ TEST(PullForce, R29_StrengthScalesItAndItsSlopeIsBounded) {
   EXPECT_EQ(p.force_at({80, 50}).x, 0.0);
 }
 
-/// The model of a pull that took hold at (0, 0), for a device.
+/// The force model of a pull that grabbed at (0, 0), for a device.
 ForceModel held(const rig::Setup& setup) {
   Desk desk;
   desk.device = setup.capabilities();
@@ -327,7 +327,7 @@ TEST(PullForce, R30_IsCalmAndGivesNoEnergy) {
 }
 
 TEST(PullForce, R30_DependsOnTheTotalDisplacementAlone) {
-  // Whatever way and at whatever rate the pen came.
+  // For any path and any sample rate.
   for (const double period_s : {0.0002, 0.001, 0.004}) {
     rig::Setup setup;
     setup.period_s = period_s;
@@ -338,7 +338,7 @@ TEST(PullForce, R30_DependsOnTheTotalDisplacementAlone) {
     for (std::int64_t i = 0; i <= ticks; ++i) {
       memory.begin_tick(period_s);
       const double t = static_cast<double>(i) / static_cast<double>(ticks);
-      // Above the sheet, so that its friction is not there to remember the way.
+      // Above the surface, so that friction does not add memory of the path.
       force = model(rig::pen_at({9 * t, 30 * std::sin(kTau * t), 0.1}), memory);
     }
     EXPECT_NEAR(force.x, -kEditLaw.force_n(9.0), 1e-9);

@@ -119,7 +119,7 @@ ToolResult PullTool::end(const Scene& scene) {
 void PullTool::drop() {
   gesture_.reset();
   connected_.reset();
-  target_.reset();  // the document may be another soon
+  target_.reset();  // because the document may change soon
   has_target_ = false;
 }
 
@@ -137,7 +137,7 @@ void PullTool::draw(Overlay& overlay) const {
   }
 }
 
-/// What a touch would do.
+/// Draws what a touch would do.
 void PullTool::draw_target(Overlay& overlay) const {
   const Stroke& stroke = *target_->stroke;
   overlay.dots.push_back({target_->point, Overlay::Role::kHandle});

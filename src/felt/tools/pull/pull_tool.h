@@ -12,7 +12,7 @@
 namespace felt {
 
 /// Corrects lines by pulling and pushing them (paper, "local modifications"; pull.md). A touch
-/// within the grab radius of a line takes hold of it; each mode is a PullGesture of its own.
+/// within the grab radius of a line grabs it; each mode has its own PullGesture.
 class PullTool final : public GestureTool {
  public:
   PullTool();
@@ -29,7 +29,7 @@ class PullTool final : public GestureTool {
   void take_options(const OptionValues& options) override;
 
  private:
-  /// The line that a touch would take hold of.
+  /// The line that a touch would grab.
   struct Target {
     StrokePtr stroke;
     ArcMap map;  // of the stroke; a Target does not move
@@ -44,12 +44,12 @@ class PullTool final : public GestureTool {
   void draw_target(Overlay& overlay) const;
 
   PullSettings settings_;
-  Point pen_;  // in the air
+  Point pen_;  // position while hovering
   bool hovers_ = false;
-  std::unique_ptr<Target> target_;  // kept while it is the same stroke: its map is linear in it
+  std::unique_ptr<Target> target_;  // reused for the same stroke, because the map is linear in it
   bool has_target_ = false;
   std::unique_ptr<PullGesture> gesture_;
-  std::optional<ConnectedPull> connected_;  // with gesture_
+  std::optional<ConnectedPull> connected_;  // set while gesture_ is
 };
 
 std::unique_ptr<Tool> make_pull();

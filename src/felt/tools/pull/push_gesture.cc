@@ -11,7 +11,8 @@ namespace felt {
 namespace {
 
 constexpr const char* kPushLabel = "Push";
-/// A line farther from the nib than this is not felt: the law falls to zero within 1 N/Kcap.
+/// A line farther from the nib than this is not felt, because the force falls to zero within 1
+/// N/Kcap.
 constexpr double kFeltMm = 4.0;
 
 /// A stroke that the nib has met.
@@ -27,7 +28,7 @@ class PushGesture final : public PullGesture {
 
   std::optional<Edit> move(const PenSample& pen, const Scene& scene) override {
     const Point now = on_sheet(pen.position);
-    // A pen that lands exactly on a line came from where it was before.
+    // If the pen lands exactly on a line, it came from the opposite of its velocity.
     const Vec came_from = -normalized({pen.velocity.x, pen.velocity.y});
     meet(scene, last_, now);
     bool moved = false;
@@ -68,7 +69,7 @@ class PushGesture final : public PullGesture {
   }
 
  private:
-  /// Strokes that the nib meets for the first time join.
+  /// Adds the strokes that the nib meets for the first time.
   void meet(const Scene& scene, Point from, Point to) {
     Rect way;
     way.extend(from);
@@ -82,8 +83,8 @@ class PushGesture final : public PullGesture {
     });
   }
 
-  /// All lines near the nib as one: each counts by the force that it has at this place, so that a
-  /// line comes and goes without a jump.
+  /// Returns all lines near the nib combined into one, weighted by their forces at this point, so
+  /// that the force does not jump when a line is added or removed.
   [[nodiscard]] LineUnderNib line_under_nib() const {
     LineUnderNib sum{.pen = last_}, nearest{.pen = last_, .gap_mm = kFeltMm};
     Vec normals{};
@@ -106,7 +107,7 @@ class PushGesture final : public PullGesture {
         nearest.displacement_mm = under->displacement_mm;
       }
     }
-    // Not felt yet, but the pen may get there before the next sample.
+    // Not felt yet, but the pen may reach it before the next sample.
     if (all_n == 0.0) return nearest;
     sum.normal = normalized(normals);
     sum.share = norm(normals) / all_n;

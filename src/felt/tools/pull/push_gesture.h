@@ -10,12 +10,13 @@ struct PushOptions {
   double radius_mm = 3.0;  ///< of the nib, specification 5c
 };
 
-/// A round nib of felt that pushes strokes out of its way from outside and never pulls (R27,
-/// specification 5c, "Push"; NibPush): after each sample no stroke that may be edited, and that
-/// the nib has met, is nearer to the pen than its radius; what it does not touch does not move. It
-/// remembers its path: going back leaves what was pushed where it is.
+/// Makes a gesture that pushes strokes aside with a soft round nib and never pulls them (R27,
+/// specification 5c, "Push"; NibPush). After each sample no editable stroke that the nib has met is
+/// nearer to the pen than its radius; strokes that it does not touch do not move. Depends on the
+/// path of the pen: moving back does not move pushed strokes back.
 ///
-/// Give move() the touch too: a nib that lands on a line parts it. Feels like PushSpring.
+/// Call move() with the touch, too, because a nib that lands on a line pushes it aside. Feels like
+/// PushSpring.
 std::unique_ptr<PullGesture> make_push(const PenSample& touch, const Scene& scene,
                                        const PushOptions& options);
 

@@ -13,7 +13,7 @@ namespace felt {
 namespace {
 
 constexpr double kLengthAccuracy = 1e-4;
-/// Pieces that one ill-shaped segment becomes at most.
+/// Maximum number of pieces into which one badly shaped segment is divided.
 constexpr int kMostPieces = 6;
 constexpr int kSamples = 24;
 constexpr int kRounds = 4;
@@ -28,14 +28,14 @@ bool winds(const Cubic& c, double length_mm, const SegmentShape& shape) {
          length_mm > shape.most_winding * distance(c.p[0], c.p[3]);
 }
 
-/// The lengths of both handles that bring `c` with its ends and tangents nearest to itself, as
-/// sums of least squares; its parameters may wander.
+/// Least-squares fit of both handle lengths, so that a curve with the ends and tangents of `c`
+/// comes nearest to `c`. Each round assigns new parameters to the samples.
 class HandleFit {
  public:
   explicit HandleFit(const Cubic& c)
       : old_(c), start_(tangent(c, 0.0)), end_(tangent(c, 1.0)), now_(c) {}
 
-  /// A curve with both handles at least `least_mm`, or nothing when none is near enough.
+  /// Returns a curve whose handles are both at least `least_mm`, or nullopt if none is near enough.
   std::optional<Cubic> fit(double least_mm) {
     now_ = with(std::max(least_mm, distance(old_.p[0], old_.p[1])),
                 std::max(least_mm, distance(old_.p[2], old_.p[3])));
@@ -52,7 +52,7 @@ class HandleFit {
   }
   [[nodiscard]] Point sample(int k) const { return evaluate(old_, (k + 1.0) / (kSamples + 1.0)); }
 
-  /// One round: samples of the old curve at their nearest places on the new one.
+  /// One round: matches samples of the old curve to their nearest points on the new one.
   [[nodiscard]] std::pair<double, double> solve() const {
     double aa = 0.0, ab = 0.0, bb = 0.0, ra = 0.0, rb = 0.0;
     for (int k = 0; k < kSamples; ++k) {
@@ -66,7 +66,7 @@ class HandleFit {
       rb += dot(db, rest);
     }
     const double det = aa * bb - ab * ab;
-    if (!(det > 1e-12 * aa * bb)) return {0.0, 0.0};  // straight: any handles will do
+    if (!(det > 1e-12 * aa * bb)) return {0.0, 0.0};  // straight: any handle lengths fit
     return {(ra * bb - rb * ab) / det, (rb * aa - ra * ab) / det};
   }
   [[nodiscard]] double farthest() const {
@@ -84,7 +84,7 @@ class HandleFit {
   Cubic now_;
 };
 
-/// Divides segment i until its pieces do not wind; the number of pieces.
+/// Divides segment i until its pieces do not wind. Returns the number of pieces.
 int unwind(Strand& strand, int i) {
   int pieces = 1;
   for (int k = 0; k < pieces && pieces < kMostPieces;) {
@@ -98,7 +98,7 @@ int unwind(Strand& strand, int i) {
   return pieces;
 }
 
-/// Gives segments with a short handle others, where that leaves the ink in place.
+/// Gives a segment with a short handle new handle lengths if that leaves the ink in place.
 void lengthen_handles(const Stroke& stroke, int i, StrokeData& data) {
   const Cubic c = stroke.segment(i);
   const double length = arc_length(c, kLengthAccuracy);
@@ -107,7 +107,7 @@ void lengthen_handles(const Stroke& stroke, int i, StrokeData& data) {
       !is_short(distance(c.p[2], c.p[3]), length, stroke.joint(i + 1), shape)) {
     return;
   }
-  // The new curve is a little shorter or longer: a margin.
+  // With a margin, because the length of the new curve differs a little.
   const std::optional<Cubic> better = HandleFit(c).fit(1.1 * shape.least_handle * length);
   if (!better || winds(*better, length, shape)) return;
   const auto k = 3 * static_cast<std::size_t>(i);
@@ -115,15 +115,16 @@ void lengthen_handles(const Stroke& stroke, int i, StrokeData& data) {
   data.points[k + 2] = better->p[2];
 }
 
-/// Segments [first, first + count), round a closed stroke.
+/// Segments [first, first + count), wrapping around on a closed stroke.
 struct Range {
   int first = 0, count = 0;
 };
 
-/// The runs of changed segments, ascending; one through the seam comes last by that.
+/// Returns the runs of changed segments, ascending by `first`; so a run through the seam comes
+/// last.
 std::vector<Range> changed_ranges(const Strand& strand) {
   const int n = strand.count();
-  int start = 0;  // where no run is cut in two
+  int start = 0;  // a start that does not cut a run in two
   while (strand.closed() && start < n && strand.is_changed(start)) ++start;
   if (start == n) return {{0, n}};
   std::vector<Range> ranges;
@@ -141,20 +142,20 @@ std::vector<Range> changed_ranges(const Strand& strand) {
   return ranges;
 }
 
-/// The stroke with fewer segments in the range, which follows.
+/// Returns the stroke with fewer segments in the range; updates the range.
 Stroke merged(const Stroke& stroke, Range& range) {
   const int n = stroke.segment_count();
   const int last = (range.first + range.count - 1) % n + 1;
   auto fewer = with_fewer_segments(stroke, range.first, last, kRefitToleranceMm);
   if (!fewer) return stroke;
   const int now = fewer->segment_count();
-  // Through the seam, what lies before the range in number is what follows it on the stroke.
+  // If the range goes through the seam, its start shifts by the number of removed segments.
   if (range.first + range.count > n) range.first = std::max(0, now - (n - range.first));
   range.count = std::clamp(range.count - (n - now), 1, now);
   return *std::move(fewer);
 }
 
-/// The stroke with the segments of a range in good shape.
+/// Returns the stroke with the segments of a range in good shape.
 Stroke mended(const Stroke& stroke, Range range) {
   const Stroke fewer = merged(stroke, range);
   Strand strand(std::make_shared<const Stroke>(fewer));
@@ -191,8 +192,9 @@ Result<Stroke> with_good_shapes(const Strand& strand) {
   Result<Stroke> stroke = strand.stroke();
   if (!stroke) return stroke;
   const std::vector<Range> ranges = changed_ranges(strand);
-  // From the last one on, so that the numbers of those before stay; the one through the seam, if
-  // there is one, is the last of all and has the highest number: it comes at the end, and moves on.
+  // Ranges are processed from the last to the first, so that the segment numbers of earlier ranges
+  // stay valid. A range through the seam reaches segments with low numbers, too, so it is processed
+  // at the end, with its start corrected.
   const bool has_seam =
       !ranges.empty() && ranges.back().first + ranges.back().count > strand.count();
   for (std::size_t k = ranges.size() - (has_seam ? 1 : 0); k-- > 0;) {

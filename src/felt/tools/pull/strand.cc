@@ -9,10 +9,10 @@
 namespace felt {
 namespace {
 
-/// Handles up to this long give way the less, the shorter they are: they would whirl about.
+/// Below this length, shorter handles yield less, because they would turn wildly.
 constexpr double kFreeHandleMm = 0.1;
 
-/// What divided segments keep, so that rounding does not bring them below I5.
+/// Minimum length of divided segments, so that rounding does not bring them below I5.
 constexpr double kMinStrandSegmentMm = 1.001 * kMinSegmentMm;
 
 double handle_compliance(double length_mm, JointKind joint) noexcept {
@@ -60,13 +60,13 @@ StrandPlace Strand::locate(double snapshot_u) const noexcept {
 bool Strand::divide(int i, double t) {
   const Cubic whole = segment(i);
   auto [a, b] = split(whole, t);
-  // Rounding would give a standing handle a direction of its own (I2).
+  // Otherwise rounding would give a zero-length handle an arbitrary direction (I2).
   if (whole.p[1] == whole.p[0]) a.p[1] = a.p[0];
   if (whole.p[2] == whole.p[3]) b.p[2] = b.p[3];
   const double shortest = std::min(control_length(a), control_length(b));
   const double handle = std::min(distance(a.p[2], a.p[3]), distance(b.p[0], b.p[1]));
   if (!(shortest >= kMinStrandSegmentMm && handle >= kStandingMm))
-    return false;  // a sliver, or a cusp
+    return false;  // too short, or a cusp
 
   const auto at = points_.begin() + 3 * static_cast<std::ptrdiff_t>(i);
   std::copy(a.p.begin() + 1, a.p.begin() + 3, at + 1);
@@ -101,7 +101,7 @@ void Strand::prepare(int i) {
 
 void Strand::stand_up(int i) {
   Point* p = points_.data() + 3 * static_cast<std::ptrdiff_t>(i);
-  const Cubic c = segment(i);  // both directions come from the segment as it was
+  const Cubic c = segment(i);  // both directions come from the unchanged segment
   if (joint(i) == JointKind::kSmooth && distance(p[0], p[1]) < kNoHandleMm) {
     p[1] = p[0] + kStandingMm * tangent(c, 0.0);
   }
@@ -123,7 +123,7 @@ Compliance Strand::compliance(int i, double t, bool pins_joints) const noexcept 
 }
 
 bool Strand::bend(int i, double t, const EditWeights& weights, Vec pull) {
-  if (closed() && count() == 1) {  // too short to be divided: it goes as a whole
+  if (closed() && count() == 1) {  // too short to divide: move it as a whole
     for (Point& p : points_) p += pull;
     changed_[0] = 1;
     return is_finite(segment(0));
@@ -164,12 +164,12 @@ bool Strand::shift(int first, std::span<const double> weights, Vec pull) {
   for (int k = 0; k < segments; ++k) {
     Point* p = points_.data() + 3 * static_cast<std::ptrdiff_t>((first + k) % count());
     const double* w = weights.data() + 3 * static_cast<std::ptrdiff_t>(k);
-    // A joint is moved with the segment after it, but for the last.
+    // A joint is moved with the segment after it, except the last one.
     const bool is_last = k + 1 == segments && !all_round;
     for (int j = 0; j < (is_last ? 4 : 3); ++j) p[j] += w[j] * pull;
   }
   if (closed()) {
-    // The seam is there twice; whichever was moved counts.
+    // The seam is stored twice; copy the one that was moved.
     if (points_.front() != before.front()) points_.back() = points_.front();
     points_.front() = points_.back();
   }
@@ -232,7 +232,7 @@ void Strand::limit_handles(int i, double longest) noexcept {
   Point* p = points_.data() + 3 * static_cast<std::ptrdiff_t>(i);
   const double chord = distance(p[0], p[3]);
   if (std::max(distance(p[0], p[1]), distance(p[2], p[3])) <= longest * chord) return;
-  // Shorter handles make the segment shorter too; a margin and a few rounds bring both together.
+  // Shorter handles also shorten the segment, so this takes a margin and a few rounds.
   for (int round = 0; round < 8; ++round) {
     const double most = longest * arc_length(segment(i), 1e-3);
     const double left = distance(p[0], p[1]), right = distance(p[3], p[2]);
@@ -243,6 +243,8 @@ void Strand::limit_handles(int i, double longest) noexcept {
   }
 }
 
+/// Rebuilds the widths from the snapshot: each knot keeps its position on the ink, and joints of
+/// divided segments get a knot.
 void Strand::carry_widths() {
   const auto knots = snapshot_->widths();
   widths_.clear();

@@ -59,7 +59,7 @@ TEST(Strand, SliversAreNotMade) {
   EXPECT_EQ(strand.count(), 5);
 }
 
-/// However a strand is divided, the ink has the width and the tone of its place.
+/// However a strand is divided, the ink keeps its width and tone.
 TEST(Strand, WidthAndToneGoWithTheirPlace) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(seed);
@@ -79,9 +79,9 @@ TEST(Strand, WidthAndToneGoWithTheirPlace) {
   }
 }
 
-/// Handles that stand, at joints that are smooth: R28.
+/// Zero-length handles at smooth joints: R28.
 TEST(Strand, R28_StandingHandlesKeepJointsSmooth) {
-  // Handles that stand on both sides of two smooth joints.
+  // Zero-length handles on both sides of two smooth joints.
   const StrokePtr valid = share(Stroke::create({.points = {{0, 0},
                                                            {3, 0},
                                                            {10, 0},
@@ -164,9 +164,9 @@ TEST(Refit, IllShapedSegmentsAreMended) {
     for (int k = 0; k < done->segment_count(); ++k) {
       ill_after += !is_well_shaped(*done, k);
     }
-    // Cusps and loops within a micrometre of their joints stay ill, since the ink is.
+    // Cusps and loops within a micrometre of their joints keep a bad shape, because the ink has it.
     EXPECT_LE(ill_after, ill_before + 2);
-    // The ink stays where it is.
+    // The ink does not move.
     for (int k = 0; k <= 300; ++k) {
       const Point p = bent->position(k / 300.0 * bent->segment_count());
       double near = 1e9;

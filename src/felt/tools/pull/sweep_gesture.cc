@@ -12,9 +12,9 @@ namespace {
 
 constexpr const char* kRedrawLabel = "Redraw";
 
-/// The pen's way is walked in steps of this, so that the rate of samples means nothing.
+/// The path of the pen is processed in steps of this, so that the sample rate has no effect.
 constexpr double kStepNs = 1e6;
-/// Steps that one sample takes at most; after a longer pause they are longer.
+/// Maximum number of steps per sample; after a longer pause the steps are longer.
 constexpr double kMaxSweepSteps = 50.0;
 
 class SweepGesture final : public PullGesture {
@@ -32,7 +32,7 @@ class SweepGesture final : public PullGesture {
 
   std::optional<Edit> move(const PenSample& pen, const Scene& /*scene*/) override {
     const Point now = on_sheet(pen.position);
-    // In double: the difference of two hostile times does not fit into 64 bits.
+    // In double, because the difference of two invalid times may overflow 64 bits.
     const double passed = static_cast<double>(pen.time_ns) - static_cast<double>(last_ns_);
     const SweepPull before = sweep_;
     const bool moved = passed > 0.0 && walk(now, passed);
@@ -40,7 +40,7 @@ class SweepGesture final : public PullGesture {
     last_ns_ = pen.time_ns;
     if (!moved) return std::nullopt;
     Result<Stroke> stroke = sweep_.stroke();
-    if (!stroke) {  // the last good shape stays
+    if (!stroke) {  // keep the last valid shape
       sweep_ = before;
       return std::nullopt;
     }
@@ -73,15 +73,15 @@ class SweepGesture final : public PullGesture {
   }
 
  private:
-  /// The way from the last sample to this one, in steps on a grid of time that began at the touch.
+  /// Processes the path from the last sample to this one, in time steps counted from the touch.
   bool walk(Point now, double passed_ns) {
     const double step = std::max(kStepNs, passed_ns / kMaxSweepSteps);
     const double part = 1.0 - std::exp(-step / time_constant_ns_);
     bool moved = false;
-    double at = next_ns_;  // from the last sample on
+    double at = next_ns_;  // since the last sample
     for (; at <= passed_ns; at += step) {
       stepped_ = lerp(last_, now, at / passed_ns);
-      // In double and within 64 bits, because two hostile times may be farther apart than that.
+      // Clamped in double, because the sum of invalid times may overflow 64 bits.
       constexpr double kMaxNs = 9.2e18;
       stepped_ns_ = static_cast<std::int64_t>(
           std::clamp(static_cast<double>(last_ns_) + at, -kMaxNs, kMaxNs));
@@ -97,8 +97,8 @@ class SweepGesture final : public PullGesture {
   double time_constant_ns_;
   Point last_;
   std::int64_t last_ns_;
-  double next_ns_ = kStepNs;  // until the next step, from the last sample on
-  Point stepped_;             // where the pen was at the last step, and when
+  double next_ns_ = kStepNs;  // time from the last sample to the next step
+  Point stepped_;             // position and time of the pen at the last step
   std::int64_t stepped_ns_;
 };
 

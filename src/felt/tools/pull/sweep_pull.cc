@@ -11,7 +11,8 @@
 namespace felt {
 namespace {
 
-/// Longer than a piece should be, so that what is divided is not divided again at once.
+/// Pieces are divided only if longer than this times kPieceMm, so that new pieces are not divided
+/// again immediately.
 constexpr double kTooLong = 1.5;
 
 }  // namespace
@@ -49,7 +50,7 @@ void SweepPull::keep_short() {
   const double u = from + place_.t * (strand_.snapshot_u(place_.segment + 1) - from);
   std::array<int, 3> parts{strand_.previous(place_.segment), place_.segment,
                            strand_.next(place_.segment)};
-  // The later ones first, so that the numbers of the others stay.
+  // Highest numbers first, so that the other numbers stay valid.
   std::sort(parts.rbegin(), parts.rend());
   const auto end = std::unique(parts.begin(), parts.end());
   for (auto i = parts.begin(); i != end; ++i) {

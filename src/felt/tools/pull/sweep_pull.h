@@ -9,15 +9,15 @@
 
 namespace felt {
 
-/// A stroke that is drawn over again (specification 5c, "Sweep"): in each step what is nearest to
-/// the pen goes a part of the way there, by the weights of least motion. Incremental, hence not
-/// undone by moving back; but since the part is 1 - exp(-dt/tau) of the way, the result hardly
-/// depends on the length of the steps.
+/// A stroke being redrawn (specification 5c, "Sweep"): in each step the point nearest to the pen
+/// moves a fraction of the distance to it, by the weights of least motion. This is incremental, so
+/// moving back does not undo it. Because the fraction is 1 - exp(-dt/tau), the result hardly
+/// depends on the step length.
 ///
-/// What is nearest is looked for only next to where it was, so that it wanders along the stroke
-/// and does not leap to where the stroke comes near itself. Pieces near the pen are kept short
-/// (kPieceMm), within kMostSegments; handles are kept below kLongestHandle of their segments
-/// (R24). Ends and corners stay unless they are nearest themselves.
+/// The nearest point is searched only next to the last one, so that it moves along the stroke and
+/// does not leap where the stroke comes near itself. Pieces near the pen are kept short (kPieceMm),
+/// up to kMostSegments; handles are kept below kLongestHandle times their segments' length (R24).
+/// Ends and corners stay unless they are nearest themselves.
 class SweepPull {
  public:
   static constexpr double kPieceMm = 8.0;
@@ -25,20 +25,22 @@ class SweepPull {
   static constexpr double kLongestHandle = 1.5;
   static constexpr double kLeapMm = 1.0;
 
-  /// Takes hold at u0, clamped to the stroke.
+  /// Grabs the stroke at u0, clamped to the stroke.
   SweepPull(StrokePtr snapshot, double u0);
 
-  /// The pen is at `pen` now; `part` of the way to it is gone, 0..1. False when nothing moved.
+  /// Moves the nearest point by the fraction `part`, 0..1, of the distance to the pen. Returns
+  /// false if nothing moved.
   bool step(Point pen, double part);
-  /// The point that follows the pen.
+  /// Returns the point that follows the pen.
   [[nodiscard]] Point point() const noexcept;
   [[nodiscard]] StrandPlace place() const noexcept { return place_; }
-  /// Where that point is on the curve: its normal, whether it is an end or a corner.
+  /// Returns that point with the normal of the curve and whether it is an end or a corner.
   [[nodiscard]] CurveNear near() const noexcept;
-  /// How often what is nearest has leapt by more than kLeapMm, where the stroke is folded.
+  /// Returns how often the nearest point has leapt by more than kLeapMm, which happens on a folded
+  /// stroke.
   [[nodiscard]] std::uint32_t leaps() const noexcept { return leaps_; }
   [[nodiscard]] Result<Stroke> stroke() const { return strand_.stroke(); }
-  /// With what changed in good shape (refit.h), for the end.
+  /// Returns the final stroke, with its changed segments refitted (refit.h).
   [[nodiscard]] Result<Stroke> finished() const;
 
  private:

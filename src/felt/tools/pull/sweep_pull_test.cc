@@ -46,7 +46,7 @@ TEST(SweepPull, R24_TenThousandTicks) {
     Point pen = sweep.point();
     Vec way{};
     for (int tick = 0; tick < 10'000; ++tick) {
-      // A hand that wanders about at some 100 mm/s.
+      // A hand that moves around at about 100 mm/s.
       way += Vec{random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)} - 0.01 * way;
       pen += way - 0.001 * (pen - Point{60, 0});
       sweep.step(pen, kPart);
@@ -58,7 +58,7 @@ TEST(SweepPull, R24_TenThousandTicks) {
         const Cubic c = now->segment(i);
         if (tick == 0 || c == stroke->segment(std::min(i, stroke->segment_count() - 1))) continue;
         const double most = 1.5 * arc_length(c, 1e-4) + 1e-3;
-        // Only what the sweep has touched: strokes may come with any handles.
+        // Only segments that the sweep has changed, because strokes may have any handles.
         if (seed < 3) {
           ASSERT_LE(distance(c.p[0], c.p[1]), most) << tick;
           ASSERT_LE(distance(c.p[2], c.p[3]), most) << tick;
@@ -80,14 +80,14 @@ TEST(SweepPull, ThePenDrawsTheLineOverAgain) {
     for (int i = 0; i < now.segment_count(); ++i) {
       near = std::min(near, nearest(now.segment(i), pen(x)).distance_squared);
     }
-    // It lags by tau times the speed across, 60 mm/s * .6 * 50 ms, at most.
+    // It lags by at most tau times the speed across the line, 60 mm/s * .6 * 50 ms.
     EXPECT_LE(std::sqrt(near), 2.0) << x;
   }
   EXPECT_EQ(now.data().points.front(), (Point{0, 0}));
   EXPECT_EQ(now.data().points.back(), (Point{120, 0}));
 }
 
-/// The stroke that a gesture of 600 ms leaves, its samples at a rate.
+/// Returns the result of a gesture of 600 ms at a sample rate.
 Stroke swept(double rate_hz) {
   Desk desk;
   const StrokeId id = desk.add(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0));
@@ -111,7 +111,7 @@ TEST(SweepPull, R30_TheRateOfSamplesMeansNothing) {
   const Stroke reference = swept(1000.0);
   EXPECT_LE(farthest(swept(5000.0), reference), 0.05);
   EXPECT_LE(farthest(reference, swept(5000.0)), 0.05);
-  // At 60 Hz the pen's way itself is known by chords: 0.014 mm from the wave.
+  // At 60 Hz the path of the pen is known only by chords: 0.014 mm from the wave.
   EXPECT_LE(farthest(swept(60.0), reference), 0.1);
   EXPECT_LE(farthest(reference, swept(60.0)), 0.1);
   EXPECT_LE(farthest(swept(250.0), reference), 0.05);

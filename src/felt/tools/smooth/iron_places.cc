@@ -10,13 +10,13 @@
 namespace felt {
 namespace {
 
-/// Directions are taken over chords of so many places to both sides, 2 mm.
+/// Directions are measured over chords of this many places to both sides, 2 mm in all.
 constexpr int kChord = 4;
 
-/// Means over `half` points to both sides, fewer near the ends, which stay.
+/// Returns the means over `half` points to both sides, fewer near the ends, which stay.
 std::vector<Point> mean_of(const std::vector<Point>& points, std::size_t half) {
   const Point origin = points.front();
-  std::vector<Vec> sums{Vec{}};  // of the points before each
+  std::vector<Vec> sums{Vec{}};  // prefix sums, relative to origin
   sums.reserve(points.size() + 1);
   for (const Point p : points) sums.push_back(sums.back() + (p - origin));
   std::vector<Point> means;
@@ -53,7 +53,7 @@ IronPlaces::IronPlaces(const Stroke& stroke, const ArcMap& map, bool keep_corner
   points_.back() = stroke.data().points.back();
 }
 
-/// The span sampled about every kSpacingMm of its ink.
+/// Samples the span about every kSpacingMm of its ink.
 std::vector<IronPlaces::Step> IronPlaces::steps_between(int from_joint, int to_joint) const {
   std::vector<Step> steps{{map_.start_of(from_joint), 0.0}};
   std::vector<Point> points{stroke_.segment(from_joint).p[0]};
@@ -73,9 +73,10 @@ std::vector<IronPlaces::Step> IronPlaces::steps_between(int from_joint, int to_j
       steps[j].length_mm = start + share * length;
     }
   }
-  // Once more what one mean takes away from a bend is given back: 2M - MM.
+  // A mean flattens bends. 2M - MM adds that error back once.
   constexpr auto kHalf = static_cast<std::size_t>(0.5 * kGuideMm / kSpacingMm);
-  // A seam that is no corner lies amidst the ink: both its sides are put before and behind.
+  // If the seam is not a corner, the ink continues across it, so points from the other side are
+  // added at both ends.
   const std::size_t size = points.size(), most = 2 * kHalf;
   const bool goes_round = !fixed_.front() && from_joint == 0 && to_joint == stroke_.segment_count();
   const std::size_t pad = goes_round ? std::min(most, size - 1) : 0;
@@ -95,7 +96,7 @@ std::vector<IronPlaces::Step> IronPlaces::steps_between(int from_joint, int to_j
   return steps;
 }
 
-/// Places after one joint up to another, which is fixed.
+/// Adds the places after one joint up to another, which is fixed.
 void IronPlaces::add_span(int from_joint, int to_joint) {
   const std::vector<Step> steps = steps_between(from_joint, to_joint);
   const double whole = steps.back().way_mm;
@@ -121,7 +122,7 @@ double IronPlaces::inflation(int k) const noexcept {
 
 std::vector<int> IronPlaces::corners() const {
   const int n = stroke_.segment_count();
-  std::vector<int> found{0};  // with both ends
+  std::vector<int> found{0};  // includes both ends
   for (int joint = 1; joint < n; ++joint) {
     if (is_corner_at(joint)) found.push_back(joint);
   }
@@ -158,7 +159,8 @@ bool IronPlaces::is_corner_at(int joint) const {
 bool IronPlaces::turns_at(int joint, double arm_mm) const {
   const double at = map_.start_of(joint), whole = map_.length_mm();
   const double arm = std::min(arm_mm, 0.25 * whole);
-  // From the mean of the near half of an arm to that of its far half: a single spike has no say.
+  // From the mean of the near half of an arm to the mean of its far half, so that a single spike
+  // has no effect.
   const auto direction = [&](double side) {
     constexpr int kHalf = 6;
     Vec sum;
@@ -196,11 +198,11 @@ double IronPlaces::u(int k) const {
 }
 
 Point IronPlaces::point(int k) const {
-  static_cast<void>(u(k));  // works it out
+  static_cast<void>(u(k));  // computes the point
   return points_[static_cast<std::size_t>(k)];
 }
 
-/// By how much the direction turns from place k to the next one, rad.
+/// Returns the turn of the direction from place k to the next one, rad.
 double IronPlaces::turn(int k) const {
   double& turn = turns_[static_cast<std::size_t>(k)];
   if (std::isnan(turn)) {
@@ -230,7 +232,7 @@ double IronPlaces::from_fixed_mm(int k, double most_mm) const noexcept {
 double IronPlaces::mean_curvature(int k, double window_mm) const {
   const int half = std::max(2, static_cast<int>(0.5 * window_mm / kSpacingMm));
   double sum = 0.0, length = 0.0;
-  // Outwards to both sides, up to the next fixed place: a corner is no bend.
+  // Goes outwards to both sides up to the next fixed place, because a corner is not a bend.
   for (const int side : {-1, 1}) {
     for (int i = 0; i < half; ++i) {
       const int from = k + side * i - (side < 0 ? 1 : 0);

@@ -8,11 +8,12 @@
 namespace felt {
 namespace {
 
-/// A cut nearer to a joint than this is that joint: there are no slivers (I5).
+/// A cut nearer to a joint than this moves to the joint, so that no segment gets too short (I5).
 constexpr double kNearestCutMm = 1.5 * kMinSegmentMm;
 constexpr double kWidthToleranceMm = 0.005;
 
-/// The part [t0, t1] of c. Handles of zero length stay so, as rounding would give them a direction.
+/// Returns the part [t0, t1] of c. Zero-length handles stay zero, because rounding would give them
+/// a direction.
 Cubic part_of(const Cubic& c, double t0, double t1) {
   Cubic part = sub_segment(c, t0, t1);
   if (t0 == 0.0 && c.p[1] == c.p[0]) {
@@ -73,7 +74,7 @@ void IronedStroke::copy_up_to(double u) {
   }
 }
 
-/// Of the ironed line: on the old stroke where that goes on.
+/// Returns the point of the ironed line at place k; at a border, the point of the old stroke.
 Point IronedStroke::point(int k) const {
   if (k == now_.first && !now_.from.turns) return stroke_.position(now_.from.u);
   if (k == now_.last && !now_.to.turns) return stroke_.position(now_.to.u);
@@ -81,8 +82,8 @@ Point IronedStroke::point(int k) const {
   return ironed_.doses[i] > 0.0 ? ironed_.points[i] : places_.point(k);
 }
 
-/// Direction of the points at place k: between its neighbours, or to one side of a corner or an
-/// end, by the parabola through three of them.
+/// Returns the direction at place k from the points: between its neighbours, or at a corner or an
+/// end from a parabola through three points on one side.
 Vec IronedStroke::ironed_direction(int k, int side) const {
   const bool is_border =
       (k == now_.first && !now_.from.turns) || (k == now_.last && !now_.to.turns);
@@ -93,13 +94,13 @@ Vec IronedStroke::ironed_direction(int k, int side) const {
   return normalized(static_cast<double>(side) * (4.0 * (a - p) - (b - p)));
 }
 
-/// True when the old stroke leads on from a border without a turn.
+/// Returns true if the old stroke continues smoothly from a border.
 bool IronedStroke::goes_on(const Border& border, bool has_more) const {
   if (border.turns || !(has_more || stroke_.closed())) return false;
   return !border.is_joint || stroke_.joint(border.joint()) == JointKind::kSmooth;
 }
 
-/// Direction at place k for a segment that leaves it (side 1) or arrives (side -1).
+/// Returns the direction at place k for a segment that leaves it (side 1) or arrives (side -1).
 Vec IronedStroke::direction(int k, int side) const {
   const int n = stroke_.segment_count();
   if (k == now_.first && goes_on(now_.from, k > 0)) {
@@ -118,7 +119,7 @@ Vec IronedStroke::direction(int k, int side) const {
 bool IronedStroke::try_segment(int from, int to, Vec start, Cubic& c) const {
   std::array<Point, kLongest + 1> points;
   std::array<double, kLongest + 1> ways{};
-  // More are only drawn together into one segment that need not follow them.
+  // More places than this are merged into one segment that need not follow them.
   const bool follows = to - from <= kLongest;
   double length = 0.0;
   Point last = point(from);
@@ -150,7 +151,7 @@ IronedStroke::Next IronedStroke::next_segment(int from, Vec start) const {
     next.end = std::min(from + step, limit);
     if (try_segment(from, next.end, start, next.curve)) break;
   }
-  // Where ironing has drawn places together, one to the next is not enough for a segment (I5).
+  // If ironing has moved places close together, one step is too short for a segment (I5).
   while (next.end < now_.last && !places_.is_fixed(next.end) &&
          control_length(next.curve) < kNearestCutMm) {
     try_segment(from, ++next.end, start, next.curve);
@@ -158,10 +159,11 @@ IronedStroke::Next IronedStroke::next_segment(int from, Vec start) const {
   return next;
 }
 
-/// Segments from a place up to the end of its block, or of the stretch, or a little farther.
+/// Returns the segments from a place to the end of its block or of the stretch, or slightly
+/// farther.
 std::span<const IronedStroke::Next> IronedStroke::block(int from) {
   const int end = std::min(now_.last, from - from % kLongest + kLongest);
-  // What an end of the stretch has a say in is not kept: the stretch grows.
+  // Segments that depend on an end of the stretch are not cached, because the stretch grows.
   const bool is_whole = from % kLongest == 0 && from > now_.first && end < now_.last;
   IronedBlocks::Block& kept = blocks_.at(from);
   if (is_whole && kept.is_good) return kept.segments;

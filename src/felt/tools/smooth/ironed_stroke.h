@@ -9,14 +9,14 @@
 
 namespace felt {
 
-/// Segments that a stretch of kPlaces places, numbered from a whole multiple of that, was fitted
-/// with: kept from preview to preview as long as its points stay the same.
+/// Cache of the segments fitted to blocks of kPlaces places. A block is reused from preview to
+/// preview while its points stay the same.
 class IronedBlocks {
  public:
   static constexpr int kPlaces = 8;
   struct Segment {
     Cubic curve;
-    int end = 0;  ///< its last place
+    int end = 0;  ///< last place of the segment
   };
   struct Block {
     std::vector<Segment> segments;
@@ -26,30 +26,30 @@ class IronedBlocks {
   explicit IronedBlocks(int places) : blocks_(static_cast<std::size_t>(places / kPlaces + 1)) {}
 
   [[nodiscard]] Block& at(int place) { return blocks_[static_cast<std::size_t>(place / kPlaces)]; }
-  /// The point of a place has changed.
+  /// Invalidates the block of a place whose point has changed.
   void forget(int place) { at(place).is_good = false; }
 
  private:
   std::vector<Block> blocks_;
 };
 
-/// Puts stretches of a stroke back together from the points they were ironed to. What lies between
-/// is the old stroke: whole segments bit for bit, those at the ends of a stretch cut there. All
-/// joints are smooth but for corners that are kept; widths are carried along by the place.
+/// Builds a stroke from the ironed points of its stretches and, between them, the old stroke: whole
+/// segments are copied bit for bit, those at the ends of a stretch are cut. All joints are smooth
+/// except kept corners; each place keeps its width.
 class IronedStroke {
  public:
-  /// How far the curve may pass beside the points, mm.
+  /// Largest distance of the curve from the points, mm.
   static constexpr double kCurveMm = 0.01;
-  /// Places from joint to joint at most.
+  /// Maximum number of places per segment.
   static constexpr int kLongest = IronedBlocks::kPlaces;
-  /// kShown: widths are right at joints only.
+  /// kShown: widths are exact only at joints.
   enum class Detail { kShown, kExact };
 
-  /// Numbers of joints of the new stroke.
+  /// Joint numbers in the new stroke.
   struct Joints {
     int first, last;
   };
-  /// The points that the places were ironed to; those of places that were not are not used.
+  /// The ironed points, by place; points of places with dose 0 are not used.
   struct Ironed {
     std::span<const double> doses;
     std::span<const Point> points;
@@ -58,19 +58,19 @@ class IronedStroke {
   IronedStroke(const Stroke& stroke, const ArcMap& map, const IronPlaces& places,
                const Ironed& ironed, IronedBlocks& blocks, Detail detail);
 
-  /// The stretch between two places, in order along the stroke. `turns_seam`: the seam of a closed
-  /// stroke is ironed too.
+  /// Adds the ironed stretch between two places. Call in order along the stroke. `turns_seam`: the
+  /// seam of a closed stroke is ironed, too.
   Joints add(int first, int last, bool turns_seam);
   [[nodiscard]] Result<Stroke> finish() &&;
 
  private:
   struct Border {
-    double u = 0.0;  // on the old stroke
+    double u = 0.0;  // parameter on the old stroke
     bool is_joint = false;
-    bool turns = false;  // the seam of a closed stroke, ironed too: nothing of the old is left here
+    bool turns = false;  // the ironed seam of a closed stroke: no old ink remains here
     [[nodiscard]] int joint() const { return static_cast<int>(u); }
   };
-  /// What is being put together.
+  /// The stretch being built.
   struct Stretch {
     int first = 0, last = 0;
     Border from, to;
@@ -101,7 +101,7 @@ class IronedStroke {
   ProfileBuilder profile_;
   double u_ = 0.0;  // the old stroke is copied up to here
   Stretch now_;
-  std::vector<ProfileBuilder::Match> matches_;  // of the stretch
+  std::vector<ProfileBuilder::Match> matches_;  // parameters of the stretch, old and new
   std::vector<Next> border_;                    // segments of a block at an end of the stretch
 };
 

@@ -51,7 +51,8 @@ void Ironing::add(double length_mm, double reach_mm, double dose) {
   }
 }
 
-/// Of the jerk at a place when the share `share` of the longest wave goes.
+/// Returns the filter weight at a place to remove waves up to the fraction `share` of wave_mm,
+/// limited by the local bend.
 double Ironing::weight_of(int k, double share) {
   double& longest = longest_[index(k)];
   if (std::isnan(longest)) {
@@ -65,7 +66,7 @@ double Ironing::weight_of(int k, double share) {
   return jerk_weight(std::min(longest, options_.wave_mm * share), IronPlaces::kSpacingMm);
 }
 
-/// Irons the places of `row` and keeps what comes out for those of `kept`.
+/// Filters the places of `row` and stores the result for those of `kept`.
 void Ironing::filter_row(Run row, Run kept) {
   row_.clear();
   for (int k = row.first; k <= row.last; ++k) {
@@ -79,11 +80,11 @@ void Ironing::filter_row(Run row, Run kept) {
   for (int k = kept.first; k <= kept.last; ++k) {
     ironed_[index(k)] = out_[static_cast<std::size_t>(k - row.first)];
   }
-  // Directions are taken from place to place beyond, too.
+  // Directions near the border depend on these points, too.
   for (int k = kept.first - 2; k <= kept.last + 2; ++k) blocks_.forget(places_.wrapped(k));
 }
 
-/// Irons those of the places `scanned` that are new and what they have a say in, within `row`.
+/// Filters the new places among `scanned` and the places that they affect, within `row`.
 void Ironing::filter_new(Run scanned, Run row) {
   const int margin = static_cast<int>(kMarginWaves * options_.wave_mm / IronPlaces::kSpacingMm);
   for (int k = scanned.first; k <= scanned.last; ++k) {
@@ -111,7 +112,8 @@ void Ironing::catch_up() {
   if (places_.closed()) ironed_.back() = ironed_.front();
 }
 
-/// A closed stroke that has a dose everywhere: overlapping itself, so that the cut is not felt.
+/// Filters a closed stroke that has a dose everywhere, with an overlap so that the cut has no
+/// effect.
 void Ironing::catch_up_all_around() {
   const int n = places_.count();
   const int overlap = std::min(n, static_cast<int>(4.0 * options_.wave_mm / 0.25));
@@ -124,7 +126,7 @@ void Ironing::catch_up_all_around() {
   }
 }
 
-/// Stretches that have a dose, from a place on that has none, or from the start.
+/// Filters the stretches that have a dose. `start` is a place without a dose, or the start.
 void Ironing::catch_up_stretches(int start) {
   const int n = places_.count(), end = start + n + (places_.closed() ? 0 : 1);
   for (int k = start; k < end;) {
@@ -134,7 +136,7 @@ void Ironing::catch_up_stretches(int start) {
     }
     int last = k;
     while (last < end && is_dosed(last)) ++last;
-    // With a place without a dose, or the end of the stroke, at either side.
+    // Include a place without a dose on both sides, or the end of the stroke.
     const int from = places_.closed() ? k - 1 : std::max(k - 1, 0);
     const int to = places_.closed() ? last : std::min(last, n);
     filter_new({k, last - 1}, {from, to});
@@ -142,7 +144,7 @@ void Ironing::catch_up_stretches(int start) {
   }
 }
 
-/// By more than kLeastMm.
+/// Returns true if a place has moved by more than kLeastMm.
 bool Ironing::has_moved() const {
   for (int k = 0; k <= places_.count(); ++k) {
     if (is_dosed(k) && distance(ironed_[index(k)], places_.point(k)) > kLeastMm) return true;
@@ -150,6 +152,8 @@ bool Ironing::has_moved() const {
   return false;
 }
 
+/// Compares the ink around the point as filtered by its doses so far with the fully filtered ink:
+/// the weighted rms distance is what is still to be ironed out.
 double Ironing::roughness_mm(double length_mm, double reach_mm) {
   const int here = places_.nearest(length_mm);
   const int half = static_cast<int>(reach_mm / IronPlaces::kSpacingMm) + 1;
@@ -188,7 +192,8 @@ double Ironing::roughness_mm(double length_mm, double reach_mm) {
   return std::max(0.0, rms - kSmoothMm);
 }
 
-/// Stretches of places that have a dose, from the place without one before to that after.
+/// Returns the stretches of places that have a dose, each from the place before it to the place
+/// after it.
 std::vector<Ironing::Run> Ironing::runs() const {
   std::vector<Run> runs;
   const int n = places_.count();
@@ -219,7 +224,7 @@ std::optional<Stroke> Ironing::build(std::vector<Run>& joints, IronedStroke::Det
     joints.push_back({made.first, made.last});
   }
   auto stroke = std::move(result).finish();
-  // Should an invariant break, the ink stays as it was.
+  // If an invariant is broken, the ink stays as it was.
   if (!stroke) return std::nullopt;
   return *std::move(stroke);
 }

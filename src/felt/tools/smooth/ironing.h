@@ -10,49 +10,49 @@
 
 namespace felt {
 
-/// What ironing does to a stroke.
+/// Options of ironing.
 struct IronOptions {
-  /// The longest wave that goes when the iron stays long enough, mm.
+  /// Longest wave that is removed if the iron stays long enough, mm.
   double wave_mm = 10.0;
   bool smooth_corners = false;
-  /// Of the fit at the end.
+  /// Tolerance of the final fit, mm.
   double tolerance_mm = 0.05;
 };
 
-/// A stroke under the iron: a pure function of the stroke at the touch and of the dose that each
-/// place has got since. The order does not matter, nor into how many portions a dose was cut.
+/// A stroke being ironed: a pure function of the stroke at the touch and of the total dose at each
+/// place. The order and the number of portions of a dose do not matter.
 ///
-/// With a dose d, waves shorter than  wave_mm sqrt(1 - exp(-d))  go (JerkFilter), so first the fine
-/// jitter goes, then longer and longer waves. A bend of mean curvature c is a wave of length 2 pi/c
-/// itself: waves longer than kBendShare of that are never taken away, hence a circle of any radius
-/// keeps it within 0.02 % a time. Corners that are kept and ends stay where they are; without a
-/// dose nothing moves.
+/// A dose d removes waves shorter than wave_mm sqrt(1 - exp(-d)) (JerkFilter): first the fine
+/// jitter, then longer and longer waves. A bend of mean curvature c is itself a wave of length 2
+/// pi/c, so waves longer than kBendShare of that are never removed; therefore a circle of any
+/// radius keeps it within 0.02 % each time. Kept corners and ends do not move; without a dose
+/// nothing moves.
 class Ironing {
  public:
   static constexpr double kBendShare = 0.24;
-  /// The same at ends and corners that stay, where the filter has one side only and is less flat.
+  /// Same at ends and kept corners, where the filter is one-sided and less flat.
   static constexpr double kEndBendShare = 0.05;
-  /// Less than this is no edit, mm: a pen does not resolve it, and fits that follow each other on
+  /// Smaller changes are not an edit, mm, because a pen does not resolve them and repeated fits on
   /// smooth ink would add up.
   static constexpr double kLeastMm = 0.02;
 
-  /// Both must outlive this.
+  /// `stroke` and `map` must outlive this object.
   Ironing(const Stroke& stroke, const ArcMap& map, const IronOptions& options);
 
-  /// The iron stands at a length along the stroke: places within `reach_mm` of it get
-  /// dose S(way/reach). Bounded by the reach.
+  /// Irons at an arc length of the stroke: places at a distance below `reach_mm` along it get dose
+  /// S(distance/reach), times their inflation. Linear in the reach.
   void add(double length_mm, double reach_mm, double dose);
-  /// How rough the ink is around a place, mm: rms of what is still to be ironed out within
-  /// `reach_mm`, of which kSmoothMm count as nothing. Bounded by the reach.
+  /// Returns the roughness of the ink around an arc length, mm: the rms distance still to be ironed
+  /// out within `reach_mm`, less kSmoothMm, at least 0. Linear in the reach plus wave_mm.
   [[nodiscard]] double roughness_mm(double length_mm, double reach_mm);
-  /// Irons what got a dose since the last time, with kMarginWaves to both sides, beyond which it
-  /// makes no difference that could be seen. Bounded by what got a dose, but for a quick look.
+  /// Filters the places that got a dose since the last call, with a margin of kMarginWaves to both
+  /// sides, beyond which the effect is invisible. Linear in those places, plus a quick scan.
   void catch_up();
-  /// The stroke as ironed at the last catch_up(), in many segments, within a hundredth of a
-  /// millimetre, to be shown; only where it changed it is fitted anew. Nothing when nothing has
-  /// moved.
+  /// Returns the stroke as of the last catch_up() for display: in many segments, within 0.01 mm;
+  /// only changed parts are refitted. Nullopt if nothing has moved.
   [[nodiscard]] std::optional<Stroke> shown();
-  /// The same from all doses at once, in as few segments as are found within the tolerance.
+  /// Returns the final stroke from all doses, in as few segments as are found within the tolerance.
+  /// Nullopt if nothing has moved.
   [[nodiscard]] std::optional<Stroke> finished();
 
   static constexpr double kSmoothMm = 0.01;
@@ -60,7 +60,7 @@ class Ironing {
 
  private:
   struct Run {
-    int first, last;  // places; these two stay, or are ends of the stroke
+    int first, last;  // places; both stay, or are ends of the stroke
   };
 
   [[nodiscard]] double weight_of(int k, double share);
@@ -84,9 +84,9 @@ class Ironing {
   IronOptions options_;
   IronPlaces places_;
   std::vector<double> doses_;
-  std::vector<double> longest_;  // wave at each place that may go, mm; NaN: not asked for yet
-  std::vector<Point> ironed_;    // where dosed
-  std::vector<char> is_new_;     // blocks that got a dose since they were ironed
+  std::vector<double> longest_;  // longest wave to remove at each place, mm; NaN: not computed yet
+  std::vector<Point> ironed_;    // valid where doses_ > 0
+  std::vector<char> is_new_;     // by block: got a dose since the last catch_up()
   IronedBlocks blocks_;
   JerkFilter filter_;
   std::vector<FilterPlace> row_;

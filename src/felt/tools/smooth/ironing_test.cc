@@ -18,7 +18,7 @@ using testing::jittery;
 using testing::RandomStroke;
 using testing::rms_from;
 
-/// The whole stroke ironed with one dose.
+/// Returns the whole stroke ironed with one dose.
 Stroke ironed(const Stroke& stroke, double dose, const IronOptions& options = {}) {
   const ArcMap map(stroke, 1e-5);
   Ironing iron(stroke, map, options);
@@ -26,7 +26,7 @@ Stroke ironed(const Stroke& stroke, double dose, const IronOptions& options = {}
   return iron.finished().value_or(stroke);
 }
 
-/// Most of a circle, 300 degrees in arcs of 30, right within 1e-6 of the radius.
+/// Most of a circle, 300 degrees in arcs of 30, accurate to 1e-6 of the radius.
 Stroke arcs(Point center, double radius) {
   const double step = std::numbers::pi / 6, handle = 4.0 / 3.0 * std::tan(step / 4) * radius;
   StrokeData d;
@@ -126,7 +126,8 @@ TEST(Ironing, JitterGoesTheShapeStaysAndSegmentsAreFewer) {
     Jitter jitter;
     double share_left;
   };
-  // Tremor as long as it is high makes ink that lies beside its way by itself, up to 0.09 mm.
+  // Tremor waves as long as they are high displace the ink from its path by themselves, up to 0.09
+  // mm.
   for (const Ink& ink : {Ink{"jitter", {0.2, 0.0}, 0.41}, Ink{"tremor 3 mm", {0.2, 3.0}, 0.6},
                          Ink{"tremor 6 mm", {0.2, 6.0}, 0.4}}) {
     for (const testing::Way& way : {testing::wave(), circle_arc({60, 60}, 30, 0, 270)}) {
@@ -147,7 +148,7 @@ TEST(Ironing, JitterGoesTheShapeStaysAndSegmentsAreFewer) {
 }
 
 TEST(Ironing, TheCornersOfAShakyLineAreNoCorners) {
-  // As a mouse draws it: to and fro by 1 mm every few millimetres, with sharp turns.
+  // As drawn with a mouse: back and forth by 1 mm every few millimetres, with sharp turns.
   for (const double height : {1.3, 1.9}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       SCOPED_TRACE(std::to_string(height) + " mm, seed " + std::to_string(seed));
@@ -276,7 +277,7 @@ TEST(Ironing, WhatIsShownBitByBitIsWhatIsIronedAtOnce) {
       const Point p = shown.position(i / 2000.0 * shown.segment_count());
       most = std::max(most, std::sqrt(nearest_on_polyline(line, p).distance_squared));
     }
-    // The end does not depend on what was shown.
+    // The result does not depend on the previews.
     EXPECT_EQ(bits.finished().value(), whole.finished().value());
   }
   EXPECT_LT(most, 0.03);

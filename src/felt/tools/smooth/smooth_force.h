@@ -9,21 +9,22 @@
 
 namespace felt {
 
-/// How rough the ink under the iron is, in the hand: friction that grows with the roughness and
-/// goes as the ink gets smooth.
+/// Renders the roughness of the ink under the iron as friction, which vanishes as the ink gets
+/// smooth.
 ///
-///   mu = mu0 + min(kMostN/Fn, kMostFactor rho/(rho + kHalfMm))      rho: rms of what is left, mm
+///   mu = mu0 + min(kMostN/Fn, kMostFactor rho/(rho + kHalfMm))      rho: roughness, mm
 ///
-/// A friction and not a texture: it only ever takes energy, is silent at rest, and its spring is
-/// the one the sheet's friction has already. Stands between the texture and the friction; Fn is the
-/// plane's push of this tick.
+/// Friction instead of a texture, because it only dissipates energy, is silent at rest, and uses
+/// the spring that the friction of the surface has already. Must come between Texture and Friction
+/// in the chain; Fn is the plane's force in this tick.
 class RoughFeel {
  public:
-  static constexpr double kMostN = 0.4;       ///< more than the sheet alone, at any push
-  static constexpr double kMostFactor = 0.4;  ///< of the coefficient, for endless roughness
+  static constexpr double kMostN = 0.4;  ///< greatest additional friction at any push, N
+  static constexpr double kMostFactor =
+      0.4;  ///< greatest addition to the coefficient, for infinite roughness
   static constexpr double kHalfMm = 0.1;
 
-  /// `friction` is mu0, more than 0 unless nothing is to be felt; `share` of all this is felt.
+  /// `friction` is mu0; if it is 0 nothing is added. `share` scales the effect.
   RoughFeel(double roughness_mm, double friction, double share) noexcept
       : more_(share * kMostFactor * roughness_mm / (roughness_mm + kHalfMm)),
         most_n_(share * kMostN),
@@ -36,7 +37,7 @@ class RoughFeel {
     }
     return {};
   }
-  /// That of the friction behind it.
+  /// None of its own: the spring is that of Friction.
   [[nodiscard]] Slopes slopes() const noexcept { return {}; }
 
  private:
@@ -45,7 +46,8 @@ class RoughFeel {
   double friction_;
 };
 
-/// What the hand feels: the sheet and the roughness of the ink under the iron.
+/// Returns the force model of the smooth tool: the surface and the roughness of the ink under the
+/// iron.
 inline ForceModel make_smooth_force(const Scene& scene, double roughness_mm, double strength) {
   const Medium material = felt_with(medium_of(scene, "pencil"), strength, strength);
   const FrictionOptions friction = friction_for(material, scene.surface, scene.device);

@@ -47,7 +47,7 @@ inline constexpr std::array<OptionSpec, SmoothOption::kCount> kSmoothOptions = {
         "Share of friction and roughness that is felt; the sheet stays as hard as it is."),
 }};
 
-/// The options as the tool uses them.
+/// The options in the form that the tool uses.
 struct SmoothSettings {
   double radius_mm = 10.0;
   double amount = 0.5;
@@ -55,7 +55,7 @@ struct SmoothSettings {
   double strength = 1.0;
 };
 
-/// Reads them. Requires values of kSmoothOptions.
+/// Reads the options. Requires values of kSmoothOptions.
 inline SmoothSettings smooth_settings(const OptionValues& values) {
   using Row = SmoothOption::Row;
   SmoothSettings s;

@@ -30,12 +30,12 @@ constexpr ToolInfo kSmoothInfo{
             .caption = "Rub along a shaky line: the jitter goes, the shape stays.",
             .seconds = 16.0}};
 constexpr const char* kSmoothLabel = "Smooth";
-/// The iron stands at most this far apart along the line between two samples.
+/// Largest distance along the line between two applications of the iron within a sample.
 constexpr double kIronStepMm = 1.0;
 constexpr double kMostIronSteps = 100.0;
-/// Lines of more than this are left as they are: no hand draws one, and ironing it would take long.
+/// Longer lines are not ironed, because nobody draws one by hand and it would take too long.
 constexpr double kLongestLineMm = 20'000.0;
-/// Roughness comes and goes in the hand with this time constant.
+/// Time constant of the felt roughness.
 constexpr double kFeelSeconds = 0.040;
 
 double seconds_off(std::int64_t a_ns, std::int64_t b_ns) {
@@ -79,8 +79,8 @@ ToolResult SmoothTool::take(const PenSample& sample, const Scene& scene) {
 ToolResult SmoothTool::move(const PenSample& sample, const Scene& scene) {
   if (!ironing_) return take(sample, scene);
   iron(sample, scene, hold_.follow(scene, on_sheet(sample.position)));
-  // What costs most is spread over samples: the ironing, then the line that is shown, then the
-  // feel.
+  // The expensive steps are spread over samples: filtering, then the preview, then the felt
+  // roughness.
   if (std::exchange(is_caught_up_, false)) {
     std::optional<Stroke> ironed = ironing_->shown();
     if (!ironed) return {.same_preview = true};
@@ -110,7 +110,8 @@ void SmoothTool::iron(const PenSample& sample, const Scene& scene, bool is_near)
   if (!is_near || !hold_.way_mm() || !(dose > 0.0)) return;
   has_changed_ = true;
   const double way = *hold_.way_mm(), whole = hold_.map().length_mm();
-  // A pen that jumps along a long line irons it in places: the work of a sample has an end.
+  // The number of steps is limited, so that a pen that jumps along a long line irons it only in
+  // places.
   const int steps =
       static_cast<int>(std::clamp(std::ceil(std::fabs(way) / kIronStepMm), 1.0, kMostIronSteps));
   for (int i = 0; i < steps; ++i) {
@@ -144,7 +145,7 @@ void SmoothTool::drop() {
 void SmoothTool::stop() {
   ironing_.reset();
   replacement_.reset();
-  hold_.release();  // what was held has changed
+  hold_.release();  // because the held stroke has changed
   has_changed_ = is_caught_up_ = false;
   rate_ = rough_mm_ = 0.0;
 }

@@ -12,16 +12,16 @@
 
 namespace felt {
 
-/// Irons the jitter out of a line under the pen without shrinking it (smooth.md). Rubbing on irons
-/// on; one gesture acts on the line that the pen first comes within 8 mm of.
+/// Irons the jitter out of a line under the pen without shrinking it (smooth.md). More rubbing
+/// irons more. A gesture acts on the first line that the pen comes within 8 mm of.
 class SmoothTool final : public GestureTool {
  public:
   static constexpr double kLongestStepS = 0.050;
-  /// Dose a second of the iron at rest, at full amount and pressure p: kDoseRate (0.2 + 1.6 p).
+  /// Dose per second of the resting iron, at full amount and pressure p: kDoseRate (0.2 + 1.6 p).
   static constexpr double kDoseRate = 6.0;
   static constexpr double kMousePressure = 0.5;
-  /// Previews and the feel are renewed at least this far apart in time, and by
-  /// kPreviewNsPerPoint for each control point of the line.
+  /// Minimum time between two updates of the felt roughness. Between previews it is at least this
+  /// and kPreviewNsPerPoint per control point of the line.
   static constexpr std::int64_t kPreviewNs = 12'000'000;
   static constexpr std::int64_t kPreviewNsPerPoint = 10'000;
 
@@ -46,17 +46,17 @@ class SmoothTool final : public GestureTool {
 
   SmoothSettings settings_;
   StrokeHold hold_;
-  // Of the gesture:
+  // State of the gesture:
   std::optional<StrokeReplacement> replacement_;
   std::optional<Ironing> ironing_;
-  double rate_ = 0.0;  // dose a second, at the last sample
+  double rate_ = 0.0;  // dose per second at the last sample
   std::int64_t last_ns_ = 0;
   std::int64_t preview_ns_ = 0;
   std::int64_t felt_ns_ = 0;
   std::int64_t preview_interval_ns_ = kPreviewNs;
   bool has_changed_ = false;
-  bool is_caught_up_ = false;  // the next sample shows it
-  double rough_mm_ = 0.0;      // as felt, low-passed
+  bool is_caught_up_ = false;  // the next sample makes the preview
+  double rough_mm_ = 0.0;      // felt roughness, low-passed
 };
 
 std::unique_ptr<Tool> make_smooth();

@@ -18,8 +18,8 @@
 
 namespace felt::testing {
 
-/// A document on a desk with a sheet and a device, for tests of tools: carries out what a tool
-/// says, as a session does.
+/// Test fixture for tools: a document with a surface and a device. Applies the results of a tool as
+/// a session does.
 struct Desk {
   Document document;
   StrokeIndex index;
@@ -46,7 +46,7 @@ struct Desk {
     selection.follow(edit);
   }
 
-  /// Adds a stroke, as an import would.
+  /// Adds a stroke, as an import does.
   StrokeId add(Stroke stroke) {
     const StrokeId id = document.new_id();
     apply({"Import",
@@ -58,7 +58,7 @@ struct Desk {
     return id;
   }
 
-  /// The strokes in drawing order.
+  /// Returns the strokes in drawing order.
   [[nodiscard]] std::vector<StrokePtr> strokes() const {
     std::vector<StrokePtr> all;
     for (const Layer& l : document.layers()) {
@@ -68,7 +68,7 @@ struct Desk {
   }
 };
 
-/// A pen over a desk, led by a tool. Times go on by themselves.
+/// A pen that sends samples to a tool. Time advances by step_ns per sample.
 class Pen {
  public:
   Pen(Tool& tool, Desk& desk) : tool_(tool), desk_(desk) {}
@@ -97,11 +97,11 @@ class Pen {
   }
   void down(Point p) { at({p.x, p.y, -depth}); }
   void up(Point p) { at({p.x, p.y, 10.0}); }
-  /// Draws along points, without touching or lifting.
+  /// Moves in contact along points, without lifting.
   void along(const std::vector<Point>& way) {
     for (const Point p : way) down(p);
   }
-  /// One whole line.
+  /// Draws one whole line: touch, points, lift.
   void line(const std::vector<Point>& way) {
     up(way.front());
     along(way);
@@ -116,7 +116,7 @@ class Pen {
   Contact contact_;
 };
 
-/// Points each `step` mm on the straight way from a to b.
+/// Returns points every `step` mm on the straight line from a to b.
 inline std::vector<Point> way(Point a, Point b, double step = 0.1) {
   std::vector<Point> points;
   const int n = std::max(1, static_cast<int>(distance(a, b) / step));
@@ -129,7 +129,7 @@ inline std::vector<Point> operator+(std::vector<Point> a, const std::vector<Poin
   return a;
 }
 
-/// Points on a circle, from angle a0 to a1 in degrees.
+/// Returns points on a circle, from angle a0 to a1 in degrees.
 inline std::vector<Point> arc(Point center, double radius, double a0, double a1) {
   std::vector<Point> points;
   for (int i = 0; i <= 600; ++i) {

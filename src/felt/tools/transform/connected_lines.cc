@@ -16,7 +16,7 @@ namespace {
 
 enum class Motion { kStays, kMapped, kBends };
 
-/// What happens to the place u of a line with these marks.
+/// Returns what happens to the point at u of a line with these marks.
 Motion motion_at(const Selection::Marks& marks, double u) {
   constexpr double kAtJoint = 1e-3;
   const double joint = std::round(u);
@@ -28,13 +28,14 @@ Motion motion_at(const Selection::Marks& marks, double u) {
   return count == 4 ? Motion::kMapped : count == 0 ? Motion::kStays : Motion::kBends;
 }
 
-/// What connections ask of one stroke.
+/// The changes of one stroke that its connections require.
 struct Demand {
-  std::vector<double> us;  // places that are mapped
+  std::vector<double> us;  // parameters of points that are mapped
   std::optional<std::pair<MovedLine::Leader, double>> led;
 };
 
-/// The index of the end at u of an open stroke, or nothing.
+/// Returns the control point index of the end at u of an open stroke, or nullopt if u is not an
+/// end.
 std::optional<std::size_t> end_at(const Stroke& stroke, double u) {
   if (stroke.closed()) return std::nullopt;
   const int n = stroke.segment_count();
@@ -43,7 +44,7 @@ std::optional<std::size_t> end_at(const Stroke& stroke, double u) {
   return std::nullopt;
 }
 
-/// An end and its handle.
+/// Marks an end and its handle.
 void mark_end(Selection::Marks& marks, std::size_t end) {
   marks[end] = 1;
   marks[end == 0 ? 1 : end - 1] = 1;
@@ -80,7 +81,7 @@ std::optional<MovedLine> line_of(const Document& document, StrokeId id, Demand d
   return line;
 }
 
-/// An end that lies on a locked stroke stays, and its handle with it.
+/// Unmarks an end that lies on a locked stroke, and its handle.
 void hold_end(MovedLine& line, double u) {
   const auto end = end_at(*line.stroke, u);
   if (!end) return;
@@ -100,7 +101,7 @@ std::vector<MovedLine> connected_lines(const Document& document, const StrokeInd
     for (; done < lines.size(); ++done) {
       MovedLine& line = lines[done];
       const auto junctions = junctions_of(document, index, line.id, *line.stroke);
-      // What moves as a whole keeps its shape, also if it leaves a locked line.
+      // A line that moves as a whole keeps its shape, even if it separates from a locked one.
       if (!all_marked(line.marks)) {
         for (const Junction& j : junctions) {
           if (!j.editable) hold_end(line, j.u);

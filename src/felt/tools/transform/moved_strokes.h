@@ -14,54 +14,56 @@
 
 namespace felt {
 
-/// What is selected, as it was at the touch, ready to be mapped again and again (R33): strokes,
-/// marks and places are found once. Prepared in time linear in the selection and in its layers.
+/// The selected strokes as they were at the touch, prepared for mapping (R33): strokes, marks and
+/// positions in the layers are looked up once, in time linear in the selection and its layers.
 ///
-/// A preview of a selection of up to kMostPreviewPoints is made in portions of kPointsPerStep, one
-/// a sample, so that a sample costs the same however much is selected: 40 strokes of ten segments
-/// follow with every sample, 1,000 strokes 40 times a second. Of more no preview is made: the frame
-/// and 2,000 marked pieces follow the pen, and the lines come at the lift.
+/// The preview of a selection of up to kMostPreviewPoints is made in portions of kPointsPerStep,
+/// one per sample, so that the cost of a sample does not depend on the selection: 40 strokes of ten
+/// segments are updated with every sample, 1,000 strokes 40 times a second. For larger selections
+/// there is no preview: the frame and 2,000 marked segments follow the pen, and the lines follow at
+/// the lift.
 class MovedStrokes {
  public:
   static constexpr std::size_t kPointsPerStep = 1'200;
   static constexpr std::size_t kMostPreviewPoints = 100'000;
-  /// In a selection of more strokes, connections to other strokes are not looked for: they stay
-  /// where they are, and nothing holds the selection there.
+  /// If more strokes are selected, connected strokes are not searched: they stay in place and do
+  /// not hold the selection.
   static constexpr std::size_t kMaxConnected = 5'000;
 
   MovedStrokes() = default;
-  /// Strokes of hidden and locked layers are left out. With `duplicates`, copies on top of the
-  /// layers are mapped and the strokes stay: of a stroke that is selected in part each run of
-  /// selected segments is copied, as a line of its own.
+  /// Prepares the strokes, without those on hidden or locked layers. With `duplicates`, copies on
+  /// top of the layers are mapped instead. Of a partly selected stroke each run of selected
+  /// segments is copied as a separate line.
   ///
-  /// Strokes that are not selected but share a point (junctions.h) with what moves go along there:
-  /// an end moves with the point, a line that an end stands on gets a joint there, and what is left
-  /// of them holds like the rest of a line that is selected in part. Strokes of locked layers stay,
-  /// and so does the end of a line that lies on one, unless that line is selected as a whole.
+  /// Strokes that are not selected but share a point (junctions.h) with moving ink follow at that
+  /// point: an end moves with the point, a line on which an end lies gets a joint there, and the
+  /// rest of them holds like the rest of a partly selected line. Strokes on locked layers stay, and
+  /// so does the end of a line that lies on one, unless that line is selected as a whole.
   MovedStrokes(const Document& document, const StrokeIndex& index, const Selection& selection,
                bool duplicates);
 
   [[nodiscard]] bool empty() const noexcept { return items_.empty(); }
-  /// The fixed points that hold the selection (R34); none for copies.
+  /// Returns the fixed points that hold the selection (R34); none for copies.
   [[nodiscard]] const std::vector<Point>& anchors() const noexcept { return anchors_; }
-  /// Below this factor a segment would become too short (I5); 1 at most.
+  /// Returns the factor below which a segment would become too short (I5); at most 1.
   [[nodiscard]] double least_scale() const noexcept { return least_scale_; }
-  /// The copies, all of each selected; nothing without duplicates.
+  /// Returns the selection of all copies as a whole; nullopt without duplicates.
   [[nodiscard]] const std::optional<Selection>& copies() const noexcept { return copies_; }
 
-  /// Works on the preview of this map for a while. A preview when one is complete, perhaps of an
-  /// earlier map: it shows up when its turn comes. Nothing where a stroke cannot become that.
+  /// Continues the preview in progress, or starts one of this map. Returns a preview once it is
+  /// complete; it may be of an earlier map. Nullopt if not complete or if a stroke cannot be
+  /// mapped.
   std::optional<Edit> step(const Affine& map, double width_factor);
-  /// The whole edit at once, or, where a stroke cannot become that, the last preview again; empty
-  /// when there was none.
+  /// Returns the whole edit. If a stroke cannot be mapped, returns the edit of the last preview
+  /// instead, or an empty one.
   [[nodiscard]] Edit finished(const Affine& map, double width_factor, std::string label) const;
 
  private:
   struct Item {
     StrokePtr before;
     Selection::Marks marks;
-    bool is_small = false;  // one segment, whole: never becomes shorter than a segment may be
-    /// The marked end moves as this place on an item before does, which bends.
+    bool is_small = false;  // one segment, whole: kept at the minimum length
+    /// The marked end moves with this point on an earlier item, which bends.
     std::optional<MovedLine::Leader> leader;
   };
   struct Aim {
@@ -70,8 +72,8 @@ class MovedStrokes {
     friend bool operator==(const Aim&, const Aim&) noexcept = default;
   };
 
-  /// The strokes of the last two previews are let go one by one as the next is made: whoever
-  /// showed them drops a thousand at once, which would take half a millisecond.
+  /// Keeps the strokes of the last two previews alive, so that they are released one by one as the
+  /// next preview is made: to release a thousand at once would take half a millisecond.
   struct Shown {
     StrokePtr last, before;
   };
@@ -81,22 +83,22 @@ class MovedStrokes {
   void prepare_copies(const Document& document, const Selection& selection);
   void add(MovedLine line);
   [[nodiscard]] static StrokePtr moved(const Item& item, const Aim& aim);
-  /// Of an item with a leader: how far that has gone in `done`.
+  /// Returns the map of an item; with a leader, the displacement of that in `done`.
   [[nodiscard]] Aim aim_of(const Item& item, const Aim& aim,
                            const std::vector<StrokeChange>& done) const;
   [[nodiscard]] std::optional<Edit> all_moved(const Aim& aim, std::string label) const;
 
   std::vector<Item> items_;
-  Edit places_;  // what becomes of item i: its i-th change, but for the stroke after
+  Edit places_;  // change i belongs to item i; without `after`
   std::size_t points_ = 0;
   std::vector<Point> anchors_;
   double least_scale_ = 0.0;
   std::optional<Selection> copies_;
 
-  Edit work_;  // of the preview in work, its first strokes
+  Edit work_;  // the preview in progress: its first strokes
   std::vector<Shown> shown_;
-  std::optional<Aim> aim_;   // of the preview in work
-  std::optional<Aim> done_;  // of the last complete one
+  std::optional<Aim> aim_;   // of the preview in progress
+  std::optional<Aim> done_;  // of the last complete preview
 };
 
 }  // namespace felt

@@ -15,7 +15,7 @@ using testing::straight_stroke;
 
 const Affine kMap = then(rotation(0.7, {10, 10}), translation({5, -3}));
 
-/// The strokes that an edit makes.
+/// Returns the strokes that an edit makes.
 std::vector<Stroke> strokes_of(const Edit& edit) {
   std::vector<Stroke> strokes;
   for (const StrokeChange& c : edit.changes) strokes.push_back(*c.after);

@@ -15,10 +15,10 @@
 
 namespace felt {
 
-/// The tether of a stretch: that of a scale for each axis by itself, its pen on the axis, with
-/// S = sum |x_i - c| |ln s_x| and the same for y. Where both act each has 1/sqrt 2 of the force, so
-/// that together they keep to 1 N and to Kcap. An axis that is stretched through the centre lets
-/// go, as its factor stands still there.
+/// The tether of a stretch: a scale tether for each axis, with the pen projected onto the axis, S =
+/// sum |x_i - c| |ln s_x| and the same for y. If both act, each has 1/sqrt 2 of the force, so that
+/// together they stay within 1 N and Kcap. An axis that is stretched through the centre exerts no
+/// force there, because its factor is constant.
 class StretchTether {
  public:
   StretchTether() noexcept = default;
@@ -54,12 +54,12 @@ class StretchTether {
     return x + y_(on_y, memory);
   }
   [[nodiscard]] Slopes slopes() const noexcept {
-    const Slopes x = x_.slopes(), y = y_.slopes();  // across each other
+    const Slopes x = x_.slopes(), y = y_.slopes();  // perpendicular to each other
     return x.lateral_n_per_m > y.lateral_n_per_m ? x : y;
   }
 
  private:
-  /// The way of the pen on its side of the centre.
+  /// Returns the coordinate of the pen if it is on the grab's side of the centre, else 0.
   [[nodiscard]] static double forward(double grab, double pen) noexcept {
     const double side = std::copysign(1.0, grab);
     return side * std::fmax(0.0, side * pen);
@@ -69,20 +69,21 @@ class StretchTether {
   Point centre_{}, grab_{};
 };
 
-/// Pens that take hold of lines leave no ink: two fifths of the pencil's friction and grain.
+/// The tool leaves no ink, so it has two fifths of the pencil's friction and grain.
 inline constexpr double kTransformGlide = 0.4;
 
-/// What holds a selection while it is transformed (R35-R38): nothing without anchors.
+/// The tethers that hold a selection while it is transformed (R35-R38); none without anchors.
 struct TransformHold {
   TransformKind kind = TransformKind::kMove;
   Point centre, grab;
   std::span<const Point> anchors;
   std::uint32_t gesture = 0;
-  bool constrained = false;  ///< along one axis, by steps of a turn (Tether::constrained)
+  bool constrained = false;  ///< along one axis, or in steps of a turn (Tether::constrained)
   double least_scale = TransformDrag::kLeastScale;
 };
 
-/// The sheet, with little friction; and, while a selection is held, its tethers.
+/// Returns the force model of the transform tool: the surface with little friction and, while a
+/// selection is held, its tethers.
 inline ForceModel make_transform_force(const Scene& scene, double strength,
                                        const TransformHold* hold) {
   const Medium material =

@@ -27,7 +27,7 @@ std::vector<Point> points_around(int count, double radius) {
   return points;
 }
 
-/// The tether's part of the force, for a hand that holds still.
+/// Returns the tether term of the force, for a pen at rest.
 class Hold {
  public:
   Hold(TransformKind kind, Point grab, const std::vector<Point>& anchors, double strength = 1.0)

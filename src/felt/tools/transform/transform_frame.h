@@ -11,25 +11,26 @@
 
 namespace felt {
 
-/// The frame round what is selected, and its handles: what a touch takes hold of.
+/// The frame around the selection, and its handles that a touch can grab.
 ///
 ///            o          turns
 ///      x-----x-----x    corners scale, just outside of one turns; edges stretch one axis
 ///      x     +     x    inside moves; + is the centre of turning and scaling, which can be dragged
 ///      x-----x-----x
 ///
-/// Handles that would lie on each other are left out: those of edges shorter than 4 kGripMm.
+/// Edges shorter than 4 kGripMm have no handle, because it would overlap with others.
 class TransformFrame {
  public:
-  static constexpr double kMarginMm = 3.0;  ///< of the frame round the control points
+  static constexpr double kMarginMm = 3.0;  ///< distance of the frame from the control points
   static constexpr double kGripMm = 3.0;    ///< radius of a handle
-  static constexpr double kTurnMm = 9.0;    ///< from a corner, outside, or of the handle above
+  static constexpr double kTurnMm = 9.0;  ///< from a corner, outside; distance of the handle above
 
   TransformFrame() = default;
-  /// Without a centre that of the box (E15). An empty box has no frame.
+  /// Makes the frame of a box. The default centre is that of the box (E15). An empty box has no
+  /// frame.
   explicit TransformFrame(const Rect& box, std::optional<Point> centre = {}) noexcept
       : TransformFrame(box, box, centre) {}
-  /// The frame around `ink`, with the centre of `box`.
+  /// Makes the frame around `ink`, with the centre of `box` as default.
   TransformFrame(const Rect& ink, const Rect& box, std::optional<Point> centre) noexcept;
 
   [[nodiscard]] bool empty() const noexcept { return frame_.empty(); }
@@ -39,15 +40,16 @@ class TransformFrame {
   enum class Part : std::uint8_t { kNone, kInside, kCentre, kHandle };
   struct Grip {
     Part part = Part::kNone;
-    TransformKind kind = TransformKind::kMove;  ///< what it begins, but for kNone and kCentre
-    Point at;                                   ///< of the handle
+    TransformKind kind =
+        TransformKind::kMove;  ///< the transform that it begins, except for kNone and kCentre
+    Point at;                  ///< position of the handle
   };
-  /// What is at a place; of several the nearest handle.
+  /// Returns the part of the frame at a point; of several handles the nearest.
   [[nodiscard]] Grip grip_at(Point p) const noexcept;
-  /// True on the dot of the centre.
+  /// Returns true if the point is on the dot of the centre.
   [[nodiscard]] bool is_centre(Point p) const noexcept;
 
-  /// The frame and its handles.
+  /// Draws the frame and its handles.
   void draw(Overlay& overlay) const;
 
  private:
@@ -64,7 +66,7 @@ class TransformFrame {
 
   Rect frame_;
   Point centre_;
-  bool has_centre_ = false;  // dragged somewhere
+  bool has_centre_ = false;  // was dragged by the user
 };
 
 }  // namespace felt

@@ -9,7 +9,7 @@
 
 namespace felt {
 
-/// What a touch begins.
+/// Which transform a touch begins.
 enum class TransformMode : std::uint8_t { kAuto, kMove, kRotate, kScale, kStretch };
 
 inline constexpr std::array<std::string_view, 5> kTransformModes = {"auto", "move", "rotate",
@@ -69,7 +69,7 @@ inline constexpr std::array<OptionSpec, TransformOption::kCount> kTransformOptio
     strength_option("Share of the tethers, friction and grain that is felt."),
 }};
 
-/// The options as the tool uses them.
+/// The options in the form that the tool uses.
 struct TransformSettings {
   TransformMode mode = TransformMode::kAuto;
   bool constrain = false;
@@ -79,7 +79,7 @@ struct TransformSettings {
   double strength = 1.0;
 };
 
-/// Reads them. Requires values of kTransformOptions.
+/// Reads the options. Requires values of kTransformOptions.
 TransformSettings transform_settings(const OptionValues& values);
 
 }  // namespace felt

@@ -157,7 +157,7 @@ TEST(Transform, R33_ThereAndBackAgainWithinANanometre) {
     const Document before = t.desk.document;
     const char* mode = seed % 3 == 0 ? "move" : (seed % 3 == 1 ? "rotate" : "scale");
     t.choose("mode", mode);
-    // The centre follows the box of what was moved: put it where it stays.
+    // The centre follows the box of the moved strokes, so drag it to a fixed point.
     const Rect box = t.desk.selection.bounds(before);
     const Point c = lerp(Point{box.x0, box.y0}, Point{box.x1, box.y1}, 0.5);
     const Point from = c + Vec{25, 3},
@@ -173,7 +173,7 @@ TEST(Transform, R33_ThereAndBackAgainWithinANanometre) {
         }
       }
     }
-    // Back by hand: as the tool would about the same centre.
+    // Back by the inverse map around the same centre.
     TransformDrag drag(seed % 3 == 0   ? TransformKind::kMove
                        : seed % 3 == 1 ? TransformKind::kRotate
                                        : TransformKind::kScale,
@@ -245,7 +245,7 @@ TEST(Transform, CancelLeavesNothing) {
     EXPECT_EQ(t.desk.document, before);
     EXPECT_EQ(t.desk.selection, selection);
     EXPECT_EQ(t.pen.commits, 0);
-    // The centre is back as well.
+    // The centre is restored, too.
     t.drag(way({43, 43}, {66, 66}));
     EXPECT_LE(distance(t.desk.strokes()[0]->position(0.0), Point{-20, -20}), 1e-9);
   }
@@ -319,11 +319,11 @@ TEST(Transform, E15_TheCentreCanBeDraggedAndStaysUntilTheSelectionChanges) {
   EXPECT_LE(distance(t.desk.strokes()[0]->position(2.0), Point{80, 80}), 1e-9);
   t.drag(way({83, 83}, {43 / 43.0 * 41.5, 41.5}));
   EXPECT_LE(distance(t.start_of(id), Point{0, 0}), 1e-9) << "it is still there";
-  // It goes along with a move.
+  // It moves with the selection.
   t.drag(way({30, 10}, {30, 20}));
   t.drag(way({43, 53}, {86, 96}));
   EXPECT_LE(distance(t.start_of(id), Point{0, 10}), 1e-9);
-  // Another selection has its own.
+  // Another selection has its own centre.
   const StrokeId other = t.add(straight_stroke({200, 200}, {240, 240}, 1, 1));
   t.desk.selection.remove(id);
   t.drag(way({243, 243}, {266, 266}));
@@ -416,7 +416,7 @@ TEST(Transform, R35_MoreLinesHoldHarderAndWholeOnesNotAtAll) {
     ForceMemory memory;
     memory.begin_tick(0.001);
     PenSample s;
-    s.position = {15, 3, 1.0};  // clear of the sheet's friction
+    s.position = {15, 3, 1.0};  // above the surface, without friction
     return t.tool.force(t.desk.scene())(s, memory).x;
   };
   EXPECT_EQ(force_of(4, true), 0.0);
@@ -440,7 +440,7 @@ TEST(Transform, R35_AConstrainedMoveIsNotHeldAlongTheOtherAxis) {
     ForceMemory memory;
     memory.begin_tick(0.001);
     PenSample s;
-    s.position = {-5, -9, 1.0};  // clear of the sheet's friction
+    s.position = {-5, -9, 1.0};  // above the surface, without friction
     const Force force = t.tool.force(t.desk.scene())(s, memory);
     EXPECT_GT(force.x, 0.15);
     EXPECT_EQ(force.y != 0.0, !constrained) << force.y;

@@ -75,7 +75,8 @@ void TransformTool::look_at_stroke(Point p, const Scene& scene) {
   under_pen_ = hit ? scene.document.find(hit->stroke) : nullptr;
 }
 
-/// The centre is kept until other points are selected, or they lie elsewhere by another's doing.
+/// Resets the centre if other points are selected or something else has moved them; updates the
+/// frame.
 void TransformTool::follow_selection() {
   if (selected_.fingerprint() != centre_is_for_) {
     if (selected_.marks_fingerprint() != moved_marks_) centre_.reset();
@@ -244,7 +245,7 @@ void TransformTool::draw_gesture(Overlay& overlay) const {
   Overlay marked;
   selected_.draw(marked);
   for (Overlay::Span span : marked.spans) {
-    if (span.role != Overlay::Role::kSelected) continue;  // bent: its preview shows how
+    if (span.role != Overlay::Role::kSelected) continue;  // bent: shown by its preview
     span.curve = apply(map, span.curve);
     overlay.spans.push_back(span);
   }

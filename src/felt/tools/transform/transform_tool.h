@@ -13,19 +13,19 @@
 
 namespace felt {
 
-/// Moves, turns, scales and stretches what is selected, held back by the lines that tie it to the
-/// rest (paper, "Transformations", eq. 10; transform.md; R33-R38). Always from the state at the
-/// touch: going back undoes it, whatever the rate of samples.
+/// Moves, turns, scales and stretches the selection. Lines that connect it to the rest stay
+/// attached and resist (paper, "Transformations", eq. 10; transform.md; R33-R38). Always computed
+/// from the state at the touch, so moving back undoes it, at any sample rate.
 ///
 /// A gesture is one of
 ///   - a transform, one edit: "Move", "Rotate", "Scale", "Stretch", or "Duplicate";
-///   - the centre of turning and scaling being dragged; a click on it puts it back: no edit;
-///   - a click beside the frame: another selection, or none.
+///   - a drag of the centre of turning and scaling; a click on it resets it: no edit;
+///   - a click outside the frame: selects another stroke, or nothing.
 class TransformTool final : public GestureTool {
  public:
-  /// A touch that never comes farther than this from where it began is a click.
+  /// A touch that stays within this distance of its start is a click.
   static constexpr double kClickMm = 0.3;
-  /// Tethers that are drawn at most.
+  /// Maximum number of tethers drawn.
   static constexpr std::size_t kMostTethers = 64;
 
   TransformTool();
@@ -44,7 +44,7 @@ class TransformTool final : public GestureTool {
  private:
   enum class Doing : std::uint8_t { kNothing, kTransform, kCentre, kElsewhere };
 
-  /// Where a touch at a place takes hold of the frame.
+  /// Returns the part of the frame that a touch at a point would grab.
   [[nodiscard]] TransformFrame::Grip grip_at(Point p) const;
   void look_at_stroke(Point p, const Scene& scene);
   void follow_selection();
@@ -59,22 +59,23 @@ class TransformTool final : public GestureTool {
 
   TransformSettings settings_;
   SelectionView selected_;
-  std::optional<Point> centre_;               // dragged there
-  std::uint64_t centre_is_for_ = 0;           // fingerprint of the selection that it belongs to
-  std::optional<std::uint64_t> moved_marks_;  // these lie elsewhere by this tool's doing
+  std::optional<Point> centre_;      // set if it was dragged
+  std::uint64_t centre_is_for_ = 0;  // fingerprint of the selection that centre_ belongs to
+  std::optional<std::uint64_t>
+      moved_marks_;  // marks_fingerprint of points that this tool has moved
   TransformFrame frame_;
 
   Point pen_;
   StrokeId under_pen_id_;
-  StrokePtr under_pen_;  // what a touch would take
+  StrokePtr under_pen_;  // the stroke that a touch would grab
 
-  // Of the gesture.
+  // State of the gesture.
   Doing doing_ = Doing::kNothing;
   std::uint32_t gesture_ = 0;
   Point grab_;
   double farthest_mm_ = 0.0;
   std::optional<Point> old_centre_;
-  std::optional<Selection> taken_;  // at the touch: a stroke with nothing selected before
+  std::optional<Selection> taken_;  // stroke selected by the touch, if nothing was selected
   bool duplicates_ = false;
   MovedStrokes strokes_;
   TransformDrag drag_;

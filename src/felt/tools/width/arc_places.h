@@ -7,13 +7,14 @@
 
 namespace felt {
 
-/// Places evenly spaced along a stroke, numbered 0 to count() from its start to its end; the u of
-/// each is worked out when it is first asked for. The same stroke always has the same places, so
-/// that edits one after the other do not pile up breakpoints. On a closed stroke place count() is
-/// place 0, at the other side of the seam.
+/// Evenly spaced sample positions ("places") along a stroke, numbered 0 to count() from its start
+/// to its end; the u of each is computed on first use. The same stroke always has the same places,
+/// so that successive edits do not accumulate breakpoints. On a closed stroke place count() is
+/// place 0, on the other side of the seam.
 class ArcPlaces {
  public:
-  /// Both must outlive this. The spacing is rounded so that a whole number of cells fits.
+  /// `stroke` and `map` must outlive this object. The spacing is rounded so that a whole number of
+  /// cells fits.
   ArcPlaces(const Stroke& stroke, const ArcMap& map, double spacing_mm);
 
   [[nodiscard]] long count() const noexcept { return count_; }
@@ -21,12 +22,12 @@ class ArcPlaces {
   [[nodiscard]] double length_at(long k) const noexcept {
     return spacing_mm_ * static_cast<double>(k);
   }
-  /// Stroke parameter of place k, 0 <= k <= count().
+  /// Returns the stroke parameter of place k, 0 <= k <= count().
   [[nodiscard]] double u(long k) const;
-  /// The cell [k, k + 1] that holds a length on the stroke.
+  /// Returns the k of the cell [k, k + 1] that contains an arc length.
   [[nodiscard]] long cell(double length_mm) const noexcept;
-  /// Where to keep something for place k, any whole number: what is the same place of a closed
-  /// stroke has the same slot, beyond the ends of an open one the ends are meant.
+  /// Returns the array index for data of place k, any integer: wrapped around on a closed stroke,
+  /// clamped to the ends on an open one.
   [[nodiscard]] std::size_t slot(long k) const noexcept;
   [[nodiscard]] std::size_t slot_count() const noexcept { return us_.size(); }
 
@@ -36,7 +37,7 @@ class ArcPlaces {
   int segments_;
   long count_;
   double spacing_mm_;
-  mutable std::vector<double> us_;  // NaN: not asked for yet
+  mutable std::vector<double> us_;  // NaN: not computed yet
 };
 
 }  // namespace felt

@@ -8,10 +8,10 @@
 namespace felt {
 namespace {
 
-/// Longest run of knots that one straight line replaces: bounds the work.
+/// Longest run of knots that one straight line replaces; bounds the work.
 constexpr std::size_t kMaxRun = 200;
 
-/// The slopes from a knot that pass within a tolerance of the knots so far.
+/// The interval of slopes from a knot that pass within a tolerance of the knots so far.
 struct KnotSlopes {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -24,7 +24,7 @@ struct KnotSlopes {
   }
 };
 
-/// The farthest knot after `i` to which a straight line does.
+/// Returns the farthest knot after `i` that a straight line may go to.
 std::size_t farthest(std::span<const ProfileKnot> knots, std::size_t i, double tolerance_mm) {
   KnotSlopes widths, tones;
   const WidthKnot from = knots[i].knot;

@@ -7,22 +7,22 @@
 
 namespace felt {
 
-/// A knot of a profile in work.
+/// A knot of a profile being built.
 struct ProfileKnot {
   WidthKnot knot;
   bool stays = false;  ///< must be a knot of the result
 };
 
-/// The profile with as few knots as a greedy search finds, each one of the given ones, such that
-/// none of those left out is farther than tolerance_mm, or kFollowedTone in its tone, from it. From
-/// each knot the farthest one is taken that can be reached: the slopes that pass within the
-/// tolerance of all knots so far are an interval (as in WidthFitter), and the straight line to a
-/// knot must have a slope in it. The first and the last knot stay. Requires u strictly increasing.
-/// Time: linear, for runs of bounded length.
+/// Returns the profile with as few of the given knots as a greedy search finds. No omitted knot is
+/// farther from it than tolerance_mm, or kFollowedTone in tone. From each knot the search goes to
+/// the farthest one that it can reach: the slopes that pass within the tolerance of all knots so
+/// far form an interval (as in WidthFitter), and the slope to the next knot must lie in it. The
+/// first and the last knot stay. Requires strictly increasing u. Linear, because the length of runs
+/// is bounded.
 std::vector<WidthKnot> thinned(std::span<const ProfileKnot> knots, double tolerance_mm);
 
-/// The whole profile times a factor, from kMinWidthMm to max_width_mm, tones as they are; a knot
-/// that was broader already keeps that as its limit.
+/// Returns the profile scaled by a factor, clamped to kMinWidthMm..max_width_mm; tones do not
+/// change. A knot that was already broader than that keeps its width as its limit.
 std::vector<WidthKnot> scaled(std::span<const WidthKnot> knots, double factor, double max_width_mm);
 
 }  // namespace felt

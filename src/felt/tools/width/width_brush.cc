@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-/// Knots nearer than this in u would be one place with two widths.
+/// Knots nearer than this in u count as one, because a point cannot have two widths.
 constexpr double kSamePlace = 1e-9;
 
 }  // namespace
@@ -24,7 +24,7 @@ WidthBrush::WidthBrush(const Stroke& stroke, const ArcMap& map, double reach_mm,
       added_(places_.slot_count(), 0.0) {}
 
 double WidthBrush::limited(double base_mm, double added_mm) const noexcept {
-  // An untouched place stays as it is; between two knots of 0.05 mm rounding may say less.
+  // An unchanged place keeps its width, but between two knots of 0.05 mm rounding may give less.
   if (added_mm == 0.0) return std::max(base_mm, kMinWidthMm);
   return std::clamp(base_mm + added_mm, kMinWidthMm, std::max(max_width_mm_, base_mm));
 }
@@ -49,14 +49,14 @@ void WidthBrush::add(double u, double length_mm, double amount_mm) {
   const double u0 = places_.u(cell), u1 = places_.u(cell + 1);
   const double tw = std::clamp((u - u0) / (u1 - u0), 0.0, 1.0);
   const double own = (1.0 - tw) * share(cell) + tw * share(cell + 1);
-  // On a line of a hundred kilometres the places are farther apart than the reach.
+  // On a line of 100 km the places may be farther apart than the reach.
   if (!(own > 0.0)) return;
   for (long k = first; k <= last; ++k) {
     const double change = amount_mm * share(k) / own;
     if (change == 0.0) continue;
     double& added = added_[places_.slot(k)];
     const double base = width_at(stroke_.widths(), places_.u(static_cast<long>(places_.slot(k))));
-    // What cannot be seen is not collected either: turning round takes effect at once.
+    // Amounts beyond the limits are not accumulated, so that reversing takes effect immediately.
     added = limited(base, added + change) - base;
   }
 }
@@ -82,6 +82,8 @@ std::vector<WidthKnot> WidthBrush::added_knots() const {
   return knots;
 }
 
+/// Merges the stroke's breakpoints, the pinned parameters and the knots of the added widths by u,
+/// then drops the knots that are not needed.
 std::vector<WidthKnot> WidthBrush::profile(std::span<const double> pinned) const {
   const std::span<const WidthKnot> base = stroke_.widths();
   const std::vector<WidthKnot> added = added_knots();
@@ -90,7 +92,7 @@ std::vector<WidthKnot> WidthBrush::profile(std::span<const double> pinned) const
   knots.reserve(base.size() + added.size() + pinned.size());
   std::size_t i = 0, j = 0, p = 0;
   const auto added_at = [&](double u) {
-    // Beyond both ends nothing was added, but for the ends of the stroke, which are among these.
+    // Nothing was added before the first and after the last of these knots.
     return u < added.front().u || u > added.back().u ? 0.0 : width_at(added, u);
   };
   const auto push = [&](const WidthKnot& ink, bool is_base, bool stays) {

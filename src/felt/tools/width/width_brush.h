@@ -8,33 +8,34 @@
 
 namespace felt {
 
-/// Broadens and narrows a stroke around a place; a pure function of the stroke at the touch and of
-/// what was added since. Only breakpoints of the width change, never the curve (specification 5h;
+/// Broadens and narrows a stroke around a point: a pure function of the stroke at the touch and the
+/// amounts added since. Changes only breakpoints of the width, never the curve (specification 5h;
 /// paper, "Change curve width"; R46).
 ///
-/// An amount dW at u adds  dW S(way/reach) / S_u  to the profile, way along the arc, linear between
-/// places 0.5 mm apart: this stands for the paper's splitting of width segments. S_u is the value
-/// of that sum at u itself, so that W(u) changes by exactly dW, as 5h divides by (1-tw)^2 + tw^2.
-/// Beyond the reach nothing changes. Widths stay between kMinWidthMm and the largest; ink that was
-/// broader before may stay so.
+/// An amount dW at u adds dW S(s/reach) / S_u to the profile, s being the arc length from u, linear
+/// between places 0.5 mm apart; this replaces the paper's splitting of width segments. S_u is the
+/// interpolated value of S at u itself, so that W(u) changes by exactly dW, as 5h divides by
+/// (1-tw)^2 + tw^2. Beyond the reach nothing changes. Widths stay between kMinWidthMm and
+/// max_width_mm, but ink that was broader before may stay so.
 class WidthBrush {
  public:
   static constexpr double kSpacingMm = 0.5;
-  /// A short reach has places enough for its bump.
+  /// Minimum number of places per reach, so that a short reach can represent its bump.
   static constexpr double kPlacesPerReach = 8.0;
   static constexpr double kToleranceMm = 0.01;
 
-  /// Stroke and map must outlive this. Requires reach_mm > 0.
+  /// `stroke` and `map` must outlive this object. Requires reach_mm > 0.
   WidthBrush(const Stroke& stroke, const ArcMap& map, double reach_mm, double max_width_mm);
 
-  /// W(u) changes by amount_mm, as far as the limits allow; length_mm is where u is along the
-  /// stroke. Bounded by the reach.
+  /// Changes W(u) by amount_mm, as far as the limits allow. length_mm is the arc length at u.
+  /// Linear in the reach.
   void add(double u, double length_mm, double amount_mm);
-  /// W(u) now.
+  /// Returns the current W(u).
   [[nodiscard]] double width_mm(double u, double length_mm) const;
   [[nodiscard]] double max_width_mm() const noexcept { return max_width_mm_; }
-  /// The profile now: exact at the places `pinned` (u, ascending) and where nothing was added, else
-  /// within kToleranceMm. Linear in the breakpoints and in the length of the stroke.
+  /// Returns the current profile: exact at the parameters `pinned` (ascending) and where nothing
+  /// was added, elsewhere within kToleranceMm. Linear in the breakpoints and the length of the
+  /// stroke.
   [[nodiscard]] std::vector<WidthKnot> profile(std::span<const double> pinned) const;
 
  private:

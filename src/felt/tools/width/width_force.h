@@ -14,22 +14,22 @@
 
 namespace felt {
 
-/// How near the width under the pen is to where the brush must stop: 0 far, 1 there.
+/// How near the width under the pen is to a limit of the brush: 0 far, 1 at the limit.
 struct WidthStops {
-  double harder = 0.0;   ///< the end to which pressing harder leads
-  double lighter = 0.0;  ///< the one to which pressing less leads
+  double harder = 0.0;   ///< the limit reached by pressing harder
+  double lighter = 0.0;  ///< the limit reached by pressing less
 };
 
-/// The spring and damper that counteract the pressure where the width can go no farther (paper,
-/// "Change curve width"; E20). Beside the plane of the sheet, with d the depth and d0 the depth at
-/// which the width stands still:
+/// The spring and damper that resist the pressure when the width has reached a limit (paper,
+/// "Change curve width"; E20). Added to the plane of the surface, with d the depth and d0 the depth
+/// at which the width does not change:
 ///
 ///   F = K (harder max(0, d - d0) + lighter min(d, d0)) - B vz,   |B vz| at most the spring
 ///
-/// So at the broadest the sheet gets stiff against pressing on, and at the thinnest it takes more
-/// to leave: a detent. Zero at the surface, never pulling in, continuous; both springs are
-/// functions of the depth, so they give back what they took. Stands behind the plane, whose speed
-/// it reads. K is what the plane leaves of the device's stiffness, see width_stop_stiffness.
+/// So at the broadest width the surface stiffens against pressing harder, and at the thinnest it
+/// takes more force to leave: a detent. Zero at the surface, never pulls inwards, continuous; both
+/// springs depend on the depth alone, so they are passive. Must come after the plane, whose speed
+/// it reads. K is the stiffness that the plane leaves of the device's, see width_stop_stiffness.
 class WidthStop {
  public:
   WidthStop(const WidthStops& stops, double neutral_mm, double stiffness_n_per_m) noexcept
@@ -58,9 +58,10 @@ class WidthStop {
   double stiffness_;
 };
 
-/// Stiffness left for a stop beside the plane of a sheet, N/m: of the budget (R56), of 0.9 of the
-/// device's cap (R55), and of what the steps of its sensor allow; 400 at most. 0 on a device whose
-/// plane takes all there is: there the stop is felt as friction only.
+/// Returns the stiffness left for a stop in addition to the plane of a surface, N/m: the minimum of
+/// the budget (R56), 0.9 of the device's cap (R55) and the limit from its sensor resolution, less
+/// that of the plane; at most 400. 0 if the plane uses it all; then the stop is felt only as
+/// friction.
 inline double width_stop_stiffness(const SurfaceMaterial& surface, const Capabilities& device) {
   constexpr double kMost = 400.0, kMostPerStepN = 0.025;
   double room = stiffness_budget_n_per_m(device);
@@ -73,7 +74,7 @@ inline double width_stop_stiffness(const SurfaceMaterial& surface, const Capabil
   return std::clamp(room - plane_for(surface, device).stiffness_n_per_m, 0.0, kMost);
 }
 
-/// Draws the pen back to the height at which it took a line to scale it: EditSpring along y only.
+/// Pulls the pen back to the y at which it began to scale a line: EditSpring along y only.
 class HeightSpring {
  public:
   HeightSpring(double origin_y_mm, double share) noexcept : origin_y_mm_(origin_y_mm) {
@@ -97,15 +98,16 @@ class HeightSpring {
   EditOptions options_;
 };
 
-/// What the width tool wants to be felt.
+/// The state of the width tool that its force model depends on.
 struct WidthFeel {
-  WidthStops stops;  ///< of the brush
+  WidthStops stops;  ///< how near the limits of the brush are
   WidthDirection direction = WidthDirection::kPressure;
-  std::optional<double> origin_y_mm;  ///< while a line is scaled
+  std::optional<double> origin_y_mm;  ///< set while a line is scaled
 };
 
-/// What the hand feels: the sheet, more friction towards a stop, the stop itself, and while a line
-/// is scaled the pull back to where that began. The stops change smoothly, the feel stays the same.
+/// Returns the force model of the width tool: the surface, more friction near a stop, the stop
+/// itself and, while a line is scaled, the pull back to where that began. The stops change smoothly
+/// and do not change the fade_id.
 inline ForceModel make_width_force(const WidthSettings& settings, const Scene& scene,
                                    const WidthFeel& feel) {
   const double near = std::max(feel.stops.harder, feel.stops.lighter);
@@ -121,7 +123,8 @@ inline ForceModel make_width_force(const WidthSettings& settings, const Scene& s
     id.with("scale").with(*feel.origin_y_mm);
     model = ForceModel(Compose(sheet, HeightSpring(*feel.origin_y_mm, settings.strength)));
   } else {
-    // Where the width stands still: at half the pressure, or at none when harder only does more.
+    // The push at which the width does not change: half the pressure, or none if the direction is
+    // fixed.
     const Pressing pressing(scene.surface, scene.device);
     const bool by_pressure = feel.direction == WidthDirection::kPressure;
     const double neutral_n =

@@ -13,7 +13,7 @@ using testing::Desk;
 Force force_at(const ForceModel& model, const Vec3& position, const Vec3& velocity = {}) {
   ForceMemory memory;
   memory.begin_tick(0.001);
-  model(rig::pen_at(position), memory);  // the plane has seen where the pen is
+  model(rig::pen_at(position), memory);  // so that the plane knows the position of the pen
   memory.begin_tick(0.001);
   return model(rig::pen_at(position, velocity), memory);
 }
@@ -61,7 +61,7 @@ TEST(WidthForce, R56_TheStiffnessStaysWithinTheBudgetAndTheCapOfTheDevice) {
         if (cap > 0.0) {
           EXPECT_LE(slope, 0.9 * cap + 1e-9);
         }
-        // The claim holds.
+        // The measured slope stays within slopes().
         for (double z = 0.0; z < 6.0; z += 0.1) {
           const double rise = force_at(model, {0, 0, -z - 1e-4}).z - force_at(model, {0, 0, -z}).z;
           EXPECT_LE(rise, 1e-3 * slope * 1e-4 + 1e-12);

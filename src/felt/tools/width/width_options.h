@@ -12,7 +12,7 @@ namespace felt {
 
 /// What a gesture of the width tool does.
 enum class WidthMode { kBrush, kRetrace, kScale };
-/// Which way the brush goes.
+/// In which direction the brush changes the width.
 enum class WidthDirection { kPressure, kThicker, kThinner };
 
 inline constexpr std::array<std::string_view, 3> kWidthModes = {"brush", "retrace", "scale"};
@@ -109,7 +109,7 @@ inline constexpr std::array<OptionSpec, WidthOption::kCount> kWidthOptions = {{
         "Share of friction, stops and pull that is felt; the sheet stays as hard as it is."),
 }};
 
-/// The options as the tool uses them.
+/// The options in the form that the tool uses.
 struct WidthSettings {
   WidthMode mode = WidthMode::kBrush;
   WidthDirection direction = WidthDirection::kPressure;
@@ -119,7 +119,7 @@ struct WidthSettings {
   double strength = 1.0;
 };
 
-/// Reads them. Requires values of kWidthOptions.
+/// Reads the options. Requires values of kWidthOptions.
 WidthSettings width_settings(const OptionValues& values);
 
 }  // namespace felt

@@ -23,7 +23,7 @@ WidthRetrace::WidthRetrace(const Stroke& stroke, const ArcMap& map)
 }
 
 void WidthRetrace::jump(double length_mm, double width_mm) {
-  // What lies between is drawn when the pen comes there; until then it keeps its width.
+  // Ink in between keeps its width until the pen draws there.
   at_mm_ = mark_mm_ = has_drawn_ ? at_mm_ + map_.way(at_mm_, length_mm) : length_mm;
   mark_width_ = width_mm;
 }
@@ -52,7 +52,7 @@ void WidthRetrace::mark(double from_mm, double from_width_mm, double to_mm, doub
   last_mm_ = has_drawn_ ? std::max(last_mm_, high) : high;
   has_drawn_ = true;
   const double h = places_.spacing_mm();
-  // A closed stroke is drawn over at most once by one step.
+  // One step covers a closed stroke at most once.
   const long first = static_cast<long>(std::ceil(std::max(low, high - map_.length_mm()) / h));
   const long last = static_cast<long>(std::floor(high / h));
   for (long k = first; k <= last; ++k) {
@@ -128,6 +128,8 @@ std::vector<ProfileKnot> WidthRetrace::new_knots() const {
   return knots;
 }
 
+/// Merges the stroke's breakpoints that the trace does not replace with the drawn ones by u, then
+/// drops the knots that are not needed.
 std::vector<WidthKnot> WidthRetrace::profile() const {
   const std::span<const WidthKnot> base = stroke_.widths();
   if (!has_drawn_) return {base.begin(), base.end()};

@@ -7,37 +7,38 @@
 
 namespace felt {
 
-/// Replaces the width of a stroke where a pen has drawn along it (peers.md, "redraw width"); a pure
-/// function of the stroke at the touch and of the pen's way.
+/// Replaces the width of a stroke where a pen has drawn along it (peers.md, "redraw width"): a pure
+/// function of the stroke at the touch and the pen's path.
 ///
-/// Between the first and the last place reached, the width is what was drawn there last, linear
-/// between places 0.25 mm apart. Over 2 mm at both ends it goes over into the old one by S(x),
-/// unless that is where the stroke ends; around the place where newer ink meets older of the same
-/// trace the mean over 2 mm is taken. Outside, the profile stays bit for bit.
+/// Between the first and the last point reached, the width is the one drawn there last, linear
+/// between places 0.25 mm apart. Over 2 mm at both ends it blends into the old width by S(x),
+/// except at an end of the stroke. Around the pen, where newer ink meets older ink of the same
+/// trace, the width is the mean over 2 mm. Elsewhere the profile stays bit for bit.
 class WidthRetrace {
  public:
   static constexpr double kSpacingMm = 0.25;
   static constexpr double kToleranceMm = 0.05;
   static constexpr double kBlendMm = 2.0;
-  /// A trace that comes this near to the end of an open stroke goes up to it.
+  /// A trace that comes this near to the end of an open stroke extends to the end.
   static constexpr double kEndMm = 1.0;
-  /// Less than this is no way: a pen that is lifted leaves no thin place.
+  /// Shorter steps are ignored, so that a pen that is lifted leaves no thin spot.
   static constexpr double kStepMm = 0.1;
 
-  /// Both must outlive this.
+  /// `stroke` and `map` must outlive this object.
   WidthRetrace(const Stroke& stroke, const ArcMap& map);
 
-  /// The pen is here now without having drawn on the way.
+  /// Moves the pen here without drawing.
   void jump(double length_mm, double width_mm);
-  /// It has drawn on by a signed way along the stroke.
+  /// Draws on by a signed arc length along the stroke.
   void go(double way_mm, double width_mm);
 
-  /// True once something was drawn.
+  /// Returns true once something was drawn.
   [[nodiscard]] bool has_drawn() const noexcept { return has_drawn_; }
-  /// Lengths between which it was; the second may lie beyond the seam, the first before it.
+  /// Return the arc lengths between which it was drawn; on a closed stroke the first may lie before
+  /// the seam and the second beyond it.
   [[nodiscard]] double first_mm() const noexcept { return first_mm_; }
   [[nodiscard]] double last_mm() const noexcept { return last_mm_; }
-  /// Linear in the breakpoints and in the length of the stroke.
+  /// Returns the new profile. Linear in the breakpoints and the length of the stroke.
   [[nodiscard]] std::vector<WidthKnot> profile() const;
 
  private:
@@ -50,10 +51,10 @@ class WidthRetrace {
   const Stroke& stroke_;
   const ArcMap& map_;
   ArcPlaces places_;
-  std::vector<double> base_lengths_;         // of the stroke's own breakpoints
-  std::vector<double> drawn_;                // by slot; NaN where the pen was not
-  double at_mm_ = 0.0;                       // unwrapped
-  double mark_mm_ = 0.0, mark_width_ = 0.0;  // where the last step ended
+  std::vector<double> base_lengths_;         // arc lengths of the stroke's own breakpoints
+  std::vector<double> drawn_;                // by slot; NaN if not drawn
+  double at_mm_ = 0.0;                       // unwrapped arc length of the pen
+  double mark_mm_ = 0.0, mark_width_ = 0.0;  // end of the last step
   double first_mm_ = 0.0, last_mm_ = 0.0;
   bool has_drawn_ = false;
 };

@@ -28,7 +28,7 @@ struct Width {
   }
   void mode(const char* name) { set("mode", std::string(name)); }
   [[nodiscard]] const Stroke& stroke(std::size_t i = 0) const { return *desk.strokes().at(i); }
-  /// Rests at a place with a pressure.
+  /// Rests at a point with a pressure.
   void press(Point at, double pressure, double seconds, std::uint32_t buttons = 0) {
     const auto n = std::llround(seconds * 1e9 / static_cast<double>(pen.step_ns));
     for (std::int64_t i = 0; i <= n; ++i) {
@@ -56,7 +56,7 @@ Stroke wavy() {
   return Stroke::create(d).value();
 }
 
-/// The width tool changes widths alone: neither the curve nor how much was laid on.
+/// The width tool changes only widths, neither the curve nor the tone.
 void expect_same_curve(const Stroke& a, const Stroke& b) {
   EXPECT_EQ(a.data().points, b.data().points);
   EXPECT_EQ(a.data().joints, b.data().joints);
@@ -284,7 +284,7 @@ TEST(WidthTool, RetracingTheSamePartTwiceKeepsTheSecondWithoutAStep) {
   EXPECT_NEAR(after.width_mm(55 / 80.0), 0.3 + 5.7 * 0.9, 0.06);
   for (int i = 1; i <= 800; ++i) {
     const double step = after.width_mm(i / 800.0) - after.width_mm((i - 1) / 800.0);
-    EXPECT_LE(std::fabs(step), 0.45) << i;  // 4 mm over 2 mm at most, looked at each 0.1 mm
+    EXPECT_LE(std::fabs(step), 0.45) << i;  // 4 mm over 2 mm at most, sampled every 0.1 mm
   }
 }
 
@@ -329,7 +329,7 @@ TEST(WidthTool, ScaleTakesTheSelectedLinesAlongButNotThoseOfLockedLayers) {
   for (const StrokeId id : {c, d}) EXPECT_EQ(w.desk.document.find(id)->width_mm(1.0), 2.0);
   w.desk.undo();
   for (const StrokeId id : {a, b}) EXPECT_EQ(w.desk.document.find(id)->width_mm(1.0), 2.0);
-  // One that is not selected goes alone.
+  // A line that is not selected is scaled alone.
   w.pen.line(way({20, 90}, {20, 70}));
   EXPECT_NEAR(w.desk.document.find(c)->width_mm(1.0), 4.0, 1e-9);
   EXPECT_EQ(w.desk.document.find(a)->width_mm(1.0), 2.0);

@@ -37,12 +37,12 @@ constexpr ToolInfo kWidthInfo{
             .caption = "Press on a line to make it broader, after it was drawn.",
             .seconds = 14.0}};
 constexpr std::string_view kWidthLabel = "Width";
-/// The brush works at most this far apart along the line between two samples.
+/// Largest distance along the line between two applications of the brush within a sample.
 constexpr double kBrushStepMm = 1.0;
-constexpr double kMostBrushSteps = 200.0;  // no hand goes that far in a sample
-/// Stops come and go with this time constant, so that the hand feels no edge.
+constexpr double kMostBrushSteps = 200.0;  // farther than a hand moves in a sample
+/// Time constant of the stops, so that the hand feels no edge.
 constexpr double kStopSeconds = 0.030;
-/// Lines marked at most while several are scaled.
+/// Maximum number of lines marked while several are scaled.
 constexpr std::size_t kMostMarked = 64;
 
 std::string text_of(const char* format, double value) {
@@ -101,7 +101,8 @@ ToolResult WidthTool::take(const PenSample& sample, const Scene& scene) {
   return {};
 }
 
-/// The one held, and when it is selected and lines are scaled, all others that are.
+/// Sets edit_ to the held line and, in the mode `scale` if it is selected, all other selected
+/// lines.
 void WidthTool::find_lines(const Scene& scene) {
   EditBuilder builder(scene.document);
   std::size_t points = hold_.stroke()->data().points.size();
@@ -114,7 +115,7 @@ void WidthTool::find_lines(const Scene& scene) {
     }
   }
   edit_ = std::move(builder).build(std::string(kWidthLabel));
-  // The rest keeps its order.
+  // The held line first; the others keep their order.
   const auto held = std::find_if(edit_.changes.begin(), edit_.changes.end(),
                                  [&](const StrokeChange& c) { return c.id == hold_.id(); });
   std::rotate(edit_.changes.begin(), held, held + 1);
@@ -175,7 +176,7 @@ double WidthTool::brush_rate(double pressure) const noexcept {
   return 0.0;
 }
 
-/// Spreads what has come together since the last sample over the way made since.
+/// Spreads the amount since the last sample over the distance moved since then.
 void WidthTool::brush(double seconds, double rate) {
   const double amount = rate * seconds, way = hold_.way_mm().value_or(0.0);
   if (amount == 0.0) return;
@@ -211,7 +212,8 @@ void WidthTool::update_stops(double seconds) {
   const double width = width_here();
   const auto nearness = [](double room_mm) { return bump(std::max(0.0, room_mm) / kStopMm); };
   const double broadest = nearness(settings_.map.max_mm - width);
-  // A line of normal width is nearer than 1 mm to nothing; half of that is warning enough.
+  // A line of normal width is always within 1 mm of the thinnest, so half of kStopMm is enough
+  // there.
   const double thinnest = nearness(2.0 * (width - kMinWidthMm));
   WidthStops aim;
   aim.harder = direction_ == WidthDirection::kThinner ? thinnest : broadest;
@@ -235,7 +237,7 @@ void WidthTool::set_widths(StrokeChange& change, std::vector<WidthKnot> widths) 
   }
   StrokeData data = change.before->data();
   data.widths = std::move(widths);
-  // Should a profile not be valid, the last valid one stays.
+  // If a profile is not valid, the last valid one stays.
   if (auto made = Stroke::create(std::move(data))) {
     change.after = std::make_shared<const Stroke>(*std::move(made));
   }
@@ -275,7 +277,7 @@ void WidthTool::stop() {
   edit_ = {};
   brush_.reset();
   retrace_.reset();
-  hold_.release();  // what was held has changed
+  hold_.release();  // because the held stroke has changed
   stops_ = {};
   has_changed_ = false;
 }

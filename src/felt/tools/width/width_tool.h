@@ -15,21 +15,21 @@
 
 namespace felt {
 
-/// Changes the width of lines and never their shape (paper, "Change curve width"; specification 5h,
-/// R46; width.md): by a brush, by drawing along a line again, or of whole lines at once.
+/// Changes the width of lines but never their shape (paper, "Change curve width"; specification 5h,
+/// R46; width.md): with a brush, by drawing along a line again, or for whole lines at once.
 ///
-/// One gesture acts on the line that the pen first comes within 8 mm of, and in the mode `scale`,
-/// when that one is selected, on all selected lines.
+/// A gesture acts on the first line that the pen comes within 8 mm of; in the mode `scale`, if that
+/// line is selected, on all selected lines.
 class WidthTool final : public GestureTool {
  public:
   /// Dragging up by this much doubles the width.
   static constexpr double kDoublingMm = 20.0;
-  /// Longer steps of time do not count: a clock that jumped is no reason to change ink.
+  /// Longer time steps are clamped, so that a clock that jumps does not change ink.
   static constexpr double kLongestStepS = 0.050;
-  /// Nearer to a limit than this the stop is felt.
+  /// The stop is felt within this distance of a limit.
   static constexpr double kStopMm = 1.0;
-  /// Previews are at least this far apart, and by kPreviewNsPerPoint for each control point:
-  /// an eye sees no more, and a long line is not copied a thousand times a second.
+  /// Minimum time between previews, and at least kPreviewNsPerPoint per control point, because the
+  /// eye sees no more and a long line should not be copied a thousand times a second.
   static constexpr std::int64_t kPreviewNs = 4'000'000;
   static constexpr std::int64_t kPreviewNsPerPoint = 2'000;
 
@@ -64,8 +64,8 @@ class WidthTool final : public GestureTool {
   WidthSettings settings_;
   StrokeHold hold_;
   Point pen_;
-  // Of the gesture:
-  Edit edit_;  // the lines in work, the one held first, with what is shown of them
+  // State of the gesture:
+  Edit edit_;  // the lines being changed, as shown; the held one first
   std::optional<WidthBrush> brush_;
   std::optional<WidthRetrace> retrace_;
   WidthMap width_map_;

@@ -12,7 +12,7 @@ struct Letter {
   char name;
   double advance;
   std::span<const Point> via;
-  std::span<const Point> after;  // cross bar or dot, when the word is done
+  std::span<const Point> after;  // cross bar or dot, drawn when the word is done
 };
 
 constexpr Point kE[] = {{.36, .42}, {.60, .78}, {.40, 1.02}, {.17, .68}, {.20, .24}, {.46, -.02}};
@@ -40,7 +40,7 @@ constexpr double kBlank = 0.75;
 constexpr double kSlant = 0.22;
 constexpr double kPressure = 0.42;
 
-// Letter space to the sheet.
+// Maps letter space to the page.
 struct Frame {
   Point at;
   double size_mm;

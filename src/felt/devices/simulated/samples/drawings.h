@@ -9,18 +9,19 @@
 
 namespace felt {
 
-/// A cat that sits and looks at you, about 100 x 125 mm, with its top left corner near (0, 0).
+/// Returns a cat that sits and looks at you, about 100 x 125 mm, with its top left corner near (0,
+/// 0).
 std::vector<Gesture> cat_drawing();
 
-/// A line of joined-up writing, its base line starting at `at`. Knows the small letters
-/// e f h i l n o t and the blank; others are left out. Crosses and dots follow their word.
+/// Returns a line of joined-up writing, with its base line starting at `at`. Supports the letters e
+/// f h i l n o t and the blank; others are left out. Crosses and dots follow their word.
 std::vector<Gesture> cursive(std::string_view text, Point at, double x_height_mm);
 
-/// A page of exercises, 170 x 120 mm: lines, waves, loops, a zigzag with 11 corners, a spiral,
-/// hatching, swelling strokes, circles, dots.
+/// Returns a page of exercises, 170 x 120 mm: lines, waves, loops, a zigzag with 11 corners, a
+/// spiral, hatching, swelling strokes, circles, dots.
 std::vector<Gesture> exercise_page();
 
-/// As many strokes as you like: words, doodles with corners, lines, zigzags, loops, spirals of all
+/// Returns `count` strokes: words, doodles with corners, lines, zigzags, loops, spirals of all
 /// sizes, speeds and pressures. For tests and benchmarks.
 std::vector<Gesture> random_gestures(std::uint64_t seed, std::size_t count);
 

@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// One recorded stroke with its name.
+/// A recorded stroke with its name.
 struct RecordedStroke {
   std::string id;
   std::vector<HandSample> samples;
@@ -19,12 +19,12 @@ struct SampleSet {
   std::vector<RecordedStroke> strokes;
 };
 
-/// The sample strokes that come with the project, drawn afresh by the simulated hand:
+/// Returns the sample strokes that come with the project, newly drawn by the simulated hand:
 /// cat.ndjson, handwriting.ndjson, page.ndjson.
 std::vector<SampleSet> make_sample_sets();
 
-/// The set as raw stroke lines, {"id":..,"points":[[x,y,pressure,t_ms],..]}: mm with 2 decimals,
-/// pressure with 3, milliseconds with 1.
+/// Returns the set as raw stroke lines, {"id":..,"points":[[x,y,pressure,t_ms],..]}: mm with 2
+/// decimals, pressure with 3, milliseconds with 1.
 std::string to_ndjson(const SampleSet& set);
 
 }  // namespace felt

@@ -28,14 +28,14 @@ inline Way wave() {
   return [](double t) { return Point{100 * t, 50 + 8 * std::sin(4 * std::numbers::pi * t)}; };
 }
 
-/// How a hand leaves its way.
+/// How the hand deviates from its path.
 struct Jitter {
   double rms_mm = 0.2;
-  /// 0: each sample by itself; else waves of about this length, as tremor makes them.
+  /// 0: independent samples; otherwise waves of about this length, as from tremor.
   double wave_mm = 0.0;
 };
 
-/// Ink along a way, a sample each quarter millimetre, as the pencil would fit it.
+/// Returns ink along a path, a sample every quarter millimetre, as the pencil would fit it.
 inline Stroke jittery(const Way& way, const Jitter& jitter, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0.0, 1.0);
@@ -43,7 +43,7 @@ inline Stroke jittery(const Way& way, const Jitter& jitter, std::uint64_t seed) 
   double length = 0.0;
   for (int i = 0; i < 1000; ++i) length += distance(way(0.001 * i), way(0.001 * (i + 1)));
   const int n = std::max(4, static_cast<int>(4.0 * length));
-  // Two waves a tenth shorter and longer, for each axis.
+  // Two waves per axis, a tenth shorter and a tenth longer.
   double phases[4], sizes[4];
   for (double& p : phases) p = 2.0 * std::numbers::pi * uniform(random);
   for (double& s : sizes) s = 0.7 + 0.6 * uniform(random);
@@ -70,7 +70,8 @@ inline Stroke jittery(const Way& way, const Jitter& jitter, std::uint64_t seed) 
   return fitter.stroke().value();
 }
 
-/// Rms distance of a stroke from a way, between these shares of its length, mm.
+/// Returns the rms distance of a stroke from a path between these fractions of its parameter range,
+/// mm.
 inline double rms_from(const Stroke& stroke, const Way& way, double from = 0.0, double to = 1.0) {
   std::vector<Point> line;
   for (int i = 0; i <= 4000; ++i) line.push_back(way(i / 4000.0));
