@@ -15,8 +15,8 @@ constexpr Rgba kPaper{255, 254, 250, 255};
 constexpr Rgba kGround{255, 255, 255, 255};
 constexpr Rgba kCaption{90, 90, 96, 255};
 constexpr double kAroundMm = 7.0;
-constexpr double kLeastMm = 45.0;  // shortest side of the page area in a panel
-constexpr double kLeastAspect = 0.5;
+constexpr double kMinMm = 45.0;  // shortest side of the page area in a panel
+constexpr double kMinAspect = 0.5;
 constexpr double kUnits = 300.0;  // width of a panel in units of lines and letters
 constexpr double kGapUnits = 8.0;
 constexpr double kCaptionUnits = 16.0;
@@ -41,8 +41,8 @@ Rect difference(const Document& a, const Document& b) {
 /// Returns the part of the page around `box` that a panel shows: neither upright nor very long.
 Rect panel_around(const Rect& box) {
   const Rect roomy = box.inflated(kAroundMm);
-  const double half_width = 0.5 * std::max({roomy.width(), roomy.height(), kLeastMm});
-  const double half_height = std::max(0.5 * roomy.height(), kLeastAspect * half_width);
+  const double half_width = 0.5 * std::max({roomy.width(), roomy.height(), kMinMm});
+  const double half_height = std::max(0.5 * roomy.height(), kMinAspect * half_width);
   const Point middle{0.5 * (roomy.x0 + roomy.x1), 0.5 * (roomy.y0 + roomy.y1)};
   return {middle.x - half_width, middle.y - half_height, middle.x + half_width,
           middle.y + half_height};

@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kGlance{2};
-constexpr std::size_t kMostWords = 600;  // of the text that a library wrote to stderr
+constexpr std::size_t kMaxWords = 600;  // of the text that a library wrote to stderr
 
 void put(Packer& packer, const DeviceDescriptor& device) {
   for (const std::string* text : {&device.id, &device.driver, &device.label, &device.model,
@@ -143,7 +143,7 @@ struct Looker {
 
 Finding trouble(const std::string& what, const Looker& looker) {
   std::string words = looker.words.read();
-  if (words.size() > kMostWords) words.erase(0, words.size() - kMostWords);
+  if (words.size() > kMaxWords) words.erase(0, words.size() - kMaxWords);
   while (!words.empty() && words.back() == '\n') words.pop_back();
   for (char& c : words) {
     if (static_cast<unsigned char>(c) < ' ' && c != '\n') c = ' ';

@@ -92,7 +92,7 @@ void PictureArguments::add_grain_to(CLI::App& command) {
       .add_option("--grain-dpi", grain_dpi,
                   "Dots per inch of that picture in an .svg or .pdf, 20 to 1200")
       ->capture_default_str()
-      ->check(CLI::Range(GrainPrint::kLeastDpi, GrainPrint::kMostDpi))
+      ->check(CLI::Range(GrainPrint::kMinDpi, GrainPrint::kMaxDpi))
       ->group("Pictures (.svg, .pdf, .png)");
 }
 
@@ -128,7 +128,7 @@ Result<std::optional<Rect>> parse_page(const std::string& text) {
 }
 
 Result<SheetPage> sheet_page(const Rect& sheet, Rgba paper) {
-  const auto fits = [](double mm) { return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm; };
+  const auto fits = [](double mm) { return mm >= SheetPage::kMinMm && mm <= SheetPage::kMaxMm; };
   if (fits(sheet.width()) && fits(sheet.height())) {
     return SheetPage{sheet.width(), sheet.height(), paper};
   }

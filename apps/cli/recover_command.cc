@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostNames = 1000;
+constexpr int kMaxNames = 1000;
 
 struct RecoverArguments {
   bool list = false;
@@ -56,7 +56,7 @@ std::string described(const Recovered& recovered) {
 /// Writes the drawing under an unused name and returns that name.
 Result<std::string> write_new(const std::string& folder, const Recovered& recovered) {
   const std::string stem = folder + '/' + stem_of(recovered) + " (recovered";
-  for (int number = 1; number <= kMostNames; ++number) {
+  for (int number = 1; number <= kMaxNames; ++number) {
     const std::string path = stem + (number == 1 ? ").felt" : fmt::format(" {}).felt", number));
     if (::access(path.c_str(), F_OK) == 0) continue;
     return write_felt(path, recovered.drawing).map([&path] { return path; });

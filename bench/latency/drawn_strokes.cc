@@ -19,7 +19,7 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 constexpr double kStepPx = 24.0;
-constexpr int kMostSteps = 24;  // of a stroke
+constexpr int kMaxSteps = 24;  // of a stroke
 constexpr int kLongestMs = 500;
 constexpr int kRows = 5;
 constexpr double kRowPx = 12.0;
@@ -89,7 +89,7 @@ void DrawnStrokes::draw_stroke(Latencies& all) {
   const double y = page_px_.center().y() + kRowPx * (row_ - kRows / 2);
   const double start = page_px_.left() + kMarginPx;
   const int steps =
-      std::min(kMostSteps, static_cast<int>((page_px_.width() - 2 * kMarginPx) / kStepPx));
+      std::min(kMaxSteps, static_cast<int>((page_px_.width() - 2 * kMarginPx) / kStepPx));
   pen_->point({start, y}, 0.0);
   sleep_ms(60, 0);
   pen_->point({start, y}, kPressure);

@@ -14,7 +14,7 @@ namespace {
 
 /// Largest distance of the mesh's outline from the stroke.
 constexpr double kToleranceMm = 0.02;
-constexpr double kMostEdgesRound = 1000.0;
+constexpr double kMaxEdgesRound = 1000.0;
 
 struct Neighbour {
   std::size_t point;
@@ -74,7 +74,7 @@ felt::Result<Mesh> inflated(const felt::Stroke& stroke, int edges_across) {
   // Thin shapes have little area for their length, so the number of edges around is limited as
   // well.
   const double step_mm = std::max(side_mm / std::max(edges_across, 2),
-                                  felt::polyline_length(outline) / kMostEdgesRound);
+                                  felt::polyline_length(outline) / kMaxEdgesRound);
   const felt::Result<DiscMesh> disc = DiscMesh::fill(outline, step_mm);
   if (!disc) return tl::unexpected(disc.error());
 

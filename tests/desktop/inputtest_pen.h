@@ -10,8 +10,8 @@ namespace felt::desktop {
 /// man 4 inputtestdrv). One to a server. Blocking; any one thread.
 class InputtestPen {
  public:
-  static constexpr double kMostPlace = 65535.0;  ///< of x and y, the whole screen
-  static constexpr double kMostPressure = 1000.0;
+  static constexpr double kMaxPlace = 65535.0;  ///< of x and y, the whole screen
+  static constexpr double kMaxPressure = 1000.0;
 
   /// Connects and agrees on the version. Error: says what the driver did.
   static Result<InputtestPen> open(const std::string& socket_path);

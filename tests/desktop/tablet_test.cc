@@ -23,7 +23,7 @@
 namespace felt::desktop::tablet_test {
 namespace {
 
-constexpr int kMostMs = 20'000;  // for anything to happen on a machine that is busy
+constexpr int kMaxMs = 20'000;  // for anything to happen on a machine that is busy
 
 std::string text_of(const Document& document) {
   std::string text;
@@ -62,7 +62,7 @@ class DesktopTablet : public ::testing::Test {
     for (const Point& place : places) point(place, pressure);
     point(places.back(), 0.0);
     EXPECT_TRUE(QTest::qWaitFor(
-        [this] { return studio().pen().is_known && !in_contact(studio().pen().sample); }, kMostMs));
+        [this] { return studio().pen().is_known && !in_contact(studio().pen().sample); }, kMaxMs));
     QTest::qWait(250);  // a tool may wait whether the pen comes down again
   }
   static std::vector<Point> line(Point a, Point b, double wave_mm = 0.0) {
@@ -109,7 +109,7 @@ TEST_F(DesktopTablet, ADrawingIsMadeSavedAndPlayedAgain) {
   draw(line({80, 30}, {80, 70}), 0.9);
   pen_->turn_over(false);
   point({150, 150}, 0.0);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return tool() == "pencil"; }, kMostMs));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return tool() == "pencil"; }, kMaxMs));
   EXPECT_EQ(strokes(), 4u) << "the first line is cut in two";
 
   before = text_of(studio().session().document());
@@ -168,10 +168,10 @@ TEST_F(DesktopTablet, AThousandEventsAreAThousandPlaces) {
     }
     done = true;
   });
-  EXPECT_TRUE(QTest::qWaitFor([&] { return done.load(); }, kMostMs));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return done.load(); }, kMaxMs));
   QTest::qWait(50);
   point(told.back(), 0.0);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return !in_contact(studio().pen().sample); }, kMostMs));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return !in_contact(studio().pen().sample); }, kMaxMs));
   QTest::qWait(250);
   saver.join();
   EXPECT_GT(saves, 0);

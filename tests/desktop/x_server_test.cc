@@ -22,10 +22,10 @@ constexpr int kSkipped = 77;
 constexpr int kEvents = 1000;
 constexpr int kWaitMs = 30'000;
 // In the middle of the screen, where the sheet is.
-constexpr double kLeft = 600.0 / XServer::kWidth * InputtestPen::kMostPlace;
-constexpr double kRight = 680.0 / XServer::kWidth * InputtestPen::kMostPlace;
-constexpr double kMiddle = 400.0 / XServer::kHeight * InputtestPen::kMostPlace;
-constexpr double kWave = 30.0 / XServer::kHeight * InputtestPen::kMostPlace;
+constexpr double kLeft = 600.0 / XServer::kWidth * InputtestPen::kMaxPlace;
+constexpr double kRight = 680.0 / XServer::kWidth * InputtestPen::kMaxPlace;
+constexpr double kMiddle = 400.0 / XServer::kHeight * InputtestPen::kMaxPlace;
+constexpr double kWave = 30.0 / XServer::kHeight * InputtestPen::kMaxPlace;
 
 int failed(const std::string& why) {
   std::fprintf(stderr, "failed: %s\n", why.c_str());
@@ -78,7 +78,7 @@ int count_pressures(const std::vector<PenEvent>& poses) {
   auto at = poses.begin();
   int count = 0;
   for (int i = 0; i < kEvents; ++i) {
-    const double wanted = pressure_of(i) / InputtestPen::kMostPressure;
+    const double wanted = pressure_of(i) / InputtestPen::kMaxPressure;
     const auto found = std::find_if(at, poses.end(), [wanted](const PenEvent& pose) {
       return pose.pressure && std::fabs(*pose.pressure - wanted) < 2e-5;
     });

@@ -51,7 +51,7 @@ void read_all(std::string_view text) {
   if (const auto inventory = read_inventory(text)) {
     for (const InventoryDevice& device : inventory->devices) {
       must(device.id.find_first_of("\"\\") == std::string::npos);
-      std::array<char, kMostCommand> room{};
+      std::array<char, kMaxCommand> room{};
       const std::string_view command =
           write_command(device.id, ForceKey::kVector, {1, 2, 3}, room.data());
       State none;
@@ -80,7 +80,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (message.error() == SocketFault::kTimedOut) continue;
       break;
     }
-    must(message->size() <= WebSocket::kMostBytes);
+    must(message->size() <= WebSocket::kMaxBytes);
     read_all(*message);
   }
   return 0;

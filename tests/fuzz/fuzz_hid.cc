@@ -36,13 +36,13 @@ class Answers final : public HidrawPort {
 };
 
 void check_fields(const HidDescriptor& descriptor, std::span<const std::uint8_t> answers) {
-  FELT_CHECK(descriptor.fields.size() <= kMostHidFields);
+  FELT_CHECK(descriptor.fields.size() <= kMaxHidFields);
   std::vector<std::uint8_t> report(64);
   for (const HidField& field : descriptor.fields) {
     FELT_CHECK(field.bits >= 1 && field.bits <= 32 && field.minimum <= field.maximum);
-    FELT_CHECK(field.bit + field.bits <= kMostReportBits);
+    FELT_CHECK(field.bit + field.bits <= kMaxReportBits);
     const std::size_t bytes = descriptor.report_bytes(field.kind, field.report);
-    FELT_CHECK(1 + (field.bit + field.bits + 7) / 8 <= bytes && bytes <= 1 + kMostReportBits / 8);
+    FELT_CHECK(1 + (field.bit + field.bits + 7) / 8 <= bytes && bytes <= 1 + kMaxReportBits / 8);
     for (std::size_t i = 0; i < report.size() && !answers.empty(); ++i) {
       report[i] = answers[i % answers.size()];
     }

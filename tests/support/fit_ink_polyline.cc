@@ -106,7 +106,7 @@ std::vector<std::size_t> InkPolyline::vertices_near(Point p, double radius) cons
 
 InkPolyline::Turn InkPolyline::turn_near(Point p, double radius, double arm) const {
   const std::vector<std::size_t> near = vertices_near(p, radius);
-  const std::size_t stride = (near.size() + kMostVerticesTried - 1) / kMostVerticesTried;
+  const std::size_t stride = (near.size() + kMaxVerticesTried - 1) / kMaxVerticesTried;
   Turn best;
   for (std::size_t i = 0; i < near.size(); i += stride) {
     const Turn turn = turn_at(near[i], arm);

@@ -40,7 +40,7 @@ class InkPolyline {
   [[nodiscard]] Turn turn_near(Point p, double radius, double arm) const;
 
  private:
-  static constexpr std::size_t kMostVerticesTried = 64;
+  static constexpr std::size_t kMaxVerticesTried = 64;
 
   [[nodiscard]] std::vector<std::size_t> vertices_near(Point p, double radius) const;
   [[nodiscard]] Point follow(std::size_t from, std::ptrdiff_t step, double arm) const;

@@ -17,7 +17,7 @@ namespace {
 constexpr int kPlaceMs = 40;     // between two `place_changed`
 constexpr double kDearMs = 1.0;  // a refresh and its paint that take less may come again
                                  // immediately
-constexpr double kMostPaceMs = 33;
+constexpr double kMaxPaceMs = 33;
 constexpr int kLongSegments = 400;  // a longer stroke takes a while to appear in the picture of the
                                     // ink
 constexpr int kDryMs = 8;
@@ -234,7 +234,7 @@ void Canvas::flush() {
   const double cost_ms = static_cast<double>(clock_.nsecsElapsed()) * 1e-6 - begin_ms + paint_ms_;
   // Waits between two pictures, so that the pen's samples are read however slow painting is.
   if (studio_.loop().thread() && cost_ms > kDearMs) {
-    pace_.start(static_cast<int>(std::min(2.0 * cost_ms, kMostPaceMs)));
+    pace_.start(static_cast<int>(std::min(2.0 * cost_ms, kMaxPaceMs)));
   }
 }
 

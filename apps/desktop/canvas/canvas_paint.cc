@@ -9,7 +9,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kMostParts = 6;  // if there are more, their bounding rectangle is painted
+constexpr int kMaxParts = 6;  // if there are more, their bounding rectangle is painted
 
 /// Splits a region of the widget into rectangles that are painted one after the other. Qt clips
 /// painting to whole device pixels. At a fractional scale a rectangle may end within a device pixel
@@ -19,7 +19,7 @@ constexpr int kMostParts = 6;  // if there are more, their bounding rectangle is
 QList<QRect> parts_of(const QRegion& region, double dpr) {
   const bool is_whole = std::abs(dpr - std::round(dpr)) < 1e-6;
   if (!is_whole) return {region.boundingRect().adjusted(-2, -2, 2, 2)};
-  if (region.rectCount() > kMostParts) return {region.boundingRect()};
+  if (region.rectCount() > kMaxParts) return {region.boundingRect()};
   return {region.begin(), region.end()};
 }
 

@@ -87,7 +87,7 @@ void CanvasView::fit(const Rect& mm, double margin_px) {
 }
 
 void CanvasView::set_scale(double px_per_mm) {
-  if (px_per_mm > 0.0) px_per_mm_ = std::clamp(px_per_mm, kLeastPxPerMm, kMostPxPerMm);
+  if (px_per_mm > 0.0) px_per_mm_ = std::clamp(px_per_mm, kMinPxPerMm, kMaxPxPerMm);
 }
 
 }  // namespace felt::desktop

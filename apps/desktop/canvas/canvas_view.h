@@ -14,8 +14,8 @@ namespace felt::desktop {
 /// undo. A value.
 class CanvasView {
  public:
-  static constexpr double kLeastPxPerMm = 0.02;
-  static constexpr double kMostPxPerMm = 400.0;
+  static constexpr double kMinPxPerMm = 0.02;
+  static constexpr double kMaxPxPerMm = 400.0;
 
   [[nodiscard]] Point to_mm(QPointF px) const;
   [[nodiscard]] QPointF to_px(Point mm) const;

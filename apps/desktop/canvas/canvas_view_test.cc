@@ -17,8 +17,8 @@ class ViewDice {
     CanvasView view;
     view.set_size({std::floor(between(50, 4000)), std::floor(between(50, 3000))});
     view.center_on({between(-500, 500), between(-500, 500)});
-    view.set_scale(std::exp(between(std::log(CanvasView::kLeastPxPerMm),  //
-                                    std::log(CanvasView::kMostPxPerMm))));
+    view.set_scale(std::exp(between(std::log(CanvasView::kMinPxPerMm),  //
+                                    std::log(CanvasView::kMaxPxPerMm))));
     if (coin()) view.set_angle(coin() ? 90.0 * std::floor(between(-2, 3)) : between(-180, 180));
     if (coin()) view.mirror();
     return view;
@@ -118,7 +118,7 @@ TEST(CanvasView, FitShowsAllOfItHoweverTurned) {
       EXPECT_TRUE(inside.contains(px)) << i;
       nearest = std::min({nearest, px.x() - inside.left(), px.y() - inside.top()});
     }
-    if (view.px_per_mm() < CanvasView::kMostPxPerMm) {
+    if (view.px_per_mm() < CanvasView::kMaxPxPerMm) {
       EXPECT_LT(nearest, 0.3) << i;
     }
   }

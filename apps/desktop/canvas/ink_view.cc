@@ -20,11 +20,11 @@ namespace {
 constexpr std::chrono::microseconds kPatience{2000};
 
 /// Most strokes of one edit that are painted here if the worker is late.
-constexpr std::size_t kMostFresh = 8;
-constexpr int kMostFreshSegments = 400;
+constexpr std::size_t kMaxFresh = 8;
+constexpr int kMaxFreshSegments = 400;
 
 /// Most planes that are kept, for returning to an earlier view and as stand-ins for missing tiles.
-constexpr std::size_t kMostPlanes = 6;
+constexpr std::size_t kMaxPlanes = 6;
 
 /// Farther away than this from the first view of a plane, another plane begins.
 constexpr double kFarthestPx = 1e9;
@@ -123,7 +123,7 @@ void InkView::State::choose_plane() {
   } else {
     const InkStyle look{grain, is_outline ? kHairPx * std::max(1.0, dpr) : 0.0};
     planes.push_back({{++last_plane, now, look}, style, {}});
-    if (planes.size() > kMostPlanes) {
+    if (planes.size() > kMaxPlanes) {
       // Drops the plane that can stand in least. So the last full picture stays while the user
       // zooms faster than tiles are made.
       const auto least = std::min_element(
@@ -203,11 +203,11 @@ void InkView::apply(const Edit& edit) {
   if (!s.fresh.empty()) {
     s.fresh.erase(std::remove_if(s.fresh.begin(), s.fresh.end(), is_changed), s.fresh.end());
   }
-  if (!edit.layers.empty() || edit.changes.size() > kMostFresh || s.planes.empty()) return;
+  if (!edit.layers.empty() || edit.changes.size() > kMaxFresh || s.planes.empty()) return;
   const PlaneSpec& plane = s.planes.back().spec;
   for (const StrokeChange& c : edit.changes) {
     if (c.before || !s.visible[c.after_place.layer]) continue;
-    if (c.after->segment_count() > kMostFreshSegments) continue;
+    if (c.after->segment_count() > kMaxFreshSegments) continue;
     s.fresh.push_back({order, c.id, c.after, c.after_place.layer});
     const Rect px = plane.view.area_px(c.after->bounds()).inflated(2.0);
     const auto whole = [](double x) { return std::llround(std::clamp(x, -2e9, 2e9)); };

@@ -295,7 +295,7 @@ TEST(InkView, OutlinesAndGrainAreThoseOfTheRasteriser) {
 }
 
 TEST(InkView, TheEndsOfTheWorldAndAnEmptyWidget) {
-  for (const double px_per_mm : {CanvasView::kLeastPxPerMm, CanvasView::kMostPxPerMm}) {
+  for (const double px_per_mm : {CanvasView::kMinPxPerMm, CanvasView::kMaxPxPerMm}) {
     const Document document = lattice(30);
     InkView ink;
     ink.set_document(document);

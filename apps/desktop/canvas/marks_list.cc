@@ -19,9 +19,9 @@ constexpr double kBeyondPx = 64.0;  // around the widget: a mark farther out is 
 constexpr double kDotPx = 7.0;
 constexpr double kPlateGapPx = 10.0;
 constexpr double kPlatePadPx = 4.0;
-constexpr double kArrowPx = 46.0;      // length for an infinite force
-constexpr double kArrowHalfN = 0.7;    // force at half that length
-constexpr double kLeastForceN = 0.02;  // a smaller force is not shown
+constexpr double kArrowPx = 46.0;    // length for an infinite force
+constexpr double kArrowHalfN = 0.7;  // force at half that length
+constexpr double kMinForceN = 0.02;  // a smaller force is not shown
 constexpr double kBarPx = 26.0;
 constexpr double kBarAsidePx = 15.0;
 
@@ -167,12 +167,12 @@ void list_pen(const PenMark& pen, Marks& marks) {
     add({Kind::kHand, Overlay::Role::kTether, {pen.hand, pen.nib}}, kAroundPx);
   }
   const double strength = std::hypot(pen.force_n.x(), pen.force_n.y());
-  if (strength > kLeastForceN) {
+  if (strength > kMinForceN) {
     const double length = kArrowPx * strength / (strength + kArrowHalfN);
     const QPointF way = pen.force_n * (length / strength);
     add({Kind::kForce, Overlay::Role::kVector, {pen.nib, pen.nib + way}}, 8.0);
   }
-  if (std::abs(pen.out_n) > kLeastForceN) {
+  if (std::abs(pen.out_n) > kMinForceN) {
     const double height = kBarPx * pen.out_n / (std::abs(pen.out_n) + kArrowHalfN);
     const QPointF foot = pen.nib + QPointF(kBarAsidePx, kBarPx / 2);
     add({Kind::kNormal, Overlay::Role::kVector, {foot, foot - QPointF(0, kBarPx)}, height}, 5.0);
@@ -188,14 +188,14 @@ void add_difference(const Marks& before, const Marks& after, QRegion& region) {
     --old_end;
     --new_end;
   }
-  constexpr std::ptrdiff_t kMostRects = 12;
+  constexpr std::ptrdiff_t kMaxRects = 12;
   const auto add = [&region](auto from, auto to) {
     QRect all;
     for (auto mark = from; mark != to; ++mark) {
-      if (to - from <= kMostRects) region += mark->box;
+      if (to - from <= kMaxRects) region += mark->box;
       all |= mark->box;
     }
-    if (to - from > kMostRects) region += all;
+    if (to - from > kMaxRects) region += all;
   };
   add(heads.first, old_end);
   add(heads.second, new_end);

@@ -13,7 +13,7 @@ namespace {
 using Kind = Mark::Kind;
 
 constexpr double kDash = 4.5, kGap = 3.6;
-constexpr double kMostDashedPx =
+constexpr double kMaxDashedPx =
     4000.0;                      // a larger ring looks like a line, and its dashes cost much
 constexpr double kHaloPx = 1.5;  // beside a line, on either side
 
@@ -24,7 +24,7 @@ QPen halo_pen(double width, const MarkLook& look) {
 QPen role_pen(const Mark& mark, const MarkLook& look) {
   const RoleLook role = look_of(mark.role);
   QPen pen(look.color(mark.role), role.width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
-  if (role.dashed && mark.size < kMostDashedPx) {
+  if (role.dashed && mark.size < kMaxDashedPx) {
     pen.setDashPattern({kDash / role.width, kGap / role.width});
     pen.setDashOffset(std::fmod(mark.phase, kDash + kGap) / role.width);
   } else {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kOutlinePx = 1.0;  // device-independent, of outline mode
 constexpr double kBandPx = 7.0;     // wider than its ink by this
-constexpr double kLeastBandPx = 9.0;
+constexpr double kMinBandPx = 9.0;
 
 /// Returns how many elements at the start of both are equal.
 template <class T>
@@ -241,7 +241,7 @@ DabRows& BandView::rows_of(Overlay::Role role) {
 
 void BandView::add(const Overlay::Span& span) {
   const double width = span.width_mm + kBandPx / view_.view.px_per_mm();
-  rows_of(span.role).add({span.curve, width, width}, kLeastBandPx * view_.dpr);
+  rows_of(span.role).add({span.curve, width, width}, kMinBandPx * view_.dpr);
 }
 
 void BandView::set_view(const DeviceView& view) {

@@ -56,14 +56,14 @@ DeviceSettings::DeviceSettings(Studio& studio, QWidget* parent)
   hand_->setToolTip(
       tr("Each hand has a drawing plane of its own: for the other one the device stands on the "
          "other side"));
-  limit_->setRange(kLeastForceLimitN, SafetyLimits{}.peak_force_n);
+  limit_->setRange(kMinForceLimitN, SafetyLimits{}.peak_force_n);
   limit_->setSingleStep(kLimitStep);
   limit_->setDecimals(1);
   limit_->setSuffix(tr(" N"));
   limit_->setKeyboardTracking(false);
   limit_->setToolTip(tr("No force is ever larger than this, whatever a tool asks for"));
   limit_->setAccessibleName(tr("Largest force"));
-  stiffest_->setRange(int(kLeastStiffnessCap) - kStiffnessStep, 2000);
+  stiffest_->setRange(int(kMinStiffnessCap) - kStiffnessStep, 2000);
   stiffest_->setSingleStep(kStiffnessStep);
   stiffest_->setSpecialValueText(tr("as it can"));
   stiffest_->setSuffix(tr(" N/m"));
@@ -136,7 +136,7 @@ void DeviceSettings::tell() {
   hand_->setCurrentIndex(profile.left_handed ? 1 : 0);
   // Uses the device's own limits, because the present setting must not lower the range.
   const double most = most_of(info.capabilities);
-  limit_->setMaximum(std::max(most, kLeastForceLimitN));
+  limit_->setMaximum(std::max(most, kMinForceLimitN));
   limit_->setValue(std::min(profile.force_limit_n.value_or(most), studio_.loop().force_limit()));
   limit_->setEnabled(info.capabilities.has_force());
   const double stiffest = info.capabilities.max_stiffness_n_per_m;

@@ -11,8 +11,8 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kPxPerN = 24.0;       // of the arrow
-constexpr double kLeastShownN = 0.03;  // shorter arrows would only flicker
+constexpr double kPxPerN = 24.0;     // of the arrow
+constexpr double kMinShownN = 0.03;  // shorter arrows would only flicker
 constexpr std::size_t kTrail = 600;
 
 }  // namespace
@@ -122,7 +122,7 @@ void TestPad::paintEvent(QPaintEvent* event) {
   const double strength = norm(force);
   painter.drawText(inner, Qt::AlignLeft | Qt::AlignBottom,
                    tr("Force %L1 N").arg(strength, 0, 'f', 2));
-  if (!(std::hypot(force.x, force.y) > kLeastShownN)) return;
+  if (!(std::hypot(force.x, force.y) > kMinShownN)) return;
   const QPointF from = trail_.back().px, to = from + kPxPerN * QPointF(force.x, force.y);
   painter.setPen(QPen(palette().color(QPalette::Highlight), 2.5, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(from, to);

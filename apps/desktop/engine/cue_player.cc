@@ -16,7 +16,7 @@ constexpr int kIdleMs = 150;
 constexpr int kAgainMs = 2000;
 /// Checking costs little; an attempt to open a device that refuses may block the window for a
 /// second.
-constexpr int kMostAgainMs = 60'000;
+constexpr int kMaxAgainMs = 60'000;
 
 struct AddedCueDriver {
   int number = 0;
@@ -104,7 +104,7 @@ void CuePlayer::follow_setting() {
     forget_refusal();
     return again_.stop();
   }
-  again_.start(refusal_.tries++ == 0 ? kAgainMs : std::min(2 * again_.interval(), kMostAgainMs));
+  again_.start(refusal_.tries++ == 0 ? kAgainMs : std::min(2 * again_.interval(), kMaxAgainMs));
 }
 
 /// A device that is connected but does not open may do so soon, because its permissions are set

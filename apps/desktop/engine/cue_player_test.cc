@@ -152,7 +152,7 @@ TEST_F(CuePlayerTest, AStrokeTouchesHumsAndLifts) {
   EXPECT_EQ(tape_.played.back().cue.waveform, CueWaveform::kRelease);
   EXPECT_GE(tape_.count(CueWaveform::kPencil), 1);
   for (std::size_t i = 1; i < tape_.played.size(); ++i) {
-    EXPECT_GE(tape_.played[i].now_ns - tape_.played[i - 1].now_ns, CueLaw::kLeastApartNs);
+    EXPECT_GE(tape_.played[i].now_ns - tape_.played[i - 1].now_ns, CueLaw::kMinApartNs);
   }
 }
 

@@ -36,7 +36,7 @@ void CueThread::post(const Order& order) {
   {
     const std::lock_guard lock(mutex_);
     if (order.is_stop) orders_.clear();
-    if (orders_.size() == kMostWaiting) orders_.pop_front();
+    if (orders_.size() == kMaxWaiting) orders_.pop_front();
     orders_.push_back(order);
   }
   posted_.notify_one();

@@ -13,14 +13,14 @@
 namespace felt::desktop {
 
 /// Plays on a cue device on its own thread, because a transfer to a sleeping mouse or to a pen on a
-/// slow bus may take long, and a window must not wait. If more than kMostWaiting cues wait, only
-/// the last kMostWaiting are played.
+/// slow bus may take long, and a window must not wait. If more than kMaxWaiting cues wait, only
+/// the last kMaxWaiting are played.
 ///
 /// Call all functions on one thread. `on_fault` is called once, on the playing thread; nothing is
 /// played afterwards.
 class CueThread {
  public:
-  static constexpr std::size_t kMostWaiting = 3;
+  static constexpr std::size_t kMaxWaiting = 3;
 
   /// If `with_thread` is false, play() plays immediately; for tests and pictures.
   CueThread(std::unique_ptr<CueDevice> device, bool with_thread,

@@ -14,7 +14,7 @@ constexpr std::array<double, 6> kTops{0.5, 1.0, 2.0, 3.0, 5.0, 10.0};  // N
 constexpr std::int64_t kBinsToMark = 50;
 constexpr std::int64_t kBinsToBridge = 20;  // gaps of up to this many bins without a tick are
                                             // bridged by a line
-constexpr double kLeastContrast = 3.0;      // WCAG 2.1 for graphics
+constexpr double kMinContrast = 3.0;        // WCAG 2.1 for graphics
 
 /// Returns red, green and blue, 0..1.
 std::array<double, 3> channels(const QColor& color) {
@@ -38,7 +38,7 @@ double contrast(const QColor& a, const QColor& b) {
 /// Returns the same hue, moved towards black or white until it is visible on the background.
 QColor seen_on(const QColor& ground, QColor color) {
   const double towards = luminance(ground) < 0.2 ? 1.0 : 0.0;
-  for (int i = 0; i < 20 && contrast(color, ground) < kLeastContrast; ++i) {
+  for (int i = 0; i < 20 && contrast(color, ground) < kMinContrast; ++i) {
     const auto mixed = [&](double c) { return static_cast<float>(c + 0.1 * (towards - c)); };
     const auto [red, green, blue] = channels(color);
     color = QColor::fromRgbF(mixed(red), mixed(green), mixed(blue));

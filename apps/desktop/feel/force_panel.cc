@@ -14,7 +14,7 @@ constexpr int kFrameMs = 33;       // between two repaints of the plot
 constexpr int kWordsMs = 250;      // between two updates of the numbers
 constexpr int kTablesToTell = 12;  // 3 s
 constexpr int kStopIconPx = 22;
-constexpr int kNameColumn = 0, kNowColumn = 1, kMostColumn = 2;
+constexpr int kNameColumn = 0, kNowColumn = 1, kMaxColumn = 2;
 
 QIcon track_icon(std::size_t track, const QPalette& palette, qreal dpr) {
   const TrackStyle style = track_style(track, palette);
@@ -81,7 +81,7 @@ ForcePanel::ForcePanel(Studio& studio, QWidget* parent)
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
   table_->horizontalHeader()->setSectionResizeMode(kNameColumn, QHeaderView::Stretch);
   table_->horizontalHeader()->setSectionResizeMode(kNowColumn, QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setSectionResizeMode(kMostColumn, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(kMaxColumn, QHeaderView::ResizeToContents);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setShowGrid(false);
@@ -163,7 +163,7 @@ void ForcePanel::tell_table() {
     if (track == ForceHistory::kSent && !has_motors_) continue;
     if (row == table_->rowCount()) {
       table_->insertRow(row);
-      for (const int column : {kNameColumn, kNowColumn, kMostColumn}) {
+      for (const int column : {kNameColumn, kNowColumn, kMaxColumn}) {
         auto* item = new QTableWidgetItem;
         if (column != kNameColumn) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         table_->setItem(row, column, item);
@@ -178,7 +178,7 @@ void ForcePanel::tell_table() {
       return tr("%L1 N").arg(static_cast<double>(value), 0, 'f', 2);
     };
     table_->item(row, kNowColumn)->setText(newton(history_.now(track)));
-    table_->item(row, kMostColumn)->setText(newton(history_.most(track)));
+    table_->item(row, kMaxColumn)->setText(newton(history_.most(track)));
     ++row;
   }
   // Announced to screen readers, but seldom, because they would read nothing else.

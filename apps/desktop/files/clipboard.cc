@@ -25,10 +25,10 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kDpi = 300.0;
-constexpr double kMostPixels = 16e6;
+constexpr double kMaxPixels = 16e6;
 constexpr double kMarginMm = 1.0;
 // Allows for JSON, in which a byte of a text takes at most two.
-constexpr std::size_t kMostMaterialsBytes =
+constexpr std::size_t kMaxMaterialsBytes =
     limits::kMaxMaterialTexts * (2 * limits::kMaxMaterialTextBytes + 3) + 2;
 const QString kSvgMime = QStringLiteral("image/svg+xml");
 const QString kImageMime = QStringLiteral("application/x-qt-image");  // Qt's name for any picture
@@ -52,7 +52,7 @@ QByteArray json_of(std::span<const std::string> texts) {
 /// Skips entries that are not texts or exceed the limits of a drawing.
 std::vector<std::string> texts_in(const QByteArray& json) {
   std::vector<std::string> texts;
-  if (static_cast<std::size_t>(json.size()) > kMostMaterialsBytes) return texts;
+  if (static_cast<std::size_t>(json.size()) > kMaxMaterialsBytes) return texts;
   const QJsonArray all = QJsonDocument::fromJson(json).array();
   const auto most = std::min(all.size(), qsizetype(limits::kMaxMaterialTexts));
   for (qsizetype i = 0; i < most; ++i) {
@@ -71,7 +71,7 @@ QByteArray svg_of(const Drawing& drawing) {
 
 QImage picture_of(const Drawing& drawing) {
   const Rect area = ink_area(ink_bounds(drawing.document));
-  const double fits = std::sqrt(kMostPixels / std::max(1.0, area.width() * area.height()));
+  const double fits = std::sqrt(kMaxPixels / std::max(1.0, area.width() * area.height()));
   return sheet_picture(visible_strokes(drawing.document), area, std::min(kDpi / kMmPerInch, fits),
                        {255, 255, 255, 0});
 }

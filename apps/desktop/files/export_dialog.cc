@@ -32,7 +32,7 @@ constexpr QSize kPreviewSize(280, 220);
 constexpr int kCheck = 8;  // chequered squares that show transparency
 // A preview of more strokes would take too long. The ones drawn last are shown, because they are on
 // top.
-constexpr std::size_t kMostPreviewStrokes = 5000;
+constexpr std::size_t kMaxPreviewStrokes = 5000;
 
 /// Returns the formats of export: all that can be written except our own, which is saved.
 std::vector<const FormatTraits*> export_formats() {
@@ -123,8 +123,8 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
 }
 
 void ExportDialog::follow_choices() {
-  if (strokes_.size() > kMostPreviewStrokes) {
-    strokes_.erase(strokes_.begin(), strokes_.end() - kMostPreviewStrokes);
+  if (strokes_.size() > kMaxPreviewStrokes) {
+    strokes_.erase(strokes_.begin(), strokes_.end() - kMaxPreviewStrokes);
   }
   connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::show_result);
   connect(area_, &QComboBox::currentIndexChanged, this, &ExportDialog::show_result);

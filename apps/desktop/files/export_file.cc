@@ -23,7 +23,7 @@ Result<void> export_drawing(const QString& path, const Drawing& drawing,
     if (!grain) return tl::unexpected(grain.error());
     how.grain = *grain;
     how.grain_print =
-        GrainPrint{*grain, std::clamp(options.dpi, GrainPrint::kLeastDpi, GrainPrint::kMostDpi)};
+        GrainPrint{*grain, std::clamp(options.dpi, GrainPrint::kMinDpi, GrainPrint::kMaxDpi)};
   }
   if (!options.background) how.paper = Rgba{255, 255, 255, 0};
   if (options.ink_only) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr quint32 kMagic = 0x46656c74;
 constexpr int kWaitMs = 2000;
-constexpr qint64 kMostBytes = 1 << 20;
+constexpr qint64 kMaxBytes = 1 << 20;
 constexpr char kTaken = '1';
 
 /// Uses the runtime folder if it exists and belongs to the user; sockets elsewhere have short
@@ -84,7 +84,7 @@ bool Instance::tell_first(const QStringList& files) const {
 void Instance::take(QLocalSocket* socket) {
   connect(socket, &QLocalSocket::disconnected, socket, &QObject::deleteLater);
   connect(socket, &QLocalSocket::readyRead, this, [this, socket] {
-    if (socket->bytesAvailable() > kMostBytes) return socket->abort();
+    if (socket->bytesAvailable() > kMaxBytes) return socket->abort();
     QDataStream in(socket);
     in.setVersion(QDataStream::Qt_6_4);
     in.startTransaction();

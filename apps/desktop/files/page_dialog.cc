@@ -28,7 +28,7 @@ constexpr int kPresetCount = int(std::size(kPresets));
 
 QDoubleSpinBox* side_box(double value, QWidget* parent) {
   auto* box = new QDoubleSpinBox(parent);
-  box->setRange(SheetPage::kLeastMm, SheetPage::kMostMm);
+  box->setRange(SheetPage::kMinMm, SheetPage::kMaxMm);
   box->setDecimals(1);
   box->setSuffix(PageDialog::tr(" mm"));
   box->setValue(value);

@@ -15,8 +15,8 @@ namespace felt::desktop {
 namespace {
 
 constexpr int kFrameMs = 16;
-constexpr std::int64_t kMostNs = 50'000'000;  // most that a frame plays, however late it is
-constexpr qint64 kHurryMs = 10;               // computing time of a frame while acts are skipped
+constexpr std::int64_t kMaxNs = 50'000'000;  // most that a frame plays, however late it is
+constexpr qint64 kHurryMs = 10;              // computing time of a frame while acts are skipped
 constexpr std::int64_t kHurryStepNs = 4'000'000;
 constexpr double kSheetWidthMm = 124.0, kSheetHeightMm = 140.0;
 
@@ -155,7 +155,7 @@ void TourWindow::set_paused(bool paused) {
 void TourWindow::tick() {
   const std::int64_t ns = clock_.nsecsElapsed();
   clock_.start();
-  if (!is_paused_) play(std::min(ns, kMostNs));
+  if (!is_paused_) play(std::min(ns, kMaxNs));
 }
 
 void TourWindow::play(std::int64_t ns) {

@@ -9,7 +9,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kMostIdChars = 48;  // leaves room for a number
+constexpr int kMaxIdChars = 48;  // leaves room for a number
 
 }  // namespace
 
@@ -55,7 +55,7 @@ std::string id_for(const QString& name, const std::string& fallback,
     } else if (!c.isMark() && !id.empty() && id.back() != '-') {
       id += '-';
     }
-    if (id.size() >= kMostIdChars) break;
+    if (id.size() >= kMaxIdChars) break;
   }
   while (!id.empty() && id.back() == '-') id.pop_back();
   if (id.empty()) id = fallback;

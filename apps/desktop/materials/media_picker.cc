@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kRoomPx = 8;  // around picture and text
 constexpr int kGapPx = 3;
-constexpr int kLeastColumns = 2;
+constexpr int kMinColumns = 2;
 constexpr auto kColor = "sheet.color";
 
 std::vector<Medium> drawing_media(const Materials& materials) {
@@ -155,7 +155,7 @@ QSize MediaPicker::cell() const {
 }
 
 int MediaPicker::columns(int width) const {
-  return std::max(kLeastColumns, (width + kGapPx) / (cell().width() + kGapPx));
+  return std::max(kMinColumns, (width + kGapPx) / (cell().width() + kGapPx));
 }
 
 int MediaPicker::height_for(int width) const {
@@ -165,12 +165,12 @@ int MediaPicker::height_for(int width) const {
 }
 
 QSize MediaPicker::sizeHint() const {
-  const int width = kLeastColumns * (cell().width() + kGapPx) - kGapPx;
+  const int width = kMinColumns * (cell().width() + kGapPx) - kGapPx;
   return {width, height_for(std::max(width, this->width()))};
 }
 
 QSize MediaPicker::minimumSizeHint() const {
-  return {kLeastColumns * (MediaPictures::kSize.width() + kRoomPx + kGapPx) - kGapPx, 0};
+  return {kMinColumns * (MediaPictures::kSize.width() + kRoomPx + kGapPx) - kGapPx, 0};
 }
 
 void MediaPicker::place_buttons() {

@@ -16,7 +16,7 @@ constexpr double kFullestShare = 0.86;    // of the available height for a strok
 constexpr double kWaveShare = 0.10;       // amplitude of its wave, as a share of that height
 constexpr double kLightest = 0.06, kHardest = 0.95;
 constexpr int kSegments = 3, kKnots = 12;
-constexpr double kLeastContrast = 60.0;  // of 255 levels of grey
+constexpr double kMinContrast = 60.0;  // of 255 levels of grey
 
 Rgba rgba_of(const QColor& color) {
   return {static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
@@ -99,7 +99,7 @@ QImage draw_medium(const MediumPicture& picture) {
 
 QColor readable_ink(const QColor& ink, const QColor& paper) {
   const auto grey = [](const QColor& c) { return qGray(c.rgb()); };
-  if (std::abs(grey(ink) - grey(paper)) >= kLeastContrast) return ink;
+  if (std::abs(grey(ink) - grey(paper)) >= kMinContrast) return ink;
   return grey(paper) > 128 ? QColor(35, 38, 45) : QColor(0xf2, 0xf2, 0xee);
 }
 

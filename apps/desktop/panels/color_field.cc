@@ -17,7 +17,7 @@ constexpr double kRoundPx = 4.0;
 constexpr double kKnobPx = 6.0;
 constexpr double kStep = 0.01;
 constexpr double kLargeStep = 0.1;
-constexpr double kMostHue = 359.0 / 360.0;  // 1 is red again
+constexpr double kMaxHue = 359.0 / 360.0;  // 1 is red again
 
 QRectF inside(const QWidget& widget) {
   return QRectF(widget.rect()).adjusted(kFramePx, kFramePx, -kFramePx, -kFramePx);
@@ -28,7 +28,7 @@ double step_of(const QKeyEvent& event) {
 }
 
 QColor color_of(double hue, double saturation, double brightness) {
-  return QColor::fromHsvF(static_cast<float>(std::clamp(hue, 0.0, kMostHue)),
+  return QColor::fromHsvF(static_cast<float>(std::clamp(hue, 0.0, kMaxHue)),
                           static_cast<float>(saturation), static_cast<float>(brightness));
 }
 
@@ -156,7 +156,7 @@ void HueStrip::paintEvent(QPaintEvent*) {
 }
 
 void HueStrip::choose(double hue) {
-  show_hue(std::clamp(hue, 0.0, kMostHue));
+  show_hue(std::clamp(hue, 0.0, kMaxHue));
   Q_EMIT chosen(hue_);
 }
 

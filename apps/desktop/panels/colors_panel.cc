@@ -24,8 +24,8 @@
 namespace felt::desktop {
 namespace {
 
-constexpr std::size_t kMostRecent = 16;
-constexpr std::size_t kMostOwn = 500;
+constexpr std::size_t kMaxRecent = 16;
+constexpr std::size_t kMaxOwn = 500;
 constexpr double kFaint = 3.0;  // WCAG 2.2, 1.4.11: a lower contrast is hard to see
 constexpr int kSamplePx = 28;
 const char* const kColor = "sheet.color";
@@ -280,7 +280,7 @@ void ColorsPanel::note_drawn(const Edit& edit) {
   if (used != color() || (!colors.empty() && colors.front().color == used)) return;
   std::erase_if(colors, [&](const NamedColor& entry) { return entry.color == used; });
   colors.insert(colors.begin(), {used, {}});
-  if (colors.size() > kMostRecent) colors.resize(kMostRecent);
+  if (colors.size() > kMaxRecent) colors.resize(kMaxRecent);
   store_colors(panel_keys::kRecentColors, colors);
   recent_->set_colors(std::move(colors));
   recent_->show();
@@ -384,7 +384,7 @@ void ColorsPanel::keep_color() {
   const Rgba now = color();
   const NamedColor kept{{now.r, now.g, now.b}, {}};
   if (std::find(own.colors.begin(), own.colors.end(), kept) == own.colors.end() &&
-      own.colors.size() < kMostOwn) {
+      own.colors.size() < kMaxOwn) {
     own.colors.push_back(kept);
   }
   store_colors(panel_keys::kOwnColors, own.colors);

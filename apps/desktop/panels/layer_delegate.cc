@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kIconPx = 18;
 constexpr int kGapPx = 6;
-constexpr int kLeastRowPx = 30;
+constexpr int kMinRowPx = 30;
 constexpr double kHiddenOpacity = 0.65;  // still easy to read
 constexpr double kIdleOpacity = 0.4;     // of an open lock, as most are
 
@@ -78,7 +78,7 @@ void LayerDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
 }
 
 QSize LayerDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
-  return {6 * kIconPx, std::max(kLeastRowPx, option.fontMetrics.height() + 2 * kGapPx)};
+  return {6 * kIconPx, std::max(kMinRowPx, option.fontMetrics.height() + 2 * kGapPx)};
 }
 
 void LayerDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,

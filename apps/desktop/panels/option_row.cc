@@ -17,7 +17,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr std::size_t kMostButtons = 3;  // more choices are shown as a list
+constexpr std::size_t kMaxButtons = 3;  // more choices are shown as a list
 constexpr int kLineGapPx = 2;
 constexpr int kResetIconPx = 14;
 constexpr int kResetPx = 18;  // the button is no higher than the name beside it
@@ -177,7 +177,7 @@ void OptionRow::make_switch() {
 }
 
 void OptionRow::make_choice() {
-  if (spec_.choices.size() <= kMostButtons) {
+  if (spec_.choices.size() <= kMaxButtons) {
     make_buttons();
   } else {
     make_list();

@@ -11,7 +11,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr std::size_t kMostFiles = 500;
+constexpr std::size_t kMaxFiles = 500;
 
 /// One of our colours: 0xrrggbb and its English name.
 struct Entry {
@@ -112,7 +112,7 @@ std::vector<PaletteSource> palette_files(const QStringList& opened) {
   for (const QString& path : paths) {
     const QFileInfo file(path);
     const QString whole = file.canonicalFilePath();
-    if (whole.isEmpty() || seen.contains(whole) || sources.size() >= kMostFiles) continue;
+    if (whole.isEmpty() || seen.contains(whole) || sources.size() >= kMaxFiles) continue;
     seen.push_back(whole);
     sources.push_back({file.completeBaseName(), path});
   }

@@ -9,7 +9,7 @@ constexpr std::int64_t kNsPerMs = 1'000'000;
 constexpr std::int64_t kForgettingPart = 10'000;  // relaxes by 1 ms in 10 s
 /// An event that seems to be older than this comes from another clock.
 constexpr std::int64_t kOldestNs = 2'000'000'000;
-constexpr std::uint64_t kMostStampMs = std::uint64_t{1} << 42;  // 139 years: fits a time in ns
+constexpr std::uint64_t kMaxStampMs = std::uint64_t{1} << 42;  // 139 years: fits a time in ns
 
 }  // namespace
 
@@ -17,7 +17,7 @@ constexpr std::uint64_t kMostStampMs = std::uint64_t{1} << 42;  // 139 years: fi
 /// grows slowly, so that the clocks may drift; a smaller one, or one that is much larger, replaces
 /// it. A result never lies before the previous one or after now.
 std::int64_t DeviceClock::time_ns(std::uint64_t stamp_ms, std::int64_t now_ns) noexcept {
-  const bool has_stamp = stamp_ms != 0 && stamp_ms < kMostStampMs;
+  const bool has_stamp = stamp_ms != 0 && stamp_ms < kMaxStampMs;
   std::int64_t time_ns = now_ns;
   if (has_stamp) {
     const std::int64_t stamp_ns = static_cast<std::int64_t>(stamp_ms) * kNsPerMs;

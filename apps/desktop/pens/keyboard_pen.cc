@@ -90,7 +90,7 @@ void KeyboardPen::step(const QKeyEvent& event) {
   key_ = event.key();
   const bool fine = event.modifiers().testFlag(Qt::ShiftModifier);
   const double px =
-      fine ? kFineStepPx : kStepPx * std::min(1 + repeats_ / kStepsPerFactor, kMostFactor);
+      fine ? kFineStepPx : kStepPx * std::min(1 + repeats_ / kStepsPerFactor, kMaxFactor);
   const QPointF to = canvas_.view().to_px(hand_.place_mm()) + px * *direction_of(event.key());
   const Point mm = canvas_.view().to_mm(to);
   const bool down = hand_.is_down(PenHand::Source::kKeys);

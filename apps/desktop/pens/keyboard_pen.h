@@ -23,7 +23,7 @@ class KeyboardPen : public QObject {
   static constexpr double kStepPx = 4.0;
   static constexpr double kFineStepPx = 1.0;
   static constexpr int kStepsPerFactor = 8;  ///< key repeats until a step is one unit longer
-  static constexpr int kMostFactor = 8;
+  static constexpr int kMaxFactor = 8;
 
   KeyboardPen(Canvas& canvas, PenHand& hand);
 

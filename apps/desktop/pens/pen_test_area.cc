@@ -11,8 +11,8 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kLeastPx = 0.8;
-constexpr double kMostPx = 14.0;
+constexpr double kMinPx = 0.8;
+constexpr double kMaxPx = 14.0;
 constexpr double kMiddlePressure = 0.5;
 // As in PointerHand: 0.8 at rest down to 0.2 from 300 mm/s on, on a screen of about 4 pixels per
 // mm.
@@ -91,7 +91,7 @@ void PenTestArea::point(QPointF at, bool touching, std::optional<double> raw,
     speed_px_per_ms_ = 0.0;
     return;
   }
-  const double width_px = std::lerp(kLeastPx, kMostPx, pressure);
+  const double width_px = std::lerp(kMinPx, kMaxPx, pressure);
   QPainter painter(&ink_);
   painter.setRenderHint(QPainter::Antialiasing);
   const QPointF from = last_.value_or(at);
@@ -99,7 +99,7 @@ void PenTestArea::point(QPointF at, bool touching, std::optional<double> raw,
   painter.setPen(QPen(palette().color(QPalette::Text), 0.5 * (from_px + width_px), Qt::SolidLine,
                       Qt::RoundCap));
   painter.drawLine(from, at);
-  const auto reach = static_cast<int>(kMostPx) + 1;
+  const auto reach = static_cast<int>(kMaxPx) + 1;
   update(QRectF(from, at).normalized().toAlignedRect().adjusted(-reach, -reach, reach, reach));
   if (std::exchange(is_empty_, false)) update();
   last_ = at;

@@ -84,8 +84,7 @@ QWidget* PensPage::make_sliders() {
   connect(threshold_, &QSlider::valueChanged, this, [this](int value) {
     if (loads_) return;
     const PressureCurve& curve = editor_->curve();
-    set_curve(
-        {curve.first(), curve.second(), PressureCurve::kMostThreshold * value / kSliderSteps});
+    set_curve({curve.first(), curve.second(), PressureCurve::kMaxThreshold * value / kSliderSteps});
   });
   threshold_text_ = new QLabel;
   layout->addWidget(threshold_text_, 1, 2);
@@ -198,7 +197,7 @@ void PensPage::load() {
   firmness_->setValue(int(std::lround(kSliderSteps * settings.curve.firmness())));
   firmness_->setEnabled(settings.pressure_on);
   threshold_->setValue(
-      int(std::lround(kSliderSteps * settings.curve.threshold() / PressureCurve::kMostThreshold)));
+      int(std::lround(kSliderSteps * settings.curve.threshold() / PressureCurve::kMaxThreshold)));
   threshold_text_->setText(percent(settings.curve.threshold()));
   loads_ = false;
 }

@@ -45,7 +45,7 @@ TEST(PensPage, TheCurveFollowsSlidersHandlesAndKeys) {
   sliders[0]->setValue(-100);
   EXPECT_GT(PressureCurve::load()(0.5), 0.6);
   sliders[1]->setValue(100);
-  EXPECT_EQ(PressureCurve::load().threshold(), PressureCurve::kMostThreshold);
+  EXPECT_EQ(PressureCurve::load().threshold(), PressureCurve::kMaxThreshold);
   EXPECT_NEAR(PressureCurve::load().firmness(), -1.0, 1e-9) << "the other slider's stays";
   PressureCurve().store();
   editor->setFocus();

@@ -10,7 +10,7 @@ namespace felt::desktop {
 namespace {
 
 /// Distance of the handles from the diagonal for the softest or firmest curve.
-constexpr double kMostBend = 0.3;
+constexpr double kMaxBend = 0.3;
 constexpr int kHalvings = 40;  // of the parameter: finer than the last bit of any tablet
 
 QPointF in_square(QPointF p) {
@@ -30,7 +30,7 @@ double cubic(double a, double b, double t) {
 PressureCurve::PressureCurve(QPointF first, QPointF second, double threshold)
     : first_(in_square(first)),
       second_(in_square(second)),
-      threshold_(std::isfinite(threshold) ? std::clamp(threshold, 0.0, kMostThreshold) : 0.0) {}
+      threshold_(std::isfinite(threshold) ? std::clamp(threshold, 0.0, kMaxThreshold) : 0.0) {}
 
 PressureCurve PressureCurve::load() {
   const Settings& settings = Settings::the();
@@ -56,14 +56,14 @@ void PressureCurve::store() const {
 }
 
 PressureCurve PressureCurve::of_firmness(double firmness, double threshold) {
-  const double bend = kMostBend * std::clamp(firmness, -1.0, 1.0);
+  const double bend = kMaxBend * std::clamp(firmness, -1.0, 1.0);
   const QPointF off(bend, -bend);
   return {kFirstStraight + off, kSecondStraight + off, threshold};
 }
 
 double PressureCurve::firmness() const noexcept {
   const QPointF off = (first_ - kFirstStraight) + (second_ - kSecondStraight);
-  return std::clamp((off.x() - off.y()) / (4.0 * kMostBend), -1.0, 1.0);
+  return std::clamp((off.x() - off.y()) / (4.0 * kMaxBend), -1.0, 1.0);
 }
 
 bool PressureCurve::touches(double raw) const noexcept {

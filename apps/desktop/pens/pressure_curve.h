@@ -8,7 +8,7 @@ namespace felt::desktop {
 /// the unit square, so that it never falls. Below a threshold the pen does not touch. A value.
 class PressureCurve {
  public:
-  static constexpr double kMostThreshold = 0.5;
+  static constexpr double kMaxThreshold = 0.5;
   static constexpr QPointF kFirstStraight{1.0 / 3.0, 1.0 / 3.0};
   static constexpr QPointF kSecondStraight{2.0 / 3.0, 2.0 / 3.0};
 

@@ -6,7 +6,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kLeastSpreadPx = 20.0;  // of two fingers that turn and zoom
+constexpr double kMinSpreadPx = 20.0;  // of two fingers that turn and zoom
 
 QList<QEventPoint> fingers_down(const QTouchEvent& event) {
   QList<QEventPoint> down;
@@ -71,7 +71,7 @@ void TouchInput::move_view(const QTouchEvent& event) {
     view.pan(middle - middle_);
     const double before_px = std::hypot(first_.x(), first_.y());
     const double now_px = std::hypot(first.x(), first.y());
-    if (before_px > kLeastSpreadPx && now_px > kLeastSpreadPx) {
+    if (before_px > kMinSpreadPx && now_px > kMinSpreadPx) {
       view.zoom(now_px / before_px, middle);
       const double cross = first_.x() * first.y() - first_.y() * first.x();
       const double along = first_.x() * first.x() + first_.y() * first.y();

@@ -42,7 +42,7 @@ constexpr int kLayoutVersion = 1;
 constexpr QSize kFirstWindowSize{1280, 820};
 /// Part of the screen for the frame that the window manager adds.
 constexpr QSize kFrame{0, 40};
-constexpr int kLeastLines = 8;  // of a panel that scrolls
+constexpr int kMinLines = 8;  // of a panel that scrolls
 /// Share of the height, in per cent; a tool has more options than a drawing has layers.
 constexpr int kOptionsShare = 64;
 
@@ -89,8 +89,7 @@ QWidget* scrolled(QWidget* panel, const QString& name) {
   area->setFocusPolicy(Qt::NoFocus);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setAccessibleName(name);
-  area->setMinimumSize(panel->minimumSizeHint().width(),
-                       kLeastLines * panel->fontMetrics().height());
+  area->setMinimumSize(panel->minimumSizeHint().width(), kMinLines * panel->fontMetrics().height());
   return area;
 }
 

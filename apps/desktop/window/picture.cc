@@ -58,8 +58,8 @@ bool lacks_pictures(const MainWindow& window) {
 
 /// Waits until the pictures of surfaces and media that other threads make are finished.
 void wait_for_pictures(const MainWindow& window) {
-  constexpr int kMostWaits = 500, kWaitMs = 20;
-  for (int i = 0; i < kMostWaits && lacks_pictures(window); ++i) {
+  constexpr int kMaxWaits = 500, kWaitMs = 20;
+  for (int i = 0; i < kMaxWaits && lacks_pictures(window); ++i) {
     QThread::msleep(kWaitMs);
     settle();
   }

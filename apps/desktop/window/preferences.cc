@@ -17,7 +17,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr QSize kFirstDialogSize{800, 580};
-constexpr int kIconPx = 22, kLeastListPx = 150, kListMarginPx = 36, kRowMarginPx = 16;
+constexpr int kIconPx = 22, kMinListPx = 150, kListMarginPx = 36, kRowMarginPx = 16;
 constexpr double kTitleSize = 1.35;
 
 }  // namespace
@@ -38,7 +38,7 @@ Preferences::Preferences(MainWindow& window)
   add(QStringLiteral("canvas"), "page", tr("Sheet"), [] { return new CanvasPage; });
   add(QStringLiteral("shortcuts"), "keyboard", tr("Shortcuts"),
       [&actions] { return new ShortcutsPage(actions); });
-  list_->setFixedWidth(std::max(kLeastListPx, list_->sizeHintForColumn(0) + kListMarginPx));
+  list_->setFixedWidth(std::max(kMinListPx, list_->sizeHintForColumn(0) + kListMarginPx));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* row = new QHBoxLayout;

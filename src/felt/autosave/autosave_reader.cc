@@ -10,7 +10,7 @@
 namespace felt {
 namespace {
 
-constexpr std::int64_t kMostMissing = 4096;  // more than the rows of one damaged page
+constexpr std::int64_t kMaxMissing = 4096;  // more than the rows of one damaged page
 
 tl::unexpected<Error> no_database(sqlite3* db) {
   return fail(ErrorCode::kInvalidData, db ? sqlite3_errmsg(db) : "not enough memory");
@@ -20,7 +20,7 @@ tl::unexpected<Error> no_database(sqlite3* db) {
 std::optional<std::int64_t> probe(sqlite3* db, const std::string& sql, std::int64_t next) {
   const Result<Statement> row = Statement::of(db, sql.c_str());
   if (!row) return {};
-  for (std::int64_t key = next; key < next + kMostMissing; ++key) {
+  for (std::int64_t key = next; key < next + kMaxMissing; ++key) {
     row->bind(1, key);
     const Result<bool> found = row->step();
     row->reset();

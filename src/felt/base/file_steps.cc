@@ -20,7 +20,7 @@ namespace felt::file_steps {
 namespace {
 
 constexpr int kNameAttempts = 100;
-constexpr int kMostLinks = 40;  // the system's own limit
+constexpr int kMaxLinks = 40;  // the system's own limit
 constexpr std::size_t kChunkBytes = std::size_t{1} << 16;
 /// Only this many bytes of the name go into a hidden name, so that it is never too long.
 constexpr std::size_t kNamePart = 200;
@@ -141,7 +141,7 @@ int open_file(const std::string& path, int flags, mode_t permissions) noexcept {
 
 std::string resolved(const std::string& path) {
   std::string at = path;
-  for (int i = 0; i < kMostLinks; ++i) {
+  for (int i = 0; i < kMaxLinks; ++i) {
     const std::unique_ptr<char, decltype(&std::free)> real(::realpath(at.c_str(), nullptr),
                                                            &std::free);
     if (real) return real.get();

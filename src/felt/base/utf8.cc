@@ -15,14 +15,14 @@ bool next_code_point(std::string_view& text, std::uint32_t& code) noexcept {
                                                     : 0;
   if (length == 0 || text.size() < length) return false;
   constexpr std::array<unsigned, 5> kMask{0, 0x7f, 0x1f, 0x0f, 0x07};
-  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
+  constexpr std::array<std::uint32_t, 5> kMin{0, 0, 0x80, 0x800, 0x10000};
   code = first & kMask[length];
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(i) >> 6) != 0x02) return false;
     code = (code << 6) | (byte(i) & 0x3f);
   }
   text.remove_prefix(length);
-  return code >= kLeast[length] && code <= 0x10ffff && !(code >= 0xd800 && code <= 0xdfff);
+  return code >= kMin[length] && code <= 0x10ffff && !(code >= 0xd800 && code <= 0xdfff);
 }
 
 bool is_utf8(std::string_view text) noexcept {

@@ -10,10 +10,10 @@ namespace felt {
 /// The page of a drawing: its size, colour and surface. Ink may lie outside it: the page bounds
 /// what is printed and exported, not the drawing.
 struct SheetPage {
-  static constexpr double kLeastMm = 10.0;
-  static constexpr double kMostMm = 5000.0;
+  static constexpr double kMinMm = 10.0;
+  static constexpr double kMaxMm = 5000.0;
 
-  double width_mm = 297.0;  ///< A4, landscape; kLeastMm..kMostMm
+  double width_mm = 297.0;  ///< A4, landscape; kMinMm..kMaxMm
   double height_mm = 210.0;
   Rgba paper{255, 255, 255, 255};  ///< alpha 0: no background is drawn, printed or exported
   /// Id of the surface (SurfaceMaterial::id), UTF-8 of at most 4096 bytes. "" if none was chosen,

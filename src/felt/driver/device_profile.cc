@@ -150,9 +150,9 @@ Result<bool> set_value(DeviceProfile& profile, HandParts& parts, std::string_vie
   } else if (key == "hand") {
     done = set_hand(profile.left_handed, text);
   } else if (key == "force_limit_n") {
-    done = set(profile.force_limit_n, text, kLeastForceLimitN);
+    done = set(profile.force_limit_n, text, kMinForceLimitN);
   } else if (key == "stiffness_cap_n_per_m") {
-    done = set(profile.stiffness_cap_n_per_m, text, kLeastStiffnessCap);
+    done = set(profile.stiffness_cap_n_per_m, text, kMinStiffnessCap);
   } else if (key.substr(0, kLeft.size()) == kLeft) {
     return set_part(parts.left, key.substr(kLeft.size()), text);
   } else {

@@ -52,8 +52,8 @@ struct DeviceProfile {
   friend bool operator==(const DeviceProfile&, const DeviceProfile&) = default;
 };
 
-inline constexpr double kLeastForceLimitN = 0.1;
-inline constexpr double kLeastStiffnessCap = 50.0;  ///< N/m
+inline constexpr double kMinForceLimitN = 0.1;
+inline constexpr double kMinStiffnessCap = 50.0;  ///< N/m
 
 /// Returns false if both serials are known and differ. Then the profile was made with another unit
 /// of the same kind, and its planes are invalid.

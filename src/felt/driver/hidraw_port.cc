@@ -14,7 +14,7 @@ namespace felt {
 namespace {
 
 constexpr std::int64_t kNsPerMs = 1'000'000;
-constexpr std::int64_t kMostWaitMs = 10'000;
+constexpr std::int64_t kMaxWaitMs = 10'000;
 constexpr std::size_t kMaxReportBytes = 4096;  // of one report: an ioctl's length has 12 bits
 
 class HidrawFile final : public HidrawPort {
@@ -31,7 +31,7 @@ class HidrawFile final : public HidrawPort {
 
   tl::expected<std::size_t, int> read(std::span<std::uint8_t> room,
                                       std::int64_t within_ns) noexcept override {
-    const std::int64_t ms = std::clamp<std::int64_t>(within_ns / kNsPerMs, 0, kMostWaitMs);
+    const std::int64_t ms = std::clamp<std::int64_t>(within_ns / kNsPerMs, 0, kMaxWaitMs);
     pollfd wait{descriptor_, POLLIN, 0};
     const int ready = poll(&wait, 1, static_cast<int>(ms));
     if (ready < 0) return errno == EINTR ? tl::expected<std::size_t, int>(0) : failed(errno);

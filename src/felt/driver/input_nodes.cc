@@ -9,8 +9,8 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kWordBits = sizeof(unsigned long) * CHAR_BIT;
-constexpr std::size_t kMostName = 80;
-constexpr std::size_t kMostNodes = 256;
+constexpr std::size_t kMaxName = 80;
+constexpr std::size_t kMaxNodes = 256;
 
 std::string_view unquoted(std::string_view text) {
   const auto is_end = [](char c) { return c == '\n' || c == ' ' || c == '\0' || c == '"'; };
@@ -51,7 +51,7 @@ std::vector<std::string> numbered(const SystemView& system, const std::string& f
     found.emplace_back(number, name);
   }
   std::sort(found.begin(), found.end());
-  if (found.size() > kMostNodes) found.resize(kMostNodes);
+  if (found.size() > kMaxNodes) found.resize(kMaxNodes);
   std::vector<std::string> names;
   for (auto& [number, name] : found) names.push_back(std::move(name));
   return names;
@@ -102,7 +102,7 @@ std::string vendor_and_product(std::uint16_t vendor, std::uint16_t product) {
 std::string shown_name(std::string_view name) {
   std::string shown;
   for (const char c : unquoted(name)) {
-    if (shown.size() == kMostName) break;
+    if (shown.size() == kMaxName) break;
     const auto byte = static_cast<unsigned char>(c);
     shown += byte < 0x20 || byte == 0x7F ? ' ' : c;
   }

@@ -90,7 +90,7 @@ Result<void> check(std::span<const PlaneTouch> touches) {
   }
   for (std::size_t i = 0; i < touches.size(); ++i) {
     for (std::size_t k = i + 1; k < touches.size(); ++k) {
-      if (norm(touches[i].device_mm - touches[k].device_mm) >= kLeastApartMm) continue;
+      if (norm(touches[i].device_mm - touches[k].device_mm) >= kMinApartMm) continue;
       return fail(ErrorCode::kInvalidArgument,
                   "touches " + std::to_string(i + 1) + " and " + std::to_string(k + 1) +
                       " are closer than 15 mm: touch places farther apart");
@@ -186,7 +186,7 @@ Result<PlaneFit> fit_plane(std::span<const PlaneTouch> touches, Handedness devic
   }
   const Point sheet_middle = Point{} + sheet;
   const Axes axes = spread_of(touches, middle);
-  if (!(std::sqrt(std::max(0.0, axes.values[1])) >= kLeastBesideMm)) {
+  if (!(std::sqrt(std::max(0.0, axes.values[1])) >= kMinBesideMm)) {
     return fail(ErrorCode::kInvalidArgument,
                 "the touches lie on one line: touch three corners of the drawing area");
   }

@@ -116,10 +116,10 @@ std::array<PlaneTouch, 3> corner_touches(const Vec3& upper_left, const Vec3& upp
 /// its frame, because three touches cannot tell above from below.
 ///
 /// Fails if there are fewer than three touches, one is not finite or exceeds 1e6 mm, two are closer
-/// than kLeastApartMm, or all are closer than kLeastBesideMm to one line.
+/// than kMinApartMm, or all are closer than kMinBesideMm to one line.
 Result<PlaneFit> fit_plane(std::span<const PlaneTouch> touches,
                            Handedness device = Handedness::kRight);
-inline constexpr double kLeastApartMm = 15.0;
-inline constexpr double kLeastBesideMm = 10.0;
+inline constexpr double kMinApartMm = 15.0;
+inline constexpr double kMinBesideMm = 10.0;
 
 }  // namespace felt

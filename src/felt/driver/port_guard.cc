@@ -24,7 +24,7 @@ constexpr int kTryMs = 50;
 struct Watch {
   int port = -1;
   int connection = -1;
-  std::array<std::byte, PortGuard::kMostBytes> words{};
+  std::array<std::byte, PortGuard::kMaxBytes> words{};
   std::size_t size = 0;
   timespec patience{};
 };
@@ -33,9 +33,9 @@ struct Watch {
 // exec() of a program with threads (signal-safety(7)): no allocation, no locks, no destructors.
 
 void close_all(unsigned from, unsigned to) noexcept {
-  constexpr unsigned kMost = 65'535;  // for kernels older than close_range() (5.9)
+  constexpr unsigned kMax = 65'535;  // for kernels older than close_range() (5.9)
   if (close_range(from, to, 0) == 0) return;
-  for (unsigned i = from; i <= std::min(to, kMost); ++i) ::close(static_cast<int>(i));
+  for (unsigned i = from; i <= std::min(to, kMax); ++i) ::close(static_cast<int>(i));
 }
 
 void keep_only(int one, int other) noexcept {
@@ -86,7 +86,7 @@ void say(const Watch& watch) noexcept {
 
 std::unique_ptr<PortGuard> PortGuard::start(int port, std::span<const std::byte> last_words,
                                             std::int64_t patience_ns) {
-  if (port < 0 || last_words.size() > kMostBytes) return nullptr;
+  if (port < 0 || last_words.size() > kMaxBytes) return nullptr;
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return nullptr;
   Watch watch{.port = port, .connection = ends[1]};

@@ -20,10 +20,10 @@ namespace felt {
 /// is shared with ours until we write to it: start it before the loop runs.
 class PortGuard {
  public:
-  static constexpr std::size_t kMostBytes = 64;
+  static constexpr std::size_t kMaxBytes = 64;
 
   /// Starts a guard. The caller keeps `port`. Returns null if `last_words` are longer than
-  /// kMostBytes, or no process or connection can be created. Edit thread.
+  /// kMaxBytes, or no process or connection can be created. Edit thread.
   static std::unique_ptr<PortGuard> start(int port, std::span<const std::byte> last_words,
                                           std::int64_t patience_ns);
   /// Ends the guard, which writes the last words, and waits until it has exited and the port is

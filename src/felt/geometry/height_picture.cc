@@ -133,8 +133,8 @@ Result<HeightField> height_field_of(const HeightPicture& picture, const HeightPi
   double squares = 0.0;
   for (const double h : tile) squares += h * h;
   const double rms = std::sqrt(squares / static_cast<double>(tile.size()));
-  constexpr double kLeast = 1e-5;  // of the range from black to white
-  if (!(rms > kLeast)) {
+  constexpr double kMin = 1e-5;  // of the range from black to white
+  if (!(rms > kMin)) {
     return fail(ErrorCode::kInvalidData, "the picture has no relief that is coarse enough to feel");
   }
   return HeightField({.wavelength_mm = spec.tile_mm / HeightField::kWavesPerTile,

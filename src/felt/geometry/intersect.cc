@@ -262,7 +262,7 @@ class Search {
       found_[i] = found_[--found_count_];
       i = 0;
     }
-    if (found_count_ < Crossings::kMost) {
+    if (found_count_ < Crossings::kMax) {
       found_[found_count_++] = now;
     } else {
       result_.complete = false;
@@ -376,7 +376,7 @@ class Search {
   Crossings result_;
   std::array<Pair, kStack> stack_;  // written before it is read
   std::size_t count_ = 0;
-  std::array<Found, Crossings::kMost> found_{};
+  std::array<Found, Crossings::kMax> found_{};
   std::size_t found_count_ = 0;
 };
 

@@ -28,9 +28,9 @@ struct Crossing {
 /// The points where two cubics meet, in ascending order of t1, then t2.
 struct Crossings {
   /// Two cubics cross at most nine times (Bezout); the rest leaves room for touches.
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMax = 16;
 
-  std::array<Crossing, kMost> places{};
+  std::array<Crossing, kMax> places{};
   std::size_t count = 0;
   /// False if the limit on the work or on the number of points was reached: some may be missing.
   bool complete = true;

@@ -19,12 +19,12 @@ std::optional<double> lean_of_axis(const Vec3& axis) noexcept {
 
 std::optional<double> lean_of_tilt(double x_deg, double y_deg) noexcept {
   const double x = std::fabs(x_deg), y = std::fabs(y_deg);
-  if (!(x <= kMostLeanDeg && y <= kMostLeanDeg)) return std::nullopt;
+  if (!(x <= kMaxLeanDeg && y <= kMaxLeanDeg)) return std::nullopt;
   // Both tangents are multiplied by both cosines, so that 90 degrees do not give infinity. None of
   // these is negative.
   const double cx = std::fmax(std::cos(x / kDegPerRad), 0.0);
   const double cy = std::fmax(std::cos(y / kDegPerRad), 0.0);
-  if (x == kMostLeanDeg || y == kMostLeanDeg) return kMostLeanDeg;
+  if (x == kMaxLeanDeg || y == kMaxLeanDeg) return kMaxLeanDeg;
   return lean_of_axis({std::sin(x / kDegPerRad) * cy, std::sin(y / kDegPerRad) * cx, cx * cy});
 }
 

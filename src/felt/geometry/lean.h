@@ -8,7 +8,7 @@
 namespace felt {
 
 /// The largest tilt: the pen lies on the surface.
-inline constexpr double kMostLeanDeg = 90.0;
+inline constexpr double kMaxLeanDeg = 90.0;
 /// People usually write at a tilt of 30 to 40 degrees. So tilt has no effect on a line up to
 /// kFreeLeanDeg, and its full effect from kFullLeanDeg on.
 inline constexpr double kFreeLeanDeg = 40.0;
@@ -25,7 +25,7 @@ constexpr double lean_share(double lean_deg) noexcept {
 /// Returns the tilt clamped to 0..90 degrees, or nullopt if it is missing or NaN. Real-time safe.
 inline std::optional<double> clean_lean(std::optional<double> lean_deg) noexcept {
   if (!lean_deg || std::isnan(*lean_deg)) return std::nullopt;
-  return std::fmin(std::fmax(*lean_deg, 0.0), kMostLeanDeg);
+  return std::fmin(std::fmax(*lean_deg, 0.0), kMaxLeanDeg);
 }
 
 /// Returns the tilt of a pen along `axis` (in either direction, of any length): the angle to the z

@@ -12,7 +12,7 @@ namespace felt {
 namespace {
 
 constexpr unsigned kMaxHalvings = 48;
-constexpr double kLeastWidth = 0x1p-48;  // kMaxHalvings halvings
+constexpr double kMinWidth = 0x1p-48;  // kMaxHalvings halvings
 
 // Part [t0, t0 + width] of the segment, with its control points relative to the query point.
 struct CurvePiece {
@@ -148,7 +148,7 @@ class NearestSearch {
     unsigned count = 0;
     CurvePiece piece = root_;
     while (--pieces_left > 0 && !(found_ && limit_ <= zero)) {
-      if (!finished(piece, d) && piece.width > kLeastWidth) {
+      if (!finished(piece, d) && piece.width > kMinWidth) {
         waiting[count] = halve(piece);
         const CurvePiece& right = waiting[count++];
         offer(right.t0, norm_squared(right.a[0]));

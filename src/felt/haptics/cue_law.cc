@@ -105,13 +105,13 @@ double rub_intensity(const CueFeel& feel, double speed_mm_per_s, double push_n) 
 }
 
 double hill_swell(const CueFeel& feel, const CueInput& now) noexcept {
-  constexpr double kMostTold = 0.6, kHighest = 2.0;
+  constexpr double kMaxTold = 0.6, kHighest = 2.0;
   if (feel.relief == nullptr || !(feel.relief->spec().rms_um > 0.0)) return 1.0;
   const double hills_per_s =
       finite_positive(now.speed_mm_per_s) / feel.relief->spec().wavelength_mm;
   const double x =
       std::clamp((kLostHillsPerS - hills_per_s) / (kLostHillsPerS - kToldHillsPerS), 0.0, 1.0);
-  const double told = kMostTold * x * x * (3.0 - 2.0 * x);
+  const double told = kMaxTold * x * x * (3.0 - 2.0 * x);
   const double share = std::min(finite_positive(feel.grain), 1.0) *
                        relief_left(feel.wear, finite_positive(now.push_n) / kFullPushN);
   const double height = 1e3 * feel.relief->at(now.place).height_mm / feel.relief->spec().rms_um;
@@ -145,7 +145,7 @@ std::optional<Cue> CueLaw::step(const CueInput& now) noexcept {
   follow_contact(now, passed_ns);
   follow_level(now, passed_ns);
   if (wanted_ns_ > static_cast<double>(kStaleNs)) wanted_ = CueWaveform::kNone;
-  if (quiet_ns_ < static_cast<double>(kLeastApartNs)) return std::nullopt;
+  if (quiet_ns_ < static_cast<double>(kMinApartNs)) return std::nullopt;
   const std::optional<Cue> cue = wanted_ != CueWaveform::kNone ? say_single() : say_humming();
   if (cue) quiet_ns_ = 0.0;
   return cue;

@@ -91,7 +91,7 @@ enum class CueEvent : std::uint8_t {
 ///   law.tell(CueEvent::kSnapped);                        // when it happens
 ///   if (auto cue = law.step(cue_input_of(pen, surface))) device.play(*cue, now_ns);
 ///
-/// * It sends at most one cue every kLeastApartNs; single cues of one kind are kSameApartNs apart.
+/// * It sends at most one cue every kMinApartNs; single cues of one kind are kSameApartNs apart.
 ///   A cue that could not be sent within kStaleNs is dropped; of two events the more important one
 ///   is sent.
 /// * Contact has the same hysteresis as ink: a pen counts as lifted when it is 0.5 mm above the
@@ -104,7 +104,7 @@ enum class CueEvent : std::uint8_t {
 /// A value type that does not allocate. Normally used on the edit thread, but real-time safe, too.
 class CueLaw {
  public:
-  static constexpr std::int64_t kLeastApartNs = 20'000'000;
+  static constexpr std::int64_t kMinApartNs = 20'000'000;
   static constexpr std::int64_t kSameApartNs = 80'000'000;
   static constexpr std::int64_t kStaleNs = 100'000'000;
   static constexpr std::int64_t kSingleNs = 60'000'000;

@@ -383,7 +383,7 @@ RC_GTEST_PROP(CueLaw, IsBoundedInRateAndIntensityAndDeterministic, ()) {
     RC_ASSERT(cue == again.said[i].cue);
     RC_ASSERT(cue.intensity >= 0.0);
     RC_ASSERT(cue.intensity <= 1.0);
-    if (i > 0) RC_ASSERT(time_ns - desk.said[i - 1].time_ns >= CueLaw::kLeastApartNs);
+    if (i > 0) RC_ASSERT(time_ns - desk.said[i - 1].time_ns >= CueLaw::kMinApartNs);
     if (cue.waveform == CueWaveform::kNone || is_continuous(cue.waveform)) continue;
     std::int64_t& same = last[static_cast<std::size_t>(cue.waveform)];
     RC_ASSERT(time_ns - same >= CueLaw::kSameApartNs);

@@ -30,7 +30,7 @@ bool is_layer_name(std::string_view name) {
 }
 
 void make_valid(SheetPage& page) {
-  const auto fits = [](double mm) { return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm; };
+  const auto fits = [](double mm) { return mm >= SheetPage::kMinMm && mm <= SheetPage::kMaxMm; };
   if (!fits(page.width_mm) || !fits(page.height_mm)) {
     page.width_mm = SheetPage{}.width_mm;
     page.height_mm = SheetPage{}.height_mm;

@@ -56,10 +56,10 @@ std::size_t character(std::string_view text) {
     if ((byte(i) & 0xc0U) != 0x80) return 0;
     code = code << 6 | (byte(i) & 0x3fU);
   }
-  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  constexpr std::uint32_t kMin[] = {0, 0, 0x80, 0x800, 0x10000};
   const bool is_surrogate = code >= 0xd800 && code < 0xe000;
   const bool is_control = code < 0xa0;
-  return code < kLeast[length] || code > 0x10ffff || is_surrogate || is_control ? 0 : length;
+  return code < kMin[length] || code > 0x10ffff || is_surrogate || is_control ? 0 : length;
 }
 
 /// Returns why this is not a valid name, or "" if it is.

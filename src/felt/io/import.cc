@@ -13,16 +13,16 @@ void ImportReport::add(std::int64_t line, std::string element, std::string what)
     return;
   }
   std::string kind = notice_kind(what);
-  if (std::count(kinds_.begin(), kinds_.end(), kind) == kMostOfAKind) {
+  if (std::count(kinds_.begin(), kinds_.end(), kind) == kMaxOfAKind) {
     const auto last = std::find(kinds_.rbegin(), kinds_.rend(), kind);
     ++notices_[static_cast<std::size_t>(kinds_.rend() - last) - 1].count;
     return;
   }
-  if (notices_.size() == kMostKinds) {
+  if (notices_.size() == kMaxKinds) {
     ++notices_.back().count;
     return;
   }
-  if (notices_.size() + 1 == kMostKinds) what = "and others were not taken as they are";
+  if (notices_.size() + 1 == kMaxKinds) what = "and others were not taken as they are";
   if (element.size() > kMaxElementBytes) {
     std::size_t end = kMaxElementBytes;
     while (end > 0 && (static_cast<unsigned char>(element[end]) & 0xc0) == 0x80) --end;

@@ -24,11 +24,11 @@ struct ImportNotice {
 
 /// Notices of one file, in the order in which they first occurred. Notices with the same `what` are
 /// counted together. Of those that differ only in numbers and quoted names, the first three are
-/// kept. The size is bounded for any file: beyond kMostKinds, all others become one notice.
+/// kept. The size is bounded for any file: beyond kMaxKinds, all others become one notice.
 class ImportReport {
  public:
-  static constexpr std::size_t kMostKinds = 100;
-  static constexpr int kMostOfAKind = 3;
+  static constexpr std::size_t kMaxKinds = 100;
+  static constexpr int kMaxOfAKind = 3;
   static constexpr std::size_t kMaxElementBytes = 200;  ///< longer names are shortened
 
   void add(std::int64_t line, std::string element, std::string what);

@@ -23,7 +23,7 @@ TEST(ImportReport, IsBoundedWhateverTheFile) {
     const std::string letters{char('a' + k % 26), char('a' + k / 26 % 26), char('a' + k / 676)};
     report.add(k, std::string(100'000, 'x'), "oddity " + letters);
   }
-  ASSERT_EQ(report.notices().size(), ImportReport::kMostKinds);
+  ASSERT_EQ(report.notices().size(), ImportReport::kMaxKinds);
   EXPECT_EQ(report.notices().back().count, 5000 - 99);
   EXPECT_LE(report.notices().front().element.size(), ImportReport::kMaxElementBytes + 3);
 }

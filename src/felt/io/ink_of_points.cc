@@ -14,15 +14,15 @@ namespace {
 
 /// Distance between the points at which the fit checks a drawn line: near its ends, and the largest
 /// one in between.
-constexpr double kFirstStepMm = 0.15, kMostStepMm = 1.0;
+constexpr double kFirstStepMm = 0.15, kMaxStepMm = 1.0;
 /// Largest number of points inserted between others in one file. After that, the pieces of a line
 /// stay straight segments, so that a small file with long lines cannot keep us busy.
-constexpr std::size_t kMostInserted = 4'000'000;
+constexpr std::size_t kMaxInserted = 4'000'000;
 /// A longer run is fitted in parts that meet in corners, so that memory stays bounded.
 constexpr std::size_t kLongestRun = 100'000;
-/// Replaces kRuledMm once kMostInserted points were inserted: pieces up to this length go to the
+/// Replaces kRuledMm once kMaxInserted points were inserted: pieces up to this length go to the
 /// fit without extra points.
-constexpr double kLeastRuledMm = 1.0;
+constexpr double kMinRuledMm = 1.0;
 
 InkFitOptions drawn_line_options() {
   InkFitOptions options;
@@ -168,7 +168,7 @@ Result<StrokeData> InkOfPoints::of_line(std::span<const WidePoint> line) {
   for (std::size_t i = 1; i < line_.size(); ++i) {
     const WidePoint &from = line_[i - 1], &to = line_[i];
     const double length = distance(from.position, to.position);
-    const bool ruled = length > (inserted_ < kMostInserted ? kRuledMm : kLeastRuledMm);
+    const bool ruled = length > (inserted_ < kMaxInserted ? kRuledMm : kMinRuledMm);
     if (!ruled && run_.size() < kLongestRun) {
       add_between(from, to);
       continue;
@@ -192,8 +192,8 @@ Result<StrokeData> InkOfPoints::of_line(std::span<const WidePoint> line) {
 
 // Extends the run to `to`, with points in between so that the fit cannot leave the line.
 void InkOfPoints::add_between(const WidePoint& from, const WidePoint& to) {
-  if (inserted_ < kMostInserted) {
-    line_steps(distance(from.position, to.position), kFirstStepMm, kMostStepMm, steps_);
+  if (inserted_ < kMaxInserted) {
+    line_steps(distance(from.position, to.position), kFirstStepMm, kMaxStepMm, steps_);
     for (const double t : steps_) {
       run_.push_back(
           {lerp(from.position, to.position, t), from.width_mm + t * (to.width_mm - from.width_mm)});

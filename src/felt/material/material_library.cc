@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFiles = 1000;  // in one folder
+constexpr std::size_t kMaxFiles = 1000;  // in one folder
 constexpr const char* kBelow = "/feltline/materials";
 
 /// Returns the value of an environment variable if it is an absolute path; otherwise "".
@@ -33,8 +33,8 @@ std::vector<std::string> files_of(const std::string& folder, std::vector<std::st
     const std::string name = at->path().filename().string();
     // Only regular files, because reading a pipe could block.
     if (!at->is_regular_file(unknown) || !name.ends_with(".toml") || name[0] == '.') continue;
-    if (names.size() == kMostFiles) {
-      problems.push_back(folder + ": only " + std::to_string(kMostFiles) +
+    if (names.size() == kMaxFiles) {
+      problems.push_back(folder + ": only " + std::to_string(kMaxFiles) +
                          " of the materials here are looked at");
       break;
     }

@@ -12,7 +12,7 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kMostProblems = 20;
+constexpr std::size_t kMaxProblems = 20;
 constexpr std::size_t kShownChars = 40;
 
 std::string shown(const TomlEntry& entry) {
@@ -114,7 +114,7 @@ class Reading {
   }
 
   void say(int line, const std::string& what) {
-    if (problems_.size() == kMostProblems) return;
+    if (problems_.size() == kMaxProblems) return;
     problems_.push_back({line, {ErrorCode::kInvalidData, toml_place(source_.name, line) + what}});
   }
   void refuse(const TomlEntry& entry, const std::string& allowed) {

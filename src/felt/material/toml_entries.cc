@@ -35,7 +35,7 @@
 namespace felt {
 namespace {
 
-constexpr int kMostDepth = 4;
+constexpr int kMaxDepth = 4;
 
 int line_of(const toml::source_region& where) noexcept {
   return static_cast<int>(std::max<toml::source_index>(where.begin.line, 1));
@@ -85,7 +85,7 @@ Result<std::vector<TomlEntry>> entries_of(const toml::table& root, const std::st
       const std::string id = level.prefix + name_of(key);
       const toml::table* table = node.as_table();
       if (table && !table->empty()) {
-        if (level.depth == kMostDepth) return too_deep(name, key);
+        if (level.depth == kMaxDepth) return too_deep(name, key);
         levels.push_back({table, id + ".", level.depth + 1});
         continue;
       }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kHalfDepthUm = 2.0;
 
 /// The cache of looks is emptied when it has this many: ten media at six scales.
-constexpr std::size_t kMostLooks = 64;
+constexpr std::size_t kMaxLooks = 64;
 
 /// The dust of all media, with wavelength 1. Its hills have several sizes, because hills of one
 /// size, as in even grain, look like a weave.
@@ -143,7 +143,7 @@ std::shared_ptr<const InkLook> Grain::look(std::string_view material, double px_
   made->crumb = crumb;
   if (state_->field) made->sheet_tile_mm = state_->field->tile_mm();
   made->crumb_tile_mm = HeightField::kWavesPerTile * crumb_mm;
-  if (state_->made.size() >= kMostLooks) state_->made.clear();
+  if (state_->made.size() >= kMaxLooks) state_->made.clear();
   state_->made.push_back({medium, sheet.get(), crumb.get(), made});
   return made;
 }

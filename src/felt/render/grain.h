@@ -67,11 +67,11 @@ class Grain {
 
 /// Grain in a file with strokes as outlines (.svg, .pdf): the relief, and the resolution.
 struct GrainPrint {
-  static constexpr double kLeastDpi = 20.0;
-  static constexpr double kMostDpi = 1200.0;
+  static constexpr double kMinDpi = 20.0;
+  static constexpr double kMaxDpi = 1200.0;
 
   Grain grain;
-  double dpi = 200.0;  ///< kLeastDpi..kMostDpi
+  double dpi = 200.0;  ///< kMinDpi..kMaxDpi
 };
 
 }  // namespace felt

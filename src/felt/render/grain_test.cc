@@ -263,9 +263,9 @@ TEST(PressureMap, IsTheToneInTheMiddleOfTheLineAndLessBesideIt) {
     const double t = (x + 0.5 - 20) / 360, radius = 3 + 27 * t;
     EXPECT_NEAR(map.push_at(x, 50), t, 0.01) << x;
     EXPECT_LT(map.push_at(x, 50 + static_cast<int>(0.8 * radius)), map.push_at(x, 50));
-    EXPECT_EQ(map.push_at(x, 50 + static_cast<int>(radius) + 4), PressureMap::kLeastPush);
+    EXPECT_EQ(map.push_at(x, 50 + static_cast<int>(radius) + 4), PressureMap::kMinPush);
   }
-  EXPECT_EQ(map.push_at(5, 5), PressureMap::kLeastPush);
+  EXPECT_EQ(map.push_at(5, 5), PressureMap::kMinPush);
 }
 
 /// Every pixel within the tip is covered, in whatever direction the tip moved and however it grew.

@@ -24,7 +24,7 @@ constexpr double kSoftPx = 0.5;
 constexpr double kTaper = 0.1;
 constexpr auto kBesidePx = static_cast<float>(kRimPx - kSoftPx);
 
-constexpr float kMostKey = 4095.0F, kMostRim = 1023.0F, kMostAcross = 511.0F;
+constexpr float kMaxKey = 4095.0F, kMaxRim = 1023.0F, kMaxAcross = 511.0F;
 
 /// Two separate choices, because compilers do not vectorize nested ones.
 inline float clamped(float x, float low, float high) noexcept {
@@ -71,8 +71,8 @@ template <bool kTapers>
   const Walk w = walk;
   const float edge_from = w.edge_from;
   const float per_edge = edge_from < 1.0F ? 1.0F / (1.0F - edge_from) : 0.0F;
-  constexpr auto kLeast = static_cast<float>(PressureMap::kLeastPush);
-  constexpr float kPerPush = kMostKey / (1.0F - kLeast);
+  constexpr auto kMin = static_cast<float>(PressureMap::kMinPush);
+  constexpr float kPerPush = kMaxKey / (1.0F - kMin);
   for (int y = w.y0; y < w.y1; ++y) {
     double from = w.from, to = w.to;
     if (w.is_steep) {  // only the part of the row within the strip's width
@@ -103,12 +103,12 @@ template <bool kTapers>
         const float in_edge = (rim - edge_from) * per_edge;
         const float at_edge = in_edge > 0.0F ? in_edge : 0.0F;
         const float firm = (w.tone0 + t * w.dtone) * (1.0F - kLessAtEdge * rim);
-        const float push = firm + (kLeast - firm) * (at_edge * at_edge);
+        const float push = firm + (kMin - firm) * (at_edge * at_edge);
         const float side = across * per_r;
         const float place = clamped(side, -1.0F, 1.0F);
-        const auto key = static_cast<std::int32_t>((push - kLeast) * kPerPush);
-        const auto rim_key = static_cast<std::int32_t>(rim * kMostRim);
-        const auto across_key = static_cast<std::int32_t>((place + 1.0F) * (0.5F * kMostAcross));
+        const auto key = static_cast<std::int32_t>((push - kMin) * kPerPush);
+        const auto rim_key = static_cast<std::int32_t>(rim * kMaxRim);
+        const auto across_key = static_cast<std::int32_t>((place + 1.0F) * (0.5F * kMaxAcross));
         const std::int32_t value =
             (key << PressureMap::kPushShift) | (rim_key << PressureMap::kRimShift) | across_key;
         const float reach = w.r0 + t * w.dr + kBesidePx;
@@ -150,9 +150,9 @@ void PressureMap::begin(PixelRect area, double edge) {
 
 double PressureMap::push_at(int x, int y) const noexcept {
   const std::int32_t value = row(y)[x - area_.x0];
-  return value == 0 ? kLeastPush
-                    : kLeastPush + (1.0 - kLeastPush) * (value >> kPushShift) /
-                                       static_cast<double>(kMostKey);
+  return value == 0
+             ? kMinPush
+             : kMinPush + (1.0 - kMinPush) * (value >> kPushShift) / static_cast<double>(kMaxKey);
 }
 
 void PressureMap::lay(std::span<const TipAt> tips, Vec into, Vec out) {

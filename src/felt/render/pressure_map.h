@@ -21,14 +21,14 @@ struct TipAt {
 /// across the line, for the looks of media. Thread: one at a time. Reuses its buffer.
 ///
 /// Each strip between two dabs writes its push: tone (1 - 0.45 rho^2) at rho radii from its middle
-/// line, falling to kLeastPush within the soft edge of a medium. If a line crosses itself, the
+/// line, falling to kMinPush within the soft edge of a medium. If a line crosses itself, the
 /// larger push is kept, so the result depends neither on the order nor on which part of a picture
 /// is drawn.
 class PressureMap {
  public:
-  static constexpr double kLeastPush = -1.0 / 3.0;  ///< reaches no part of the relief
-  static constexpr int kRows = 128;                 ///< steps of push
-  static constexpr int kAcross = 512;               ///< steps across a line
+  static constexpr double kMinPush = -1.0 / 3.0;  ///< reaches no part of the relief
+  static constexpr int kRows = 128;               ///< steps of push
+  static constexpr int kAcross = 512;             ///< steps across a line
 
   /// Starts an empty map for the pixels of `area`; `edge`: MediumLook::edge.
   void begin(PixelRect area, double edge);
@@ -42,7 +42,7 @@ class PressureMap {
   [[nodiscard]] const std::int32_t* row(int y) const noexcept {
     return values_.data() + static_cast<std::size_t>(y - area_.y0) * stride_;
   }
-  /// Returns kLeastPush..1 for a pixel of the area; kLeastPush if the tip did not touch it.
+  /// Returns kMinPush..1 for a pixel of the area; kMinPush if the tip did not touch it.
   [[nodiscard]] double push_at(int x, int y) const noexcept;
 
   // The bits of a value: 12 of push above 10 of rho^2 above 9 of the position across, so that the
@@ -59,7 +59,7 @@ class PressureMap {
   }
   /// Returns the push in the middle of a step.
   static double push_of_row(int row) noexcept {
-    return kLeastPush + (1.0 - kLeastPush) * (row + 0.5) / kRows;
+    return kMinPush + (1.0 - kMinPush) * (row + 0.5) / kRows;
   }
 
  private:

@@ -120,7 +120,7 @@ std::uint32_t solid(Rgba color, PixelOrder order) noexcept {
 struct Rasterizer::State {
   /// Rows that are processed at a time, so that the map of a large stroke stays small.
   static constexpr int kBandRows = 64;
-  static constexpr std::size_t kMostLooks = 32;
+  static constexpr std::size_t kMaxLooks = 32;
   /// A piece of the tip's path. If it is a part of a ring, also the directions before and after it.
   struct Way {
     std::vector<TipAt> tips;
@@ -287,7 +287,7 @@ const InkLook* Rasterizer::look_of(const Stroke& stroke, const View& view, const
     return known.first == stroke.material();
   });
   if (found != s.looks.end()) return found->second.get();
-  if (s.looks.size() >= State::kMostLooks) s.looks.clear();
+  if (s.looks.size() >= State::kMaxLooks) s.looks.clear();
   s.looks.emplace_back(stroke.material(), grain.look(stroke.material(), view.px_per_mm));
   return s.looks.back().second.get();
 }

@@ -11,9 +11,9 @@ namespace felt {
 struct SceneLayer;
 struct SceneStroke;
 
-/// Up to kMost strokes of a layer in drawing order; a layer is a list of these.
+/// Up to kMax strokes of a layer in drawing order; a layer is a list of these.
 struct OrderBlock {
-  static constexpr std::size_t kMost = 512;
+  static constexpr std::size_t kMax = 512;
   std::vector<SceneStroke*> strokes;
   std::size_t first = 0;     ///< position of its lowest stroke in the layer
   bool is_numbered = false;  ///< the slots in its strokes are up to date

@@ -29,7 +29,7 @@ void StrokeOrder::insert(std::size_t index, SceneStroke& stroke) {
   strokes.insert(strokes.begin() + signed_of(index), &stroke);
   (*block)->is_numbered = false;
   ++size_;
-  if (strokes.size() <= OrderBlock::kMost) return;
+  if (strokes.size() <= OrderBlock::kMax) return;
   auto upper = std::make_unique<OrderBlock>();
   const auto middle = strokes.begin() + signed_of(strokes.size() / 2);
   upper->strokes.assign(middle, strokes.end());
@@ -38,7 +38,7 @@ void StrokeOrder::insert(std::size_t index, SceneStroke& stroke) {
 }
 
 void StrokeOrder::append(SceneStroke& stroke) {
-  if (blocks_.empty() || blocks_.back()->strokes.size() >= OrderBlock::kMost) {
+  if (blocks_.empty() || blocks_.back()->strokes.size() >= OrderBlock::kMax) {
     blocks_.push_back(std::make_unique<OrderBlock>());
     blocks_.back()->first = size_;
     blocks_.back()->is_numbered = true;

@@ -104,7 +104,7 @@ void Servo::hand_over(const PenSample& sample) noexcept {
 }
 
 void Servo::hand_over_between() noexcept {
-  for (int i = 0; i < kMostBetween; ++i) {
+  for (int i = 0; i < kMaxBetween; ++i) {
     const std::optional<PenSample> sample = device_.between();
     if (!sample) return;
     if (is_finite(*sample)) hand_over(*sample);

@@ -56,7 +56,7 @@ class Servo {
  public:
   static constexpr std::size_t kRingSamples = 16384;  ///< 16 s at 1 kHz
   using Ring = SpscRing<PenSample, kRingSamples>;
-  static constexpr int kMostBetween = 32;          ///< samples between two ticks (Device::between)
+  static constexpr int kMaxBetween = 32;           ///< samples between two ticks (Device::between)
   static constexpr double kStrengthRampS = 0.050;  ///< for a change from 0 to 1
 
   /// Makes a servo for a device, which must outlive it. Forces are off until arm().

@@ -9,8 +9,8 @@ namespace felt {
 namespace {
 
 constexpr int kLookSamples = 64;
-constexpr double kLeastPushN = 0.02;  // a touching pen always makes a sound
-constexpr double kUsualPushN = 0.6;   // for a device without depth or pressure, such as a mouse
+constexpr double kMinPushN = 0.02;   // a touching pen always makes a sound
+constexpr double kUsualPushN = 0.6;  // for a device without depth or pressure, such as a mouse
 
 }  // namespace
 
@@ -36,7 +36,7 @@ RubbingSample HeardPen::sample(const PenSample& pen) {
   } else {
     heard.push_n = pen.pressure ? *pen.pressure * most_n_ : kUsualPushN;
   }
-  heard.push_n = std::max(heard.push_n, kLeastPushN);
+  heard.push_n = std::max(heard.push_n, kMinPushN);
   heard.strike_mm_per_s = std::max(-pen.velocity.z, 0.0);
   return heard;
 }

@@ -43,7 +43,7 @@ double weight_of(double per_s, double rate_hz) noexcept {
 void Roughness::set(double longest_mm, std::uint32_t seed) noexcept {
   double length = std::clamp(longest_mm, kFinestMm, 20.0);
   std::uint64_t random = mixed(seed + 0x9E3779B97F4A7C15u);
-  for (count_ = 0; count_ < kMostOctaves && length >= kFinestMm; length *= 0.5) {
+  for (count_ = 0; count_ < kMaxOctaves && length >= kFinestMm; length *= 0.5) {
     Octave& octave = octaves_[count_++];
     random = mixed(random + 0x9E3779B97F4A7C15u);
     // The lattices are shifted against each other, so that no line lies on all of them.

@@ -18,7 +18,7 @@ namespace felt {
 class Roughness {
  public:
   static constexpr double kFinestMm = 0.006;
-  static constexpr std::size_t kMostOctaves = 12;
+  static constexpr std::size_t kMaxOctaves = 12;
 
   /// Sets the longest wavelength in mm, and the seed.
   void set(double longest_mm, std::uint32_t seed) noexcept;
@@ -35,7 +35,7 @@ class Roughness {
     double weight = 0.0, step = 0.0;
     std::uint64_t seed = 0;
   };
-  std::array<Octave, kMostOctaves> octaves_{};
+  std::array<Octave, kMaxOctaves> octaves_{};
   std::size_t count_ = 0;
 };
 

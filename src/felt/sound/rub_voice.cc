@@ -19,7 +19,7 @@ constexpr double kMaxHeardPushN = 4.0;
 constexpr double kOpenS = 0.0005, kCloseS = 0.012;
 // Loudness: 1 for a friction of 0.3 N at 200 mm/s, which is 60 mW.
 constexpr double kFullPowerMw = 60.0;
-constexpr double kUsualGrainUm = 10.0, kLeastGrainUm = 1.5, kMostRough = 1.6;
+constexpr double kUsualGrainUm = 10.0, kMinGrainUm = 1.5, kMaxRough = 1.6;
 constexpr double kHissGain = 1.8;
 constexpr double kHillGain = 0.02;   // for slope times mm/s, at 1 N
 constexpr double kHillDepth = 0.75;  // how much louder uphill
@@ -123,7 +123,7 @@ double RubVoice::excitation() noexcept {
   }
   const double uphill = 1.0 + kHillDepth * bent(slope * slope_scale_);
   const double rough =
-      std::min(std::sqrt((kLeastGrainUm + pair_.grain_um) / kUsualGrainUm), kMostRough);
+      std::min(std::sqrt((kMinGrainUm + pair_.grain_um) / kUsualGrainUm), kMaxRough);
   const double power_mw = pair_.friction * push_ * speed_;
   noise_ = moves * roughness_.next(at_);
   const double hiss = rough * std::sqrt(power_mw / kFullPowerMw) * uphill * noise_;

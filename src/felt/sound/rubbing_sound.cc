@@ -56,11 +56,11 @@ void RubbingSound::push(const RubbingSample& sample) noexcept {
   next.strike_mm_per_s = !comes_down ? 0.0
                          : is_known  ? std::min(next.strike_mm_per_s, kFastestStrike)
                                      : RubVoice::kUsualStrike;
-  if (count_ == kMostWaiting) {
-    first_ = (first_ + 1) % kMostWaiting;
+  if (count_ == kMaxWaiting) {
+    first_ = (first_ + 1) % kMaxWaiting;
     --count_;
   }
-  way_[(first_ + count_) % kMostWaiting] = next;
+  way_[(first_ + count_) % kMaxWaiting] = next;
   if (count_++ == 0 && !has_started_) start_at(sample.time_ns);
 }
 
@@ -84,18 +84,18 @@ std::size_t RubbingSound::ready() const noexcept {
 void RubbingSound::keep_up(double behind_s) noexcept {
   if (count_ == 0) return;
   const std::int64_t newest_ns = waiting(count_ - 1).time_ns;
-  const auto wanted_ns = static_cast<std::int64_t>(1e9 * std::clamp(behind_s, 0.0, kMostBehindS));
+  const auto wanted_ns = static_cast<std::int64_t>(1e9 * std::clamp(behind_s, 0.0, kMaxBehindS));
   const std::int64_t behind_ns = newest_ns - now_ns();
-  constexpr auto kMostNs = static_cast<std::int64_t>(1e9 * kMostBehindS);
+  constexpr auto kMaxNs = static_cast<std::int64_t>(1e9 * kMaxBehindS);
   if (behind_ns <= 0) waits_ = true;
   if (waits_ && behind_ns >= wanted_ns) waits_ = false;
   const bool is_free = voice_.is_silent() && behind_ns > 2 * wanted_ns;
-  if (is_free || behind_ns > kMostNs) start_at(newest_ns - wanted_ns);
+  if (is_free || behind_ns > kMaxNs) start_at(newest_ns - wanted_ns);
 }
 
 bool RubbingSound::find(std::int64_t now_ns) noexcept {
   while (count_ > 1 && waiting(1).time_ns <= now_ns) {
-    first_ = (first_ + 1) % kMostWaiting;
+    first_ = (first_ + 1) % kMaxWaiting;
     --count_;
   }
   if (count_ == 0) return false;

@@ -24,7 +24,7 @@ class RubbingSound {
  public:
   static constexpr double kRateHz = RubVoice::kRateHz;
   /// The most samples in the queue; if there are more, the oldest is dropped.
-  static constexpr std::size_t kMostWaiting = 1024;
+  static constexpr std::size_t kMaxWaiting = 1024;
   /// A path with a longer gap, or faster than any hand, is split into two with the pen in the air
   /// in between.
   static constexpr std::int64_t kLongestGapNs = 50'000'000;
@@ -43,9 +43,9 @@ class RubbingSound {
   /// Keeps the playback delay behind the newest sample near `behind_s`, in s. If the path has run
   /// out, pauses until there is that much of it again. If the delay has grown, skips a part of the
   /// path: during silence if it is more than twice `behind_s`, always if it is more than
-  /// kMostBehindS. Call it before each render() in real time.
+  /// kMaxBehindS. Call it before each render() in real time.
   void keep_up(double behind_s) noexcept;
-  static constexpr double kMostBehindS = 0.250;
+  static constexpr double kMaxBehindS = 0.250;
 
   /// Writes the next samples of sound, -1 < s < 1. If the path has run out, the pen sounds as if
   /// lifted.
@@ -56,7 +56,7 @@ class RubbingSound {
 
  private:
   [[nodiscard]] const RubbingSample& waiting(std::size_t i) const noexcept {
-    return way_[(first_ + i) % kMostWaiting];
+    return way_[(first_ + i) % kMaxWaiting];
   }
   [[nodiscard]] std::int64_t now_ns() const noexcept;
   void start_at(std::int64_t time_ns) noexcept;
@@ -66,7 +66,7 @@ class RubbingSound {
 
   RubVoice voice_;
   RubbingPair pair_, next_pair_;
-  std::array<RubbingSample, kMostWaiting> way_{};
+  std::array<RubbingSample, kMaxWaiting> way_{};
   std::size_t first_ = 0, count_ = 0;  // the queue; its first sample is not after the playback time
   std::int64_t start_ns_ = 0;          // the playback time when it started,
   std::int64_t played_ = 0;            // and the samples of sound since then

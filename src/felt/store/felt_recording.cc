@@ -15,7 +15,7 @@ namespace {
 
 double on_grid(double n) noexcept {
   if (!std::isfinite(n)) return 0.0;
-  const double most = kMostRecordedForceN / kRecordedForceStepN;
+  const double most = kMaxRecordedForceN / kRecordedForceStepN;
   return kRecordedForceStepN * std::round(std::clamp(n / kRecordedForceStepN, -most, most));
 }
 
@@ -109,7 +109,7 @@ Result<void> check_recording(const FeltRecording& recording) {
     if (s.time_ns < std::exchange(last_ns, s.time_ns)) return bad("time runs back at sample", i);
     const double lean_deg = s.pen.lean_deg.value_or(0.0);
     if (!is_place(s.pen.position) || !(pressure >= 0.0 && pressure <= 1.0) ||
-        !(lean_deg >= 0.0 && lean_deg <= kMostLeanDeg)) {
+        !(lean_deg >= 0.0 && lean_deg <= kMaxLeanDeg)) {
       return bad("impossible numbers in sample", i);
     }
   }

@@ -19,7 +19,7 @@ struct Drawing;
 /// device.
 inline constexpr double kRecordedForceStepN = 1e-4;
 /// Largest recorded force, in N. Larger ones are recorded as this, NaN as 0.
-inline constexpr double kMostRecordedForceN = 100.0;
+inline constexpr double kMaxRecordedForceN = 100.0;
 
 /// The force that the loop computed at a sample, and the one that it sent after the safety chain.
 struct RecordedForces {

@@ -121,7 +121,7 @@ class Findings {
     found.palette.name = *text(v[9]);
     found.palette.columns = static_cast<std::size_t>(*whole(v[10]));
     const auto is_side = [](double mm) {
-      return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm;
+      return mm >= SheetPage::kMinMm && mm <= SheetPage::kMaxMm;
     };
     if (!is_side(found.page.width_mm) || !is_side(found.page.height_mm) || head ||
         found.page.surface.size() > kMaxLayerNameBytes || !is_utf8(found.page.surface)) {

@@ -81,7 +81,7 @@ constexpr std::array kRecordingViews = {
 /// Placeholder for the tilt in the text of a view.
 constexpr std::string_view kLeanMark = "/lean/";
 
-constexpr std::size_t kMostSchemaRows = 4 * kMaxForeignTables;
+constexpr std::size_t kMaxSchemaRows = 4 * kMaxForeignTables;
 
 bool is_small_letter(char c) noexcept {
   return c >= 'a' && c <= 'z';
@@ -292,7 +292,7 @@ Result<FeltSchema> read_schema(const Database& database) {
     const Result<bool> more = row->step();
     if (!more) return tl::unexpected(with_context(more.error(), "is damaged or cut off"));
     if (!*more) break;
-    if (rows == kMostSchemaRows) {
+    if (rows == kMaxSchemaRows) {
       return fail(ErrorCode::kLimitExceeded, "has more tables and views than a drawing may have");
     }
     if (auto ok = take_row(schema, *row); !ok) return tl::unexpected(ok.error());

@@ -37,7 +37,7 @@ std::uint32_t checksum_of(const Drawing& d) {
 }
 
 bool is_side(double mm) noexcept {
-  return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm;  // false for NaN
+  return mm >= SheetPage::kMinMm && mm <= SheetPage::kMaxMm;  // false for NaN
 }
 
 bool is_layer_name(std::string_view text) noexcept {

@@ -15,7 +15,7 @@ constexpr std::size_t kDatabaseHeaderBytes = 100, kPageSizeAt = 16, kReservedAt 
 constexpr std::size_t kUsualPage = 4096;  // of all our files
 constexpr std::uint8_t kLeafOfRows = 0x0d;
 constexpr std::size_t kLeafHeaderBytes = 8;
-constexpr std::size_t kLeastBudget = std::size_t{1} << 20;
+constexpr std::size_t kMinBudget = std::size_t{1} << 20;
 
 /// Reads big-endian numbers. Bytes beyond the end read as 0.
 class Bytes {
@@ -97,7 +97,7 @@ class Scan {
     if (!is_size) page_ = kUsualPage;
     const std::size_t reserved = is_size ? header.at(kReservedAt) : 0;
     usable_ = page_ - reserved >= 480 ? page_ - reserved : page_;
-    budget_ = kLeastBudget + 2 * bytes.size();
+    budget_ = kMinBudget + 2 * bytes.size();
   }
 
   void rows(const std::function<void(ScannedRow)>& tell) {

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kMaxRecordings = 10'000;
 constexpr std::size_t kMaxDeviceBytes = 4096;
 /// Largest number in a recording, so that no sum of them overflows 64 bits.
-constexpr std::int64_t kMostNumber = std::int64_t{1} << 53;
+constexpr std::int64_t kMaxNumber = std::int64_t{1} << 53;
 
 /// Converts a force to its number in the tables: a whole multiple of kRecordedForceStepN.
 std::int64_t steps_of(double n) noexcept {
@@ -246,7 +246,7 @@ Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_lean
     }
     bool good = row->is_text(0) && row->text(0).size() <= kMaxDeviceBytes && is_utf8(row->text(0));
     for (int i = 1; i <= 8; ++i) {
-      good = good && row->is_integer(i) && row->integer(i) >= 0 && row->integer(i) <= kMostNumber;
+      good = good && row->is_integer(i) && row->integer(i) >= 0 && row->integer(i) <= kMaxNumber;
     }
     const bool has_leans = with_lean && !row->is_null(9);
     good = good && (!has_leans || row->is_integer(9));
@@ -271,16 +271,16 @@ Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_lean
 constexpr int kLeanColumn = 13;
 
 bool is_sample_row(const Statement& row) {
-  bool good = row.is_integer(1) && std::abs(row.integer(1)) <= kMostNumber;
+  bool good = row.is_integer(1) && std::abs(row.integer(1)) <= kMaxNumber;
   for (const int i : {2, 3, 4}) good = good && row.is_real(i);
   good = good && (row.is_null(5) || row.is_real(5)) && row.is_integer(6) && row.integer(6) >= 0 &&
          row.integer(6) <= std::numeric_limits<std::uint32_t>::max();
-  constexpr auto kMostSteps =
-      static_cast<std::int64_t>(2 * kMostRecordedForceN / kRecordedForceStepN);
+  constexpr auto kMaxSteps =
+      static_cast<std::int64_t>(2 * kMaxRecordedForceN / kRecordedForceStepN);
   for (int i = 7; i <= 12; ++i) {
     good = good && (row.is_null(7) ? row.is_null(i)
-                                   : row.is_integer(i) && row.integer(i) <= kMostSteps &&
-                                         row.integer(i) >= -kMostSteps);
+                                   : row.is_integer(i) && row.integer(i) <= kMaxSteps &&
+                                         row.integer(i) >= -kMaxSteps);
   }
   if (row.columns() > kLeanColumn) {
     good = good && (row.is_null(kLeanColumn) || row.is_real(kLeanColumn));

@@ -49,7 +49,7 @@ class NumberUnpacker {
 constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
 /// A length up to 8 is that of a difference. A greater one, minus 8, is the number of leading
 /// bytes.
-constexpr unsigned kMostDifferenceBytes = 8;
+constexpr unsigned kMaxDifferenceBytes = 8;
 
 /// Maps doubles to whole numbers in the same order, neighbours to consecutive numbers.
 std::uint64_t rank_of(double value) noexcept {
@@ -76,7 +76,7 @@ void NumberPacker::put(double value, double guess) {
   const auto size = static_cast<unsigned>(std::bit_width(difference) + 7) / 8;
   const auto leading = bits == 0 ? 1U : 8U - static_cast<unsigned>(std::countr_zero(bits)) / 8;
   const bool is_round = leading < size;
-  const unsigned length = is_round ? kMostDifferenceBytes + leading : size;
+  const unsigned length = is_round ? kMaxDifferenceBytes + leading : size;
   if (is_odd_) {
     lengths_.back() = static_cast<char>(static_cast<unsigned char>(lengths_.back()) | length << 4);
   } else {
@@ -102,10 +102,10 @@ double NumberUnpacker::take(double guess) {
   if (at / 2 >= lengths_.size()) return 0.0;
   const auto pair = static_cast<unsigned char>(lengths_[at / 2]);
   const unsigned length = at % 2 == 0 ? pair & 0xfU : pair >> 4;
-  if (length <= kMostDifferenceBytes) {
+  if (length <= kMaxDifferenceBytes) {
     return of_rank(rank_of(guess) + unfolded(in_.whole(length)));
   }
-  const unsigned leading = length - kMostDifferenceBytes;
+  const unsigned leading = length - kMaxDifferenceBytes;
   return std::bit_cast<double>(in_.whole(leading) << (64 - 8 * leading));
 }
 

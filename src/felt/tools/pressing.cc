@@ -12,7 +12,7 @@ Pressing::Pressing(const SurfaceMaterial& surface, const Capabilities& device) n
       senses_depth_(device.sensed_axes >= 3) {}
 
 double Pressing::of_force(double spring_n) const noexcept {
-  return std::clamp((spring_n - kLeastN) / (most_n_ - kLeastN), 0.0, 1.0);
+  return std::clamp((spring_n - kMinN) / (most_n_ - kMinN), 0.0, 1.0);
 }
 
 std::optional<double> Pressing::of(const PenSample& sample) const noexcept {

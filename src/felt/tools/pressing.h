@@ -16,7 +16,7 @@ namespace felt {
 ///   - else (a mouse): nullopt.
 class Pressing {
  public:
-  static constexpr double kLeastN = 0.1;  ///< F0, N: a resting hand does not widen the line
+  static constexpr double kMinN = 0.1;  ///< F0, N: a resting hand does not widen the line
 
   Pressing(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
 

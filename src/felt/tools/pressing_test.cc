@@ -90,7 +90,7 @@ TEST(Pressing, R14_FullWidthIsWithinTheUsersForceLimit) {
     const Pressing pressing(paper(), limited);
     EXPECT_LE(pressing.most_n() * std::hypot(1.0, 0.6), limit_n + 1e-12);
     EXPECT_EQ(pressing.of_force(limits_for(touch, limit_n).peak_force_n), 1.0);
-    EXPECT_GT(pressing.most_n(), Pressing::kLeastN);
+    EXPECT_GT(pressing.most_n(), Pressing::kMinN);
     EXPECT_EQ(pressing.stiffness_n_per_m(), Pressing(paper(), touch).stiffness_n_per_m());
   }
   EXPECT_EQ(Pressing(paper(), with_force_limit(touch, 3.0)).most_n(),

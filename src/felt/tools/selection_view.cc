@@ -74,7 +74,7 @@ void SelectionView::add(StrokeId id, const Stroke& stroke, const Selection::Mark
     round_.ink_box.extend(Point{ink.x0, ink.y0});
     round_.ink_box.extend(Point{ink.x1, ink.y1});
   }
-  for (int i = 0; i < stroke.segment_count() && round_.spans.size() < kMostSpans; ++i) {
+  for (int i = 0; i < stroke.segment_count() && round_.spans.size() < kMaxSpans; ++i) {
     const auto at = 3 * static_cast<std::size_t>(i);
     const int marked = marks[at] + marks[at + 1] + marks[at + 2] + marks[at + 3];
     if (marked == 0) continue;
@@ -86,7 +86,7 @@ void SelectionView::add(StrokeId id, const Stroke& stroke, const Selection::Mark
 
 void SelectionView::draw(Overlay& overlay) const {
   overlay.spans.insert(overlay.spans.end(), seen_.spans.begin(), seen_.spans.end());
-  if (seen_.spans.size() < kMostSpans) return;
+  if (seen_.spans.size() < kMaxSpans) return;
   const Rect& b = seen_.box;
   overlay.outlines.push_back(
       {{{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}}, true, Overlay::Role::kSelected});

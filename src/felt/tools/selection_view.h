@@ -29,7 +29,7 @@ class SelectionView {
   static constexpr std::size_t kPointsPerLook = 500;
   /// Maximum number of marked segments. In a larger selection the first ones are marked, and a
   /// frame is drawn around all of it.
-  static constexpr std::size_t kMostSpans = 2'000;
+  static constexpr std::size_t kMaxSpans = 2'000;
   static constexpr double kBesideMm = 3.0;
 
   /// Reads the next part of the selection, continuing where the last call ended.

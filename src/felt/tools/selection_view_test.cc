@@ -99,7 +99,7 @@ TEST(SelectionView, LeavesLockedLayersOut) {
 
 TEST(SelectionView, AFrameGoesRoundMoreThanItMarks) {
   Desk desk;
-  for (std::size_t i = 0; i < SelectionView::kMostSpans + 1; ++i) {
+  for (std::size_t i = 0; i < SelectionView::kMaxSpans + 1; ++i) {
     const double x = static_cast<double>(i);
     const StrokeId id = desk.add(straight_stroke({x, 0}, {x, 10}, 1, 1));
     desk.selection.set_whole(id, 4);
@@ -108,9 +108,9 @@ TEST(SelectionView, AFrameGoesRoundMoreThanItMarks) {
   view.look_at_all(desk.document, desk.selection);
   Overlay overlay;
   view.draw(overlay);
-  EXPECT_EQ(overlay.spans.size(), SelectionView::kMostSpans);
+  EXPECT_EQ(overlay.spans.size(), SelectionView::kMaxSpans);
   ASSERT_EQ(overlay.outlines.size(), 1U);
-  EXPECT_EQ(overlay.outlines[0].points[2], (Point{double(SelectionView::kMostSpans), 10}));
+  EXPECT_EQ(overlay.outlines[0].points[2], (Point{double(SelectionView::kMaxSpans), 10}));
 }
 
 }  // namespace

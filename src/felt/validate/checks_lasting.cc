@@ -15,7 +15,7 @@ constexpr double kStaysGoneS = 0.5;
 
 constexpr double kSoftPlaneNPerM = 200.0;
 constexpr double kOfMaximum = 0.5;
-constexpr double kMostEnergyMj = 1.0;
+constexpr double kMaxEnergyMj = 1.0;
 
 constexpr const char* kUnplug =
     "Let the pen go. Then pull the device's cable out of the computer; you have half a minute.";
@@ -137,10 +137,10 @@ CheckOutcome check_soak(CheckContext& context) {
                                 std::to_string(last.hard_faults) +
                                 " hard faults: late ticks, jumps, or a device that failed");
   }
-  if (context.is_noisy && energy_mj > kMostEnergyMj) {
+  if (context.is_noisy && energy_mj > kMaxEnergyMj) {
     return not_possible("its places are too noisy to tell where energy goes", measured);
   }
-  if (energy_mj > kMostEnergyMj) {
+  if (energy_mj > kMaxEnergyMj) {
     return failed(measured, "the wall gives back more energy than it took: it would hum");
   }
   if (with_force && largest_n <= kEpsilonN) {

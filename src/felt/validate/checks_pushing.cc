@@ -15,16 +15,16 @@ constexpr double kStillSettleS = 0.25;
 constexpr double kStillMeanS = 0.15;
 constexpr double kCircleSettleS = 0.35;
 constexpr double kCircleS = 1.0;  // one whole circle, whose mean is its centre
-constexpr double kLeastMovedMm = 0.04;
-constexpr double kSurely = 3.0;     // in standard errors
-constexpr double kMostAside = 0.6;  // displacement across the axis, as a share of that along it
+constexpr double kMinMovedMm = 0.04;
+constexpr double kSurely = 3.0;    // in standard errors
+constexpr double kMaxAside = 0.6;  // displacement across the axis, as a share of that along it
 
 constexpr int kSteps = 8;
 constexpr double kStepS = 0.3;
-constexpr double kLeastStepMm = 0.1;
+constexpr double kMinStepMm = 0.1;
 constexpr double kBegun = 0.15;  // share of the final displacement at which the motion has begun
-constexpr double kMostDeadS = 0.050;
-constexpr double kMostRinging = 0.3;  // deviation in the last third, as such a share
+constexpr double kMaxDeadS = 0.050;
+constexpr double kMaxRinging = 0.3;  // deviation in the last third, as such a share
 
 constexpr const char* kHoldStillWhilePushed =
     "Hold the pen in the air as for writing, loosely, and keep it still. It will push a little "
@@ -71,7 +71,7 @@ PushResponse push_along(Trial& trial, int axis, bool in_circles) {
 
 bool is_felt(const CheckContext& context, const PushResponse& push) {
   const double step = context.subject.device()->capabilities().position_step_mm;
-  return norm(push.moved) > std::max({kLeastMovedMm, step, kSurely * push.uncertainty});
+  return norm(push.moved) > std::max({kMinMovedMm, step, kSurely * push.uncertainty});
 }
 
 std::string moved_words(const CheckContext& context) {
@@ -158,7 +158,7 @@ CheckOutcome check_force_sign(CheckContext& context) {
     const std::string name = axis_name(axis);
     if (way < 0.0) {
       wrong += (wrong.empty() ? "" : "; ") + name + " pushes the opposite way";
-    } else if (norm(aside) > kMostAside * way) {
+    } else if (norm(aside) > kMaxAside * way) {
       wrong += (wrong.empty() ? "" : "; ") + name + " pushes aside";
     }
   }
@@ -209,7 +209,7 @@ CheckOutcome check_step(CheckContext& context) {
   const double way = end.mean();
   // An earlier check tests the sign; this one only tests how soon and how calmly the pen moves.
   const double facing = way < 0.0 ? -1.0 : 1.0;
-  if (std::abs(way) < kLeastStepMm) {
+  if (std::abs(way) < kMinStepMm) {
     return not_possible("friction holds the pen: a step of 0.3 N moves it by " + figure(way, 2) +
                         " mm");
   }
@@ -225,10 +225,10 @@ CheckOutcome check_step(CheckContext& context) {
                                figure(1e3 * begins_s, 0) + " ms, " +
                                figure(100.0 * std::max(0.0, farthest / std::abs(way) - 1.0), 0) +
                                " % over, " + figure(100.0 * ringing, 0) + " % ringing";
-  if (begins_s < 0.0 || begins_s > kMostDeadS) {
+  if (begins_s < 0.0 || begins_s > kMaxDeadS) {
     return failed(measured, "the force comes late: walls would hum");
   }
-  if (ringing > kMostRinging) return failed(measured, "it swings on and on after a step");
+  if (ringing > kMaxRinging) return failed(measured, "it swings on and on after a step");
   return passed(measured);
 }
 

@@ -18,7 +18,7 @@ constexpr int kStalls = 4;
 constexpr double kBetweenStallsS = 6.0;
 constexpr double kHeldS = 0.4;
 constexpr int kTicksAfter = 5;
-constexpr double kLeastPushedMm = 0.15;
+constexpr double kMinPushedMm = 0.15;
 constexpr double kControlReturns = 0.4;
 constexpr double kLimp = 0.5;
 
@@ -187,7 +187,7 @@ CheckOutcome check_watchdog(CheckContext& context) {
     return failed(measured, "force came at once after the loop had stood still for 100 ms");
   }
   const double facing = pushed.mean() < 0.0 ? -1.0 : 1.0;
-  if (way < kLeastPushedMm || facing * returns.mean() < kControlReturns * way) {
+  if (way < kMinPushedMm || facing * returns.mean() < kControlReturns * way) {
     return not_possible("friction holds the pen where a force of 0.3 N left it", measured);
   }
   if (facing * limp.mean() < kLimp * facing * returns.mean()) {

@@ -8,15 +8,15 @@
 namespace felt {
 namespace {
 
-constexpr double kMostLatePeriods = 1.0;  // of 99 % of the ticks
-constexpr double kMostMissed = 0.01;
+constexpr double kMaxLatePeriods = 1.0;  // of 99 % of the ticks
+constexpr double kMaxMissed = 0.01;
 constexpr double kRateWithin = 0.05;
 constexpr double kRestS = 2.0;
 /// RMS deviation from the mean, mm: a few encoder steps, and less than a person could see.
-constexpr double kMostNoiseMm = 0.1;
+constexpr double kMaxNoiseMm = 0.1;
 constexpr double kNoiseSteps = 2.0;
 constexpr double kWithinReach = 0.5;  // of the size of the workspace, beyond its edge
-constexpr double kLeastRoomMm = 1.0;  // added: the z of a planar device comes from touch alone
+constexpr double kMinRoomMm = 1.0;    // added: the z of a planar device comes from touch alone
 constexpr double kFarMm = 5000.0;
 
 bool is_cancelled(const CheckContext& context) {
@@ -53,7 +53,7 @@ std::string nonsense_in(const Capabilities& can) {
   if (can.period_ns < kShortestPeriodNs || can.period_ns > kLongestPeriodNs) {
     return "the period of its loop";
   }
-  if (can.delay_ticks < 0 || can.delay_ticks > kMostDelayTicks) return "its delay";
+  if (can.delay_ticks < 0 || can.delay_ticks > kMaxDelayTicks) return "its delay";
   if (!(can.position_step_mm >= 0.0 && can.position_step_mm < 10.0)) return "its resolution";
   if (!is_sound(limits_for(can))) return "limits of force that follow from its figures";
   return {};
@@ -135,8 +135,8 @@ CheckOutcome check_rate(CheckContext& context) {
       "the loop is late: the device is slow to answer, or this computer may not run it in real "
       "time ('feltline doctor' says which permission that takes)";
   if (std::abs(stats.rate_hz() / nominal_hz - 1.0) > kRateWithin) return failed(measured, words);
-  if (missed > kMostMissed) return failed(measured, words);
-  if (static_cast<double>(p99_ns) > kMostLatePeriods * 1e9 / nominal_hz) {
+  if (missed > kMaxMissed) return failed(measured, words);
+  if (static_cast<double>(p99_ns) > kMaxLatePeriods * 1e9 / nominal_hz) {
     return failed(measured, words);
   }
   return passed(measured);
@@ -168,7 +168,7 @@ CheckOutcome check_places(CheckContext& context) {
   if (!trial) return failed({}, trial.error().message);
   if (!(*trial)->trouble().empty()) return broken(**trial);
   const Capabilities& can = context.subject.device()->capabilities();
-  const Vec3 least{kLeastRoomMm, kLeastRoomMm, kLeastRoomMm};
+  const Vec3 least{kMinRoomMm, kMinRoomMm, kMinRoomMm};
   const Vec3 room = least + kWithinReach * (can.workspace_max - can.workspace_min);
   for (const ProbeTick& tick : (*trial)->ticks()) {
     const Vec3& p = tick.sample.position;
@@ -210,7 +210,7 @@ CheckOutcome check_noise(CheckContext& context) {
   double worst = 0.0;
   for (const Series& place : places) worst = std::max(worst, place.deviation());
   const double step = context.subject.device()->capabilities().position_step_mm;
-  const double most = std::max(kMostNoiseMm, kNoiseSteps * step);
+  const double most = std::max(kMaxNoiseMm, kNoiseSteps * step);
   const std::string measured = figure(places[0].deviation(), 3) + ", " +
                                figure(places[1].deviation(), 3) + ", " +
                                figure(places[2].deviation(), 3) + " mm RMS along x, y, z";

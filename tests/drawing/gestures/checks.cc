@@ -11,7 +11,7 @@
 namespace felt::gestures {
 namespace {
 
-constexpr double kMostNormalN = 3.0;
+constexpr double kMaxNormalN = 3.0;
 
 std::string name_of(StrokeId id) {
   return "stroke " + std::to_string(id.value);
@@ -150,7 +150,7 @@ Broken ForceProbe::check(const ForceModel& model, const PenSample& sample, doubl
     return "a force of " + std::to_string(lateral_n) + " N in the sheet beside the sheet's own";
   }
   // Against pressing a tool may stiffen the sheet; the user's limit bounds that.
-  if (!(std::fabs(beside.z) <= kMostNormalN)) return "a push of " + std::to_string(beside.z) + " N";
+  if (!(std::fabs(beside.z) <= kMaxNormalN)) return "a push of " + std::to_string(beside.z) + " N";
   if (Broken broken = check_slope(model, still)) return broken;
   const double dt_s = 1e-9 * static_cast<double>(sample.time_ns - last_ns_);
   last_ns_ = sample.time_ns;

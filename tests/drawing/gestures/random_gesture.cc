@@ -14,7 +14,7 @@
 namespace felt::gestures {
 namespace {
 
-constexpr int kMostSamples = 160;
+constexpr int kMaxSamples = 160;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 using Way = std::vector<Point>;
@@ -84,7 +84,7 @@ Way ellipse(Point center, double rx, double ry, double from, double turns, int n
 }
 
 int any_count(Dice& dice) {
-  return std::max(1, static_cast<int>(dice.over_decades(1.0, kMostSamples)));
+  return std::max(1, static_cast<int>(dice.over_decades(1.0, kMaxSamples)));
 }
 
 Way tap(Dice& dice, Target& target) {

@@ -17,7 +17,7 @@ namespace felt::gestures {
 namespace {
 
 constexpr double kSheetMm = 120.0;
-constexpr std::size_t kMostRealStrokes = 400;
+constexpr std::size_t kMaxRealStrokes = 400;
 constexpr std::size_t kBatchBytes = std::size_t{1} << 20;
 
 std::optional<Stroke> fitted(std::span<const InkSample> samples) {
@@ -190,8 +190,8 @@ Result<std::vector<Stroke>> read_strokes(const std::string& path) {
   LineBatch batch;
   SketchRecord record;
   RawStroke raw;
-  while (strokes.size() < kMostRealStrokes && reader.fill(batch, kBatchBytes).value_or(false)) {
-    for (std::size_t i = 0; i < batch.size() && strokes.size() < kMostRealStrokes; ++i) {
+  while (strokes.size() < kMaxRealStrokes && reader.fill(batch, kBatchBytes).value_or(false)) {
+    for (std::size_t i = 0; i < batch.size() && strokes.size() < kMaxRealStrokes; ++i) {
       if (parser.sketch_stroke(batch.line(i), record)) {
         Result<Stroke> stroke = Stroke::create(std::move(record.data));
         if (stroke) strokes.push_back(*std::move(stroke));

@@ -21,7 +21,7 @@
 namespace {
 
 constexpr int kChannels = 3;
-constexpr int kMostRowsApart = 2;
+constexpr int kMaxRowsApart = 2;
 
 /// Colours over white.
 struct Picture {
@@ -73,8 +73,8 @@ int beyond(const Picture& one, const Picture& other, int x, int y, int channel) 
 int main(int argc, char** argv) {
   if (argc < 3) return 2;
   const Picture a = load(argv[1]), b = load(argv[2]);
-  if (std::abs(a.width - b.width) > kMostRowsApart ||
-      std::abs(a.height - b.height) > kMostRowsApart) {
+  if (std::abs(a.width - b.width) > kMaxRowsApart ||
+      std::abs(a.height - b.height) > kMaxRowsApart) {
     std::fprintf(stderr, "sizes differ: %dx%d and %dx%d\n", a.width, a.height, b.width, b.height);
     return 1;
   }

@@ -41,8 +41,8 @@ std::vector<std::string> suite_names(const std::string& root) {
 
 SuiteResult compare_pictures(const std::string& svg_path, const std::string& png_path,
                              const std::string& out) {
-  constexpr std::size_t kMost = std::size_t{64} << 20;
-  const Result<std::string> svg = read_file(svg_path, kMost), png = read_file(png_path, kMost);
+  constexpr std::size_t kMax = std::size_t{64} << 20;
+  const Result<std::string> svg = read_file(svg_path, kMax), png = read_file(png_path, kMax);
   if (!svg) return {false, svg.error().message, false};
   if (!png) return {false, png.error().message, false};
   const Result<PngPicture> theirs = decode_png(*png);

@@ -26,8 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostSeconds = 5.0;  // of CPU, for one small file; sanitizers need the room
-constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+constexpr double kMaxSeconds = 5.0;  // of CPU, for one small file; sanitizers need the room
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
 std::string folder_for_test() {
   std::string name = ::testing::TempDir() + "felt-damage-XXXXXX";
@@ -46,7 +46,7 @@ void read_damaged(const Damage& damage, const std::string& name, const Drawing& 
   const Result<Imported> opened = parse_drawing(damage.bytes, name);
   const double took = cpu_seconds() - start;
   counts.slowest_s = std::max(counts.slowest_s, took);
-  ASSERT_LT(took, kMostSeconds) << name << ": " << damage.name;
+  ASSERT_LT(took, kMaxSeconds) << name << ": " << damage.name;
   ++counts.all;
   if (!opened) {
     ++counts.refused;
@@ -76,7 +76,7 @@ TEST_P(Damaged, IsReadOrRefused) {
   for_each_damage(*whole, [&](const Damage& damage) {
     if (!HasFatalFailure()) read_damaged(damage, name, drawing, counts);
   });
-  EXPECT_LT(peak_bytes(), kMostBytes);
+  EXPECT_LT(peak_bytes(), kMaxBytes);
   if (GetParam() == FileFormat::kFelt) {
     EXPECT_EQ(counts.same, counts.read) << "changed without a word";
   }
@@ -179,7 +179,7 @@ TEST(DamagedFelt, SideFilesOfOthersAreIgnoredAndLeftAlone) {
   ASSERT_TRUE(write_felt(path, second));
   EXPECT_TRUE(read_felt(path).value() == second);
   for (const char* ending : {"-wal", "-shm", "-journal"}) {
-    EXPECT_EQ(read_file(path + ending, kMostBytes).value(), garbage) << ending;
+    EXPECT_EQ(read_file(path + ending, kMaxBytes).value(), garbage) << ending;
   }
   fs::remove_all(folder);
 }
@@ -248,7 +248,7 @@ TEST(DamagedFelt, ANameThatLeadsNowhereIsNotReplaced) {
 
 /// Never a crash, never a part of the drawing without a word.
 TEST_F(DamagedStore, GivesAllOrSaysWhatIsMissing) {
-  const std::string wal = read_file(database_ + "-wal", kMostBytes).value();
+  const std::string wal = read_file(database_ + "-wal", kMaxBytes).value();
   int damages = 0, whole = 0, told = 0, refused = 0;
   const auto look = [&](const Damage& damage) {
     ++damages;

@@ -11,11 +11,11 @@ namespace felt::damage {
 namespace {
 
 constexpr std::size_t kSector = 512;
-constexpr std::size_t kMost = 400;
+constexpr std::size_t kMax = 400;
 
 std::size_t most() {
   const char* text = std::getenv("FELT_DAMAGES");
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : kMost;
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : kMax;
 }
 
 /// 0, step, 2 step ... below `size`, `most` of them.

@@ -10,11 +10,11 @@
 namespace felt::faults {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 constexpr const char* kOld = "what was there before\n";
 
 std::string bytes_of(const std::string& path) {
-  return read_file(path, kMostBytes).value_or(std::string());
+  return read_file(path, kMaxBytes).value_or(std::string());
 }
 
 Scenario convert_to(const std::string& program, const std::string& extension) {

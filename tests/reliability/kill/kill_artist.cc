@@ -117,7 +117,7 @@ class Artist {
   void tick(Testimony& testimony) {
     timespec due{};
     ::clock_gettime(CLOCK_MONOTONIC, &due);
-    for (std::uint32_t k = 0; k < kMostTicks; ++k) {
+    for (std::uint32_t k = 0; k < kMaxTicks; ++k) {
       const Target target = target_at(picture_.seed, k);
       stylus_.aim(target.place, {}, 0);
       const TickReport& report = servo_->step(std::int64_t{k} * kTickNs);

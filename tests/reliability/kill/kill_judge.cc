@@ -15,7 +15,7 @@
 namespace felt::kill {
 namespace {
 
-constexpr std::uint32_t kMostLag = 500;  // samples
+constexpr std::uint32_t kMaxLag = 500;  // samples
 
 /// All samples that the loop handed over. The last one may have been read and not handed over.
 struct Ink {
@@ -155,7 +155,7 @@ std::optional<std::uint32_t> moment_of(const Recovered& recovered, const Picture
     for (std::uint32_t until = told + 1;;) {
       if (ended_after(picture, ink, told, until) == document) return told;
       do {
-        if (until-- == 0 || told - until > kMostLag) return last_time_of(document, picture, ink);
+        if (until-- == 0 || told - until > kMaxLag) return last_time_of(document, picture, ink);
       } while (events_at(picture.seed, until).empty());
     }
   }

@@ -15,7 +15,7 @@ namespace felt::kill {
 
 constexpr std::int64_t kTickNs = 1'000'000;
 constexpr std::int64_t kOffsetNs = 5'000'000'000;  ///< the session's clock less the loop's
-constexpr std::size_t kMostTicks = 8192;
+constexpr std::size_t kMaxTicks = 8192;
 
 struct Tick {
   PenSample sample;
@@ -29,7 +29,7 @@ struct Testimony {
   std::atomic<std::uint32_t> confirmed{0};  ///< ticks that are over
   std::atomic<std::int64_t> committed_ns{INT64_MIN};
   std::atomic<bool> has_store{false};
-  std::array<Tick, kMostTicks> ticks;
+  std::array<Tick, kMaxTicks> ticks;
 
   // What the process that judges says.
   std::atomic<bool> is_judged{false};
@@ -65,7 +65,7 @@ Document base_document(const Picture& picture);
 
 std::int64_t monotonic_ns();
 
-/// Draws until it is killed, or kMostTicks are over.
+/// Draws until it is killed, or kMaxTicks are over.
 [[noreturn]] void draw(const Picture& picture, Testimony& testimony);
 
 /// Recovers the store of that process and compares it with what the testimony says.

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr int kSkipped = 77;
 constexpr unsigned kHangSeconds = 120;
-constexpr std::uint64_t kMostUnmountable = 100;
+constexpr std::uint64_t kMaxUnmountable = 100;
 
 struct Options {
   std::string system, workload;
@@ -175,7 +175,7 @@ class Rig {
     }
     if (!error.empty()) {
       // The file system itself is gone, with all that was on it: nothing of ours to judge.
-      if (++tally_.unmountable > kMostUnmountable) return error + describe(cut);
+      if (++tally_.unmountable > kMaxUnmountable) return error + describe(cut);
       ::close(answer[0]);
       ::close(answer[1]);
       last_found_ = -1;

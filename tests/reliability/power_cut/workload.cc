@@ -9,9 +9,9 @@
 namespace felt::power_cut {
 
 struct Diary::Pages {
-  static constexpr std::size_t kMost = 100'000;
+  static constexpr std::size_t kMax = 100'000;
   std::atomic<std::size_t> count;
-  Entry entries[kMost];
+  Entry entries[kMax];
   char failure[1024];
 };
 
@@ -34,7 +34,7 @@ void Diary::clear() noexcept {
 
 void Diary::add(std::uint32_t generation, bool is_acknowledged) noexcept {
   const std::size_t at = pages_->count;
-  if (at >= Pages::kMost) return;
+  if (at >= Pages::kMax) return;
   pages_->entries[at] = {log_.count(), generation, is_acknowledged};
   pages_->count = at + 1;
 }

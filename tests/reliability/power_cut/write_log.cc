@@ -13,8 +13,8 @@
 namespace felt::power_cut {
 namespace {
 
-constexpr std::size_t kMostRecords = std::size_t{1} << 20;
-constexpr std::size_t kMostBytes = std::size_t{2} << 30;
+constexpr std::size_t kMaxRecords = std::size_t{1} << 20;
+constexpr std::size_t kMaxBytes = std::size_t{2} << 30;
 constexpr std::size_t kSectorBytes = 512;
 constexpr std::size_t kChunkBytes = std::size_t{1} << 16;
 
@@ -51,18 +51,18 @@ const char* cut_name(CutKind kind) noexcept {
 
 WriteLog::WriteLog()
     : header_(shared_memory<Header>(1)),
-      records_(shared_memory<Record>(kMostRecords)),
-      data_(shared_memory<char>(kMostBytes)) {}
+      records_(shared_memory<Record>(kMaxRecords)),
+      data_(shared_memory<char>(kMaxBytes)) {}
 
 WriteLog::~WriteLog() {
   ::munmap(header_, sizeof(Header));
-  ::munmap(records_, kMostRecords * sizeof(Record));
-  ::munmap(data_, kMostBytes);
+  ::munmap(records_, kMaxRecords * sizeof(Record));
+  ::munmap(data_, kMaxBytes);
 }
 
 bool WriteLog::add(const Record& record) {
   const std::uint64_t count = header_->records;
-  if (count >= kMostRecords) return false;
+  if (count >= kMaxRecords) return false;
   records_[count] = record;
   header_->records = count + 1;  // after the record: readers see whole ones
   return true;
@@ -71,7 +71,7 @@ bool WriteLog::add(const Record& record) {
 bool WriteLog::add_write(std::uint64_t offset, const char* bytes, std::size_t size) {
   const std::uint64_t at = header_->bytes;
   if (size == 0) return true;
-  if (at + size > kMostBytes) return false;
+  if (at + size > kMaxBytes) return false;
   std::memcpy(data_ + at, bytes, size);
   header_->bytes = at + size;
   return add({offset, static_cast<std::uint32_t>(size), 0, at});
@@ -92,7 +92,7 @@ std::uint64_t WriteLog::bytes() const noexcept {
 void WriteLog::clear() noexcept {
   header_->records = 0;
   header_->bytes = 0;
-  ::madvise(data_, kMostBytes, MADV_REMOVE);
+  ::madvise(data_, kMaxBytes, MADV_REMOVE);
 }
 
 std::string WriteLog::replay(const std::vector<char>& base, const std::string& image,

@@ -116,7 +116,7 @@ tl::expected<std::vector<std::uint32_t>, int> HapticReports::ask_list(
   std::vector<std::uint8_t> room;
   for (const HidField& field : list) {
     const std::uint32_t ordinal = field.usage & 0xFFFF;
-    if (ordinal >= kMostOrdinals) continue;
+    if (ordinal >= kMaxOrdinals) continue;
     if (asked != field.report) {
       room.assign(descriptor_.report_bytes(HidReportKind::kFeature, field.report), 0);
       room[0] = field.report;

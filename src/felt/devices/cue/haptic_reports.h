@@ -62,7 +62,7 @@ class HapticReports {
  private:
   static constexpr std::uint32_t kStop = 2;  ///< ordinal by HUTRR63; 1 is none
   static constexpr std::uint32_t kFirstListed = 3;
-  static constexpr std::uint32_t kMostOrdinals = 64;
+  static constexpr std::uint32_t kMaxOrdinals = 64;
 
   [[nodiscard]] tl::expected<std::vector<std::uint32_t>, int> ask_list(
       HidrawPort& port, std::span<const HidField> list) const;

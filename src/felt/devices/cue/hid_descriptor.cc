@@ -7,11 +7,11 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kMostDepth = 16;
-constexpr std::size_t kMostPushed = 8;
-constexpr std::size_t kMostUsages = 256;  // before one main item
-constexpr std::uint32_t kMostCount = 4096;
-constexpr std::uint32_t kMostSize = 4096;
+constexpr std::size_t kMaxDepth = 16;
+constexpr std::size_t kMaxPushed = 8;
+constexpr std::size_t kMaxUsages = 256;  // before one main item
+constexpr std::uint32_t kMaxCount = 4096;
+constexpr std::uint32_t kMaxSize = 4096;
 
 /// Global items keep their value from one main item to the next.
 struct Globals {
@@ -33,7 +33,7 @@ class Reader {
   explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
   Result<HidDescriptor> read() {
-    if (bytes_.size() > kMostHidBytes) return wrong("it is longer than a descriptor may be");
+    if (bytes_.size() > kMaxHidBytes) return wrong("it is longer than a descriptor may be");
     while (at_ < bytes_.size()) {
       if (Result<void> done = item(); !done) return tl::unexpected(done.error());
     }
@@ -117,7 +117,7 @@ class Reader {
         globals_.unit = data;
         return {};
       case 7:
-        if (data > kMostSize) return wrong("a field is too wide");
+        if (data > kMaxSize) return wrong("a field is too wide");
         globals_.size = data;
         return {};
       case 8:
@@ -126,11 +126,11 @@ class Reader {
         descriptor_.is_numbered = true;
         return {};
       case 9:
-        if (data > kMostCount) return wrong("too many fields");
+        if (data > kMaxCount) return wrong("too many fields");
         globals_.count = data;
         return {};
       case 10:
-        if (pushed_.size() == kMostPushed) return wrong("too much is pushed");
+        if (pushed_.size() == kMaxPushed) return wrong("too much is pushed");
         pushed_.push_back(globals_);
         return {};
       case 11:
@@ -159,13 +159,13 @@ class Reader {
 
   Result<void> local_item(int tag, std::uint32_t data, std::size_t size) {
     if (tag == 0) {
-      if (usages_.size() == kMostUsages) return wrong("too many usages");
+      if (usages_.size() == kMaxUsages) return wrong("too many usages");
       usages_.push_back(usage_of(data, size));
     } else if (tag == 1) {
       first_ = usage_of(data, size);
     } else if (tag == 2) {
       const std::uint32_t last = usage_of(data, size);
-      if (last < first_ || last - first_ >= kMostUsages - usages_.size()) {
+      if (last < first_ || last - first_ >= kMaxUsages - usages_.size()) {
         return wrong("a range of usages makes no sense");
       }
       // Uses a count instead of comparing, because the last usage may be the largest number.
@@ -202,7 +202,7 @@ class Reader {
   }
 
   Result<void> open(std::uint32_t type) {
-    if (collections_.size() == kMostDepth) return wrong("collections are too deep");
+    if (collections_.size() == kMaxDepth) return wrong("collections are too deep");
     if (collections_.empty()) ++group_;
     constexpr std::uint32_t kApplication = 1;
     collections_.push_back({usages_.empty() ? 0 : usages_.front(), type == kApplication});
@@ -225,11 +225,11 @@ class Reader {
   Result<void> add(HidReportKind kind, std::uint32_t flags) {
     std::uint32_t& used = descriptor_.report_bits[static_cast<std::size_t>(kind)][globals_.report];
     const std::size_t all = std::size_t{globals_.size} * globals_.count;
-    if (all > kMostReportBits || used + all > kMostReportBits) return wrong("a report is too long");
+    if (all > kMaxReportBits || used + all > kMaxReportBits) return wrong("a report is too long");
     const bool is_kept = globals_.size >= 1 && globals_.size <= 32 && !usages_.empty();
     if (is_kept && maximum() < globals_.minimum) return wrong("a range of values makes no sense");
     for (std::size_t i = 0; is_kept && i < globals_.count; ++i) {
-      if (descriptor_.fields.size() == kMostHidFields) break;
+      if (descriptor_.fields.size() == kMaxHidFields) break;
       HidField& field = descriptor_.fields.emplace_back();
       field.kind = kind;
       field.report = globals_.report;

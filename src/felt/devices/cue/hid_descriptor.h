@@ -53,9 +53,9 @@ struct HidDescriptor {
 /// a device is not trusted: depth, fields and bits are bounded, and an invalid item is an error.
 /// Fails with the reason and the byte position.
 Result<HidDescriptor> read_hid_descriptor(std::span<const std::uint8_t> bytes);
-inline constexpr std::size_t kMostHidBytes = 4096;   ///< of a descriptor, the kernel's limit
-inline constexpr std::size_t kMostHidFields = 1024;  ///< that are kept
-inline constexpr std::size_t kMostReportBits = 65536;
+inline constexpr std::size_t kMaxHidBytes = 4096;   ///< of a descriptor, the kernel's limit
+inline constexpr std::size_t kMaxHidFields = 1024;  ///< that are kept
+inline constexpr std::size_t kMaxReportBits = 65536;
 
 /// Returns the value of a field in a report that begins with its number; 0 if the report is too
 /// short. Signed if the field's minimum is negative.

@@ -143,12 +143,12 @@ RC_GTEST_PROP(HidDescriptor, HostileOnesAreBounded, ()) {
   bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(at), noise.begin(), noise.end());
   const auto read = read_hid_descriptor(bytes);
   if (!read) return;
-  RC_ASSERT(read->fields.size() <= kMostHidFields);
+  RC_ASSERT(read->fields.size() <= kMaxHidFields);
   Bytes report(16, 0xA5);
   for (const HidField& field : read->fields) {
     RC_ASSERT(field.bits >= 1);
     RC_ASSERT(field.bits <= 32);
-    RC_ASSERT(field.bit + field.bits <= kMostReportBits);
+    RC_ASSERT(field.bit + field.bits <= kMaxReportBits);
     set_hid_value(report, field, hid_value(report, field));
   }
 }

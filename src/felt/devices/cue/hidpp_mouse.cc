@@ -10,8 +10,8 @@ namespace felt {
 namespace {
 
 constexpr std::int64_t kWaitNs = 50'000'000;
-constexpr int kMostWaits = 5;     // without an answer
-constexpr int kMostForeign = 64;  // messages of other programs, between request and answer
+constexpr int kMaxWaits = 5;     // without an answer
+constexpr int kMaxForeign = 64;  // messages of other programs, between request and answer
 constexpr std::uint8_t kRoot = 0x00;
 constexpr std::uint8_t kGetFeature = 0, kGetCapabilities = 0, kPlay = 4;
 constexpr std::uint8_t kRefused = 0xFF, kRefusedByReceiver = 0x8F;
@@ -48,7 +48,7 @@ tl::expected<HidppMouse::Report, int> HidppMouse::ask(std::uint8_t feature, std:
   asked[5] = static_cast<std::uint8_t>(argument & 0xFF);
   if (const auto written = port_->write(asked); !written) return tl::unexpected(written.error());
   int waits = 0;
-  for (int foreign = 0; foreign < kMostForeign && waits < kMostWaits;) {
+  for (int foreign = 0; foreign < kMaxForeign && waits < kMaxWaits;) {
     std::array<std::uint8_t, 64> room{};
     const auto count = port_->read(room, kWaitNs);
     if (!count) return tl::unexpected(count.error());
@@ -86,7 +86,7 @@ Result<std::unique_ptr<CueDevice>> HidppMouse::open(std::unique_ptr<HidrawPort> 
   std::unique_ptr<HidppMouse> mouse(
       new HidppMouse(std::move(port), kDirect, std::move(descriptor)));
   int error = ETIMEDOUT;
-  for (std::uint8_t number = 1; number <= (is_receiver ? kMostPaired : 1); ++number) {
+  for (std::uint8_t number = 1; number <= (is_receiver ? kMaxPaired : 1); ++number) {
     if (is_receiver) mouse->device_ = number;
     const auto found = mouse->find_haptics();
     if (found) return mouse;
@@ -113,11 +113,11 @@ int HidppMouse::number_of(CueWaveform waveform) const noexcept {
 tl::expected<void, DeviceFault> HidppMouse::play(const Cue& cue, std::int64_t now_ns) noexcept {
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
   const int number = number_of(cue.waveform);
-  constexpr double kLeast = 0.05;
-  if (number < 0 || !(cue.intensity >= kLeast) || !pacer_.take(now_ns)) return {};
+  constexpr double kMin = 0.05;
+  if (number < 0 || !(cue.intensity >= kMin) || !pacer_.take(now_ns)) return {};
   // Discards answers, including those for other programs, so that the queue does not fill.
   std::array<std::uint8_t, 64> room{};
-  for (int i = 0; i < kMostForeign; ++i) {
+  for (int i = 0; i < kMaxForeign; ++i) {
     const auto count = port_->read(room, 0);
     if (!count || *count == 0) break;
   }

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kFull = 32767.0;
 constexpr double kFullSaturation = 65535.0;
-constexpr double kLeastN = 0.01;  // less cannot be felt
-constexpr double kGrowN = 0.05;   // most that a spring may grow beyond its current force
+constexpr double kMinN = 0.01;   // less cannot be felt
+constexpr double kGrowN = 0.05;  // most that a spring may grow beyond its current force
 constexpr double kAlmost = 0.9998;
 constexpr double kTurn = 65536.0 / 6.283185307179586;
 
@@ -118,7 +118,7 @@ EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& sti
   EvdevEffect& spring = plan.effects[EffectPlan::kSpring];
   spring.type = evdev::kFfSpring;
   spring.conditions = {spring_of(axes[0], stick), spring_of(axes[1], stick)};
-  plan.plays[EffectPlan::kSpring] = std::max(axes[0].spring_n, axes[1].spring_n) > kLeastN;
+  plan.plays[EffectPlan::kSpring] = std::max(axes[0].spring_n, axes[1].spring_n) > kMinN;
 
   EvdevEffect& friction = plan.effects[EffectPlan::kFriction];
   friction.type = stick.effects[evdev::kFfFriction] ? evdev::kFfFriction : evdev::kFfDamper;
@@ -130,7 +130,7 @@ EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& sti
       c.right_coefficient = c.left_coefficient = brakes ? signed16(1.0) : std::int16_t{0};
     }
   }
-  plan.plays[EffectPlan::kFriction] = std::max(axes[0].friction_n, axes[1].friction_n) > kLeastN;
+  plan.plays[EffectPlan::kFriction] = std::max(axes[0].friction_n, axes[1].friction_n) > kMinN;
 
   EvdevEffect& constant = plan.effects[EffectPlan::kConstant];
   const double x = axes[0].constant_n, y = axes[1].constant_n;
@@ -140,7 +140,7 @@ EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& sti
   // 0 towards the user (+y); a quarter turn is to the left (-x).
   constant.direction = static_cast<std::uint16_t>(
       static_cast<std::int32_t>(std::lround(std::atan2(-x, y) * kTurn)) & 0xFFFF);
-  plan.plays[EffectPlan::kConstant] = std::hypot(x, y) > kLeastN;
+  plan.plays[EffectPlan::kConstant] = std::hypot(x, y) > kMinN;
   return plan;
 }
 

@@ -52,9 +52,9 @@ Row solve(const Sums& sums, const std::array<bool, kUnknowns>& wanted) noexcept 
 }
 
 bool is_usable(const FitSample& s) noexcept {
-  constexpr double kMost = 1e6;
-  return std::abs(s.position_mm) < kMost && std::abs(s.speed_mm_per_s) < kMost &&
-         std::abs(s.force_n) < kMost;  // false for NaN, too
+  constexpr double kMax = 1e6;
+  return std::abs(s.position_mm) < kMax && std::abs(s.speed_mm_per_s) < kMax &&
+         std::abs(s.force_n) < kMax;  // false for NaN, too
 }
 
 /// Returns the normal equations of the samples, with positions relative to `origin_mm`.

@@ -88,7 +88,7 @@ StickAxes::Said StickAxes::said() const noexcept {
   said.touches = touches_;
   said.buttons = buttons_;
   if (touches_) {
-    said.pressure = layout_.pressure ? std::max(lever_.share(), kLeastPressure) : kUsualPressure;
+    said.pressure = layout_.pressure ? std::max(lever_.share(), kMinPressure) : kUsualPressure;
   }
   return said;
 }
@@ -135,7 +135,7 @@ void StickAxes::report(std::int64_t now_ns) noexcept {
 tl::expected<void, int> StickAxes::listen(EvdevPort& port, std::int64_t now_ns) noexcept {
   EvdevEvent event;
   // Events that wait meanwhile are newer than the answer, or agree with it.
-  for (int i = 0; i < kMostEvents && !needs_asking(); ++i) {
+  for (int i = 0; i < kMaxEvents && !needs_asking(); ++i) {
     const auto more = port.next(event);
     if (!more) return tl::unexpected(more.error());
     if (!*more) break;

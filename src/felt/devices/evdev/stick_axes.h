@@ -33,7 +33,7 @@ StickStand ask_stick(EvdevPort& port, const StickLayout& layout) noexcept;
 /// towards the user, the centre at (0, 0).
 ///
 /// The pen is down while the contact button is held: then z is -2 mm times the pressure, else 0.8
-/// mm. The pressure is that of the lever, at least kLeastPressure; without a lever it is
+/// mm. The pressure is that of the lever, at least kMinPressure; without a lever it is
 /// kUsualPressure. The button after the contact button is bit 0, the next bit 1 (tools:
 /// kFirstModifier, kSecondModifier).
 ///
@@ -51,10 +51,10 @@ class StickAxes {
  public:
   static constexpr std::int64_t kGlideNs = 8'000'000;
   static constexpr double kUsualPressure = 0.5;
-  static constexpr double kLeastPressure = 0.02;
+  static constexpr double kMinPressure = 0.02;
   static constexpr double kDepthMm = 2.0;  ///< at full pressure
   static constexpr double kHoverMm = 0.8;  ///< clearly lifted, but no jump away from the surface
-  static constexpr int kMostEvents = 64;   ///< handled in one read; the rest in the next
+  static constexpr int kMaxEvents = 64;    ///< handled in one read; the rest in the next
   static constexpr double kCutoffHz = 30.0;
   static constexpr std::int64_t kStaleNs = 50'000'000;
 

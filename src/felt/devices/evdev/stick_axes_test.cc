@@ -174,7 +174,7 @@ TEST(StickAxes, TakesBoundedlyManyEventsAtATime) {
   ASSERT_TRUE(axes.begin(ask_stick(port, {})));
   for (int i = 0; i < 500; ++i) port.say(evdev::kAbs, evdev::kAbsX, i);
   ASSERT_TRUE(axes.listen(port, 0));
-  EXPECT_EQ(port.events.size(), 500u - StickAxes::kMostEvents);
+  EXPECT_EQ(port.events.size(), 500u - StickAxes::kMaxEvents);
 }
 
 TEST(StickAxes, AnAxisWithoutWayOrADeviceThatIsGoneIsAnError) {

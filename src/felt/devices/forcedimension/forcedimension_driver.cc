@@ -14,7 +14,7 @@ namespace felt {
 namespace {
 
 constexpr std::string_view kName = "forcedimension";
-constexpr int kMostDevices = 64;
+constexpr int kMaxDevices = 64;
 constexpr int kLookAgainAfter = 5;
 constexpr double kHeaviestPenKg = 0.5;
 
@@ -141,7 +141,7 @@ std::vector<DeviceDescriptor> ForceDimensionDriver::find() {
   if (!load()) return {};
   // Opening devices to identify them is expensive, so it is only done when their number has
   // changed, when one was closed, and now and then while one of them could not be opened.
-  const int count = std::clamp(library_->count(), 0, kMostDevices);
+  const int count = std::clamp(library_->count(), 0, kMaxDevices);
   if (count != counted_ || library_->closings() != closings_ ||
       (!last_refusal_.empty() && ++passed_over_ >= kLookAgainAfter)) {
     counted_ = count;
@@ -160,7 +160,7 @@ Result<std::unique_ptr<DriverDevice>> ForceDimensionDriver::open(const DeviceDes
     return fail(loaded.error().code, "Force Dimension's library: " + loaded.error().message);
   }
   // Identifies all again, because another device may be at this index by now.
-  counted_ = std::clamp(library_->count(), 0, kMostDevices);
+  counted_ = std::clamp(library_->count(), 0, kMaxDevices);
   look();
   const auto at = std::find_if(listed_.begin(), listed_.end(), [&](const Listed& listed) {
     return listed.descriptor.id == device.id;

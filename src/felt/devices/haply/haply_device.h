@@ -131,7 +131,7 @@ class HaplyDevice final : public DriverDevice {
   std::int64_t sent_ns_ = 0;  // time of the newest message
   std::int64_t rate_since_ns_ = 0;
   std::uint64_t rate_reads_ = 0;
-  std::array<char, kMostCommand> command_{};
+  std::array<char, kMaxCommand> command_{};
   DeviceStatus status_;
 
   LatestValue<DeviceStatus> shown_;

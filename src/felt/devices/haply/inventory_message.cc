@@ -8,7 +8,7 @@ namespace felt::haply {
 namespace {
 
 constexpr std::size_t kMaxListedId = 64;
-constexpr std::size_t kMostDevices = 16;
+constexpr std::size_t kMaxDevices = 16;
 
 // Returns true if the id is safe, unescaped, in a command and in our own ids.
 bool is_plain_id(std::string_view id) {
@@ -117,8 +117,8 @@ bool read_families(JsonScanner& json, std::string_view family, Found& found) {
     std::vector<std::string>& grips =
         family == "verse_grip" ? found.inventory.grips : found.wireless;
     if (is_grip_family(family)) {
-      if (grips.size() < kMostDevices) grips.push_back(device.id);
-    } else if (found.inventory.devices.size() < kMostDevices) {
+      if (grips.size() < kMaxDevices) grips.push_back(device.id);
+    } else if (found.inventory.devices.size() < kMaxDevices) {
       found.inventory.devices.push_back(device);
     }
     return true;
@@ -161,14 +161,14 @@ std::string read_version(std::string_view answer) {
 }
 
 int version_number(std::string_view version) noexcept {
-  constexpr int kMost = 999;
+  constexpr int kMax = 999;
   if (version.starts_with('v')) version.remove_prefix(1);
   int major = 0, minor = 0;
   const char* const end = version.data() + version.size();
   const auto whole = std::from_chars(version.data(), end, major);
   if (whole.ec != std::errc{} || whole.ptr == end || *whole.ptr != '.') return 0;
   const auto part = std::from_chars(whole.ptr + 1, end, minor);
-  if (part.ec != std::errc{} || major < 0 || minor < 0 || major > kMost || minor > kMost) return 0;
+  if (part.ec != std::errc{} || major < 0 || minor < 0 || major > kMax || minor > kMax) return 0;
   return 1000 * major + minor;
 }
 

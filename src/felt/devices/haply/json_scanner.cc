@@ -126,7 +126,7 @@ JsonToken JsonScanner::literal(std::string_view word, JsonToken token) noexcept 
 }
 
 JsonToken JsonScanner::open(bool is_object) noexcept {
-  if (depth_ == kMostDepth) return bad();
+  if (depth_ == kMaxDepth) return bad();
   rest_.remove_prefix(1);
   const std::uint32_t bit = std::uint32_t{1} << depth_++;
   objects_ = is_object ? objects_ | bit : objects_ & ~bit;

@@ -26,7 +26,7 @@ enum class JsonToken : std::uint8_t {
 /// checked; strings are checked for control characters and escapes, but not for UTF-8.
 class JsonScanner {
  public:
-  static constexpr int kMostDepth = 24;
+  static constexpr int kMaxDepth = 24;
 
   explicit JsonScanner(std::string_view json) noexcept : rest_(json) {}
 

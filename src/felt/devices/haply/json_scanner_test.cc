@@ -154,8 +154,8 @@ TEST(JsonScanner, DepthIsBounded) {
     return std::string(static_cast<std::size_t>(depth), '[') +
            std::string(static_cast<std::size_t>(depth), ']');
   };
-  EXPECT_TRUE(rewritten(nested(JsonScanner::kMostDepth)).has_value());
-  EXPECT_FALSE(rewritten(nested(JsonScanner::kMostDepth + 1)).has_value());
+  EXPECT_TRUE(rewritten(nested(JsonScanner::kMaxDepth)).has_value());
+  EXPECT_FALSE(rewritten(nested(JsonScanner::kMaxDepth + 1)).has_value());
   EXPECT_FALSE(rewritten(std::string(100000, '[')).has_value());
 }
 

@@ -43,8 +43,8 @@ std::optional<Address> address_of(std::string_view url, std::uint16_t usual_port
 
 bool read_port(JsonScanner& json, std::uint16_t& port) {
   JsonScanner ahead = json;
-  constexpr double kMost = 65535.0;
-  if (ahead.next() == JsonToken::kNumber && ahead.number() >= 1.0 && ahead.number() <= kMost) {
+  constexpr double kMax = 65535.0;
+  if (ahead.next() == JsonToken::kNumber && ahead.number() >= 1.0 && ahead.number() <= kMax) {
     port = static_cast<std::uint16_t>(ahead.number());
   }
   return json.skip_value();

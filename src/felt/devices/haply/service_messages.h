@@ -91,9 +91,9 @@ constexpr ForceKey other(ForceKey key) noexcept {
   return key == ForceKey::kValues ? ForceKey::kVector : ForceKey::kValues;
 }
 
-/// Writes the command of one tick into `room` (at least kMostCommand bytes) and returns the text in
+/// Writes the command of one tick into `room` (at least kMaxCommand bytes) and returns the text in
 /// it. Forces that are not finite are written as 0. Haptic thread.
-inline constexpr std::size_t kMostCommand = 512;
+inline constexpr std::size_t kMaxCommand = 512;
 std::string_view write_command(std::string_view device_id, ForceKey key, const Force& force,
                                char* room) noexcept;
 /// Returns the first message: our name, and the wanted origin (the centre of the workspace).

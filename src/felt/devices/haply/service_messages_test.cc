@@ -182,7 +182,7 @@ TEST(Events, BrakesStallsAndLossesMatter) {
 }
 
 TEST(Command, IsWhatTheServiceReads) {
-  std::array<char, kMostCommand> room{};
+  std::array<char, kMaxCommand> room{};
   const std::string id(64, 'A');
   const Json values =
       Json::parse(write_command(id, ForceKey::kValues, {0.5, -1.25, 3e-7}, room.data()));

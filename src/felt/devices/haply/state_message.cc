@@ -43,7 +43,7 @@ bool read_buttons(JsonScanner& json, std::uint32_t& buttons) noexcept {
 // own y axis, along which the handle points. An invalid one (a null, a missing number, a length
 // that is not 1) leaves `axis` unset, because grips without such a sensor are not a fault.
 bool read_grip_axis(JsonScanner& json, std::optional<Vec3>& axis) noexcept {
-  constexpr double kMostOff = 0.1;
+  constexpr double kMaxOff = 0.1;
   constexpr std::string_view kParts = "wxyz";
   std::array<double, 4> q{};
   unsigned seen = 0;
@@ -67,7 +67,7 @@ bool read_grip_axis(JsonScanner& json, std::optional<Vec3>& axis) noexcept {
   if (!is_read) return false;
   const auto [w, x, y, z] = q;
   const double size = w * w + x * x + y * y + z * z;
-  if (seen == 0xF && std::abs(size - 1.0) < kMostOff) {
+  if (seen == 0xF && std::abs(size - 1.0) < kMaxOff) {
     axis = Vec3{2.0 * (x * y - w * z) / size, 1.0 - 2.0 * (x * x + z * z) / size,
                 2.0 * (y * z + w * x) / size};
   }
@@ -134,10 +134,10 @@ char* append(char* at, std::string_view text) noexcept {
 
 char* append(char* at, double number) noexcept {
   constexpr int kDecimals = 6;  // micronewtons
-  constexpr double kMost = 1e6;
-  const double bounded = std::isfinite(number) ? std::min(std::max(number, -kMost), kMost) : 0.0;
-  constexpr std::size_t kMostDigits = 20;
-  return std::to_chars(at, at + kMostDigits, bounded, std::chars_format::fixed, kDecimals).ptr;
+  constexpr double kMax = 1e6;
+  const double bounded = std::isfinite(number) ? std::min(std::max(number, -kMax), kMax) : 0.0;
+  constexpr std::size_t kMaxDigits = 20;
+  return std::to_chars(at, at + kMaxDigits, bounded, std::chars_format::fixed, kDecimals).ptr;
 }
 
 }  // namespace
@@ -165,9 +165,9 @@ bool read_state(std::string_view message, std::string_view device_id, std::strin
 
 std::string_view write_command(std::string_view device_id, ForceKey key, const Force& force,
                                char* room) noexcept {
-  constexpr std::size_t kMostId = 64;
+  constexpr std::size_t kMaxId = 64;
   char* at = append(room, R"({"inverse3":[{"device_id":")");
-  at = append(at, device_id.substr(0, kMostId));
+  at = append(at, device_id.substr(0, kMaxId));
   at = append(at, R"(","commands":{"set_cursor_force":{")");
   at = append(at, key == ForceKey::kValues ? "values" : "vector");
   at = append(at, R"(":{"x":)");

@@ -15,7 +15,7 @@ constexpr std::uint8_t kContinuation = 0x0, kText = 0x1, kClose = 0x8, kPing = 0
 constexpr std::uint8_t kLastBit = 0x80, kReservedBits = 0x70, kOpcodeBits = 0x0F;
 constexpr std::uint8_t kMaskBit = 0x80, kLengthBits = 0x7F;
 constexpr std::uint8_t kLength16 = 126, kLength64 = 127;
-constexpr std::size_t kMostControl = 125;
+constexpr std::size_t kMaxControl = 125;
 constexpr std::int64_t kControlNs = 100'000;    // time limit for sending a pong or a close frame
 constexpr std::size_t kMaxOpeningBytes = 8192;  // of the handshake
 
@@ -152,13 +152,13 @@ WebSocket::Look WebSocket::look(Frame& frame) const noexcept {
   frame.is_last = (first & kLastBit) != 0;
   const std::uint8_t length = second & kLengthBits;
   const bool is_control = (frame.opcode & 0x8) != 0;
-  if (is_control && (length > kMostControl || !frame.is_last)) return Look::kBad;
+  if (is_control && (length > kMaxControl || !frame.is_last)) return Look::kBad;
   const std::size_t extra = length == kLength16 ? 2 : length == kLength64 ? 8 : 0;
   frame.header = 2 + extra;
   if (bytes.size() < frame.header) return Look::kMore;
   std::uint64_t size = extra == 0 ? length : 0;
   for (std::size_t i = 0; i < extra; ++i) size = (size << 8) | byte_of(bytes[2 + i]);
-  if (size > kMostBytes) return Look::kBad;
+  if (size > kMaxBytes) return Look::kBad;
   frame.size = static_cast<std::size_t>(size);
   return bytes.size() < frame.header + frame.size ? Look::kMore : Look::kWhole;
 }
@@ -205,7 +205,7 @@ WebSocket::Step WebSocket::take(const Frame& frame) noexcept {
 
 tl::expected<std::string_view, SocketFault> WebSocket::receive(std::int64_t within_ns) noexcept {
   const StreamDeadline deadline(within_ns);
-  for (int frames = 0; frames < kMostFrames && !is_over_;) {
+  for (int frames = 0; frames < kMaxFrames && !is_over_;) {
     Frame frame;
     switch (look(frame)) {
       case Look::kBad:
@@ -225,8 +225,8 @@ tl::expected<std::string_view, SocketFault> WebSocket::receive(std::int64_t with
 
 tl::expected<void, SocketFault> WebSocket::send_frame(std::uint8_t opcode, std::string_view payload,
                                                       std::int64_t within_ns) noexcept {
-  std::array<char, kMostSent + 8> frame;
-  if (payload.size() > kMostSent) return tl::unexpected(SocketFault::kBadData);
+  std::array<char, kMaxSent + 8> frame;
+  if (payload.size() > kMaxSent) return tl::unexpected(SocketFault::kBadData);
   std::size_t at = 0;
   frame[at++] = static_cast<char>(kLastBit | opcode);
   if (payload.size() < kLength16) {

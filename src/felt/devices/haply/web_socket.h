@@ -22,15 +22,15 @@ enum class SocketFault : std::uint8_t {
 
 /// The client's end of a WebSocket (RFC 6455), text messages only, for one message each way per
 /// millisecond: fixed memory, no allocation after open(), and no call blocks beyond its time. Joins
-/// fragments, answers pings, and rejects lengths beyond kMostBytes before using them. After kClosed
+/// fragments, answers pings, and rejects lengths beyond kMaxBytes before using them. After kClosed
 /// or kBadData it returns the same fault again.
 ///
 /// Large (two buffers of 64 KiB): allocate it on the heap. One thread at a time.
 class WebSocket {
  public:
-  static constexpr std::size_t kMostBytes = std::size_t{1} << 16;  ///< of a message
-  static constexpr std::size_t kMostSent = 1024;
-  static constexpr int kMostFrames = 64;  ///< read in one receive()
+  static constexpr std::size_t kMaxBytes = std::size_t{1} << 16;  ///< of a message
+  static constexpr std::size_t kMaxSent = 1024;
+  static constexpr int kMaxFrames = 64;  ///< read in one receive()
 
   /// Performs the opening handshake over `stream`. `host` as in the address. `seed` generates the
   /// key and the masks, which RFC 6455 requires to be unpredictable, to protect proxies.
@@ -40,7 +40,7 @@ class WebSocket {
   /// Uses a stream after its handshake: for tests.
   WebSocket(std::unique_ptr<ByteStream> stream, std::uint64_t seed) noexcept;
 
-  /// Sends a text message of at most kMostSent bytes.
+  /// Sends a text message of at most kMaxSent bytes.
   tl::expected<void, SocketFault> send(std::string_view text, std::int64_t within_ns) noexcept;
   /// Receives the next whole message; valid until the next call.
   tl::expected<std::string_view, SocketFault> receive(std::int64_t within_ns) noexcept;
@@ -78,9 +78,9 @@ class WebSocket {
   std::size_t assembled_ = 0;                 // bytes of a fragmented message
   bool in_fragments_ = false;
   std::string_view message_;
-  static constexpr std::size_t kMostHeader = 10;
-  std::array<char, kMostBytes + kMostHeader> received_;
-  std::array<char, kMostBytes> fragments_;
+  static constexpr std::size_t kMaxHeader = 10;
+  std::array<char, kMaxBytes + kMaxHeader> received_;
+  std::array<char, kMaxBytes> fragments_;
 };
 
 }  // namespace felt::haply

@@ -101,7 +101,7 @@ TEST_F(WebSocketTest, WhatIsSentIsMaskedText) {
   script.heard.clear();
   ASSERT_TRUE(socket().send(std::string(300, 'x'), 0).has_value());
   EXPECT_EQ(script.heard.size(), 300u + 8u);
-  EXPECT_FALSE(socket().send(std::string(WebSocket::kMostSent + 1, 'x'), 0).has_value());
+  EXPECT_FALSE(socket().send(std::string(WebSocket::kMaxSent + 1, 'x'), 0).has_value());
 }
 
 TEST_F(WebSocketTest, MessagesComeHoweverTheyAreCut) {

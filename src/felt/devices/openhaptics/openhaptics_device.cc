@@ -15,7 +15,7 @@ constexpr std::uint64_t kStatusEvery = 16;  // ticks
 constexpr double kFarthestMm = 1e5;         // larger positions are invalid
 constexpr double kFastestMmPerS = 1e6;
 constexpr unsigned kButtonBits = 0xF;
-constexpr double kLeastAxis = 0.5;  // the nominal length is 1; far from it, it is invalid
+constexpr double kMinAxis = 0.5;    // the nominal length is 1; far from it, it is invalid
 constexpr std::size_t kMotors = 6;  // three or six; the library fills those that exist
 
 bool is_believable(const PenSample& pen) noexcept {
@@ -90,7 +90,7 @@ void OpenHapticsDevice::sense_attitude() noexcept {
   call_.get_doubles(hd::parameter::kTransform, transform.data());
   const Vec3 axis{transform[8], transform[9], transform[10]};
   const double size = norm(axis);
-  if (size > kLeastAxis && size < 1.0 / kLeastAxis) axis_ = axis;  // false for NaN
+  if (size > kMinAxis && size < 1.0 / kMinAxis) axis_ = axis;  // false for NaN
 }
 
 void OpenHapticsDevice::sense_state() noexcept {

@@ -11,9 +11,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr int kMostHomingMs = 4000;
+constexpr int kMaxHomingMs = 4000;
 constexpr int kHomingStepMs = 10;
-constexpr int kMostWaitMs = 1000;  // for a call that is in progress after the scheduler has stopped
+constexpr int kMaxWaitMs = 1000;  // for a call that is in progress after the scheduler has stopped
 
 // Returns the texts of all errors except force errors, which are handled in the ticks.
 std::string hindrances(const HdFunctions& call) {
@@ -132,7 +132,7 @@ void OpenHapticsDevice::stop_loop() noexcept {
   // sequentially consistent).
   is_serving_.store(false);
   call_.stop_scheduler();
-  for (int i = 0; i < kMostWaitMs && is_in_callback_.load(); ++i) {
+  for (int i = 0; i < kMaxWaitMs && is_in_callback_.load(); ++i) {
     std::this_thread::sleep_for(milliseconds(1));
   }
   call_.unschedule(callback_);
@@ -183,7 +183,7 @@ Result<void> OpenHapticsDevice::find_home() {
   call_.start_scheduler();  // the library checks its joints only while the scheduler runs
   std::string words = hindrances(call_);
   bool is_home = false;
-  for (int ms = 0; words.empty() && !is_home && ms < kMostHomingMs; ms += kHomingStepMs) {
+  for (int ms = 0; words.empty() && !is_home && ms < kMaxHomingMs; ms += kHomingStepMs) {
     if (call_.check_calibration() != hd::calibration::kOk) {
       call_.update_calibration(how);
     }
@@ -195,7 +195,7 @@ Result<void> OpenHapticsDevice::find_home() {
   drain_errors(call_, 64, [](const hd::ErrorInfo&) {});
   if (is_home) return {};
   if (words.empty()) {
-    words = "it has not seen itself in place within " + std::to_string(kMostHomingMs / 1000) + " s";
+    words = "it has not seen itself in place within " + std::to_string(kMaxHomingMs / 1000) + " s";
   }
   return fail(ErrorCode::kIo, "The device is not calibrated: " + words + ". " + homing_words() +
                                   " Then try again.");

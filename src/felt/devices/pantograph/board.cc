@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint8_t kReset = 0, kSetup = 1, kTorques = 2;
 constexpr double kRadPerDeg = 0.017453292519943295;
-constexpr double kMostDeg = 1080.0;  // three turns: no arm can turn so far
+constexpr double kMaxDeg = 1080.0;  // three turns: no arm can turn so far
 
 constexpr std::array<BoardModel, 3> kModels{{
     {.id = "v1",
@@ -109,7 +109,7 @@ bool read_angles(const BoardModel& model, std::span<const std::byte, kReplyBytes
   std::size_t at = 1;
   for (const std::size_t k : by_port(model)) {
     const auto degrees = static_cast<double>(get_float(reply.subspan(at, 4)));
-    if (!(std::abs(degrees) <= kMostDeg)) return false;
+    if (!(std::abs(degrees) <= kMaxDeg)) return false;
     angles_rad[k] = kRadPerDeg * degrees;
     at += 4;
   }

@@ -7,7 +7,7 @@ namespace felt::pantograph {
 namespace {
 
 constexpr double kMetresPerMm = 0.001;
-constexpr double kLeastElbowGap =
+constexpr double kMinElbowGap =
     0.02;  // of a forearm: if closer, the position of the handle is undefined
 
 double cross(const Vec3& a, const Vec3& b) noexcept {
@@ -36,7 +36,7 @@ std::optional<FiveBar> FiveBar::at(const FiveBarSize& size,
   const double half_gap = std::hypot(half.x, half.y);
   const double forearm = size.forearm_mm;
   // Also false for NaN.
-  if (!(half_gap >= kLeastElbowGap * forearm && half_gap <= forearm)) return std::nullopt;
+  if (!(half_gap >= kMinElbowGap * forearm && half_gap <= forearm)) return std::nullopt;
   const double height = std::sqrt(forearm * forearm - half_gap * half_gap) / half_gap;
 
   FiveBar bar;
@@ -45,8 +45,8 @@ std::optional<FiveBar> FiveBar::at(const FiveBarSize& size,
   const double area = cross(u, w);
   const double sine = std::abs(area) / (forearm * forearm);
   bar.authority_ = smooth_step(kNoAuthority, kAllAuthority, sine);
-  constexpr double kLeastSine = 1e-9;
-  if (sine < kLeastSine) return bar;  // no Jacobian, and no force either
+  constexpr double kMinSine = 1e-9;
+  if (sine < kMinSine) return bar;  // no Jacobian, and no force either
   const double turn_a = flat_dot(u, {-size.arm_mm * s1, size.arm_mm * c1, 0.0}) / area;
   const double turn_b = flat_dot(w, {-size.arm_mm * s2, size.arm_mm * c2, 0.0}) / area;
   bar.jacobian_ = {{{w.y * turn_a, -u.y * turn_b}, {-w.x * turn_a, u.x * turn_b}}};

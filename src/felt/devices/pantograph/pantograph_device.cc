@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kLess =
     1.0 - 3e-6;  // so that rounding to the board's floats cannot increase a torque
-constexpr int kMostUnanswered = 4;
-constexpr int kMostPieces = 8;  // pieces in which one answer may arrive
+constexpr int kMaxUnanswered = 4;
+constexpr int kMaxPieces = 8;  // pieces in which one answer may arrive
 constexpr double kNsPerS = 1e9;
 
 constexpr std::int64_t kSetUpNs = 300'000'000;
@@ -79,7 +79,7 @@ bool PantographDevice::send(const std::array<double, 2>& torques_nm) noexcept {
     if (sent.error() != StreamFault::kTimedOut) gone("The board was unplugged.");
     return false;
   }
-  unanswered_ = std::min(unanswered_ + 1, kMostUnanswered);
+  unanswered_ = std::min(unanswered_ + 1, kMaxUnanswered);
   sent_ns_ = now_ns_;
   return true;
 }
@@ -88,7 +88,7 @@ bool PantographDevice::send(const std::array<double, 2>& torques_nm) noexcept {
 void PantographDevice::throw_away() noexcept {
   filled_ = 0;
   unanswered_ = 0;
-  for (int i = 0; i < kMostPieces; ++i) {
+  for (int i = 0; i < kMaxPieces; ++i) {
     if (!port_->receive(in_, 0)) return;
   }
 }
@@ -119,7 +119,7 @@ PantographDevice::Heard PantographDevice::take_replies(Heard newest) noexcept {
 PantographDevice::Heard PantographDevice::hear(std::int64_t within_ns) noexcept {
   const StreamDeadline deadline(within_ns);
   Heard newest = Heard::kNothing;
-  for (int i = 0; i < kMostPieces; ++i) {
+  for (int i = 0; i < kMaxPieces; ++i) {
     newest = take_replies(newest);
     if (newest == Heard::kBad) return newest;
     const bool has_one = newest == Heard::kAngles;
@@ -139,8 +139,8 @@ PantographDevice::Heard PantographDevice::hear(std::int64_t within_ns) noexcept 
 
 tl::expected<PenSample, DeviceFault> PantographDevice::nothing_heard(Heard heard) noexcept {
   ++missed_;
-  if (missed_ > kMostSilentTicks) return gone("The board is silent.");
-  if (missed_ > kMostMissed || !has_sample_) {
+  if (missed_ > kMaxSilentTicks) return gone("The board is silent.");
+  if (missed_ > kMaxMissed || !has_sample_) {
     const bool is_half = heard == Heard::kHalf;
     throw_away();
     return is_half ? failed(DeviceFault::kBadData, "The board's answers are too short.")
@@ -225,7 +225,7 @@ tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noex
       gate_.pass(is_finite(force) ? Force{force.x, force.y, 0.0} : force, now_ns_);
   Force pushes;
   const bool is_guarded = port_->is_guarded();
-  if (bar_ && is_home_ && is_guarded && missed_ <= kMostMissed) {
+  if (bar_ && is_home_ && is_guarded && missed_ <= kMaxMissed) {
     pushes = (kLess * bar_->authority()) * passed.force;
   } else {
     gate_.let_go();
@@ -254,7 +254,7 @@ void PantographDevice::let_go(int tries) noexcept {
     if (sent) {
       sent_ = {};
       if (!is_set_up_) return;  // a reset is not answered
-      unanswered_ = std::min(unanswered_ + 1, kMostUnanswered);
+      unanswered_ = std::min(unanswered_ + 1, kMaxUnanswered);
       sent_ns_ = now_ns_;
       return;
     }

@@ -19,9 +19,9 @@ namespace felt::pantograph {
 /// that answer them, extrapolated to the time of the read with the velocity that the driver
 /// estimates from them. A frame has neither checksum nor start mark. A reply of the wrong form (not
 /// the device's id and two possible angles) is a fault; then all waiting bytes are discarded, and
-/// the next frame starts again. If angles are late, the last sample is repeated for kMostMissed
+/// the next frame starts again. If angles are late, the last sample is repeated for kMaxMissed
 /// ticks; then read() fails with kOther (or kBadData, if half an answer came), and after
-/// kMostSilentTicks with kDisconnected.
+/// kMaxSilentTicks with kDisconnected.
 ///
 /// The board has no known watchdog: torques hold until the next frame. Every end (stop(), a fault,
 /// the destructor) sends zero torques, repeatedly if necessary; a frame that was not sent is a
@@ -40,8 +40,8 @@ class PantographDevice final : public DriverDevice {
   /// Number of attempts of stop(), and of the destructor, which has more time.
   static constexpr int kStopTries = 4, kEndTries = 500;
   static constexpr std::int64_t kGuardNs = 50'000'000;  ///< of silence, for the guard
-  static constexpr int kMostMissed = 4;
-  static constexpr int kMostSilentTicks = 500;
+  static constexpr int kMaxMissed = 4;
+  static constexpr int kMaxSilentTicks = 500;
   /// z of a pen that touches, and of one that does not. The step is small enough that the safety
   /// chain neither treats it as a jump nor damps its speed.
   static constexpr double kDownMm = -0.25, kUpMm = 0.25;

@@ -29,19 +29,18 @@ void AimTrack::push(const StampedAim& aim, std::int64_t now_ns) noexcept {
   std::int64_t time_ns = std::clamp(aim.time_ns, now_ns - kOldestNs, now_ns);
   std::int64_t way_ns = 0;
   if (is_set_) {
-    time_ns = std::max(time_ns, newest_ns_ + kLeastSpacingNs);
+    time_ns = std::max(time_ns, newest_ns_ + kMinSpacingNs);
     const std::int64_t since_ns = time_ns - newest_ns_;
     if (joins_ && since_ns < 2 * kLongestWayNs) way_ns = std::min(since_ns, kLongestWayNs);
   }
-  const std::int64_t needs_ns =
-      std::clamp<std::int64_t>(now_ns - time_ns + way_ns, 0, kMostDelayNs);
+  const std::int64_t needs_ns = std::clamp<std::int64_t>(now_ns - time_ns + way_ns, 0, kMaxDelayNs);
   delay_ns_ = std::max(delay_ns_ - (delay_ns_ - needs_ns) / kForgetting, needs_ns);
   // After a rest the interpolation starts at the current playback time, because earlier times have
   // been played already.
   const std::int64_t known_ns = count_ == 0 ? now_ns - delay_ns_ : newest_ns_;
   const std::int64_t start_ns =
       std::max({time_ns - kLongestWayNs, is_set_ ? newest_ns_ : time_ns, known_ns});
-  waiting_[(head_ + count_) % kMost] = {aim.aim, std::min(start_ns, time_ns), time_ns};
+  waiting_[(head_ + count_) % kMax] = {aim.aim, std::min(start_ns, time_ns), time_ns};
   ++count_;
   if (!is_set_) passed_ = aim.aim;
   is_set_ = true;
@@ -55,7 +54,7 @@ const Aim* AimTrack::due(std::int64_t now_ns) noexcept {
 
 void AimTrack::pass() noexcept {
   passed_ = waiting_[head_].aim;
-  head_ = (head_ + 1) % kMost;
+  head_ = (head_ + 1) % kMax;
   --count_;
 }
 

@@ -28,17 +28,17 @@ struct StampedAim {
 /// Value type; real-time safe.
 class AimTrack {
  public:
-  static constexpr std::size_t kMost = 64;
-  static constexpr std::int64_t kMostDelayNs = 15'000'000;
+  static constexpr std::size_t kMax = 64;
+  static constexpr std::int64_t kMaxDelayNs = 15'000'000;
   static constexpr std::int64_t kLongestWayNs = 10'000'000;
-  static constexpr std::int64_t kLeastSpacingNs = 50'000;
+  static constexpr std::int64_t kMinSpacingNs = 50'000;
 
   explicit AimTrack(bool joins) noexcept : joins_(joins) {}
 
   /// Appends an aim. Times that do not grow are moved 50 us apart, and future times to now.
   /// Requires has_room().
   void push(const StampedAim& aim, std::int64_t now_ns) noexcept;
-  [[nodiscard]] bool has_room() const noexcept { return count_ < kMost; }
+  [[nodiscard]] bool has_room() const noexcept { return count_ < kMax; }
   [[nodiscard]] bool is_set() const noexcept { return is_set_; }
 
   /// Returns the oldest aim that is due by now, or null.
@@ -67,7 +67,7 @@ class AimTrack {
 
   bool joins_;
   bool is_set_ = false;
-  std::array<Waiting, kMost> waiting_{};  // ring
+  std::array<Waiting, kMax> waiting_{};  // ring
   std::size_t head_ = 0, count_ = 0;
   Aim passed_;
   std::int64_t newest_ns_ = 0;  // time of the newest aim

@@ -6,7 +6,7 @@ namespace felt {
 namespace {
 
 constexpr double kPerMm = 1e-3;  // N/m to N/mm, kg to N s^2/mm
-constexpr double kLeastMassKg = 1e-3;
+constexpr double kMinMassKg = 1e-3;
 
 // Stops one axis at its walls.
 void stop_axis(double& position, double& velocity, double low, double high) noexcept {
@@ -31,7 +31,7 @@ void HeldBody::hold(const std::optional<SimulatedHand>& hand) noexcept {
   held_ = hand.has_value();
   const SimulatedHand h = hand.value_or(
       SimulatedHand{.mass_kg = 0.0, .stiffness_n_per_m = 0.0, .damping_n_s_per_m = 0.0});
-  mass_ = kPerMm * std::max(mechanics_.mass_kg + h.mass_kg, kLeastMassKg);
+  mass_ = kPerMm * std::max(mechanics_.mass_kg + h.mass_kg, kMinMassKg);
   spring_ = kPerMm * h.stiffness_n_per_m;
   hand_damping_ = kPerMm * h.damping_n_s_per_m;
   damping_ = hand_damping_ + kPerMm * mechanics_.viscous_n_s_per_m;

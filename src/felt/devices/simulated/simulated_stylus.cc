@@ -59,7 +59,7 @@ SimulatedStylus::SimulatedStylus(const StylusPreset& preset,
       has_body_(preset.capabilities.has_force()),
       parts_(std::make_unique<Parts>(preset)),
       delay_ticks_(static_cast<std::size_t>(
-          std::clamp(preset.capabilities.delay_ticks, 0, kMostDelayTicks))) {
+          std::clamp(preset.capabilities.delay_ticks, 0, kMaxDelayTicks))) {
   preset_.capabilities.delay_ticks = static_cast<int>(delay_ticks_);
   parts_->body.hold(hand);
   parts_->body.place(start_of(preset.capabilities));
@@ -201,10 +201,10 @@ PenSample SimulatedStylus::sample_of(const Aim& aim, std::int64_t time_ns) noexc
 
 /// Returns every due aim as a sample of its own; if none is due, a sample on the way to the next.
 PenSample SimulatedStylus::read_track(std::int64_t now_ns) noexcept {
-  std::array<Aim, kMostSamples> aims;
-  std::array<std::int64_t, kMostSamples> times_ns{};
+  std::array<Aim, kMaxSamples> aims;
+  std::array<std::int64_t, kMaxSamples> times_ns{};
   std::size_t count = 0;
-  for (const Aim* due = nullptr; count < kMostSamples && (due = parts_->track.due(now_ns));
+  for (const Aim* due = nullptr; count < kMaxSamples && (due = parts_->track.due(now_ns));
        ++count) {
     aims[count] = *due;
     times_ns[count] = parts_->track.due_ns();

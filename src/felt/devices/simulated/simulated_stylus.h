@@ -38,9 +38,9 @@ struct StampedAim;
 /// safe. Deterministic: the same calls give the same bytes.
 class SimulatedStylus final : public Device, public HandInput {
  public:
-  static constexpr int kMostDelayTicks = 7;
+  static constexpr int kMaxDelayTicks = 7;
   static constexpr std::size_t kWaitingAims = 2048;  ///< more between two reads are lost
-  static constexpr std::size_t kMostSamples = 16;    ///< taken from a track in one read
+  static constexpr std::size_t kMaxSamples = 16;     ///< taken from a track in one read
 
   /// `hand` holds the stylus at first; nullopt: nobody. Delays are clamped to 0..7 ticks. The pen
   /// starts 20 mm above the centre of the workspace; the first aim moves it into place.
@@ -99,12 +99,12 @@ class SimulatedStylus final : public Device, public HandInput {
   std::unique_ptr<Parts> parts_;
   std::optional<Aim> waiting_;  // the oldest one, already removed from the queue
   bool is_timed_ = false;       // the newest aim had a time
-  std::array<PenSample, kMostSamples> between_{};
+  std::array<PenSample, kMaxSamples> between_{};
   std::size_t between_next_ = 0, between_end_ = 0;
   std::int64_t sampled_ns_ = 0;  // time of the last sample
   VelocityFilter velocity_;
   Force asked_, acting_;
-  std::array<Force, kMostDelayTicks + 1> delayed_{};  // ring: forces asked for at the last reads
+  std::array<Force, kMaxDelayTicks + 1> delayed_{};  // ring: forces asked for at the last reads
   std::size_t tick_ = 0;
   std::size_t delay_ticks_;
   bool started_ = false;

@@ -105,7 +105,7 @@ class FakeSystem final : public SystemView {
   }
 
  private:
-  static constexpr int kMostLinks = 16;  // for loops of links
+  static constexpr int kMaxLinks = 16;  // for loops of links
 
   static std::string parent(std::string_view path) {
     return std::string(path.substr(0, path.rfind('/')));
@@ -142,7 +142,7 @@ inline std::string FakeSystem::tidy(std::string_view path) {
 
 inline std::string FakeSystem::followed(std::string_view path) const {
   std::string at = tidy(path);
-  for (int i = 0; i < kMostLinks; ++i) {
+  for (int i = 0; i < kMaxLinks; ++i) {
     const auto link = std::find_if(links_.begin(), links_.end(), [&at](const auto& entry) {
       return at == entry.first || at.starts_with(entry.first + "/");
     });

@@ -13,7 +13,7 @@ namespace {
 constexpr double kOneSpring = 300.0;
 constexpr double kQuietStepN = 0.025;  // the most that one step of the sensor may change a force by
 constexpr double kSoftest = 200.0;
-constexpr double kLeastB = 0.5;
+constexpr double kMinB = 0.5;
 
 double period_s(const Capabilities& device) noexcept {
   return 1e-9 * static_cast<double>(device.period_ns);
@@ -31,7 +31,7 @@ QuietLimits quiet_limits(const Capabilities& device) noexcept {
   const double step_m = 1e-3 * device.position_step_mm;
   const double seen_over_s = Plane::kSpeedFilterS + period_s(device);
   return {std::max(kQuietStepN / step_m, kSoftest),
-          std::max(kQuietStepN * seen_over_s / step_m, kLeastB)};
+          std::max(kQuietStepN * seen_over_s / step_m, kMinB)};
 }
 
 }  // namespace
@@ -73,17 +73,17 @@ FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
 }
 
 double firm_push_n(const Capabilities& device) noexcept {
-  constexpr double kMostN = 2.0, kLeastN = 0.2, kSlides = 0.6;
+  constexpr double kMaxN = 2.0, kMinN = 0.2, kSlides = 0.6;
   const SafetyLimits limits = limits_for(device);
   double held_n = sustained_force_n(limits);
   if (limits.peak_force_n > 0.0) held_n = std::min(held_n, limits.peak_force_n);
-  return std::clamp(held_n / std::sqrt(1.0 + kSlides * kSlides), kLeastN, kMostN);
+  return std::clamp(held_n / std::sqrt(1.0 + kSlides * kSlides), kMinN, kMaxN);
 }
 
 double flattening_push_n(const Capabilities& device) noexcept {
-  constexpr double kMostN = 2.0, kLeastN = 0.2, kShareOfContinuous = 1.2;
-  if (!(device.continuous_force_n > 0.0)) return kMostN;
-  return std::clamp(kShareOfContinuous * device.continuous_force_n, kLeastN, kMostN);
+  constexpr double kMaxN = 2.0, kMinN = 0.2, kShareOfContinuous = 1.2;
+  if (!(device.continuous_force_n > 0.0)) return kMaxN;
+  return std::clamp(kShareOfContinuous * device.continuous_force_n, kMinN, kMaxN);
 }
 
 TextureOptions texture_for(const Medium& tool, const SurfaceMaterial& surface,

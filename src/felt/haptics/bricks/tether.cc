@@ -11,8 +11,8 @@ namespace {
 constexpr double kDampingNsPerM = 1.0;
 constexpr double kCentreMm = 5.0;
 constexpr double kNoArmMm = 1e-9;
-constexpr double kLeastScale = 0.05;
-constexpr double kMostScale = 20.0;
+constexpr double kMinScale = 0.05;
+constexpr double kMaxScale = 20.0;
 
 /// Returns the radius around the centre within which rotation and scale fade: 5 mm at 300 N/m, more
 /// with a softened law, so that F/r, the slope of a full force that turns with the arm, is 2/3 of
@@ -36,7 +36,7 @@ double unwrapped_turn_rad(Vec first_arm, Vec arm, double last_rad) noexcept {
 
 double scale_factor(Vec first_arm, Vec arm) noexcept {
   const double first = norm(first_arm);
-  return first < kNoArmMm ? 1.0 : std::clamp(norm(arm) / first, kLeastScale, kMostScale);
+  return first < kNoArmMm ? 1.0 : std::clamp(norm(arm) / first, kMinScale, kMaxScale);
 }
 
 Tether Tether::translation(Point grab, int anchors) noexcept {

@@ -32,12 +32,12 @@ Texture::Texture(const HeightField* field, const TextureOptions& options) noexce
   const double limit_n_per_mm = 1e-3 * texture_stiffness_limit_n_per_m(options.period_s);
   const double strength = std::clamp(options.strength, 0.0, 1.0);
   if (law_ == TextureLaw::kGradient) {
-    const double steepest = kMostCountedN * field_->max_curvature_per_mm();
+    const double steepest = kMaxCountedN * field_->max_curvature_per_mm();
     gain_ = std::min(strength, limit_n_per_mm / steepest);
     stiffness_n_per_m_ = 1e3 * gain_ * steepest;
   } else if (friction_ > 0.0) {
     const double wave_number = 6.283185307179586 / field_->spec().wavelength_mm;
-    const double steepest = kMostCountedN * friction_ * field_->max_slope();
+    const double steepest = kMaxCountedN * friction_ * field_->max_slope();
     gain_ = std::min(strength * wave_number / friction_, limit_n_per_mm / steepest);
     stiffness_n_per_m_ = 1e3 * gain_ * steepest;
   }
@@ -54,7 +54,7 @@ double Texture::share_at(double speed_mm_per_s, double period_s) const noexcept 
 double Texture::counted_push_n(double push_n) const noexcept {
   if (!(push_n > 0.0)) return 0.0;
   const double firmness = firm_push_n_ > 0.0 ? push_n / firm_push_n_ : 1.0;
-  return std::min(push_n, kMostCountedN) * relief_left(wear_, firmness);
+  return std::min(push_n, kMaxCountedN) * relief_left(wear_, firmness);
 }
 
 Force Texture::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {

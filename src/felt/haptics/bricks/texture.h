@@ -64,7 +64,7 @@ double texture_stiffness_limit_n_per_m(double period_s) noexcept;
 /// the friction reports the term "texture". The field must outlive the loop; null is smooth.
 class Texture {
  public:
-  static constexpr double kMostCountedN = 0.6;  ///< above this push it stops growing
+  static constexpr double kMaxCountedN = 0.6;  ///< above this push it stops growing
 
   explicit Texture(const HeightField* field = nullptr, const TextureOptions& options = {}) noexcept;
 
@@ -77,7 +77,7 @@ class Texture {
   /// Returns the share of the texture that remains at a speed: 1 at rest, 0 from the shortest
   /// lambda/(4T) on.
   [[nodiscard]] double share_at(double speed_mm_per_s, double period_s) const noexcept;
-  /// Returns the push that the texture uses, N: at most kMostCountedN, reduced by wear.
+  /// Returns the push that the texture uses, N: at most kMaxCountedN, reduced by wear.
   [[nodiscard]] double counted_push_n(double push_n) const noexcept;
 
  private:

@@ -57,7 +57,7 @@ void keeps_every_preset_to_the_bound(double period_s) {
     }
     // The bound of the specification, for the field's RMS wave and the counted push.
     const double wave = kTau / surface.grain_mm;
-    EXPECT_LE(Texture::kMostCountedN * surface.grain_um * std::sqrt(2.0) * wave * wave, 400.0)
+    EXPECT_LE(Texture::kMaxCountedN * surface.grain_um * std::sqrt(2.0) * wave * wave, 400.0)
         << surface.id;
     for (const Medium& tool : media()) {
       for (const TextureLaw law : {TextureLaw::kFriction, TextureLaw::kGradient}) {
@@ -278,7 +278,7 @@ RC_GTEST_PROP(Texture, R47_APushWearsTheReliefAsItDoesForTheEye, ()) {
     RC_ASSERT(left >= 1.0 - any.options.wear - 1e-12);
     const double counted = texture.counted_push_n(push_n);
     RC_ASSERT(counted >= 0.0);
-    RC_ASSERT(counted <= std::min(push_n, Texture::kMostCountedN));
+    RC_ASSERT(counted <= std::min(push_n, Texture::kMaxCountedN));
     RC_ASSERT(std::abs(counted - last_counted) <= 0.01 + 1e-12);
     last_left = left;
     last_counted = counted;

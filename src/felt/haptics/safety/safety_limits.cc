@@ -51,7 +51,7 @@ bool loop_is_sound(const SafetyLimits& l) noexcept {
   return within_positive(l.budget_fast_n_per_m, kDefaults.budget_fast_n_per_m) &&
          within_positive(l.budget_slow_n_per_m, kDefaults.budget_slow_n_per_m) &&
          l.period_ns >= kShortestPeriodNs && l.period_ns <= kLongestPeriodNs &&
-         l.delay_ticks >= 0 && l.delay_ticks <= kMostDelayTicks;
+         l.delay_ticks >= 0 && l.delay_ticks <= kMaxDelayTicks;
 }
 
 /// Converts bounds at the hand to bounds on the page, without raising any of them.
@@ -91,7 +91,7 @@ SafetyLimits limits_for(const Capabilities& device, double user_limit_n) noexcep
   limits.max_damping_n_s_per_m = std::min(0.5 * finite_positive(device.max_damping_n_s_per_m), 1e3);
   limits.max_stiffness_n_per_m = std::min(0.9 * finite_positive(device.max_stiffness_n_per_m), 1e6);
   limits.period_ns = std::clamp(device.period_ns, kShortestPeriodNs, kLongestPeriodNs);
-  limits.delay_ticks = std::clamp(device.delay_ticks, 0, kMostDelayTicks);
+  limits.delay_ticks = std::clamp(device.delay_ticks, 0, kMaxDelayTicks);
   hold_at_the_hand(limits, device.sheet_scale);
   return limits;
 }

@@ -9,7 +9,7 @@ namespace felt {
 /// Loop periods that the chain accepts (R50), in ns, and the largest delay.
 inline constexpr std::int64_t kShortestPeriodNs = 200'000;
 inline constexpr std::int64_t kLongestPeriodNs = 4'000'000;
-inline constexpr int kMostDelayTicks = 100;
+inline constexpr int kMaxDelayTicks = 100;
 
 /// The numbers of the safety chain (architecture section 10, "peak force" to "late tick"). The
 /// defaults are the upper bounds: `limits_for` only lowers forces, and no tool can change them.

@@ -30,8 +30,8 @@ RC_GTEST_PROP(ClampLength, R49_NeverLongerAndTheSameDirection, ()) {
 }
 
 TEST(ClampLength, TakesWhatDoublesCanHold) {
-  constexpr double kMost = std::numeric_limits<double>::max();
-  EXPECT_NEAR(norm(clamp_length({kMost, -kMost, kMost}, 3.0)), 3.0, 1e-12);
+  constexpr double kMax = std::numeric_limits<double>::max();
+  EXPECT_NEAR(norm(clamp_length({kMax, -kMax, kMax}, 3.0)), 3.0, 1e-12);
   const Force tiny{5e-324, 0, 0};
   EXPECT_EQ(clamp_length(tiny, 3.0), tiny);
   EXPECT_EQ(clamp_length({1, 1, 1}, 0.0), Force{});

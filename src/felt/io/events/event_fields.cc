@@ -13,7 +13,7 @@ namespace {
 
 constexpr NumberLimit kEventTimeLimit = {limits::kMaxEventTimeMs, "1e9"};
 constexpr NumberLimit kPeriodLimit = {1000.0, "1000"};
-constexpr std::uint64_t kMostCounted = 1000;
+constexpr std::uint64_t kMaxCounted = 1000;
 
 /// Reads the number at `key` into `out`.
 Result<void> parse_number(Value& value, const char* key, NumberLimit limit, double& out) {
@@ -64,7 +64,7 @@ Result<void> parse_lean(Value& value, EventFields& out) {
   if (Result<void> read = parse_number(value, "lean", kCoordinateLimit, lean_deg); !read) {
     return read;
   }
-  if (lean_deg < 0.0 || lean_deg > kMostLeanDeg) {
+  if (lean_deg < 0.0 || lean_deg > kMaxLeanDeg) {
     return bad("lean: " + excerpt(token) + " is no angle from 0 to 90 degrees");
   }
   out.lean_deg = lean_deg;
@@ -147,7 +147,7 @@ Result<void> parse_count(Value& value, const char* key, EventFields& out) {
   const std::string_view token = token_of(value);
   std::uint64_t count = 0;
   if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(count) ||
-      count > kMostCounted) {
+      count > kMaxCounted) {
     return bad(std::string(key) + ": " + excerpt(token) + " is not a whole number from 0 to 1000");
   }
   out.device.*Count = static_cast<int>(count);

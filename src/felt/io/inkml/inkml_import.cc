@@ -46,7 +46,7 @@ struct Columns {
 std::optional<double> lean_of(std::span<const double> v, const Columns& c) {
   if (c.elevation != Columns::kNone) {
     const double above_deg = std::fabs(v[c.elevation] * c.deg_per_elevation);
-    if (above_deg <= kMostLeanDeg) return kMostLeanDeg - above_deg;
+    if (above_deg <= kMaxLeanDeg) return kMaxLeanDeg - above_deg;
   }
   if (c.tilt_x == Columns::kNone || c.tilt_y == Columns::kNone) return std::nullopt;
   return lean_of_tilt(v[c.tilt_x] * c.deg_per_tilt_x, v[c.tilt_y] * c.deg_per_tilt_y);

@@ -204,7 +204,7 @@ std::optional<SheetPage> page_of_text(std::string_view text) {
       numbers.next(page.height_mm) != Next::kNumber) {
     return std::nullopt;
   }
-  const auto fits = [](double v) { return v >= SheetPage::kLeastMm && v <= SheetPage::kMostMm; };
+  const auto fits = [](double v) { return v >= SheetPage::kMinMm && v <= SheetPage::kMaxMm; };
   if (!fits(page.width_mm) || !fits(page.height_mm)) return std::nullopt;
   page.paper = *paper;
   return page;

@@ -30,7 +30,7 @@ Result<void> parse_lean(Value& value, InkSample& out) {
   if (!read_number(value, kCoordinateLimit, lean_deg)) {
     return tl::unexpected(with_context(number_error(token, kCoordinateLimit), "lean"));
   }
-  if (lean_deg < 0.0 || lean_deg > kMostLeanDeg) {
+  if (lean_deg < 0.0 || lean_deg > kMaxLeanDeg) {
     return bad("lean: " + excerpt(token) + " is no angle from 0 to 90 degrees");
   }
   out.lean_deg = lean_deg;

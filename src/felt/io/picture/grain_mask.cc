@@ -75,11 +75,11 @@ std::optional<double> GrainMasks::dpi_for_all(std::span<const StrokePtr> strokes
       const PixelRect part = pixels_of(stroke->bounds(), area, page);
       if (!part.empty()) pixels += 1.0 * part.width() * part.height();
     }
-    if (pixels <= static_cast<double>(kMostPixels)) return dpi;
-    if (!(dpi > GrainPrint::kLeastDpi)) return std::nullopt;
+    if (pixels <= static_cast<double>(kMaxPixels)) return dpi;
+    if (!(dpi > GrainPrint::kMinDpi)) return std::nullopt;
     // Slightly less than the exact fit, because every mask is rounded up to whole pixels.
-    const double share = 0.98 * std::sqrt(static_cast<double>(kMostPixels) / pixels);
-    dpi = std::max(GrainPrint::kLeastDpi, dpi * share);
+    const double share = 0.98 * std::sqrt(static_cast<double>(kMaxPixels) / pixels);
+    dpi = std::max(GrainPrint::kMinDpi, dpi * share);
   }
 }
 
@@ -113,7 +113,7 @@ void GrainMasks::draw(const Stroke& stroke, const View& view, GrainMask& mask) {
 }
 
 Result<std::optional<GrainMask>> GrainMasks::of(const Stroke& stroke) {
-  if (!(print_.dpi >= GrainPrint::kLeastDpi) || !(print_.dpi <= GrainPrint::kMostDpi)) {
+  if (!(print_.dpi >= GrainPrint::kMinDpi) || !(print_.dpi <= GrainPrint::kMaxDpi)) {
     return fail(ErrorCode::kInvalidArgument, "grain is 20 to 1200 dots per inch fine");
   }
   const View page = View::at_dpi({area_.x0, area_.y0}, print_.dpi);

@@ -32,10 +32,10 @@ struct GrainMask {
 class GrainMasks {
  public:
   /// Largest number of pixels in all masks of a file.
-  static constexpr std::int64_t kMostPixels = 200'000'000;
+  static constexpr std::int64_t kMaxPixels = 200'000'000;
 
   /// Returns the finest resolution up to `dpi` at which all these strokes can have masks. Returns
-  /// nullopt if they need more than kMostPixels even at GrainPrint::kLeastDpi.
+  /// nullopt if they need more than kMaxPixels even at GrainPrint::kMinDpi.
   static std::optional<double> dpi_for_all(std::span<const StrokePtr> strokes, const Rect& area,
                                            double dpi) noexcept;
 
@@ -43,7 +43,7 @@ class GrainMasks {
   GrainMasks(const GrainPrint& print, const Rect& area) noexcept;
 
   /// Returns nullopt if all of the ink is visible, or none of it is in the area. Fails if the
-  /// resolution is out of range, or if all masks together exceed kMostPixels.
+  /// resolution is out of range, or if all masks together exceed kMaxPixels.
   Result<std::optional<GrainMask>> of(const Stroke& stroke);
   [[nodiscard]] double dpi() const noexcept { return print_.dpi; }
 
@@ -52,7 +52,7 @@ class GrainMasks {
 
   GrainPrint print_;
   Rect area_;
-  std::int64_t pixels_left_ = kMostPixels;
+  std::int64_t pixels_left_ = kMaxPixels;
   Rasterizer rasterizer_;
   StrokeOutliner outliner_;
   std::vector<std::uint8_t> ink_, covered_, coverage_;

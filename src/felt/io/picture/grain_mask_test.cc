@@ -158,8 +158,8 @@ TEST(GrainMask, ForAllStrokesIsAsFineAsTheyFit) {
   const auto mask = GrainMasks({grain_of("rough-paper"), *dpi}, page).of(*one.front());
   ASSERT_TRUE(mask && *mask);
   const std::int64_t pixels = 200 * std::int64_t{(*mask)->width} * (*mask)->height;
-  EXPECT_LE(pixels, GrainMasks::kMostPixels);
-  EXPECT_GT(pixels, GrainMasks::kMostPixels * 9 / 10);
+  EXPECT_LE(pixels, GrainMasks::kMaxPixels);
+  EXPECT_GT(pixels, GrainMasks::kMaxPixels * 9 / 10);
   EXPECT_FALSE(GrainMasks::dpi_for_all(std::vector<StrokePtr>(20000, one.front()), page, 300.0));
 }
 

@@ -18,7 +18,7 @@ namespace felt {
 namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr double kMostPoints = 14'400.0;
+constexpr double kMaxPoints = 14'400.0;
 constexpr double kClipMarginMm = 1e6;
 constexpr double kPdfStepsPerMm = 1e3;  // of coordinates: 1e-3 mm
 constexpr double kHairMm = 5e-4;
@@ -200,7 +200,7 @@ Result<void> check(const Document& document, const PdfOptions& options, const Re
                 "PDF: the tolerance must be above 0, the margin 0 or more");
   }
   const double longest = std::max(area.width(), area.height()) * kPointsPerMm;
-  if (!(area.width() > 0.0) || !(area.height() > 0.0) || !(longest <= kMostPoints)) {
+  if (!(area.width() > 0.0) || !(area.height() > 0.0) || !(longest <= kMaxPoints)) {
     return fail(ErrorCode::kLimitExceeded, "a PDF page has sides from above 0 to 5080 mm");
   }
   const Rect reach = area.inflated(kClipMarginMm);

@@ -135,7 +135,7 @@ bool decode_grey(png_structp png, png_infop info, Session& session) {
   png_read_info(png, info);
   session.width = png_get_image_width(png, info);
   session.height = png_get_image_height(png, info);
-  if (std::uint64_t{session.width} * session.height > std::uint64_t{kMostHeightPixels}) {
+  if (std::uint64_t{session.width} * session.height > std::uint64_t{kMaxHeightPixels}) {
     png_error(png, "the picture is too large for a relief");
   }
   session.dpi = png_get_pixels_per_meter(png, info) / kInchesPerMetre;
@@ -227,8 +227,8 @@ Result<HeightPicture> decode_height_png(std::string_view bytes) {
 }
 
 Result<HeightPicture> read_height_png(const std::string& path) {
-  constexpr std::size_t kMostBytes = std::size_t{256} << 20;
-  auto bytes = read_regular_file(path, kMostBytes);
+  constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
+  auto bytes = read_regular_file(path, kMaxBytes);
   if (!bytes) return tl::unexpected<Error>(std::move(bytes.error()));
   auto picture = decode_height_png(*bytes);
   if (!picture) return tl::unexpected<Error>(with_context(std::move(picture.error()), path));

@@ -30,9 +30,9 @@ Result<PngPicture> decode_png(std::string_view bytes);
 
 /// Reads any PNG that libpng supports as a relief: grey at 16 bits a pixel (8 bits are stretched).
 /// White is high. Colours count by their brightness; transparency and gamma are ignored. Fails if
-/// it is not a PNG, is damaged, or has more than kMostHeightPixels.
+/// it is not a PNG, is damaged, or has more than kMaxHeightPixels.
 Result<HeightPicture> decode_height_png(std::string_view bytes);
-inline constexpr std::int64_t kMostHeightPixels = std::int64_t{1} << 26;
+inline constexpr std::int64_t kMaxHeightPixels = std::int64_t{1} << 26;
 
 /// Same, from a file. Also fails if the file cannot be read, is a pipe or a device, or is larger
 /// than 256 MiB. The message names the file.

@@ -106,7 +106,7 @@ bool looks_like_quickdraw(std::string_view line) noexcept {
 }
 
 void restore_simplified(std::vector<InkSample>& stroke) {
-  constexpr double kSide = 255.0, kFirstStep = 1.0, kMostStep = 8.0;
+  constexpr double kSide = 255.0, kFirstStep = 1.0, kMaxStep = 8.0;
   const auto is_simplified = [](const InkSample& s) {
     return !s.time_ns && s.position.x >= 0.0 && s.position.x <= kSide && s.position.y >= 0.0 &&
            s.position.y <= kSide;
@@ -119,7 +119,7 @@ void restore_simplified(std::vector<InkSample>& stroke) {
   std::vector<double> steps;
   for (const InkSample& sample : stroke) {
     const Point from = full.empty() ? sample.position : full.back().position;
-    line_steps(distance(from, sample.position), kFirstStep, kMostStep, steps);
+    line_steps(distance(from, sample.position), kFirstStep, kMaxStep, steps);
     for (const double t : steps) full.push_back({lerp(from, sample.position, t), {}, {}});
     full.push_back(sample);
   }

@@ -178,7 +178,7 @@ class SvgStyleSheet::Parser {
       const std::size_t end = find_outside(selectors, ',');
       Rule rule;
       rule.body = body;
-      if (sheet_.rules_.size() < kMostSelectors && read_selector(selectors.substr(0, end), rule)) {
+      if (sheet_.rules_.size() < kMaxSelectors && read_selector(selectors.substr(0, end), rule)) {
         add(std::move(rule));
       } else {
         ++sheet_.left_out_;
@@ -228,9 +228,9 @@ class SvgStyleSheet::Parser {
       scan.skip_spaces();
       if (rule.compounds.size() == 64) return false;
     }
-    constexpr std::uint64_t kMost = 255;
+    constexpr std::uint64_t kMax = 255;
     rule.precedence =
-        std::min(ids, kMost) << 16 | std::min(classes, kMost) << 8 | std::min(types, kMost);
+        std::min(ids, kMax) << 16 | std::min(classes, kMax) << 8 | std::min(types, kMax);
     return true;
   }
 

@@ -38,7 +38,7 @@ std::string svg_without_comments(std::string_view css);
 /// counted.
 class SvgStyleSheet {
  public:
-  static constexpr std::size_t kMostSelectors = 100000;
+  static constexpr std::size_t kMaxSelectors = 100000;
 
   /// Appends the text of a style element.
   void add(std::string_view css);

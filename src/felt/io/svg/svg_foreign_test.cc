@@ -257,10 +257,10 @@ TEST(SvgForeign, EntitiesAddLittle) {
     for (int i = 0; i < times; ++i) text += "&e;";
     return import_svg(text + "</desc></svg>");
   };
-  constexpr std::size_t kMost = limits::kMaxSvgEntityBytes;
-  EXPECT_TRUE(with(kMost / 8 - 1, 8));
-  EXPECT_TRUE(with(kMost / 8, 8));
-  EXPECT_FALSE(with(kMost / 8, 9));
+  constexpr std::size_t kMax = limits::kMaxSvgEntityBytes;
+  EXPECT_TRUE(with(kMax / 8 - 1, 8));
+  EXPECT_TRUE(with(kMax / 8, 8));
+  EXPECT_FALSE(with(kMax / 8, 9));
   // Entities inside of entities; a billion laughs are refused.
   const Imported nested = imported(
       "<!DOCTYPE svg [<!ENTITY c 'red'><!ENTITY st 'stroke:&c;'>]>\n<svg "

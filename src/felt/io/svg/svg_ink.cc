@@ -52,7 +52,7 @@ bool is_far(const Rect& r) {
 }
 
 std::optional<SheetPage> page_of(double width_mm, double height_mm) {
-  const auto fits = [](double mm) { return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm; };
+  const auto fits = [](double mm) { return mm >= SheetPage::kMinMm && mm <= SheetPage::kMaxMm; };
   if (!fits(width_mm) || !fits(height_mm)) return std::nullopt;
   return SheetPage{width_mm, height_mm};
 }
@@ -271,13 +271,13 @@ void SvgInk::add_edge(SvgShape& shape) {
 /// Adds one contour as a stroke with a width in user units, or as several strokes end to end if it
 /// is longer than a stroke may be.
 void SvgInk::add_contour(const SvgShape& shape, SvgContour contour, Rgba color, double width) {
-  constexpr std::size_t kMost = limits::kMaxSvgStrokeSegments;
+  constexpr std::size_t kMax = limits::kMaxSvgStrokeSegments;
   const std::size_t count = contour.segment_count();
-  if (count <= kMost) return add_part(shape, std::move(contour), color, width);
+  if (count <= kMax) return add_part(shape, std::move(contour), color, width);
   say(shape, "has more than 250000 segments and became several strokes");
-  for (std::size_t begin = 0; begin < count; begin += kMost) {
+  for (std::size_t begin = 0; begin < count; begin += kMax) {
     const auto first = contour.points.begin() + static_cast<std::ptrdiff_t>(3 * begin);
-    const std::size_t points = 3 * std::min(kMost, count - begin) + 1;
+    const std::size_t points = 3 * std::min(kMax, count - begin) + 1;
     SvgContour part{{first, first + static_cast<std::ptrdiff_t>(points)}, false};
     add_part(shape, std::move(part), color, width);
   }

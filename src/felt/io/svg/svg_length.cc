@@ -203,9 +203,9 @@ std::optional<Affine> svg_transform(std::string_view text) {
     all = then(*one, all);  // the last transform of the list applies first
     scan.skip_comma();
   }
-  constexpr double kMost = 1e38;
+  constexpr double kMax = 1e38;
   for (const double v : {all.a, all.b, all.c, all.d, all.e, all.f}) {
-    if (!(std::fabs(v) <= kMost)) return std::nullopt;
+    if (!(std::fabs(v) <= kMax)) return std::nullopt;
   }
   return all;
 }

@@ -65,7 +65,7 @@ constexpr std::array<std::string_view, kCount> kNames{"background-color",
                                                       "y",
                                                       "zoom"};
 
-constexpr std::size_t kMostDashes = 1000;
+constexpr std::size_t kMaxDashes = 1000;
 
 std::optional<std::size_t> property_of(std::string_view name) noexcept {
   const auto at = std::lower_bound(kNames.begin(), kNames.end(), name);
@@ -174,7 +174,7 @@ std::optional<std::vector<double>> dash_list(std::string_view text, const SvgUni
     }
     const std::optional<double> length =
         svg_length(from.substr(0, from.size() - scan.rest().size()), SvgAxis::kDiagonal, units);
-    if (!length || !(*length >= 0.0) || dashes.size() == kMostDashes) return std::nullopt;
+    if (!length || !(*length >= 0.0) || dashes.size() == kMaxDashes) return std::nullopt;
     dashes.push_back(*length);
     sum += *length;
     scan.skip_comma();

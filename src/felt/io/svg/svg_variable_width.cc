@@ -37,14 +37,14 @@ struct SvgPowerKnots {
 Result<SvgPowerKnots> svg_power_knots(const SvgVariableWidth& attributes, std::size_t segments,
                                       bool closed);
 
-constexpr std::size_t kMostKnots = 1'000'000;
+constexpr std::size_t kMaxKnots = 1'000'000;
 constexpr int kSamplesBetweenKnots = 16;
 
 /// "t,w | t,w": w is half the width.
 std::vector<WidthKnot> read_knots(std::string_view text, double scale) {
   std::vector<WidthKnot> knots;
   SvgScan scan(text, limits::kMaxSketchNumber);
-  while (!scan.at_end() && knots.size() < kMostKnots) {
+  while (!scan.at_end() && knots.size() < kMaxKnots) {
     WidthKnot k;
     if (!scan.number(k.u)) break;
     scan.skip_comma();
@@ -128,7 +128,7 @@ Result<SvgPowerKnots> svg_power_knots(const SvgVariableWidth& a, std::size_t seg
   result.widths =
       covering(result.written, end, closed, a.start_cap == "zerowidth", a.end_cap == "zerowidth");
   if (a.interpolator.empty() || a.interpolator == "Linear") return result;
-  if (result.widths.size() * kSamplesBetweenKnots > kMostKnots) return result;
+  if (result.widths.size() * kSamplesBetweenKnots > kMaxKnots) return result;
   result.is_sampled = true;
   result.widths =
       sampled(result.widths, a.interpolator == "CubicBezierJohan", std::clamp(beta, 0.0, 1.0));

@@ -33,8 +33,8 @@ constexpr std::array<std::string_view, 9> kAnimations{
 /// Bytes that each node and attribute counts in the budget for `use`.
 constexpr std::int64_t kNodeBytes = 16;
 /// Largest number of children that are examined: of a switch, and of a shape, to find animations.
-constexpr int kMostChoices = 1000;
-constexpr int kMostOfShape = 50;
+constexpr int kMaxChoices = 1000;
+constexpr int kMaxOfShape = 50;
 
 template <class List>
 bool is_one_of(std::string_view name, const List& list) noexcept {
@@ -270,7 +270,7 @@ void SvgWalker::enter_layer(Element& e) {
 void SvgWalker::visit_switch(Element& e, const Frame& from) {
   int children = 0;
   for (const pugi::xml_node child : e.node.children()) {
-    if (++children > kMostChoices) return notice(e.node, "has too many choices and was left out");
+    if (++children > kMaxChoices) return notice(e.node, "has too many choices and was left out");
     if (from.repeats) repeat_bytes_left_ -= kNodeBytes;
     if (child.type() != pugi::node_element) continue;
     const std::string_view name = document_.svg_name(child, e.state.default_is_svg);
@@ -367,7 +367,7 @@ bool SvgWalker::is_paper(const Element& e) const {
 void SvgWalker::visit_shape(Element& e) {
   int children = 0;
   for (const pugi::xml_node child : e.node.children()) {
-    if (++children > kMostOfShape) break;
+    if (++children > kMaxOfShape) break;
     if (is_one_of(document_.svg_name(child, e.state.default_is_svg), kAnimations)) {
       notice(child, "was left out: nothing moves in ink");
     }

@@ -29,9 +29,9 @@ struct SvgServerColor {
 };
 SvgServerColor svg_server_color(SvgDocument& document, std::string_view id, Rgba current);
 
-constexpr int kMostLinks = 16;
+constexpr int kMaxLinks = 16;
 /// Stops are searched among this many children, because every shape may repeat the search.
-constexpr int kMostChildren = 100;
+constexpr int kMaxChildren = 100;
 
 /// Computes the mean of a gradient from stop to stop. Colours are weighted by their alpha.
 class GradientMean {
@@ -103,7 +103,7 @@ Rgba solid_color(SvgDocument& document, const pugi::xml_node& node, Rgba current
 
 SvgServerColor svg_server_color(SvgDocument& document, std::string_view id, Rgba current) {
   SvgServerColor result;
-  for (int links = 0; links < kMostLinks; ++links) {
+  for (int links = 0; links < kMaxLinks; ++links) {
     const pugi::xml_node node = document.find(id);
     const std::string_view name = document.svg_name(node, true);
     if (name == "pattern" || name == "hatch" || name == "mesh" || name == "meshgradient") {
@@ -121,7 +121,7 @@ SvgServerColor svg_server_color(SvgDocument& document, std::string_view id, Rgba
     int children = 0;
     GradientMean mean;
     for (const pugi::xml_node child : node.children()) {
-      if (++children > kMostChildren) break;
+      if (++children > kMaxChildren) break;
       if (document.svg_name(child, true) != "stop") continue;
       mean.add(svg_share(child.attribute("offset").value()).value_or(0.0),
                stop_color(document, child, current));

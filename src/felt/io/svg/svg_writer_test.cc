@@ -134,7 +134,7 @@ pugi::xml_document parsed(const std::string& text) {
   return document;
 }
 
-constexpr std::size_t kMostBytesAStroke = 3200;
+constexpr std::size_t kMaxBytesAStroke = 3200;
 
 TEST(SvgWriter, CarriesTheModelExactly) {
   const std::vector<Stroke> strokes = strokes_in_rows(100, 60);
@@ -204,7 +204,7 @@ TEST(SvgWriter, R53_TheWrittenPathIsWithinAHundredthOfAMillimetre) {
 /// It was 6.6 kB per stroke before steps and exact numbers were introduced.
 TEST(SvgWriter, R53_AStrokeTakesFewBytes) {
   const std::vector<Stroke> strokes = strokes_in_rows(100, 60);
-  EXPECT_LE(stream_text(strokes).size() / strokes.size(), kMostBytesAStroke);
+  EXPECT_LE(stream_text(strokes).size() / strokes.size(), kMaxBytesAStroke);
 }
 
 TEST(SvgWriter, PowerStrokeKnotsAreHalfWidths) {

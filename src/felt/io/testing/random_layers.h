@@ -16,8 +16,8 @@ inline Drawing random_layers(std::uint64_t seed) {
   Drawing& drawing = builder.drawing();
   if (random.chance(0.7)) {
     drawing.has_page = true;
-    drawing.page.width_mm = random.uniform(SheetPage::kLeastMm, SheetPage::kMostMm);
-    drawing.page.height_mm = random.uniform(SheetPage::kLeastMm, SheetPage::kMostMm);
+    drawing.page.width_mm = random.uniform(SheetPage::kMinMm, SheetPage::kMaxMm);
+    drawing.page.height_mm = random.uniform(SheetPage::kMinMm, SheetPage::kMaxMm);
     drawing.page.paper.a = static_cast<std::uint8_t>(random.pick(0, 255));
   }
   if (random.chance(0.5)) drawing.page.surface = "my <\"paper\"> & co";

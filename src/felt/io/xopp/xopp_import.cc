@@ -294,12 +294,12 @@ class XoppReader {
     }
     SheetPage sheet;
     const auto within = [](double v) {
-      return std::clamp(v, SheetPage::kLeastMm, SheetPage::kMostMm);
+      return std::clamp(v, SheetPage::kMinMm, SheetPage::kMaxMm);
     };
     sheet.width_mm = within(width_mm_);
     sheet.height_mm = within(bottom_mm_);
     sheet.paper = paper_.value_or(kWhite);
-    if (width_mm_ > SheetPage::kMostMm || bottom_mm_ > SheetPage::kMostMm) {
+    if (width_mm_ > SheetPage::kMaxMm || bottom_mm_ > SheetPage::kMaxMm) {
       notice(root, "is larger than a sheet can be (5000 mm); the rest lies beside it");
     }
     builder_.drawing().page = sheet;

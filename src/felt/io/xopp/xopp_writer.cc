@@ -20,7 +20,7 @@ namespace {
 /// Points are written in steps of 0.0001 pt, 35 nm.
 constexpr double kStepsPerPoint = 1e4;
 /// Largest number of pieces that a part of a line is divided into, however fast its width grows.
-constexpr double kMostPieces = 64.0;
+constexpr double kMaxPieces = 64.0;
 
 void append_points(std::string& out, double mm) {
   const double pt = std::round(mm / kMmPerPoint * kStepsPerPoint) / kStepsPerPoint;
@@ -53,7 +53,7 @@ class WideLine {
         const WidePoint from = {dabs_[i - 1].center, 2.0 * dabs_[i - 1].radius_mm};
         const double grows = to.width_mm - from.width_mm;
         const int pieces = static_cast<int>(
-            std::clamp(std::ceil(std::fabs(grows) / kXoppWidthStepMm), 1.0, kMostPieces));
+            std::clamp(std::ceil(std::fabs(grows) / kXoppWidthStepMm), 1.0, kMaxPieces));
         for (int k = 1; k < pieces; ++k) {
           const double t = static_cast<double>(k) / pieces;
           line_.push_back({lerp(from.position, to.position, t), from.width_mm + t * grows});

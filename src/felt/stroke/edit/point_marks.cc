@@ -175,7 +175,7 @@ double factor_at(std::span<const std::uint8_t> marks, double u, double factor) {
 }
 
 double scaled_width(double width_mm, double factor) {
-  return std::clamp(factor * width_mm, kMinWidthMm, std::max(kMostScaledWidthMm, width_mm));
+  return std::clamp(factor * width_mm, kMinWidthMm, std::max(kMaxScaledWidthMm, width_mm));
 }
 
 /// Returns the profile with its breakpoints scaled, and a new breakpoint at every joint where the

@@ -17,7 +17,7 @@ namespace felt {
 /// handle is zero (at the joint itself), the next control point that differs from the joint (I2).
 
 /// Widths are not scaled beyond this, the broadest line of the pencil, unless they were broader.
-inline constexpr double kMostScaledWidthMm = 50.0;
+inline constexpr double kMaxScaledWidthMm = 50.0;
 
 /// Returns true if every point is marked.
 inline bool all_marked(std::span<const std::uint8_t> marks) noexcept {
@@ -41,7 +41,7 @@ void close_marks(const Stroke& stroke, std::span<std::uint8_t> marks);
 /// then its inverse, with the same marks, restore the points within 1e-9 mm (R33).
 ///
 /// `width_factor` multiplies the widths of segments with both joints marked, and fades out over
-/// segments with one joint marked. Widths stay within kMinWidthMm and kMostScaledWidthMm.
+/// segments with one joint marked. Widths stay within kMinWidthMm and kMaxScaledWidthMm.
 ///
 /// Requires marks from close_marks(). Fails with kInvalidArgument if there is not one mark for each
 /// point; with kInvalidData if the map makes a segment too short (I5) or is not finite.

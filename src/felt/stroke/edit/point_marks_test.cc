@@ -267,7 +267,7 @@ TEST(PointMarks, WidthsKeepToTheirLimits) {
   const Marks all(7, 1);
   const Affine stay = translation({0, 0});
   EXPECT_EQ(with_marked_moved(stroke, all, stay, 1e-3)->width_mm(1.0), kMinWidthMm);
-  EXPECT_EQ(with_marked_moved(stroke, all, stay, 1e3)->width_mm(1.0), kMostScaledWidthMm);
+  EXPECT_EQ(with_marked_moved(stroke, all, stay, 1e3)->width_mm(1.0), kMaxScaledWidthMm);
   StrokeData broad = stroke.data();
   for (WidthKnot& k : broad.widths) k.width_mm = 80.0;
   const Stroke import = Stroke::create(std::move(broad)).value();

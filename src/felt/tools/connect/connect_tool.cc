@@ -69,7 +69,7 @@ ToolResult ConnectTool::hover(const PenSample& sample, const Scene& scene) {
 
 void ConnectTool::find(Point pen, const Scene& scene) {
   const std::vector<TipHit> last = std::exchange(shown_, {});
-  shown_ = editable_tips_near(scene, pen, settings_.grab_radius_mm, kMostShown);
+  shown_ = editable_tips_near(scene, pen, settings_.grab_radius_mm, kMaxShown);
   partner_.reset();
   if (shown_.empty()) return;
   // Same as for targets: the end shown stays until another is nearer by 1 mm.

@@ -33,7 +33,7 @@ class ConnectTool final : public GestureTool {
   /// ... until it is higher than this.
   static constexpr double kFarMm = 7.0;
   /// Maximum number of ends shown before the touch, including the one that would be grabbed.
-  static constexpr std::size_t kMostShown = 4;
+  static constexpr std::size_t kMaxShown = 4;
 
   ConnectTool();
 

@@ -10,7 +10,7 @@ namespace {
 
 /// The index has the ends of all visible strokes, including locked ones. Up to this many locked
 /// ends are skipped one by one; beyond that, the segments of editable strokes are searched instead.
-constexpr std::size_t kMostSkipped = 32;
+constexpr std::size_t kMaxSkipped = 32;
 
 bool is_before(const TipHit& a, const TipHit& b) noexcept {
   return a.distance_mm != b.distance_mm ? a.distance_mm < b.distance_mm : a.id < b.id;
@@ -47,7 +47,7 @@ std::vector<TipHit> editable_tips_near(const Scene& scene, Point place, double r
     seen.push_back(hit->id);
     if (is_editable(scene.document, scene.document.layer_of(hit->id.stroke))) {
       found.push_back(*hit);
-    } else if (seen.size() - found.size() > kMostSkipped) {
+    } else if (seen.size() - found.size() > kMaxSkipped) {
       found = by_segments(scene, place, radius_mm);
       found.resize(std::min(found.size(), most));
       break;

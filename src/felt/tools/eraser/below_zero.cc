@@ -8,11 +8,11 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kMostCoefficients = 7;
-constexpr std::size_t kMostHalvings = 48;
+constexpr std::size_t kMaxCoefficients = 7;
+constexpr std::size_t kMaxHalvings = 48;
 
 struct Piece {
-  std::array<double, kMostCoefficients> c;
+  std::array<double, kMaxCoefficients> c;
   double from;
   double width;
 };
@@ -32,7 +32,7 @@ Piece halve(Piece& left, std::size_t n) noexcept {
 }
 
 double value(const Piece& piece, std::size_t n, double u) noexcept {
-  std::array<double, kMostCoefficients> c = piece.c;
+  std::array<double, kMaxCoefficients> c = piece.c;
   for (std::size_t step = 1; step < n; ++step) {
     for (std::size_t k = 0; k + step < n; ++k) c[k] = (1.0 - u) * c[k] + u * c[k + 1];
   }
@@ -107,7 +107,7 @@ bool settle(const Piece& piece, std::size_t n, UnitParts& parts) noexcept {
 
 void UnitParts::append(Part part) noexcept {
   if (!(part.from < part.to)) return;
-  if (count_ > 0 && (part.from <= parts_[count_ - 1].to || count_ == kMost)) {
+  if (count_ > 0 && (part.from <= parts_[count_ - 1].to || count_ == kMax)) {
     parts_[count_ - 1].to = std::max(parts_[count_ - 1].to, part.to);
   } else {
     parts_[count_++] = part;
@@ -127,7 +127,7 @@ UnitParts common(const UnitParts& a, const UnitParts& b) noexcept {
 
 UnitParts below_zero(std::span<const double> coefficients) noexcept {
   const std::size_t n = coefficients.size();
-  FELT_CHECK(n > 0 && n <= kMostCoefficients);
+  FELT_CHECK(n > 0 && n <= kMaxCoefficients);
   UnitParts parts;
   Piece piece{{}, 0.0, 1.0};
   for (std::size_t k = 0; k < n; ++k) {
@@ -135,7 +135,7 @@ UnitParts below_zero(std::span<const double> coefficients) noexcept {
     piece.c[k] = coefficients[k];
   }
   if (settle(piece, n, parts)) return parts;
-  std::array<Piece, kMostHalvings> waiting{};
+  std::array<Piece, kMaxHalvings> waiting{};
   waiting[0] = halve(piece, n);
   std::size_t count = 1;
   while (true) {

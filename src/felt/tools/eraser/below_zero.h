@@ -10,7 +10,7 @@ namespace felt {
 class UnitParts {
  public:
   /// Enough for all roots of two polynomials of degree 6, and some spare.
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMax = 16;
 
   struct Part {
     double from = 0.0;
@@ -27,7 +27,7 @@ class UnitParts {
   [[nodiscard]] const Part* end() const noexcept { return parts_.data() + count_; }
 
  private:
-  std::array<Part, kMost> parts_{};
+  std::array<Part, kMax> parts_{};
   std::size_t count_ = 0;
 };
 

@@ -76,7 +76,7 @@ void StrokeCrossings::meet(const Candidate& with, const Scene& scene, int& budge
   const StrokePtr other = scene.document.find(with.stroke);
   if (!other || with.segment >= other->segment_count()) return;
   const Cubic mine = stroke_->segment(work_.segment);
-  const Crossings met = intersections(mine, other->segment(with.segment), kMostPairs);
+  const Crossings met = intersections(mine, other->segment(with.segment), kMaxPairs);
   budget -= 3 + met.pairs;
   for (const Crossing& c : met) {
     if (!is_at_shared_joint(with, c.t1, c.point)) work_.places.push_back(work_.segment + c.t1);

@@ -21,7 +21,7 @@ class StrokeCrossings {
   static constexpr double kTeeMm = 0.5;
   /// Limit on pairs of pieces for one pair of segments (intersect.h), because two almost identical
   /// curves would use up any budget.
-  static constexpr int kMostPairs = 1024;
+  static constexpr int kMaxPairs = 1024;
 
   StrokeCrossings(StrokeId id, StrokePtr stroke) : id_(id), stroke_(std::move(stroke)) {}
 

@@ -64,7 +64,7 @@ void EraserAim::aim_at_strokes(Point pen, const EraserSettings& settings, const 
   std::vector<StrokeId> met;
   ParameterSet covered;
   const auto visit = [&](StrokeId id, int segment) {
-    if (met.size() >= kMostMarked || std::find(met.begin(), met.end(), id) != met.end()) return;
+    if (met.size() >= kMaxMarked || std::find(met.begin(), met.end(), id) != met.end()) return;
     const StrokePtr stroke = scene.document.find(id);
     if (stroke && add_swept(*stroke, segment, ring, covered)) met.push_back(id);
     covered = {};

@@ -19,7 +19,7 @@ class EraserAim {
   /// Older marks are computed again, because the strokes around may have changed (undo).
   static constexpr std::int64_t kFreshNs = 250'000'000;
   /// Maximum number of strokes under the ring that are marked.
-  static constexpr std::size_t kMostMarked = 64;
+  static constexpr std::size_t kMaxMarked = 64;
 
   /// Updates the marks for a pen that hovers here.
   void update(Point pen, std::int64_t time_ns, EraserMode mode, const EraserSettings& settings,

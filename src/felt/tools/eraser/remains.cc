@@ -71,9 +71,9 @@ std::optional<std::vector<Interval>> Remains::gaps(const ParameterSet& erased) c
     double size = 0.0;
     for_each_part(*stroke_, hole, [&](const Cubic& c) {
       size += control_length(c);
-      return size < kLeastHoleMm;
+      return size < kMinHoleMm;
     });
-    if (size >= kLeastHoleMm) holes.push_back(hole);
+    if (size >= kMinHoleMm) holes.push_back(hole);
   }
   if (holes.empty()) return std::nullopt;
   std::vector<Interval> result;
@@ -98,8 +98,8 @@ std::shared_ptr<const Stroke> Remains::make(Interval part) const {
   const double n = stroke_->segment_count();
   const double middle = 0.5 * (part.from + part.to);
   const double width = stroke_->width_mm(middle > n ? middle - n : middle);
-  const double least = crumbs_ == Crumbs::kOfLine ? std::max(kLeastPieceMm, 0.5 * width)
-                                                  : std::max(kMinSegmentMm, kLeastPieceMm - width);
+  const double least = crumbs_ == Crumbs::kOfLine ? std::max(kMinPieceMm, 0.5 * width)
+                                                  : std::max(kMinSegmentMm, kMinPieceMm - width);
   if (!is_as_long_as(*stroke_, part, least)) return nullptr;
   auto piece = sub_stroke_of(*stroke_, part);
   if (!piece) {

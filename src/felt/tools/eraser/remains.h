@@ -19,13 +19,13 @@ namespace felt {
 /// Holes of less than a micrometre are ignored.
 class Remains {
  public:
-  static constexpr double kLeastPieceMm = 0.25;
+  static constexpr double kMinPieceMm = 0.25;
   /// Which pieces are too small to keep; W is the width in their middle.
   enum class Crumbs {
     kOfLine,  ///< shorter than max(0.25 mm, W/2)
     kOfInk,   ///< shorter than I5, or their ink is less than 0.25 mm long
   };
-  static constexpr double kLeastHoleMm = 1e-3;
+  static constexpr double kMinHoleMm = 1e-3;
 
   explicit Remains(std::shared_ptr<const Stroke> stroke, Crumbs crumbs = Crumbs::kOfLine)
       : whole_stroke_(stroke), stroke_(std::move(stroke)), crumbs_(crumbs) {}

@@ -67,8 +67,8 @@ TEST(Remains, R39_R40_RandomHolesLeaveTheRestAsItWas) {
       ASSERT_TRUE(check_invariants(piece->data()));
       const double m = piece->segment_count();
       EXPECT_GE(length_of(*piece),
-                std::max(Remains::kLeastPieceMm, 0.5 * piece->width_mm(0.5 * m)) * 0.5);
-      EXPECT_GE(length_of(*piece), Remains::kLeastPieceMm - 0.1 - 1e-6);
+                std::max(Remains::kMinPieceMm, 0.5 * piece->width_mm(0.5 * m)) * 0.5);
+      EXPECT_GE(length_of(*piece), Remains::kMinPieceMm - 0.1 - 1e-6);
       for (double share = 0.0; share <= 1.0; share += 0.05) {
         ASSERT_LE(distance_to(*stroke, piece->position(share * m)), 1e-6) << "seed " << seed;
       }

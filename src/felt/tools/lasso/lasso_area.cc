@@ -10,9 +10,9 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kMostStrips = 256;
+constexpr std::size_t kMaxStrips = 256;
 constexpr double kChordMm = 0.5;
-constexpr double kMostChords = 64.0;
+constexpr double kMaxChords = 64.0;
 
 /// Returns the tolerance for points on an edge, from rounding; same as in geometry/polyline.h.
 double edge_width(Point a, Point b) noexcept {
@@ -62,7 +62,7 @@ LassoArea::LassoArea(std::vector<Point> outline) : outline_(std::move(outline)) 
     width = std::max(width, edge_width(p, p));
   }
   bounds_ = bounds_.inflated(width);
-  const std::size_t strips = std::clamp<std::size_t>(outline_.size(), 1, kMostStrips);
+  const std::size_t strips = std::clamp<std::size_t>(outline_.size(), 1, kMaxStrips);
   strip_mm_ = bounds_.height() / static_cast<double>(strips);
 
   // Counting sort of the edges into strips: count, add up, then fill. An edge is in every strip
@@ -85,7 +85,7 @@ LassoArea::LassoArea(std::vector<Point> outline) : outline_(std::move(outline)) 
 
 std::size_t LassoArea::strip_of(double y) const noexcept {
   const std::size_t last = begins_.empty()
-                               ? std::clamp<std::size_t>(outline_.size(), 1, kMostStrips) - 1
+                               ? std::clamp<std::size_t>(outline_.size(), 1, kMaxStrips) - 1
                                : begins_.size() - 2;
   const double strip = strip_mm_ > 0.0 ? (y - bounds_.y0) / strip_mm_ : 0.0;
   return static_cast<std::size_t>(std::clamp(strip, 0.0, static_cast<double>(last)));
@@ -124,7 +124,7 @@ bool LassoArea::crosses(Point a, Point b) const noexcept {
 bool LassoArea::touches(const Cubic& curve) const noexcept {
   if (!control_bounds(curve).intersects(bounds_)) return false;
   if (contains(curve.p[0]) || contains(curve.p[3])) return true;
-  const double chords = std::clamp(control_length(curve) / kChordMm, 4.0, kMostChords);
+  const double chords = std::clamp(control_length(curve) / kChordMm, 4.0, kMaxChords);
   Point last = curve.p[0];
   for (int k = 1; k <= static_cast<int>(chords); ++k) {
     const Point next = evaluate(curve, k / std::floor(chords));

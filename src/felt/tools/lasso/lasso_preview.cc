@@ -9,7 +9,7 @@ namespace felt {
 namespace {
 
 constexpr double kPatchMm = 5.0;
-constexpr std::int64_t kMostPatches = 40'000;  // a square metre
+constexpr std::int64_t kMaxPatches = 40'000;  // a square metre
 /// Limits of the work per look().
 constexpr std::size_t kPatchesPerLook = 8;
 constexpr std::size_t kSegmentsPerLook = 64;
@@ -52,7 +52,7 @@ void LassoPreview::look(std::span<const Point> outline, const Rect& bounds, Lass
 void LassoPreview::cover(const Rect& bounds) {
   const Patch low{line_of(bounds.x0), line_of(bounds.y0)};
   const Patch high{line_of(bounds.x1) + 1, line_of(bounds.y1) + 1};
-  if ((high.column - low.column) * (high.row - low.row) > kMostPatches) {
+  if ((high.column - low.column) * (high.row - low.row) > kMaxPatches) {
     begin();
     gave_up_ = true;
     return;
@@ -72,7 +72,7 @@ void LassoPreview::cover(const Rect& bounds) {
 void LassoPreview::find_strokes(const StrokeIndex& index) {
   std::size_t segments = 0;
   for (std::size_t k = 0; k < kPatchesPerLook && segments < kSegmentsPerLook; ++k) {
-    if (patches_.empty() || candidates_.size() >= kMostStrokes) return;
+    if (patches_.empty() || candidates_.size() >= kMaxStrokes) return;
     const Patch patch = patches_.front();
     patches_.pop_front();
     const double x = kPatchMm * static_cast<double>(patch.column);
@@ -102,7 +102,7 @@ void LassoPreview::draw(Overlay& overlay) const {
   std::size_t spans = 0;
   for (const Candidate& c : candidates_) {
     spans += c.spans.size();
-    if (spans > kMostStrokes) return;
+    if (spans > kMaxStrokes) return;
     overlay.spans.insert(overlay.spans.end(), c.spans.begin(), c.spans.end());
   }
 }

@@ -23,7 +23,7 @@ namespace felt {
 class LassoPreview {
  public:
   /// Maximum number of strokes that are tested, and of segments that are marked.
-  static constexpr std::size_t kMostStrokes = 2'000;
+  static constexpr std::size_t kMaxStrokes = 2'000;
 
   void begin();
   /// Continues with the current outline, which is closed here; `bounds` is the box around it.

@@ -89,7 +89,7 @@ std::vector<Point> LassoTool::outline() const {
 ToolResult LassoTool::end(const Scene& scene) {
   const std::vector<Point> points = outline();
   ToolResult result;
-  if (points.size() >= 3 && swept_area_mm2(points) >= kLeastAreaMm2) {
+  if (points.size() >= 3 && swept_area_mm2(points) >= kMinAreaMm2) {
     const Selection taken =
         taken_by(LassoArea(points), settings_.take, scene.document, scene.index);
     result.selection = combined(scene.document, scene.selection, taken, combine_);

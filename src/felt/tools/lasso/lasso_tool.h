@@ -17,9 +17,9 @@ namespace felt {
 class LassoTool final : public GestureTool {
  public:
   /// A touch is a click if its path stays within a square of this size and encloses less than
-  /// kLeastAreaMm2.
+  /// kMinAreaMm2.
   static constexpr double kClickMm = 3.0;
-  static constexpr double kLeastAreaMm2 = 1.0;
+  static constexpr double kMinAreaMm2 = 1.0;
 
   LassoTool();
 

@@ -26,7 +26,7 @@ constexpr int kFiner[] = {3, 4, 5, 6};
 /// Fraction of the tolerance within which the pull follows the exact displacement.
 constexpr double kPullShare = 0.2;
 /// Maximum number of times that a piece is halved.
-constexpr int kMostRounds = 5;
+constexpr int kMaxRounds = 5;
 /// Minimum handle length of ink that is compressed below the length that I5 requires.
 constexpr double kSliverHandleMm = 0.03;
 /// Those handles move the grab. Correcting that may compress another segment, so both are repeated
@@ -60,7 +60,7 @@ BrushPull::BrushPull(StrokePtr snapshot, double u0, const BrushOptions& options)
     const double radius = std::max(reach.before.radius_mm, reach.after.radius_mm);
     const double most_error = kPullShare * tolerance_mm_ / (kExactRadii * radius);
     plan(reach);
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMaxRounds; ++round) {
       const std::vector<double> more = crooked(most_error);
       if (more.empty()) break;
       const Joints& j = joints_;

@@ -30,8 +30,8 @@ struct Steps {
 
   Steps(Point a, Point b, double radius_mm) noexcept : from(a), to(b) {
     const double wanted = std::ceil(distance(a, b) / (0.5 * radius_mm));
-    may_jump = !(wanted <= NibPush::kMostSteps);
-    count = may_jump ? NibPush::kMostSteps : std::max(1, static_cast<int>(wanted));
+    may_jump = !(wanted <= NibPush::kMaxSteps);
+    count = may_jump ? NibPush::kMaxSteps : std::max(1, static_cast<int>(wanted));
   }
   [[nodiscard]] Point at(int k) const noexcept {
     return k == count ? to : lerp(from, to, static_cast<double>(k) / count);
@@ -213,7 +213,7 @@ bool NibPush::divide_within(double s_mm, double reach_mm) {
     // Skip the segment unless one of its ends is within reach or the point s_mm lies on it.
     if (std::min(to_start, to_end) >= reach_mm && to_start + to_end > length + 1e-6) continue;
     is_in_pieces_[origin] = 1;
-    const int most = kMostSegments - strand_.count() + 1;
+    const int most = kMaxSegments - strand_.count() + 1;
     divided = strand_.divide_evenly(i, kPieceRadii * radius_mm_, most) > 1 || divided;
   }
   if (divided) note_material();

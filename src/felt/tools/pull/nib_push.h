@@ -32,13 +32,13 @@ class NibPush {
   static constexpr int kReachTrials = 6;
   /// Maximum number of steps of one motion. If a motion is longer than this many half radii, its
   /// steps are longer, and ink that they jump over is caught separately.
-  static constexpr int kMostSteps = 64;
+  static constexpr int kMaxSteps = 64;
   /// Corrections after each step (specification 5c: up to 6), and the maximum if ink lies all
   /// around the nib; the additional ones leave some micrometres more than the radius.
   static constexpr int kExactCorrections = 6;
   static constexpr int kCorrections = 24;
   /// Maximum number of segments into which a stroke is divided.
-  static constexpr int kMostSegments = 1000;
+  static constexpr int kMaxSegments = 1000;
   /// Distances within this of the radius count as equal to it, mm.
   static constexpr double kContactMm = 1e-7;
 

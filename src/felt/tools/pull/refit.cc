@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLengthAccuracy = 1e-4;
 /// Maximum number of pieces into which one badly shaped segment is divided.
-constexpr int kMostPieces = 6;
+constexpr int kMaxPieces = 6;
 constexpr int kSamples = 24;
 constexpr int kRounds = 4;
 
@@ -87,7 +87,7 @@ class HandleFit {
 /// Divides segment i until its pieces do not wind. Returns the number of pieces.
 int unwind(Strand& strand, int i) {
   int pieces = 1;
-  for (int k = 0; k < pieces && pieces < kMostPieces;) {
+  for (int k = 0; k < pieces && pieces < kMaxPieces;) {
     const Cubic c = strand.segment(i + k);
     if (winds(c, arc_length(c, kLengthAccuracy), {}) && strand.divide(i + k, 0.5)) {
       ++pieces;

@@ -54,10 +54,10 @@ void SweepPull::keep_short() {
   std::sort(parts.rbegin(), parts.rend());
   const auto end = std::unique(parts.begin(), parts.end());
   for (auto i = parts.begin(); i != end; ++i) {
-    if (*i < 0 || strand_.count() >= kMostSegments) continue;
+    if (*i < 0 || strand_.count() >= kMaxSegments) continue;
     // The arc is no longer than its control polygon.
     if (control_length(strand_.segment(*i)) <= kTooLong * kPieceMm) continue;
-    strand_.divide_evenly(*i, kPieceMm, kMostSegments - strand_.count() + 1);
+    strand_.divide_evenly(*i, kPieceMm, kMaxSegments - strand_.count() + 1);
   }
   place_ = strand_.locate(u);
 }

@@ -16,12 +16,12 @@ namespace felt {
 ///
 /// The nearest point is searched only next to the last one, so that it moves along the stroke and
 /// does not leap where the stroke comes near itself. Pieces near the pen are kept short (kPieceMm),
-/// up to kMostSegments; handles are kept below kLongestHandle times their segments' length (R24).
+/// up to kMaxSegments; handles are kept below kLongestHandle times their segments' length (R24).
 /// Ends and corners stay unless they are nearest themselves.
 class SweepPull {
  public:
   static constexpr double kPieceMm = 8.0;
-  static constexpr int kMostSegments = 300;
+  static constexpr int kMaxSegments = 300;
   static constexpr double kLongestHandle = 1.5;
   static constexpr double kLeapMm = 1.0;
 

@@ -91,7 +91,7 @@ std::vector<IronPlaces::Step> IronPlaces::steps_between(int from_joint, int to_j
   for (std::size_t k = 1; k < steps.size(); ++k) {
     const double ink = steps[k].length_mm - steps[k - 1].length_mm;
     const double way = distance(guide(k - 1), guide(k));
-    steps[k].way_mm = steps[k - 1].way_mm + std::clamp(way, ink / kMostInflation, ink);
+    steps[k].way_mm = steps[k - 1].way_mm + std::clamp(way, ink / kMaxInflation, ink);
   }
   return steps;
 }
@@ -117,7 +117,7 @@ void IronPlaces::add_span(int from_joint, int to_joint) {
 double IronPlaces::inflation(int k) const noexcept {
   const int a = std::max(k - 1, 0), b = std::min(k + 1, count());
   const double ink = length_at(b) - length_at(a);
-  return std::clamp(ink / ((b - a) * kSpacingMm), 1.0, kMostInflation);
+  return std::clamp(ink / ((b - a) * kSpacingMm), 1.0, kMaxInflation);
 }
 
 std::vector<int> IronPlaces::corners() const {

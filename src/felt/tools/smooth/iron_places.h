@@ -30,7 +30,7 @@ class IronPlaces {
   /// Length of ink over which the smoothed path is averaged.
   static constexpr double kGuideMm = 3.0;
   /// Upper limit of the ratio of ink length to path length, because small loops are not jitter.
-  static constexpr double kMostInflation = 2.5;
+  static constexpr double kMaxInflation = 2.5;
 
   /// `stroke` and `map` must outlive this object. Without `keep_corners` no corner is kept.
   IronPlaces(const Stroke& stroke, const ArcMap& map, bool keep_corners);
@@ -41,7 +41,7 @@ class IronPlaces {
     return lengths_[static_cast<std::size_t>(k)];
   }
   /// Returns the ratio of ink length to path length around a place, 1 (smooth ink) to
-  /// kMostInflation.
+  /// kMaxInflation.
   [[nodiscard]] double inflation(int k) const noexcept;
   /// Returns the place nearest to an arc length on the stroke.
   [[nodiscard]] int nearest(double length_mm) const noexcept;

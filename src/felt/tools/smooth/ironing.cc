@@ -144,10 +144,10 @@ void Ironing::catch_up_stretches(int start) {
   }
 }
 
-/// Returns true if a place has moved by more than kLeastMm.
+/// Returns true if a place has moved by more than kMinMm.
 bool Ironing::has_moved() const {
   for (int k = 0; k <= places_.count(); ++k) {
-    if (is_dosed(k) && distance(ironed_[index(k)], places_.point(k)) > kLeastMm) return true;
+    if (is_dosed(k) && distance(ironed_[index(k)], places_.point(k)) > kMinMm) return true;
   }
   return false;
 }

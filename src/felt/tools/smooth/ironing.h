@@ -34,7 +34,7 @@ class Ironing {
   static constexpr double kEndBendShare = 0.05;
   /// Smaller changes are not an edit, mm, because a pen does not resolve them and repeated fits on
   /// smooth ink would add up.
-  static constexpr double kLeastMm = 0.02;
+  static constexpr double kMinMm = 0.02;
 
   /// `stroke` and `map` must outlive this object.
   Ironing(const Stroke& stroke, const ArcMap& map, const IronOptions& options);

@@ -12,22 +12,22 @@ namespace felt {
 /// Renders the roughness of the ink under the iron as friction, which vanishes as the ink gets
 /// smooth.
 ///
-///   mu = mu0 + min(kMostN/Fn, kMostFactor rho/(rho + kHalfMm))      rho: roughness, mm
+///   mu = mu0 + min(kMaxN/Fn, kMaxFactor rho/(rho + kHalfMm))      rho: roughness, mm
 ///
 /// Friction instead of a texture, because it only dissipates energy, is silent at rest, and uses
 /// the spring that the friction of the surface has already. Must come between Texture and Friction
 /// in the chain; Fn is the plane's force in this tick.
 class RoughFeel {
  public:
-  static constexpr double kMostN = 0.4;  ///< greatest additional friction at any push, N
-  static constexpr double kMostFactor =
+  static constexpr double kMaxN = 0.4;  ///< greatest additional friction at any push, N
+  static constexpr double kMaxFactor =
       0.4;  ///< greatest addition to the coefficient, for infinite roughness
   static constexpr double kHalfMm = 0.1;
 
   /// `friction` is mu0; if it is 0 nothing is added. `share` scales the effect.
   RoughFeel(double roughness_mm, double friction, double share) noexcept
-      : more_(share * kMostFactor * roughness_mm / (roughness_mm + kHalfMm)),
-        most_n_(share * kMostN),
+      : more_(share * kMaxFactor * roughness_mm / (roughness_mm + kHalfMm)),
+        most_n_(share * kMaxN),
         friction_(friction) {}
 
   Force operator()(const PenSample&, ForceMemory& memory) const noexcept {

@@ -32,7 +32,7 @@ constexpr ToolInfo kSmoothInfo{
 constexpr const char* kSmoothLabel = "Smooth";
 /// Largest distance along the line between two applications of the iron within a sample.
 constexpr double kIronStepMm = 1.0;
-constexpr double kMostIronSteps = 100.0;
+constexpr double kMaxIronSteps = 100.0;
 /// Longer lines are not ironed, because nobody draws one by hand and it would take too long.
 constexpr double kLongestLineMm = 20'000.0;
 /// Time constant of the felt roughness.
@@ -113,7 +113,7 @@ void SmoothTool::iron(const PenSample& sample, const Scene& scene, bool is_near)
   // The number of steps is limited, so that a pen that jumps along a long line irons it only in
   // places.
   const int steps =
-      static_cast<int>(std::clamp(std::ceil(std::fabs(way) / kIronStepMm), 1.0, kMostIronSteps));
+      static_cast<int>(std::clamp(std::ceil(std::fabs(way) / kIronStepMm), 1.0, kMaxIronSteps));
   for (int i = 0; i < steps; ++i) {
     double length = hold_.place().length_mm - way * (1.0 - (i + 0.5) / steps);
     if (hold_.stroke()->closed()) length -= whole * std::floor(length / whole);

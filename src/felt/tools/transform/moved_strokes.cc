@@ -150,7 +150,7 @@ StrokePtr MovedStrokes::moved(const Item& item, const Aim& aim) {
 }
 
 std::optional<Edit> MovedStrokes::step(const Affine& map, double width_factor) {
-  if (items_.empty() || points_ > kMostPreviewPoints) return std::nullopt;
+  if (items_.empty() || points_ > kMaxPreviewPoints) return std::nullopt;
   if (!aim_) {
     const Aim next{map, width_factor};
     if (done_ == next) return std::nullopt;

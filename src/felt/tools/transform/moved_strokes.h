@@ -17,7 +17,7 @@ namespace felt {
 /// The selected strokes as they were at the touch, prepared for mapping (R33): strokes, marks and
 /// positions in the layers are looked up once, in time linear in the selection and its layers.
 ///
-/// The preview of a selection of up to kMostPreviewPoints is made in portions of kPointsPerStep,
+/// The preview of a selection of up to kMaxPreviewPoints is made in portions of kPointsPerStep,
 /// one per sample, so that the cost of a sample does not depend on the selection: 40 strokes of ten
 /// segments are updated with every sample, 1,000 strokes 40 times a second. For larger selections
 /// there is no preview: the frame and 2,000 marked segments follow the pen, and the lines follow at
@@ -25,7 +25,7 @@ namespace felt {
 class MovedStrokes {
  public:
   static constexpr std::size_t kPointsPerStep = 1'200;
-  static constexpr std::size_t kMostPreviewPoints = 100'000;
+  static constexpr std::size_t kMaxPreviewPoints = 100'000;
   /// If more strokes are selected, connected strokes are not searched: they stay in place and do
   /// not hold the selection.
   static constexpr std::size_t kMaxConnected = 5'000;

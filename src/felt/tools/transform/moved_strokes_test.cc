@@ -99,7 +99,7 @@ TEST(MovedStrokes, AHugeSelectionHasNoPreviewButComesAtTheLift) {
   Desk desk;
   EditBuilder builder(desk.document);
   const auto stroke = std::make_shared<const Stroke>(straight_stroke({0, 0}, {0, 10}, 1, 1));
-  for (std::size_t i = 0; i <= MovedStrokes::kMostPreviewPoints / 4; ++i) {
+  for (std::size_t i = 0; i <= MovedStrokes::kMaxPreviewPoints / 4; ++i) {
     builder.add(desk.layer, stroke);
   }
   desk.apply(std::move(builder).build("Import"));
@@ -107,7 +107,7 @@ TEST(MovedStrokes, AHugeSelectionHasNoPreviewButComesAtTheLift) {
   MovedStrokes moved(desk.document, desk.index, desk.selection, false);
   EXPECT_FALSE(moved.step(translation({1, 0}), 1.0));
   EXPECT_EQ(moved.finished(translation({1, 0}), 1.0, "Move").changes.size(),
-            MovedStrokes::kMostPreviewPoints / 4 + 1);
+            MovedStrokes::kMaxPreviewPoints / 4 + 1);
 }
 
 TEST(MovedStrokes, ShrinksNoSegmentBelowWhatASegmentMayBe) {

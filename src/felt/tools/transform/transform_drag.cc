@@ -34,7 +34,7 @@ TransformDrag::TransformDrag(TransformKind kind, Point centre, Point grab,
       now_(kind),
       centre_(centre),
       grab_(grab),
-      least_scale_(std::clamp(least_scale, kLeastScale, 1.0)) {}
+      least_scale_(std::clamp(least_scale, kMinScale, 1.0)) {}
 
 void TransformDrag::update(Point pen, bool constrained) noexcept {
   now_ = kind_;

@@ -24,12 +24,12 @@ enum class TransformKind : std::uint8_t {
 /// An axis that is stretched through the centre stays at the smallest factor; nothing is mirrored.
 class TransformDrag {
  public:
-  static constexpr double kLeastScale = 0.05;
+  static constexpr double kMinScale = 0.05;
 
   TransformDrag() = default;
   /// `least_scale` is the lower limit of factors, so that no segment gets too short.
   TransformDrag(TransformKind kind, Point centre, Point grab,
-                double least_scale = kLeastScale) noexcept;
+                double least_scale = kMinScale) noexcept;
 
   /// Updates the map. If constrained, moves along one axis and turns in steps of kTurnStepRad;
   /// kScale stretches both axes, kStretch only the axis along which the grab is farther from the
@@ -60,7 +60,7 @@ class TransformDrag {
 
   TransformKind kind_ = TransformKind::kMove, now_ = TransformKind::kMove;
   Point centre_, grab_;
-  double least_scale_ = kLeastScale;
+  double least_scale_ = kMinScale;
   bool constrained_ = false;
   double turn_rad_ = 0.0;  // unwrapped, unconstrained
   Affine map_;

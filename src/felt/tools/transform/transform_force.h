@@ -79,7 +79,7 @@ struct TransformHold {
   std::span<const Point> anchors;
   std::uint32_t gesture = 0;
   bool constrained = false;  ///< along one axis, or in steps of a turn (Tether::constrained)
-  double least_scale = TransformDrag::kLeastScale;
+  double least_scale = TransformDrag::kMinScale;
 };
 
 /// Returns the force model of the transform tool: the surface with little friction and, while a

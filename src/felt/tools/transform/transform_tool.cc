@@ -269,7 +269,7 @@ void TransformTool::draw_gesture(Overlay& overlay) const {
 
 void TransformTool::draw_tethers(Overlay& overlay) const {
   const std::vector<Point>& anchors = strokes_.anchors();
-  for (std::size_t i = 0; i < std::min(anchors.size(), kMostTethers); ++i) {
+  for (std::size_t i = 0; i < std::min(anchors.size(), kMaxTethers); ++i) {
     overlay.dots.push_back({anchors[i], Overlay::Role::kTether});
     overlay.lines.push_back({anchors[i], apply(drag_.map(), anchors[i]), Overlay::Role::kTether});
   }

@@ -26,7 +26,7 @@ class TransformTool final : public GestureTool {
   /// A touch that stays within this distance of its start is a click.
   static constexpr double kClickMm = 0.3;
   /// Maximum number of tethers drawn.
-  static constexpr std::size_t kMostTethers = 64;
+  static constexpr std::size_t kMaxTethers = 64;
 
   TransformTool();
 

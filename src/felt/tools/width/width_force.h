@@ -63,15 +63,15 @@ class WidthStop {
 /// that of the plane; at most 400. 0 if the plane uses it all; then the stop is felt only as
 /// friction.
 inline double width_stop_stiffness(const SurfaceMaterial& surface, const Capabilities& device) {
-  constexpr double kMost = 400.0, kMostPerStepN = 0.025;
+  constexpr double kMax = 400.0, kMaxPerStepN = 0.025;
   double room = stiffness_budget_n_per_m(device);
   if (device.max_stiffness_n_per_m > 0.0) {
     room = std::min(room, 0.9 * device.max_stiffness_n_per_m);
   }
   if (device.position_step_mm > 0.0) {
-    room = std::min(room, 1e3 * kMostPerStepN / device.position_step_mm);
+    room = std::min(room, 1e3 * kMaxPerStepN / device.position_step_mm);
   }
-  return std::clamp(room - plane_for(surface, device).stiffness_n_per_m, 0.0, kMost);
+  return std::clamp(room - plane_for(surface, device).stiffness_n_per_m, 0.0, kMax);
 }
 
 /// Pulls the pen back to the y at which it began to scale a line: EditSpring along y only.
@@ -128,7 +128,7 @@ inline ForceModel make_width_force(const WidthSettings& settings, const Scene& s
     const Pressing pressing(scene.surface, scene.device);
     const bool by_pressure = feel.direction == WidthDirection::kPressure;
     const double neutral_n =
-        Pressing::kLeastN + (by_pressure ? 0.5 * (pressing.most_n() - Pressing::kLeastN) : 0.0);
+        Pressing::kMinN + (by_pressure ? 0.5 * (pressing.most_n() - Pressing::kMinN) : 0.0);
     const double neutral_mm = 1e3 * neutral_n / std::max(pressing.stiffness_n_per_m(), 1.0);
     const double stiffness = settings.strength * width_stop_stiffness(scene.surface, scene.device);
     model = ForceModel(Compose(sheet, WidthStop(feel.stops, neutral_mm, stiffness)));

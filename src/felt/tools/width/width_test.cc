@@ -148,10 +148,10 @@ TEST(WidthTool, ThePenDecidesTheDirectionAndButtonsAndTheOptionOverrideIt) {
 TEST(WidthTool, AClockThatJumpsOrRunsBackChangesNothingMuch) {
   Width w;
   w.desk.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
-  constexpr auto kLeast = std::numeric_limits<std::int64_t>::min();
-  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
+  constexpr auto kMin = std::numeric_limits<std::int64_t>::min();
+  constexpr auto kMax = std::numeric_limits<std::int64_t>::max();
   for (const std::int64_t t : {std::int64_t{0}, std::int64_t{1'000'000},
-                               std::int64_t{3'600'000'000'000}, std::int64_t{5}, kLeast, kMost}) {
+                               std::int64_t{3'600'000'000'000}, std::int64_t{5}, kMin, kMax}) {
     w.pen.give(
         {.time_ns = t, .position = {50, 0, -1}, .velocity = {}, .pressure = 1.0, .buttons = 0});
   }

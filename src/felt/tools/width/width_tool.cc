@@ -39,11 +39,11 @@ constexpr ToolInfo kWidthInfo{
 constexpr std::string_view kWidthLabel = "Width";
 /// Largest distance along the line between two applications of the brush within a sample.
 constexpr double kBrushStepMm = 1.0;
-constexpr double kMostBrushSteps = 200.0;  // farther than a hand moves in a sample
+constexpr double kMaxBrushSteps = 200.0;  // farther than a hand moves in a sample
 /// Time constant of the stops, so that the hand feels no edge.
 constexpr double kStopSeconds = 0.030;
 /// Maximum number of lines marked while several are scaled.
-constexpr std::size_t kMostMarked = 64;
+constexpr std::size_t kMaxMarked = 64;
 
 std::string text_of(const char* format, double value) {
   std::array<char, 32> text{};
@@ -187,7 +187,7 @@ void WidthTool::brush(double seconds, double rate) {
     return;
   }
   const int steps =
-      static_cast<int>(std::clamp(std::ceil(std::fabs(way) / kBrushStepMm), 1.0, kMostBrushSteps));
+      static_cast<int>(std::clamp(std::ceil(std::fabs(way) / kBrushStepMm), 1.0, kMaxBrushSteps));
   for (int i = 0; i < steps; ++i) {
     double length = here.length_mm - way * (1.0 - (i + 0.5) / steps);
     const double whole = hold_.map().length_mm();
@@ -309,7 +309,7 @@ void WidthTool::draw_reach(Overlay& overlay, const Stroke& shown) const {
   double first = hold_.place().length_mm, last = first;
   if (settings_.mode == WidthMode::kScale) {
     add_span(overlay, shown, 0.0, n, Overlay::Role::kSpan);
-    for (std::size_t i = 1; i < std::min(edit_.changes.size(), kMostMarked); ++i) {
+    for (std::size_t i = 1; i < std::min(edit_.changes.size(), kMaxMarked); ++i) {
       const Stroke& other = *edit_.changes[i].after;
       add_span(overlay, other, 0.0, other.segment_count(), Overlay::Role::kSpan);
     }

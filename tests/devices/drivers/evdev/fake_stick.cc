@@ -12,7 +12,7 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kMostEvents = 64;  // that the kernel keeps for a reader
+constexpr std::size_t kMaxEvents = 64;  // that the kernel keeps for a reader
 constexpr double kFullDamperMmPerS = 300.0;
 constexpr const char* kNode = "/dev/input/event7";
 constexpr const char* kSysfs = "/sys/class/input/event7/device";
@@ -175,7 +175,7 @@ Result<std::unique_ptr<EvdevPort>> FakeStick::open(const std::string& path) {
 PenSample FakeStick::as_said(const PenSample& pen) noexcept {
   PenSample said = pen;
   const double share =
-      std::max(lever(pen.position.z) / double{kLeverCounts}, StickAxes::kLeastPressure);
+      std::max(lever(pen.position.z) / double{kLeverCounts}, StickAxes::kMinPressure);
   said.pressure = pen.position.z < 0.0 ? share : 0.0;
   said.position.z = pen.position.z < 0.0 ? -StickAxes::kDepthMm * share : StickAxes::kHoverMm;
   said.velocity.z = 0.0;
@@ -218,7 +218,7 @@ void FakeStick::report(const PenSample& pen) noexcept {
   key(evdev::kButtonTrigger + 1, (pen.buttons & 1) != 0);
   key(evdev::kButtonTrigger + 2, (pen.buttons & 2) != 0);
   if (events_.size() > before) events_.push_back({evdev::kSyn, evdev::kSynReport, 0});
-  if (events_.size() > kMostEvents) drop_events();
+  if (events_.size() > kMaxEvents) drop_events();
 }
 
 void FakeStick::drop_events() noexcept {

@@ -10,7 +10,7 @@
 namespace felt::fake_dhd {
 namespace {
 
-constexpr int kMost = 64;
+constexpr int kMax = 64;
 constexpr std::int64_t kTimeGuardNs = 100'000;  // a guess: the vendor does not tell
 constexpr std::int64_t kWatchdogNs = 125'000;   // unit
 
@@ -19,11 +19,11 @@ __attribute__((tls_model("initial-exec")))
 #endif
 thread_local int last_error = 0;
 
-std::array<Device, kMost> devices;
+std::array<Device, kMax> devices;
 std::mutex plugging;
 std::vector<int> plugged;  // in order
 // Whether it answers, for those who count while another thread reads it.
-std::array<std::atomic<bool>, kMost> answers{};
+std::array<std::atomic<bool>, kMax> answers{};
 std::atomic<int> expert{0};
 unsigned short last_serial = 999;
 
@@ -44,7 +44,7 @@ void break_rule(Device& d, const char* rule, const char* function) {
 
 Device* device_of(char id, const char* function) {
   const int number = id;
-  if (number < 0 || number >= kMost) {
+  if (number < 0 || number >= kMax) {
     for (Device& d : devices) {
       if (d.port != nullptr) break_rule(d, " without the number of a device", function);
     }
@@ -148,7 +148,7 @@ class TheBench final : public Bench {
  public:
   int plug(const Model& model, Port& port) override {
     const std::lock_guard guard(plugging);
-    for (int i = 0; i < kMost; ++i) {
+    for (int i = 0; i < kMax; ++i) {
       Device& d = devices[static_cast<std::size_t>(i)];
       if (d.port != nullptr || d.state.is_open) continue;
       d = Device();
@@ -228,7 +228,7 @@ int open_index(char index) {
 
 int close_device(char id, const char* function) {
   const int number = id;
-  if (number < 0 || number >= kMost || !devices[static_cast<std::size_t>(number)].state.is_open) {
+  if (number < 0 || number >= kMax || !devices[static_cast<std::size_t>(number)].state.is_open) {
     return failed(kNoDevice);
   }
   Device& d = devices[static_cast<std::size_t>(number)];

@@ -355,7 +355,7 @@ FAKE_HD hd::CallbackHandle hdScheduleAsynchronous(hd::Callback call, void* data,
                                                   unsigned short priority) {
   const Guard guard;
   Fake& f = fake();
-  if (f.callbacks.size() == kMostCallbacks) {
+  if (f.callbacks.size() == kMaxCallbacks) {
     push(error::kSchedulerFull);
     return 0;
   }

@@ -49,7 +49,7 @@ hd::Enum error_of(int result) {
 
 void push(hd::Enum code, int internal) {
   Fake& f = fake();
-  if (f.error_count == kMostErrors) return;
+  if (f.error_count == kMaxErrors) return;
   f.errors[f.error_count++] = {code, internal, f.open > 0 ? kHandle : hd::kNoHandle};
 }
 
@@ -108,7 +108,7 @@ void close_tick() {
 
 void step(std::int64_t now_ns) {
   Fake& f = fake();
-  std::array<Scheduled, kMostCallbacks> due{};
+  std::array<Scheduled, kMaxCallbacks> due{};
   std::size_t count = 0;
   {
     const Guard guard;

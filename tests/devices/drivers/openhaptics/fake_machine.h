@@ -25,8 +25,8 @@ namespace capability = hd::capability;
 namespace calibration = hd::calibration;
 
 inline constexpr hd::Handle kHandle = 7;
-inline constexpr std::size_t kMostErrors = 256;
-inline constexpr std::size_t kMostCallbacks = 64;
+inline constexpr std::size_t kMaxErrors = 256;
+inline constexpr std::size_t kMaxCallbacks = 64;
 
 struct Scheduled {
   hd::CallbackHandle handle;
@@ -57,7 +57,7 @@ struct Fake {
   // The program's.
   int open = 0;
   bool is_running = false;
-  std::array<hd::ErrorInfo, kMostErrors> errors{};
+  std::array<hd::ErrorInfo, kMaxErrors> errors{};
   std::size_t error_count = 0;
   std::vector<Scheduled> callbacks;
   hd::CallbackHandle next_callback = 1;

@@ -228,7 +228,7 @@ TEST(PantographDriver, ShortAnswersWrongIdsAndNoiseAreFaultsAndOver) {
 
   table.board.cut_answers(3);
   std::optional<DeviceFault> fault;
-  for (int i = 0; i < 3 * PantographDevice::kMostMissed && !fault; ++i) {
+  for (int i = 0; i < 3 * PantographDevice::kMaxMissed && !fault; ++i) {
     if (const auto read = table.tick().read; !read) fault = read.error();
   }
   EXPECT_EQ(fault, DeviceFault::kBadData);
@@ -243,12 +243,12 @@ TEST(PantographDriver, ASilentBoardIsAFaultAndThenGone) {
   table.tick();
   table.board.be_silent(true);
   table.tick();
-  for (int i = 0; i < PantographDevice::kMostMissed; ++i) {
+  for (int i = 0; i < PantographDevice::kMaxMissed; ++i) {
     EXPECT_TRUE(table.tick().read.has_value()) << i;
   }
   EXPECT_EQ(table.tick({1, 0, 0}).read.error(), DeviceFault::kOther);
   EXPECT_EQ(table.world.held_force(), Force{});
-  for (int i = 0; i < PantographDevice::kMostSilentTicks; ++i) table.tick();
+  for (int i = 0; i < PantographDevice::kMaxSilentTicks; ++i) table.tick();
   EXPECT_EQ(table.tick().read.error(), DeviceFault::kDisconnected);
   table.board.be_silent(false);
   EXPECT_EQ(table.tick().read.error(), DeviceFault::kDisconnected) << "for ever";
@@ -397,7 +397,7 @@ TEST(PantographDriver, ABoardThatWasGivenUpIsLetGoOfAtTheEnd) {
   ASSERT_TRUE(table.open_at_home());
   for (int i = 0; i < 5; ++i) table.tick({1, 0, 0});
   table.board.hang(0);
-  for (int i = 0; i < PantographDevice::kMostSilentTicks + 5; ++i) table.tick({1, 0, 0});
+  for (int i = 0; i < PantographDevice::kMaxSilentTicks + 5; ++i) table.tick({1, 0, 0});
   ASSERT_EQ(table.tick().read.error(), DeviceFault::kDisconnected);
   std::vector<std::byte> out;
   table.board.go_on(out);
