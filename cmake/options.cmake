@@ -30,7 +30,7 @@ endif()
 # Carried by every target of the project, not by its users.
 add_library(felt_flags INTERFACE)
 # -ffp-contract=off: a fused multiply-add rounds differently, and the same samples must give the
-# same bytes on every machine (R7, architecture: determinism).
+# same bytes on every machine (R7, ARCHITECTURE.md#determinism).
 target_compile_options(felt_flags INTERFACE
   -ffp-contract=off
   -ffunction-sections  # tests/devices/rt/check_tick_symbols.sh follows calls from section to section

@@ -17,7 +17,7 @@ namespace felt::desktop {
 struct TileNews;
 
 /// The picture of a document's ink for a widget: raster tiles that a worker keeps up to date, so
-/// that painting only copies and the pen never waits (performance 1.4).
+/// that painting only copies and the pen never waits (docs/design/rendering.md#tiles).
 ///
 ///   view.set_document(document);        // once; then
 ///   view.apply(edit);                   // for every edit that the document applied

@@ -13,7 +13,7 @@ class FeltPlot : public QWidget {
   Q_OBJECT
 
  public:
-  /// Smallest change of a force that is perceived, N (specification section 0).
+  /// Smallest change of a force that is perceived, N (docs/design/simulation.md#perception).
   static constexpr double kFeltN = 0.04;
 
   explicit FeltPlot(QWidget* parent = nullptr);

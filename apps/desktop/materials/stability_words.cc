@@ -7,8 +7,8 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kFeltN = 0.04;   // smallest perceived change (specification section 0)
-constexpr double kCleanN = 0.03;  // limit of "clean" (specification section 0)
+constexpr double kFeltN = 0.04;   // smallest perceived change (docs/design/simulation.md)
+constexpr double kCleanN = 0.03;  // limit of "clean" (docs/design/limits.md)
 constexpr double kWhole = 0.95;   // of the wanted value: the rest cannot be felt
 constexpr double kHalf = 0.5;
 

@@ -1,7 +1,8 @@
 #pragma once
 
-/// Checks for programmer errors: on in every build, except inside the haptic tick (style.md 5).
-/// Bad data and faulty devices are not programmer errors; they are reported as `Result`.
+/// Checks for programmer errors: on in every build, except inside the haptic tick
+/// (docs/decisions/0001-expected-for-errors.md). Bad data and faulty devices are not programmer
+/// errors; they are reported as `Result`.
 
 namespace felt::detail {
 

@@ -12,10 +12,10 @@
 namespace felt {
 
 /// The selected control points of strokes (paper, "Transformations": the lasso selects control
-/// points, not pixels; specification 5e). A value. It is not part of the document or of undo, but
-/// is updated after every edit: removed strokes are no longer selected; replaced strokes keep their
-/// marks if the number of their points stays the same. If it changes, the stroke stays selected
-/// only if all its points were.
+/// points, not pixels; docs/design/editing.md#lasso). A value. It is not part of the document or of
+/// undo, but is updated after every edit: removed strokes are no longer selected; replaced strokes
+/// keep their marks if the number of their points stays the same. If it changes, the stroke stays
+/// selected only if all its points were.
 ///
 /// The marks of a stroke are one byte for each of StrokeData::points, 1 = selected. The first and
 /// the last point of a closed stroke are the same point, so their marks agree. point_marks.h

@@ -58,7 +58,7 @@ class StrokeIndex {
   static constexpr std::size_t kIndexedAtOnce = 20'000;
 
   /// Creates the index of an empty document. Cells are about as large as the usual search radius
-  /// (specification 5g, M).
+  /// (M of docs/design/forces.md#snap-well).
   explicit StrokeIndex(double cell_mm = 8.0) : cell_mm_(cell_mm) {}
   explicit StrokeIndex(const Document& document, double cell_mm = 8.0,
                        std::size_t indexed_at_once = kIndexedAtOnce);

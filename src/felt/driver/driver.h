@@ -61,7 +61,7 @@ struct DeviceStatus {
   double rate_hz = 0.0;                     ///< at which the device says it is served; 0: unknown
 };
 
-/// The kind of output of a device (architecture section 5).
+/// The kind of output of a device (docs/design/devices.md#kinds-of-devices).
 enum class DeviceKind : std::uint8_t {
   kForce,  ///< reports a pose and accepts forces: opened by Driver::open
   kCue,    ///< plays waveforms: opened by Driver::open_cue

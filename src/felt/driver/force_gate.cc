@@ -8,7 +8,7 @@
 namespace felt {
 namespace {
 
-constexpr double kShareOfNominal = 0.9;  // architecture section 10, "peak force"
+constexpr double kShareOfNominal = 0.9;  // docs/design/limits.md#peak
 constexpr double kFadeS = 0.1;
 constexpr double kRoundingN =
     1e-9;  // for the rotation into the device's frame, and the chain's own clock

@@ -26,8 +26,8 @@ struct HeightFieldSpec {
   HeightCharacter character = HeightCharacter::kGrain;
 };
 
-/// The relief of a surface, the same for the hand and the eye (R47; specification 5i). A square
-/// tile that repeats without a seam, made from a seed. Immutable; any thread may read it.
+/// The relief of a surface, the same for the hand and the eye (R47; docs/design/forces.md#texture).
+/// A square tile that repeats without a seam, made from a seed. Immutable; any thread may read it.
 ///
 /// It is band-limited, so that the stiffness felt in it is bounded. Grain is band-limited by
 /// construction: it is the sum of 96 waves of equal height and random phase, whose wave numbers are

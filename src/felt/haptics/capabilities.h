@@ -19,8 +19,8 @@ struct Capabilities {
   int actuated_axes = 3;
   double max_force_n = 0.0;         ///< nominal peak
   double continuous_force_n = 0.0;  ///< that the motors can hold permanently
-  /// The largest force that we recommend for it; 0 = no recommendation (devices.md 10.2, "F
-  /// clamp").
+  /// The largest force that we recommend for it; 0 = no recommendation
+  /// (docs/design/devices.md#advised-forces).
   double advised_force_n = 0.0;
   double max_stiffness_n_per_m = 0.0;  ///< of a wall, from its maker or CHAI3D's table
   double max_damping_n_s_per_m = 0.0;  ///< from the same source

@@ -2,16 +2,16 @@
 
 namespace felt {
 
-/// How strongly an edit resists as a function of distance (paper, eq. 8 and 9; specification 5d,
-/// E6).
+/// How strongly an edit resists as a function of distance (paper, eq. 8 and 9;
+/// docs/design/forces.md#edit-law).
 ///
 ///   l(d)   = 0.2 + 0.8 d/(d + D)              N, d and D in mm
 ///   phi(d) = gain min(l(d), Kcap d)           F = -phi(|V|) V/|V|
 ///
 /// The paper asks for a force of 0.2..1 N that grows with d. l does that, but its jump to 0.2 N at
-/// d = 0 would cause a limit cycle (up to 0.14 N above 30 Hz), so the first 0.667 mm are a spring
-/// of Kcap (decision 4). The rational l grows strictly in doubles too, whereas 1 - exp would become
-/// constant near 37 D.
+/// d = 0 would cause a limit cycle (up to 0.14 N above 30 Hz), so the first 0.7 to 0.9 mm are a
+/// spring of Kcap (docs/design/forces.md#edit-law). The rational l grows strictly in doubles too,
+/// whereas 1 - exp would become constant near 37 D.
 struct ForceLaw {
   double spread_mm = 10.0;     ///< D: 10 for edits, 40 for transforms
   double cap_n_per_m = 300.0;  ///< Kcap, and the largest slope

@@ -9,7 +9,7 @@
 namespace felt {
 
 /// What a device reports about the pen at one tick. Positions are in the frame of the surface: the
-/// drawing plane is z = 0, and a pressing pen has z < 0 (architecture section 3).
+/// drawing plane is z = 0, and a pressing pen has z < 0 (docs/design/loop.md#pen-contact).
 struct PenSample {
   std::int64_t time_ns = 0;        ///< since the drawing session began
   Vec3 position;                   ///< mm
@@ -28,13 +28,14 @@ constexpr double depth_mm(const PenSample& sample) noexcept {
   return sample.position.z < 0.0 ? -sample.position.z : 0.0;
 }
 
-/// True if the pen touches: it is below the plane, or it reports pressure (architecture section 7).
+/// True if the pen touches: it is below the plane, or it reports pressure
+/// (docs/design/loop.md#pen-contact).
 constexpr bool in_contact(const PenSample& sample) noexcept {
   return sample.position.z < 0.0 || sample.pressure.value_or(0.0) > 0.0;
 }
 
 /// Computes a velocity from positions, as drivers do: first differences through a first-order
-/// low-pass filter (specification decision 3.5: 100 Hz). It uses backward Euler, v += (dx/dt - v)
+/// low-pass filter (docs/design/forces.md#plane: 100 Hz). It uses backward Euler, v += (dx/dt - v)
 /// dt / (tau + dt), because that is stable and does not overshoot for any dt, and needs no
 /// transcendental function.
 ///

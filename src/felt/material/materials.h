@@ -70,8 +70,8 @@ struct PairFriction {
   friend bool operator==(const PairFriction&, const PairFriction&) = default;
 };
 
-/// A medium, to draw or erase with: how it slides (specification 5f), how its line depends on force
-/// and tilt, how it looks on a relief, and how it sounds.
+/// A medium, to draw or erase with: how it slides (docs/design/forces.md#friction), how its line
+/// depends on force and tilt, how it looks on a relief, and how it sounds.
 struct Medium {
   std::string id;                  ///< its name in strokes, documents and events: "pencil"
   std::string label;               ///< its name in the user interface: "Pencil"
@@ -109,15 +109,15 @@ struct SurfaceSound {
   friend bool operator==(const SurfaceSound&, const SurfaceSound&) = default;
 };
 
-/// A surface to draw on (specification 5b): its stiffness, its friction, and the relief, which is
-/// the same for the eye, the hand and the ear.
+/// A surface to draw on (docs/design/forces.md#surfaces): its stiffness, its friction, and the
+/// relief, which is the same for the eye, the hand and the ear.
 struct SurfaceMaterial {
   std::string id;     ///< its name in documents and events: "rough-paper"
   std::string label;  ///< its name in the user interface: "Rough paper"
   double stiffness_n_per_m = 500.0;
   double damping_n_s_per_m = 2.0;
   double friction = 0.25;  ///< mu of the pencil, the reference medium, on it
-  /// RMS height and wavelength of its height field (specification 5i); 0 means smooth.
+  /// RMS height and wavelength of its height field (docs/design/forces.md#texture); 0 means smooth.
   double grain_um = 0.0;
   double grain_mm = 0.0;
   HeightCharacter grain_character = HeightCharacter::kGrain;
@@ -165,7 +165,8 @@ const SurfaceMaterial* find_surface(std::string_view id) noexcept;
 const Medium* find_medium(std::string_view id) noexcept;
 
 /// Returns the friction coefficient of a pair: the medium's entry for that surface if it has one,
-/// otherwise mu_medium mu_surface / mu_paper, at most kMaxFriction (architecture section 10).
+/// otherwise mu_medium mu_surface / mu_paper, at most kMaxFriction
+/// (docs/design/forces.md#surfaces).
 double friction_of(const Medium& medium, const SurfaceMaterial& surface) noexcept;
 
 }  // namespace felt

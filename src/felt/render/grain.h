@@ -10,19 +10,21 @@ namespace felt {
 
 struct InkLook;
 
-/// The look of media on a surface (paper, "future work"; specification 5i; R47): dry ink lies on
-/// the hills of the relief and leaves the valleys bare; the higher the pressure, the deeper it
-/// reaches. For a medium's MediumLook, tone t and push q = t (1 - 0.45 rho^2) at rho radii from the
-/// middle of the line (the tip presses less towards its edge):
+/// The look of media on a surface (paper, "future work"; docs/design/rendering.md#grain-in-ink;
+/// R47): dry ink lies on the hills of the relief and leaves the valleys bare; the higher the
+/// pressure, the deeper it reaches. For a medium's MediumLook, tone t and push q = t (1 - 0.45
+/// rho^2) at rho radii from the middle of the line (the tip presses less towards its edge):
 ///
 ///   alpha = opacity(t) (1 - G (1 - seen)),  seen = smoothstep(1/2 + (w r - cut(q)) / (2 soft))
 ///   r = (grain d s(x) + crumb c(x) + streaks b(n)) / n,   n = |(grain, crumb, streaks)|
 ///   G = min(1, n),  w = 1 - wear q,  cut = cut_light + (cut_heavy - cut_light) q
 ///
-/// The smoothstep of h - h_cut(p) is the specification's; all its terms are our own choice:
+/// The smoothstep of h - h_cut(p) is the one of docs/design/rendering.md#grain-in-ink; all its
+/// terms are our own choice:
 /// s  the same height h that the hand feels at x, plus a *tooth*: the same map, finer and rotated.
 ///    Grain shorter than 1 mm cannot be rendered to a hand at 1 kHz so that it is both stable and
-///    strong enough to be felt (decision 10), but the eye misses it. In units of its own RMS;
+///    strong enough to be felt (docs/design/forces.md#texture), but the eye misses it. In units of
+///    its own RMS;
 /// d  = R / (R + 2 um) for the relief's RMS height R: fine paper is less grainy than canvas;
 /// c  the medium's own dust: a separate map, as coarse as crumb_mm, fixed to the page;
 /// b  hairs, by the position n across the line: those of a dry brush are seen one by one.

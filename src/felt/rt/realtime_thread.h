@@ -50,10 +50,10 @@ struct RealtimeOptions {
 };
 
 /// Runs a servo at its period on its own thread, as close to real time as the system permits
-/// (performance 4.1); if it is given a host, on the host's thread whenever the host calls. It
-/// sleeps until absolute deadlines and never spins, because the kernel stops a spinning SCHED_FIFO
-/// thread for 50 ms in each second. Periods that passed while the thread was not scheduled are
-/// counted as missed and skipped, not caught up.
+/// (docs/design/loop.md#wake-up-lateness); if it is given a host, on the host's thread whenever the
+/// host calls. It sleeps until absolute deadlines and never spins, because the kernel stops a
+/// spinning SCHED_FIFO thread for 50 ms in each second. Periods that passed while the thread was
+/// not scheduled are counted as missed and skipped, not caught up.
 ///
 ///   RealtimeThread loop(servo, {});
 ///   if (auto started = loop.start(); !started) ...   // fails only if no thread can be started

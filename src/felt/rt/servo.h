@@ -34,15 +34,15 @@ struct TickReport {
 struct ServoOptions {
   /// Loop period, 0.2..4 ms (R50). Clamped.
   std::int64_t period_ns = 1'000'000;
-  /// Duration of the cross-fade between models of different fade_id (architecture section 10).
-  /// Clamped to 0..1 s.
+  /// Duration of the cross-fade between models of different fade_id
+  /// (docs/design/limits.md#cross-fade). Clamped to 0..1 s.
   double cross_fade_s = 0.020;
   /// Usually limits_for(the device). The period inside is replaced by the one above.
   SafetyLimits limits;
 };
 
-/// The body of the haptic loop (architecture section 4): read, evaluate, limit, write, queue the
-/// sample.
+/// The body of the haptic loop (docs/design/loop.md#data-flow): read, evaluate, limit, write, queue
+/// the sample.
 ///
 /// step(now) is called by a real-time thread (`RealtimeThread`), by a vendor's servo callback, or
 /// with a virtual clock by replay and tests (`VirtualClock`); it works the same for all. step() is

@@ -14,7 +14,7 @@ namespace felt {
 ///
 /// With a sequence of latenesses, tick k, due at k periods, happens lateness_ns[k mod n] later, and
 /// periods that pass meanwhile are skipped, as in RealtimeThread. So recorded scheduler jitter can
-/// be replayed (performance 4.1, target 4).
+/// be replayed (docs/design/loop.md#what-is-proven).
 ///
 ///   VirtualClock clock(servo);
 ///   for (...) { feed the device; const TickReport& report = clock.tick(); drain the rings; }

@@ -143,8 +143,8 @@ struct UseMaterial {
   friend bool operator==(const UseMaterial&, const UseMaterial&) = default;
 };
 
-/// An event of a drawing session, the only input that a session has (architecture section 6). Times
-/// never run backwards.
+/// An event of a drawing session, the only input that a session has
+/// (docs/design/loop.md#determinism). Times never run backwards.
 struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,

@@ -13,7 +13,7 @@ struct PlayerOptions {
   /// Loop period, 0.2..4 ms (R50).
   std::int64_t period_ns = 1'000'000;
   /// How often the player does the work of the edit thread: drains the loop's samples and publishes
-  /// a force (architecture section 4, step 6). At least one period.
+  /// a force (docs/design/loop.md#data-flow, step 6). At least one period.
   std::int64_t edit_period_ns = 4'000'000;
   /// Arms the loop at the start; if off, the same script is played without any force (R51).
   bool forces = true;

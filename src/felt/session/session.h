@@ -39,7 +39,7 @@ struct SessionOptions {
 };
 
 /// A drawing session: document, history, tools and settings, as a deterministic function of its
-/// events (architecture section 6). The program, replay and tests all use this class:
+/// events (docs/design/loop.md#determinism). The program, replay and tests all use this class:
 ///
 ///   Session session(make_tools(), options);
 ///   session.sample(s);                    // every sample of the device, hover samples too

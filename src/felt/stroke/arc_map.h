@@ -7,8 +7,8 @@
 namespace felt {
 
 /// Converts between the stroke parameter u (segment index + t) and the arc length s along a stroke.
-/// For brushes, whose influence falls off with the arc length (architecture section 10). Made once
-/// a gesture. Keeps a reference to the stroke, which must outlive it.
+/// For brushes, whose influence falls off with the arc length (docs/design/editing.md#brush). Made
+/// once a gesture. Keeps a reference to the stroke, which must outlive it.
 ///
 /// On a closed stroke, lengths beyond the ends wrap around (modulo the whole length), so that a
 /// range may cross the seam. On an open one they are clamped to the ends.

@@ -12,7 +12,8 @@
 
 namespace felt {
 
-/// How two neighbouring segments meet, or that the stroke ends there (specification section 4).
+/// How two neighbouring segments meet, or that the stroke ends there
+/// (docs/design/strokes.md#stroke-model).
 enum class JointKind : std::uint8_t {
   kSmooth,  ///< both tangents are collinear: G1 within 1e-6 degrees (I2)
   kCorner,  ///< the direction changes here; each side has its own tangent
@@ -48,7 +49,7 @@ struct Rgba {
   friend constexpr bool operator==(const Rgba&, const Rgba&) noexcept = default;
 };
 
-/// Limits of the stroke model (specification section 4, invariants I2, I4, I5).
+/// Limits of the stroke model (docs/design/strokes.md#invariants).
 inline constexpr double kMinWidthMm = 0.05;
 inline constexpr double kMinSegmentMm = 0.05;
 inline constexpr double kSmoothJointMaxDeg = 1e-6;
@@ -108,7 +109,7 @@ class Stroke {
   StrokeData data_;
 };
 
-/// Checks the invariants of the stroke model: I1-I6 of the specification, and I7, tones in 0..1.
+/// Checks the invariants I1 to I7 of the stroke model (docs/design/strokes.md#invariants).
 /// The only function that does; `Stroke::create` and every test call it. Fails with the name and
 /// the location of the first broken invariant.
 Result<void> check_invariants(const StrokeData& data);

@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// Converts what a device senses to the pen pressure, 0..1 (specification 5b; architecture section
-/// 10; R14, R18):
+/// Converts what a device senses to the pen pressure, 0..1 (docs/design/forces.md#pressing; R14,
+/// R18):
 ///   - if the device senses pressure: that value, clamped;
 ///   - if it senses depth: p = clamp((K depth - F0)/(F1 - F0), 0, 1), from the spring force of the
 ///     plane, so that the same push draws the same width on every surface;

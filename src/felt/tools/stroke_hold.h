@@ -8,9 +8,10 @@
 
 namespace felt {
 
-/// Tracks the point of a stroke under the pen, for tools that work along a stroke (specification
-/// 5c, "tracking"). The stroke is searched among all strokes once; then the point is followed along
-/// the arc, so that where a stroke crosses itself the pen stays on the branch it started on.
+/// Tracks the point of a stroke under the pen, for tools that work along a stroke
+/// (docs/design/editing.md#nearest-point). The stroke is searched among all strokes once; then the
+/// point is followed along the arc, so that where a stroke crosses itself the pen stays on the
+/// branch it started on.
 ///
 ///   hold.take(scene, pen);        // hover, touch
 ///   hold.follow(scene, pen);      // each further sample of the gesture

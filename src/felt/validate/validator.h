@@ -26,7 +26,7 @@ struct ValidationOptions {
   std::function<void(const CheckResult&)> on_end = {};
 };
 
-/// Tests a device (reliability.md 6.3 for devices):
+/// Tests a device (docs/design/devices.md#device-test):
 ///
 ///   level  checks
 ///   1      opens and closes repeatedly

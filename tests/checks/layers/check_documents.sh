@@ -4,7 +4,9 @@
 #   docs/requirements.md   every R1..R56 once; a test for each that is done, and every `Suite.Name`,
 #                          CTest name and path there exists in the sources
 #   docs/paper-map.md      every header has the function named beside it; every test exists
-#   all .md files          relative links lead to a file
+#   all .md files          relative links lead to a file, and to a heading of it
+#   sources and documents  a citation resolves: docs/FILE.md#heading exists, and nothing cites a
+#                          document that is not in the repository
 set -euo pipefail
 cd "${1:-.}"
 status=0
@@ -62,12 +64,33 @@ while IFS='|' read -r _ equation _ code tests _; do
   while read -r name; do check_name "$map: $equation" "$name"; done < <(in_backticks <<<"$tests")
 done < <(grep -E '^\| \(?[0-9E]' $map)
 
+# is_there FILE[#HEADING]
+is_there() {
+  [ -e "${1%%#*}" ] && { [[ $1 != *.md#* ]] || sed -nE 's/^#+ +//p' "${1%%#*}" | tr '[:upper:]' '[:lower:]' |
+    sed -E 's/[^a-z0-9 _-]//g; s/ /-/g' | grep -xF -- "${1#*#}" >/dev/null; }
+}
+
 while IFS= read -r document; do
   while IFS= read -r link; do
-    [[ $link =~ ^(https?:|mailto:|#) ]] || [ -e "$(dirname "$document")/${link%%#*}" ] ||
+    [[ $link =~ ^(https?:|mailto:|#) ]] || is_there "$(dirname "$document")/$link" ||
       complain "$document: the link to '$link' leads nowhere"
   done < <(grep -oE '\]\([^) ]+\)' "$document" | sed -E 's/^\]\(|\)$//g' || true)
 done < <(find . -name '*.md' -not -path './build*' -not -path './out/*' -not -path '*/node_modules/*' \
   -not -path './.git/*' | sed 's|^\./||' | LC_ALL=C sort)
+
+mapfile -t texts < <(find src apps tests bench share samples cmake docs ./*.md -type f \( -name '*.h' -o -name '*.cc' \
+  -o -name '*.md' -o -name '*.cmake' -o -name '*.toml' -o -name '*.patch' \) | sed 's|^\./||' | LC_ALL=C sort)
+while IFS=: read -r file line cited; do
+  is_there "$cited" || complain "$file:$line: '$cited' does not exist: cite a file and a heading of it that do"
+done < <(grep -HnoE '\b(docs/[A-Za-z0-9_./-]+|ARCHITECTURE)\.md(#[a-z0-9-]+)?' "${texts[@]}" || true)
+
+# "specification 5b", "(architecture" at the end of a line, "peers.md", "devices.md 3"; "E5" where errata.md is not named.
+retired='\b(specification|architecture|reliability|fitting|performance|devices|peers|style)(\.md)?,?( (section|decision|target))* ([0-9]|section)'
+retired+='|\((specification|architecture)( section)?$|\b(of|as) the specification\b'
+retired+='|(^|[^/a-z-])((specification|fitting|performance|ecosystem|peers|frontier|style|measured-use)\.md|(reliability|devices)\.md($|[^])#`]))'
+while IFS=: read -r file line text; do
+  complain "$file:$line: cites a document that is not here: cite docs/design/FILE.md#heading instead: $text"
+done < <(grep -HnEi "$retired" "${texts[@]}" || true
+         grep -LF 'errata.md' "${texts[@]}" | xargs -d '\n' grep -HnE '(//|^[^"]*[[(|]).*\bE([1-9]|1[0-9]|2[0-4])\b' || true)
 
 exit $status

@@ -1,11 +1,11 @@
 // device_fuzz [--bench NAME] [--seeds N] [--seed FIRST] [--limits] [--bad NAME] [--all] [--trace]
 // device_fuzz --list
 //
-// Faults of reliability section 3.5 through the fakes of every driver, or of one: N cases, their
-// seeds from FIRST on (fault_case.h, fault_episode.h). With --limits random sequences of calls,
-// meant badly (limits_fuzz.h). Prints what was tried, or the broken rule with the line that repeats
-// it, and then exits with 1. --all goes on and counts what breaks. --bad takes the reference bench
-// with a driver that is bad on purpose, which must break a rule.
+// Faults of docs/design/devices.md#faults through the fakes of every driver, or of one: N cases,
+// their seeds from FIRST on (fault_case.h, fault_episode.h). With --limits random sequences of
+// calls, meant badly (limits_fuzz.h). Prints what was tried, or the broken rule with the line that
+// repeats it, and then exits with 1. --all goes on and counts what breaks. --bad takes the
+// reference bench with a driver that is bad on purpose, which must break a rule.
 #include <unistd.h>
 
 #include <algorithm>

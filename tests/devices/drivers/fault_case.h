@@ -8,7 +8,7 @@
 
 namespace felt {
 
-/// What goes wrong (reliability section 3.5), beside the device itself.
+/// What goes wrong (docs/design/devices.md#faults), beside the device itself.
 enum class Happening : std::uint8_t {
   kDeviceFault,  ///< one of injected_faults()
   kStall,        ///< no tick for 3..500 ms

@@ -22,7 +22,7 @@ constexpr double kDownMm = -0.25, kUpMm = 0.25;
 StylusPreset preset_of(const BoardModel& model) {
   StylusPreset preset{.name = "2diy",
                       .label = "Haply 2DIY",
-                      .source = "devices.md 10.1: 2DIY-like",
+                      .source = "docs/design/devices.md#pantograph-board",
                       .mechanics = {.mass_kg = 0.06, .friction_n = 0.05},
                       .capabilities = find_device_model("2diy")->capabilities};
   Capabilities& can = preset.capabilities;

@@ -1,5 +1,5 @@
 // Scheduler jitter as measured, replayed on the virtual clock against a hand in contact (R49;
-// performance.md, target 4): the force stays limited, and comes back without a kick.
+// docs/design/loop.md#what-is-proven): the force stays limited, and comes back without a kick.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -10,7 +10,7 @@ namespace felt::rt_test {
 namespace {
 
 constexpr std::array kRows{
-    // performance.md 4.1, machine light
+    // docs/design/loop.md#wake-up-lateness, light
     RecordedLateness{"other, light, 1 kHz", 1000, 70, 827, 5118, 6149},
     RecordedLateness{"other, light, 4 kHz", 4000, 59, 148, 1252, 3951},
     RecordedLateness{"other, light, 5 kHz", 5000, 57, 153, 1216, 5292},
@@ -37,7 +37,7 @@ constexpr std::array kRows{
     RecordedLateness{"fifo, loaded, 4 kHz", 4000, 8, 119, 466, 15715},
     // "a FIFO run in a quiet moment once showed 29 ms"
     RecordedLateness{"fifo, quiet, once", 1000, 21, 98, 218, 29000},
-    // reliability.md 6.2
+    // docs/design/loop.md#wake-up-lateness, second series
     RecordedLateness{"other, other jobs", 1000, 64, 1173, 4260, 7122},
     RecordedLateness{"fifo, other jobs", 1000, 12, 35, 282, 684},
     RecordedLateness{"other, stress", 1000, 3202, 20080, 35980, 42111},

@@ -8,8 +8,8 @@
 
 namespace felt::rt_test {
 
-/// How late a loop's ticks came on a real machine: one row of performance.md 4.1 or of
-/// reliability.md 6.2, in us.
+/// How late a loop's ticks came on a real machine: one row of docs/design/loop.md#wake-up-lateness,
+/// in us.
 struct RecordedLateness {
   std::string_view name;
   double rate_hz = 1000.0;

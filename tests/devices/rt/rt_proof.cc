@@ -1,5 +1,5 @@
 // Proves that a tick of the haptic loop allocates nothing, locks nothing, makes no system call,
-// touches no new page and does not give the processor away (performance.md, target 4).
+// touches no new page and does not give the processor away (docs/design/loop.md#what-is-proven).
 //   rt_proof [--ticks N] [SCENARIO...]     runs them all, or those named; exit 3 on a violation
 //   rt_proof --plant NAME                  plants a violation, which must be caught; 77: cannot be
 //   rt_proof --list | --list-plants

@@ -8,7 +8,7 @@
 
 namespace felt::safety {
 
-/// Says whether what reached the device was allowed (architecture section 10), from the inputs
+/// Says whether what reached the device was allowed (docs/design/limits.md), from the inputs
 /// alone. It shares no code with the chain and knows less than the chain does: it demands only what
 /// is certain, so what it calls broken is broken. The chain's own word (its report) counts only
 /// where it claims to send nothing.

@@ -38,7 +38,7 @@ std::string name_of(const StabilityCell& cell);
 /// What was measured.
 struct StabilityResult {
   /// RMS of what the device pushed above 30 Hz, N, in the part of the trial where nothing sudden is
-  /// meant to happen (specification section 0, "HF"). A tap has none: 0.
+  /// meant to happen (docs/design/simulation.md#measures). A tap has none: 0.
   double high_frequency_n = 0.0;
   /// Net work of the device's force on the hand over one contact, mJ: the worst of the taps, else
   /// all of a movement that ends where it began. Negative is 0.
@@ -48,7 +48,7 @@ struct StabilityResult {
   bool finite = true;
 };
 
-/// Bounds of the specification (section 0, "clean") and of reliability 3.3 ("passivity").
+/// Bounds of docs/design/simulation.md#measures.
 inline constexpr double kCleanForceN = 0.03;
 inline constexpr double kPassiveEnergyMj = 1.0;
 bool passes(const StabilityResult& result) noexcept;

@@ -103,7 +103,7 @@ Why, by kind:
 
 * **worst, well or edit, 1 kHz: 0.03 to 0.07 N.** A pen without any friction of its own between two
   springs in the sheet, the friction's bristle and the target or the edit, that together use the whole
-  budget of specification 5d (900 N/m, or 600 N/m with 2 ticks of delay). Dampers in the sheet leave
+  budget of [the design](design/limits.md#stiffness-budget) (900 N/m, or 600 N/m with 2 ticks of delay). Dampers in the sheet leave
   speeds below 6 mm/s alone, since one step of this sensor looks like 12 mm/s; so a swing of about 0.1
   mm at about 25 Hz is not damped, and with a light hand or none nothing else damps it. It does not
   grow. The real device with the least friction (premium, 0.04 N) is clean. Media with a softer

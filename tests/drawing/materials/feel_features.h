@@ -20,9 +20,9 @@ std::string_view name_of_feature(std::size_t feature) noexcept;
 /// From the forces of one stroke and a clock. `leg_mm`: the length of both halves of the path,
 /// which all strokes share; how fast the pen was follows from how long it took.
 ///
-/// JNDs: force 10 % (the 8 to 13 % of the specification), stiffness 22 % (Jones and Hunter 1990),
-/// strength of a vibration 20 % and its coarseness 25 % (round figures), of which nothing is felt
-/// far below 0.04 N peak.
+/// JNDs: force 10 % (8 to 13 %: docs/design/simulation.md#perception), stiffness 22 % (Jones and
+/// Hunter 1990), strength of a vibration 20 % and its coarseness 25 % (round figures), of which
+/// nothing is felt far below 0.04 N peak.
 FeelFeatures features_of(const StrokeForces& forces, double leg_mm);
 
 /// A texture in a row of forces.

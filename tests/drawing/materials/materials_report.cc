@@ -42,7 +42,7 @@ The other figures of these pairs (R48, R56), the worst of all of them on each de
 
 1. the largest share of the stiffness that the device bears along an axis which is in use: the sheet,
    or the friction's bristle and what the texture adds; at most 100 %;
-2. the stiffest place of any texture, of what the loop bears (specification, decision 10);
+2. the stiffest place of any texture, of what the loop bears ([design](design/forces.md#texture));
 3. the force above 30 Hz that a resting pen feels, N, of the worst of four hands; below 0.04 N.
 
 )";

@@ -90,7 +90,8 @@ std::string name_of_case(const ::testing::TestParamInfo<Case>& info) {
 }
 INSTANTIATE_TEST_SUITE_P(, EveryMedium, ::testing::ValuesIn(cases()), name_of_case);
 
-// Specification 5i, R13, R41: what is felt of pencil and chalk, the board included, is in the list.
+// docs/design/forces.md#texture, R13, R41: what is felt of pencil and chalk, the board included, is
+// in the list.
 TEST(Materials, R47_TheReportCallsFeltWhatPeopleExpectToFeel) {
   std::ifstream in("docs/materials.md");
   const std::string report{std::istreambuf_iterator<char>(in), {}};

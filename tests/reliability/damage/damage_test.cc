@@ -309,8 +309,9 @@ std::string repeated(const std::string& part, std::size_t count) {
   return text;
 }
 
-/// Refused or read, soon and in bounded memory. 20 times the file and 64 MiB, reliability.md 4.3,
-/// where the file is what it is once unpacked, at most 100 times as large.
+/// Refused or read, soon and in bounded memory. 20 times the file and 64 MiB,
+/// docs/design/limits.md#foreign-files, where the file is what it is once unpacked, at most 100
+/// times as large.
 void expect_bounded(const std::string& what, const std::string& bytes, const std::string& name,
                     bool is_refused) {
   const double start = cpu_seconds();

@@ -79,7 +79,7 @@ struct Event {
 std::optional<Event> read_event(std::string_view message, std::string_view device_id) noexcept;
 
 /// The service's name for the vector of set_cursor_force, which differs between its own pages
-/// (devices.md 5.1).
+/// (docs/design/devices.md#haply-service).
 enum class ForceKey : std::uint8_t {
   kValues,  ///< all examples up to 3.4; also used if the version is unknown
   kVector,  ///< reference pages of 3.5

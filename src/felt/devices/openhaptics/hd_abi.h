@@ -3,8 +3,8 @@
 #include <cstdint>
 
 /// The part of the binary interface of libHD on 64-bit Linux that we need, in our own declarations
-/// and names (devices.md 3.1; OpenHaptics API reference, tables ). Values are facts of
-/// the interface; nothing is copied from the maker's headers.
+/// and names (docs/design/devices.md#openhaptics; OpenHaptics API reference, tables ).
+/// Values are facts of the interface; nothing is copied from the maker's headers.
 namespace felt::hd {
 
 using Enum = unsigned;

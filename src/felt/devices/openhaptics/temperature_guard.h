@@ -8,7 +8,8 @@ namespace felt {
 /// Limits the force while motors are warm, according to their own thermometers (0 cold .. 1 too
 /// warm). From 0.7 on the limit falls by a thousandth per tick, down to the continuous force; below
 /// 0.5 it rises again at the same rate. Rule and numbers are those of the maker's own sample for
-/// motor temperature (devices.md 3.3); at 1 kHz the limit halves in 0.7 s.
+/// motor temperature (docs/design/devices.md#motor-temperature); at 1 kHz the limit halves in 0.7
+/// s.
 ///
 /// Haptic thread; real-time safe.
 class TemperatureGuard {

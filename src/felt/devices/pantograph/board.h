@@ -30,8 +30,9 @@ struct BoardModel {
   Vec3 reach_min, reach_max;          ///< the area with full authority, mm
 };
 
-/// Returns the makes, from Haply's public code and that of its users (devices.md 6): the C++
-/// example for v1, the Processing and Python examples for v2 and v3. None was tested on hardware.
+/// Returns the makes, from Haply's public code and that of its users
+/// (docs/design/devices.md#pantograph-board): the C++ example for v1, the Processing and Python
+/// examples for v2 and v3. None was tested on hardware.
 std::span<const BoardModel> board_models() noexcept;
 /// Returns the make with this id, or null.
 const BoardModel* find_board_model(std::string_view id) noexcept;

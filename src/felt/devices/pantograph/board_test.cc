@@ -26,8 +26,9 @@ std::array<std::byte, kReplyBytes> reply(float first, float second) {
   return bytes;
 }
 
-// Byte by byte as the frame in devices.md 6: type 1, device 5; motors on ports 1 and 2 (mask 3),
-// all clockwise; encoders the same; no sensors, no pwm; offset 180 and 0 degrees, 13824 counts.
+// Byte by byte as the frame in docs/design/devices.md#pantograph-board: type 1, device 5; motors on
+// ports 1 and 2 (mask 3), all clockwise; encoders the same; no sensors, no pwm; offset 180 and 0
+// degrees, 13824 counts.
 TEST(Board, TheFirstMakeIsSetUpAsItsExampleDoes) {
   EXPECT_EQ(numbers(setup_frame(*find_board_model("v1"))),
             (std::array<int, 26>{1,    5, 3, 0,    0,    3, 0, 0, 0, 0, 0, 0,    0x34,

@@ -9,7 +9,7 @@
 
 namespace felt {
 
-/// A fault of a device (reliability section 3.5).
+/// A fault of a device (docs/design/devices.md#faults).
 enum class InjectedFault : std::uint8_t {
   kReadError,      ///< read() returns kDisconnected
   kWriteError,     ///< write() returns kDisconnected; the force in effect stays

@@ -41,8 +41,9 @@ struct StrokeForces {
 /// plan gives the same forces.
 StrokeForces draw_stroke(const StrokePlan& plan);
 
-/// Returns the vibration in a force: RMS above 30 Hz over all axes, N (specification section 0,
-/// "HF"). Skips the first tenth of a second; returns 0 if there is no more than that.
+/// Returns the vibration in a force: RMS above 30 Hz over all axes, N
+/// (docs/design/simulation.md#measures). Skips the first tenth of a second; returns 0 if there is
+/// no more than that.
 double force_above_30_hz_n(std::span<const Force> forces, double period_s);
 
 }  // namespace felt

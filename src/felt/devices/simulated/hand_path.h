@@ -23,7 +23,7 @@ std::vector<Point> smooth_path(std::span<const Point> via);
 /// power law, speed ~ curvature^(-1/3) (Lacquaniti, Terzuolo, Viviani, Acta Psychologica 54, 1983;
 /// with the floor of Viviani, Schneider, J Exp Psychol HPP 17, 1991, that keeps straight parts
 /// finite), nearly stops in corners and at both ends, and never accelerates beyond 2 m/s^2 along
-/// the path (specification 5b). `tempo` multiplies all speeds.
+/// the path (docs/design/simulation.md#perception). `tempo` multiplies all speeds.
 std::vector<TimedPoint> pace(std::span<const Point> path, double tempo);
 
 }  // namespace felt

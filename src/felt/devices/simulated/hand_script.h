@@ -43,7 +43,7 @@ struct HandScriptOptions {
   ContactBy contact = ContactBy::kDepth;
   std::int64_t interval_ns = 1'000'000;  ///< between aims
   double plane_n_per_m = 500.0;          ///< stiffness of the surface that it presses on
-  double light_n = 0.1;                  ///< force for pressure 0 (F0 of specification 5b)
+  double light_n = 0.1;                  ///< force for pressure 0 (F0 of docs/design/forces.md)
   double full_n = 2.0;                   ///< force for pressure 1 (F1)
   double absent_pressure = 0.5;
   /// Known to a practised hand, which aims ahead to compensate: friction mu of the pen on the

@@ -16,7 +16,8 @@ bool changes_contact(const Aim& a, const Aim& b) noexcept;
 /// staircase, which the hand would feel and the safety chain would treat as jumps.
 ///
 /// A hand with mass does not jump either: it moves at most at 500 mm/s, which is faster than
-/// writing (reliability section 3.3) and slower than the speed at which the safety chain brakes.
+/// writing (docs/design/limits.md#speed) and slower than the speed at which the safety chain
+/// brakes.
 ///
 /// Pressure, buttons and tilt change when the aim arrives, so that a pen that is put down draws
 /// from there and not from its earlier position; or with the next aim if that comes first, so that

@@ -25,10 +25,10 @@ enum class MousePressure : std::uint8_t {
   kBySpeed,   ///< slower is harder: 0.8 at rest down to 0.2 at 300 mm/s and more
 };
 
-/// Maps mouse and tablet to a hand: every event becomes an aim of the simulated hand (architecture
-/// section 4). On a device that pushes back, pressure sets how deep the hand aims, so that surface
-/// and hand balance at the force for that pressure; without forces it is passed through. Tilt is
-/// always passed through.
+/// Maps mouse and tablet to a hand: every event becomes an aim of the simulated hand
+/// (docs/design/loop.md#data-flow). On a device that pushes back, pressure sets how deep the hand
+/// aims, so that surface and hand balance at the force for that pressure; without forces it is
+/// passed through. Tilt is always passed through.
 ///
 /// Any one thread.
 class PointerHand {

@@ -11,10 +11,10 @@ struct PseudoCursorOptions {
   double release_s = 0.05;  ///< from the largest displacement to none, after the force ends
 };
 
-/// Shows forces to the eye if the hand cannot feel them (devices.md 10.5; Lecuyer et al. 2004: a
-/// cursor that lags behind or runs ahead of the hand is perceived as a slope). The cursor is shown
-/// at the hand's position plus a bounded part of the displacement of the simulated pen by the
-/// simulated force.
+/// Shows forces to the eye if the hand cannot feel them (docs/design/devices.md#pseudo-haptics;
+/// Lecuyer et al. 2004: a cursor that lags behind or runs ahead of the hand is perceived as a
+/// slope). The cursor is shown at the hand's position plus a bounded part of the displacement of
+/// the simulated pen by the simulated force.
 ///
 /// It is off while a pen draws on a tablet, because ink must appear under the pen's tip; when the
 /// pen lifts, the displacement is released evenly. If values are not finite the cursor is at the

@@ -56,7 +56,7 @@ const std::array<StylusPreset, 9>& presets() noexcept {
   static const std::array<StylusPreset, 9> kPresets{{
       {.name = "worst",
        .label = "Worst case: light, frictionless, coarse",
-       .source = "specification section 0; forces as the touch",
+       .source = "docs/design/simulation.md#devices; forces as the touch",
        .mechanics = {.mass_kg = 0.045, .weight_n = 0.1},
        .capabilities = of_worst()},
       {.name = "touch",

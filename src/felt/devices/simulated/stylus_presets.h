@@ -8,8 +8,8 @@
 namespace felt {
 
 /// A hand as the stylus feels it: a mass that moves with the stylus, and a spring and a damper
-/// between the stylus and the hand's aim (specification section 0). The four hands cover the range
-/// of people; none is measured.
+/// between the stylus and the hand's aim (docs/design/simulation.md#hands). The four hands cover
+/// the range of people; none is measured.
 struct SimulatedHand {
   std::string_view name{};
   double mass_kg = 0.03;
@@ -17,7 +17,7 @@ struct SimulatedHand {
   double damping_n_s_per_m = 3.0;
 };
 
-/// Returns the hands light, soft, typical, firm (specification section 0).
+/// Returns the hands light, soft, typical, firm (docs/design/simulation.md#hands).
 std::span<const SimulatedHand> simulated_hands() noexcept;
 /// Returns the hand with this name, or null.
 const SimulatedHand* find_hand(std::string_view name) noexcept;

@@ -28,12 +28,12 @@ double stiffness_budget_n_per_m(const Capabilities& device) noexcept;
 ///
 ///   K = min(K of the surface, C sqrt(K of the surface/kHardestNPerM))
 ///
-/// B is at most the device's, and 2 N s/m on loops with periods below 0.5 ms (specification 5b). If
-/// the sensor is coarse, both are reduced: one of its steps may change the spring's push by at most
-/// 0.025 N, and the damper's by the same amount again; the damper sees a step as a speed (step over
-/// 1.6 ms and a period). Otherwise a sliding pen hums between two steps at 60 to 100 Hz
-/// (docs/stability.md): 0.03 to 0.06 N with steps of 0.055 mm. The width of a line is computed with
-/// this K.
+/// B is at most the device's, and 2 N s/m on loops with periods below 0.5 ms
+/// (docs/design/forces.md#plane). If the sensor is coarse, both are reduced: one of its steps may
+/// change the spring's push by at most 0.025 N, and the damper's by the same amount again; the
+/// damper sees a step as a speed (step over 1.6 ms and a period). Otherwise a sliding pen hums
+/// between two steps at 60 to 100 Hz (docs/stability.md): 0.03 to 0.06 N with steps of 0.055 mm.
+/// The width of a line is computed with this K.
 PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
 /// Returns the friction of a medium on a surface on a device. k is the medium's (default 600 N/m)
 /// if the budget then leaves 300 N/m for one more spring (edit, snap), and less on slower loops

@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// Friction of one material on another (specification 5f; figures in material.cc).
+/// Friction of one material on another (docs/design/forces.md#friction; figures in material.cc).
 struct FrictionOptions {
   double coefficient = 0.25;         ///< mu, static = kinetic
   double stiffness_n_per_m = 600.0;  ///< k of the bristle
@@ -22,12 +22,12 @@ struct FrictionOptions {
 /// the limit the foot follows the pen, so F = mu Fn in every steady slide. Static friction equals
 /// kinetic friction, because low stiction helps aiming and high stiction hurts (Richard and
 /// Cutkosky 2000). A friction that is a function of the speed would buzz at rest (0.17-0.58 N above
-/// 30 Hz; decision 6).
+/// 30 Hz; docs/design/forces.md#friction).
 ///
 /// v is the known velocity (pen_sample.h). The damper acts on v and not on dz/dt, because dz/dt
-/// jumps when the foot starts to move, and flips the force (devices.md 10.3: spikes of -1.2 N). In
-/// a slide, the shortening removes the damper's part again. If the plane does not push, there is no
-/// friction, and the foot is lifted.
+/// jumps when the foot starts to move, and flips the force (docs/design/forces.md#friction: spikes
+/// of -1.2 N). In a slide, the shortening removes the damper's part again. If the plane does not
+/// push, there is no friction, and the foot is lifted.
 ///
 /// memory.scale.friction scales k and d. memory.friction_factor, set by a texture before this
 /// brick, multiplies mu for one tick; its part is reported as the term "texture".

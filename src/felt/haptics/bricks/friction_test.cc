@@ -94,9 +94,9 @@ TEST(Friction, StaticEqualsKinetic) {
 }
 
 TEST(Friction, MovingTheFootAlongMakesNoSpike) {
-  // devices.md 10.3: a damper on dz/dt flips the force when the foot starts to move. On any path
-  // with the true velocity of the pen, the force must change between ticks only by the changes of
-  // stretch and velocity.
+  // docs/design/forces.md#friction: a damper on dz/dt flips the force when the foot starts to move.
+  // On any path with the true velocity of the pen, the force must change between ticks only by the
+  // changes of stretch and velocity.
   const Friction friction({.coefficient = 0.5, .stiffness_n_per_m = 600, .damping_n_s_per_m = 1.5});
   for (const double hz : {1.0, 3.0, 7.0}) {
     ForceMemory memory;

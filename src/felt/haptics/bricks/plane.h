@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// The resistance of a surface (specification 5b; figures in material.cc).
+/// The resistance of a surface (docs/design/forces.md#surfaces; figures in material.cc).
 struct PlaneOptions {
   double stiffness_n_per_m = 500.0;
   double damping_n_s_per_m = 2.0;
@@ -28,7 +28,7 @@ struct PlaneOptions {
 /// * |vz| counts up to 500 mm/s, so the damper adds at most 1 N. Faster motion is left to the
 ///   safety chain, so that a stale position does not cause a kick.
 /// * A smaller budget reduces K and leaves B unchanged, because at a longer delay the damper keeps
-///   a soft plane calm (specification 5b, table of clean stiffnesses).
+///   a soft plane calm (docs/design/forces.md#plane).
 ///
 /// Writes memory.normal_force_n (for the friction) and memory.spring_force_n (for the width).
 class Plane {

@@ -16,7 +16,7 @@ struct EditOptions {
   double damping_n_s_per_m = 1.0;  ///< Bed, on the known velocity (pen_sample.h)
 };
 
-/// Pulls the pen back to where it grabbed (R29, R30; specification 5d, "grab"):
+/// Pulls the pen back to where it grabbed (R29, R30; docs/design/forces.md#edit-springs):
 ///
 ///   F = -phi(|V|) V/|V| - Bed v,   V = pen - origin, along the surface
 ///
@@ -44,9 +44,10 @@ struct CurveNear {
   std::int64_t time_ns = 0;  ///< of that sample
 };
 
-/// Pulls the pen towards a curve that yields with a time constant (R29, eq. 8; specification 5d,
-/// "sweep"): F = -phi(|V|) V/|V| - Bed v_n, with V from the curve to the pen and v_n the velocity
-/// across the curve. Moving along a curve that does not change causes no force.
+/// Pulls the pen towards a curve that yields with a time constant (R29, eq. 8;
+/// docs/design/forces.md#edit-springs): F = -phi(|V|) V/|V| - Bed v_n, with V from the curve to the
+/// pen and v_n the velocity across the curve. Moving along a curve that does not change causes no
+/// force.
 ///
 /// The tool publishes the curve every few milliseconds. Between two publications the force assumes
 /// that the curve goes on yielding as the tool will compute it: V' = v - V/tau, solved for a pen

@@ -9,7 +9,7 @@
 namespace felt {
 
 /// Parameters of a nib on a short rope behind the pen: towed (drag) drawing. It steadies curves in
-/// cases in which friction alone does not (Keefe 2007, by peers.md).
+/// cases in which friction alone does not (Keefe 2007, docs/design/forces.md#stabilisers).
 struct TowOptions {
   double rope_mm = 4.0;             ///< slack, within which there is no force and the nib rests
   double time_constant_s = 0.020;   ///< of the nib's approach when the rope is taut
@@ -56,8 +56,8 @@ Vec move_mass(const InertiaOptions& options, Follower& mass, Point pen, Vec pen_
               double dt_s) noexcept;
 
 /// Virtual inertia by a virtual coupling. It is never F = m a, because the acceleration measured on
-/// an impedance device is noise and delay (devices.md 10.1). At each landing the mass starts under
-/// the pen, with the pen's velocity.
+/// an impedance device is noise and delay (docs/design/forces.md#stabilisers). At each landing the
+/// mass starts under the pen, with the pen's velocity.
 class Inertia {
  public:
   explicit Inertia(const InertiaOptions& options = {}) noexcept : options_(options) {}

@@ -10,7 +10,7 @@
 
 namespace felt {
 
-/// The counter-force of a transform (paper, eq. 10; specification 5e, E14-E16; R35-R38). Curves
+/// The counter-force of a transform (paper, eq. 10; docs/design/forces.md#tether; R35-R38). Curves
 /// that connect the selection to the rest resist the transform, in proportion to how far their
 /// fixed ends *would* have moved:
 ///

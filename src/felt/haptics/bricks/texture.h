@@ -12,7 +12,7 @@ namespace felt {
 enum class TextureLaw {
   /// mu(x) = mu0 (1 + 0.8 s(k h(x)/0.8)), s(x) = x/sqrt(1 + x^2). The default.
   kFriction,
-  /// F = -Fn grad h (Minsky 1995; specification 5i).
+  /// F = -Fn grad h (Minsky 1995; docs/design/forces.md#texture).
   kGradient,
 };
 
@@ -27,11 +27,11 @@ struct TextureOptions {
 };
 
 /// Returns the stiffness that a texture may present at a loop period, N/m: 400 at 1 ms, 800 at 0.2
-/// ms (Choi and Tan 2004; specification decision 10), linear in between, in proportion to the rate
-/// below 1 kHz.
+/// ms (Choi and Tan 2004; docs/design/forces.md#texture), linear in between, in proportion to the
+/// rate below 1 kHz.
 double texture_stiffness_limit_n_per_m(double period_s) noexcept;
 
-/// The grain of the surface as force (R48; specification 5i, devices.md 10.4).
+/// The grain of the surface as force (R48; docs/design/forces.md#texture).
 ///
 /// Why the default is friction and not the gradient: a gradient force pushes the pen even at rest,
 /// is a spring (of either sign) that adds to all others along the surface, and with the measured Fn

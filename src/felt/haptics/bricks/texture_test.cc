@@ -55,7 +55,7 @@ void keeps_every_preset_to_the_bound(double period_s) {
       EXPECT_EQ(grain, nullptr);
       continue;
     }
-    // The bound of the specification, for the field's RMS wave and the counted push.
+    // The bound of docs/design/forces.md#texture for the field's RMS wave and the counted push.
     const double wave = kTau / surface.grain_mm;
     EXPECT_LE(Texture::kMaxCountedN * surface.grain_um * std::sqrt(2.0) * wave * wave, 400.0)
         << surface.id;

@@ -11,8 +11,8 @@
 
 namespace felt {
 
-/// The attraction of a snap target as a function of distance (paper, eq. 11; specification 5g,
-/// E17).
+/// The attraction of a snap target as a function of distance (paper, eq. 11;
+/// docs/design/forces.md#snap-well).
 ///
 ///   F(d) = Fp d/d0                        d < d0
 ///        = Fp                             d0 <= d <= M - w

@@ -67,7 +67,7 @@ TEST(Well, R43_ThePotentialIsTheIntegralAndBounded) {
       }
     }
   }
-  EXPECT_NEAR(WellShape{}.potential_mj(100.0), 3.6, 1e-12);  // specification 5g
+  EXPECT_NEAR(WellShape{}.potential_mj(100.0), 3.6, 1e-12);  // docs/design/forces.md#snap-well
 }
 
 TEST(Well, NoReachIsNoForce) {

@@ -27,8 +27,8 @@ struct TickTime {
   Lateness lateness = Lateness::kOnTime;
 };
 
-/// Measures ticks (reliability 3.3). If time stands still or runs backwards, nothing is credited;
-/// running backwards by t counts as late by t. Real-time safe.
+/// Measures ticks (docs/design/limits.md#tick-time). If time stands still or runs backwards,
+/// nothing is credited; running backwards by t counts as late by t. Real-time safe.
 class TickClock {
  public:
   explicit TickClock(const SafetyLimits& limits) noexcept;
@@ -45,7 +45,7 @@ class TickClock {
   bool has_last_ = false;
 };
 
-/// Monitors the heartbeats of the edit thread (architecture section 10: edit side silent). Silence
+/// Monitors the heartbeats of the edit thread (docs/design/limits.md#edit-side). Silence
 /// is measured on the chain's own clock, so that a clock that stops or jumps cannot hide it. The
 /// same heartbeat seen twice counts once.
 class HeartbeatWatch {
@@ -157,8 +157,8 @@ class SpeedGuard {
 /// Infinite without a rating.
 double sustained_force_n(const SafetyLimits& limits) noexcept;
 
-/// Protects the motors from overheating (architecture section 10: RMS over 10 s at most 80 % of the
-/// rating, then a fade over 1 s with a notice).
+/// Protects the motors from overheating (docs/design/limits.md#motors: RMS over 10 s at most 80 %
+/// of the rating, then a fade over 1 s with a notice).
 ///
 /// The mean square m of the force is low-pass filtered with half the window as time constant, as a
 /// motor warms. Its bound keeps the plain RMS over any whole window below the limit L: the energy
@@ -189,10 +189,10 @@ class MotorGuard {
   bool warm_ = false;
 };
 
-/// Passivity observer (reliability 3.2, after Hannaford and Ryu): computes the work that the sent
-/// forces have done on the hand since the pen last touched. The force of a tick is held until the
-/// next one, so its work is that force times the pen's displacement in between. It uses positions
-/// and not velocities, so noise does not add up.
+/// Passivity observer (docs/design/limits.md#passivity, after Hannaford and Ryu): computes the work
+/// that the sent forces have done on the hand since the pen last touched. The force of a tick is
+/// held until the next one, so its work is that force times the pen's displacement in between. It
+/// uses positions and not velocities, so noise does not add up.
 class PassivityObserver {
  public:
   /// Forgets all state; the next sample is the first.

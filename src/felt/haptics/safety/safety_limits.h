@@ -11,7 +11,7 @@ inline constexpr std::int64_t kShortestPeriodNs = 200'000;
 inline constexpr std::int64_t kLongestPeriodNs = 4'000'000;
 inline constexpr int kMaxDelayTicks = 100;
 
-/// The numbers of the safety chain (architecture section 10, "peak force" to "late tick"). The
+/// The numbers of the safety chain (docs/design/limits.md). The
 /// defaults are the upper bounds: `limits_for` only lowers forces, and no tool can change them.
 struct SafetyLimits {
   double peak_force_n = 3.0;
@@ -59,9 +59,10 @@ struct SafetyLimits {
 bool is_sound(const SafetyLimits& limits) noexcept;
 
 /// Returns the limits for a device: peak = min(user, advised, 0.9 nominal), continuous = 0.8 of the
-/// rating (architecture section 10), damping = 0.5 and stiffness = 0.9 of its maxima (reliability
-/// 3.3, R55). `user_limit_n` is clamped to 0..3 N. NaN and negative numbers count as 0. A device
-/// that reports an invalid force or scale gets no force.
+/// rating (docs/design/limits.md#motors), damping = 0.5 and stiffness = 0.9 of its maxima
+/// (docs/design/limits.md#stiffness-budget, R55). `user_limit_n` is clamped to 0..3 N. NaN and
+/// negative numbers count as
+/// 0. A device that reports an invalid force or scale gets no force.
 ///
 /// With a scale s (Capabilities::sheet_scale) the hand feels s times the stiffness and damping on
 /// the page, and moves at 1/s of the speed on the page (driver/plane_calibration.h). So that no

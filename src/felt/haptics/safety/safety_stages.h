@@ -12,7 +12,7 @@ namespace felt {
 /// returns 0.
 Force clamp_length(const Force& f, double max_n) noexcept;
 
-/// Limits the rise (architecture section 10): at most step_n N more than before.
+/// Limits the rise (docs/design/limits.md#rise): at most step_n N more than before.
 ///
 /// Falling is not limited, but turning and reversing are. The force first moves to the point of the
 /// segment from 0 to `previous` that is nearest to `wanted`, which only removes force, and from
@@ -31,9 +31,10 @@ double brake_damping(const SafetyLimits& limits, double speed_m_per_s) noexcept;
 /// size.
 Force damping_force(double damping_n_s_per_m, const Vec3& velocity_mm_per_s, double max_n) noexcept;
 
-/// Returns the sum of slopes in N/m that one axis may have (R56; specification 5d): budget_fast up
-/// to 2 ms of loop delay, budget_slow at 3 ms, in proportion to 1/delay beyond. The loop delay is
-/// the device's delay plus the period for which a force is held: (delay_ticks + 1) period.
+/// Returns the sum of slopes in N/m that one axis may have (R56;
+/// docs/design/limits.md#stiffness-budget): budget_fast up to 2 ms of loop delay, budget_slow at 3
+/// ms, in proportion to 1/delay beyond. The loop delay is the device's delay plus the period for
+/// which a force is held: (delay_ticks + 1) period.
 double stiffness_budget_n_per_m(const SafetyLimits& limits) noexcept;
 
 /// Returns scales that keep the slopes within the budget (R56) and the plane within the device's

@@ -86,7 +86,7 @@ TEST(Budget, R56_900UpTo2Milliseconds600At3AndInProportionBeyond) {
   EXPECT_DOUBLE_EQ(budget(2, 1'000'000), 600.0);
   EXPECT_DOUBLE_EQ(budget(5, 1'000'000), 300.0);
   EXPECT_DOUBLE_EQ(budget(0, 4'000'000), 450.0);
-  EXPECT_EQ(budget(2, 200'000), 900.0);  // specification 5j: 5 kHz is clean up to two ticks
+  EXPECT_EQ(budget(2, 200'000), 900.0);  // docs/design/forces.md: 5 kHz is clean up to two ticks
 }
 
 RC_GTEST_PROP(Budget, R56_TheSumOfSlopesKeepsToIt, ()) {

@@ -12,10 +12,11 @@
 #include "felt/haptics/force_model.h"
 #include "felt/haptics/pen_sample.h"
 
-/// Test helper: the bench for testing the force laws of this layer, as the specification measured
-/// them (its section 0). It simulates a point mass in 20 us steps, a hand that pulls it towards a
-/// target, Coulomb friction of the device, a position in steps of 0.03 mm, and a force that is some
-/// ticks late and held for a tick. There is no safety chain, because a law must be calm by itself.
+/// Test helper: the bench for testing the force laws of this layer, as they were measured during
+/// design (docs/design/simulation.md#model). It simulates a point mass in 20 us steps, a hand that
+/// pulls it towards a target, Coulomb friction of the device, a position in steps of 0.03 mm, and a
+/// force that is some ticks late and held for a tick. There is no safety chain, because a law must
+/// be calm by itself.
 ///
 /// Small and intentionally separate from devices/simulated, because two independent simulations
 /// that agree are stronger evidence.
@@ -75,8 +76,9 @@ void for_each_grip(double period_s, int delay_ticks, const Visit& visit) {
 }
 
 /// Measures the part of a force above 30 Hz: a Butterworth high-pass filter of the fourth order,
-/// RMS over everything after `begin`, of the axis on which it is largest (the specification's bench
-/// had one axis or two). The force is held between ticks, so one value per tick suffices.
+/// RMS over everything after `begin`, of the axis on which it is largest (the bench of
+/// docs/design/simulation.md#measures had one axis or two). The force is held between ticks, so one
+/// value per tick suffices.
 class HighFrequency {
  public:
   explicit HighFrequency(double period_s) {

@@ -5,8 +5,8 @@
 
 namespace felt {
 
-/// Moves the ends of strokes onto each other and joins strokes (specification 5g, architecture
-/// section 10; R43, R45). Pure functions from strokes to strokes; I1-I6 hold.
+/// Moves the ends of strokes onto each other and joins strokes (docs/design/editing.md#joining;
+/// R43, R45). Pure functions from strokes to strokes; I1-I6 hold.
 
 /// The longest distance along the stroke over which the shift of an end fades out.
 inline constexpr double kTipFadeMm = 25.0;

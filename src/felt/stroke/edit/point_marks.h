@@ -11,7 +11,7 @@
 namespace felt {
 
 /// Marks on the control points of a stroke: one byte for each of StrokeData::points, 1 = selected
-/// (Selection::Marks). Pure functions (specification 5e; R31-R34).
+/// (Selection::Marks). Pure functions (docs/design/editing.md#lasso; R31-R34).
 ///
 /// The *arms* of a joint are the points that define its two tangents: usually its handles; if a
 /// handle is zero (at the joint itself), the next control point that differs from the joint (I2).

@@ -49,7 +49,7 @@ class CurveFitter {
   /// The joint is put at this fraction of the longest run.
   static constexpr double kReach = 0.8;
   /// Bounds of the spacing of data points: the resolution of the paper's devices [Paper section 2:
-  /// PHANToM, 0.03 mm], and the threshold for data points in the specification. Between them the
+  /// PHANToM, 0.03 mm], and its threshold (docs/design/strokes.md#data-points). Between them the
   /// spacing is the fraction kSpacing of the tolerance.
   static constexpr double kResolutionMm = 0.03;
   static constexpr double kDataPointMm = 0.25;

@@ -74,8 +74,8 @@ struct ToneMapOptions {
 };
 
 /// How pressure becomes width: W = (min + (max - min) p^gamma) (1 + (lean_width - 1) l), by
-/// specification section 5b, with the tilt l of geometry/lean.h. The defaults are for the haptic
-/// plane, on which the paper draws broader lines by pressing harder; tilt has no effect.
+/// docs/design/strokes.md#width, with the tilt l of geometry/lean.h. The defaults are for the
+/// haptic plane, on which the paper draws broader lines by pressing harder; tilt has no effect.
 struct WidthMapOptions {
   double min_mm = 0.3;             ///< width at p = 0; not below kMinWidthMm
   double max_mm = 6.0;             ///< width at p = 1; not below min_mm

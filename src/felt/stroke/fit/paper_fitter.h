@@ -15,17 +15,19 @@ namespace felt {
 /// the text as follows:
 ///   - "a threshold" decides what is a data point: a sample nearer than `data_point_mm` to the last
 ///     one is not, except the last sample of the stroke. So slow drawing costs no segments.
-///   - [Paper eq. 2, E7] a segment fitted to the points P_1..P_n runs from B1 = P_(1+s) to
-///     B4 = P_(n-s); neighbours share 2s + 1 samples and the joint is the middle one, so C0 is
-///     exact. The first segment starts at its P_1 and the last one ends at its P_n.
+///   - [Paper eq. 2, docs/design/errata.md#e7] a segment fitted to the points P_1..P_n runs from B1
+///     = P_(1+s) to B4 = P_(n-s); neighbours share 2s + 1 samples and the joint is the middle one,
+///     so C0 is exact. The first segment starts at its P_1 and the last one ends at its P_n.
 ///   - B2 and B3 are the least-squares solution over P_1..P_n at chord-length parameters, 0 at B1
 ///     and 1 at B4. The s samples outside have parameters below 0 and above 1 and bend the
 ///     handles, although the segment does not draw them.
-///   - [E9] the tolerance limits the largest distance of the data points that the segment draws,
-///     each measured at its parameter after one Newton step towards the nearest point.
+///   - [docs/design/errata.md#e9] the tolerance limits the largest distance of the data points that
+///     the segment draws, each measured at its parameter after one Newton step towards the nearest
+///     point.
 ///
-/// Sharing samples does not make joints smooth (E8): their tangents differ by 3 to 10 degrees. A
-/// joint is declared kSmooth only if they agree to kSmoothJointMaxDeg, else kCorner.
+/// Sharing samples does not make joints smooth (docs/design/errata.md#e8): their tangents differ by
+/// 3 to 10 degrees. A joint is declared kSmooth only if they agree to kSmoothJointMaxDeg, else
+/// kCorner.
 ///
 ///      P: o--o--o--o--o--o--o--o--o--o--o--o      s = 2
 ///         B1===================B4                 first segment, fitted to the first 9

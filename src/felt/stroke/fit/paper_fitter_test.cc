@@ -224,7 +224,8 @@ TEST(PaperFitter, R7ReusedOrNotTheBytesAreTheSame) {
 }
 
 TEST(PaperFitter, SharingLeavesKinks) {
-  // E8, the reason why this scheme is not the default: the median kink is degrees, not zero.
+  // docs/design/errata.md#e8, the reason why this scheme is not the default: the median kink is
+  // degrees, not zero.
   const FittedCurve curve = fit(loops(600), 4);
   std::vector<double> kinks;
   for (int k = 1; k < curve.segment_count(); ++k) {

@@ -164,7 +164,7 @@ TEST(CurveFitter, R3_ADataPointIsKeptOnlyAfterTheThreshold) {
 }
 
 TEST(CurveFitter, R3_TheThresholdIsThatOfTheDeviceOrTheSpecification) {
-  // PHANToM: 0.03 mm; specification E18: 0.25 mm.
+  // PHANToM: 0.03 mm; docs/design/errata.md#e18: 0.25 mm.
   EXPECT_EQ(CurveFitter::spacing_mm(kDefaultToleranceMm), 0.03);
   EXPECT_EQ(CurveFitter::spacing_mm(0.2), 0.03);
   EXPECT_EQ(CurveFitter::spacing_mm(2.0), 0.25);

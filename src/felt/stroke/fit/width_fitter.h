@@ -18,16 +18,16 @@ inline constexpr double kSameWidthPlace = 1e-9;
 /// Use, for each stroke: `begin()`; `push()` for each sample, in order; `finish()`; `knots()`. The
 /// object is reused and keeps its buffer: no allocation after warm-up.
 ///
-/// Each segment starts at the end (u1, W1) of the last one [Paper, E10] and has one unknown, its
-/// slope a. A sample (u, w) is within the tolerance if a lies in
+/// Each segment starts at the end (u1, W1) of the last one [docs/design/errata.md#e10] and has one
+/// unknown, its slope a. A sample (u, w) is within the tolerance if a lies in
 ///   [(w - tol - W1) / (u - u1), (w + tol - W1) / (u - u1)],
 /// so the intersection of these intervals decides exactly, for all samples so far and in O(1),
 /// whether one more sample fits: the swing filter of Elmeleegy, Elmagarmid, Cecchet, Aref,
 /// Zwaenepoel, "Online piece-wise linear approximation of numerical streams with precision
 /// guarantees", VLDB 2009, section 3. The slope is the least-squares slope
 ///   a = sum (u - u1)(w - W1) / sum (u - u1)^2
-/// clamped to the intersection (specification 5b, E11). If the intersection is empty, the segment
-/// ends at the sample before.
+/// clamped to the intersection (docs/design/errata.md#e11). If the intersection is empty, the
+/// segment ends at the sample before.
 ///
 /// Samples that share a position (the pen stands still while the pressure changes) count as one
 /// requirement. If their widths spread by more than twice the tolerance, no function can meet them
@@ -49,8 +49,9 @@ class WidthFitter {
   /// stroke have a tone or none.
   void push(double u, double width_mm, double tone);
   /// Ends the profile at `u_end` > 0, the number of Bezier segments, with the filtered width of the
-  /// last sample as far as the tolerance allows (E11). Call at pen-up. Samples past u_end count as
-  /// at u_end. If there was no sample, the profile is constant at min_mm.
+  /// last sample as far as the tolerance allows (docs/design/errata.md#e11). Call at pen-up.
+  /// Samples past u_end count as at u_end. If there was no sample, the profile is constant at
+  /// min_mm.
   void finish(double u_end);
   /// Returns the knots so far, with u strictly increasing from 0; after finish() they end exactly
   /// at u_end.

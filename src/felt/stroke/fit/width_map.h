@@ -31,9 +31,9 @@ struct InkWidth {
 ///
 /// Pressure and tilt each pass a first-order low-pass before they are mapped, because the noise of
 /// the sensor and the tremor of the hand would otherwise cost 2.6 to 8.5 times as many width
-/// segments (specification, decision 9). Implicit Euler, y += (x - y) dt / (tau + dt): stable and
-/// without overshoot for every dt, and free of transcendental functions whose last bit depends on
-/// the machine.
+/// segments (docs/design/strokes.md#width). Implicit Euler, y += (x - y) dt / (tau + dt): stable
+/// and without overshoot for every dt, and free of transcendental functions whose last bit depends
+/// on the machine.
 class WidthMap {
  public:
   /// Moves options that are out of range to the nearest valid value.

@@ -19,8 +19,8 @@ struct ConnectEndsOptions {
   bool keep_separate = false;
 };
 
-/// Returns the edit that connects the ends `moved` and `to` (paper, "Connect curves"; specification
-/// 5g; R43, R45):
+/// Returns the edit that connects the ends `moved` and `to` (paper, "Connect curves";
+/// docs/design/editing.md#joining; R43, R45):
 ///   - if they are the two ends of one stroke, it is closed: "Close";
 ///   - if they belong to two strokes that look alike, in one layer, the strokes are joined:
 ///     "Connect". The result keeps id, position in the layer and direction of the stroke of `to`.

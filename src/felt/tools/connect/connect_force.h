@@ -18,8 +18,8 @@ struct ConnectFeel {
   std::optional<Point> dragged_from;  ///< position of the pen when it grabbed an end
 };
 
-/// Fraction of the edit force law (specification 5d) with which a dragged end resists: 0.2 N at
-/// most.
+/// Fraction of the edit force law (docs/design/forces.md#edit-law) with which a dragged end
+/// resists: 0.2 N at most.
 inline constexpr double kDragShare = 0.2;
 
 /// Returns the force model of the connect tool: the surface under a pencil, the end that attracts

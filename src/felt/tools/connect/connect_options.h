@@ -23,7 +23,7 @@ struct ConnectOption {
   };
 };
 
-/// The table of options of the connect tool (specification 5g and section 6).
+/// The table of options of the connect tool (docs/design/editing.md#joining).
 inline constexpr std::array<OptionSpec, ConnectOption::kCount> kConnectOptions{{
     {.id = "snap",
      .label = "Snapping",

@@ -9,13 +9,13 @@ namespace felt {
 /// Moves one end of a stroke to other points, always starting from the original stroke, so that
 /// intermediate positions do not matter. Pure, after some preparation once per gesture.
 ///
-/// The stroke stays one fair curve (specification 5g; R45). The part of the shift straight ahead
-/// extends the stroke along its tangent. The rest bends it (with_tip_bent) over a length of four
-/// times that rest, at least 25 mm and at most the extension plus half of the stroke; if half of
-/// the stroke is not enough, over 2.7 times that rest, up to 200 mm. If that is not enough either,
-/// the stroke stays as it is and one cubic along its tangent, with zero curvature at its end,
-/// bridges the gap. Up to `small_gap_mm` the end keeps its tangent; beyond that it turns gradually
-/// towards the target.
+/// The stroke stays one fair curve (docs/design/editing.md#joining; R45). The part of the shift
+/// straight ahead extends the stroke along its tangent. The rest bends it (with_tip_bent) over a
+/// length of four times that rest, at least 25 mm and at most the extension plus half of the
+/// stroke; if half of the stroke is not enough, over 2.7 times that rest, up to 200 mm. If that is
+/// not enough either, the stroke stays as it is and one cubic along its tangent, with zero
+/// curvature at its end, bridges the gap. Up to `small_gap_mm` the end keeps its tangent; beyond
+/// that it turns gradually towards the target.
 ///
 /// If a stroke has many segments, only a part at the end is changed; the rest stays bit for bit.
 class TipLead {

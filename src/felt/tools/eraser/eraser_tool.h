@@ -11,9 +11,9 @@
 namespace felt {
 
 /// Erases the ink that the pen sweeps over, lines up to their next crossings, or whole lines
-/// (paper, "eraser"; specification 5f; eraser.md). The remains are shown immediately; each gesture
-/// is one edit, "Erase". With kFirstModifier at the touch it erases up to the crossings, with
-/// kSecondModifier whole lines.
+/// (paper, "eraser"; docs/design/editing.md#eraser; eraser.md). The remains are shown immediately;
+/// each gesture is one edit, "Erase". With kFirstModifier at the touch it erases up to the
+/// crossings, with kSecondModifier whole lines.
 class EraserTool final : public GestureTool {
  public:
   EraserTool();

@@ -28,8 +28,8 @@ struct Capsule {
   [[nodiscard]] Rect bounds() const noexcept { return axis_bounds().inflated(radius_mm); }
 };
 
-/// Adds {u : dist(f(u), axis) < radius} of one segment of a stroke to `swept` (specification 5f,
-/// R39). Returns true if it grew.
+/// Adds {u : dist(f(u), axis) < radius} of one segment of a stroke to `swept`
+/// (docs/design/editing.md#eraser, R39). Returns true if it grew.
 ///
 /// A capsule is the union of two discs and a rectangle. With the radius r linear between width
 /// breakpoints, a point is inside one of these if polynomials in Bernstein form are below zero:

@@ -8,8 +8,8 @@
 namespace felt {
 
 /// The path of the pen around the area to select, simplified while it grows: every position of the
-/// pen is within kToleranceMm of it (specification 5e, R31). The time per sample is bounded,
-/// however long the path is.
+/// pen is within kToleranceMm of it (docs/design/editing.md#lasso, R31). The time per sample is
+/// bounded, however long the path is.
 class LassoOutline {
  public:
   static constexpr double kToleranceMm = 0.25;

@@ -12,9 +12,9 @@ namespace felt {
 namespace {
 
 constexpr double kPullAccuracy = 1e-7;
-/// A handle shorter than kNoHandleMm counts as having no length (specification 5c). At a smooth
-/// joint it gets the length kStandingHandleMm, so that it has its own direction. The curve moves by
-/// less than a micrometre.
+/// A handle shorter than kNoHandleMm counts as having no length
+/// (docs/design/editing.md#smooth-joints). At a smooth joint it gets the length kStandingHandleMm,
+/// so that it has its own direction. The curve moves by less than a micrometre.
 constexpr double kNoHandleMm = 1e-6;
 constexpr double kStandingHandleMm = 1e-3;
 /// Displacements up to this many radii follow the influence within the tolerance. Beyond that the

@@ -11,9 +11,9 @@
 namespace felt {
 
 /// Pulls a stroke at one point with a brush: the point under the pen follows it exactly, the
-/// influence falls off along the ink, and ink beyond the reach does not move (architecture section
-/// 10; decisions 1 and 2; R21, R23, R24, R26, R28). With V the displacement of the pen since the
-/// touch and s the arc length in the stroke at the touch,
+/// influence falls off along the ink, and ink beyond the reach does not move
+/// (docs/design/editing.md#brush; R21, R23, R24, R26, R28). With V the displacement of the pen
+/// since the touch and s the arc length in the stroke at the touch,
 ///
 ///   g(t) = f(t) + V w(s(t)),   g' = f' + V w' |f'|
 ///

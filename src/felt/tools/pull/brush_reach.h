@@ -26,7 +26,7 @@ struct BrushSide {
 };
 
 /// The part of a stroke that a pull moves, by arc length. It is known before the touch and is the
-/// same for every displacement (architecture section 10).
+/// same for every displacement (docs/design/editing.md#brush).
 ///
 ///   influence  w = 1 on held ink;  next to it w(x) = 1 - 3x^2 + 2x^3, x = distance / radius
 ///

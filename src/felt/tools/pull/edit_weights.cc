@@ -5,7 +5,7 @@
 namespace felt {
 namespace {
 
-/// Bernstein polynomials: b1..b4 of the specification, section 0.
+/// Bernstein polynomials: b1..b4 of docs/design/errata.md.
 struct Basis {
   double b1, b2, b3, b4;
   explicit constexpr Basis(double t) noexcept
@@ -15,7 +15,7 @@ struct Basis {
         b4(t * t * t) {}
 };
 
-/// S of the specification: 1 at 0, 0 from 1 on, flat at both.
+/// S of docs/design/forces.md: 1 at 0, 0 from 1 on, flat at both.
 double fade(double x) noexcept {
   return x < 1.0 ? 1.0 - x * x * (3.0 - 2.0 * x) : 0.0;
 }

@@ -5,7 +5,8 @@
 namespace felt {
 
 /// How far each control point of a segment moves if its point at t is pulled, as fractions of the
-/// pull V: B_i' = B_i + w_i V (paper, eq. 7 and its three cases; specification 5c).
+/// pull V: B_i' = B_i + w_i V (paper, eq. 7 and its three cases;
+/// docs/design/editing.md#pull-weights).
 ///
 /// All but `kPrinted` are w = (alpha, alpha + c2, beta + c3, beta) with sum b_i w_i = 1, so that
 /// the point moves exactly as far as the pen. alpha moves the left joint with its handles on both
@@ -21,10 +22,11 @@ enum class WeightKind {
   /// The least motion of joints and handles that reaches the pen: alpha = L (b1 + b2), c2 = L b2,
   /// ...
   kSoft,
-  /// The paper's three cases, blended within tau = .25 of the joints (errata E4, E5).
+  /// The paper's three cases, blended within tau = .25 of the joints (docs/design/errata.md#e4,
+  /// #e5).
   kPaper,
-  /// Eq. 7 as printed, including t V for B4 (E1). For study only, because it does not reach the pen
-  /// (E2: 0.34 to 1.00 of the displacement).
+  /// Eq. 7 as printed, including t V for B4 (docs/design/errata.md#e1). For study only, because it
+  /// does not reach the pen (docs/design/errata.md#e2: 0.34 to 1.00 of the displacement).
   kPrinted,
 };
 
@@ -40,9 +42,9 @@ struct Compliance {
 inline constexpr double kBlendTau = 0.25;
 
 /// Returns the weights of least motion: they minimise the sum of the squares of alpha, c2, c3,
-/// beta, each divided by its compliance. If all are 1 these are the weights `soft` of specification
-/// 5c: at t = 0 the paper's case 1, at t = 1 case 2, at .5 (.64, 1.12, 1.12, .64). All zero if no
-/// movable part moves the point at t. Requires t in [0, 1].
+/// beta, each divided by its compliance. If all are 1 these are the weights `soft` of
+/// docs/design/editing.md#pull-weights: at t = 0 the paper's case 1, at t = 1 case 2, at .5 (.64,
+/// 1.12, 1.12, .64). All zero if no movable part moves the point at t. Requires t in [0, 1].
 EditWeights soft_weights(double t, const Compliance& compliance = {}) noexcept;
 /// Returns the paper's case 3 on [tau, 1 - tau], case 1 at 0, case 2 at 1, and a C1 blend in
 /// between.

@@ -93,8 +93,8 @@ TEST(EditWeights, R25_CasesOfThePaper) {
 }
 
 TEST(EditWeights, Eq7AsPrintedFallsShort) {
-  // E1: B4 by t, not t^3. E2: the point moves 0.3417 of the displacement at t = .39, all of it at
-  // the ends.
+  // docs/design/errata.md#e1: B4 by t, not t^3. docs/design/errata.md#e2: the point moves 0.3417 of
+  // the displacement at t = .39, all of it at the ends.
   const EditWeights w = printed_weights(0.5);
   EXPECT_EQ(w.w, (std::array<double, 4>{0.125, 0.375, 0.375, 0.5}));
   double least = 1.0, where = 0.0;

@@ -9,7 +9,7 @@
 
 namespace felt {
 
-/// Makes a gesture that bends the one segment that the pen grabbed (specification 5c, "Grab";
+/// Makes a gesture that bends the one segment that the pen grabbed (docs/design/editing.md#grab;
 /// GrabPull). The result depends only on the stroke at the touch and the displacement of the pen
 /// since, so moving back undoes it and the sample rate has no effect (R23). Feels like EditSpring
 /// around the point of the touch.

@@ -11,17 +11,17 @@ namespace felt {
 struct GrabOptions {
   WeightKind weights = WeightKind::kSoft;
   /// Whether ends and corners stay in place unless they are grabbed themselves; the handles then
-  /// take over their share (architecture section 10).
+  /// take over their share (docs/design/editing.md#pull-weights).
   bool pins_joints = true;
   /// The stroke is divided around the grab so that at most this length changes, mm; 0 leaves the
-  /// segments undivided (specification 5c, "optional split at grab": 30).
+  /// segments undivided (docs/design/editing.md#grab: 30).
   double affected_mm = 0.0;
 };
 
 /// Bends one segment of a stroke so that its point at u0 moves exactly as far as the pen (R21). Its
-/// neighbours stay G1-continuous with it; nothing else changes (specification 5c). Computed from
-/// the stroke at the touch and the total displacement, never from sample to sample (decision 1,
-/// R23).
+/// neighbours stay G1-continuous with it; nothing else changes
+/// (docs/design/editing.md#smooth-joints). Computed from the stroke at the touch and the total
+/// displacement, never from sample to sample (docs/design/editing.md#snapshot, R23).
 ///
 /// Closed strokes wrap around. A closed stroke of one segment is divided at .5 first; in one of two
 /// segments the other segment is both neighbours, so both its ends are adapted (R26).

@@ -12,8 +12,8 @@
 namespace felt {
 namespace {
 
-/// Handles longer than this fraction of their segment's length make loops (specification 5c,
-/// sweep).
+/// Handles longer than this fraction of their segment's length make loops
+/// (docs/design/editing.md#sweep).
 constexpr double kLongestHandle = 1.5;
 
 /// R27: the stroke is no nearer than the radius less this, mm.

@@ -12,11 +12,11 @@
 
 namespace felt {
 
-/// One stroke that a round nib pushes aside (R27; specification 5c, "Push"). The nib moves in steps
-/// of at most half its radius. After each step, while the point f of the stroke nearest to the pen
-/// p is nearer than the radius, f is moved to p - r n, n = (p - f)/|p - f|. So the stroke is pushed
-/// away from outside and never dragged along. Because it is never closer to the pen than half a
-/// radius, the nib cannot pass through it.
+/// One stroke that a round nib pushes aside (R27; docs/design/editing.md#push). The nib moves in
+/// steps of at most half its radius. After each step, while the point f of the stroke nearest to
+/// the pen p is nearer than the radius, f is moved to p - r n, n = (p - f)/|p - f|. So the stroke
+/// is pushed away from outside and never dragged along. Because it is never closer to the pen than
+/// half a radius, the nib cannot pass through it.
 ///
 /// The neighbourhood of f moves with it: with s the arc length in the stroke at the touch, a point
 /// moves by w(s) = 1 - 3x^2 + 2x^3, x = |s - s_f|/R, times the displacement of f, and the tangents
@@ -33,8 +33,8 @@ class NibPush {
   /// Maximum number of steps of one motion. If a motion is longer than this many half radii, its
   /// steps are longer, and ink that they jump over is caught separately.
   static constexpr int kMaxSteps = 64;
-  /// Corrections after each step (specification 5c: up to 6), and the maximum if ink lies all
-  /// around the nib; the additional ones leave some micrometres more than the radius.
+  /// Corrections after each step (docs/design/editing.md#push: up to 6), and the maximum if ink
+  /// lies all around the nib; the additional ones leave some micrometres more than the radius.
   static constexpr int kExactCorrections = 6;
   static constexpr int kCorrections = 24;
   /// Maximum number of segments into which a stroke is divided.

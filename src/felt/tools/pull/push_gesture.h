@@ -7,12 +7,12 @@
 namespace felt {
 
 struct PushOptions {
-  double radius_mm = 3.0;  ///< of the nib, specification 5c
+  double radius_mm = 3.0;  ///< of the nib, docs/design/editing.md#push
 };
 
 /// Makes a gesture that pushes strokes aside with a soft round nib and never pulls them (R27,
-/// specification 5c, "Push"; NibPush). After each sample no editable stroke that the nib has met is
-/// nearer to the pen than its radius; strokes that it does not touch do not move. Depends on the
+/// docs/design/editing.md#push; NibPush). After each sample no editable stroke that the nib has met
+/// is nearer to the pen than its radius; strokes that it does not touch do not move. Depends on the
 /// path of the pen: moving back does not move pushed strokes back.
 ///
 /// Call move() with the touch, too, because a nib that lands on a line pushes it aside. Feels like

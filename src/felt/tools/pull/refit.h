@@ -5,7 +5,7 @@
 
 namespace felt {
 
-/// The shape that segments should have after an edit (specification 5c, "Release").
+/// The shape that segments should have after an edit (docs/design/editing.md#release).
 struct SegmentShape {
   double least_handle = 0.04;  ///< at smooth joints, fraction of the arc length
   double most_handle = 1.0;    ///< fraction of the arc length

@@ -20,18 +20,18 @@ struct StrandPlace {
 /// A mutable stroke: control points can be moved and segments divided without checking and copying
 /// the whole stroke at each step. Shared by grab, push and sweep. A value.
 ///
-/// Smooth joints stay smooth: `bend` turns the neighbours' handles (specification 5c, "G1 after
-/// moving"). A zero-length handle at a smooth joint gets the length kStandingMm before anything
-/// next to it moves, because otherwise its direction would depend on a control point elsewhere
-/// (R28).
+/// Smooth joints stay smooth: `bend` turns the neighbours' handles
+/// (docs/design/editing.md#smooth-joints). A zero-length handle at a smooth joint gets the length
+/// kStandingMm before anything next to it moves, because otherwise its direction would depend on a
+/// control point elsewhere (R28).
 class Strand {
  public:
   static constexpr double kStandingMm = 1e-3;
-  /// Handles shorter than this count as zero (specification 5c).
+  /// Handles shorter than this count as zero (docs/design/editing.md#smooth-joints).
   static constexpr double kNoHandleMm = 1e-6;
 
   /// Copies the snapshot. A closed stroke of one segment is divided at .5 if it is long enough
-  /// (specification 5c).
+  /// (docs/design/editing.md#smooth-joints).
   explicit Strand(StrokePtr snapshot);
 
   /// Number of segments; at least 1.

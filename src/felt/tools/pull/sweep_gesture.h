@@ -8,14 +8,14 @@
 namespace felt {
 
 struct SweepOptions {
-  /// The stroke yields to the pen with this time constant, s (specification 5c: 50 ms).
+  /// The stroke yields to the pen with this time constant, s (docs/design/editing.md#sweep: 50 ms).
   double time_constant_s = 0.050;
 };
 
-/// Makes a gesture that redraws a stroke along the path of the pen (specification 5c, "Sweep"): the
-/// point nearest to the pen relaxes towards it and moves along the stroke with the pen. Depends on
-/// the path of the pen, so moving back does not undo it. Feels like SweepSpring around the curve as
-/// it is now.
+/// Makes a gesture that redraws a stroke along the path of the pen (docs/design/editing.md#sweep):
+/// the point nearest to the pen relaxes towards it and moves along the stroke with the pen. Depends
+/// on the path of the pen, so moving back does not undo it. Feels like SweepSpring around the curve
+/// as it is now.
 ///
 /// `hit` is the result of scene.index for the touch. The sample rate has no effect, because the
 /// path of the pen is processed in steps of 1 ms from the touch on.

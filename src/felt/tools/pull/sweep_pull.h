@@ -9,7 +9,7 @@
 
 namespace felt {
 
-/// A stroke being redrawn (specification 5c, "Sweep"): in each step the point nearest to the pen
+/// A stroke being redrawn (docs/design/editing.md#sweep): in each step the point nearest to the pen
 /// moves a fraction of the distance to it, by the weights of least motion. This is incremental, so
 /// moving back does not undo it. Because the fraction is 1 - exp(-dt/tau), the result hardly
 /// depends on the step length.

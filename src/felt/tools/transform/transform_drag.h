@@ -17,8 +17,8 @@ enum class TransformKind : std::uint8_t {
 };
 
 /// The map, relative to the state at the touch, for a pen that grabbed at one point and is now at
-/// another (specification 5e; E15, E16). Turns and factors are those of haptics/tether.h, so that
-/// the user feels what they see.
+/// another (docs/design/editing.md#transform). Turns and factors are those of haptics/tether.h, so
+/// that the user feels what they see.
 ///
 /// Factors stay within 0.05..20. Scaling depends on the distance from the centre, on either side.
 /// An axis that is stretched through the centre stays at the smallest factor; nothing is mirrored.

@@ -26,8 +26,8 @@ class TransformFrame {
   static constexpr double kTurnMm = 9.0;  ///< from a corner, outside; distance of the handle above
 
   TransformFrame() = default;
-  /// Makes the frame of a box. The default centre is that of the box (E15). An empty box has no
-  /// frame.
+  /// Makes the frame of a box. The default centre is that of the box (docs/design/errata.md#e15).
+  /// An empty box has no frame.
   explicit TransformFrame(const Rect& box, std::optional<Point> centre = {}) noexcept
       : TransformFrame(box, box, centre) {}
   /// Makes the frame around `ink`, with the centre of `box` as default.

@@ -426,7 +426,7 @@ TEST(Transform, R35_MoreLinesHoldHarderAndWholeOnesNotAtAll) {
   for (const int lines : {1, 2, 4, 8, 16}) {
     const double force = -force_of(lines, false);
     EXPECT_GT(force, last);
-    EXPECT_NEAR(force, figures[i++], 0.005) << "specification 5e, at 10 mm";
+    EXPECT_NEAR(force, figures[i++], 0.005) << "docs/design/forces.md#tether, at 10 mm";
     last = force;
   }
 }

@@ -9,13 +9,13 @@
 namespace felt {
 
 /// Broadens and narrows a stroke around a point: a pure function of the stroke at the touch and the
-/// amounts added since. Changes only breakpoints of the width, never the curve (specification 5h;
-/// paper, "Change curve width"; R46).
+/// amounts added since. Changes only breakpoints of the width, never the curve
+/// (docs/design/editing.md#width-brush; paper, "Change curve width"; R46).
 ///
 /// An amount dW at u adds dW S(s/reach) / S_u to the profile, s being the arc length from u, linear
 /// between places 0.5 mm apart; this replaces the paper's splitting of width segments. S_u is the
-/// interpolated value of S at u itself, so that W(u) changes by exactly dW, as 5h divides by
-/// (1-tw)^2 + tw^2. Beyond the reach nothing changes. Widths stay between kMinWidthMm and
+/// interpolated value of S at u itself, so that W(u) changes by exactly dW, as division by (1-tw)^2
+/// + tw^2 would do. Beyond the reach nothing changes. Widths stay between kMinWidthMm and
 /// max_width_mm, but ink that was broader before may stay so.
 class WidthBrush {
  public:

@@ -21,8 +21,8 @@ struct WidthStops {
 };
 
 /// The spring and damper that resist the pressure when the width has reached a limit (paper,
-/// "Change curve width"; E20). Added to the plane of the surface, with d the depth and d0 the depth
-/// at which the width does not change:
+/// "Change curve width"; docs/design/errata.md#e20). Added to the plane of the surface, with d the
+/// depth and d0 the depth at which the width does not change:
 ///
 ///   F = K (harder max(0, d - d0) + lighter min(d, d0)) - B vz,   |B vz| at most the spring
 ///

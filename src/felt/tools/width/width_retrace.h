@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// Replaces the width of a stroke where a pen has drawn along it (peers.md, "redraw width"): a pure
-/// function of the stroke at the touch and the pen's path.
+/// Replaces the width of a stroke where a pen has drawn along it (docs/design/editing.md#retrace):
+/// a pure function of the stroke at the touch and the pen's path.
 ///
 /// Between the first and the last point reached, the width is the one drawn there last, linear
 /// between places 0.25 mm apart. Over 2 mm at both ends it blends into the old width by S(x),

@@ -15,8 +15,9 @@
 
 namespace felt {
 
-/// Changes the width of lines but never their shape (paper, "Change curve width"; specification 5h,
-/// R46; width.md): with a brush, by drawing along a line again, or for whole lines at once.
+/// Changes the width of lines but never their shape (paper, "Change curve width";
+/// docs/design/editing.md#width-brush, R46; width.md): with a brush, by drawing along a line again,
+/// or for whole lines at once.
 ///
 /// A gesture acts on the first line that the pen comes within 8 mm of; in the mode `scale`, if that
 /// line is selected, on all selected lines.

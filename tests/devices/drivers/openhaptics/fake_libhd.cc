@@ -1,6 +1,6 @@
-// A libHD of our own for tests: the vendor's names, types and rules (devices.md 3.1 to 3.3;
-// OpenHaptics reference), and behind it a simulated stylus (fake_machine.h). What a program must
-// not do it answers with the vendor's error, and remembers.
+// A libHD of our own for tests: the vendor's names, types and rules
+// (docs/design/devices.md#openhaptics; OpenHaptics reference), and behind it a simulated stylus
+// (fake_machine.h). What a program must not do it answers with the vendor's error, and remembers.
 #include "tests/devices/drivers/openhaptics/fake_libhd.h"
 
 #include <locale.h>
