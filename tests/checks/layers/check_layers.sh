@@ -9,6 +9,7 @@
 #   - folders of the desktop program include only what their line allows;
 #   - the programs include the library and themselves, never each other;
 #   - a test lies in a namespace with the name of its file, because several compile as one;
+#   - limits are called kMax... and kMin... (docs/glossary.md);
 #   - every layer and room has a README.md, and every public header a comment.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -130,6 +131,7 @@ LC_ALL=C awk '
   FNR == 1 { enter_file() }
 
   is_header && /\/\/\// { commented[FILENAME] = 1 }
+  /(^|[^A-Za-z0-9_])k(Most|Least)[A-Z]/ { complain("call a limit kMax... or kMin...") }
   /^namespace felt/ && FILENAME ~ /_test\.cc$/ {
     name = FILENAME; gsub(/.*\/|\.cc$/, "", name)
     if (!index($0, "::" name " {")) complain("put the test into a namespace felt::" name)

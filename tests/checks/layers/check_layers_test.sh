@@ -54,6 +54,8 @@ printf '/// x\n#include "felt/stroke/ink.h"\n' | file src/felt/geometry/bad.h
 expect "a layer includes one above it" "src/felt/geometry/bad.h:2: geometry must not include stroke"
 printf '#include "felt/stroke/ink.h"\n' | file src/felt/geometry/bad_test.cc
 expect "a test is no exception" "geometry must not include stroke"
+printf '/// x\nconstexpr int kMostPoints = 3;\n' | file src/felt/geometry/bad.h
+expect "a retired name" "src/felt/geometry/bad.h:2: call a limit kMax... or kMin..."
 printf 'namespace felt {\n}\n' | file src/felt/geometry/bad_test.cc
 expect "a test in the namespace of all" "put the test into a namespace felt::bad_test"
 printf '/// x\n#include "felt/stroke/ink.h"\n' | file src/felt/devices/simulated/bad.h
