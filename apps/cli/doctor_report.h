@@ -21,10 +21,10 @@ std::size_t count_problems(const DoctorReport& report);
 /// Returns the state of the system in one or two sentences.
 std::string doctor_summary(const DoctorReport& report);
 
-/// Returns the whole report: the summary, then families with problems, then the others, finally
-/// those that are absent. Steps are numbered, commands have lines of their own, messages of
-/// libraries and the system are verbatim. `style.width` 0 means 80 columns, because it is text for
-/// people.
+/// Returns the whole report: the summary, then the drivers with problems, then the others, finally
+/// those whose devices are not on this computer. Steps are numbered, commands have lines of their
+/// own, messages of libraries and the system are verbatim. `style.width` 0 means 80 columns,
+/// because it is text for people.
 std::string doctor_text(const DoctorReport& report, const TextStyle& style);
 
 /// Returns all of it as one line of JSON.

@@ -25,8 +25,8 @@ struct EncodedStrokes {
 Result<void> encode(const NamedStroke& stroke, std::int64_t number, Format format,
                     EncodedStrokes& out);
 
-/// The output of a drawing: as a whole with write(), or stroke by stroke with append() and then
-/// finish(). Nothing appears under the output's name before that is complete.
+/// The output of a drawing: either as a whole with write(), or stroke by stroke with append() and
+/// then finish(). No file appears under the output's name before write() or finish() is done.
 ///
 /// A whole drawing keeps more than its strokes if the format can hold it: layers, including hidden
 /// ones, its surface, its page (unless the picture options specify another), and the texts of its

@@ -36,7 +36,7 @@ double per(double sum, std::int64_t count) noexcept;
 /// Returns the CPU time of the calling thread in ns. Other programs do not influence it.
 std::int64_t thread_cpu_ns() noexcept;
 
-/// Measures the cost of fitting one stroke, and how well it follows the samples.
+/// Measures the cost of fitting one stroke, and how closely the curve follows the samples.
 class StrokeMeter {
  public:
   explicit StrokeMeter(const InkFitOptions& options);
@@ -44,10 +44,10 @@ class StrokeMeter {
   /// Times the call of the fitter for every single sample, and counts the allocations in these
   /// calls.
   ///
-  /// The stroke is fitted kRuns times, and each call counts with its shortest time, because it does
-  /// the same work each time and the rest is caused by the machine (interrupts, cold caches).
-  /// Allocations are those of the last run, when the buffers have their size; there should be none
-  /// in steady state.
+  /// The stroke is fitted kRuns times, and for each call the shortest of its times counts: it does
+  /// the same work in each run, and any additional time is caused by the machine (interrupts, cold
+  /// caches). Allocations are those of the last run, when the buffers have reached their final
+  /// size; there should be none then.
   void measure_calls(std::span<const InkSample> samples, FitStats& stats);
 
   /// Adds the distance from each sample to the nearest point of the whole curve.

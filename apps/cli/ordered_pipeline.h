@@ -22,8 +22,9 @@ class OrderedPipeline {
       : jobs_(jobs), slots_(jobs == 1 ? 1 : 4 * static_cast<std::size_t>(jobs) + 4) {}
 
   /// Calls `next(item)` to fill an item and `take(output)` to handle a result, both on the caller's
-  /// thread, until `next` returns false. In between, a worker calls `worker(item, output)`; there
-  /// is one worker for each thread, from `make_worker()`. Ends early if `take` returns false.
+  /// thread, until `next` returns false. Each thread has its own function object from
+  /// `make_worker()`, which turns an item into its output: `worker(item, output)`. Ends early if
+  /// `take` returns false.
   template <class MakeWorker, class Next, class Take>
   void run(MakeWorker&& make_worker, Next&& next, Take&& take) {
     if (jobs_ == 1) {
@@ -61,8 +62,8 @@ class OrderedPipeline {
       pipeline.work_waits_.notify_all();
     }
   };
-  /// Items that wait or are processed hold at most this many bytes together, except for a single
-  /// larger one.
+  /// Further items are only taken while those not yet handled hold less than this together, so the
+  /// sum exceeds it by at most one item.
   static constexpr std::size_t kMaxBytesInFlight = std::size_t{64} << 20;
 
   Slot& slot(std::size_t sequence) { return slots_[sequence % slots_.size()]; }

@@ -16,7 +16,7 @@ class Output {
  public:
   /// Fails if the path cannot be written, or is a folder. Messages start with the name.
   static Result<Output> create(const std::string& path);
-  /// Same, for a file with a beginning that is known only at the end. A special file gets all data
+  /// Same, for a file whose first bytes are known only at the end. A special file receives all data
   /// at `commit`.
   static Result<Output> create_for_overwrite(const std::string& path);
   Output(Output&& other) noexcept;
@@ -27,8 +27,8 @@ class Output {
   Result<void> overwrite(std::string_view bytes);
   /// Completes the file and gives it its name.
   Result<void> commit();
-  /// Writes and commits. `save`: reads the file back and compares it with these bytes, for a user's
-  /// work that exists nowhere else (save_file).
+  /// Writes and commits. `save` also reads the file back and compares it with these bytes; it is
+  /// for a user's work that exists nowhere else (save_file).
   Result<void> write_all(std::string_view bytes);
   Result<void> save(std::string_view bytes);
 

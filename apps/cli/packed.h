@@ -27,8 +27,8 @@ class Packer {
   std::string bytes_;
 };
 
-/// Decodes them. Missing values read as empty, and is_good() then stays false: the child may have
-/// died while it wrote.
+/// Decodes what a Packer encoded. Missing values read as empty, and is_good() then stays false: the
+/// child may have died while it wrote.
 class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : rest_(bytes) {}

@@ -24,7 +24,7 @@ class Console;
 /// How pictures of a sketch (.png, .svg) look.
 struct PictureOptions {
   double dpi = 300.0;         ///< of a .png
-  std::optional<Rect> sheet;  ///< none: all ink and a margin, or the drawing's own page
+  std::optional<Rect> sheet;  ///< none: the drawing's own page; without one, all ink and a margin
   bool fit = false;           ///< --page fit: all ink and a margin, even if there is a page
   std::optional<Rgba> paper;  ///< none: white in a .png, nothing in an .svg
   std::shared_ptr<const HeightField> own_relief{};  ///< a user-defined picture, used as the relief
@@ -50,11 +50,13 @@ struct PictureArguments {
   void add_to(CLI::App& command);
   /// Adds --grain and --grain-dpi, for commands that read a drawing as a whole.
   void add_grain_to(CLI::App& command);
-  /// Errors in user-defined materials are notices. Fails if an option is invalid, as a usage error.
+  /// Returns the options, parsed. Errors in user-defined materials are only shown as notices. Fails
+  /// with a usage error if an option is invalid.
   [[nodiscard]] Result<PictureOptions> parse(Console& console) const;
 };
 
-/// Parses "" or "fit" (none), a DIN A size "A0".."A6" with "A4-landscape", or "WxH" in mm.
+/// Parses "" or "fit" (both: none), a DIN A size such as "A4" or "A4-landscape" (A0 to A6), or
+/// "WxH" in mm.
 Result<std::optional<Rect>> parse_page(const std::string& text);
 
 /// Returns the page of a drawing with that size. Fails if the size is not allowed.
@@ -68,8 +70,8 @@ Rgba usual_color(std::uint32_t rgb) noexcept;
 
 /// Returns the ids of surface_materials(): "paper, rough-paper, ... or glass".
 std::string surface_names();
-/// Sets the relief to one of options.materials, by id, or to a file NAME.png or NAME.toml, and sets
-/// the grain to that relief with their media. "" means none.
+/// Sets the relief to that of one of options.materials, by id, or to a file NAME.png or NAME.toml.
+/// Sets the grain to that relief, with the media of options.materials. "" changes nothing.
 Result<void> parse_surface(const std::string& text, PictureOptions& options);
 
 /// Adds the media in the drawing to the grain. If grain is requested without a surface, uses the

@@ -17,11 +17,12 @@ Result<std::vector<StrokePtr>> read_strokes(const std::string& path);
 /// .ndjson as one layer.
 Result<Drawing> read_start(const std::string& path);
 
-/// Reads a script, a file or "-", into a replay.
+/// Adds the script in a file, or from stdin ("-"), to a replay.
 Result<void> read_script_file(const std::string& path, ReplayRun& run);
 
-/// Applies a recording to a session: a script, the newest one in a .felt drawing, or "-". Relative
-/// paths of imports start at its folder. Events before an error have been applied.
+/// Applies a recording to a session: a script (a file, or "-" for stdin), or the newest recording
+/// in a .felt drawing. Relative paths of imports start at the folder of that file. If an event
+/// fails, those before it have been applied.
 ///
 /// Returns the content of the drawing that the events do not contain: its page, its palette and its
 /// view. Returns an empty drawing for a script.

@@ -52,7 +52,7 @@ class ReplaySound {
   static Result<ReplaySound> create(const std::string& path);
 
   /// Sets the session that provides tool and surface. Call before the first add(). The session must
-  /// outlive the last.
+  /// outlive the last add().
   void begin(const Session& session) { pen_.emplace(session); }
   /// Adds a sample of the pen. Fails as WavFile does.
   Result<void> add(const PenSample& pen);

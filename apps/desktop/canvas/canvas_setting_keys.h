@@ -13,7 +13,7 @@ inline constexpr bool kPseudoHapticsDefault = true;
 inline constexpr auto kForceArrow = "canvas/force_arrow";
 inline constexpr bool kForceArrowDefault = true;
 
-/// Dry ink shows the relief of the surface, as pictures can and outlines in files cannot.
+/// Dry ink shows the relief of the surface. Pictures can show it, outlines in files cannot.
 inline constexpr auto kGrain = kShowsGrain;
 inline constexpr bool kGrainDefault = kShowsGrainDefault;
 

@@ -17,7 +17,7 @@ namespace felt::desktop {
 struct DeviceView {
   CanvasView view;
   double dpr = 1.0;
-  QPointF shift;  ///< of the picture, in pixels of the widget: less than one device pixel
+  QPointF shift;  ///< moves the picture by less than one device pixel; in pixels of the widget
 
   [[nodiscard]] double px_per_mm() const noexcept { return view.px_per_mm() * dpr; }
   [[nodiscard]] Point to_px(Point mm) const {
@@ -37,10 +37,10 @@ struct DeviceView {
   friend bool operator==(const DeviceView&, const DeviceView&) = default;
 };
 
-/// Curves of changing width as rows of dabs in device pixels: wet ink and bands are drawn from
-/// them. Any part of the picture can be traced alone and looks exactly as if the whole picture had
-/// been traced at once. So only what changed is painted again, and ink with alpha covers each point
-/// once.
+/// Curves of changing width as rows of round dabs of ink, in device pixels. Wet ink and bands are
+/// drawn from them. Any part of the picture can be traced alone, and looks exactly as if the whole
+/// picture had been traced at once. So only what changed is painted again, and transparent ink does
+/// not overlap itself.
 class DabRows {
  public:
   /// Sets the view. Rasterisation is as fine as that of dry ink.
@@ -56,8 +56,8 @@ class DabRows {
   /// Returns the bounds, in device pixels, of the ink of the segments [from, to).
   [[nodiscard]] Rect bounds(std::size_t from = 0, std::size_t to = kAll) const;
 
-  /// Adds to `out` the outline of the segments [from, to) that touch the part, for one fill by the
-  /// non-zero rule. Correct only within the part.
+  /// Adds the outline of those of the segments [from, to) that touch the part to `out`, to be
+  /// filled at once by the non-zero rule. The outline is correct only within the part.
   void trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out, std::size_t from = 0,
              std::size_t to = kAll) const;
   /// Calls `lay(dabs)` for the part of each row of dabs that touches `part`.
@@ -66,7 +66,7 @@ class DabRows {
 
  private:
   struct Piece {
-    std::size_t first = 0;  ///< first dab; in a row, it is the last dab of the previous piece
+    std::size_t first = 0;  ///< first dab; unless begins_row, the previous piece ends with it
     Rect box;               ///< device pixels, with its width
     bool begins_row = false;
   };

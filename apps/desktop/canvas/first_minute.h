@@ -8,7 +8,7 @@
 namespace felt::desktop {
 
 /// The hints on an empty page for a new user: how to draw, how to correct, how to undo, and whether
-/// the pen's pressure is sensed. Three quiet lines and a status line.
+/// the pen's pressure is sensed. Three unobtrusive lines and a status line.
 class FirstMinute {
  public:
   /// Sets the texts. `pull_key` is as in ToolInfo; `status` is about pressure, translated.

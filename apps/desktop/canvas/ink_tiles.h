@@ -72,7 +72,8 @@ struct PlaneSpec {
   std::uint64_t id = 0;
   View view;
   InkStyle style;
-  /// If set, shows only the layers above this one: they cover ink that is drawn in it.
+  /// If set, the plane shows only the layers above this one, because they cover the ink that is
+  /// being drawn in it.
   std::optional<LayerId> above{};
 };
 

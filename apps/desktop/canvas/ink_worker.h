@@ -47,10 +47,10 @@ class InkWorker {
                      const std::optional<PlaneSpec>& over = {});
   std::uint64_t forget(std::uint64_t plane);
 
-  /// Returns and removes the news since the last call, in the order in which it was made.
+  /// Returns and removes the news since the last call, oldest first.
   [[nodiscard]] std::vector<TileNews> take_news();
   [[nodiscard]] Stage stage() const;
-  /// Returns the last order that the tiles on the screen show.
+  /// Returns the number of the last order that the tiles on the screen show.
   [[nodiscard]] std::uint64_t repaired_order() const noexcept { return repaired_.load(); }
   /// Waits for a stage, at most this long. Returns false if it was not reached.
   bool wait(Stage stage, std::chrono::microseconds at_most);

@@ -15,14 +15,14 @@
 namespace felt::desktop {
 
 /// Manages the device of a window: opens the one that the user chooses, with homing if needed. If
-/// it fails, lets the user draw on, reports the fault, and reconnects it.
+/// the device fails, reports the fault, lets the user continue to draw, and reconnects the device.
 ///
-/// A device that cannot be read any more is closed: the gesture is committed up to then, mouse and
-/// tablet are used instead, and the device is awaited. When it is plugged in again and nothing is
-/// being drawn, it is used again automatically, unless the user has to do something. Forces are
-/// then off until the user switches them on, and start from zero. If it needs homing, or can only
-/// be found by opening it, the user has to press a button. A device that only refuses forces stays
-/// in use.
+/// A device that cannot be read any more is closed: the gesture is ended and committed as it is
+/// then, mouse and tablet are used instead, and the program waits for the device. When it is
+/// plugged in again and nothing is being drawn, it is used again automatically, unless the user has
+/// to do something. Forces are then off until the user switches them on, and rise from zero. If it
+/// needs homing, or can only be found by opening it, the user has to press a button. A device that
+/// only refuses forces stays in use.
 class DeviceCare : public QObject {
   Q_OBJECT
 

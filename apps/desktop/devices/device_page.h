@@ -16,14 +16,16 @@
 namespace felt::desktop {
 
 /// The page "Device" of the preferences: the pen device, its state and its settings. Real devices
-/// come first, each with its state, and a row with help for one that is missing; then the exact pen
-/// and the simulated styluses. A simulated one is used as soon as it is chosen; a real one when its
-/// button is pressed, because its arm may have to move. Searches for devices while it is visible.
+/// come first, each with its state; if one is missing, a row has help for it. Then come the exact
+/// pen and the simulated styluses. A simulated one is used as soon as its row is selected; a real
+/// one when the button is pressed, because its arm may have to move. Searches for devices while the
+/// page is visible.
 class DevicePage : public QWidget {
   Q_OBJECT
 
  public:
-  /// Without `care` a device is used without questions; a window has one.
+  /// `care` opens the devices, with questions to the user. If null, they are opened without
+  /// questions. The main window passes one.
   explicit DevicePage(Studio& studio, DeviceCare* care = nullptr, QWidget* parent = nullptr);
 
   /// Updates the list of devices.
@@ -63,7 +65,7 @@ class DevicePage : public QWidget {
   QListWidget* list_;
   QLabel* words_;
   QPushButton* use_;
-  QWidget* general_;  // for devices that mouse and tablet lead
+  QWidget* general_;  // settings of devices whose position comes from mouse or tablet
   QDoubleSpinBox* limit_;
   DeviceSettings* settings_;
   QWidget* cue_row_;

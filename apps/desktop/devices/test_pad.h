@@ -8,16 +8,16 @@
 
 namespace felt::desktop {
 
-/// An area to try a device, with its own loop, so that the drawing is not affected. Only for
-/// devices that mouse and tablet lead; runs while it is visible.
+/// An area to try a device in. It has its own loop, so that the drawing is not affected. Only for
+/// devices whose position comes from mouse or tablet. The loop runs while the area is visible.
 class TestPad : public QWidget {
   Q_OBJECT
 
  public:
   explicit TestPad(QWidget* parent = nullptr);
 
-  /// Sets the device and the strength of its forces. If the id is empty, the pad only says that
-  /// there is none.
+  /// Sets the device and the strength of its forces. If the id is empty, the pad only shows that
+  /// there is no device.
   void use(const QString& device_id, double strength, double limit_n);
   [[nodiscard]] Studio* studio() noexcept { return studio_.get(); }
 

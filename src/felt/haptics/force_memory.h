@@ -24,7 +24,8 @@ struct Slopes {
   friend constexpr bool operator==(const Slopes&, const Slopes&) noexcept = default;
 };
 
-/// The share of its stiffness that each kind of brick may use, 0..1. Set from the limiter's budget.
+/// For each kind of brick, the share of its stiffness that it may use, 0..1. Set from the limiter's
+/// budget.
 struct StiffnessScale {
   double normal = 1.0;
   double friction = 1.0;
@@ -33,7 +34,7 @@ struct StiffnessScale {
   friend constexpr bool operator==(const StiffnessScale&, const StiffnessScale&) noexcept = default;
 };
 
-/// The named parts that a force is the sum of, for logs and plots. Every brick adds its own part on
+/// The named parts whose sum is the force, for logs and plots. Every brick adds its own part on
 /// each tick. If there are more than kMax, the rest is summed into the last entry, so that the
 /// parts always add up to the force.
 class ForceTerms {

@@ -43,17 +43,17 @@ struct PlotPanel {
   std::vector<PlotLimit> limits{};
   double height = 110.0;           ///< of the axes, in units of the plot
   bool from_zero = false;          ///< start the axis at 0, whatever the smallest value
-  std::optional<PlotSpan> span{};  ///< its own time interval; that of the plot is marked in it
+  std::optional<PlotSpan> span{};  ///< own time interval, in which that of the plot is marked
 };
 
-/// Panels below each other that share a time axis (R53 and the issue of the command line:
-/// pose, width and each force term over time).
+/// Panels below each other that share a time axis, for example pose, width and each force term over
+/// time (R53).
 struct Plot {
   std::string title;
   std::string note;  ///< a second line in a lighter colour
   PlotSpan span;
   std::vector<PlotPanel> panels;
-  /// Time at which this is above 0 is shaded in all panels.
+  /// The times at which this is above 0 are shaded in all panels.
   PlotTrace shade;
   std::string shade_name;
 };

@@ -20,21 +20,21 @@ struct MotorWiring {
   float counts_per_turn = 0.0F;
 };
 
-/// A make of the 2DIY. All use the same protocol, but differ in arms, motors and wires.
+/// A version of the 2DIY. All use the same protocol, but differ in arms, motors and wires.
 struct BoardModel {
   std::string_view id;     ///< "v2", in device ids and FELT_PANTOGRAPH_PORT
-  std::string_view label;  ///< for the user, with sizes to measure
+  std::string_view label;  ///< for the user, with lengths by which to tell the versions apart
   FiveBarSize size;
   std::array<MotorWiring, 2> motors;  ///< motor 1, 2 of FiveBar
   double gain = 1.0;                  ///< the board's torque value for 1 N m
-  Vec3 reach_min, reach_max;          ///< the area with full authority, mm
+  Vec3 reach_min, reach_max;          ///< the area in which the full force is available, mm
 };
 
-/// Returns the makes, from Haply's public code and that of its users
+/// Returns the versions, with values from public code of Haply and of its users
 /// (docs/design/devices.md#pantograph-board): the C++ example for v1, the Processing and Python
 /// examples for v2 and v3. None was tested on hardware.
 std::span<const BoardModel> board_models() noexcept;
-/// Returns the make with this id, or null.
+/// Returns the version with this id, or null.
 const BoardModel* find_board_model(std::string_view id) noexcept;
 
 /// Frames of the serial protocol: [type][device id][bytes...][float32, little-endian...].

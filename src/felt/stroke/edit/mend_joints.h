@@ -16,19 +16,20 @@ struct MendedStroke {
   }
 };
 
-/// Another program may write coordinates with fewer digits than they had. Then smooth joints are no
-/// longer exactly smooth, and `Stroke::create` rejects the stroke (I2). To repair it,
-/// mend_rounding() moves handles by less than this, and an end of the stroke by less than twice
-/// this, in mm.
+/// Another program may write coordinates with fewer digits. Then smooth joints are no longer
+/// exactly smooth, and `Stroke::create` rejects the stroke (I2). To repair it, mend_rounding()
+/// moves handles by less than kMaxMendedMm, and an end of the stroke by less than twice
+/// kMaxMendedMm.
 inline constexpr double kMaxMendedMm = 0.001;
 /// A joint that turns by more than this, in degrees, was not smooth before.
 inline constexpr double kMaxMendedDeg = 1.0;
 
-/// Makes the joints of `data` that are declared smooth exactly smooth, if they turn by at most
-/// kMaxMendedDeg and the handles move by less than kMaxMendedMm; others become corners. A first or
-/// last segment that is slightly too short (I5) is lengthened at the end of the stroke. If two
-/// width breakpoints have the same u, one is removed. Everything valid stays the same bit for bit.
-/// Other errors stay; `Stroke::create` reports them.
+/// Looks at the joints of `data` that are declared smooth. A joint that turns by at most
+/// kMaxMendedDeg becomes exactly smooth, if its handles move by less than kMaxMendedMm; any other
+/// joint that is not exactly smooth becomes a corner. A first or last segment that is slightly too
+/// short (I5) is lengthened at the end of the stroke. If two width breakpoints have the same u, one
+/// is removed. Everything valid stays the same bit for bit. Other errors stay; `Stroke::create`
+/// reports them.
 MendedStroke mend_rounding(StrokeData& data);
 
 }  // namespace felt

@@ -19,13 +19,13 @@ namespace felt {
 Result<Stroke> subdivided(const Stroke& stroke, std::span<const double> us,
                           std::vector<int>* joints = nullptr);
 
-/// Merges segments between the joints with the numbers `first` and `last`. On a closed stroke,
-/// last <= first means through the seam, and first = last the whole stroke. Each run of segments
-/// between corners that one cubic can replace is fitted by one cubic. The tangents at its outer
-/// joints are kept, so that G1 and the rest of the stroke do not change. Every point of the old
-/// curve is within `tolerance_mm` of the new one, and vice versa. The joints numbered in `keep`
-/// stay joints in the same position. The curve still passes the position of joint `through` within
-/// 1e-10 mm, even if it is no longer a joint.
+/// Merges segments between the joints with the numbers `first` and `last`. On a closed stroke, the
+/// part between them contains the seam if last < first, and is the whole stroke if they are equal.
+/// A run of segments without a corner inside becomes one cubic, if one cubic can replace it. The
+/// tangents at the outer joints of a run are kept, so that G1 and the rest of the stroke do not
+/// change. Every point of the old curve is within `tolerance_mm` of the new one, and vice versa.
+/// The joints numbered in `keep` stay joints in the same position. The curve still passes the
+/// position of joint `through` within 1e-10 mm, even if it is no longer a joint.
 /// Fails with kInvalidArgument if `first` or `last` is not on the stroke or the tolerance is
 /// negative.
 Result<Stroke> with_fewer_segments(const Stroke& stroke, int first, int last, double tolerance_mm,

@@ -13,13 +13,13 @@ namespace felt {
 /// constant time and memory. Not thread-safe.
 class PenTrack {
  public:
-  /// Distance between stored points, so that tremor on the spot adds no path.
+  /// Distance between stored points, so that a pen that trembles in one place adds no path.
   static constexpr double kNodeMm = 0.2;
-  /// Distance over which a direction is measured: four times the noise of a tablet and a tremor of
-  /// 0.1 mm turn it by less than 15 degrees.
+  /// Distance over which a direction is measured. Over it, a tremor of 0.1 mm and four times the
+  /// noise of a tablet change the direction by less than 15 degrees.
   static constexpr double kChordMm = 0.8;
-  /// The first direction is measured between these distances from the start, because the ink before
-  /// is often the hook of a landing pen.
+  /// The first direction is measured between these distances from the start. The ink before them is
+  /// often only a hook that the pen makes when it lands.
   static constexpr double kFirstFromMm = 0.3, kFirstToMm = 1.8;
 
   /// Starts a path here.
@@ -34,10 +34,11 @@ class PenTrack {
   /// resolution of the sensor.
   [[nodiscard]] double speed_mm_per_s() const noexcept { return norm(velocity_); }
   /// Returns the unit direction in which the pen will probably draw the next `ahead_mm`: that of
-  /// the last kChordMm, turned further by the current bend of the path. Nullopt before kChordMm of
-  /// path.
+  /// the last kChordMm, turned further by the current bend of the path. Returns nullopt if the path
+  /// is shorter than kChordMm.
   [[nodiscard]] std::optional<Vec> heading(double ahead_mm) const noexcept;
-  /// Returns the unit direction in which the path began. Nullopt before kFirstToMm of path.
+  /// Returns the unit direction in which the path began, or nullopt if the path is shorter than
+  /// kFirstToMm.
   [[nodiscard]] std::optional<Vec> first_direction() const noexcept { return first_direction_; }
   /// Returns the shortest distance from a point to the last 3 mm of the path.
   [[nodiscard]] double passed_within_mm(Point target) const noexcept;

@@ -21,15 +21,16 @@ struct WidthStops {
 };
 
 /// The spring and damper that resist the pressure when the width has reached a limit (paper,
-/// "Change curve width"; docs/design/errata.md#e20). Added to the plane of the surface, with d the
-/// depth and d0 the depth at which the width does not change:
+/// "Change curve width"; docs/design/errata.md#e20). They are added to the plane of the surface. d
+/// is the depth, and d0 the depth at which the width does not change:
 ///
 ///   F = K (harder max(0, d - d0) + lighter min(d, d0)) - B vz,   |B vz| at most the spring
 ///
 /// So at the broadest width the surface stiffens against pressing harder, and at the thinnest it
-/// takes more force to leave: a detent. Zero at the surface, never pulls inwards, continuous; both
-/// springs depend on the depth alone, so they are passive. Must come after the plane, whose speed
-/// it reads. K is the stiffness that the plane leaves of the device's, see width_stop_stiffness.
+/// takes more force to leave: a detent. The force is zero at the surface, never pulls inwards, and
+/// is continuous. Both springs depend on the depth alone, so they are passive. Must come after the
+/// plane, because it reads the plane's speed. K is the part of the device's stiffness that the
+/// plane does not use, see width_stop_stiffness.
 class WidthStop {
  public:
   WidthStop(const WidthStops& stops, double neutral_mm, double stiffness_n_per_m) noexcept
@@ -58,10 +59,10 @@ class WidthStop {
   double stiffness_;
 };
 
-/// Returns the stiffness left for a stop in addition to the plane of a surface, N/m: the minimum of
-/// the budget (R56), 0.9 of the device's cap (R55) and the limit from its sensor resolution, less
-/// that of the plane; at most 400. 0 if the plane uses it all; then the stop is felt only as
-/// friction.
+/// Returns the stiffness that is left for a stop in addition to the plane of a surface, N/m: the
+/// minimum of the budget (R56), 0.9 of the device's cap (R55) and the limit from its sensor
+/// resolution, minus the stiffness of the plane; at most 400. 0 if the plane uses all of it: then
+/// the only effect of a stop is the higher friction.
 inline double width_stop_stiffness(const SurfaceMaterial& surface, const Capabilities& device) {
   constexpr double kMax = 400.0, kMaxPerStepN = 0.025;
   double room = stiffness_budget_n_per_m(device);
