@@ -88,7 +88,7 @@ TEST_F(ViewActions, FitShowsTheSelectionAndTheInk) {
   EXPECT_TRUE(view().visible_mm().contains({10, 10}));
   EXPECT_TRUE(view().visible_mm().contains({210, 160}));
   const double scale = view().px_per_mm();
-  run("view.fit_selection");  // there is no selection
+  run("view.fit_selection");  // the selection is empty
   EXPECT_TRUE(view().visible_mm().contains({297, 210}));
   sitting.tool("lasso");
   sitting.draw({{195, 145}, {215, 145}, {215, 165}, {195, 165}}, 0.5);

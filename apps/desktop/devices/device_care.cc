@@ -12,7 +12,7 @@
 namespace felt::desktop {
 namespace {
 
-/// If it is lost again this soon after an automatic reconnection, there is no other automatic one.
+/// A device that is lost again this soon after an automatic reconnection is not reconnected again.
 constexpr qint64 kSteadyMs = 5000;
 
 /// Returns true if the pen cannot be read, or its position is unknown.

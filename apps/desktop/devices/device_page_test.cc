@@ -188,7 +188,7 @@ TEST(PenDevices, AnotherForceLimitDoesNotSwitchForcesOnAgainAfterAFault) {
   studio.advance(1'000'000'000);
   ASSERT_EQ(studio.loop().tick().safety.state, SafetyState::kActive);
   studio.loop().set_force_limit(1.0);
-  EXPECT_TRUE(studio.loop().forces_are_on()) << "there is no fault, and a person switched them on";
+  EXPECT_TRUE(studio.loop().forces_are_on()) << "no fault occurred, and the user switched them on";
   studio.advance(1'000'000'000);
   ASSERT_EQ(studio.loop().tick().safety.state, SafetyState::kActive);
   driver.arm->is_plugged_in = false;
@@ -326,7 +326,7 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
   EXPECT_EQ(studio.loop().device().info().label, QStringLiteral("My arm"));
   EXPECT_EQ(limits_for(studio.loop().device().device().capabilities()).peak_force_n, 1.2);
   EXPECT_EQ(studio.loop().device().device().capabilities().sheet_scale, 1.5);
-  // Raised to the maximum of the device, it is no longer a user's limit.
+  // A limit that is raised to the maximum of the device is not stored in the profile.
   auto* limit = qobject_cast<QDoubleSpinBox*>(child("Largest force"));
   limit->setValue(99.0);
   EXPECT_LE(limit->value(), limits_for(driver.arm->descriptor.capabilities).peak_force_n + 1e-9);

@@ -16,8 +16,8 @@ class TestPad : public QWidget {
  public:
   explicit TestPad(QWidget* parent = nullptr);
 
-  /// Sets the device and the strength of its forces. If the id is empty, the pad only shows that
-  /// there is no device.
+  /// Sets the device and the strength of its forces. If the id is empty, the pad only shows a
+  /// message that no device is connected.
   void use(const QString& device_id, double strength, double limit_n);
   [[nodiscard]] Studio* studio() noexcept { return studio_.get(); }
 

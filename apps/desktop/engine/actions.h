@@ -29,7 +29,7 @@ class Actions : public QObject {
   /// Adds a command that is switched on or off.
   QAction* add_switch(const QString& name, const QString& text, const QList<QKeySequence>& keys,
                       const QString& tip, bool on, std::function<void(bool)> run);
-  /// Returns null if there is no command of that name.
+  /// Returns null if no command has that name.
   [[nodiscard]] QAction* find(const QString& name) const;
   /// Returns all commands, in the order in which they were added.
   [[nodiscard]] const QList<QAction*>& all() const noexcept { return actions_; }

@@ -352,7 +352,7 @@ void MainWindow::go_to_next_part() {
 }
 
 void MainWindow::show_title() {
-  // In a window title "[*]" is the placeholder for the changed mark; doubled, it stands for itself.
+  // Qt replaces "[*]" in a window title by the mark of unsaved changes; "[*][*]" shows as "[*]".
   QString name = files_->display_name();
   name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
   if (files_->is_read_only()) name += tr(" (read-only)");

@@ -21,7 +21,7 @@ struct MenuRow {
   std::string_view order;  // separated by blanks
 };
 
-/// The placeholder of the list of recent files, which is not an action.
+/// Where the submenu of recent files goes; not the name of an action.
 constexpr auto kRecent = "file.recent_menu";
 
 constexpr std::array kMenus{
