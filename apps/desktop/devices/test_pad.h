@@ -16,8 +16,8 @@ class TestPad : public QWidget {
  public:
   explicit TestPad(QWidget* parent = nullptr);
 
-  /// Sets the device and the strength of its forces. If the id is empty, the pad only shows a
-  /// message that no device is connected.
+  /// Sets the device and the strength of its forces. If the id is empty, the pad does
+  /// nothing and asks the user to try the device on the page itself.
   void use(const QString& device_id, double strength, double limit_n);
   [[nodiscard]] Studio* studio() noexcept { return studio_.get(); }
 
