@@ -7,14 +7,16 @@
 
 namespace felt {
 
-/// What a bench has opened, as the loop sees it: in the sheet's frame, each read() on the tick of
-/// its time. Nothing open (a reconnect that failed) reads as kDisconnected.
+/// The device that a bench has opened, as the haptic loop sees it: in the frame of the page. Each
+/// read() belongs to the tick of its time. Reads as kDisconnected if no device is open because a
+/// reconnect failed.
 class BenchDevice final : public Device {
  public:
-  /// The bench must outlive this, and be open now.
+  /// Requires that the bench outlives this object and that its device is open.
   explicit BenchDevice(DriverBench& bench) : bench_(bench) { renew(); }
 
-  /// After the bench has opened its device anew. Capabilities may be others then: a new loop.
+  /// Call this after the bench has reopened its device. The capabilities may have changed, so a new
+  /// loop is needed.
   void renew() {
     device_.reset();
     unread_.reset();
@@ -35,7 +37,7 @@ class BenchDevice final : public Device {
     unread_ = sample ? std::nullopt : std::optional(sample.error());
     return sample;
   }
-  /// What the last read() failed with.
+  /// Returns the error of the last read(), if it failed.
   [[nodiscard]] std::optional<DeviceFault> unread() const noexcept { return unread_; }
   std::optional<PenSample> between() noexcept override {
     return device_ ? device_->between() : std::nullopt;
@@ -60,8 +62,8 @@ class BenchDevice final : public Device {
 };
 
 /// The plain simulated device that a bench's ink is compared with: the same stylus in the same
-/// hand, with nothing of a driver between. It says what the driver says that it can, feels what the
-/// device's axes can make it feel, and speaks of the pen as the device does.
+/// hand, without a driver in between. It has the same capabilities as the driver's device, applies
+/// forces only along the axes with motors, and reports the pen as that device does.
 class PlainDevice final : public Device {
  public:
   PlainDevice(const DriverBench& bench, const StylusPreset& preset,

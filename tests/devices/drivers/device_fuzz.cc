@@ -45,12 +45,12 @@ void watch(const Options& options, std::string_view bench, std::uint64_t seed) {
 
 struct Totals {
   std::uint64_t cases = 0, ticks = 0, broken = 0;
-  std::uint64_t with_force = 0;   // cases in which a force was held when it happened
-  std::uint64_t reconnected = 0;  // cases in which the device was opened anew
-  std::uint64_t engaged = 0;      // cases in which a force was held again at the end
+  std::uint64_t with_force = 0;   // cases that held a force when the fault happened
+  std::uint64_t reconnected = 0;  // cases that reopened the device
+  std::uint64_t engaged = 0;      // cases that held a force again at the end
   double largest_n = 0.0;
   std::map<std::string, std::uint64_t, std::less<>> kinds;
-  std::map<std::string, double, std::less<>> slowest_ms;  // until no force was held, by kind
+  std::map<std::string, double, std::less<>> slowest_ms;  // until the force was zero, by kind
   std::uint64_t digest = 0xcbf29ce484222325ULL;
 
   void add(std::uint64_t other) { digest = (digest ^ other) * 0x100000001b3ULL; }
@@ -79,7 +79,7 @@ class Fuzz {
   Fuzz(const Options& options, std::string_view bench)
       : options_(options), bench_(bench), make_(maker_of(options, bench)) {}
 
-  /// False where a rule was broken.
+  /// Returns false if a rule was broken.
   bool run() {
     const auto shown = make_({});
     if (!shown || shown->device() == nullptr) {

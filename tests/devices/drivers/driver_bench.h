@@ -31,67 +31,72 @@ class DriverBench {
   DriverBench& operator=(const DriverBench&) = delete;
   virtual ~DriverBench() = default;
 
-  /// The driver's name.
+  /// Returns the driver's name.
   [[nodiscard]] virtual std::string_view name() const noexcept = 0;
-  /// Opened through Driver::find and Driver::open, homed. Null after a reconnect() that failed.
+  /// Returns the device, opened through Driver::find and Driver::open, and homed. Returns null
+  /// after a reconnect() that failed.
   [[nodiscard]] virtual DriverDevice* device() noexcept = 0;
-  /// Where the sheet lies in front of it: not the identity, for a driver with a frame of its own.
+  /// Returns the position of the page in front of the device. It is not the identity if the driver
+  /// has a frame of its own.
   [[nodiscard]] virtual PlaneCalibration plane() const noexcept = 0;
-  /// The person behind the fake.
+  /// Returns the simulated user's hand behind the fake.
   [[nodiscard]] virtual HandInput& hand() noexcept = 0;
   [[nodiscard]] virtual FakeWorld& world() noexcept = 0;
-  /// The virtual clock goes on to the tick at this time: before each read(), write() and stop() of
-  /// that tick. Where the maker's own loop serves the device this is its tick. Times may be far
-  /// apart (a stall), the same again, or run backwards (a clock that was set).
+  /// Advances the virtual clock to the tick at this time. Call it before each read(), write() and
+  /// stop() of that tick. If the vendor's own loop serves the device, this call is its tick. Times
+  /// may be far apart (a stall), repeat, or run backwards (a clock that was set).
   virtual void before_tick(std::int64_t now_ns) noexcept = 0;
-  /// Can this fault happen to this device, and does the fake show it?
+  /// Returns true if this fault can happen to this device and the fake simulates it.
   [[nodiscard]] virtual bool shows(InjectedFault fault) const noexcept = 0;
-  /// After a fault for ever: closes what is open and opens anew what Driver::find() sees. The world
-  /// behind the fake stays what it is. Error: what find() or open() said; device() is null then.
+  /// Recovers from a permanent fault: closes the open device and opens again the device that
+  /// Driver::find() reports. The world behind the fake stays the same. Fails if find() or open()
+  /// fails; device() is null then.
   virtual Result<void> reconnect() = 0;
-  /// The largest force, N, that the other side was ever asked for, in any direction, before any
-  /// limit of the fake's own; infinity where it was asked for what is no number. And whether a rule
-  /// of the vendor was ever broken (empty: no).
+  /// Returns the largest force, in N, that the driver ever requested from the fake, in any
+  /// direction and before any limit of the fake; infinity if a request was not a number.
+  /// broken_rule() returns the first broken rule of the vendor, or an empty string.
   [[nodiscard]] virtual double largest_asked_n() const noexcept = 0;
   [[nodiscard]] virtual std::string_view broken_rule() const noexcept = 0;
-  /// How far ink drawn through it may lie from ink drawn with the plain simulated device, mm, and
-  /// why that is not zero.
+  /// Returns the largest accepted distance, in mm, between ink drawn through the driver and ink
+  /// drawn with the plain simulated device. Each bench explains why it is not zero.
   [[nodiscard]] virtual double tolerance_mm() const noexcept = 0;
 
-  // What not every device needs.
+  // Only some devices need these functions.
 
-  /// What this device would say of a pen that is there, both in the sheet's frame: a planar one
-  /// leaves z out and tells contact in its own way (a button, a key). The plain simulated device
-  /// that the ink is compared with speaks like this.
+  /// Returns the sample that this device would report for a pen with the sample `pen`, both in the
+  /// frame of the page: a planar device omits z and reports contact by a button or a key. The plain
+  /// simulated device that the ink is compared with reports the same.
   [[nodiscard]] virtual PenSample as_said(const PenSample& pen) const noexcept { return pen; }
-  /// How much later than it happens a fault can be told by read() or write(), because the other
-  /// side is heard once a period only. The motors let go at once all the same, where the fault is
-  /// one that takes their force away.
+  /// Returns the longest delay between a fault and its report by read() or write(), because the
+  /// driver receives messages only once a period. If the fault takes the motors' force away, the
+  /// motors release immediately.
   [[nodiscard]] virtual std::int64_t notice_ns() const noexcept { return 0; }
-  /// The other side lets go of the motors by itself when it hears nothing for so long; 0: never.
+  /// Returns the time without a message after which the device releases the motors; 0 means never.
   [[nodiscard]] virtual std::int64_t watchdog_ns() const noexcept { return 0; }
-  /// The force, in the sheet's frame, that the newest message to the other side asked for; nullopt
-  /// if the fake does not record it. Exact to 10^-5 N.
+  /// Returns the force of the newest message to the device, in the frame of the page, or nullopt if
+  /// the fake does not record it. Exact to 10^-5 N.
   [[nodiscard]] virtual std::optional<Force> last_asked() const { return std::nullopt; }
-  /// How long a device takes no force after this fault is over, though it is read again.
+  /// Returns how long a device still refuses forces after this fault is over, even though it can be
+  /// read again.
   [[nodiscard]] virtual std::int64_t stays_off_ns(InjectedFault) const noexcept { return 0; }
-  /// The other side stands still: what it is told, a stop() too, waits until it goes on; meanwhile
-  /// only its watchdog lets go.
+  /// Returns true while the service or board is stalled: every command, including stop(), waits
+  /// until it continues. Meanwhile only its watchdog can release the motors.
   [[nodiscard]] virtual bool stands_still() const noexcept { return false; }
-  /// Other models of the same maker, which can be plugged in instead: reconnect_as() unplugs what
-  /// is there, plugs this one in and opens it. From then on world(), hand() and plane() are its.
+  /// Returns other models of the same vendor that can be plugged in instead. reconnect_as() unplugs
+  /// the present model, plugs in the other one and opens it. From then on, world(), hand() and
+  /// plane() belong to the new model.
   [[nodiscard]] virtual std::vector<std::string_view> other_models() const { return {}; }
   virtual Result<void> reconnect_as(std::string_view model) {
     return fail(ErrorCode::kUnsupported, "no other model: " + std::string(model));
   }
 };
 
-/// Makes the bench of a suite, as often as it wants one.
+/// Makes a new bench each time a suite calls it.
 using BenchMaker = std::function<std::unique_ptr<DriverBench>(std::vector<FaultWindow> faults)>;
 
-/// Names of all benches, in order.
+/// Returns the names of all benches, in the order of the list.
 std::vector<std::string_view> driver_bench_names();
-/// With faults that come on schedule. Null: no bench has this name.
+/// Makes a bench with scheduled faults. Returns null if no bench has this name.
 std::unique_ptr<DriverBench> make_driver_bench(std::string_view name,
                                                std::vector<FaultWindow> faults);
 

@@ -1,4 +1,4 @@
-// What every suite takes for granted of a bench.
+// Tests the properties of a bench that every suite relies on.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -26,7 +26,7 @@ TEST_P(DriverBenchTest, IsOpenAndSaysWhatItIs) {
   EXPECT_EQ(bench->world().held_force(), Force{}) << "opening does not push";
   EXPECT_EQ(bench->broken_rule(), "");
   EXPECT_GT(bench->tolerance_mm(), 0.0);
-  // What renders forces by itself, told each 8 ms, is another kind of device.
+  // A device that renders forces by itself and receives an update every 8 ms is of another kind.
   const bool is_low_rate = bench->name() == "evdev";
   EXPECT_LE(bench->tolerance_mm(), is_low_rate ? 3.0 : 1.0);
   EXPECT_LE(bench->notice_ns(), (is_low_rate ? 24 : 2) * bench->device()->capabilities().period_ns);
@@ -57,7 +57,8 @@ TEST(DriverBenches, EachHasANameOfItsOwn) {
   EXPECT_EQ(make_driver_bench("none of them", {}), nullptr);
 }
 
-// An arm leaps while the pen bounces: what the filter hands on must not be one stroke for a pencil.
+// An arm reports a jump while the pen bounces. The pencil must not draw the samples after the leap
+// filter as a single stroke.
 TEST(LeapFilterWithAPencil, R49_ALeapDuringABounceDrawsNoLine) {
   for (const double before_z : {-1.0, 0.1}) {
     for (const double after_z : {-1.0, 0.3}) {

@@ -8,8 +8,8 @@
 namespace felt {
 namespace {
 
-/// The device on its haptic thread, and the worker of its own as prompt as can be: it looks between
-/// any two calls.
+/// The device on its haptic thread, with a worker that is as fast as possible: it runs between any
+/// two calls.
 class ServedStick final : public DriverDevice {
  public:
   ServedStick(FakeStick& stick, std::unique_ptr<DriverDevice> device, std::int64_t now_ns)
@@ -82,10 +82,10 @@ class EvdevBench final : public DriverBench {
     if (device_) device_->serve(now_ns);
   }
 
-  /// What a device of whole counts cannot say: numbers that are none, and times. A report is a
-  /// place to go to within 8 ms, so that a jump is a fast way; a stick that says nothing is one
-  /// that nobody moves. It knows neither warmth nor the loss of its zero, and that it takes no
-  /// force it says only when it is asked for one (evdev_test.cc).
+  /// A device that reports whole counts cannot report NaN or times. A report is a target position
+  /// for the next 8 ms, so a jump becomes a fast movement, and a stick that reports nothing is a
+  /// stick that nobody moves. It reports neither motor temperature nor the loss of its zero
+  /// position. It reports that it refuses forces only when a force is requested (evdev_test.cc).
   [[nodiscard]] bool shows(InjectedFault fault) const noexcept override {
     if (is_of_a_service(fault)) return false;
     switch (fault) {
@@ -121,14 +121,15 @@ class EvdevBench final : public DriverBench {
   [[nodiscard]] std::string_view broken_rule() const noexcept override {
     return stick_.broken_rule();
   }
-  /// It reports each 8 ms, feels forces that are 8 to 24 ms old, and renders them by laws that hold
-  /// for 8 ms: the hand is led otherwise. Transforming a selection makes most of it.
+  /// The stick reports every 8 ms, receives forces that are 8 to 24 ms old, and renders them by
+  /// effects that stay unchanged for 8 ms, so the hand moves differently. Transforming a selection
+  /// gives the largest difference.
   [[nodiscard]] double tolerance_mm() const noexcept override { return 3.0; }
   [[nodiscard]] PenSample as_said(const PenSample& pen) const noexcept override {
     return FakeStick::as_said(pen);
   }
-  /// What is asked for is planned each 8 ms and uploaded within 8 more, and only then refused; and
-  /// a plan holds for 8 ms.
+  /// A requested force is planned every 8 ms, is uploaded within 8 ms more, and can be refused only
+  /// then. A plan is valid for 8 ms.
   [[nodiscard]] std::int64_t notice_ns() const noexcept override { return 3 * kServeNs; }
   [[nodiscard]] std::int64_t watchdog_ns() const noexcept override { return 100'000'000; }
 

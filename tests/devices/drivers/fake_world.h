@@ -9,8 +9,8 @@
 
 namespace felt {
 
-/// Looks on, where the wires of the motors would be: what force they hold now, whoever asked for
-/// it. Between the stylus and what may fail above it.
+/// Records the force that the motors hold, regardless of who requested it. Sits between the stylus
+/// and the layers above it that may fail.
 class MotorWatch final : public Device {
  public:
   explicit MotorWatch(Device& motors) noexcept : motors_(motors) {}
@@ -42,24 +42,24 @@ class MotorWatch final : public Device {
   double largest_n_ = 0.0;
 };
 
-/// What stands behind a fake of the other side: a simulated stylus in a simulated hand, which may
-/// fail on schedule. The fake asks it for the pen (in the sheet's frame), turns that into what the
-/// vendor's library, service or board would say in its own frame, units and words, and hands back
-/// the force that was asked of it.
+/// The world behind a fake: a simulated stylus in a simulated hand, which may fail on schedule. The
+/// fake reads the pen from it (in the frame of the page), converts the sample into the frame, units
+/// and messages of the vendor's library, service or board, and returns the requested force.
 ///
-/// A fake hands on every way there is to let go of the motors (a force of zero, a stop command, the
+/// A fake forwards every command that releases the motors (a force of zero, a stop command, the
 /// brakes, a watchdog, a frame without a force, closing) as a write of zero or a stop() here.
 class FakeWorld {
  public:
-  /// The figures of the device that is to be faked; its mechanics from the nearest preset.
+  /// Takes the capabilities of the faked device, and the mechanics of the nearest preset.
   explicit FakeWorld(const StylusPreset& preset, std::vector<FaultWindow> faults = {})
       : preset_(preset), stylus_(preset), motors_(stylus_), faulty_(motors_, std::move(faults)) {}
 
   [[nodiscard]] const StylusPreset& preset() const noexcept { return preset_; }
   [[nodiscard]] SimulatedStylus& stylus() noexcept { return stylus_; }
-  /// What the fake reads and writes.
+  /// Returns the device that the fake reads and writes.
   [[nodiscard]] FaultyDevice& device() noexcept { return faulty_; }
-  /// The force that the motors hold now, in the sheet's frame, N; and the largest so far.
+  /// Returns the force that the motors hold now, in the frame of the page, in N. The next function
+  /// returns the largest so far.
   [[nodiscard]] const Force& held_force() const noexcept { return motors_.held(); }
   [[nodiscard]] double largest_held_n() const noexcept { return motors_.largest_n(); }
 

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Happening::kCoun
 constexpr std::array<std::string_view, static_cast<std::size_t>(PenState::kCount)> kStates{
     "in the air", "engaging", "in contact", "dragging", "snapped"};
 
-/// The ids of all tools.
+/// Returns the ids of all tools.
 const std::vector<std::string>& tools() {
   static const std::vector<std::string> kTools = [] {
     std::vector<std::string> ids;
@@ -68,7 +68,7 @@ std::int64_t moment(PenState state, Random& random) {
   }
 }
 
-// How late a service is, and that long enough to be a fault where it is one.
+// Chooses the delay of a service, and a duration long enough for the delay to be a fault.
 void choose_service(FaultCase& fault, Random& random) {
   constexpr std::array<double, 6> kAnswersMs{1.2, 2.0, 2.1, 5.0, 12.0, 40.0};
   constexpr std::array<double, 5> kBurstsMs{1.5, 3.0, 6.0, 15.0, 30.0};
@@ -104,7 +104,7 @@ void choose_amount(FaultCase& fault, Random& random) {
   } else if (fault.happening == Happening::kClockStep) {
     fault.amount = random.between(0.0, 1.0) < 0.5 ? 3600.0 : -3600.0;
   } else if (fault.happening == Happening::kBadForce) {
-    fault.lasts_ns = std::max(fault.lasts_ns, 30 * kMs);  // a cross-fade may be before it
+    fault.lasts_ns = std::max(fault.lasts_ns, 30 * kMs);  // a cross-fade may come first
     fault.amount = random.between(0.0, 1.0) < 0.5 ? 1e9 : std::numeric_limits<double>::quiet_NaN();
   } else if (fault.happening == Happening::kEditSilent) {
     fault.lasts_ns = ms(random, 300.0, 2400.0);

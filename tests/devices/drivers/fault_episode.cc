@@ -1,4 +1,4 @@
-// What happens in a case; fault_rules.cc says what must be kept.
+// The course of a case. fault_rules.cc has the rules that it must keep.
 #include "tests/devices/drivers/fault_episode.h"
 #include "felt/base/constants.h"
 
@@ -16,7 +16,7 @@ constexpr std::int64_t kTurnNs = 4 * kMs;
 constexpr std::int64_t kLandNs = 80 * kMs, kDragNs = 700 * kMs;
 constexpr double kHoverMm = 4.0, kPressMm = -4.0;
 constexpr double kMarginMm = 6.0;
-constexpr Rect kDrawing{18.0, 24.0, 84.0, 58.0};  // all that hand and drawing need
+constexpr Rect kDrawing{18.0, 24.0, 84.0, 58.0};  // holds the hand and the drawing
 
 using Way = std::array<Point, 4>;
 
@@ -48,7 +48,7 @@ double share(std::int64_t at_ns, std::int64_t from_ns, std::int64_t lasts_ns) {
   return std::clamp(static_cast<double>(at_ns - from_ns) / static_cast<double>(lasts_ns), 0.0, 1.0);
 }
 
-// A model that is meant badly: another direction each 8 ms.
+// A malicious force model that changes direction every 8 ms.
 struct BadForce {
   double newtons;
   Force operator()(const PenSample& sample, ForceMemory&) const noexcept {
@@ -58,7 +58,7 @@ struct BadForce {
   [[nodiscard]] static Slopes slopes() noexcept { return {}; }
 };
 
-// A wavy line of eight segments at this height of the drawing.
+// Returns a wavy line of eight segments at this height of the drawing.
 StrokePtr line_at(double y_mm, double scale, Vec shift) {
   constexpr int kSegments = 8;
   StrokeData data;
@@ -113,7 +113,7 @@ FaultEpisode::FaultEpisode(const BenchMaker& make, const FaultCase& fault)
   lift_ns_ =
       std::max(landing_ns(fault.state) + 900 * kMs, fault.at_ns + fault.lasts_ns + 250 * kMs);
   arm_ns_ = lift_ns_ + 300 * kMs;
-  // A late service must have been prompt for a while.
+  // Before its fault, a late service must have answered promptly for a while.
   if (fault.happening == Happening::kDeviceFault && bench_->stays_off_ns(fault.fault) > 0) {
     arm_ns_ += bench_->stays_off_ns(fault.fault);
   }
@@ -131,7 +131,8 @@ void FaultEpisode::new_loop() {
   has_last_ = false;
 }
 
-/// Where the hand wants the pen: down and along the way, up again, back, down and along once more.
+/// Returns the position that the hand aims at: down and along the path, up, back, down and along
+/// again.
 Vec3 FaultEpisode::hand_at(std::int64_t script_ns) const {
   const Way way = way_of(path_);
   const bool is_again = script_ns >= arm_ns_;
@@ -142,7 +143,7 @@ Vec3 FaultEpisode::hand_at(std::int64_t script_ns) const {
   Point at = along(way, share(script_ns, drag, kDragNs));
   if (!is_again && script_ns >= lift_ns_) {
     z = kPressMm + (kHoverMm - kPressMm) * share(script_ns, lift_ns_, kLandNs);
-    // Back while in the air.
+    // The pen moves back above the surface.
     at = along(way, share(lift_ns_, drag, kDragNs) *
                         (1.0 - share(script_ns, lift_ns_ + kLandNs, arm_ns_ - lift_ns_ - kLandNs)));
   }
@@ -153,7 +154,7 @@ void FaultEpisode::move_hand() {
   bench_->hand().aim(hand_at(script_ns_), {}, 0);
 }
 
-/// What the edit side does every few milliseconds.
+/// Runs the edit side's work of a few milliseconds.
 void FaultEpisode::turn() {
   if (phase_ == Phase::kDuring && fault_.happening == Happening::kEditSilent) return;
   if (script_ns_ < turn_ns_) return;
@@ -221,7 +222,7 @@ void FaultEpisode::end_happening() {
   if (fault_.happening == Happening::kLetGo) bench_->world().stylus().hold(typical_hand());
 }
 
-/// While it is unplugged a user may try in vain.
+/// While the device is unplugged, the user may try to reconnect, which must fail.
 void FaultEpisode::try_too_early() {
   const bool is_unplugged =
       fault_.happening == Happening::kDeviceFault && fault_.fault == InjectedFault::kUnplugged;
@@ -234,7 +235,7 @@ void FaultEpisode::try_too_early() {
   was_gone_ = false;
 }
 
-/// What the user does when it is over: plugs in, opens, allows forces.
+/// Does what the user does after the fault: plugs in, opens, enables forces.
 void FaultEpisode::mend() {
   phase_ = Phase::kAgain;
   const auto unread = device_->unread();
@@ -255,7 +256,7 @@ void FaultEpisode::mend() {
     (void)session_->apply({now(), UseDevice{device_->capabilities()}});
     if (bench_->world().held_force() != Force{}) broken("a force is held right after opening");
   }
-  // A pencil that is drawn to the ink that the fault left behind would wait for ever.
+  // The pencil would otherwise wait for ever, because it is attracted by the ink of the fault.
   (void)session_->apply({now(), SetOption{"pencil.snap", std::string("off")}});
   was_gone_ = false;
   must_be_zero_ = false;
@@ -291,7 +292,7 @@ FaultVerdict FaultEpisode::run() {
     const TickReport& tick = servo_->step(now());
     ++verdict_.ticks;
     check_tick(tick);
-    // The hand moves on, whether anybody looks or not.
+    // The hand moves on even if the device is not read.
     if (device_->unread() == DeviceFault::kDisconnected) {
       (void)bench_->world().stylus().read(now());
     }

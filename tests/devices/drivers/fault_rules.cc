@@ -19,10 +19,12 @@ constexpr std::int64_t kNoAnswerNs = 50 * kMs;
 constexpr std::int64_t kCrossFadeNs = 20 * kMs;
 constexpr std::int64_t kJumpHoldNs = 2 * kMs;
 constexpr std::int64_t kJumpsOftenNs = 27 * kMs;
-constexpr std::int64_t kSlowServiceNs = 250 * kMs;  // noticed, and the force let down
+// until the delay is detected and the force is released
+constexpr std::int64_t kSlowServiceNs = 250 * kMs;
 constexpr double kWireN = 1e-5;
 constexpr double kSurelyAJumpMm = 8.0;
-/// Ink may lie so far from the samples: the fit's tolerance, and what filter and refinement add.
+/// Largest distance of ink from the samples, mm: the tolerance of the fit, plus filter and
+/// refinement.
 constexpr double kInkMm = 0.6;
 
 std::string newtons(double n) {
@@ -51,7 +53,7 @@ void FaultEpisode::broken(std::string rule) {
   verdict_.broken += ", at " + std::to_string(1e-6 * static_cast<double>(script_ns_)) + " ms";
 }
 
-/// How long after its first tick a force may stay; nothing where it need not go.
+/// Returns how long a force may stay after the first tick of the fault, or nullopt if it may stay.
 std::optional<std::int64_t> FaultEpisode::zero_within_ns() const {
   const std::int64_t notice = bench_->notice_ns();
   const std::int64_t jump_ns = kJumpHoldNs + 3 * period_ns_ + notice;
@@ -68,7 +70,7 @@ std::optional<std::int64_t> FaultEpisode::zero_within_ns() const {
     case Happening::kOtherModel:
       return notice;
     case Happening::kBadForce:
-      // A third feel waits until the first of two has faded out.
+      // A third force model waits until the first of two has faded out.
       if (std::isnan(fault_.amount)) return period_ns_ + kCrossFadeNs;
       return std::nullopt;
     case Happening::kEditSilent:
@@ -117,19 +119,20 @@ std::optional<std::int64_t> FaultEpisode::zero_within_ns() const {
   }
 }
 
-/// A service that has let go by itself takes the force that was sent before it was late.
+/// Returns true if a service whose watchdog has released the motors still applies a force that was
+/// sent before the delay.
 bool FaultEpisode::acts_after_its_watchdog() const noexcept {
   return fault_.happening == Happening::kDeviceFault && is_of_a_service(fault_.fault) &&
          1e6 * fault_.amount >= static_cast<double>(bench_->watchdog_ns());
 }
 
-/// The user must arm again.
+/// Returns true if the user must arm again.
 bool FaultEpisode::is_hard() const noexcept {
   return fault_.happening == Happening::kDeviceFault || fault_.happening == Happening::kSuspend ||
          fault_.happening == Happening::kOtherModel || fault_.happening == Happening::kBadForce;
 }
 
-/// What the samples say now is where the pen is, and the user wants it as ink.
+/// Returns true if the samples report the real position of the pen and must become ink.
 bool FaultEpisode::tells_the_truth() const noexcept {
   if (phase_ == Phase::kBefore) return true;
   if (fault_.happening == Happening::kOtherTool || fault_.happening == Happening::kUndo) {
@@ -167,7 +170,8 @@ void FaultEpisode::check_tick(const TickReport& tick) {
   if (phase_ == Phase::kAgain) {
     verdict_.force_after_n = std::max(verdict_.force_after_n, norm(held));
     Force asked = tick.asked;
-    if (device_->capabilities().actuated_axes < 3) asked.z = 0.0;  // it cannot
+    // the device has no motor on this axis
+    if (device_->capabilities().actuated_axes < 3) asked.z = 0.0;
     const bool should = norm(asked) > 0.1 && tick.safety.state == SafetyState::kActive;
     asked_long_ = should ? asked_long_ + period_ns_ : 0;
     const SafetyLimits& limits = servo_->options().limits;
@@ -197,7 +201,7 @@ void FaultEpisode::check_force(const TickReport& tick) {
                         fault_.fault == InjectedFault::kNoAnswer || acts_after_its_watchdog());
   if (ignores && (phase_ == Phase::kDuring || free_ticks_ > 0)) return;
   if (more_n > kRiseNPerMs * dt_ms + 1e-4) return broken("it rises by " + newtons(more_n));
-  // What a late service is told seldom rises by as much as it was not told.
+  // A late service receives few commands, so the force can rise by several steps in one.
   const bool is_late = fault_.happening == Happening::kDeviceFault &&
                        is_of_a_service(fault_.fault) && phase_ != Phase::kAgain;
   const bool engages = !is_late && tick.safety.state == SafetyState::kEngaging &&
@@ -213,11 +217,12 @@ void FaultEpisode::check_force(const TickReport& tick) {
   }
 }
 
-/// What the tick reports is what the other side was told.
+/// Checks that the fake received the force that the tick reports.
 void FaultEpisode::check_log(const TickReport& tick) {
   const std::optional<Force> asked = bench_->last_asked();
   if (!asked || bench_->device() == nullptr) return;
-  if (bench_->device()->status().fault == DeviceFault::kDisconnected) return;  // nobody hears it
+  // nothing is received any more
+  if (bench_->device()->status().fault == DeviceFault::kDisconnected) return;
   if (norm(*asked - tick.sent) > kWireN) {
     broken("the log says " + newtons(norm(tick.sent)) + ", the other side was told " +
            newtons(norm(*asked)));
@@ -270,9 +275,9 @@ void FaultEpisode::check_reading(const TickReport& tick) {
   if (is_still_read && !tick.sample_ok) broken("without a force it is not read either");
 }
 
-/// The forces are there again.
+/// Checks that the forces are back.
 void FaultEpisode::check_back() {
-  // The pencil is drawn to the ink that the fault left under it: then it rightly waits.
+  // The pencil is attracted by the ink that the fault left under it, so waiting is correct.
   const bool rightly_waits = last_state_ == SafetyState::kWaiting && !was_calm_;
   if (last_state_ != SafetyState::kActive && last_state_ != SafetyState::kEngaging &&
       !rightly_waits) {
@@ -300,7 +305,7 @@ void FaultEpisode::check_end() {
   if (!(session_->document() == start_)) broken("undo does not lead back to the first drawing");
 }
 
-/// Every sample in contact that was believed is ink.
+/// Checks that every accepted sample in contact is ink.
 void FaultEpisode::check_ink() {
   std::vector<StrokePtr> ink;
   for (const Layer& layer : session_->document().layers()) {

@@ -16,7 +16,7 @@ inline constexpr const char* kReceiverKernel = "0003:046D:C548.0005";
 inline constexpr const char* kPadKernel = "0018:2808:0222.0006";
 inline constexpr const char* kControllerKernel = "0003:045E:02EA.0007";
 
-/// A machine with all of them, and the driver.
+/// The fixture: a machine with a fake of each haptic device, and the driver.
 struct CueDesk {
   FakeSystem system;
   FakePen pen;

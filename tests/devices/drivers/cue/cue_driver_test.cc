@@ -1,4 +1,4 @@
-// Haptic pens, mice, touchpads and controllers, before fakes of their kernel nodes.
+// Tests haptic pens, mice, touchpads and controllers with fakes of their kernel nodes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -138,12 +138,12 @@ TEST(CueDriver, AMouseThatSleepsOrHasNoHapticsSaysSo) {
   ASSERT_FALSE(device);
   EXPECT_NE(device.error().message.find("awake"), std::string::npos);
   desk.mouse.is_asleep = false;
-  desk.mouse.number = 9;  // none of those that a receiver can have
+  desk.mouse.number = 9;  // a number that no device of a receiver can have
   EXPECT_FALSE(desk.open(kReceiverId));
   desk.mouse.error = ENODEV;
   EXPECT_FALSE(desk.open(kMouseId));
   desk.mouse.error = 0;
-  desk.mouse.waveforms = 0x2;  // only one
+  desk.mouse.waveforms = 0x2;  // only one waveform
   auto poor = desk.open(kMouseId);
   ASSERT_TRUE(poor);
   EXPECT_TRUE((*poor)->plays(CueWaveform::kClick));
@@ -162,7 +162,8 @@ TEST(CueDriver, ATouchpadKeepsItsOwnClicks) {
     EXPECT_EQ(effect.hid_usage, 0x1003);
     EXPECT_EQ(effect.intensity_percent, 50);
   }
-  // It hums in no way that we know: found out once, and not tried again.
+  // The device supports no vibration that we know. The driver detects this once and does not try
+  // again.
   EXPECT_TRUE((*device)->play({CueWaveform::kPencil, 0.5}, 200 * kMs));
   EXPECT_FALSE((*device)->plays(CueWaveform::kPencil));
   EXPECT_EQ(desk.pad.played.size(), 2u);
@@ -246,7 +247,8 @@ TEST(CueDriver, DoctorKnowsKernelsThatAreTooOld) {
   EXPECT_EQ(driver->diagnose(empty)[0].level, FindingLevel::kAbsent);
 }
 
-/// A hand draws three strokes and takes one back: pen, law and device in a whole session.
+/// Simulates a hand that draws three strokes and undoes one: pen, cue rules and device in a whole
+/// session.
 std::vector<FakePen::Played> drawing_session() {
   CueDesk desk;
   auto device = desk.open(kPenId);

@@ -1,6 +1,6 @@
-// Haptic pens, mice, touchpads and controllers that fail, are unplugged and lie: random cues and
-// faults, a thousand seeds. A seed that breaks a rule is printed; the same seed does the same
-// again.
+// Tests haptic pens, mice, touchpads and controllers that fail, are unplugged or report wrong
+// values: random cues and faults with a thousand seeds. A seed that breaks a rule is printed, and
+// running it again repeats the failure.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,8 +35,8 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// One device for some hundred cues. Its other side fails now and then, at any call, and is
-/// unplugged at one of them, in the middle of a cue too; it may lie in all that it says.
+/// Runs one device for some hundred cues. The fake fails occasionally, at any call, and is
+/// unplugged once, possibly during a cue. All the values it reports may be wrong.
 class Episode {
  public:
   explicit Episode(std::uint64_t seed) : random_(seed), id_(kDevices[random_.below(5)]) {
@@ -74,7 +74,7 @@ class Episode {
     check_rules();
   }
 
-  /// What was played, for a look whether it is the same again.
+  /// Returns what was played, to compare two runs with the same seed.
   [[nodiscard]] std::vector<std::size_t> trace() const {
     std::vector<std::size_t> all{desk_.mouse.played.size(), desk_.pad.played.size(),
                                  desk_.controller.played.size(), calls_};
@@ -140,7 +140,7 @@ class Episode {
   }
 
   void check_rules() const {
-    // A pen that lies has rules that it did not tell.
+    // A pen that reports wrong values has limits that the driver cannot know.
     EXPECT_EQ(lies_ ? "" : desk_.pen.broken_rule, "");
     EXPECT_EQ(lies_ ? "" : desk_.mouse.broken_rule, "");
     EXPECT_EQ(desk_.pad.broken_rule, "");
@@ -186,7 +186,8 @@ TEST(CueFaults, AThousandSeedsBreakNoRule) {
   EXPECT_GT(refusals, 1000u);
 }
 
-/// The hum is told to end, and the kernel refuses: told again with the next silence.
+/// If the kernel refuses the command that ends a vibration, the driver sends it again with the next
+/// silence.
 TEST(CueFaults, AStopThatWasRefusedIsToldAgain) {
   CueDesk desk;
   auto device = desk.open(kControllerId);

@@ -75,7 +75,7 @@ class MousePort final : public HidrawPort {
     if ((function & 0xF) >= 0xB) mouse_.broken_rule = "another program's software number";
     const std::uint8_t own = mouse_.is_direct ? std::uint8_t{0xFF} : mouse_.number;
     if (mouse_.is_asleep) return {};
-    if (device != own) {  // what a receiver says for a device that is not there
+    if (device != own) {  // the receiver's answer for a device that is not connected
       answer({0x10, device, 0x8F, feature, function, 0x08, 0x00});
       return {};
     }
@@ -117,7 +117,7 @@ class MousePort final : public HidrawPort {
  private:
   void answer(std::vector<std::uint8_t> report) {
     if (report[0] == 0x11) report.resize(20);
-    // What others hear is heard by all: another software's answer, an event, a moved mouse.
+    // Every program receives all reports: another program's answer, an event, a mouse movement.
     const std::vector<std::vector<std::uint8_t>> noise{
         {0x11, report[1], report[2], static_cast<std::uint8_t>((report[3] & 0xF0) | 0xD), 0x77},
         {0x10, report[1], 0x04, 0x00, 0x01, 0x01, 0x01},

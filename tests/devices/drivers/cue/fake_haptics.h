@@ -16,17 +16,18 @@
 
 namespace felt {
 
-/// The report descriptor of a pen of our own making, with what real ones have: a digitizer before
-/// it, ordinals in a feature report, intensity, repeat count, cut-off in steps of 10 ms, retrigger
-/// period in the output report; its number is `report`.
+/// Returns the report descriptor of an invented pen with the features of real pens: a digitizer
+/// before the haptic part, ordinals in a feature report, and in the output report intensity, repeat
+/// count, cut-off in steps of 10 ms and retrigger period. The output report has the number
+/// `report`.
 std::vector<std::uint8_t> pen_descriptor(std::uint8_t report, bool is_touchpad = false);
-/// Of a HID++ device: reports 0x10 and 0x11 of the maker's own page.
+/// Returns the report descriptor of a HID++ device: reports 0x10 and 0x11 of the vendor's own page.
 std::vector<std::uint8_t> hidpp_descriptor();
 
 /// A haptic pen as hidraw shows it. Its rules: output reports have the number and length of its
-/// descriptor, the ordinal is one of its list or stop, nothing but the manual trigger is written;
-/// too many of them a second stop it from writing (as a Slim Pen 2, whose motor is then used too
-/// heavily: what stops it does not count, and must never be held back).
+/// descriptor; the ordinal is in its list or is the stop; only the manual trigger is written. Too
+/// many output reports per second make it stop writing (as with a Slim Pen 2, because its motor is
+/// then used too heavily). Stop reports do not count and must never be held back.
 struct FakePen {
   struct Played {
     std::int64_t now_ns = 0;
@@ -38,19 +39,19 @@ struct FakePen {
   std::vector<Played> played;
   std::int64_t now_ns = 0;
   int error = 0;
-  std::function<int()> fault;  ///< asked at each call: errno, or 0
-  /// What it answers to any feature report, over and over; empty: the truth.
+  std::function<int()> fault;  ///< called at each call; returns an errno, or 0
+  /// The wrong answer to every feature report. If empty, the pen answers correctly.
   std::vector<std::uint8_t> lies;
   std::string broken_rule;
 
   std::unique_ptr<HidrawPort> open();
-  /// Does it play something that goes on?
+  /// Returns true if it plays a continuous waveform.
   [[nodiscard]] bool hums() const;
-  /// The most that were asked for within any second, without the stops.
+  /// Returns the largest number of output reports within any second, without the stops.
   [[nodiscard]] std::size_t most_in_a_second() const;
 };
 
-/// A haptic mouse at a receiver, of the number 2, among other programs that talk to it.
+/// A haptic mouse with the number 2 at a receiver, which other programs use as well.
 struct FakeMouse {
   std::uint8_t number = 2;
   bool is_direct = false;
@@ -61,7 +62,7 @@ struct FakeMouse {
   int error = 0;
   std::function<int()> fault;
   std::string broken_rule;
-  int foreign = 3;  ///< reports of others before each answer
+  int foreign = 3;  ///< reports of other programs before each answer
 
   std::unique_ptr<HidrawPort> open();
 };
@@ -82,7 +83,7 @@ struct FakePad {
   std::unique_ptr<EvdevPort> open();
 };
 
-/// A machine with a node of hidraw or of input, and what sysfs says of it.
+/// Adds a hidraw or input node and its entries in sysfs to a machine.
 void add_hidraw(FakeSystem& system, int number, const std::string& kernel, const std::string& name,
                 const std::string& unique, const std::vector<std::uint8_t>& descriptor);
 void add_input(FakeSystem& system, int number, const std::string& kernel, const std::string& name,

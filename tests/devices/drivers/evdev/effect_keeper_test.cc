@@ -1,4 +1,4 @@
-// What the haptic thread and the worker of a stick do at the same time.
+// Tests the haptic thread and the worker thread of a stick running at the same time.
 #include "felt/devices/evdev/effect_keeper.h"
 #include "felt/base/constants.h"
 
@@ -18,7 +18,8 @@
 namespace felt::effect_keeper_test {
 namespace {
 
-/// A device whose transfers take as long as a test wants; it does at each what the test says.
+/// A device with transfers of any duration. At each transfer it calls the function that the test
+/// has set.
 class SlowPort final : public EvdevPort {
  public:
   tl::expected<bool, int> next(EvdevEvent&) noexcept override { return false; }
@@ -59,7 +60,7 @@ EffectPlan two_effects() {
   return plan;
 }
 
-/// Silenced while an upload is under way: what was uploaded is not played any more.
+/// An effect that is silenced while its upload runs is not played after the upload.
 TEST(EffectKeeper, WhatIsSilencedDuringAnUploadIsNotPlayed) {
   SlowPort port;
   EffectKeeper keeper(port, {}, 1.0);
@@ -69,12 +70,12 @@ TEST(EffectKeeper, WhatIsSilencedDuringAnUploadIsNotPlayed) {
   EXPECT_EQ(port.plays, 0);
   keeper.want(two_effects());
   port.during_upload = [&] {
-    if (port.newest == 1) keeper.silence();  // the second one
+    if (port.newest == 1) keeper.silence();  // the second upload
   };
   keeper.serve(EffectKeeper::kUploadNs);
   EXPECT_EQ(port.plays, 1);
   EXPECT_TRUE(port.playing.empty()) << "the first is stopped at once";
-  // Between the look and the play: stopped by the same serve().
+  // The silence comes between the check and the play; the same serve() stops the effect.
   port.during_upload = nullptr;
   port.during_play = [&] { keeper.silence(); };
   keeper.want(two_effects());
@@ -82,7 +83,7 @@ TEST(EffectKeeper, WhatIsSilencedDuringAnUploadIsNotPlayed) {
   EXPECT_TRUE(port.playing.empty());
 }
 
-/// A stop that the kernel did not take is told again until it does.
+/// If the kernel refuses a stop, the keeper repeats it until the kernel accepts it.
 TEST(EffectKeeper, AStopThatWasNotHeardIsToldAgain) {
   SlowPort port;
   EffectKeeper keeper(port, {}, 1.0);
@@ -101,13 +102,13 @@ TEST(EffectKeeper, AStopThatWasNotHeardIsToldAgain) {
   EXPECT_EQ(keeper.error(), 0) << "it takes effects again";
 }
 
-/// The kernel as it is: one lock of the device, which an upload holds as long as it takes.
+/// Models the kernel's lock: one lock for each device, held for the whole duration of an upload.
 class LockedPort final : public EvdevPort {
  public:
   struct Kernel {
     std::mutex lock;
     std::atomic<bool> must_hang{false}, hangs{false}, loses_events{false};
-    std::atomic<int> waits{0};  // of other threads than the worker, for the lock
+    std::atomic<int> waits{0};  // how often threads other than the worker waited for the lock
   };
   explicit LockedPort(Kernel& kernel) : kernel_(kernel) {}
   tl::expected<bool, int> next(EvdevEvent& event) noexcept override {
@@ -140,7 +141,7 @@ class LockedPort final : public EvdevPort {
   }
 
  private:
-  /// Only says that it would have waited, so that a test fails rather than hangs.
+  /// Only records that a real call would wait, so that a test fails instead of hanging.
   void take_lock() noexcept {
     if (!kernel_.lock.try_lock()) {
       ++kernel_.waits;
@@ -153,7 +154,7 @@ class LockedPort final : public EvdevPort {
   int said_ = 0;
 };
 
-/// An upload hangs in the kernel. The haptic thread draws on, and never waits with it.
+/// An upload hangs in the kernel. The haptic thread continues drawing and never waits for it.
 TEST(EvdevDriver, AnUploadThatHangsKeepsNobodyWaiting) {
   FakeStick stick({});
   LockedPort::Kernel kernel;

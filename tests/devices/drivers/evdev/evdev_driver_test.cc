@@ -1,4 +1,5 @@
-// Joysticks and wheels: what only this driver and its fake do (the suites do the rest).
+// Tests the parts that are specific to the driver of joysticks and wheels. The suites test the
+// rest.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -18,7 +19,7 @@
 namespace felt::evdev_driver_test {
 namespace {
 
-/// A stick, its driver and a clock.
+/// The fixture: a stick, its driver and a clock.
 struct Desk {
   FakeStick stick;
   std::unique_ptr<Driver> driver;
@@ -61,7 +62,7 @@ struct Desk {
     serve();
     return device->read(now_ns);
   }
-  /// Ticks with this force; what write() said last.
+  /// Runs ticks with this force. Returns the result of the last write().
   tl::expected<void, DeviceFault> push(const Force& force, int ticks) {
     tl::expected<void, DeviceFault> done;
     for (int i = 0; i < ticks; ++i) {
@@ -109,7 +110,8 @@ TEST(EvdevDriver, UnknownSticksCountAsStrongAndGamepadsAreNone) {
   EXPECT_FALSE(stick_kind(node)) << "no button to draw with";
 }
 
-/// Through springs, and through constants where there are none: each axis the right way.
+/// Tests the direction of the force on each axis, through springs, or through constant effects if
+/// the stick has no springs.
 TEST(EvdevDriver, ForcesPushTheRightWayOnEachAxis) {
   for (const std::vector<std::uint16_t>& effects :
        {std::vector<std::uint16_t>{}, std::vector<std::uint16_t>{evdev::kFfConstant}}) {
@@ -129,7 +131,7 @@ TEST(EvdevDriver, ForcesPushTheRightWayOnEachAxis) {
 TEST(EvdevDriver, ASpringIsRenderedByTheDeviceItself) {
   Desk desk;
   ASSERT_TRUE(desk.open());
-  constexpr double kStiffness = 0.08;  // N/mm, to the middle
+  constexpr double kStiffness = 0.08;  // N/mm, towards the middle
   for (int ms = 0; ms < 1500; ++ms) {
     desk.aim(12.0 * std::sin(0.008 * ms), 0.0, 5.0);
     const auto pen = desk.read();
@@ -171,7 +173,7 @@ TEST(EvdevDriver, AProgramThatHangsLeavesNoForce) {
   ASSERT_TRUE(desk.open());
   ASSERT_TRUE(desk.push({0.8, 0, 0}, 60));
   ASSERT_GT(desk.held().x, 0.5);
-  for (int ms = 0; ms < 110; ++ms) desk.stick.tick(desk.now_ns += kMs);  // nobody serves
+  for (int ms = 0; ms < 110; ++ms) desk.stick.tick(desk.now_ns += kMs);  // without the worker
   EXPECT_EQ(desk.held(), Force{});
 }
 
@@ -199,7 +201,7 @@ TEST(EvdevDriver, WhatTheKernelRefusesIsForcesOffWithItsWords) {
     EXPECT_EQ(status.fault, DeviceFault::kForcesOff);
     EXPECT_EQ(status.vendor_code, error);
     EXPECT_FALSE(status.vendor_words.empty());
-    // It is asked now and then, and comes back.
+    // The driver tries it again from time to time, and it works again.
     desk.stick.refuse_uploads(0);
     EXPECT_TRUE(desk.push({}, 20));
     EXPECT_TRUE(desk.push({0.8, 0, 0}, 40));
@@ -238,7 +240,8 @@ TEST(EvdevDriver, LostEventsAreAskedForAnew) {
   EXPECT_EQ(desk.stick.broken_rule(), "");
 }
 
-/// The worker stands in the kernel: the drawing does not take the last place for the pen's.
+/// If the worker hangs in the kernel, the drawing must not use the last position as the pen's
+/// position.
 TEST(EvdevDriver, LostEventsThatNobodyAsksForAreBadData) {
   Desk desk;
   ASSERT_TRUE(desk.open());
@@ -257,7 +260,7 @@ TEST(EvdevDriver, LostEventsThatNobodyAsksForAreBadData) {
   EXPECT_TRUE(desk.read());
 }
 
-/// From one end of the way to the other between two reports: no hand does that.
+/// The stick moves from one end to the other between two reports, which no hand can do.
 TEST(EvdevDriver, AJumpTakesTheForceAway) {
   Desk desk({{InjectedFault::kJump, 400 * kMs, 500 * kMs, 80.0}});
   ASSERT_TRUE(desk.open());
@@ -313,7 +316,7 @@ TEST(EvdevDriver, DoctorNamesSticksWithoutMotors) {
   EXPECT_NE(findings[0].what.find("Old wheel"), std::string::npos);
 }
 
-/// An input device that only counts, from any thread.
+/// An input device that only counts calls. Safe to call from any thread.
 class CountingPort final : public EvdevPort {
  public:
   struct Counts {
@@ -343,7 +346,7 @@ class CountingPort final : public EvdevPort {
   Counts& counts_;
 };
 
-/// With the thread: uploads come by themselves, and the end stops and erases.
+/// With a worker thread: it uploads without being called, and closing stops and erases the effects.
 TEST(EvdevDriver, AThreadOfItsOwnUploads) {
   FakeStick stick({});
   CountingPort::Counts counts;

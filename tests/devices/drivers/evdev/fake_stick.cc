@@ -184,7 +184,7 @@ PenSample FakeStick::as_said(const PenSample& pen) noexcept {
 
 void FakeStick::tick(std::int64_t now_ns) noexcept {
   now_ns_ = now_ns;
-  // A clock that was set back: what was uploaded was uploaded just now.
+  // If the clock was set back, the uploads count as just made.
   for (auto& [id, slot] : effects_) slot.uploaded_ns = std::min(slot.uploaded_ns, now_ns);
   const auto pen = world_.device().read(now_ns);
   if (!pen && pen.error() == DeviceFault::kDisconnected) {
@@ -284,7 +284,7 @@ std::size_t FakeStick::playing() const noexcept {
 void FakeStick::let_go_if_quiet() noexcept {
   if (playing() > 0) return;
   if (world_.held_force() != Force{}) world_.device().stop();
-  // Does it take forces at all? The next upload tells.
+  // Checks whether the device accepts forces; the result applies to the next upload.
   const auto asked = world_.device().write({});
   refused_ = asked ? 0 : EIO;
   if (!asked && asked.error() == DeviceFault::kDisconnected) plug(false);

@@ -16,7 +16,7 @@
 
 namespace felt {
 
-/// Events that nobody has read yet, in memory of its own: a tick takes them out.
+/// Events that have not been read yet, in preallocated memory. A tick removes them.
 class EventQueue {
  public:
   [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
@@ -36,22 +36,22 @@ class EventQueue {
   std::size_t first_ = 0, count_ = 0;
 };
 
-/// A joystick with force feedback as the kernel shows it: a node in sysfs, events, effects in slots
-/// that it renders by itself, a thousand times a second. Behind it, a stick of the simulation: in
-/// the sheet's frame, of which the stick's middle is kMiddle.
+/// A joystick with force feedback as the kernel shows it: a node in sysfs, events, and effects in
+/// slots that it renders by itself, a thousand times a second. Behind it is a simulated stick in
+/// the frame of the page; kMiddle is the middle of the stick.
 ///
-/// Its rules: an upload of what it has not got is EINVAL, of more than it has room for ENOSPC; all
-/// is ENODEV once it was unplugged, for those who had it open; effects must end by themselves; its
-/// own spring must be off before one plays; 125 uploads a second are the most that its transfer
-/// bears. The haptic thread may ask for the next event and for nothing else, since all else waits
-/// for the kernel's lock of the device.
+/// Its rules: uploading an unsupported effect gives EINVAL, uploading more effects than it has
+/// slots gives ENOSPC. After it was unplugged, every call on an open node gives ENODEV. Effects
+/// must have a duration. The stick's own spring must be off before an effect plays. Its transfer
+/// allows at most 125 uploads a second. The haptic thread may only read the next event, because
+/// every other call waits for the kernel's lock of the device.
 class FakeStick {
  public:
   static constexpr Point kMiddle{55.0, 45.0};
   static constexpr double kHalfWayMm = 45.0;
   static constexpr double kFullN = 8.0;
   static constexpr int kSlots = 16;
-  static constexpr double kDepthMm = 6.0;  ///< of the pen, at which its lever is at its end
+  static constexpr double kDepthMm = 6.0;  ///< pen depth at which the lever is at its end
   static constexpr std::int32_t kCounts = 32767, kLeverCounts = 1023;
   static constexpr std::int64_t kPollNs = 8'000'000;
   static constexpr std::int64_t kUploadNs = 8'000'000;
@@ -60,23 +60,25 @@ class FakeStick {
 
   static StylusPreset preset();
   [[nodiscard]] FakeWorld& world() noexcept { return world_; }
-  /// The machine that it is plugged into: its node is there while it is.
+  /// Returns the machine that it is plugged into. The node exists while the stick is plugged in.
   [[nodiscard]] const SystemView& system() const noexcept { return system_; }
-  /// Another look at the same, to forbid things.
+  /// Returns the same machine as system(), for tests that must forbid calls.
   [[nodiscard]] FakeSystem& fake_system() noexcept { return system_; }
   Result<std::unique_ptr<EvdevPort>> open(const std::string& path);
 
-  /// Time goes on: the world moves, effects push, each kPollNs it reports.
+  /// Advances the time: the world moves, effects push, and the stick reports once every kPollNs.
   void tick(std::int64_t now_ns) noexcept;
-  /// Whether what comes now is of the haptic thread, or of one that may wait (as at first).
+  /// Sets whether the next calls come from the haptic thread or from a thread that may wait (the
+  /// default).
   void set_haptic_thread(bool is_haptic) noexcept { is_haptic_ = is_haptic; }
-  /// Its events are lost, as when nobody reads them for long.
+  /// Drops its unread events, as if nobody had read them for a long time.
   void drop_events() noexcept;
-  /// Uploads say this errno; 0: no longer.
+  /// Makes uploads fail with this errno; 0 ends this.
   void refuse_uploads(int error) noexcept { must_refuse_ = error; }
   void set_slots(int slots) noexcept { slots_ = slots; }
 
-  /// What this stick says of a pen: pressure in steps of its lever, no height.
+  /// Returns the sample that this stick reports for a pen: pressure in steps of its lever, no
+  /// height.
   static PenSample as_said(const PenSample& pen) noexcept;
 
   [[nodiscard]] double largest_asked_n() const noexcept { return largest_n_; }
@@ -91,7 +93,7 @@ class FakeStick {
  private:
   class Port;
   struct Slot {
-    std::int64_t until_ns = 0;  // plays up to then
+    std::int64_t until_ns = 0;  // plays until this time
     bool plays = false;
     std::int64_t uploaded_ns = 0;
   };
@@ -123,7 +125,7 @@ class FakeStick {
   std::map<std::int16_t, EvdevEffect> kept_;
   std::map<std::int16_t, Slot> effects_;
   std::int32_t gain_ = 0xFFFF, autocenter_ = 0x8000;
-  int refused_ = 0;      // by the world behind it
+  int refused_ = 0;      // by the simulated world
   int must_refuse_ = 0;  // by a test
   int uploads_ = 0;
   bool is_haptic_ = false;
