@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// A joystick with force feedback (evdev/fake_stick.h), behind the driver "evdev".
+/// Makes a joystick with force feedback (evdev/fake_stick.h) for the driver "evdev".
 std::unique_ptr<DriverBench> make_evdev_bench(std::vector<FaultWindow> faults);
 
 }  // namespace felt

@@ -14,14 +14,14 @@
 namespace felt {
 namespace {
 
-// The vendor's numbers.
+// The vendor's error numbers.
 constexpr int kErrorCom = 2, kErrorTimeout = 7;
 
 std::string path_of(FakeLibrary library) {
   return library == FakeLibrary::kDrd ? FELT_FAKE_LIBDRD : FELT_FAKE_LIBDHD;
 }
 
-// The other side of the fake, in the very file that the driver will load.
+// Returns the control of the fake, from the same file that the driver will load.
 fake_dhd::Bench* fake_in(const std::string& path) {
   auto library =
       DynamicLibrary::open(std::vector<std::string>{path}, LibraryLife::kAsLongAsProgram);
@@ -32,8 +32,8 @@ fake_dhd::Bench* fake_in(const std::string& path) {
   return get();
 }
 
-// The simulated device of a model: mechanics of the nearest one that is simulated, figures of the
-// row; upright before the person, as the driver's usual plane is.
+// Returns the simulated device of a model: mechanics of the nearest simulated model, figures of the
+// model's row, upright before the user like the driver's default plane.
 StylusPreset delta_preset(std::string_view model) {
   StylusPreset preset = *find_stylus_preset(model == "falcon" ? "falcon" : "omega");
   if (model == "omega.3" || model == "falcon") return preset;
@@ -82,7 +82,7 @@ void FakeArm::move_to(std::int64_t now_ns) noexcept {
     if (sense_.is_home) sense_.error = vendor_error(sample.error());
     return;
   }
-  // A sample of another time is none: the transfer has timed out.
+  // If the sample has another time, the transfer has timed out.
   if (sample->time_ns != now_ns) sense_.error = kErrorTimeout;
   sense_.position_m = in_metres(plane_.to_device(sample->position));
   sense_.speed_m_per_s = norm(world_.stylus().body().velocity()) / kMmPerM;
@@ -133,7 +133,7 @@ void ForceDimensionBench::before_tick(std::int64_t now_ns) noexcept {
 }
 
 bool ForceDimensionBench::shows(InjectedFault fault) const noexcept {
-  // The library tells neither times nor temperatures, and velocities are not asked for.
+  // The library reports neither times nor temperatures, and the driver does not read velocities.
   return fault != InjectedFault::kTimeBackwards && fault != InjectedFault::kWarmMotors &&
          fault != InjectedFault::kInfinite && !is_of_a_service(fault);
 }

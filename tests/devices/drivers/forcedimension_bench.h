@@ -10,16 +10,16 @@
 
 namespace felt {
 
-/// The arm behind a faked device: a simulated stylus, told in the device's axes and in metres.
+/// The arm behind a faked device: a simulated stylus, reported in the device's axes and in metres.
 class FakeArm final : public fake_dhd::Port {
  public:
   FakeArm(const StylusPreset& preset, std::vector<FaultWindow> faults);
 
   [[nodiscard]] FakeWorld& world() noexcept { return world_; }
-  /// Where the sheet lies: the driver's usual plane, the middle of the arm's reach in the middle of
+  /// Returns the default plane of the driver, with the middle of the arm's reach in the middle of
   /// the preset's workspace.
   [[nodiscard]] const PlaneCalibration& plane() const noexcept { return plane_; }
-  /// Lets the arm move up to this time, and senses it.
+  /// Moves the arm up to this time and reads its sample.
   void move_to(std::int64_t now_ns) noexcept;
 
   [[nodiscard]] std::int64_t now_ns() const noexcept override { return now_ns_; }
@@ -34,13 +34,14 @@ class FakeArm final : public fake_dhd::Port {
   Sense sense_;
 };
 
-/// Which of the two libraries is faked.
+/// Selects which of the two libraries is faked.
 enum class FakeLibrary { kDrd, kDhd };
 
-/// A Force Dimension device behind a fake of the maker's library.
+/// A Force Dimension device behind a fake of the vendor's library.
 class ForceDimensionBench final : public DriverBench {
  public:
-  /// `model`: row of device_models(). `is_opened`: opened and homed; else plugged in only.
+  /// `model` is a row of device_models(). If `is_opened`, the device is opened and homed; otherwise
+  /// it is only plugged in.
   ForceDimensionBench(std::string_view model, std::vector<FaultWindow> faults,
                       const fake_dhd::Model& faked, FakeLibrary library, bool is_opened = true);
   explicit ForceDimensionBench(std::vector<FaultWindow> faults);
@@ -58,20 +59,20 @@ class ForceDimensionBench final : public DriverBench {
   [[nodiscard]] std::string_view broken_rule() const noexcept override;
   [[nodiscard]] double tolerance_mm() const noexcept override;
   [[nodiscard]] PenSample as_said(const PenSample& pen) const noexcept override;
-  /// The controller's state is asked for at every second read.
+  /// The driver reads the controller's state at every second read.
   [[nodiscard]] std::int64_t notice_ns() const noexcept override;
   [[nodiscard]] std::int64_t watchdog_ns() const noexcept override { return 31'000'000; }
   [[nodiscard]] std::vector<std::string_view> other_models() const override;
   Result<void> reconnect_as(std::string_view model) override;
 
-  // For tests of this driver.
+  // For the tests of this driver.
   [[nodiscard]] Driver& driver() noexcept { return *driver_; }
   [[nodiscard]] fake_dhd::State& state() const noexcept { return fake_->state(number_); }
   [[nodiscard]] fake_dhd::Bench& fake() noexcept { return *fake_; }
   [[nodiscard]] int number() const noexcept { return number_; }
-  /// What find() says of this one.
+  /// Returns the result of find() for this device.
   [[nodiscard]] DeviceDescriptor found();
-  /// Opens it without homing.
+  /// Opens the device without homing.
   Result<void> open();
   void close() { device_.reset(); }
 
@@ -84,7 +85,7 @@ class ForceDimensionBench final : public DriverBench {
   std::unique_ptr<Driver> driver_;
   std::unique_ptr<FakeArm> arm_;
   int number_ = -1;
-  double largest_before_n_ = 0.0;  // of what was unplugged
+  double largest_before_n_ = 0.0;  // of the device that was unplugged
   std::string broken_before_;
   std::unique_ptr<DriverDevice> device_;
 };

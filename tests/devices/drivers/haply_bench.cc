@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kOtherModel = "minverse";
 
-// In the middle of what the simulated pen reaches lies the origin of the service.
+// Puts the origin of the service in the middle of the simulated pen's reach.
 PlaneCalibration plane_over(const StylusPreset& preset) {
   const Vec3 middle = 0.5 * (preset.capabilities.workspace_min + preset.capabilities.workspace_max);
   return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}}, middle);
@@ -46,7 +46,7 @@ class HaplyBench final : public DriverBench {
   [[nodiscard]] HandInput& hand() noexcept override { return world_->stylus(); }
   [[nodiscard]] FakeWorld& world() noexcept override { return *world_; }
   void before_tick(std::int64_t now_ns) noexcept override { service_->tick(now_ns); }
-  /// Its messages bear no times, and nothing in them says how warm a motor is.
+  /// Its messages contain neither times nor motor temperatures.
   [[nodiscard]] bool shows(InjectedFault fault) const noexcept override {
     return fault != InjectedFault::kTimeBackwards && fault != InjectedFault::kWarmMotors;
   }
@@ -66,7 +66,7 @@ class HaplyBench final : public DriverBench {
     if (service_->ignored_forces() > 0) return "a force that the service does not understand";
     return service_->broken_rule();
   }
-  /// A state is a period old when it is read, so that the plane pushes a period later: the pen
+  /// A state is a period old when the driver reads it, so the plane pushes a period later: the pen
   /// touches down deeper, and its line begins wider (0.30 mm). Commands are in micronewtons.
   [[nodiscard]] double tolerance_mm() const noexcept override { return 0.4; }
   [[nodiscard]] std::optional<Force> last_asked() const override {
@@ -75,7 +75,7 @@ class HaplyBench final : public DriverBench {
   [[nodiscard]] std::int64_t notice_ns() const noexcept override {
     return device_ ? device_->capabilities().period_ns : 1'000'000;
   }
-  /// Until the service has been prompt for a second.
+  /// The force stays off until the service has been prompt for a second.
   [[nodiscard]] std::int64_t stays_off_ns(InjectedFault fault) const noexcept override {
     const bool is_late = is_of_a_service(fault) || fault == InjectedFault::kNoAnswer;
     return is_late ? 1'200'000'000 : 0;

@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// An Inverse3 behind a fake of Haply's Inverse Service, within the process.
+/// Makes an Inverse3 with a fake of Haply's Inverse Service in the same process.
 std::unique_ptr<DriverBench> make_haply_bench(std::vector<FaultWindow> faults);
 
 }  // namespace felt

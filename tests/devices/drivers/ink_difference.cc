@@ -63,8 +63,8 @@ double width_at(const std::vector<InkPoint>& points, double way_mm) {
   return before.width_mm + t * (next->width_mm - before.width_mm);
 }
 
-/// Returns how far `width_mm` is from the widths of `points` that are within kShiftMm of a place
-/// along them.
+/// Returns how far `width_mm` is from the widths of `points` within kShiftMm of a position along
+/// them.
 double width_off(const std::vector<InkPoint>& points, double way_mm, double width_mm) {
   constexpr int kSteps = 10;
   double least = width_mm, most = width_mm, nearest = 1e300;

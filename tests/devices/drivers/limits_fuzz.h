@@ -10,16 +10,16 @@ namespace felt {
 struct LimitsVerdict {
   std::string broken{};  ///< empty: all rules were kept
   std::uint64_t calls = 0;
-  double largest_n = 0.0;  ///< that the other side was asked for
+  double largest_n = 0.0;  ///< largest force that the fake received
   std::uint64_t digest = 0;
 };
 
-/// A random sequence of calls of a driver, without any safety chain before it, in a world where
-/// random things go wrong: reads and writes in and out of turn, any force (huge, NaN, infinite,
-/// denormal, steps, a constant one for long), stops, home searches, closing and opening, clocks
-/// that stand still, jump or run backwards. Whatever comes: the other side is never asked for more
-/// than the model's row allows, nor for what is no number; no rule of the vendor is broken; what
-/// reads well is finite; kDisconnected is for ever; after stop() the motors hold nothing.
+/// Makes a random sequence of calls to a driver, without a safety chain before it, in a world with
+/// random faults: reads and writes in any order, any force (huge, NaN, infinite, denormal, steps, a
+/// long constant force), stops, homing, closing and opening, clocks that stand still, jump or run
+/// backwards. In every case, the fake never receives a force above the limit of the model's row or
+/// one that is not a number; no rule of the vendor is broken; values that are read are finite;
+/// kDisconnected is permanent; after stop() the motors hold no force.
 LimitsVerdict fuzz_limits(const BenchMaker& make, std::uint64_t seed);
 
 }  // namespace felt

@@ -13,7 +13,7 @@ namespace {
 
 struct Model {
   std::string_view preset;
-  const char* type;  // that the device calls itself
+  const char* type;  // the type that the device reports
 };
 constexpr std::array kModels{Model{"touch", "Touch"}, Model{"touch-x", "Geomagic Touch X"},
                              Model{"premium", "PHANToM Premium 1.5"}};
@@ -32,7 +32,7 @@ class OpenHapticsBench final : public DriverBench {
   [[nodiscard]] HandInput& hand() noexcept override { return world_->world.stylus(); }
   [[nodiscard]] FakeWorld& world() noexcept override { return world_->world; }
 
-  // Between two calls of this the test is what the library's scheduler calls.
+  // Between two of these calls, the test acts as the library's scheduler.
   void before_tick(std::int64_t now_ns) noexcept override {
     end_tick();
     fake_->open_tick(now_ns);
@@ -40,7 +40,7 @@ class OpenHapticsBench final : public DriverBench {
     if (ticked_ != nullptr) ticked_->begin_tick();
   }
 
-  /// The library tells no times.
+  /// The library does not report times.
   [[nodiscard]] bool shows(InjectedFault fault) const noexcept override {
     return fault != InjectedFault::kTimeBackwards && !is_of_a_service(fault);
   }
@@ -51,7 +51,7 @@ class OpenHapticsBench final : public DriverBench {
     if (found.empty()) return fail(ErrorCode::kNotFound, "the driver finds nothing");
     auto opened = driver_->open(found.front(), {});
     if (!opened) return tl::unexpected(opened.error());
-    // The loop runs, and calls nobody: the test does what it would call.
+    // The loop runs without a callback, because the test makes those calls.
     const auto nobody = [](void*) noexcept {};
     if (auto started = (*opened)->loop_host()->start_loop(nobody, nullptr); !started) {
       return started;
@@ -67,8 +67,8 @@ class OpenHapticsBench final : public DriverBench {
   [[nodiscard]] std::string_view broken_rule() const noexcept override {
     return fake_->broken_rule();
   }
-  /// The turn into the maker's axes swaps numbers, and the shift rounds places by some 1e-14 mm:
-  /// now and then the hand goes one step of the sensor (0.055 mm) further.
+  /// The rotation into the vendor's axes exchanges coordinates, and the shift rounds positions by
+  /// some 1e-14 mm: occasionally the hand goes one step of the sensor (0.055 mm) further.
   [[nodiscard]] double tolerance_mm() const noexcept override { return 0.1; }
 
   [[nodiscard]] std::vector<std::string_view> other_models() const override {

@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// The OpenHaptics driver before a fake libHD of our own, whose scheduler is before_tick().
+/// Makes the OpenHaptics driver with a fake libHD of our own. Its scheduler is before_tick().
 std::unique_ptr<DriverBench> make_openhaptics_bench(std::vector<FaultWindow> faults);
 
 }  // namespace felt

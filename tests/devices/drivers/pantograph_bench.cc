@@ -18,7 +18,8 @@ using pantograph::find_board_model;
 
 constexpr double kDownMm = -0.25, kUpMm = 0.25;
 
-// Its reach as a sheet; above and below it the hand that holds a key.
+// Returns a preset with the board's reach as the page; above and below it moves the hand that holds
+// a key.
 StylusPreset preset_of(const BoardModel& model) {
   StylusPreset preset{.name = "2diy",
                       .label = "Haply 2DIY",
@@ -32,7 +33,8 @@ StylusPreset preset_of(const BoardModel& model) {
   return preset;
 }
 
-// x to the left, y towards the person; the middle of the reach in the middle of the sheet's part.
+// x to the left, y towards the user; the middle of the reach is in the middle of the preset's
+// workspace.
 PlaneCalibration plane_over(const StylusPreset& preset, const BoardModel& model) {
   const Vec3 sheet = 0.5 * (preset.capabilities.workspace_min + preset.capabilities.workspace_max);
   const Vec3 reach = 0.5 * (model.reach_min + model.reach_max);
@@ -55,13 +57,13 @@ class PantographBench final : public DriverBench {
   }
   [[nodiscard]] HandInput& hand() noexcept override { return world_->stylus(); }
   [[nodiscard]] FakeWorld& world() noexcept override { return *world_; }
-  /// The person holds the key while the hand is in the plane.
+  /// The user holds the key down while the hand is in the plane.
   void before_tick(std::int64_t now_ns) noexcept override {
     board_->tick(now_ns);
     if (device_) device_->set_pen_down(world_->stylus().body().position().z < 0.0);
   }
-  /// It says two angles, and nothing of heights, velocities, times, buttons, warmth or brakes; its
-  /// encoders cannot lose their count while it has power.
+  /// It reports two angles, but no heights, velocities, times, buttons, temperatures or brakes. Its
+  /// encoders cannot lose their count while they have power.
   [[nodiscard]] bool shows(InjectedFault fault) const noexcept override {
     if (is_of_a_service(fault)) return false;
     switch (fault) {
@@ -98,10 +100,10 @@ class PantographBench final : public DriverBench {
   [[nodiscard]] std::optional<Force> last_asked() const override {
     return plane().turn_to_sheet(board_->newest_force());
   }
-  /// Lines drawn, erased, widened and moved: 0.3 mm, since angles are a period old when they are
-  /// read and come in counts of 0.02 to 0.04 mm. A line that is pulled (pull_end_and_home): 0.89
-  /// mm, for the pull goes by the very point that it takes hold of; with finer encoders it is 0.17
-  /// mm.
+  /// Lines that are drawn, erased, widened and moved differ by 0.3 mm, because angles are a period
+  /// old when they are read and come in counts of 0.02 to 0.04 mm. A line that is pulled
+  /// (pull_end_and_home) differs by 0.89 mm, because the pull depends on the exact point that it
+  /// grips; with finer encoders it is 0.17 mm.
   [[nodiscard]] double tolerance_mm() const noexcept override { return 0.95; }
   [[nodiscard]] PenSample as_said(const PenSample& pen) const noexcept override {
     PenSample said = pen;

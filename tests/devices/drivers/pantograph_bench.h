@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// A 2DIY behind a fake of its board, within the process.
+/// Makes a 2DIY with a fake of its board in the same process.
 std::unique_ptr<DriverBench> make_pantograph_bench(std::vector<FaultWindow> faults);
 
 }  // namespace felt

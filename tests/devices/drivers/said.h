@@ -7,7 +7,8 @@
 
 namespace felt {
 
-/// All that a doctor's findings say, a line each and one a step, for tests that look for words.
+/// Returns the text of a doctor's findings, one line for each finding and each step, for tests that
+/// search for words.
 inline std::string said(const std::vector<Finding>& findings) {
   std::string text;
   for (const Finding& f : findings) {

@@ -22,7 +22,7 @@ const Vec3* place_of(const Event& event) {
   return nullptr;
 }
 
-/// How a hand does what the script's pen does.
+/// Returns the hand's event for an event of the script's pen.
 HandEvent by_hand(const PenEvent& pen) {
   const double pressure = pen.pressure.value_or(0.3);
   const bool touches = pen.position.z < 0.0 || pen.pressure.value_or(0.0) > 0.0;
@@ -66,7 +66,7 @@ ScenarioResult play(Device& device, HandInput& hand, const std::vector<Event>& e
   return {};
 }
 
-/// Where the hand is at first: there the pen is put, so that no device begins with a way to go.
+/// Places the pen at the first position of the hand, so that no device begins with a movement.
 void place(SimulatedStylus& stylus, const std::vector<Event>& events) {
   for (const Event& event : events) {
     if (const Vec3* at = place_of(event)) return stylus.place(*at);
@@ -95,7 +95,8 @@ double number(const std::string& word) {
   return value;
 }
 
-/// A line of the .expect file for a script that was moved, and for places with some more room.
+/// Returns a line of the .expect file for a script that was moved; positions get a larger
+/// tolerance.
 std::vector<std::string> moved(std::vector<std::string> words, const HandScript& script,
                                double more_mm) {
   if (words[0] != "start" && words[0] != "end") return words;

@@ -1,5 +1,5 @@
-// Whole drawing sessions with every tool through each driver's real code, and the ink compared with
-// that of the plain simulated device.
+// Plays whole drawing sessions with every tool through each driver's real code, and compares the
+// ink with that of the plain simulated device.
 #include "tests/devices/drivers/scenario_suite.h"
 
 #include <cstdio>

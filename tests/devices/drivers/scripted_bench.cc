@@ -18,7 +18,7 @@ PlaneCalibration leaning_table() {
   return *PlaneCalibration::from({Vec3{0, 1, 0}, Vec3{c, 0, s}, Vec3{-s, 0, c}}, {20, -10, 3});
 }
 
-// What the driver talks to: the world, in a frame of its own.
+// The fake that the driver talks to: the world, in a frame of its own.
 class OtherSide {
  public:
   OtherSide(std::string_view model, std::vector<FaultWindow> faults)
@@ -85,7 +85,7 @@ class ScriptedDriverDevice final : public DriverDevice {
     if (!is_finite(sample->position) || !is_finite(sample->velocity)) {
       return failed(DeviceFault::kBadData);
     }
-    // The same old sample again and again: nobody answers any more.
+    // If the same sample returns again and again, the device no longer answers.
     if (sample->time_ns != answered_ns_) {
       answered_ns_ = sample->time_ns;
       heard_ns_ = now_ns;
@@ -196,7 +196,7 @@ class ScriptedDriver final : public Driver {
     found.label = preset.label;
     found.model = preset.name;
     found.capabilities = preset.capabilities;
-    // Of the frame in which it speaks.
+    // In the frame of the driver.
     const PlaneCalibration& plane = side_->plane();
     const Vec3 a = plane.to_device(preset.capabilities.workspace_min);
     const Vec3 b = plane.to_device(preset.capabilities.workspace_max);
@@ -245,9 +245,10 @@ class ScriptedBench final : public DriverBench {
   }
   [[nodiscard]] double largest_asked_n() const noexcept override { return side_->largest_n(); }
   [[nodiscard]] std::string_view broken_rule() const noexcept override { return side_->rule(); }
-  /// It says what the world says, but for the rounding of two turns: some 1e-15 N, which decide now
-  /// and then whether the hand goes one step of the sensor (0.055 mm) further.
-  /// The pencil's own for widths: a step of the sensor may let another knot begin.
+  /// The driver reports the same values as the world, except for the rounding of two rotations:
+  /// some 1e-15 N, which occasionally changes whether the hand goes one step of the sensor (0.055
+  /// mm) further. A step of the sensor may start another knot of the width, so the tolerance is
+  /// that of the pencil.
   [[nodiscard]] double tolerance_mm() const noexcept override { return 0.15; }
   [[nodiscard]] std::vector<std::string_view> other_models() const override {
     return {kPremiumModel};

@@ -9,23 +9,23 @@
 
 namespace felt {
 
-/// How a driver can be bad; each must be caught by the suite that is named.
+/// The ways in which a driver can be bad. The named suite must catch each.
 enum class BadDriver {
   kNone,            ///< the reference: passes all suites
-  kClampsNothing,   ///< limits: hands any force on
-  kHandsOnNan,      ///< limits: a force that is no number reaches the other side
+  kClampsNothing,   ///< limits: forwards any force
+  kHandsOnNan,      ///< limits: forwards a force that is not a number
   kWrongForceSign,  ///< contract: pushes into the plane
-  kMirrored,        ///< contract: x of places and forces mirrored; scenarios: the ink, too
-  kHangsOn,         ///< faults: after an error the last force holds, stop() does not help
-  kForgetsSamples,  ///< scenarios: now and then an old sample in the place of the new one
-  kWrongUnits,      ///< scenarios: a hundredth short of a millimetre a millimetre
-  kSaysNan,         ///< contract: a place that is no number
-  kDiesOnce,        ///< faults: says once that it is gone, and then lives on
-  kDiesOfHeat,      ///< faults: warm motors end the reading, too
-  kKicks,           ///< faults: opened anew it pushes without being asked
+  kMirrored,        ///< contract: x of positions and forces mirrored; scenarios: the ink, too
+  kHangsOn,         ///< faults: after an error the last force holds, and stop() does not help
+  kForgetsSamples,  ///< scenarios: occasionally returns an old sample instead of the new one
+  kWrongUnits,      ///< scenarios: lengths are 1 % too short
+  kSaysNan,         ///< contract: a position that is not a number
+  kDiesOnce,        ///< faults: reports once that it is disconnected, and then continues
+  kDiesOfHeat,      ///< faults: warm motors end the reading as well
+  kKicks,           ///< faults: pushes without a request after it was reopened
   kBreaksRule,      ///< all: a call that the vendor forbids
   kAllocates,       ///< rt: memory in the tick
-  kRemembers,       ///< scenarios: not the same bytes again
+  kRemembers,       ///< scenarios: a second run gives different bytes
 };
 
 struct BadDriverName {
@@ -34,11 +34,11 @@ struct BadDriverName {
 };
 std::span<const BadDriverName> bad_drivers() noexcept;
 
-/// The reference bench: a DriverDevice directly over the world, with a frame of its own (turned by
-/// a quarter before a table that leans by 25 degrees, right-handed). The suites run on it before
-/// there is any driver.
+/// Makes the reference bench: a DriverDevice directly over the world, with a frame of its own
+/// (rotated by a quarter before a table that is inclined by 25 degrees, right-handed). It lets the
+/// suites run without any real driver.
 std::unique_ptr<DriverBench> make_scripted_bench(std::vector<FaultWindow> faults);
-/// Its driver made bad, to see it caught.
+/// Makes a bench with a bad driver, which the suites must catch.
 std::unique_ptr<DriverBench> make_bad_bench(BadDriver bad, std::vector<FaultWindow> faults);
 
 }  // namespace felt

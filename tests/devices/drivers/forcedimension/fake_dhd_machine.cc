@@ -11,7 +11,7 @@ namespace felt::fake_dhd {
 namespace {
 
 constexpr int kMax = 64;
-constexpr std::int64_t kTimeGuardNs = 100'000;  // a guess: the vendor does not tell
+constexpr std::int64_t kTimeGuardNs = 100'000;  // a guess, because the vendor does not document it
 constexpr std::int64_t kWatchdogNs = 125'000;   // unit
 
 #if defined(__GNUC__)
@@ -21,8 +21,8 @@ thread_local int last_error = 0;
 
 std::array<Device, kMax> devices;
 std::mutex plugging;
-std::vector<int> plugged;  // in order
-// Whether it answers, for those who count while another thread reads it.
+std::vector<int> plugged;  // in the order of plugging in
+// True while the device answers. Atomic, because one thread counts devices while another reads one.
 std::array<std::atomic<bool>, kMax> answers{};
 std::atomic<int> expert{0};
 unsigned short last_serial = 999;
@@ -73,7 +73,7 @@ void switch_off(Device& d, int cause) noexcept {
 void look(Device& d) noexcept {
   if (d.port == nullptr) return;
   const std::int64_t now = d.port->now_ns();
-  d.fed_ns = std::min(d.fed_ns, now);  // a clock that was set back
+  d.fed_ns = std::min(d.fed_ns, now);  // the clock was set back
   const Port::Sense& sense = d.port->sense();
   if (!sense.is_home && d.state.is_home) {
     d.port->let_go();
@@ -173,7 +173,7 @@ class TheBench final : public Bench {
     Device& d = devices[static_cast<std::size_t>(number)];
     answers[static_cast<std::size_t>(number)] = d.port->sense().error != kComError;
     look(d);
-    // Somebody showed it its rest pose.
+    // The user moved the device to its rest pose.
     if (d.model.is_home && d.port->sense().is_home && !d.state.is_home) {
       d.state.is_home = true;
       d.state.mode = State::Mode::kBrake;
@@ -188,7 +188,7 @@ class TheBench final : public Bench {
       d.state.person_has_forces = false;
       d.state.mode = State::Mode::kForce;
       d.state.cause = 0;
-      d.port->push(d.asked);  // what it was told last
+      d.port->push(d.asked);  // the newest command
     }
   }
   State& state(int number) noexcept override {

@@ -1,7 +1,7 @@
-// A library with the names of Force Dimension's C functions and their rules, over devices that a
-// test plugs in (fake_libdrd.h, fake_dhd_machine.h). Numbers are written out here anew from the
-// vendor's tables, so that a slip in the driver's own declarations shows. With FAKE_WITHOUT_DRD it
-// is the smaller one, libdhd.so.
+// A library with the names and rules of Force Dimension's C functions, for devices that a test
+// plugs in (fake_libdrd.h, fake_dhd_machine.h). The numbers are copied again from the vendor's
+// tables, so that a mistake in the driver's declarations is found. With FAKE_WITHOUT_DRD it is the
+// smaller library, libdhd.so.
 #include "tests/devices/drivers/forcedimension/fake_libdrd.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 #define FAKE_EXPORT extern "C" __attribute__((visibility("default")))
 
-using namespace felt::fake_dhd;  // the vendor's names below are in no namespace
+using namespace felt::fake_dhd;  // the vendor's names below are in the global namespace
 
 FAKE_EXPORT Bench* felt_fake_dhd() {
   return &the_bench();
@@ -129,7 +129,7 @@ FAKE_EXPORT int dhdEnableForce(unsigned char on, char id) {
   d->state.cause = 0;
   d->fed_ns = d->port->now_ns();
   ++d->state.enables;
-  d->port->push(d->asked);  // what it was told last
+  d->port->push(d->asked);  // the newest command
   return 0;
 }
 
@@ -249,8 +249,8 @@ FAKE_EXPORT int dhdReset(char id) {
   return 0;
 }
 
-// The person holds it in its rest pose as soon as the arm is at rest there: within 5 mm of the
-// point that is farthest from them.
+// The user holds it in its rest pose as soon as the arm is at rest there: within 5 mm of the point
+// that is farthest from the user.
 FAKE_EXPORT int dhdWaitForReset(int, char id) {
   Device* d = device_of(id, "dhdWaitForReset");
   if (d == nullptr) return -1;

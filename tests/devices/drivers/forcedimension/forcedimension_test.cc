@@ -1,4 +1,4 @@
-// The driver before a library with the vendor's names and rules.
+// Tests the driver with a library that has the vendor's names and rules.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ using ::testing::HasSubstr;
 
 constexpr std::int64_t kTick = 250'000;
 
-/// Ticks with one force; what the last write said.
+/// Runs ticks with a single force. Returns the result of the last write.
 tl::expected<void, DeviceFault> run(ForceDimensionBench& bench, std::int64_t from_ns,
                                     std::int64_t until_ns, const Force& force) {
   tl::expected<void, DeviceFault> said;
@@ -52,7 +52,7 @@ TEST(ForceDimension, LookingDoesNotDisturbWhatIsOpen) {
   ASSERT_TRUE(run(bench, 0, 5 * kMs, {0, 0, 1}).has_value());
   const int opens = bench.state().opens;
   for (int i = 0; i < 10; ++i) EXPECT_FALSE(bench.driver().find().empty());
-  // Another driver in the same program, which has never seen it: it must not close it.
+  // Another driver in the same program, which has never opened the device, must not close it.
   const auto other = make_forcedimension_driver({.library = FELT_FAKE_LIBDRD, .pen_mass_kg = {}});
   EXPECT_FALSE(other->find().empty());
   EXPECT_EQ(bench.state().opens, opens);
@@ -132,7 +132,7 @@ TEST(ForceDimension, PlacesAreInMillimetresAndTheOldAnswerIsNoError) {
   bench.before_tick(0);
   const auto first = bench.device()->read(0);
   ASSERT_TRUE(first.has_value());
-  EXPECT_NEAR(first->position.x, 20.0, 0.02);  // towards the person
+  EXPECT_NEAR(first->position.x, 20.0, 0.02);  // towards the user
   EXPECT_NEAR(first->position.y, 0.0, 0.02);
   EXPECT_NEAR(first->position.z, 20.0, 0.02);  // up
   const auto again = bench.device()->read(0);  // too soon: the time guard
@@ -219,12 +219,12 @@ TEST(ForceDimension, AProgramThatHangsIsStoppedByTheWatchdogWithin32Ms) {
   EXPECT_EQ(bench.world().held_force(), Force{});
   EXPECT_EQ(bench.state().mode, State::Mode::kBrake);
   EXPECT_EQ(bench.state().cause, 3);
-  // It comes back late and wants to push at once: no.
+  // The program resumes late and pushes immediately, which is refused.
   auto said = run(bench, 40 * kMs, 41 * kMs, {0, 0, 1});
   ASSERT_FALSE(said.has_value());
   EXPECT_EQ(said.error(), DeviceFault::kForcesOff);
   EXPECT_EQ(bench.world().held_force(), Force{});
-  // As the safety chain does: from nothing.
+  // As in the safety chain, the force starts at zero.
   EXPECT_TRUE(run(bench, 41 * kMs, 42 * kMs, {}).has_value());
   EXPECT_TRUE(run(bench, 42 * kMs, 43 * kMs, {0, 0, 0.1}).has_value());
   EXPECT_EQ(bench.state().mode, State::Mode::kForce);
@@ -339,7 +339,7 @@ TEST(ForceDimension, TheEnvironmentNamesTheLibrary) {
   ASSERT_EQ(unsetenv("FELT_FORCEDIMENSION_LIBRARY"), 0);
 }
 
-// With a thread and a clock of the real kind, and somebody who looks at the list meanwhile.
+// Uses a real thread and clock, while another thread reads the list of devices.
 TEST(ForceDimension, RunsOnAThreadInRealTime) {
   ForceDimensionBench bench({});
   BenchDevice device(bench);

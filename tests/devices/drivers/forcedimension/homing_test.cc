@@ -1,4 +1,4 @@
-// How a Force Dimension device finds home: never by itself without a person's yes.
+// Tests that a Force Dimension device never searches for home by itself without the user's consent.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TEST(ForceDimensionHoming, OpeningMovesNothing) {
   EXPECT_THAT(bench.device()->homing_words(), HasSubstr("Take your hand off"));
   EXPECT_EQ(bench.state().auto_inits, 0) << "asking is no yes";
 
-  // Nor does the loop: it says what is missing, and no force is let through.
+  // The loop does not search either: it reports that homing is missing and sends no force.
   for (std::int64_t t = 0; t < 20'000'000; t += 250'000) {
     bench.before_tick(t);
     const auto sample = bench.device()->read(t);
@@ -101,7 +101,7 @@ TEST(ForceDimensionHoming, TheSmallerLibraryWaitsForTheRestPose) {
   ASSERT_FALSE(nobody.has_value());
   EXPECT_THAT(nobody.error().message, HasSubstr("timeout (error 7)"));
 
-  bench.world().stylus().place({70, 70, -53});  // pushed back as far as it goes
+  bench.world().stylus().place({70, 70, -53});  // pushed back to the end of its range
   bench.before_tick(250'000);
   ASSERT_TRUE(bench.device()->find_home().has_value());
   EXPECT_EQ(bench.device()->homing(), Homing::kNone);

@@ -1,5 +1,5 @@
-// Where the sheet lies before a Force Dimension device until a person has shown it, and that a
-// force pushes the right way on each axis.
+// Tests the default position of the surface before a Force Dimension device, and the direction of
+// the force on each axis.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,7 +24,7 @@ TEST(ForceDimensionPlane, AForceGoesWhereItPointsOnEachAxis) {
   for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
     for (const double sign : {1.0, -1.0}) {
       ForceDimensionBench bench({});
-      bench.world().stylus().hold({});  // nobody: it goes where it is pushed
+      bench.world().stylus().hold({});  // nobody holds it, so it follows the force
       bench.world().stylus().place({70, 70, 0});
       OpenDevice device(*bench.device(), bench.plane());
       Vec3 first, last;
@@ -43,7 +43,7 @@ TEST(ForceDimensionPlane, AForceGoesWhereItPointsOnEachAxis) {
   }
 }
 
-// The same in the words of the vendor: +x is to the person.
+// Tests the same in the vendor's axes: +x is towards the user.
 TEST(ForceDimensionPlane, TheDriversForceIsInTheDevicesOwnAxes) {
   ForceDimensionBench bench({});
   for (std::int64_t t = 0; t < 10'000'000; t += 250'000) {
@@ -51,7 +51,7 @@ TEST(ForceDimensionPlane, TheDriversForceIsInTheDevicesOwnAxes) {
     ASSERT_TRUE(bench.device()->read(t).has_value());
     ASSERT_TRUE(bench.device()->write({1.0, 0.5, 0.25}).has_value());
   }
-  const Force held = bench.world().held_force();  // of the sheet
+  const Force held = bench.world().held_force();  // in the frame of the surface
   EXPECT_DOUBLE_EQ(held.z, 1.0);
   EXPECT_DOUBLE_EQ(held.x, 0.5);
   EXPECT_DOUBLE_EQ(held.y, -0.25);

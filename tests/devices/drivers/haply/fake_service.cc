@@ -21,7 +21,7 @@ using Json = nlohmann::json;
 constexpr std::uint16_t kControlPort = 10001, kEventsPort = 10020;
 constexpr std::string_view kGripId = "61548";
 
-// The state is written at every tick of every test, so its text is put together by hand.
+// Every tick of every test writes the state, so its text is assembled by hand.
 void add_number(std::string& text, double number) {
   std::array<char, 32> digits{};
   if (!std::isfinite(number)) {
@@ -31,7 +31,7 @@ void add_number(std::string& text, double number) {
   const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
   text.append(digits.data(), static_cast<std::size_t>(end - digits.data()));
 }
-/// A member of an object, the first of which needs no comma before it.
+/// Adds a member of an object. The first member has no comma before it.
 void add_member(std::string& text, std::string_view name, double number) {
   if (text.back() != '{') text += ',';
   text.append("\"").append(name).append("\":");
@@ -48,14 +48,14 @@ std::string_view word(bool is_so) {
   return is_so ? "true" : "false";
 }
 
-// The shortest turn {w, x, y, z} of (0, 1, 0) into this direction of length 1.
+// Returns the shortest rotation {w, x, y, z} from (0, 1, 0) to this unit vector.
 std::array<double, 4> turn_of_y_to(const Vec3& to) {
   const double size = std::sqrt(2.0 * (1.0 + to.y));
   if (!(size > 1e-6)) return {0.0, 1.0, 0.0, 0.0};
   return {(1.0 + to.y) / size, to.z / size, 0.0, -to.x / size};
 }
 
-// The end of the stream that a driver holds.
+// The driver's end of the stream.
 class ClientEnd final : public ByteStream {
  public:
   ClientEnd(FakeService& service, bool is_events) : service_(&service), port_(service, is_events) {}
@@ -85,8 +85,8 @@ class ClientEnd final : public ByteStream {
   FakeService::Port port_;
 };
 
-// The numbers after `key` in a command that a client writes each tick, without memory; nothing
-// where it has another shape.
+// Returns the numbers after `key` in a command that a client writes each tick, without allocating.
+// Returns nullopt if the command has another form.
 std::optional<Force> force_in(std::string_view text, std::string_view key) {
   const std::size_t begin = text.find("\"" + std::string(key) + "\":{");
   if (begin == std::string_view::npos) return std::nullopt;
@@ -203,7 +203,7 @@ void FakeService::add_arm(const PenSample& shown, bool is_calibrated) {
   state_ += R"(,"ready":true}})";
 }
 
-/// The handle points along its own y; a hand that says nothing holds it upright over its sheet.
+/// The handle points along its own y axis. A hand without a tilt holds it upright.
 void FakeService::add_grip(const PenSample& shown) {
   const double lean_rad = shown.lean_deg.value_or(0.0) / kDegPerRad;
   const Vec3 axis = plane_.turn_to_device(Vec3{std::sin(lean_rad), 0.0, std::cos(lean_rad)});
@@ -277,11 +277,13 @@ void FakeService::tick(std::int64_t now_ns) {
 void FakeService::take_force(const Force& force) {
   asked_ = force;
   sum_ += force;
-  // Nothing asked for is letting go, at once: of the real service only the sum is known.
+  // A zero request releases the motors immediately. Only the sum of the real service's forces is
+  // known.
   apply(force == Force{} ? Force{} : sum_);
 }
 
-// What is due by then. A service that stood still, or works in bursts, takes all that wait at once.
+// Handles everything that is due by `until_ns`. A service that stalled, or works in bursts, accepts
+// all waiting messages together.
 void FakeService::work_until(std::int64_t until_ns) {
   if (is_active(InjectedFault::kNoAnswer)) return;
   const auto stood = [](const Waiting& one) { return one.done_ns == INT64_MAX; };
@@ -314,7 +316,7 @@ void FakeService::take_waiting() {
     if (!one.port->is_open() || (options_.answers_once && &one != &all.back())) continue;
     one.port->say(state_);
   }
-  sum_ = {};  // what comes from now on is of the next tick
+  sum_ = {};  // the following messages belong to the next tick
 }
 
 void FakeService::apply(const Force& force) {
@@ -323,7 +325,7 @@ void FakeService::apply(const Force& force) {
   const Vec3 turned = plane_.turn_to_sheet(Vec3{force.x, force.y, force.z});
   const auto done = world_.device().write({turned.x, turned.y, turned.z});
   applied_ = done ? force : Force{};
-  if (force == Force{}) world_.device().stop();  // nothing asked for is letting go
+  if (force == Force{}) world_.device().stop();  // a zero request releases the motors
   if (done) return;
   if (done.error() == DeviceFault::kForcesOff && !brakes_) {
     brakes_ = true;
@@ -351,7 +353,7 @@ void FakeService::take_setup(std::string_view text) {
   if (profile_.empty()) break_rule("no profile in the first message");
 }
 
-// When a message that is taken at this time is answered.
+// Returns the time at which a message that is accepted at `from_ns` is answered.
 std::int64_t FakeService::done_at(std::int64_t from_ns) noexcept {
   const auto ns = [](double ms) { return static_cast<std::int64_t>(1e6 * ms); };
   if (const FaultWindow* slow = window_of(InjectedFault::kSlowAnswers)) {
@@ -369,7 +371,7 @@ std::int64_t FakeService::done_at(std::int64_t from_ns) noexcept {
   return from_ns;
 }
 
-// Rules for each message, taken or not.
+// Checks the rules for each message, accepted or not.
 void FakeService::check_newest(const Force& force) {
   constexpr double kMaxRiseN = 2.0 * 0.3;  // of two periods
   const Force from = limit_rise(newest_, force, 0.0);
@@ -378,7 +380,7 @@ void FakeService::check_newest(const Force& force) {
   newest_ = force;
 }
 
-// True if the message is not answered at once.
+// Returns true if the message is not answered immediately.
 bool FakeService::comes_to_wait(Port& port, std::string_view text) {
   const Force force = force_in(text, options_.key).value_or(Force{});
   check_newest(force);
@@ -416,7 +418,7 @@ bool FakeService::take_message(Port& port, std::string_view text) {
     break_rule("a command for a device that is not there");
   }
   if (is_command && !force) ++ignored_;
-  // A force holds for one message: one without any lets go.
+  // A force lasts for one message, so a message without a force releases the motors.
   take_force(force.value_or(Force{}));
   if (!is_setup && is_active(InjectedFault::kLostAnswers)) {
     owes_answer_ = !owes_answer_;
@@ -476,7 +478,7 @@ void FakeService::Port::frame(std::uint8_t first, std::string_view payload) {
 }
 
 void FakeService::Port::say(std::string_view text) {
-  if (out_.size() + text.size() > kRoom / 2) return;  // a client that does not listen
+  if (out_.size() + text.size() > kRoom / 2) return;  // the client does not read
   if (!service_->options_.fragments) return frame(0x81, text);
   const std::size_t third = text.size() / 3;
   frame(0x01, text.substr(0, third));
@@ -485,7 +487,7 @@ void FakeService::Port::say(std::string_view text) {
   frame(0x80, text.substr(2 * third));
 }
 
-// What a frame says.
+// Handles the payload of a frame.
 void FakeService::Port::take_payload(std::uint8_t opcode, std::string_view payload) {
   if (opcode == 0x8) {
     frame(0x88, payload);
@@ -501,7 +503,7 @@ void FakeService::Port::take_payload(std::uint8_t opcode, std::string_view paylo
   }
 }
 
-// One frame of a client. False: none is whole.
+// Handles a frame from a client. Returns false if no frame is complete.
 bool FakeService::Port::take_frame() {
   const auto byte = [this](std::size_t i) { return static_cast<std::uint8_t>(in_[i]); };
   if (in_.size() < 2) return false;

@@ -1,4 +1,5 @@
-// The driver of Haply's devices before a fake of Haply's service: what only that service does.
+// Tests the driver of Haply's devices with a fake of Haply's service, as far as they are specific
+// to that service.
 #include "felt/devices/haply/haply_driver.h"
 #include "felt/base/constants.h"
 
@@ -33,7 +34,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// The service's axes are x right, y away, z up; the sheet lies on the desk, in the middle.
+// The service's axes are x right, y away, z up; the surface lies on the desk, in the middle.
 PlaneCalibration desk() {
   return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}}, {40, 40, 0});
 }
@@ -73,7 +74,7 @@ class Table {
     return {read, written};
   }
 
-  /// As often as a force needs to rise that far.
+  /// Runs as many ticks as a force needs to rise to this value.
   Ticked push(const Force& force) {
     for (int i = 0; i < 12; ++i) static_cast<void>(tick(force));
     return tick(force);
@@ -104,14 +105,14 @@ TEST(HaplyDriver, FindsAndOpens) {
   EXPECT_THAT(std::string(table.device->status().notice.view()), HasSubstr("force gate (0.30)"));
 }
 
-// A force on the sheet must reach the hand in the direction that was meant, on each axis, through
-// the plane that is used until somebody has shown another.
+// A force on the surface must reach the hand in the intended direction on each axis, through the
+// plane that is used until the user has calibrated another.
 TEST(HaplyDriver, ForcesPointTheRightWayThroughTheUsualPlane) {
   const struct {
     Force on_sheet, at_service;
   } kAxes[] = {{{1, 0, 0}, {1, 0, 0}},   // right is right
-               {{0, 1, 0}, {0, -1, 0}},  // down the sheet is towards the person
-               {{0, 0, 1}, {0, 0, 1}}};  // out of the sheet is up
+               {{0, 1, 0}, {0, -1, 0}},  // down the page is towards the user
+               {{0, 0, 1}, {0, 0, 1}}};  // out of the surface is up
   for (const auto& axis : kAxes) {
     Table table;
     ASSERT_TRUE(table.open().has_value());
@@ -155,8 +156,8 @@ TEST(HaplyDriver, TheForceHasTheNameOfTheServicesVersion) {
   }
 }
 
-// The pages and the examples of the maker do not agree; a service takes the wrong name for nothing,
-// without a word. Forces must not come back with a kick.
+// The vendor's pages and examples disagree on the key. A service silently ignores the wrong key.
+// Forces must not return with a kick.
 TEST(HaplyDriver, AForceThatIsNotHeardIsAskedForByItsOtherName) {
   Table table({.version = "3.5.0.0", .key = "values"});
   ASSERT_TRUE(table.open().has_value());
@@ -224,8 +225,8 @@ TEST(HaplyDriver, ALateStateIsHeldAndThenAFault) {
   EXPECT_EQ(table.tick().read.error(), DeviceFault::kDisconnected) << "for ever";
 }
 
-// Forces that come within one tick of the service add up: what waits before one that stands still
-// must be one force at most, however long it stands and however it answers.
+// Forces within one tick of the service add up. At most one force may wait for a stalled service,
+// regardless of the duration of the stall and of its answers.
 TEST(HaplyDriver, ForcesDoNotPileUpBeforeAServiceThatStandsStill) {
   for (const bool answers_once : {false, true}) {
     for (const std::int64_t stands_ms : {1, 2, 3, 5, 9, 30, 200}) {
@@ -234,7 +235,8 @@ TEST(HaplyDriver, ForcesDoNotPileUpBeforeAServiceThatStandsStill) {
       ASSERT_TRUE(table.open().has_value());
       for (int i = 0; i < 50; ++i) ASSERT_TRUE(table.tick({3, 0, 0}).read.has_value());
       for (std::int64_t i = 0; i < stands_ms; ++i) table.tick({3, 0, 0});
-      // After a long one forces are off, and back when it has been prompt for a second.
+      // After a long stall forces are off; they return when the service has answered promptly for a
+      // second.
       for (int i = 0; i < (stands_ms < 9 ? 10 : 1500); ++i) table.tick({3, 0, 0});
       EXPECT_LE(table.service.largest_asked_n(), 3.0 + 1e-5) << stands_ms << " ms";
       EXPECT_TRUE(table.tick({3, 0, 0}).read.has_value()) << "it is heard again";
@@ -245,7 +247,8 @@ TEST(HaplyDriver, ForcesDoNotPileUpBeforeAServiceThatStandsStill) {
   }
 }
 
-// Looking for home forgets what is owed; the force that waits there is not forgotten.
+// Homing discards the unanswered messages, but it must not forget the force that waits in the
+// service.
 TEST(HaplyDriver, AfterLookingForHomeBeforeAServiceThatStandsStillNoForceGoesUnasked) {
   Table table({}, {{InjectedFault::kNoAnswer, 50 * kMs, 250 * kMs}});
   ASSERT_TRUE(table.open());
@@ -255,7 +258,7 @@ TEST(HaplyDriver, AfterLookingForHomeBeforeAServiceThatStandsStillNoForceGoesUna
     (void)table.device->write({3, 0, 0});
   }
   (void)table.device->find_home();
-  (void)table.device->write({3, 0, 0});  // without a read(), which would ask
+  (void)table.device->write({3, 0, 0});  // without a read(), which would request a state
   for (std::int64_t t = 60 * kMs; t < 300 * kMs; t += kMs) {
     table.service.tick(t);
     (void)table.device->read(t);
@@ -264,7 +267,8 @@ TEST(HaplyDriver, AfterLookingForHomeBeforeAServiceThatStandsStillNoForceGoesUna
   EXPECT_LE(table.service.largest_asked_n(), 3.0 + 1e-9);
 }
 
-// Given up, it goes on after all, with the force that waited there: stop() lets go of it.
+// The service continues after it was disconnected, with the force that waited there: stop()
+// releases it.
 TEST(HaplyDriver, AServiceThatWasGivenUpIsToldToLetGoWhenItGoesOn) {
   const std::int64_t stands_ms = HaplyDevice::kMaxSilentNs / kMs + 100;
   Table table({.watchdog_ns = 10'000 * kMs},
@@ -277,7 +281,7 @@ TEST(HaplyDriver, AServiceThatWasGivenUpIsToldToLetGoWhenItGoesOn) {
   EXPECT_EQ(table.world.held_force(), Force{});
 }
 
-// It stands still again and again, for some ticks at a time.
+// The service stalls again and again, for some ticks each time.
 TEST(HaplyDriver, ForcesDoNotPileUpBeforeAServiceThatStutters) {
   for (std::uint32_t seed = 1; seed <= 300; ++seed) {
     std::mt19937 random(seed);
@@ -304,7 +308,7 @@ struct LateService {
   const char* what;
   InjectedFault fault;
   double amount;
-  bool is_off;  // lasting, it takes the force away
+  bool is_off;  // if the fault lasts, it takes the force away
 };
 constexpr LateService kLateServices[] = {
     {"1.2 ms", InjectedFault::kSlowAnswers, 1.2, false},
@@ -322,7 +326,7 @@ constexpr LateService kLateServices[] = {
     {"12 ms late", InjectedFault::kLateAnswer, 12.0, false},
     {"15 ms late", InjectedFault::kLateAnswer, 15.0, false}};
 
-/// Messages that may wait at one time.
+/// Returns how many messages may wait at the same time.
 std::size_t may_wait(const LateService& late) {
   if (late.amount > 50.0 && late.fault == InjectedFault::kSlowAnswers) return 4;  // RequestWindow
   return late.fault == InjectedFault::kBurstAnswers ? 2 : 1;
@@ -330,8 +334,8 @@ std::size_t may_wait(const LateService& late) {
 
 constexpr std::int64_t kForever = INT64_MAX;
 
-// Whatever the service does: no pile, no chopping, no jump; one fault with one sentence; and what
-// the driver says that it sent is what is on the wire.
+// Whatever the service does: messages do not pile up, the force is neither interrupted nor jumps,
+// each fault gives one sentence, and the driver reports the force that it really sent.
 TEST(HaplyDriver, R49_ALateServiceNeitherPilesUpNorChopsTheForce) {
   for (const LateService& late : kLateServices) {
     SCOPED_TRACE(late.what);
@@ -373,7 +377,7 @@ TEST(HaplyDriver, R49_ForcesOffIsOnTheWireInTheSameTickHoweverLateTheServiceIs) 
       const int messages = table.service.messages();
       for (int i = 0; i < 12; ++i) table.tick();
       EXPECT_EQ(table.service.newest_force(), Force{});
-      if (late.amount <= 6.0) {  // it works on two messages one after the other
+      if (late.amount <= 6.0) {  // it handles two messages one after the other
         EXPECT_EQ(table.world.held_force(), Force{});
       }
       EXPECT_LE(table.service.messages(), messages + 12);
@@ -381,7 +385,8 @@ TEST(HaplyDriver, R49_ForcesOffIsOnTheWireInTheSameTickHoweverLateTheServiceIs) 
   }
 }
 
-// Drawing goes on while the service is silent for a moment: no ink is lost, and nothing is a jump.
+// Drawing continues during a short stall of the service: no ink is lost, and nothing counts as a
+// jump.
 TEST(HaplyDriver, R49_AStallWhileTheHandDrawsIsNotAJump) {
   for (const int stall_ms : {5, 8, 12, 16, 19}) {
     for (const double mm_per_ms : {0.1, 0.2, 0.35, 0.5}) {
@@ -421,7 +426,7 @@ TEST(HaplyDriver, R49_AStallWhileTheHandDrawsIsNotAJump) {
   }
 }
 
-// A service that is late must not hide what else takes the force away.
+// A late service must not hide another fault that takes the force away.
 TEST(HaplyDriver, R49_ABrakeIsToldWhileTheServiceIsLate) {
   Table table({}, {{InjectedFault::kSlowAnswers, 100 * kMs, kForever, 3.0}});
   ASSERT_TRUE(table.open().has_value());
@@ -446,7 +451,7 @@ TEST(HaplyDriver, R49_ABrakeIsToldWhileTheServiceIsLate) {
   EXPECT_EQ(table.device->status().faults, 3u) << "that it is late was told";
 }
 
-// From the last state before: held, then let go, and never more than one message that bears it.
+// The last force is held, then released, and at most one message carries it.
 TEST(HaplyDriver, R49_AForceIsHeldWhileAnAnswerIsLateAndThenGoesToZero) {
   Table table({}, {{InjectedFault::kNoAnswer, 50 * kMs, 500 * kMs}});
   ASSERT_TRUE(table.open().has_value());
@@ -488,7 +493,7 @@ TEST(HaplyDriver, AForceHoldsForOneMessage) {
   table.device->stop();
   EXPECT_EQ(table.world.held_force(), Force{});
   table.tick({0, 0, 1});
-  table.service.tick(table.now_ns + 100 * kMs);  // nobody says anything any more
+  table.service.tick(table.now_ns + 100 * kMs);  // all messages have stopped
   EXPECT_EQ(table.world.held_force(), Force{});
   table.tick({0, 0, 1});
   table.device.reset();
@@ -597,7 +602,7 @@ TEST(HaplyDriver, ItIsCalibratedInItsInkwell) {
   EXPECT_EQ(table.device->homing(), Homing::kInkwell);
   EXPECT_THAT(table.device->homing_words(), HasSubstr("inkwell"));
   EXPECT_EQ(table.tick().read.error(), DeviceFault::kNotCalibrated);
-  while (!table.service.options().is_calibrated) table.tick();  // a person holds it there
+  while (!table.service.options().is_calibrated) table.tick();  // the user holds it there
   table.service.tick(table.now_ns);
   EXPECT_TRUE(table.device->find_home().has_value());
   EXPECT_EQ(table.device->homing(), Homing::kNone);
@@ -702,14 +707,14 @@ TEST(HaplyDoctor, NoDeviceAndAnotherProgramOnThePort) {
 TEST(HaplyDoctor, AnotherComputersServiceIsLookedForThere) {
   Table table;
   table.system.set_environment(kUrlVariable, "ws://10.0.0.7:10001");
-  table.system.add_listener(10001);  // here, which is somebody else
+  table.system.add_listener(10001);  // a listener on this computer, which is another program
   EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("nobody listens at 10.0.0.7"));
   table.system.add_listener(10001, "10.0.0.7");
   EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("version 3.4.2.0"));
 }
 
-// A listening socket of the fake's, with a thread that serves whoever comes; each message of a
-// session is a millisecond of the world.
+// A listening socket of the fake, with a thread that serves every client. Each message of a session
+// advances the world by a millisecond.
 class SocketServer {
  public:
   SocketServer(FakeService& service, bool is_events) : service_(service), is_events_(is_events) {
@@ -778,7 +783,7 @@ class SocketServer {
   std::vector<Client> clients_;
 };
 
-// Real sockets, a real thread on the other side: no more than that it works.
+// Only tests that it works with real sockets and a real thread on the other end.
 TEST(HaplyDriver, SpeaksThroughRealSockets) {
   FakeWorld world(*find_stylus_preset("inverse3"));
   FakeService service(world, {}, desk());
@@ -806,7 +811,7 @@ TEST(HaplyDriver, SpeaksThroughRealSockets) {
       int good = 0;
       for (std::int64_t i = 0; device && i < 5000 && (*device)->status().reads < 25; ++i) {
         if ((*device)->read(i * kMs)) ++good;
-        // On a machine that is busy it is late, and forces go.
+        // On a busy machine the service is late, and the forces end.
         const auto written = (*device)->write({0.0, 0.0, 0.1});
         if (!written) {
           EXPECT_EQ(written.error(), DeviceFault::kForcesOff);

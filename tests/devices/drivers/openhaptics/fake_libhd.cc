@@ -1,6 +1,7 @@
 // A libHD of our own for tests: the vendor's names, types and rules
-// (docs/design/devices.md#openhaptics; OpenHaptics reference), and behind it a simulated stylus
-// (fake_machine.h). What a program must not do it answers with the vendor's error, and remembers.
+// (docs/design/devices.md#openhaptics; OpenHaptics reference), with a simulated stylus behind it
+// (fake_machine.h). If a program makes a forbidden call, the library returns the vendor's error and
+// stores the broken rule.
 #include "tests/devices/drivers/openhaptics/fake_libhd.h"
 
 #include <locale.h>
@@ -259,7 +260,7 @@ FAKE_HD void hdGetLongv(hd::Enum what, long* out) {
   const Guard guard;
   const Value* value = find_value(what, Kind::kLong);
   if (value == nullptr) return;
-  for (std::size_t i = 0; i < value->count; ++i) {  // 0.01 mm each, and no gimbal
+  for (std::size_t i = 0; i < value->count; ++i) {  // 0.01 mm each, without a gimbal
     out[i] = i < 3 ? std::lround(100.0 * fake().frame.pen.position[i]) : 0;
   }
 }
@@ -336,7 +337,7 @@ FAKE_HD void hdStartScheduler() {
 }
 FAKE_HD void hdStopScheduler() {
   Fake& f = fake();
-  if (!f.is_running) return push(error::kInvalidOperation);  // after a start that failed: no harm
+  if (!f.is_running) return push(error::kInvalidOperation);  // harmless after a start that failed
   if (f.uses_thread && f.thread.get_id() == std::this_thread::get_id()) {
     return broken("the scheduler was stopped from within");
   }

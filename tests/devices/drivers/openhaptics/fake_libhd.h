@@ -2,20 +2,20 @@
 
 #include <cstdint>
 
-/// How tests hold the fake of libHD, beside the vendor's 36 functions: one symbol of its own,
-/// `fake_hd_control`. Plain C types only: the fake is a library of its own, loaded by the driver
-/// with dlopen like the real one.
+/// The control of the fake libHD by tests, beside the vendor's 36 functions: the library exports
+/// one additional symbol, `fake_hd_control`. It uses plain C types only, because the fake is a
+/// separate library that the driver loads with dlopen like the real one.
 extern "C" {
 
-/// What the pen is, in the device's axes (mm, mm/s).
+/// The state of the pen, in the device's axes (mm, mm/s).
 struct FakeHdPen {
   double position[3];
   double velocity[3];
   unsigned buttons;
-  double axis[3];  ///< along the stylus, of any length; all 0: it stands upright, along y
+  double axis[3];  ///< along the stylus, of any length; if all are 0, it stands upright, along y
 };
 
-/// What stands behind the device. Results: 0, or 1 + the number of a DeviceFault.
+/// The world behind the device. Functions return 0, or 1 + the number of a DeviceFault.
 struct FakeHdWorld {
   void* context;
   int (*read)(void* context, std::int64_t now_ns, FakeHdPen* pen);
@@ -23,10 +23,10 @@ struct FakeHdWorld {
   void (*stop)(void* context);
 };
 
-/// What is plugged in.
+/// The model that is plugged in.
 struct FakeHdModel {
-  const char* name;  ///< that hdInitDevice() opens it by; null: opened by no name (null) only
-  const char* second_name;  ///< likewise; may be null
+  const char* name;         ///< name for hdInitDevice(); if null, only the null name opens it
+  const char* second_name;  ///< a second name; may be null
   int opens_without_name;   ///< hdInitDevice(NULL) works
   const char* type;         ///< "Touch"
   const char* serial;
@@ -34,15 +34,16 @@ struct FakeHdModel {
   double usable_mm[6];
   int calibration_style;  ///< bits
   int rate_hz;
-  int has_thermometers;  ///< and a measured rate; older libraries do not know these
+  int has_thermometers;  ///< and a measured rate; older libraries do not have these
 };
 
 struct FakeHdControl {
   // The machine.
-  void (*reset)();  ///< as just loaded, nothing plugged in, virtual clock
+  void (*reset)();  ///< resets to the state after loading: nothing plugged in, virtual clock
   void (*plug_in)(const FakeHdModel* model, const FakeHdWorld* world);
-  void (*occupy)(int on);  ///< another program has the device
-  /// The scheduler is a thread of its own, at the rate of the model; else whoever calls step().
+  void (*occupy)(int on);  ///< another program uses the device
+  /// Selects whether the scheduler is a separate thread at the rate of the model. Otherwise the
+  /// caller of step() is the scheduler.
   void (*use_thread)(int on);
 
   // The scheduler on a virtual clock.
@@ -50,25 +51,26 @@ struct FakeHdControl {
   void (*open_tick)(std::int64_t now_ns);  ///< a tick in which the caller is the callback
   void (*close_tick)();
 
-  // What happens to the device.
+  // Events of the device.
   void (*push_error)(unsigned code, int internal_code);
   void (*set_safety_switch)(int closed);
   void (*set_inkwell)(int inside);
-  void (*set_at_rest)(int at_rest);  ///< in the pose that encoder reset wants
-  void (*set_home)(int is_home);     ///< it knows where it is
+  void (*set_at_rest)(int at_rest);  ///< in the pose that encoder reset requires
+  void (*set_home)(int is_home);     ///< it has found its home position
   void (*set_temperature)(double warmest);
-  void (*refuse_scheduler)(unsigned code);  ///< hdStartScheduler() pushes this; 0: no more
-  /// Once, while the scheduler is being stopped, its thread begins another call.
+  /// hdStartScheduler() fails with this code; 0 ends this
+  void (*refuse_scheduler)(unsigned code);
+  /// Makes the scheduler's thread begin one more call while the scheduler is being stopped.
   void (*call_while_stopping)();
 
-  // What the fake saw.
+  // Records of the fake.
   double (*largest_asked_n)();
-  const char* (*broken_rule)();  ///< the first; "" if none
+  const char* (*broken_rule)();  ///< the first broken rule; "" if none was broken
   int (*is_enabled)(unsigned capability);
   int (*is_running)();
-  int (*callbacks)();  ///< that are scheduled
+  int (*callbacks)();  ///< number of scheduled callbacks
   int (*open_devices)();
-  std::uint64_t (*frames)();  ///< that were ended
+  std::uint64_t (*frames)();  ///< number of ended frames
   double (*temperature)();
 };
 

@@ -33,7 +33,7 @@ Fake& fake() {
   return the_one;
 }
 
-// What the world says of the device becomes the vendor's own errors.
+// Converts a fault of the world to the vendor's error.
 hd::Enum error_of(int result) {
   switch (static_cast<DeviceFault>(result - 1)) {
     case DeviceFault::kDisconnected:
@@ -70,7 +70,7 @@ void start_capabilities() {
       {capability::kForceOutput, false},        {capability::kMaxForceClamping, true},
       {capability::kForceRamping, true},        {capability::kSoftwareForceLimit, true},
       {capability::kOneFrameLimit, true},       {parameter::kSoftwareVelocityLimit, true},
-      {parameter::kSoftwareImpulseLimit, false}};  // somebody switched it off
+      {parameter::kSoftwareImpulseLimit, false}};  // a program switched it off
 }
 
 bool is_in_tick() {
@@ -127,7 +127,7 @@ void step(std::int64_t now_ns) {
 
 void run_thread() {
   using Clock = std::chrono::steady_clock;
-  // As a vendor would, where the system lets it.
+  // The vendor's library probably does the same, if the system permits it.
   const sched_param wanted{.sched_priority = 80};
   static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted));
   const auto start = Clock::now();

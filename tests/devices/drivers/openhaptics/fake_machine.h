@@ -15,8 +15,8 @@
 #include "tests/devices/drivers/openhaptics/fake_libhd.h"
 #include "tests/devices/drivers/openhaptics/standalone_world.h"
 
-/// What stands behind the fake's functions: the device that is plugged in, the program that uses
-/// it, the scheduler and its ticks, the motors.
+/// The state behind the fake's functions: the device that is plugged in, the program that uses it,
+/// the scheduler and its ticks, the motors.
 namespace felt::fake_libhd {
 
 namespace error = hd::error;
@@ -42,19 +42,19 @@ struct Frame {
 };
 
 struct Fake {
-  // Plugged in.
+  // The device that is plugged in.
   std::optional<FakeHdModel> model;
   FakeHdWorld world{};
   std::unique_ptr<StandaloneWorld> own_world;
   bool is_occupied = false;
   bool safety_switch = true, inkwell = false, at_rest = false, is_home = true;
-  bool calibration_lost = false;  // said by the world
+  bool calibration_lost = false;  // reported by the world
   double temperature = 0.0;
   bool is_warm = false;
   unsigned refusal = 0;
   bool calls_while_stopping = false;
 
-  // The program's.
+  // State of the program.
   int open = 0;
   bool is_running = false;
   std::array<hd::ErrorInfo, kMaxErrors> errors{};
@@ -68,12 +68,12 @@ struct Fake {
   bool tick_is_open = false, frame_is_open = false, frame_was = false;
   int read_result = 0;
   FakeHdPen read_pen{};
-  Frame frame;  // of the last begin
+  Frame frame;  // from the last begin
   std::array<double, 3> asked{};
   double held_n = 0.0;
   std::thread::id servo;
 
-  // Seen.
+  // Records for tests.
   double largest_n = 0.0;
   const char* rule = "";
   std::uint64_t frames = 0;
@@ -87,7 +87,7 @@ struct Fake {
 
 Fake& fake();
 
-/// Only with a thread there are two of them; in virtual time a tick must not even lock.
+/// Locks only if the scheduler is a second thread; in virtual time a tick must not even lock.
 class Guard {
  public:
   Guard() : locks_(fake().uses_thread) {
@@ -103,25 +103,25 @@ class Guard {
   bool locks_;
 };
 
-/// The vendor's error for what the world said of the device (`read_result`).
+/// Returns the vendor's error for the result of reading the world (`read_result`).
 hd::Enum error_of(int result);
-/// Onto the vendor's stack of errors.
+/// Pushes an error onto the vendor's error stack.
 void push(hd::Enum code, int internal = 0);
-/// A rule of the vendor was broken: the first one is remembered. With the error that it gives.
+/// Stores the first broken rule of the vendor, and pushes its error.
 void broken(const char* rule, hd::Enum code = 0);
-/// Is this capability on?
+/// Returns true if this capability is enabled.
 bool has(hd::Enum what);
-/// As after a device was opened.
+/// Sets the capabilities of a device that was just opened.
 void start_capabilities();
-/// Is this a call from within the servo loop?
+/// Returns true if the call comes from within the servo loop.
 bool is_in_tick();
-/// No force at the motors.
+/// Sets the force of the motors to zero.
 void let_go();
-/// What leaves for the motors at the end of a frame.
+/// Sends the force to the motors at the end of a frame.
 void send();
-/// Without a test that plugs something in: a Touch of its own, so that people can look.
+/// Plugs in a simulated Touch if no test plugs anything in, so that users can try the driver.
 void plug_in_own();
-/// As just loaded, on a virtual clock.
+/// Resets to the state after loading, on a virtual clock.
 void reset();
 
 // The scheduler.

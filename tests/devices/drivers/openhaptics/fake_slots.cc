@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-// FELT_FAKE_LIBHD: the files, in quotes and with commas.
+// FELT_FAKE_LIBHD is a list of file names, in quotes and separated by commas.
 constexpr std::array kFiles{FELT_FAKE_LIBHD};
 
 std::array<bool, kFiles.size()>& taken() {

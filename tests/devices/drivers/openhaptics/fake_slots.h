@@ -6,11 +6,11 @@
 
 namespace felt {
 
-/// A fake libHD for one user. The state of a libHD belongs to its file, so that whoever wants one
-/// beside another takes another copy of the file; there are kFakeLibraries of them.
+/// A fake libHD for one user. The state of a libHD belongs to its file, so a second libHD at the
+/// same time needs another copy of the file. There are kFakeLibraries copies.
 class FakeSlot {
  public:
-  /// Takes a free one and resets it. Ends the program when all are taken.
+  /// Takes a free copy and resets it. Ends the program if all are in use.
   FakeSlot();
   ~FakeSlot();
   FakeSlot(const FakeSlot&) = delete;

@@ -41,13 +41,14 @@ double length_of(const std::array<double, 3>& v) {
   return std::hypot(v[0], v[1], v[2]);
 }
 
-/// By columns: three axes at right angles, the third along the stylus, and the place.
+/// Returns a matrix by columns: three orthogonal axes, the third along the stylus, then the
+/// position.
 std::array<double, 16> transform_of(const FakeHdPen& pen) {
   std::array<double, 3> z{pen.axis[0], pen.axis[1], pen.axis[2]};
   if (length_of(z) == 0.0) z = {0.0, 1.0, 0.0};
   const double size = length_of(z);
   for (double& v : z) v /= size;
-  // Any direction beside it makes the others.
+  // Any other direction gives the two remaining axes.
   const bool is_along_x = std::abs(z[0]) > 0.9;
   const std::array<double, 3> beside{is_along_x ? 0.0 : 1.0, is_along_x ? 1.0 : 0.0, 0.0};
   const auto cross = [](const auto& a, const auto& b) {
@@ -84,7 +85,7 @@ const Value* find_value(hd::Enum what, Kind kind) {
     broken("a value of the wrong type", error::kInvalidInputType);
     return nullptr;
   }
-  push(error::kInvalidEnum);  // no broken rule: that is how one asks what there is
+  push(error::kInvalidEnum);  // not a broken rule, because programs query support like this
   return nullptr;
 }
 

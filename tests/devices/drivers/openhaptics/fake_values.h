@@ -5,7 +5,7 @@
 
 #include "felt/devices/openhaptics/hd_abi.h"
 
-/// What the fake can be asked for by hdGet...v(), and of which type each of it is.
+/// The values that hdGet...v() of the fake can return, with their types.
 namespace felt::fake_libhd {
 
 enum class Kind { kBoolean, kInteger, kReal, kText, kLong };
@@ -16,10 +16,10 @@ struct Value {
   std::size_t count;
 };
 
-/// The value of this name if a device is open, has it, and it is asked for by its type; null, and
-/// the vendor's error, otherwise.
+/// Returns the value with this name if a device is open and has it with this type. Otherwise sets
+/// the vendor's error and returns null.
 const Value* find_value(hd::Enum what, Kind kind);
-/// As of the last frame; inside of one that is this one.
+/// Returns the values of the last frame, or of the current frame if one is open.
 std::array<double, 16> reals(hd::Enum what);
 int integer(hd::Enum what);
 

@@ -8,7 +8,7 @@ namespace felt {
 
 PlaneCalibration hd_plane(const Capabilities& in_the_sheet) {
   const Vec3 middle = 0.5 * (in_the_sheet.workspace_min + in_the_sheet.workspace_max);
-  // Sheet (x, y, z) = device (x, z, y), shifted.
+  // Page (x, y, z) = device (x, z, y), shifted.
   return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, 1, 0}},
                                  {middle.x, middle.y, 60.0});
 }

@@ -8,11 +8,11 @@
 
 namespace felt {
 
-/// A simulated device as the fake library's world: turned from the sheet's frame into the maker's
-/// axes (x right, y up, z to the person), forces turned back.
+/// A simulated device as the world of the fake library: poses are rotated from the page's frame
+/// into the vendor's axes (x right, y up, z to the user), and forces are rotated back.
 class HdWorld {
  public:
-  /// `device` must outlive this.
+  /// Requires that `device` outlives this object.
   HdWorld(Device& device, const PlaneCalibration& plane) : device_(device), plane_(plane) {}
 
   [[nodiscard]] FakeHdWorld world() noexcept { return {this, read, write, stop}; }
@@ -28,11 +28,11 @@ class HdWorld {
     HdWorld& world = *static_cast<HdWorld*>(self);
     const auto sample = world.device_.read(now_ns);
     if (!sample) return code(sample.error());
-    // The device says nothing new: the library calls that an error of communication.
+    // The device sends nothing new, which the library reports as a communication error.
     if (now_ns - sample->time_ns > kSilenceNs) return code(DeviceFault::kDisconnected);
     const Vec3 p = world.plane_.to_device(sample->position);
     const Vec3 v = world.plane_.turn_to_device(sample->velocity);
-    // A hand that says nothing of it holds the pen upright over its sheet.
+    // A hand without a tilt holds the pen upright.
     const double lean_rad = sample->lean_deg.value_or(0.0) / kDegPerRad;
     const Vec3 axis =
         world.plane_.turn_to_device(Vec3{std::sin(lean_rad), 0.0, std::cos(lean_rad)});
@@ -51,10 +51,11 @@ class HdWorld {
   PlaneCalibration plane_;
 };
 
-/// The maker's axes above a desk, for a sheet whose device reaches `workspace` there: the place
-/// that the device calls its origin lies 60 mm above the desk's middle.
+/// Returns the vendor's axes above a desk, for a page on which the device reaches its `workspace`.
+/// The origin of the device is 60 mm above the middle of the desk.
 PlaneCalibration hd_plane(const Capabilities& in_the_sheet);
-/// What a device with these figures says of itself, in the maker's units and axes.
+/// Returns the values that a device with these capabilities reports, in the vendor's units and
+/// axes.
 FakeHdModel hd_model(const Capabilities& in_the_sheet, const PlaneCalibration& plane,
                      const char* type);
 

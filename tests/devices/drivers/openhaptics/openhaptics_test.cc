@@ -1,5 +1,6 @@
-// What only OpenHaptics does, through the driver's real code before a libHD of our own: names and
-// identity, frames, the stack of errors, switches, warm motors, homing, the scheduler as host.
+// Tests the parts that are specific to OpenHaptics, with the driver's real code and a libHD of our
+// own: names and identity, frames, the error stack, switches, warm motors, homing, the scheduler as
+// host.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +48,7 @@ class OpenHaptics : public ::testing::Test {
     ASSERT_TRUE(opened.has_value()) << opened.error().message;
     device = *std::move(opened);
   }
-  // The loop calls what `in_tick` does, at each step().
+  // Makes the loop call `in_tick` at each step().
   void start() {
     open();
     ASSERT_TRUE(
@@ -66,7 +67,7 @@ class OpenHaptics : public ::testing::Test {
     said = device->read(now_ns);
     done = device->write(force);
   }
-  // In the sheet's frame.
+  // Returns the held force in the page's frame.
   [[nodiscard]] const Force& held() const { return motors.held_force(); }
   void TearDown() override {
     device.reset();
@@ -397,7 +398,7 @@ TEST_F(OpenHaptics, OfManyErrorsTheGravestIsToldAndATickHearsABoundedNumber) {
   start();
   force = {0.5, 0, 0};
   step(2);
-  fake->push_error(hd::error::kWarmMotors, 0);  // the deepest in the stack
+  fake->push_error(hd::error::kWarmMotors, 0);  // the oldest error on the stack
   fake->push_error(hd::error::kTooFast, 0);
   fake->push_error(hd::error::kTooFast, 0);
   step();
@@ -465,7 +466,7 @@ TEST_F(OpenHaptics, InItsInkwellTheStylusIsNotPushed) {
 
 TEST_F(OpenHaptics, WarmMotorsSinkToWhatTheyStandForGood) {
   start();
-  force = {1.1, 0, 0};  // short enough for the bound of the force's mean
+  force = {1.1, 0, 0};  // short enough for the limit of the mean force
   step(5);
   EXPECT_EQ(held().x, 1.1);
   fake->set_temperature(0.75);
@@ -484,7 +485,7 @@ TEST_F(OpenHaptics, WarmMotorsSinkToWhatTheyStandForGood) {
   EXPECT_EQ(held().x, 1.1);
 }
 
-// Whoever asks for all there is for ten minutes never gets the motors to complain.
+// Even if a program requests the maximum force for ten minutes, the motors do not overheat.
 TEST_F(OpenHaptics, NoRequestOverheatsTheMotors) {
   start();
   force = {100.0, 0, 0};
@@ -577,7 +578,7 @@ TEST_F(OpenHaptics, WithoutAHomeItIsNotRead) {
 
 // ------------------------------------------------------------------------------------ the loop
 
-// The object that the loop belongs to may be gone right after stop_loop().
+// The owner of the loop may be destroyed right after stop_loop().
 TEST_F(OpenHaptics, ACallThatBeginsWhileTheLoopIsStoppedDoesNothing) {
   open();
   int ticks = 0;
@@ -607,7 +608,7 @@ TEST_F(OpenHaptics, ASchedulerThatDoesNotStartSaysWhy) {
   device->loop_host()->stop_loop();
 }
 
-// A pencil line of a second and a half, and what the session makes of it.
+// A pencil line of a second and a half, and the resulting drawing.
 struct Drawing {
   explicit Drawing(Device& pen)
       : servo(std::make_unique<Servo>(pen, ServoOptions{.limits = limits_for(pen.capabilities())})),
@@ -674,7 +675,7 @@ TEST_F(OpenHaptics, ADrawingSessionRunsWithinTheSchedulersCallbacks) {
   EXPECT_LT(std::max({difference.ends_mm, difference.curve_mm, difference.width_mm}), 0.1);
 }
 
-// The library's own thread, for real: no expectation of times, the machine may be busy.
+// Uses the library's real thread. Expects no times, because the machine may be busy.
 TEST_F(OpenHaptics, TheLibrarysOwnThreadRunsTheLoop) {
   fake->use_thread(1);
   open();
@@ -689,7 +690,7 @@ TEST_F(OpenHaptics, TheLibrarysOwnThreadRunsTheLoop) {
     EXPECT_EQ(loop.status().scheduling, LoopScheduling::kHost);
     servo->arm();
     PenSample sample;
-    while (servo->for_edit().pop(sample)) {  // those of the round before are not of this one
+    while (servo->for_edit().pop(sample)) {  // skip samples of the previous round
     }
     for (int samples = 0; samples < 150;) {
       while (servo->for_edit().pop(sample)) ++samples;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRoundS = 3.0;
 constexpr double kRadiusMm = 20.0;
-constexpr double kPressMm = -2.5;  // that the hand aims below the desk
+constexpr double kPressMm = -2.5;  // the hand's aim below the desk
 constexpr double kLiftMm = 8.0;
 
 bool draws_circles() {
@@ -20,7 +20,8 @@ bool draws_circles() {
   return hand != nullptr && std::strcmp(hand, "circles") == 0;
 }
 
-// Aims before each read: still, as a device test asks, or a circle on the desk and one above it.
+// Sets the aim before each read: still, as a device test requires, or circles on the desk and above
+// it.
 class HeldStylus final : public Device {
  public:
   [[nodiscard]] std::string_view name() const noexcept override { return stylus_.name(); }

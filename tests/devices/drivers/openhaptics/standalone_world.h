@@ -6,8 +6,8 @@
 
 namespace felt {
 
-/// What the fake library plugs in by itself when no test does: a simulated Touch, so that people
-/// without hardware can look at the driver (FELT_OPENHAPTICS_LIBRARY=.../fake_libhd.so feltline
+/// The device that the fake library plugs in if no test does: a simulated Touch, so that users
+/// without hardware can try the driver (FELT_OPENHAPTICS_LIBRARY=.../fake_libhd.so feltline
 /// devices). Its hand holds it still in the air, or draws circles (FAKE_LIBHD_HAND=circles).
 class StandaloneWorld {
  public:

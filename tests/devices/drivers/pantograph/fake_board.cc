@@ -20,7 +20,8 @@ unsigned number(std::byte byte) {
   return std::to_integer<unsigned>(byte);
 }
 
-// Angles for a place, or for the nearest to the middle of the reach that the arms come to.
+// Returns the angles for a position, or for the reachable position nearest to it towards the middle
+// of the reach.
 std::array<double, 2> nearest_angles(const BoardModel& model, const Vec3& place) {
   const Vec3 middle = 0.5 * (model.reach_min + model.reach_max);
   const auto at = [&](double share) {
@@ -38,7 +39,7 @@ std::array<double, 2> nearest_angles(const BoardModel& model, const Vec3& place)
 
 }  // namespace
 
-// The end of the port that a driver holds.
+// The driver's end of the port.
 class BoardPort final : public ByteStream {
  public:
   explicit BoardPort(FakeBoard& board) : board_(board) { out_.reserve(4096); }
@@ -75,7 +76,7 @@ class BoardPort final : public ByteStream {
  private:
   FakeBoard& board_;
   std::vector<std::byte> out_;
-  bool is_over_ = false;  // a port that was pulled out stays dead, though the board comes back
+  bool is_over_ = false;  // a port that was unplugged stays closed, even if the board returns
 };
 
 FakeBoard::FakeBoard(FakeWorld& world, std::vector<FaultWindow> faults, const BoardModel& model,
@@ -107,7 +108,7 @@ void FakeBoard::unplug() noexcept {
   is_plugged_ = false;
   is_set_up_ = false;
   hangs_ = false;
-  let_go();  // the motors have their power from the board
+  let_go();  // the board powers the motors
 }
 
 void FakeBoard::tick(std::int64_t now_ns) {
@@ -131,7 +132,7 @@ void FakeBoard::measure(const PenSample& pen) {
   for (std::size_t k = 0; k < 2; ++k) {
     const auto per_turn = static_cast<double>(model_.motors[k].counts_per_turn);
     const auto rest = static_cast<double>(model_.motors[k].rest_deg);
-    // Set up with the arms at rest, the encoder counts from there.
+    // If the encoder was set up with the arms at rest, it counts from there.
     const double counts = std::round((kDegPerRad * angles[k] - rest) * per_turn / 360.0);
     const double scale = is_set_up_ ? static_cast<double>(counts_[k]) : per_turn;
     degrees_[k] = static_cast<float>((is_set_up_ ? static_cast<double>(offset_[k]) : rest) +
@@ -149,8 +150,8 @@ void FakeBoard::go_on(std::vector<std::byte>& out) {
   take({}, out);
 }
 
-// Do these bytes go? While writing fails (kWriteError) no torque does, and of frames without any
-// every other one.
+// Returns true if these bytes are sent. While writing fails (kWriteError), no torque is sent, and
+// only every other frame without a torque.
 bool FakeBoard::takes(std::span<const std::byte> bytes) noexcept {
   if (hangs_ && in_.size() + bytes.size() > room_) return false;
   if (refusals_ > 0) {
@@ -174,7 +175,7 @@ void FakeBoard::take(std::span<const std::byte> bytes, std::vector<std::byte>& o
   }
 }
 
-// How many bytes the first frame has; 0: it is not whole.
+// Returns the length of the first frame in bytes, or 0 if it is incomplete.
 std::size_t FakeBoard::take_frame(std::span<const std::byte> bytes, std::vector<std::byte>& out) {
   if (bytes.size() < 2) return 0;
   const unsigned type = number(bytes[0]);
@@ -224,7 +225,7 @@ void FakeBoard::take_torques(std::span<const std::byte> bytes, std::vector<std::
   }
   const bool is_nothing = torques_[0] == 0.0 && torques_[1] == 0.0;
   if (is_active(InjectedFault::kNoAnswer)) {
-    if (is_nothing) let_go();  // as FaultyDevice has it: letting go is not lost
+    if (is_nothing) let_go();  // as in FaultyDevice: a release is never lost
     return;
   }
   apply();
@@ -232,7 +233,7 @@ void FakeBoard::take_torques(std::span<const std::byte> bytes, std::vector<std::
   if (is_plugged_ && !is_silent_) answer(out);
 }
 
-// The force at the handle that these torques are, where the computer thinks that it is.
+// Returns the force of these torques at the position where the computer assumes the handle.
 Force FakeBoard::newest_force() const noexcept {
   const auto bar = FiveBar::at(model_.size, told_rad_);
   if (!bar) return {};

@@ -1,4 +1,4 @@
-// The driver of the 2DIY before a fake of its board: what only that board does.
+// Tests the driver of the 2DIY with a fake of its board, as far as they are specific to that board.
 #include "felt/devices/pantograph/pantograph_driver.h"
 #include "felt/base/constants.h"
 
@@ -28,7 +28,7 @@ using ::testing::HasSubstr;
 
 constexpr const char* kPath = "/dev/ttyACM0";
 
-// Sheet and device with the same frame.
+// Returns a preset with the same frame for page and device.
 StylusPreset preset_of(const BoardModel& model) {
   StylusPreset preset = *find_stylus_preset("inverse3");
   preset.capabilities.workspace_min = model.reach_min - Vec3{0, 0, 30};
@@ -71,7 +71,7 @@ class Table {
     now_ns += kMs;
     return {read, written};
   }
-  /// As often as a force needs to rise that far.
+  /// Runs as many ticks as a force needs to rise to this value.
   Ticked push(const Force& force) {
     for (int i = 0; i < 8; ++i) static_cast<void>(tick(force));
     return tick(force);
@@ -122,7 +122,8 @@ TEST(PantographDriver, EachMakeSaysWhereItIsAndPushesTheRightWay) {
   }
 }
 
-// Out of the sheet nothing pushes; along it, forces point where the sheet has them.
+// The device cannot push out of the surface; along it, forces have the direction of the page's
+// axes.
 TEST(PantographDriver, ForcesPointTheRightWayThroughTheUsualPlane) {
   Table table;
   ASSERT_TRUE(table.open_at_home());
@@ -254,7 +255,7 @@ TEST(PantographDriver, ASilentBoardIsAFaultAndThenGone) {
   EXPECT_EQ(table.tick().read.error(), DeviceFault::kDisconnected) << "for ever";
 }
 
-// A frame that did not go: the torque before it still holds, and whoever asked is told.
+// If a frame was not sent, the previous torque still holds, and the caller gets an error.
 TEST(PantographDriver, AFrameThatDidNotGoIsAFault) {
   Table table;
   ASSERT_TRUE(table.open_at_home());
@@ -285,8 +286,8 @@ TEST(PantographDriver, LettingGoIsTriedAgain) {
   EXPECT_EQ(table.world.held_force(), Force{}) << "at the end there is more time";
 }
 
-// A port that takes nothing for a moment while the board is set up: a board that was not told what
-// it drives hears no torques, and lets go all the same. Found by device_fuzz, seed 1005974.
+// The port accepts nothing for a moment while the board is set up. A board that was not set up
+// ignores torques, but still releases the motors. Found by device_fuzz, seed 1005974.
 TEST(PantographDriver, ABoardThatIsNotSetUpHearsNoTorques) {
   Table table;
   table.board.refuse_frames(1);
@@ -310,7 +311,7 @@ TEST(PantographDriver, ABoardThatIsNotSetUpHearsNoTorques) {
   EXPECT_TRUE(table.tick({1, 0, 0}).written.has_value());
 }
 
-// The first fault in so many ticks with a force.
+// Returns the first fault within this number of ticks with a force.
 std::optional<DeviceFault> first_fault(Table& table, int ticks) {
   for (int i = 0; i < ticks; ++i) {
     const auto [read, written] = table.tick({1, 0, 0});
@@ -320,8 +321,8 @@ std::optional<DeviceFault> first_fault(Table& table, int ticks) {
   return std::nullopt;
 }
 
-// It holds what it had, whatever we say; when it goes on, nothing that it finds waiting pushes in
-// the end, and nothing pushes before a person has read of the fault.
+// The hung board keeps its force whatever the driver sends. When it continues, none of the waiting
+// messages leaves a force, and no force returns until the user has read of the fault.
 TEST(PantographDriver, AHungBoardIsAFaultAndLetsGoWhenItGoesOn) {
   for (const std::size_t room : {std::size_t{0}, std::size_t{20}, std::size_t{4096}}) {
     Table table;
@@ -329,7 +330,7 @@ TEST(PantographDriver, AHungBoardIsAFaultAndLetsGoWhenItGoesOn) {
     for (int i = 0; i < 5; ++i) table.tick({1, 0, 0});
     table.board.hang(room);
     ASSERT_EQ(first_fault(table, 20), DeviceFault::kOther) << room;
-    table.device->stop();  // as the servo does, and from then on it asks for nothing
+    table.device->stop();  // as the servo does, which then requests no force
     for (int i = 0; i < 20; ++i) table.tick({});
     EXPECT_GT(norm(table.world.held_force()), 0.9) << "nobody can help it";
     std::vector<std::byte> out;
@@ -351,7 +352,7 @@ TEST(PantographDriver, AGuardKnowsTheFrameThatLetsGo) {
   EXPECT_TRUE(table.tick().read.has_value()) << "its answer is no harm";
 }
 
-// Its motors know no watchdog: without the process that stands for one nothing may push.
+// Its motors have no watchdog, so no force is allowed without the guard process that replaces it.
 TEST(PantographDriver, WithoutAGuardNothingPushes) {
   Table table;
   table.board.refuse_guards(true);
@@ -380,7 +381,7 @@ TEST(PantographDriver, WithoutAGuardNothingPushes) {
   EXPECT_TRUE(table.tick({1, 0, 0}).written.has_value());
 }
 
-// A make is a person's word: before anything pushes they are told what to measure.
+// The user states the make of the board. Before any force, the driver says what to measure.
 TEST(PantographDriver, SaysWhichMakeItIsTakenFor) {
   for (const BoardModel& model : board_models()) {
     Table table(model.id);
@@ -454,7 +455,7 @@ TEST(PantographDoctor, SaysWhatIsMissing) {
   EXPECT_EQ(findings[0].level, FindingLevel::kOk);
 }
 
-// What the board does at its end of a line, until it is over.
+// Simulates the board at the other end of a line until `is_over`.
 void answer(int line, FakeBoard& board, const std::atomic<bool>& is_over) {
   std::array<std::byte, 64> room{};
   std::vector<std::byte> out;
@@ -469,7 +470,7 @@ void answer(int line, FakeBoard& board, const std::atomic<bool>& is_over) {
   }
 }
 
-// A real terminal and a real thread on the other side: no more than that it works.
+// Only tests that it works with a real terminal and a real thread on the other end.
 TEST(PantographDriver, SpeaksThroughARealTerminal) {
   const int board_end = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
   ASSERT_GE(board_end, 0);
@@ -480,7 +481,7 @@ TEST(PantographDriver, SpeaksThroughARealTerminal) {
 
   Table table;
   std::atomic<bool> is_over{false};
-  // The computer's side is opened first: the board would hear its own echo.
+  // The computer's end is opened first, because the board would otherwise receive its own echo.
   auto port = SerialStream::open(name.data());
   ASSERT_TRUE(port.has_value()) << port.error().message;
   std::thread board([&] { answer(board_end, table.board, is_over); });
