@@ -5,7 +5,7 @@
 
 namespace felt::rt_test {
 
-/// A thing that must not happen at a tick, to see it caught.
+/// A forbidden action that is planted in a tick, to test that it is caught.
 struct Plant {
   std::string_view name;
   void (*prepare)();  ///< before any tick, or null

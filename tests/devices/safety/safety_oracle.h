@@ -17,7 +17,7 @@ class SafetyOracle {
   /// `regular`: the clock of this episode never stalls or jumps; the heat rule needs that.
   SafetyOracle(const SafetyLimits& limits, bool regular);
 
-  /// Null, or the rule that this tick broke.
+  /// Returns null, or the rule that this tick broke.
   const char* check(const TickInput& in, const TickOutput& out);
 
  private:

@@ -17,7 +17,7 @@ std::vector<StabilityCell> all_cells();
 /// light hand on the worst device.
 std::vector<StabilityCell> representative_cells(const std::vector<StabilityCell>& cells);
 
-/// Runs them on some threads; results in the order of the cells, whatever the threads do.
+/// Runs the cells on several threads. The results are in the order of the cells.
 std::vector<StabilityResult> run_cells(const std::vector<StabilityCell>& cells, unsigned threads);
 
 /// The report: docs/stability.md.
