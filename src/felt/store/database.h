@@ -55,7 +55,7 @@ class Statement {
 };
 
 /// A database in memory. SQLite gets bytes instead of a file, so that no journal, lock or other
-/// file can appear beside a user's drawing. Thread: one at a time.
+/// file can appear beside a user's drawing. Not thread-safe.
 class Database {
  public:
   /// Creates an empty database.
