@@ -27,9 +27,10 @@ struct LiveChunk {
 ///   - the events that the session handled, in order, from the edit thread;
 ///   - the samples of the haptic loop, from the autosave's own ring, even if the session has not
 ///     handled them yet. The samples after the session's last event are the *overhang*. It grows
-///     while the edit thread hangs, and its ink counts as drawn. A stretch of chunks begins when
-///     the pen touches the surface. It ends with the edit of that gesture, or when it is clear that
-///     the gesture makes no edit (kNoEditNs). Uses no clock, thread or file. Not thread-safe.
+///     while the edit thread hangs, and its ink counts as drawn.
+/// A stretch of chunks begins when the pen touches the surface. It ends with the edit of that
+/// gesture, or when it is clear that the gesture makes no edit (kNoEditNs). Uses no clock, thread
+/// or file. Not thread-safe.
 class LiveInk {
  public:
   static constexpr std::size_t kHoverSamples = 64;  ///< enough for velocity and contact to settle

@@ -8,10 +8,10 @@
 
 namespace felt {
 
-/// One cubic Bezier segment, control points B1..B4 of the paper [Paper eq. 1]: f(t) = (1-t)^3 B1 +
-///   3t(1-t)^2 B2 + 3t^2(1-t) B3 + t^3 B4 A value type. Any control points are allowed, including
-///   coincident ones. All functions on it accept any input and are noexcept; their comments say
-///   what they return for degenerate input.
+/// One cubic Bezier segment, control points B1..B4 of the paper [Paper eq. 1]:
+///   f(t) = (1-t)^3 B1 + 3t(1-t)^2 B2 + 3t^2(1-t) B3 + t^3 B4
+/// A value type. Any control points are allowed, including coincident ones. All functions on it
+/// accept any input and are noexcept; their comments say what they return for degenerate input.
 struct Cubic {
   std::array<Point, 4> p;
 

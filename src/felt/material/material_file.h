@@ -33,8 +33,8 @@ struct MaterialSource {
 
 /// Reads one material. Fails if the text is not TOML, has no kind or id, has an unknown key or a
 /// value of the wrong type or out of range (NaN and infinity are out of range), or if the text or a
-/// line is too long. Reports the first error with its line: "my-paper.toml:7: grain.height_um is
-/// 900, it must be 0 to 200 um".
+/// line is too long. Reports the first error with its line:
+/// "my-paper.toml:7: grain.height_um is 900, it must be 0 to 200 um".
 Result<AnyMaterial> read_material(std::string_view text, const MaterialSource& source = {});
 
 /// Returns all errors of a text in the order of their lines; empty if read_material accepts it.

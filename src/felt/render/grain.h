@@ -20,16 +20,18 @@ struct InkLook;
 ///   G = min(1, n),  w = 1 - wear q,  cut = cut_light + (cut_heavy - cut_light) q
 ///
 /// The smoothstep of h - h_cut(p) is the one of docs/design/rendering.md#grain-in-ink; the choice
-/// of all its terms is ours: s the same height h that the hand feels at x, plus a *tooth*: the same
-/// map, finer and rotated. Grain shorter than 1 mm cannot be rendered to a hand at 1 kHz so that it
-/// is both stable and strong enough to be felt (docs/design/forces.md#texture), but a visible
-/// surface looks wrong without it. In units of its own RMS; d = R / (R + 2 um) for the relief's RMS
-/// height R: fine paper is less grainy than canvas; c the medium's own dust: a separate map, as
-/// coarse as crumb_mm, fixed to the page; b hairs, by the position n across the line: the single
-/// hairs of a dry brush are visible. Within `edge` radii of the rim, q falls to -1/3, where the ink
-/// reaches no part of the relief: dust frays. At the rim wet ink dries darker: alpha (1 + rim). If
-/// a pixel is larger than the grain, alpha is the mean over the detail that it cannot show. Nothing
-/// here depends on earlier strokes, so any order of painting gives the same picture.
+/// of all its terms is ours:
+/// s  the same height h that the hand feels at x, plus a *tooth*: the same map, finer and rotated.
+///    Grain shorter than 1 mm cannot be rendered to a hand at 1 kHz so that it is both stable and
+///    strong enough to be felt (docs/design/forces.md#texture), but a visible picture looks wrong
+///    without it. In units of its own RMS;
+/// d  = R / (R + 2 um) for the relief's RMS height R: fine paper is less grainy than canvas;
+/// c  the medium's own dust: a separate map, as coarse as crumb_mm, fixed to the page;
+/// b  hairs, by the position n across the line: the single hairs of a dry brush are visible.
+/// Within `edge` radii of the rim, q falls to -1/3, where the ink reaches no part of the relief:
+/// dust frays. At the rim wet ink dries darker: alpha (1 + rim). If a pixel is larger than the
+/// grain, alpha is the mean over the detail that it cannot show. Nothing here depends on earlier
+/// strokes, so any order of painting gives the same picture.
 ///
 /// A value type. Copies share their tables: 1.4 MiB of relief, 5 MiB more from 32 pixels a
 /// wavelength on, and 32 KiB for each medium and scale. Safe to use from any thread.

@@ -6,9 +6,10 @@
 
 namespace felt {
 
-/// Returns the width in mm of the profile at u [Paper eq. 3]: between two knots W = (1 - tw) W1 +
-///   tw W2, tw = (u - u1) / (u2 - u1); The result is exact at the knots, constant before the first
-///   and after the last, and 0 for an empty profile. Takes O(log knots) time.
+/// Returns the width in mm of the profile at u [Paper eq. 3]: between two knots
+///   W = (1 - tw) W1 + tw W2, tw = (u - u1) / (u2 - u1);
+/// The result is exact at the knots, constant before the first and after the last, and 0 for an
+/// empty profile. Takes O(log knots) time.
 double width_at(std::span<const WidthKnot> profile, double u) noexcept;
 
 /// Returns the tone of the profile at u, interpolated like the width.

@@ -19,10 +19,10 @@ namespace felt {
 ///     lengths are a and b. This removes half the turn of a circle, and nothing of a corner;
 ///   - with arms of half the length, at least kCornerPersistence of the turn must remain: a corner
 ///     keeps all of its turn, a circle half;
-///   - if several turns lie within one arm, only the largest counts. An arm does not exist if the
-/// ink needs a path of more than kCornerDetour times its length to get that far. No corner is
-/// reported within kCornerMargin tolerances of path of an end of the stroke, because hooks occur
-/// there.
+///   - if several turns lie within one arm, only the largest counts.
+/// An arm does not exist if the ink needs a path of more than kCornerDetour times its length to get
+/// that far. No corner is reported within kCornerMargin tolerances of path of an end of the stroke,
+/// because hooks occur there.
 ///
 ///            P                 turn = angle(P - A, B - P)
 ///      h   /   \   h

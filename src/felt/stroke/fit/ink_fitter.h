@@ -19,9 +19,10 @@ namespace felt {
 ///      returns the rest;
 ///   3. `end()` at pen-up, which completes the online curve;
 ///   4. optionally `refine()`, which finds a curve with fewer segments within the same tolerance;
-///   5. `curve()`, `stroke()`: the result. The object can be reused for the next stroke and keeps
-/// its buffers. The result depends on the samples only, not on how calls are grouped in time (R7).
-/// Not thread-safe: use it from one thread at a time.
+///   5. `curve()`, `stroke()`: the result.
+/// The object can be reused for the next stroke and keeps its buffers. The result depends on the
+/// samples only, not on how calls are grouped in time (R7). Not thread-safe: use it from one thread
+/// at a time.
 class InkFitter {
  public:
   explicit InkFitter(const InkFitOptions& options);

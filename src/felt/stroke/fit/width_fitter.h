@@ -19,13 +19,15 @@ inline constexpr double kSameWidthPlace = 1e-9;
 /// object is reused and keeps its buffer: no allocation after warm-up.
 ///
 /// Each segment starts at the end (u1, W1) of the last one [docs/design/errata.md#e10] and has one
-/// unknown, its slope a. A sample (u, w) is within the tolerance if a lies in [(w - tol - W1) / (u
-/// - u1), (w + tol - W1) / (u - u1)]. So the intersection of these intervals tells in O(1) whether
-/// one more sample fits. This is the swing filter of Elmeleegy, Elmagarmid, Cecchet, Aref,
-/// Zwaenepoel, "Online piece-wise linear approximation of numerical streams with precision
-/// guarantees", VLDB 2009, section 3. The slope is the least-squares slope a = sum (u - u1)(w - W1)
-/// / sum (u - u1)^2 clamped to the intersection (docs/design/errata.md#e11). If the intersection is
-/// empty, the segment ends at the sample before.
+/// unknown, its slope a. A sample (u, w) is within the tolerance if a lies in
+///   [(w - tol - W1) / (u - u1), (w + tol - W1) / (u - u1)].
+/// So the intersection of these intervals tells exactly and in O(1) whether one more sample fits.
+/// This is the swing filter of Elmeleegy, Elmagarmid, Cecchet, Aref, Zwaenepoel, "Online piece-wise
+/// linear approximation of numerical streams with precision guarantees", VLDB 2009, section 3. The
+/// slope is the least-squares slope
+///   a = sum (u - u1)(w - W1) / sum (u - u1)^2
+/// clamped to the intersection (docs/design/errata.md#e11). If the intersection is empty, the
+/// segment ends at the sample before.
 ///
 /// Samples that share a position (the pen stands still while the pressure changes) count as one
 /// condition. If their widths spread by more than twice the tolerance, no function can meet them

@@ -8,9 +8,10 @@ namespace felt {
 
 /// The direction of the edge of the ink at a point of the centre line that runs along `tangent`
 /// while its radius grows by `slope` per length. The edge of a row of dabs touches each dab at the
-/// normal n with n . tangent = -slope. So the normal tilts backwards if the stroke widens. If the
-/// slope is 1 or more, later dabs cover earlier ones completely; then there is no edge, and n is on
-/// the axis.
+/// normal n with
+///   n . tangent = -slope.
+/// So the normal tilts backwards if the stroke widens. If the slope is 1 or more, later dabs cover
+/// earlier ones completely; then there is no edge, and n is on the axis.
 ///
 /// This struct describes the left side, which is the side of perp(tangent). The right side is the
 /// left side of the same stroke in the opposite direction (`backwards`).
