@@ -23,7 +23,7 @@ struct InkLook;
 /// of all its terms is ours:
 /// s  the same height h that the hand feels at x, plus a *tooth*: the same map, finer and rotated.
 ///    Grain shorter than 1 mm cannot be rendered to a hand at 1 kHz so that it is both stable and
-///    strong enough to be felt (docs/design/forces.md#texture), but a visible picture looks wrong
+///    strong enough to be felt (docs/design/forces.md#texture), but the picture looks wrong
 ///    without it. In units of its own RMS;
 /// d  = R / (R + 2 um) for the relief's RMS height R: fine paper is less grainy than canvas;
 /// c  the medium's own dust: a separate map, as coarse as crumb_mm, fixed to the page;
