@@ -344,7 +344,7 @@ void Autosave::write_out() {
                  : AutosaveStatus{AutosaveStatus::State::kElsewhere, why_, database_->folder()});
 }
 
-/// Creates a database in the next folder that works if there is none. Returns false if no folder is
+/// If no database is open, creates one in the next folder that works. Returns false if no folder is
 /// left.
 bool Autosave::open_next_database() {
   while (!database_ && root_ < options_.roots.size()) {
@@ -373,7 +373,7 @@ void Autosave::fail_over(const Error& error) {
   next_try_first_ = Clock::now() + options_.retry_first;
 }
 
-/// The base of a new database is the replica, so it needs none of the edits so far.
+/// The base of a new database is the replica, so it does not need the edits so far.
 Result<void> Autosave::create_database(std::size_t root) {
   const std::string name =
       process_ + '.' + std::to_string(drawing_number_) + '.' + std::to_string(++database_number_);
@@ -413,8 +413,8 @@ Result<void> Autosave::write() {
   return {};
 }
 
-/// Writes some parts of a new base. If there is none to write, deletes some rows that no base needs
-/// any more.
+/// Writes some parts of a new base. If no base is in progress, deletes some rows that are no longer
+/// needed by any base.
 Result<void> Autosave::write_base() {
   if (is_idle() && database_->edit_bytes() > options_.max_log_bytes) {
     auto begun = database_->begin_base(std::make_shared<const Drawing>(drawing_));

@@ -23,7 +23,7 @@
 
 namespace felt {
 
-/// Whether and where the autosave works.
+/// The state of the autosave: whether it works, and in which folder.
 struct AutosaveStatus {
   enum class State {
     kWorking,    ///< in the first folder
@@ -43,9 +43,9 @@ struct AutosaveOptions {
   /// Called on the autosave thread when the status changes. Not called for the initial status
   /// kWorking.
   std::function<void(const AutosaveStatus&)> on_status = {};
-  /// Called on the autosave thread after each commit. Everything that the session received up to
-  /// this time of its clock, in ns, is then on the disk, and so is all ink that the haptic loop has
-  /// read.
+  /// Called on the autosave thread after each commit. At that time, everything that the session
+  /// received up to this time of its clock (in ns) is on the disk, together with all ink that the
+  /// haptic loop has read.
   std::function<void(std::int64_t)> on_commit = {};
   /// Time for which messages are collected before a commit.
   std::chrono::milliseconds gather{20};
@@ -53,9 +53,9 @@ struct AutosaveOptions {
   std::chrono::milliseconds retry{5'000}, retry_first{60'000};
   /// Size of the edits since the last base that triggers a new base.
   std::uint64_t max_log_bytes = std::uint64_t{32} << 20;
-  /// For tests of faults: the name of an SQLite file system (VFS); null is the system's.
+  /// The name of an SQLite file system (VFS), for tests of faults. If null, the system's is used.
   const char* vfs = nullptr;
-  /// If false, there is no thread and a test calls process().
+  /// If false, no thread is started, and a test calls process().
   bool live = true;
 };
 
@@ -64,23 +64,24 @@ struct AutosaveOptions {
 struct AutosaveMessage {
   /// Replaces the current drawing, which has been saved or discarded.
   std::unique_ptr<Drawing> drawing = {};
-  /// Page, palette, view and everything else that no event reports. Its document and layer in use
+  /// Page, palette, view and everything else that no event reports. Its document and active layer
   /// are ignored.
   std::unique_ptr<Drawing> head = {};
-  std::optional<std::string> name = {};  ///< what the user calls the drawing
-  std::optional<std::string> path = {};  ///< of the user's file, "" if there is none
-  /// Whether there are unsaved changes. An edit sets it to true, too.
+  std::optional<std::string> name = {};  ///< the drawing's name, as shown to the user
+  std::optional<std::string> path = {};  ///< path of the user's file; "" if the drawing has no file
+  /// True if the drawing has unsaved changes. An edit also sets it to true.
   std::optional<bool> modified = {};
   std::optional<Selection> selection = {};
   std::optional<Event> event = {};   ///< the session handled it
-  bool gesture_in_progress = false;  ///< whether one was in progress just before `event`
+  bool gesture_in_progress = false;  ///< true if a gesture was in progress just before `event`
   std::optional<Edit> edit = {};     ///< the document applied it
-  /// Events that set what the next gesture depends on: options, tool, device, layer in use.
+  /// Events that set the state that the next gesture depends on: options, tool, device, active
+  /// layer.
   std::vector<Event> context = {};
 };
 
-/// Protects a drawing against a crash of the program or the machine: writes what a session does to
-/// an AutosaveDatabase within 20 ms.
+/// Protects a drawing against a crash of the program or the machine: writes all changes of a
+/// session to an AutosaveDatabase within 20 ms.
 ///
 ///   Autosave autosave({.roots = autosave_roots()});
 ///   autosave.session_began(session, drawing, "Untitled", "", false);
@@ -91,19 +92,19 @@ struct AutosaveMessage {
 ///
 /// The calls of the edit thread put messages into a queue. The autosave thread applies them to its
 /// replica of the drawing (the strokes are shared) and writes them to the database. It also reads
-/// the haptic loop's second ring of samples, so ink is kept even while the edit thread hangs. Only
-/// the constructor, the destructor and flush() wait for a disk. While the disk stalls, the queue
-/// and the ring (16 s) grow, and all of it is committed afterwards.
+/// the haptic loop's second ring of samples, so ink is saved even if the edit thread hangs. Only
+/// the constructor, the destructor and flush() wait for a disk. While the disk stalls, messages
+/// wait in the queue and samples in the ring (16 s). They are committed afterwards.
 ///
-/// A database that failed is never touched again: the replica is written to a new one, in the next
-/// folder that works.
+/// If a database fails, it is not used again. Instead, the replica is written to a new database in
+/// the next folder that works.
 ///
-/// Edit thread, except where noted.
+/// Call all functions on the edit thread unless noted otherwise.
 class Autosave {
  public:
   explicit Autosave(AutosaveOptions options);
   /// Commits the queue and stops the thread. Deletes the database if there are no unsaved changes
-  /// (`modified`), otherwise leaves it for recovery, as a crash does.
+  /// (`modified`), otherwise leaves it for recovery, as after a crash.
   ~Autosave();
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
@@ -118,7 +119,7 @@ class Autosave {
   /// Adds a message to the queue.
   void post(AutosaveMessage message);
 
-  /// Reads the haptic loop's samples from this ring from now on. `offset_ns` is the session's clock
+  /// Starts reading the haptic loop's samples from this ring. `offset_ns` is the session's clock
   /// minus the loop's. The ring must live until detach(), which does not wait for a disk.
   void attach(Servo::Ring& ring, std::int64_t offset_ns);
   void detach();
@@ -126,7 +127,7 @@ class Autosave {
   /// Waits until the queue is committed or the commit has failed. For tests and for the end of the
   /// program.
   void flush();
-  /// Returns the current status. Any thread.
+  /// Returns the current status. Safe to call from any thread.
   [[nodiscard]] AutosaveStatus status() const;
   /// Processes the queue and commits. Requires AutosaveOptions::live == false.
   void process();
@@ -161,7 +162,7 @@ class Autosave {
   const AutosaveOptions options_;
   const std::string process_;  // unique name of this process
 
-  // Edit thread: the state that the last messages contained.
+  // Used on the edit thread only: the state that the last messages contained.
   LayerId layer_;
   std::uint64_t selection_count_ = 0;
 
@@ -183,13 +184,13 @@ class Autosave {
   AutosaveInfo info_;
   LiveInk live_ink_;
   LiveInk::Changes live_changes_;
-  std::vector<Edit> edits_;  // not in the database yet
+  std::vector<Edit> edits_;  // edits that are not in the database yet
   std::optional<AutosaveDatabase> database_;
-  std::vector<AutosaveDatabase> old_;  // to be removed once the base of `database_` is complete
+  std::vector<AutosaveDatabase> old_;  // to be removed when the base of `database_` is complete
   std::size_t root_ = 0;               // of `database_`
   int drawing_number_ = 0, database_number_ = 0;
   bool has_drawing_ = false, is_info_written_ = false;
-  std::int64_t newest_ns_ = INT64_MIN;  // of the events so far, on the session's clock
+  std::int64_t newest_ns_ = INT64_MIN;  // time of the newest event so far, on the session's clock
   std::string why_;                     // the last failure
   Clock::time_point next_try_, next_try_first_;
   std::thread thread_;

@@ -17,19 +17,19 @@ namespace felt {
 
 /// The content of a database besides the ink.
 struct AutosaveInfo {
-  std::string name;       ///< what the user calls it
-  std::string path;       ///< of the user's file, "" if there is none
-  bool modified = false;  ///< there are unsaved changes
-  /// Page, material, colour, palette, view, layer in use. Its document is ignored.
+  std::string name;       ///< its name, as shown to the user
+  std::string path;       ///< path of the user's file; "" if the drawing has no file
+  bool modified = false;  ///< true if the drawing has unsaved changes
+  /// Page, medium, colour, palette, view and active layer. Its document is ignored.
   Drawing head;
 };
 
 /// Kinds of live chunks, which hold the unfinished gesture (live_ink.h).
 enum class LiveKind : std::uint8_t {
-  kContext = 1,  ///< what the gesture depends on besides the document
-  kEvents = 2,   ///< lines of an event script: what the session handled
+  kContext = 1,  ///< state that the gesture depends on, besides the document
+  kEvents = 2,   ///< events that the session handled, as lines of an event script
   kSamples = 3,  ///< samples of the haptic loop that the session has not handled yet
-  kLeaning = 4,  ///< the same, with the tilt of the pen
+  kLeaning = 4,  ///< like kSamples, but with the tilt of the pen
 };
 
 /// An autosave of a drawing: an SQLite database in WAL mode, each commit synchronised
@@ -52,23 +52,24 @@ enum class LiveKind : std::uint8_t {
 ///   database->commit();
 ///   std::move(*database).remove();             // if everything is in the user's file
 ///
-/// After a crash, everything that was committed is there, even after a power failure if the disk
-/// honours fsync. What was added since the last commit may be missing. A new base replaces the last
-/// one, and the edits that it contains, in the commit that completes it.
+/// After a crash, all committed data is in the database, even after a power failure if the disk
+/// honours fsync. Data added since the last commit may be missing. The commit that completes a new
+/// base removes the previous base and the edits that the new base contains.
 ///
-/// After an error, do not use this database again, because an fsync after a failed one succeeds
-/// even if data was lost. Create a new one, from memory, in another folder. Messages begin with the
-/// folder. Thread: one at a time.
+/// After an error, do not use this database again, because after a failed fsync the next fsync
+/// succeeds even if data was lost. Create a new database in another folder from the data in memory.
+/// Messages begin with the folder. Not thread-safe.
 class AutosaveDatabase {
  public:
   /// Creates a database without a base in a new folder `root`/`name`, or `name`-2, -3 ... if that
-  /// exists. `vfs` is the name of an SQLite file system, for tests of faults; null is the system's.
+  /// folder exists. `vfs` is the name of an SQLite file system, for tests of faults; if null, the
+  /// system's is used.
   static Result<AutosaveDatabase> create(const std::string& root, const std::string& name,
                                          const char* vfs = nullptr);
 
   AutosaveDatabase(AutosaveDatabase&& other) noexcept;
   AutosaveDatabase& operator=(AutosaveDatabase&& other) noexcept;
-  /// Closes the database and leaves the files, as a crash does.
+  /// Closes the database and leaves its files, as after a crash.
   ~AutosaveDatabase();
 
   /// Writes a whole base. It is valid after the next commit.
@@ -80,14 +81,16 @@ class AutosaveDatabase {
   /// the next commit.
   Result<bool> write_base_part();
   [[nodiscard]] bool base_in_progress() const noexcept { return base_ != nullptr; }
-  /// Deletes a few of the rows that no base needs any more. Returns false if none are left.
+  /// Deletes a few of the rows that are no longer needed by any base. Returns false if no such rows
+  /// are left.
   Result<bool> tidy();
 
   /// Adds an edit and returns its serial number: 1, 2, 3 ...
   Result<std::uint64_t> add_edit(const Edit& edit);
   Result<void> put_info(const AutosaveInfo& about);
   Result<void> add_live(LiveKind kind, std::string_view bytes);
-  /// Deletes the live chunks. Call when the unfinished gesture has become an edit or was discarded.
+  /// Deletes the live chunks. Called when the unfinished gesture has become an edit or was
+  /// discarded.
   Result<void> clear_live();
   /// Makes everything since the last commit durable.
   Result<void> commit();

@@ -11,11 +11,11 @@
 namespace felt {
 
 /// Reads an autosave database that may be damaged: skips rows that cannot be read, and reads those
-/// before and after them. Opening moves the WAL of a dead process into the file, so open only
-/// copies. Thread: one at a time.
+/// before and after them. Opening a database moves the WAL of a dead process into its file, so open
+/// only copies. Not thread-safe.
 class AutosaveReader {
  public:
-  /// Opens a database. Fails if it is not an autosave database of this version, or if nothing of it
+  /// Opens a database. Fails if it is not an autosave database of this version, or if no part of it
   /// can be read. Adds what SQLite's quick_check finds to `problems`.
   static Result<AutosaveReader> open(const std::string& path, std::vector<std::string>& problems);
 
@@ -29,8 +29,8 @@ class AutosaveReader {
   bool rows(const std::string& table, const std::string& key, const std::string& columns,
             std::int64_t first, const std::function<void(const Statement&)>& each) const;
 
-  /// Returns true if rows were skipped because memory ran out and not because they are damaged.
-  /// Then nothing that was read is valid.
+  /// Returns true if rows were skipped because memory ran out and not because they are damaged. In
+  /// that case, all rows read are invalid.
   [[nodiscard]] bool ran_out_of_memory() const noexcept { return ran_out_of_memory_; }
 
  private:

@@ -14,7 +14,7 @@ namespace felt {
 
 // The rows of an autosave database, for writing and reading.
 
-/// "FltW", and the version of this format. Other versions are not read; that is acceptable because
+/// "FltW", and the version of this format. Other versions are not read. This is acceptable because
 /// the file never leaves the machine.
 inline constexpr std::uint32_t kAutosaveApplicationId = 0x466c7457;
 inline constexpr std::uint32_t kAutosaveVersion = 1;
@@ -49,12 +49,12 @@ Result<void> remove_autosave_folder(const std::string& folder);
 /// Returns the checksum of a row: of its numbers, then of its bytes.
 std::int64_t row_crc(std::uint64_t a, std::uint64_t b, std::string_view bytes) noexcept;
 
-/// Returns the first part of a base: everything but the strokes.
+/// Returns the first part of a base, which has everything except the strokes.
 Result<std::string> base_head_bytes(const Drawing& drawing);
 /// Reads the drawing without its strokes: all its layers, and the highest ids ever used.
 Result<Drawing> read_base_head(std::string_view bytes);
 
-/// The content of each further part: consecutive strokes of one layer.
+/// The content of each later part: consecutive strokes of one layer.
 struct BaseRun {
   LayerId layer;
   std::vector<std::pair<StrokeId, StrokePtr>> strokes;

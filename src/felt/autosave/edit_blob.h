@@ -10,8 +10,8 @@
 namespace felt {
 
 /// Appends the result of an edit as bytes, for the autosave: the strokes and layers that it adds,
-/// changes and removes, and their places. Their state before is not written, because the document
-/// that the edit is applied to has it.
+/// changes and removes, and their positions. Their earlier state is not written, because the
+/// document that the edit is applied to has it.
 Result<void> append_edit_blob(std::string& out, const Edit& edit);
 
 /// Returns the complete edit that these bytes describe, for this document. Fails if the bytes are
@@ -19,9 +19,9 @@ Result<void> append_edit_blob(std::string& out, const Edit& edit);
 Result<Edit> read_edit_blob(std::string_view bytes, const Document& document);
 
 /// Applies as much of the edit as fits this document, which may differ from the one that it was
-/// written for. A missing stroke is added on top of its layer, or of the highest one if the layer
-/// is missing; an existing one is replaced. Used for damaged databases. Fails without a change if
-/// the bytes are damaged.
+/// written for. A missing stroke is added on top of its layer, or of the highest layer if its layer
+/// is missing; an existing stroke is replaced. Used for damaged databases. Fails without a change
+/// if the bytes are damaged.
 Result<void> apply_what_fits(std::string_view bytes, Document& document);
 
 }  // namespace felt

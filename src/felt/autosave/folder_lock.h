@@ -8,21 +8,21 @@
 namespace felt {
 
 /// Locks a folder for one process at a time, by flock on the file `lock` in it. The system releases
-/// the lock however the process ends. A file system without locks cannot hold an AutosaveDatabase
-/// either, because SQLite locks its file, too.
+/// the lock when the process ends for any reason. A file system without locks cannot hold an
+/// AutosaveDatabase either, because SQLite locks its file, too.
 ///
 /// SQLite's exclusive lock of the database is not sufficient:
 ///   - the folder must also be locked while the database does not have its final name yet, and
 ///     while it holds only a copy for recovery, so that no process mistakes it for an abandoned
 ///     autosave;
-///   - a recovery holds the lock for minutes and must not write, but SQLite recovers the WAL when
-///     it locks a database, and refuses to open a damaged one;
-///   - it is a POSIX lock, which is lost when its process reads the file by other means (to copy
-///     it): then a second process opens the database and deletes the WAL.
+///   - a recovery holds the lock for minutes and must not write; SQLite, however, recovers the WAL
+///     when it locks a database, and refuses to open a damaged database;
+///   - it is a POSIX lock, which is lost if its process also reads the file directly (to copy it).
+///     Then a second process could open the database and delete the WAL.
 class FolderLock {
  public:
   /// Locks a folder. Fails if another process or another object of this process has locked it
-  /// (kUnsupported), if there is no such folder (kNotFound), or if the system refuses (kIo). The
+  /// (kUnsupported), if the folder does not exist (kNotFound), or if the system refuses (kIo). The
   /// message names the folder.
   static Result<FolderLock> take(const std::string& folder);
 
@@ -36,7 +36,7 @@ class FolderLock {
   int fd_ = -1;
 };
 
-/// Creates a folder, and those above it, that only this user can read (mode 0700). Fails if the
+/// Creates a folder that only this user can read (mode 0700), and its parent folders. Fails if the
 /// path is not a folder, belongs to another user, stays accessible to others, or the system
 /// refuses. The message names the folder.
 Result<void> make_private_folder(const std::string& path);

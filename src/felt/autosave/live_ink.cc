@@ -29,7 +29,7 @@ PenSample sample_of(const Event& event, const PenEvent& pen) {
   return sample;
 }
 
-/// Returns the value, or NaN if there is none.
+/// Returns the value, or NaN if it is missing.
 double number_or_nan(std::optional<double> value) {
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }

@@ -25,21 +25,22 @@ struct LiveChunk {
 /// The part of a drawing that is not an edit yet, as chunks of an AutosaveDatabase: the gesture in
 /// progress, with everything that its ink depends on besides the document. It has two sources:
 ///   - the events that the session handled, in order, from the edit thread;
-///   - the samples of the haptic loop, from the autosave's own ring, whether the session has
-///     handled them or not. Those after the session's last event are the *overhang*. It grows while
-///     the edit thread hangs, and its ink counts as drawn.
+///   - the samples of the haptic loop, from the autosave's own ring, even if the session has not
+///     handled them yet. The samples after the session's last event are the *overhang*. It grows
+///     while the edit thread hangs, and its ink counts as drawn.
 /// A stretch of chunks begins when the pen touches the surface. It ends with the edit of that
-/// gesture, or when it is clear that there will be none (kNoEditNs). Uses no clock, thread or file.
-/// Thread: one at a time.
+/// gesture, or when it is clear that the gesture makes no edit (kNoEditNs). Uses no clock, thread
+/// or file. Not thread-safe.
 class LiveInk {
  public:
   static constexpr std::size_t kHoverSamples = 64;  ///< enough for velocity and contact to settle
   /// A gesture that made no edit ends after the pen has been out of contact for this time.
   static constexpr std::int64_t kNoEditNs = 200'000'000;
-  /// Largest stretch: ten minutes without a lift. Anything beyond is not saved.
+  /// Maximum size in bytes of a stretch, which corresponds to ten minutes without a lift. Anything
+  /// beyond it is not saved.
   static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
-  /// Starts with a new session: discards everything but the device.
+  /// Prepares for a new session: discards everything except the device.
   void clear();
   /// Adds an event that sets what the next gesture depends on: options, tool, device, layer.
   void add_context(const Event& event);
@@ -51,8 +52,8 @@ class LiveInk {
   /// Adds a sample of the haptic loop, on the session's clock.
   void add_loop_sample(const PenSample& sample);
 
-  /// Changes of the stretch since the last call. If `clear` is set, the chunks in the database are
-  /// void. `chunks` are to be added after that.
+  /// Changes of the stretch since the last call. If `clear` is true, first delete the chunks in the
+  /// database. Then add `chunks`.
   struct Changes {
     bool clear = false;
     std::vector<LiveChunk> chunks;
@@ -60,7 +61,8 @@ class LiveInk {
   Changes take_changes();
   /// Returns the whole stretch up to the last take_changes(), for a new database.
   [[nodiscard]] const std::vector<LiveChunk>& chunks() const noexcept { return chunks_; }
-  /// Returns the time of the newest sample of the overhang in chunks(); INT64_MIN if there is none.
+  /// Returns the time of the newest sample of the overhang in chunks(), or INT64_MIN if chunks()
+  /// has no such sample.
   [[nodiscard]] std::int64_t kept_ns() const noexcept { return kept_ns_; }
 
  private:
@@ -86,11 +88,11 @@ class LiveInk {
   std::size_t bytes_ = 0;
 };
 
-/// The chunks of a stretch, read back.
+/// The content of the chunks of a stretch.
 struct LiveStretch {
   Selection selection;
   std::string script;               ///< events as lines
-  std::vector<PenSample> overhang;  ///< in order; the script may contain some of them, too
+  std::vector<PenSample> overhang;  ///< in order; the script may also contain some of them
 };
 
 /// Adds a chunk to `stretch`. Fails if its bytes are damaged.

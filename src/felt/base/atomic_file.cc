@@ -182,7 +182,8 @@ Result<void> AtomicFile::replace_target(const std::string_view* expected) {
     if (errno != 0) return error("cannot read back what was written");
     return fail(ErrorCode::kIo, shown_name_ + ": the disk does not keep what is written to it");
   }
-  // The second name is an extra: rename() itself is atomic. If there can be none, save without it.
+  // The second name is an extra: rename() itself is atomic. If it cannot be created, save without
+  // it.
   if (old_fd_ >= 0) previous_ = keep_beside(target_);
   return put_in_place().and_then([&] { return check_in_place(*expected); });
 }

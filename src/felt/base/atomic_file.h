@@ -8,7 +8,7 @@
 
 namespace felt {
 
-/// A file that appears whole or not at all.
+/// A file that is written completely or not at all.
 ///
 /// Life cycle:
 ///   1. `create(path)` opens a temporary file in the folder of `path`. The file has no name if the
@@ -21,8 +21,8 @@ namespace felt {
 ///
 /// Symbolic links are followed. An existing file keeps its permissions and extended attributes, and
 /// its owner if the system allows it; a read-only file is not replaced. If `path` is not a regular
-/// file (a pipe, /dev/stdout), it cannot be replaced: `commit` copies the bytes into it. The same
-/// goes for stdout, which is named "-". Every error names the file and the reason. A failed fsync
+/// file (a pipe, /dev/stdout), it cannot be replaced: `commit` copies the bytes into it. Stdout,
+/// named "-", is handled in the same way. Every error names the file and the reason. A failed fsync
 /// is not retried, because the system may have dropped the bytes: start again with a new file.
 class AtomicFile {
  public:
@@ -40,8 +40,8 @@ class AtomicFile {
   Result<void> overwrite(std::uint64_t offset, std::string_view bytes);
   /// Completes the file. Call once; nothing may be written afterwards.
   Result<void> commit();
-  /// Commits like commit(), and verifies the file as described for save_file(). For drawings, which
-  /// exist nowhere else. Requires `bytes` to be everything that was written.
+  /// Commits like commit(), and verifies the file as described for save_file(). Used for drawings,
+  /// because no other copy of them exists. Requires `bytes` to be everything that was written.
   Result<void> commit_verified(std::string_view bytes);
 
  private:
@@ -60,7 +60,7 @@ class AtomicFile {
 
   std::string shown_name_;  ///< for messages
   std::string target_;      ///< links resolved; empty for stdout
-  std::string temporary_;   ///< name of the temporary file; empty while it has none
+  std::string temporary_;   ///< name of the temporary file; empty if it has no name
   std::string previous_;    ///< another name of the old file, until the new one is verified
   bool is_spool_ = false;   ///< `commit` copies the file instead of renaming it
   std::string buffer_;
@@ -68,7 +68,7 @@ class AtomicFile {
   int old_fd_ = -1;  ///< the existing file; locked, so that no process removes it as a leftover
 };
 
-/// Writes a whole file at once, or bytes to stdout for "-".
+/// Writes a complete file, or writes to stdout if the path is "-".
 Result<void> write_file(const std::string& path, std::string_view bytes);
 
 /// Writes a document: like write_file(), with verification. Success means that `bytes` are on the

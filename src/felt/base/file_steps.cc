@@ -118,7 +118,8 @@ std::string copy_beside(const std::string& path) {
   return {};
 }
 
-/// Returns true if no process holds a lock on the file. False if that cannot be found out.
+/// Returns true if no process holds a lock on the file. Also returns false if this cannot be
+/// determined.
 bool is_abandoned(const std::string& path) noexcept {
   const int fd = open_file(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
   if (fd < 0) return false;
@@ -148,7 +149,7 @@ std::string resolved(const std::string& path) {
     std::array<char, 4096> text{};
     const ssize_t size = ::readlink(at.c_str(), text.data(), text.size() - 1);
     if (size < 0) return at;
-    // A link to a file that does not exist yet: that is the file to create.
+    // The link leads to a file that does not exist yet, which is the file to create.
     const std::string next(text.data(), static_cast<std::size_t>(size));
     at = next.starts_with('/') ? next : folder_of(at) + "/" + next;
   }

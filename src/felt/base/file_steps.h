@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-/// The steps of a safe write (AtomicFile). Linux and POSIX only; private to this layer. All
-/// functions expect paths with their links resolved, except resolved(). If a function returns
+/// The steps of a safe write (AtomicFile). Supports Linux and POSIX only. Private to this layer.
+/// All functions expect paths with their links resolved, except resolved(). If a function returns
 /// false, errno has the reason.
 namespace felt::file_steps {
 
@@ -19,7 +19,8 @@ std::string folder_of(const std::string& path);
 /// ".NAME.PID-N" + ending.
 std::string name_beside(const std::string& target, const char* ending);
 
-/// Calls open(2), and again if a signal interrupts it, as may happen on network file systems.
+/// Calls open(2). Repeats the call if a signal interrupts it, which can happen on network file
+/// systems.
 int open_file(const std::string& path, int flags, mode_t permissions = 0) noexcept;
 /// Calls write(2) until everything is written.
 bool write_all(int fd, std::string_view bytes) noexcept;
@@ -38,15 +39,17 @@ std::string give_name(int fd, const std::string& target);
 void copy_attributes(int from, int to) noexcept;
 
 /// Returns true if the file contains exactly these bytes. Reopens it, and reads from the disk
-/// instead of the page cache if the system allows it. False with errno 0: the content differs.
+/// instead of the page cache if the system allows it. If it returns false and errno is 0, the
+/// content differs.
 bool holds(const std::string& path, std::string_view bytes) noexcept;
 
 /// Gives the file at `path` a second, hidden name (a hard link), or makes a durable copy if the
 /// file system has no hard links. Returns the name, or "" with errno.
 std::string keep_beside(const std::string& path);
 
-/// Writes a folder to the disk (fsync). Also returns true if that is impossible: some file systems
-/// cannot sync a folder and report EINVAL, and a folder without read permission cannot be opened.
+/// Writes a folder to the disk (fsync). Also returns true if the folder cannot be synced: some file
+/// systems cannot sync a folder and report EINVAL, and a folder without read permission cannot be
+/// opened.
 bool sync_folder(const std::string& folder) noexcept;
 
 /// Removes the files that dead processes left beside `target`. The second names of old files are

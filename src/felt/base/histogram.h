@@ -27,7 +27,7 @@ class Histogram {
     max_ = std::max(max_, other.max_);
   }
 
-  /// Returns the exact largest number, or 0 if there are none.
+  /// Returns the exact largest number, or 0 if the histogram is empty.
   [[nodiscard]] std::uint64_t max() const noexcept { return max_; }
 
   /// Returns the smallest bucket edge that is not below at least `fraction` of the numbers.

@@ -28,7 +28,8 @@ Result<std::string> read_all(int fd, const std::string& name, std::size_t max_by
   struct stat info {};
   if (::fstat(fd, &info) == 0 && S_ISREG(info.st_mode)) {
     if (static_cast<std::uint64_t>(info.st_size) > max_bytes) return too_large(name, max_bytes);
-    // One chunk more than the file: the last read, which finds the end, must not reallocate.
+    // Reserves one chunk more than the file, so that the last read, which finds the end, does not
+    // reallocate.
     bytes.reserve(static_cast<std::size_t>(info.st_size) + kChunkBytes);
   }
   for (;;) {
@@ -61,7 +62,7 @@ Result<std::string> read_regular_file(const std::string& path, std::size_t max_b
   if (fd < 0) return system_error(path, errno);
   Result<std::string> bytes = fail(ErrorCode::kUnsupported, path + ": not a regular file");
   struct stat info {};
-  // A folder is read, too: the error of read(2) says that it is a folder.
+  // A folder is also read, because the error of read(2) says that it is a folder.
   if (::fstat(fd, &info) == 0 && (S_ISREG(info.st_mode) || S_ISDIR(info.st_mode))) {
     bytes = read_all(fd, path, max_bytes);
   }

@@ -22,8 +22,8 @@ struct Error {
   std::string message;
 };
 
-/// A value, or the error why there is none. This is the only error channel of the public API:
-/// no function of the library throws, apart from `std::bad_alloc`.
+/// A value, or an error that says why the value is missing. This is the only error channel of the
+/// public API: no function of the library throws, apart from `std::bad_alloc`.
 template <class T>
 using Result = tl::expected<T, Error>;
 

@@ -11,7 +11,7 @@
 
 namespace felt {
 
-/// A layer: strokes in drawing order, and how the user sees it.
+/// A layer: strokes in drawing order, and its name and whether it is visible and locked.
 struct Layer {
   LayerId id;
   std::string name;
@@ -24,46 +24,46 @@ struct Layer {
 };
 
 /// A table of immutable strokes by id, in layers. It changes only by edits, so that undo, autosave
-/// and display see the same changes. A copy shares the strokes and is linear in their number.
-/// Thread: one at a time; give other threads a copy.
+/// and display see the same changes. A copy shares the strokes and is linear in their number. Not
+/// thread-safe; give other threads a copy.
 ///
-/// Every stroke is in exactly one layer, once. There is at least one layer. An id never refers to
-/// another stroke later. Only tools respect locked layers: the document applies every edit that
-/// fits, because undo would fail otherwise.
+/// Every stroke is in exactly one layer, once. A document always has at least one layer. The id of
+/// a removed stroke is not reused. Only tools respect locked layers: the document applies every
+/// edit that fits, because undo would fail otherwise.
 class Document {
  public:
   /// Creates a document with one empty layer, "Ink".
   Document();
 
-  /// Applies an edit, all or nothing. Fails if it does not fit this document: a `before` that the
-  /// document does not have, an unknown layer, a place beyond the end or used twice. The message
-  /// names the edit, the stroke or layer, and the reason. Linear in the changes, and in the strokes
-  /// above the lowest one that changes its place.
+  /// Applies an edit completely or not at all. Fails if the edit does not fit this document: it
+  /// names a `before` that the document does not have, an unknown layer, or a position that is
+  /// beyond the end or used twice. The message names the edit, the stroke or layer, and the reason.
+  /// Linear in the changes, and in the strokes above the lowest stroke that moves.
   Result<void> apply(const Edit& edit);
 
-  /// Returns the stroke, or null if there is none with this id.
+  /// Returns the stroke with this id, or null if the document has no such stroke.
   [[nodiscard]] StrokePtr find(StrokeId id) const;
-  /// Returns the place of a stroke. Requires that the document has it. Linear in the strokes above
-  /// it.
+  /// Returns the position of a stroke. Requires that the document has the stroke. Linear in the
+  /// strokes above it.
   [[nodiscard]] StrokePlace place(StrokeId id) const;
   /// Returns the layer of a stroke. Requires that the document has it.
   [[nodiscard]] LayerId layer_of(StrokeId id) const;
   /// Returns the layers, the lowest first.
   [[nodiscard]] std::span<const Layer> layers() const noexcept { return layers_; }
-  /// Returns the layer, or null if there is none with this id.
+  /// Returns the layer with this id, or null if the document has no such layer.
   [[nodiscard]] const Layer* layer(LayerId id) const noexcept;
   [[nodiscard]] std::size_t stroke_count() const noexcept { return strokes_.size(); }
-  /// Returns an id that no stroke of this document ever had: the next one, or the n-th after it. It
-  /// counts as used once an edit that adds it is applied, even if that edit is undone.
+  /// Returns an id that no stroke of this document ever had: the next unused id, or the n-th after
+  /// it. The id counts as used once an edit that adds it is applied, even if that edit is undone.
   [[nodiscard]] StrokeId new_id(std::uint64_t n = 0) const noexcept { return {last_id_ + 1 + n}; }
   /// Returns an id that no layer of this document ever had.
   [[nodiscard]] LayerId new_layer_id() const noexcept { return {last_layer_id_ + 1}; }
 
-  /// Counts ids up to these as used. Readers call this, so that ids from before the save are not
+  /// Marks all ids up to these as used. Readers call this so that ids from before the save are not
   /// reused.
   void reserve_ids(StrokeId stroke, LayerId layer) noexcept;
 
-  /// Returns true if the same strokes, by value, are in the same places of the same layers.
+  /// Returns true if the same strokes, by value, are at the same positions in the same layers.
   friend bool operator==(const Document& a, const Document& b);
 
  private:

@@ -48,9 +48,9 @@ struct Drawing {
   /// its surface is valid.
   bool has_page = true;
   Rgba color{};                    ///< of new ink
-  LayerId layer{};                 ///< layer in use; none if none was chosen
+  LayerId layer{};                 ///< active layer; zero if the user has not chosen one
   Palette palette{};               ///< the drawing's own colours, within PaletteLimits
-  std::optional<Viewport> view{};  ///< absent if it was never shown
+  std::optional<Viewport> view{};  ///< absent if the drawing was never shown
   /// Texts of the materials that it uses and that are not built in (is_material_text), at most
   /// limits::kMaxMaterialTexts.
   std::vector<std::string> materials{};

@@ -12,8 +12,8 @@
 
 namespace felt {
 
-/// A typed number that names a stroke or layer of a document. Zero names nothing. Ids are never
-/// reused within a document, so an id in an undo step always means the same object.
+/// A typed number that names a stroke or layer of a document. The id zero names nothing. Ids are
+/// never reused within a document, so an id in an undo step always means the same object.
 template <class Tag>
 struct Id {
   std::uint64_t value = 0;
@@ -28,7 +28,8 @@ using LayerId = Id<struct LayerTag>;
 
 using StrokePtr = std::shared_ptr<const Stroke>;
 
-/// The place of a stroke: its layer, and its index in that layer's drawing order (0 is the lowest).
+/// The position of a stroke: its layer, and its index in that layer's drawing order (0 is the
+/// lowest).
 struct StrokePlace {
   LayerId layer;
   std::size_t index = 0;
@@ -38,37 +39,38 @@ struct StrokePlace {
 
 /// The change of one stroke: added (`before` is null), removed (`after` is null), or replaced.
 ///
-/// Places are absolute: `before_place` is the place in the document before the whole edit,
-/// `after_place` the place after the whole edit. So the order of the changes in an edit does not
-/// matter, and no change depends on what the others shift. EditBuilder works the places out.
+/// Positions are absolute: `before_place` is the position in the document before the whole edit,
+/// and `after_place` is the position after the whole edit. So the order of the changes in an edit
+/// does not matter. EditBuilder computes the positions.
 struct StrokeChange {
   StrokeId id;
   StrokePtr before;
   StrokePtr after;
-  StrokePlace before_place;  ///< meaningful when before is there
-  StrokePlace after_place;   ///< meaningful when after is there
+  StrokePlace before_place;  ///< used only if `before` is set
+  StrokePlace after_place;   ///< used only if `after` is set
 
   friend bool operator==(const StrokeChange&, const StrokeChange&) = default;
 };
 
-/// How the user sees a layer.
+/// The name of a layer, and whether it is visible and locked.
 struct LayerState {
   std::string name;
   bool visible = true;
-  bool locked = false;  ///< tools leave its strokes alone; undo does not
+  bool locked = false;  ///< tools do not change its strokes; undo can
 
   friend bool operator==(const LayerState&, const LayerState&) = default;
 };
 
 /// The change of one layer: added (`before` is empty), removed (`after` is empty; the same edit
 /// must remove or move its strokes), renamed, hidden, locked, or moved. Indices are absolute, like
-/// the places of strokes: among the layers before and after the whole edit. 0 is the lowest.
+/// the positions of strokes: they count the layers before and after the whole edit. Index 0 is the
+/// lowest layer.
 struct LayerChange {
   LayerId id;
   std::optional<LayerState> before;
   std::optional<LayerState> after;
-  std::size_t before_index = 0;  ///< meaningful when before is there
-  std::size_t after_index = 0;   ///< meaningful when after is there
+  std::size_t before_index = 0;  ///< used only if `before` is set
+  std::size_t after_index = 0;   ///< used only if `after` is set
 
   friend bool operator==(const LayerChange&, const LayerChange&) = default;
 };
@@ -81,7 +83,8 @@ struct Edit {
   std::vector<LayerChange> layers = {};
 
   [[nodiscard]] bool empty() const noexcept { return changes.empty() && layers.empty(); }
-  /// Returns the edit that undoes this one: before and after are swapped. Its inverse is this edit.
+  /// Returns the edit that undoes this one, in which before and after are swapped. The inverse of
+  /// the result is this edit.
   [[nodiscard]] Edit inverse() const;
   friend bool operator==(const Edit&, const Edit&) = default;
 };

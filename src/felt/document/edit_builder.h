@@ -7,14 +7,14 @@
 
 namespace felt {
 
-/// Builds an edit that fits a document, and works out the places of its strokes:
+/// Builds an edit that fits a document, and computes the positions of its strokes:
 ///
 ///   EditBuilder edit(document);
 ///   edit.remove(old);
 ///   edit.add(layer, stroke);
 ///   Edit done = std::move(edit).build("Erase");
 ///
-/// The document must not change before build(). Name each stroke at most once.
+/// The document must not change before build(). Pass each stroke at most once.
 class EditBuilder {
  public:
   explicit EditBuilder(const Document& document) noexcept : document_(document) {}
@@ -22,7 +22,7 @@ class EditBuilder {
   /// Adds a new stroke on top of its layer, in the order of the calls. Returns its id. Requires
   /// that the document has the layer.
   StrokeId add(LayerId layer, StrokePtr stroke);
-  /// Replaces a stroke by another shape in the same place. Requires that the document has it.
+  /// Replaces a stroke with another shape at the same position. Requires that the document has it.
   void replace(StrokeId id, StrokePtr stroke);
   /// Removes a stroke. Requires that the document has it.
   void remove(StrokeId id);
@@ -38,18 +38,20 @@ class EditBuilder {
   std::uint64_t made_ = 0;
 };
 
-/// Builds edits that replace one stroke, again and again during a gesture, and looks its place up
-/// only once: for previews at 1 kHz in a layer of 10^5 strokes. The document must not change
-/// meanwhile.
+/// Builds edits that replace the same stroke repeatedly during a gesture. Looks up the stroke's
+/// position only once, so previews at 1 kHz are possible in a layer of 10^5 strokes. The document
+/// must not change while this object is used.
 class StrokeReplacement {
  public:
-  /// Looks the stroke up. Linear in the layer. Requires that the document has the stroke.
+  /// Looks up the stroke. Linear in the size of the layer. Requires that the document has the
+  /// stroke.
   StrokeReplacement(const Document& document, StrokeId id);
 
   [[nodiscard]] StrokeId id() const noexcept { return id_; }
   /// Returns the stroke as it is in the document.
   [[nodiscard]] const StrokePtr& before() const noexcept { return before_; }
-  /// Returns an edit that replaces the stroke by `after` in the same place; null removes it.
+  /// Returns an edit that replaces the stroke with `after` at the same position, or removes the
+  /// stroke if `after` is null.
   [[nodiscard]] Edit with(StrokePtr after, std::string label) const;
 
  private:

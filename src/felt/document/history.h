@@ -13,10 +13,11 @@ namespace felt {
 /// The edits of a document, for undo and redo: one step per gesture (R52). The steps hold the
 /// strokes themselves, so undo restores them bit for bit.
 ///
-/// Memory: any number of steps up to `memory_limit_bytes` of strokes and lists. Beyond that the
-/// oldest steps are discarded; the document does not change. The newest step is always kept,
-/// because otherwise the largest change could not be undone. A stroke is charged to every step that
-/// holds it, so the true use is lower than the counted one, never higher. Thread: one at a time.
+/// Memory: any number of steps up to `memory_limit_bytes` of strokes and lists. If the limit is
+/// exceeded, the oldest steps are discarded; the document does not change. The newest step is
+/// always kept, because otherwise the largest change could not be undone. A stroke is counted in
+/// every step that holds it, so the memory really used is at most the counted memory. Not
+/// thread-safe.
 class History {
  public:
   static constexpr std::size_t kDefaultLimitBytes = std::size_t{256} << 20;
@@ -28,20 +29,20 @@ class History {
   /// edit.
   void record(Edit edit);
 
-  /// Undoes the last step and returns the edit that did so, already applied. Fails without a change
-  /// if there is no step, or if the document was changed without record().
+  /// Undoes the last step and returns the edit that undid it, which is already applied. Fails
+  /// without a change if no step can be undone, or if the document was changed without record().
   Result<Edit> undo(Document& document);
-  /// Redoes the last undone step and returns the edit that did so. Fails as undo() does.
+  /// Redoes the last undone step and returns the edit that redid it. Fails as undo() does.
   Result<Edit> redo(Document& document);
 
   [[nodiscard]] bool can_undo() const noexcept { return done_ > 0; }
   [[nodiscard]] bool can_redo() const noexcept { return done_ < steps_.size(); }
-  /// Returns the label of the step that undo() would undo, "" if there is none. Valid until the
-  /// next call that changes the history.
+  /// Returns the label of the step that undo() would undo, or "" if no step can be undone. Valid
+  /// until the next call that changes the history.
   [[nodiscard]] std::string_view undo_label() const noexcept;
   [[nodiscard]] std::string_view redo_label() const noexcept;
-  /// Returns the number of the step that was done last, 0 if there is none. The same number means
-  /// the same document, whatever was undone and redone in between.
+  /// Returns the number of the last step that is done, or 0 if no step is done. Equal numbers mean
+  /// equal documents, even if steps were undone and redone in between.
   [[nodiscard]] std::uint64_t position() const noexcept {
     return done_ > 0 ? steps_[done_ - 1].number : forgotten_number_;
   }
@@ -50,7 +51,8 @@ class History {
   /// Returns the number of all recorded steps: first those that can be undone, the oldest first,
   /// then those that can be redone.
   [[nodiscard]] std::size_t step_count() const noexcept { return steps_.size(); }
-  /// Returns the label of step i. Requires i < step_count(). Valid as long as that of undo_label().
+  /// Returns the label of step i. Requires i < step_count(). Valid as long as the result of
+  /// undo_label().
   [[nodiscard]] std::string_view label(std::size_t i) const noexcept {
     return steps_[i].edit.label;
   }
@@ -65,13 +67,13 @@ class History {
     std::uint64_t number = 0;  // in the order of record()
   };
 
-  std::deque<Step> steps_;  // done ones, then undone ones
+  std::deque<Step> steps_;  // done steps, then undone steps
   std::size_t done_ = 0;
   std::size_t bytes_ = 0;
   std::size_t limit_;
   std::size_t forgotten_ = 0;
   std::uint64_t recorded_ = 0;
-  std::uint64_t forgotten_number_ = 0;  // of the last step that was discarded
+  std::uint64_t forgotten_number_ = 0;  // number of the last discarded step
 };
 
 /// Returns the memory that an edit keeps alive, in bytes; a stroke counts once for each mention.

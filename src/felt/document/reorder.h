@@ -11,7 +11,7 @@
 
 namespace felt {
 
-/// The new order of a list from index `from` on; what is below keeps its place.
+/// The new order of a list from index `from` on. The elements below `from` keep their positions.
 template <class Id>
 struct Reordered {
   std::size_t from = 0;
@@ -25,8 +25,9 @@ struct Reordered {
   }
 };
 
-/// Elements that leave and enter a list, by absolute index: those that leave by the index before,
-/// those that enter by the index after. The others keep their order and fill the gaps.
+/// Elements that are removed from and added to a list, by absolute index: removed elements have
+/// their index before the change, added elements their index after it. The other elements keep
+/// their order and fill the gaps.
 template <class Id>
 class Moves {
  public:

@@ -15,7 +15,7 @@ constexpr int kLargestClass = 20;
 /// Segments of a leaf after a full build: leaves room for more.
 constexpr std::size_t kFreshSegments = SegmentForest::kLeafSegments * 3 / 4;
 
-/// Relative margin in comparisons of distances, so that none at the same distance is lost.
+/// Relative margin in comparisons of distances, so that no segment at the same distance is lost.
 constexpr double kSlack = 1e-12;
 
 constexpr Point kHole{std::numeric_limits<double>::quiet_NaN(),
@@ -207,8 +207,8 @@ void SegmentForest::erase(Place place) {
   show_box(place.leaf);
 }
 
-/// Returns the leaf near the middle of the box that has the box's size class and has to grow least.
-/// Makes a new one if the class has none.
+/// Returns the leaf near the middle of the box that has the box's size class and needs to grow
+/// least. Makes a new leaf if the class has no leaf.
 std::uint32_t SegmentForest::leaf_for(const Rect& box) {
   const int size_class = class_of(box);
   const Point middle = middle_of(box);

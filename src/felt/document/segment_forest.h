@@ -14,23 +14,25 @@
 
 namespace felt {
 
-/// Finds the segments nearest to a point or in a rectangle, of strokes that are added, changed and
-/// removed all the time.
+/// Finds the segments nearest to a point or inside a rectangle, in a set of strokes that changes
+/// continually.
 ///
 /// A single SegmentBvh cannot add segments without sorting all of them again, which takes half a
-/// second for 10^6. So there are many small trees, the *leaves*, of at most kLeafSegments each, and
-/// one tree over their boxes (an R-tree of two levels). A change concerns only one leaf or a few:
+/// second for 10^6. So this class has many small trees, the *leaves*, of at most kLeafSegments
+/// each, and one tree over their boxes (an R-tree of two levels). A change affects only one leaf or
+/// a few:
 ///
 ///  * a segment that stays within the box of its leaf is refitted in place;
-///  * one that leaves the box, or is new, goes to the leaf near its middle that has to grow least;
+///  * a new segment, or a segment that leaves the box of its leaf, is stored in the leaf near its
+///    middle that needs to grow least;
 ///  * a full leaf is split in two, and a degraded one is sorted again: both sort at most
 ///    kLeafSegments.
 ///
-/// So no edit pays for a rebuild of everything: the worst case is one split for each of its
+/// So no edit rebuilds everything. In the worst case, an edit causes one split for each of its
 /// segments and one sort of the leaves' boxes. Segments of very different size never share a leaf,
 /// because a line across the page would make a small leaf large.
 ///
-/// Queries are const, do not allocate, and may run on any number of threads at once.
+/// Queries are const, do not allocate, and may run on any number of threads at the same time.
 class SegmentForest {
  public:
   static constexpr std::size_t kLeafSegments = 512;
@@ -47,7 +49,7 @@ class SegmentForest {
     Nearest nearest;
   };
 
-  /// Work of one query, for tests of how it grows.
+  /// Work of one query. Used to test how it grows.
   struct Work {
     int leaves = 0;
     int nodes = 0;   ///< of the leaves
@@ -55,16 +57,17 @@ class SegmentForest {
   };
 
   /// Adds, changes and removes these strokes. Linear in their segments times the logarithm of all
-  /// segments. Many new ones at once are sorted together with those that are there.
+  /// segments. Many new segments in one call are sorted together with the existing ones.
   void update(std::span<const Change> changes);
 
-  /// Returns the segment nearest to `place` within radius_mm, or nullopt if there is none. Of
-  /// several visited ones at the same distance the one with the lowest stroke id and segment. The
-  /// work is bounded as that of SegmentBvh. Sets `work`, if not null, to the work done.
+  /// Returns the segment nearest to `place`, or nullopt if no segment is within radius_mm. If
+  /// several visited segments have the same distance, returns the one with the lowest stroke id and
+  /// segment. The work is bounded as in SegmentBvh. If `work` is not null, stores the work done in
+  /// it.
   [[nodiscard]] std::optional<Hit> nearest(Point place, double radius_mm,
                                            Work* work = nullptr) const;
   /// Calls visit(StrokeId, int segment) for every segment if its box (of the curve, without its
-  /// width) meets the area. The order is not defined.
+  /// width) intersects the area. The order is unspecified.
   template <class Visit>
   void for_each_in(const Rect& area, Visit visit) const {
     leaf_boxes_.for_each_in(area, [&](std::uint32_t leaf) {
@@ -85,7 +88,8 @@ class SegmentForest {
     return leaves_.size() - free_leaves_.size();
   }
   /// Returns the number of segments that were sorted since construction because a leaf was split,
-  /// sorted again or built: the cost of edits beyond their own segments, for tests.
+  /// sorted again or built. This measures the cost of edits beyond their own segments. Used by
+  /// tests.
   [[nodiscard]] std::uint64_t sorted_count() const noexcept { return sorted_; }
   /// Returns the number of leaves' boxes that were sorted since construction.
   [[nodiscard]] std::uint64_t sorted_leaf_count() const noexcept { return sorted_leaves_; }
@@ -96,10 +100,10 @@ class SegmentForest {
     Rect box;         // around all segments; only grows until the leaf is sorted again
     int size_class = 0;
     std::size_t live = 0;
-    std::size_t changes = 0;           // since it was sorted
+    std::size_t changes = 0;           // number of changes since it was sorted
     std::vector<std::uint32_t> holes;  // free handles
   };
-  /// Where a segment is.
+  /// Location of a segment: its leaf and handle.
   struct Place {
     std::uint32_t leaf = 0;
     std::uint32_t handle = 0;
@@ -126,7 +130,7 @@ class SegmentForest {
   SegmentBvh leaf_boxes_;  // handle = leaf; the diagonal of its box represents it
   std::map<StrokeId, std::vector<Place>> places_;  // by segment
   std::size_t segments_ = 0;
-  std::size_t box_changes_ = 0;  // since the boxes were sorted
+  std::size_t box_changes_ = 0;  // number of box changes since the last sort
   std::uint64_t sorted_ = 0;
   std::uint64_t sorted_leaves_ = 0;
 };

@@ -12,13 +12,13 @@
 namespace felt {
 
 /// The selected control points of strokes (paper, "Transformations": the lasso selects control
-/// points, not pixels; docs/design/editing.md#lasso). A value. It is not part of the document or of
-/// undo, but is updated after every edit: removed strokes are no longer selected; replaced strokes
-/// keep their marks if the number of their points stays the same. If it changes, the stroke stays
-/// selected only if all its points were.
+/// points, not pixels; docs/design/editing.md#lasso). A value type. The selection is not part of
+/// the document or of undo, but is updated after every edit: removed strokes are no longer
+/// selected; replaced strokes keep their marks if the number of their points stays the same. If
+/// that number changes, the stroke stays selected only if all its points were selected.
 ///
 /// The marks of a stroke are one byte for each of StrokeData::points, 1 = selected. The first and
-/// the last point of a closed stroke are the same point, so their marks agree. point_marks.h
+/// the last point of a closed stroke are the same point and have the same mark. point_marks.h
 /// completes marks so that smooth joints stay smooth. A stroke without a selected point is not in
 /// the selection.
 class Selection {
@@ -36,8 +36,8 @@ class Selection {
   /// twice.
   [[nodiscard]] std::size_t point_count() const noexcept;
 
-  /// Replaces the marks of a stroke; removes the stroke if none is set. Requires a mark for each
-  /// point.
+  /// Replaces the marks of a stroke; removes the stroke from the selection if no mark is set.
+  /// Requires one mark for each point.
   void set(StrokeId id, Marks marks);
   /// Selects all of a stroke with `points` control points.
   void set_whole(StrokeId id, std::size_t points);
@@ -46,15 +46,16 @@ class Selection {
 
   /// Updates the selection for an edit that was applied, also by undo or redo.
   void follow(const Edit& edit);
-  /// The same, and deselects strokes that are now in a hidden or locked layer, because the next
-  /// command must change exactly what is selected. `document` is the document after the edit.
-  /// Linear in the changes of the edit, or in the selection if the edit changes a layer.
+  /// Like the function above, and also deselects strokes that are now in a hidden or locked layer,
+  /// because the next command must change exactly what is selected. `document` is the document
+  /// after the edit. Linear in the changes of the edit, or in the selection if the edit changes a
+  /// layer.
   void follow(const Edit& edit, const Document& document);
-  /// Deselects what cannot be selected in this document: strokes that do not exist, are in a hidden
-  /// or locked layer, or have another number of points.
+  /// Deselects strokes that cannot be selected in this document: those that do not exist, are in a
+  /// hidden or locked layer, or have another number of points.
   void hold_to(const Document& document);
-  /// Returns the box around the selected on-curve points and handles; empty if there are none.
-  /// Requires the document that the selection belongs to.
+  /// Returns the box around the selected on-curve points and handles; empty if the selection is
+  /// empty. Requires that `document` is the document that the selection belongs to.
   [[nodiscard]] Rect bounds(const Document& document) const;
 
   friend bool operator==(const Selection&, const Selection&) = default;
@@ -63,7 +64,7 @@ class Selection {
   std::map<StrokeId, Marks> strokes_;
 };
 
-/// Selects every stroke of visible, unlocked layers, whole.
+/// Returns a selection of all strokes of visible, unlocked layers with all their points.
 Selection select_all(const Document& document);
 
 }  // namespace felt

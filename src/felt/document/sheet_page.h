@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// The page of a drawing: its size, colour and surface. Ink may lie outside it: the page bounds
-/// what is printed and exported, not the drawing.
+/// The page of a drawing: its size, colour and surface. Ink may lie outside the page. The page
+/// limits the printed and exported area, not the drawing.
 struct SheetPage {
   static constexpr double kMinMm = 10.0;
   static constexpr double kMaxMm = 5000.0;
@@ -16,8 +16,9 @@ struct SheetPage {
   double width_mm = 297.0;  ///< A4, landscape; kMinMm..kMaxMm
   double height_mm = 210.0;
   Rgba paper{255, 255, 255, 255};  ///< alpha 0: no background is drawn, printed or exported
-  /// Id of the surface (SurfaceMaterial::id), UTF-8 of at most 4096 bytes. "" if none was chosen,
-  /// as in files of other programs: the user's current surface is used then. An unknown id is kept.
+  /// Id of the surface (SurfaceMaterial::id), UTF-8 of at most 4096 bytes. If no surface was chosen
+  /// (as in files of other programs), it is "" and the user's current surface is used. An unknown
+  /// id is kept.
   std::string surface{};
 
   [[nodiscard]] Rect area() const noexcept { return {0.0, 0.0, width_mm, height_mm}; }

@@ -10,31 +10,32 @@
 
 namespace felt {
 
-/// Builds edits that divide strokes into parts, again and again during a gesture: for previews of
-/// erasing and cutting at 1 kHz. A stroke has none, one or several parts. They are new strokes in
-/// its place in the drawing order.
+/// Builds edits that divide strokes into parts, repeatedly during a gesture, for previews of
+/// erasing and cutting at 1 kHz. A stroke is divided into zero, one or several parts, which are new
+/// strokes at its position in the drawing order.
 ///
 ///   StrokeDivisions cut;
 ///   cut.set(document, id, {left, right});      // as often as the parts change
 ///   Edit preview = cut.build(document, "Erase");
 ///
-/// The document must not change from the first set() to the last build(). The place of each stroke
-/// is looked up once. Requires that the document has every stroke that is named.
+/// The document must not change from the first set() to the last build(). The position of each
+/// stroke is looked up only once. Requires that the document has every stroke that is passed.
 class StrokeDivisions {
  public:
-  /// Sets the parts of a stroke, the lowest first, and replaces those set before. The first call
-  /// for a stroke is logarithmic in its layer if ids ascend there, else linear.
+  /// Sets the parts of a stroke, the lowest first. Replaces parts set before. The first call for a
+  /// stroke takes logarithmic time in the size of its layer if the ids in the layer ascend,
+  /// otherwise linear time.
   void set(const Document& document, StrokeId id, std::vector<StrokePtr> parts);
-  /// Removes the stroke from the division: it stays whole.
+  /// Removes the parts of the stroke, so that the edit leaves it whole.
   void unset(StrokeId id);
   void clear() noexcept;
 
   [[nodiscard]] bool empty() const noexcept { return divided_.empty(); }
-  /// Returns the number of changes that build() makes: of divided strokes and of parts.
+  /// Returns the number of changes that build() makes, that is, of divided strokes plus parts.
   [[nodiscard]] std::size_t size() const noexcept { return divided_.size() + parts_; }
-  /// Returns the edit. Linear in the divided strokes and their parts, for any size of the document.
-  /// New ids are given in drawing order, so the edit depends only on the parts and not on the order
-  /// of the calls.
+  /// Returns the edit. Takes linear time in the number of divided strokes and parts, independent of
+  /// the size of the document. New ids are given in drawing order, so the edit depends only on the
+  /// parts and not on the order of the calls.
   [[nodiscard]] Edit build(const Document& document, std::string label) const;
 
  private:

@@ -159,7 +159,7 @@ void StrokeIndex::remove(StrokeId id, const Stroke& stroke) {
 }
 
 std::optional<StrokeHit> StrokeIndex::nearest(Point place, double radius_mm) const {
-  // Searches in growing circles, because a large one would visit all leaves at once.
+  // Searches in growing circles, because a large circle would visit all leaves.
   for (double reach = kFirstReachMm; reach < std::min(radius_mm, kLastReachMm); reach *= 8.0) {
     if (const auto found = nearest_within_reach(place, reach)) return found;
   }

@@ -42,18 +42,18 @@ struct StrokeHit {
 /// A spatial index of a document's strokes, for tools. It finds the ends of open strokes, for
 /// snapping, and the segments of all editable strokes: those in visible and unlocked layers.
 ///
-/// The segments of each layer are in a forest of trees (SegmentForest). A query is logarithmic in
-/// the segments of each editable layer; an edit costs about a microsecond per segment. Hiding,
-/// locking and showing a layer costs nothing. Ends are in a uniform grid. A query visits the
-/// non-empty cells that its circle covers, and the ends in them. Results do not depend on the order
-/// in which strokes were added.
+/// The segments of each layer are in a forest of trees (SegmentForest). A query takes logarithmic
+/// time in the segments of each editable layer; an edit takes about a microsecond per segment.
+/// Hiding, locking and showing a layer takes no time per stroke. Ends are in a uniform grid. A
+/// query visits the non-empty cells that its circle covers, and the ends in them. Results do not
+/// depend on the order in which strokes were added.
 ///
-/// Opening a document of more than kIndexedAtOnce strokes sorts none of them: a stroke is sorted
-/// when a query or an edit comes near it (UnindexedStrokes), at about 2 us per segment. Thread: one
-/// at a time, because queries sort strokes.
+/// When a document of more than kIndexedAtOnce strokes is opened, no stroke is sorted. A stroke is
+/// sorted only when a query or an edit comes near it (UnindexedStrokes), at about 2 us per segment.
+/// Not thread-safe, even for queries, because queries sort strokes.
 class StrokeIndex {
  public:
-  /// Strokes of a larger width are few, so they are kept in a separate list.
+  /// Width in mm above which a stroke is kept in a separate list. Such strokes are few.
   static constexpr double kBroadMm = 50.0;
   static constexpr std::size_t kIndexedAtOnce = 20'000;
 
@@ -63,16 +63,16 @@ class StrokeIndex {
   explicit StrokeIndex(const Document& document, double cell_mm = 8.0,
                        std::size_t indexed_at_once = kIndexedAtOnce);
 
-  /// Updates the index for an edit that was applied; `document` is the document after it. Call for
-  /// every edit, in order.
+  /// Updates the index for an edit that was applied; `document` is the document after the edit.
+  /// Call it for every edit, in order.
   void update(const Edit& edit, const Document& document);
 
-  /// Returns the point on an editable stroke nearest to `place` within radius_mm, or nullopt if
-  /// there is none (R19, R20). Of several visited points at the same distance the one with the
-  /// lower stroke id and u.
+  /// Returns the point on an editable stroke nearest to `place`, or nullopt if no such point is
+  /// within radius_mm (R19, R20). If several visited points have the same distance, returns the one
+  /// with the lowest stroke id and u.
   [[nodiscard]] std::optional<StrokeHit> nearest(Point place, double radius_mm) const;
   /// Calls visit(StrokeId, int segment) for every segment of an editable stroke if the segment's
-  /// box (of the curve, without its width) meets the area. The order is not defined.
+  /// box (of the curve, without its width) intersects the area. The order is unspecified.
   template <class Visit>
   void for_each_segment_in(const Rect& area, Visit visit) const {
     index_strokes_in(area);
@@ -81,9 +81,9 @@ class StrokeIndex {
     }
   }
   /// Calls visit(StrokeId, int segment) once for every segment of an editable stroke if its ink
-  /// could meet the area, and for some others near it. The order is not defined. Strokes broader
-  /// than kBroadMm do not widen the search for the others, because each of them is tested by
-  /// itself.
+  /// could intersect the area, and for some other segments near the area. The order is unspecified.
+  /// Strokes broader than kBroadMm do not widen the search for the others, because each of them is
+  /// tested by itself.
   template <class Visit>
   void for_each_ink_in(const Rect& area, Visit visit) const {
     const Rect reach = area.inflated(usual_half_mm_);
@@ -100,13 +100,13 @@ class StrokeIndex {
   /// Returns the ids of the editable strokes with a segment in the area, ascending.
   [[nodiscard]] std::vector<StrokeId> strokes_in(const Rect& area) const;
 
-  /// Returns the end nearest to `place` on visible layers within radius_mm, or nullopt if there is
-  /// none. Ignores the ends in `except`. Of several at the same distance the one with the lowest
-  /// id. Requires that `document` is the indexed one.
+  /// Returns the end nearest to `place` on visible layers, or nullopt if no end is within
+  /// radius_mm. Ignores the ends in `except`. If several ends have the same distance, returns the
+  /// one with the lowest id. Requires that `document` is the indexed document.
   [[nodiscard]] std::optional<TipHit> nearest_tip(const Document& document, Point place,
                                                   double radius_mm,
                                                   std::span<const TipId> except = {}) const;
-  /// Calls visit(TipId, Point) for every end in the area, in all layers. The order is not defined.
+  /// Calls visit(TipId, Point) for every end in the area, in all layers. The order is unspecified.
   template <class Visit>
   void for_each_tip_in(const Rect& area, Visit visit) const {
     index_strokes_in(area);
@@ -117,7 +117,7 @@ class StrokeIndex {
       return std::next(cell);
     });
   }
-  /// Returns half of the largest width of any stroke that was ever indexed, in mm.
+  /// Returns half of the largest width, in mm, of all strokes that were ever indexed.
   [[nodiscard]] double widest_half_mm() const noexcept { return widest_half_mm_; }
   /// Returns the largest distance of a handle from the box around the two ends of its segment, over
   /// all strokes that were ever indexed. No handle is farther than this outside the box that
@@ -125,7 +125,7 @@ class StrokeIndex {
   [[nodiscard]] double farthest_handle_mm() const noexcept { return farthest_handle_mm_; }
   /// Returns the number of ends.
   [[nodiscard]] std::size_t tip_count() const noexcept { return tips_; }
-  /// Returns the number of strokes that no query or edit has come near yet.
+  /// Returns the number of strokes that are not sorted yet because no query or edit was near them.
   [[nodiscard]] std::size_t unindexed_count() const noexcept { return unindexed_.size(); }
 
  private:
@@ -172,7 +172,7 @@ class StrokeIndex {
   mutable UnindexedStrokes unindexed_;
   std::size_t tips_ = 0;
   double widest_half_mm_ = 0.0;
-  double usual_half_mm_ = 0.0;  // the same, of strokes that are not broad
+  double usual_half_mm_ = 0.0;  // half of the largest width of the strokes that are not broad
   double farthest_handle_mm_ = 0.0;
 };
 

@@ -13,13 +13,13 @@
 
 namespace felt {
 
-/// The strokes of a large document that no query has come near yet. Sorting 10^6 strokes into trees
-/// takes seconds, so StrokeIndex only puts them into coarse grids when a document is opened, and
-/// sorts those near a position when a query asks for it.
+/// The strokes of a large document that no query has been near so far. Sorting 10^6 strokes into
+/// trees takes seconds, so StrokeIndex only puts them into coarse grids when a document is opened,
+/// and sorts those near a position when a query asks for it.
 ///
-/// There is one grid for each size class of strokes; each has cells four times as large as the one
-/// before. A stroke is in the cell of its middle and reaches at most half a cell beyond it. Thread:
-/// one at a time.
+/// Each size class of strokes has its own grid, with cells four times as large as those of the
+/// class before. A stroke is in the cell of its middle and reaches at most half a cell beyond it.
+/// Not thread-safe.
 class UnindexedStrokes {
  public:
   struct Entry {
@@ -30,7 +30,8 @@ class UnindexedStrokes {
 
   /// Adds a stroke. Returns false, and adds nothing, if it is too large for every grid.
   bool add(const Entry& entry);
-  /// Moves every stroke whose curve may meet `area`, and some others near it, to `taken`.
+  /// Moves every stroke with a curve that may intersect `area`, and some other strokes near the
+  /// area, to `taken`.
   void take(const Rect& area, std::vector<Entry>& taken);
   /// Moves the strokes that share a cell with `stroke` to `taken`.
   void take_around(const Stroke& stroke, std::vector<Entry>& taken);

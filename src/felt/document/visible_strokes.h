@@ -14,7 +14,7 @@ enum class LayerChoice { kAll, kVisible };
 /// Returns the strokes of visible layers in drawing order. They are shared, not copied.
 std::vector<StrokePtr> visible_strokes(const Document& document);
 
-/// Returns the bounds of the ink in these layers; empty if there is none.
+/// Returns the bounds of the ink in these layers; empty if they contain no ink.
 Rect ink_bounds(const Document& document, LayerChoice layers = LayerChoice::kVisible);
 
 /// Returns the name of a stroke in files, for example "s12".

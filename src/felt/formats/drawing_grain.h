@@ -7,9 +7,9 @@
 
 namespace felt {
 
-/// Returns the grain of a drawing's surface (SheetPage::surface), or of paper if it names none, and
-/// how its media look on it. Searches the drawing's own materials and those in `here`. Fails if the
-/// surface is in neither; the message names its id.
+/// Returns the grain of a drawing's surface (SheetPage::surface), or the grain of paper if the
+/// drawing names no surface, and how its media look on it. Searches the drawing's own materials and
+/// those in `here`. Fails if neither of them contains the surface; the message names its id.
 Result<Grain> grain_of(const Drawing& drawing, const Materials& here = Materials::built_in());
 
 }  // namespace felt

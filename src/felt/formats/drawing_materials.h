@@ -12,19 +12,19 @@
 namespace felt {
 
 /// Returns the material texts that a drawing must contain: those of its surface and of the media of
-/// its strokes, if they are not built in or differ from the built-in ones. `also` are media that it
-/// may use next. Leaves out a material that no text can describe, and those beyond
+/// its strokes, if they are not built in or differ from the built-in ones. `also` contains further
+/// media that it may use next. Leaves out materials that no text can describe, and materials beyond
 /// limits::kMaxMaterialTexts.
 std::vector<std::string> texts_of_used(const Document& document, std::string_view surface,
                                        const Materials& known,
                                        std::span<const std::string> also = {});
 
-/// Returns the known materials and those of a drawing's texts. If the ids are the same, the
-/// drawing's material replaces the known one. Ignores a text that is not a valid material.
+/// Returns the known materials together with those of a drawing's texts. If two have the same id,
+/// the drawing's material replaces the known one. Ignores a text that is not a valid material.
 Materials with_texts(std::span<const std::string> texts, Materials known = Materials::built_in());
 
-/// Removes texts that are not valid materials, and reports each in `report` with the reason. For
-/// drawings that were read, because files are not trusted.
+/// Removes texts that are not valid materials, and reports each in `report` with the reason. Called
+/// for drawings that were read, because files are not trusted.
 void drop_bad_texts(std::vector<std::string>& texts, ImportReport& report);
 
 }  // namespace felt

@@ -11,24 +11,25 @@
 
 namespace felt {
 
-/// Largest file of another format than .felt that is read.
+/// Maximum size in bytes of a file that is read, for formats other than .felt.
 inline constexpr std::size_t kMaxDrawingBytes = std::size_t{1} << 30;
 
 /// Options for reading a drawing.
 struct ReadOptions {
   ImportOptions import{};
-  /// Refuses pipes and devices, because they may never end: for programs with a window.
+  /// Refuses pipes and devices, because they may never end. Set it in programs with a window.
   bool files_only = false;
   /// Recovers what is intact in a damaged .felt file (felt_salvage.h), and reports what is missing.
   bool salvage = false;
 };
 
 /// Reads a whole drawing of any readable format (docs/formats/README.md). "-" is stdin. The first
-/// bytes determine the format, not the name; a name that differs is reported. A record of .ndjson
-/// that is not a stroke is skipped and reported. Raw pen samples become ink.
+/// bytes determine the format, not the name. If the name suggests another format, this is reported.
+/// A record of .ndjson that is not a stroke is skipped and reported. Raw pen samples become ink.
 ///
 /// The file is not trusted. Fails if it cannot be read, is a folder, exceeds the format's size
-/// limit, has no known format, or is damaged; the message begins with the path. Any thread.
+/// limit, has no known format, or is damaged; the message begins with the path. Safe to call from
+/// any thread.
 Result<Imported> read_drawing(const std::string& path, const ReadOptions& options = {});
 
 /// The same, for bytes in memory that were read from `path`. Messages do not begin with the path.

@@ -16,32 +16,32 @@ class DrawingParts;
 
 /// Options for writing a drawing. Each is ignored by formats that do not support it (FormatTraits).
 struct WriteOptions {
-  /// Area that a picture shows (.svg, .pdf, .png), in mm; if absent, the page.
+  /// Area that a picture shows (.svg, .pdf, .png), in mm. If absent, the picture shows the page.
   std::optional<Rect> area{};
-  /// Background colour, instead of the page's colour; alpha 0 draws none.
+  /// Background colour instead of the page's colour. If alpha is 0, no background is drawn.
   std::optional<Rgba> paper{};
-  double dpi = 300.0;  ///< of a .png
-  Grain grain{};       ///< relief of the surface in the ink of a .png
-  /// The same for .svg and .pdf, in which strokes stay outlines (GrainPrint); if absent, the grain
+  double dpi = 300.0;  ///< of a .png file
+  Grain grain{};       ///< relief of the surface in the ink of a .png file
+  /// The relief in .svg and .pdf, in which strokes stay outlines (GrainPrint). If absent, the grain
   /// is not shown.
   std::optional<GrainPrint> grain_print{};
 };
 
-/// Returns the content of a file in parts, so that several threads can make them and they need not
-/// all be in memory (.felt and .png are one part). Together they are what drawing_bytes() returns.
-/// Valid as long as the drawing. Fails as drawing_bytes() does.
+/// Returns the content of a file in parts, so that several threads can make them and not all parts
+/// need to be in memory (.felt and .png have one part). Together they are what drawing_bytes()
+/// returns. Valid as long as the drawing. Fails as drawing_bytes() does.
 Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, FileFormat format,
                                                     const WriteOptions& options = {});
 
 /// Returns a drawing as the bytes of a file. Formats with layers keep hidden layers hidden; all
 /// others contain only what is visible. Equal drawings give equal bytes. Fails if the format does
 /// not support something in the drawing, or cannot be written; the message does not name a file.
-/// Any thread.
+/// Safe to call from any thread.
 Result<std::string> drawing_bytes(const Drawing& drawing, FileFormat format,
                                   const WriteOptions& options = {});
 
-/// Writes a drawing completely or not at all, and durably; "-" is stdout. If it fails, an existing
-/// file is unchanged, and the message begins with the path. Any thread.
+/// Writes a drawing completely or not at all, and durably. The path "-" is stdout. If it fails, an
+/// existing file is unchanged, and the message begins with the path. Safe to call from any thread.
 Result<void> write_drawing(const std::string& path, const Drawing& drawing, FileFormat format,
                            const WriteOptions& options = {});
 

@@ -23,17 +23,17 @@ enum class FileFormat {
 /// unknown or missing; the message names the path and lists the known endings.
 Result<FileFormat> format_of_path(const std::string& path);
 
-/// Returns true if a file of this name is compressed by gzip as a whole: .svgz, in upper or lower
-/// case.
+/// Returns true if the name says that the whole file is compressed by gzip: .svgz, in upper or
+/// lower case.
 bool is_compressed_name(const std::string& path);
 
 /// Number of bytes of a file that format_of_bytes() needs.
 inline constexpr std::size_t kFormatHeadBytes = 4096;
 
-/// Returns the format that the first bytes of a file show, for any file name: by the marks of
-/// SQLite, gzip, zip, PDF and PNG; by the first element of XML, in UTF-8 or UTF-16, after comments
-/// and a document type; by a brace for lines of JSON. Returns nullopt for anything else. The bytes
-/// are not trusted.
+/// Returns the format that the first bytes of a file show, for any file name: It recognises the
+/// marks of SQLite, gzip, zip, PDF and PNG; the first element of XML, in UTF-8 or UTF-16, after
+/// comments and a document type; and a brace for lines of JSON. Returns nullopt for anything else.
+/// The bytes are not trusted.
 std::optional<FileFormat> format_of_bytes(std::string_view head);
 
 /// The content of lines of JSON, determined by the keys of the first line that identifies it.

@@ -9,8 +9,8 @@
 
 namespace felt {
 
-/// What a format supports and what Feltline does with it. The one table behind help texts, file
-/// dialogs and docs/formats/README.md.
+/// The features that a format supports, and whether Feltline reads and writes it. Help texts, file
+/// dialogs and docs/formats/README.md all use this table.
 struct FormatTraits {
   FileFormat format{};
   std::string_view name{};                          ///< "svg": the value of --to
@@ -19,7 +19,8 @@ struct FormatTraits {
   std::span<const std::string_view> media_types{};  ///< "image/svg+xml"; the first is the usual one
   bool reads = false;
   bool writes = false;
-  bool layers = false;        ///< holds layers, hidden ones too; else only visible ink is written
+  bool layers = false;        ///< holds all layers, even hidden ones; otherwise only visible ink is
+                              ///< written
   bool page = false;          ///< holds the size and colour of the page
   bool lossless = false;      ///< strokes, layers and page are read back exactly as they were
   bool picture = false;       ///< a picture: `dpi`, grain and area have an effect

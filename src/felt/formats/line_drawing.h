@@ -15,8 +15,8 @@
 namespace felt {
 
 /// Makes a stroke from a line of JSON (docs/formats/ndjson.md): a fitted stroke exactly as given,
-/// raw pen samples (in mm) by fitting them. Reusable; the result depends only on the line. Thread:
-/// one at a time.
+/// raw pen samples (in mm) by fitting them. Reusable; the result depends only on the line. Not
+/// thread-safe.
 class LineStrokes {
  public:
   explicit LineStrokes(const InkFitOptions& fit = {}) : fitter_(fit) {}

@@ -21,7 +21,7 @@ constexpr Point apply(const Affine& m, Point p) noexcept {
   return {m.a * p.x + m.c * p.y + m.e, m.b * p.x + m.d * p.y + m.f};
 }
 
-/// Returns the image of a displacement: only the linear part applies.
+/// Returns the image of a displacement. Only the linear part of the map is used.
 constexpr Vec apply(const Affine& m, Vec v) noexcept {
   return {m.a * v.x + m.c * v.y, m.b * v.x + m.d * v.y};
 }

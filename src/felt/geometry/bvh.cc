@@ -48,8 +48,8 @@ struct SegmentBvh::Sorter {
     return x1 - x0 >= y1 - y0;
   }
 
-  // Returns the centre of the box of a segment. One that is not finite sorts far away, so that it
-  // does not enlarge the boxes of others.
+  // Returns the centre of the box of a segment. A segment that is not finite is sorted far away, so
+  // that it does not enlarge the boxes of others.
   static Key key(const Cubic& curve, std::uint32_t handle) noexcept {
     const Rect box = bounds(curve);
     if (box.empty()) return {float_above(kBvhFarthest), float_above(kBvhFarthest), handle};
@@ -138,7 +138,7 @@ void SegmentBvh::set_box(std::uint32_t slot, const Box& box) noexcept {
   for (unsigned level = 0; level < levels_; ++level) {
     Node& node = nodes_[level_begin_[level] + child / kFanOut];
     const Box before(node, child % kFanOut);
-    if (before == changed) return;  // then the boxes above do not change either
+    if (before == changed) return;  // if so, the boxes above do not change either
     if (level > 0) inner_half_perimeters_ += changed.half_perimeter() - before.half_perimeter();
     changed.store(node, child % kFanOut);
     changed = Box(node);

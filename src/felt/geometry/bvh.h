@@ -14,8 +14,8 @@
 
 namespace felt {
 
-/// Identifies a segment by the caller's numbers. The tree only stores it, and prefers the lower
-/// one at equal distances.
+/// Identifies a segment by the caller's numbers. The tree only stores the reference. If two
+/// segments are equally near, the one with the lower reference is returned.
 struct SegmentRef {
   std::uint64_t stroke = 0;
   std::uint32_t segment = 0;
@@ -50,9 +50,10 @@ struct BvhWorkCap {
 /// Life cycle:
 ///  1. `build` sorts the segments (allocates). Their *handles* are 0, 1, ... in the order given.
 ///  2. `nearest` and `for_each_in` are const, allocate nothing, and may run on several threads.
-///  3. If a segment changes, call `refit` or `erase`, but not during a query: no allocation, under
-///     1 us. A copy of the tree is an independent snapshot.
-///  4. If `rebuild_advised`, `rebuild` sorts again (allocates); handles stay the same.
+///  3. If a segment changes, call `refit` or `erase`, but not during a query. Both take under 1 us
+///     and do not allocate. A copy of the tree is an independent snapshot.
+///  4. If `rebuild_advised` returns true, call `rebuild`, which sorts again (allocates); handles
+///    stay the same.
 ///
 /// Segments with a coordinate that is not finite are stored but never found. Segments beyond
 /// 1e18 mm are found, but without pruning among them.
@@ -64,9 +65,10 @@ class SegmentBvh {
   /// A query for the segment nearest to `point`.
   struct Query {
     Point point;
-    /// Segments farther away are not reported; NaN finds nothing.
+    /// Segments farther away than this are not reported. If it is NaN, nothing is found.
     double radius_mm = std::numeric_limits<double>::infinity();
-    /// Handle of a segment that is probably near, such as the last hit. It only saves time.
+    /// Handle of a segment that is probably near, such as the last hit. Only makes the search
+    /// faster.
     std::uint32_t seed = kNone;
     BvhWorkCap cap{};
   };
@@ -108,15 +110,15 @@ class SegmentBvh {
 
   /// Changes the curve of a segment and updates the boxes above it. Requires handle < size().
   void refit(std::uint32_t handle, const Cubic& curve) noexcept;
-  /// Assigns another segment to a handle, for example to reuse that of an erased one. Requires
-  /// handle < size().
+  /// Assigns another segment to a handle, for example to reuse the handle of an erased segment.
+  /// Requires handle < size().
   void replace(std::uint32_t handle, const BvhSegment& segment) noexcept;
   /// Removes a segment from all results until `refit` or `replace`: its curve becomes NaN. Requires
   /// handle < size().
   void erase(std::uint32_t handle) noexcept;
 
-  /// Returns the sum of the half perimeters of the inner boxes, divided by that after the last
-  /// build. Queries slow down in proportion. 1 for a new tree.
+  /// Returns the sum of the half perimeters of the inner boxes, divided by the same sum after the
+  /// last build. It is 1 for a new tree; query times grow in proportion to it.
   [[nodiscard]] double degradation() const noexcept;
   /// Returns true if degradation() exceeds 1.3.
   [[nodiscard]] bool rebuild_advised() const noexcept { return degradation() > 1.3; }
@@ -151,7 +153,7 @@ class SegmentBvh {
   void set_box(std::uint32_t slot, const Box& box) noexcept;
 
   std::vector<Node> nodes_;             // level by level, the lowest first
-  std::vector<Cubic> curves_;           // by slot: the order of the lowest boxes
+  std::vector<Cubic> curves_;           // by slot, in the order of the lowest boxes
   std::vector<std::uint32_t> handles_;  // slot -> handle
   std::vector<std::uint32_t> slots_;    // handle -> slot
   std::vector<SegmentRef> refs_;        // by handle

@@ -11,8 +11,8 @@
 
 namespace felt {
 
-/// Coordinates are clamped to this before they become floats, so that squares stay finite. Clamping
-/// can only shorten distances, so they stay lower bounds.
+/// Coordinates are clamped to kBvhFarthest before they become floats, so that squares stay finite.
+/// Clamping can only shorten distances, so they stay lower bounds.
 inline constexpr double kBvhFarthest = 1e18;
 
 /// Returns the largest float not above v.

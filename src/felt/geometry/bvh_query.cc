@@ -39,7 +39,7 @@ inline unsigned bits_of(const Flags& flags) noexcept {
 
 // The position of a node in the tree.
 struct SegmentBvh::NodeAt {
-  // The most nodes that can wait during a depth-first search.
+  // Maximum number of nodes that can wait during a depth-first search.
   static constexpr unsigned kStack = (kFanOut - 1) * kMaxLevels + kFanOut;
 
   unsigned level;       // 0: children are segments

@@ -56,7 +56,7 @@ Vec tangent(const Cubic& c, double t) noexcept {
   const double side = t < 1.0 ? 1.0 : -1.0;  // the limit from inside
   const Vec first = t <= 0.0 ? c.p[1] - c.p[0] : t >= 1.0 ? c.p[3] - c.p[2] : derivative(c, t);
   // Inside the segment, f' is a sum, and its rounding noise must not be mistaken for a direction.
-  // The end handles are differences of given numbers: any that is not zero has a direction.
+  // The end handles are differences of given numbers: any handle that is not zero has a direction.
   const double noise = t > 0.0 && t < 1.0 ? 1e-14 * control_length(c) : 0.0;
   if (norm(first) > noise) return normalized(first);
   const Vec second = side * (t <= 0.0   ? c.p[2] - c.p[1]

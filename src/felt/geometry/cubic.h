@@ -10,8 +10,8 @@ namespace felt {
 
 /// One cubic Bezier segment, control points B1..B4 of the paper [Paper eq. 1]:
 ///   f(t) = (1-t)^3 B1 + 3t(1-t)^2 B2 + 3t^2(1-t) B3 + t^3 B4
-/// A value; any control points are allowed, including coincident ones. All functions on it accept
-/// any input and are noexcept; their comments say what they return for degenerate input.
+/// A value type. Any control points are allowed, including coincident ones. All functions on it
+/// accept any input and are noexcept; their comments say what they return for degenerate input.
 struct Cubic {
   std::array<Point, 4> p;
 
@@ -41,7 +41,8 @@ constexpr Vec second_derivative(const Cubic& c, double t) noexcept {
 }
 
 /// Returns the parts [0, t] and [t, 1], computed by de Casteljau. They share the split point bit
-/// for bit, and their outer ends are those of c. t is not clamped: outside [0, 1] it extrapolates.
+/// for bit, and their outer ends are the ends of c. t is not clamped: outside [0, 1] it
+/// extrapolates.
 constexpr std::pair<Cubic, Cubic> split(const Cubic& c, double t) noexcept {
   const Point a = lerp(c.p[0], c.p[1], t), b = lerp(c.p[1], c.p[2], t), d = lerp(c.p[2], c.p[3], t);
   const Point ab = lerp(a, b, t), bd = lerp(b, d, t);
@@ -72,7 +73,8 @@ inline bool is_finite(const Cubic& c) noexcept {
 /// rounding of `evaluate`. Empty if a coordinate is not finite.
 Rect bounds(const Cubic& c) noexcept;
 
-/// Returns the rectangle around the four control points. It contains `bounds` and costs a tenth.
+/// Returns the rectangle around the four control points. It contains `bounds(c)` and takes a tenth
+/// of the time.
 constexpr Rect control_bounds(const Cubic& c) noexcept {
   Rect box;
   for (const Point& p : c.p) box.extend(p);
@@ -87,12 +89,12 @@ double flatness(const Cubic& c) noexcept;
 
 /// Returns the unit direction of travel at t in [0, 1]. If f' is zero there (a zero handle, a
 /// cusp), returns the limit from inside the segment: at the ends the direction to the next distinct
-/// control point, at a cusp the direction in which the curve leaves. (0, 0) if the segment is a
-/// point.
+/// control point, at a cusp the direction in which the curve leaves. Returns (0, 0) if the segment
+/// is a point.
 Vec tangent(const Cubic& c, double t) noexcept;
 
 /// Returns the signed curvature in 1/mm: cross(f', f'') / |f'|^3, positive if the curve turns from
-/// +x to +y. 0 if f' is zero, because no circle is tangent there.
+/// +x to +y. Returns 0 if f' is zero, because no circle is tangent there.
 double curvature(const Cubic& c, double t) noexcept;
 
 /// Returns the length of the control polygon in mm, which is never less than the arc length.
@@ -116,7 +118,8 @@ inline double arc_length(const Cubic& c, double accuracy_mm = kLengthAccuracyMm)
 }
 
 /// Returns the t in [0, 1] at which the arc from 0 is `length_mm` long, within `accuracy_mm` of
-/// length. 0 for lengths up to 0; 1 for the whole length or more, and for NaN.
+/// length. Returns 0 if the length is 0 or less; returns 1 if it is the whole length or more, or
+/// NaN.
 double parameter_at_length(const Cubic& c, double length_mm,
                            double accuracy_mm = kLengthAccuracyMm) noexcept;
 

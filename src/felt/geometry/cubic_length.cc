@@ -65,7 +65,7 @@ double integrate(const Speed& speed, double t0, double t1, double accuracy) noex
   struct Piece {
     double t0, t1, accuracy;
   };
-  // The right halves still to do, at most one a level; written before they are read.
+  // The right halves still to be processed, at most one per level; written before they are read.
   std::array<Piece, kMaxDepth + 1> stack;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   int waiting = 0, pieces = 0;
   double sum = 0.0;

@@ -36,8 +36,9 @@ void add(Tile& tile, const Tile& other) noexcept {
   for (std::size_t i = 0; i < tile.size(); ++i) tile[i] += other[i];
 }
 
-/// Rounds off extreme heights so that none exceeds `most` times the rms it had. The highest and
-/// steepest place limits the force of the whole relief, so flatter extremes make the rest stronger.
+/// Rounds off extreme heights so that no height exceeds `most` times the previous rms. The highest
+/// and steepest point limits the force of the whole relief, so flatter extremes make the rest
+/// stronger.
 void round_off(Tile& tile, double most) noexcept {
   double mean = 0.0;
   for (const double h : tile) mean += h / static_cast<double>(tile.size());

@@ -8,7 +8,7 @@
 
 namespace felt {
 
-/// The pattern of a relief. None has waves shorter than wavelength_mm / 1.25.
+/// The pattern of a relief. No pattern has waves shorter than wavelength_mm / 1.25.
 enum class HeightCharacter : std::uint8_t {
   kGrain,    ///< equal in all directions, all waves within a factor 1.25 of the wavelength
   kRough,    ///< cold-pressed paper: round hills of several sizes, and the mark of the felt
@@ -48,20 +48,20 @@ class HeightField {
     Vec slope{};  ///< gradient, mm per mm
   };
 
-  /// Makes the relief of a character; kPicture gives grain here. Takes 20 to 60 ms: not on the
-  /// haptic thread.
+  /// Makes the relief of a character; kPicture gives grain here. Takes 20 to 60 ms, so do not call
+  /// it on the haptic thread.
   explicit HeightField(const HeightFieldSpec& spec);
   /// Makes a relief from kSide x kSide heights in any unit, row by row, which are scaled to the rms
-  /// of `spec`. They should repeat without a seam and have no wave shorter than
-  /// wavelength_mm / 1.25, as those of height_picture.h do. The relief is flat if the number of
-  /// heights is wrong or one is not finite.
+  /// of `spec`. They should repeat without a seam and have no wave shorter than wavelength_mm /
+  /// 1.25, as those of height_picture.h do. The relief is flat if the number of heights is wrong or
+  /// a height is not finite.
   HeightField(const HeightFieldSpec& spec, const std::vector<double>& tile);
-  /// Returns the same relief in another size. Shares the tile, so it is cheap. Flat if a value is
-  /// not finite or not > 0.
+  /// Returns the same relief in another size. Shares the tile, so it is cheap. The result is flat
+  /// if a value is not finite or not > 0.
   [[nodiscard]] HeightField scaled(double wavelength_mm, double rms_um) const;
 
-  /// Returns the height and slope at a point. Flat for points that are not finite or beyond 1e6 mm.
-  /// Real-time safe.
+  /// Returns the height and slope at a point. Returns zeros for points that are not finite or
+  /// beyond 1e6 mm. Real-time safe.
   [[nodiscard]] Sample at(Point p) const noexcept;
 
   [[nodiscard]] const HeightFieldSpec& spec() const noexcept { return spec_; }
@@ -69,7 +69,7 @@ class HeightField {
   [[nodiscard]] double shortest_wavelength_mm() const noexcept {
     return spec_.wavelength_mm / kBand;
   }
-  // Upper bounds over the whole tile.
+  // Returns an upper bound of the height over the whole tile.
   [[nodiscard]] double max_height_mm() const noexcept { return max_height_mm_; }
   [[nodiscard]] double max_slope() const noexcept { return max_slope_; }
   /// Returns an upper bound of the second derivative in any direction, 1/mm.

@@ -23,11 +23,11 @@ struct HeightPictureSpec {
 
 /// Returns the height field of a picture. The picture is stretched to the square tile. If opposite
 /// edges do not match, they are blended with the picture shifted by half its size, so that it
-/// repeats without a seam. Waves shorter than tile_mm / 40 are removed. However high the relief is,
+/// repeats without a seam. Waves shorter than tile_mm / 40 are removed. Even if the relief is high,
 /// the force is limited to the stiffness that the haptic loop can render (Texture).
 ///
 /// Fails if a size is out of range, the number of heights is not width x height, a height is not
-/// finite, or no relief is left (a picture of a single grey, for example).
+/// finite, or the resulting relief is flat (for example, if the picture is one uniform grey).
 Result<HeightField> height_field_of(const HeightPicture& picture,
                                     const HeightPictureSpec& spec = {});
 

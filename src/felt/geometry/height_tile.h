@@ -13,14 +13,15 @@
 namespace felt::height_tile {
 
 inline constexpr int kSide = HeightField::kSide;
-/// Waves per tile: shorter waves fade out between kFadeFrom and kMaxWaves.
+/// Number of waves per tile. Shorter waves fade out between kFadeFrom and kMaxWaves.
 inline constexpr double kFadeFrom = 30.0;
 inline constexpr double kMaxWaves = HeightField::kWavesPerTile * HeightField::kBand;
 
-/// kSide x kSide heights, row by row, that repeat in both directions; in any unit.
+/// A tile of kSide x kSide heights, row by row, that repeats in both directions. The unit is up to
+/// the caller.
 using Tile = std::vector<double>;
 
-/// SplitMix64 (Steele, Lea, Flood 2014): short, and gives the same numbers on every platform.
+/// SplitMix64 (Steele, Lea, Flood 2014). It is short and gives the same numbers on every platform.
 class Random {
  public:
   explicit Random(std::uint64_t seed) noexcept : state_(seed) {}

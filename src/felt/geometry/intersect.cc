@@ -323,7 +323,7 @@ class Search {
     if (control_length(sub_segment(f_, s.low, s.high)) <= 1e-3) return false;
     std::array<Match, kOverlapSamples> shared{};
     for (std::size_t i = 0; i < shared.size(); ++i) {
-      // Starts inside, so that each match guides the next; the ends come last.
+      // Starts inside the shared part, so that each match guides the next; the ends come last.
       const double share = (static_cast<double>(i) + 0.5) / kOverlapSamples;
       const double at = s.low + share * (s.high - s.low);
       const auto t = on_second(at, i > 0 ? shared[i - 1].t : 0.5);

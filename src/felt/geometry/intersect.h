@@ -9,7 +9,8 @@
 
 namespace felt {
 
-/// Cubics meet if a point of one is within this distance of a point of the other, mm.
+/// Distance in mm below which two points count as equal: two cubics meet if a point of the first is
+/// within kMeetMm of a point of the second.
 inline constexpr double kMeetMm = 1e-9;
 
 /// A point where two cubics meet.
@@ -27,12 +28,13 @@ struct Crossing {
 
 /// The points where two cubics meet, in ascending order of t1, then t2.
 struct Crossings {
-  /// Two cubics cross at most nine times (Bezout); the rest leaves room for touches.
+  /// Two cubics cross at most nine times (Bezout). The other entries are for touches.
   static constexpr std::size_t kMax = 16;
 
   std::array<Crossing, kMax> places{};
   std::size_t count = 0;
-  /// False if the limit on the work or on the number of points was reached: some may be missing.
+  /// False if the limit on the work or on the number of points was reached, so some points may be
+  /// missing.
   bool complete = true;
   int pairs = 0;  ///< pairs of pieces examined
 
@@ -50,9 +52,9 @@ inline constexpr int kIntersectPairs = 4096;
 ///  1. A pair is discarded if its hulls are disjoint. This is tested with their boxes and with the
 ///     strip along the chord of either piece (fat line; Sederberg and Nishita 1990), which narrows
 ///     with the square of the size.
-///  2. If every direction of one hodograph hull is on the same side of every one of the other,
-///     f(s) - g(t) is injective on the pair, so the pair has at most one crossing. Newton finds it;
-///     otherwise the pair is halved further until the hulls are disjoint.
+///  2. If every direction of one hodograph hull is on the same side of every direction of the other
+///     hull, f(s) - g(t) is injective on the pair, so the pair has at most one crossing. Newton
+///     finds it; otherwise the pair is halved further until the hulls are disjoint.
 ///  3. Pieces that are straight to a quarter of kMeetMm are compared as straight segments. Tangent
 ///     pieces end here, about 1e-4 mm long; neighbours of the same touch are merged into one.
 /// Curves that share a part (copies, lines on top of lines) would never be discarded, so this is
@@ -61,16 +63,16 @@ inline constexpr int kIntersectPairs = 4096;
 /// it, and the search goes on with the rest.
 ///
 /// Guarantees: the two points of each result are within kMeetMm (plus 1e-13 of the coordinates);
-/// every transversal crossing is found; curves that come within half of kMeetMm are found as a
-/// touch. Crossings closer to each other than the length of a touch may be merged into one touch.
-/// No recursion, no allocation. Returns none if a coordinate is not finite.
+/// every transversal crossing is found; curves that come within half of kMeetMm of each other are
+/// found as a touch. Crossings closer to each other than the length of a touch may be merged into
+/// one touch. No recursion, no allocation. Returns no points if a coordinate is not finite.
 Crossings intersections(const Cubic& first, const Cubic& second,
                         int most_pairs = kIntersectPairs) noexcept;
 
-/// Returns the point where a cubic crosses itself, t1 < t2; there is at most one. Closed form: with
-/// p = t1 + t2 and q = t1 t2, (f(t2) - f(t1)) / (t2 - t1) = 0 is linear in p and p^2 - q. A closed
-/// loop meets itself at (0, 1). Returns nullopt for a cusp and for a straight cubic that runs back
-/// over itself.
+/// Returns the point where a cubic crosses itself (at most one), with t1 < t2. Closed form: with p
+/// = t1 + t2 and q = t1 t2, the equation (f(t2) - f(t1)) / (t2 - t1) = 0 is linear in p and p^2 -
+/// q. A closed loop meets itself at (0, 1). Returns nullopt for a cusp and for a straight cubic
+/// that runs back over itself.
 std::optional<Crossing> self_intersection(const Cubic& c) noexcept;
 
 }  // namespace felt

@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// The largest tilt: the pen lies on the surface.
+/// The largest tilt, at which the pen lies on the surface.
 inline constexpr double kMaxLeanDeg = 90.0;
 /// People usually write at a tilt of 30 to 40 degrees. So tilt has no effect on a line up to
 /// kFreeLeanDeg, and its full effect from kFullLeanDeg on.

@@ -166,7 +166,7 @@ class NearestSearch {
   [[nodiscard]] double distance_squared() const noexcept { return limit_; }
 
  private:
-  // Keeps the point if it is nearer than the best, or as near with a lower t.
+  // Keeps the point if it is nearer than the best point, or equally near with a lower t.
   void offer(double t, double distance_squared) noexcept {
     constexpr double kTie = 4.0 * kEpsilon;
     if (!found_ ? distance_squared <= limit_

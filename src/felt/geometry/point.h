@@ -57,12 +57,12 @@ inline double norm(Vec a) noexcept {
   return std::sqrt(norm_squared(a));
 }
 
-/// Returns a rotated by a quarter turn from +x to +y.
+/// Returns `a` rotated by a quarter turn from +x to +y.
 constexpr Vec perp(Vec a) noexcept {
   return {-a.y, a.x};
 }
 
-/// Returns the unit vector along a, or (0, 0) if a is shorter than 1e-150 or not finite.
+/// Returns the unit vector along `a`, or (0, 0) if `a` is shorter than 1e-150 or not finite.
 inline Vec normalized(Vec a) noexcept {
   const double length = norm(a);
   return length > 1e-150 && std::isfinite(length) ? a / length : Vec{};

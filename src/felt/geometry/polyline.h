@@ -30,8 +30,9 @@ struct PolylineNearest {
   Point point;
 };
 
-/// Returns the point nearest to p; of several at the same distance, the first. Linear in the number
-/// of points. An empty polyline is infinitely far; a single point is a line of length zero.
+/// Returns the point nearest to p. If several points have the same distance, returns the first.
+/// Linear in the number of points. An empty polyline is infinitely far; a single point is a line of
+/// length zero.
 PolylineNearest nearest_on_polyline(std::span<const Point> line, Point p) noexcept;
 
 /// Returns the length in mm; 0 for fewer than two points.
@@ -46,8 +47,8 @@ Point point_at_length(std::span<const Point> line, double length_mm) noexcept;
 /// the sizes of both.
 void resample(std::span<const Point> line, std::span<Point> out) noexcept;
 
-/// Queries on polygons: closed polylines whose last point is joined to the first (which need not be
-/// repeated). They may cross themselves, repeat points and have any orientation.
+/// Queries on polygons: closed polylines whose last point is joined to the first (which may be
+/// omitted at the end). They may cross themselves, repeat points and have any orientation.
 
 /// The rule for which points a self-crossing polygon contains.
 enum class FillRule : std::uint8_t {

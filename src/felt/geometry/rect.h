@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// An axis-parallel rectangle in mm, including its edges. The default one is empty: it contains
-/// nothing, and extending it by a point gives that point.
+/// An axis-parallel rectangle in mm, including its edges. A default-constructed rectangle is empty:
+/// it contains nothing, and extending it by a point gives that point.
 struct Rect {
   double x0 = std::numeric_limits<double>::infinity();
   double y0 = std::numeric_limits<double>::infinity();
@@ -17,7 +17,7 @@ struct Rect {
 
   friend constexpr bool operator==(const Rect&, const Rect&) noexcept = default;
 
-  /// Returns true if it contains no point.
+  /// Returns true if the rectangle contains no point.
   [[nodiscard]] constexpr bool empty() const noexcept { return !(x0 <= x1 && y0 <= y1); }
   /// Returns the width in mm; 0 if empty.
   [[nodiscard]] constexpr double width() const noexcept { return empty() ? 0.0 : x1 - x0; }
@@ -27,18 +27,18 @@ struct Rect {
   [[nodiscard]] constexpr bool contains(Point p) const noexcept {
     return p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1;
   }
-  /// Returns true if the two have a common point.
+  /// Returns true if the two rectangles have a common point.
   [[nodiscard]] constexpr bool intersects(const Rect& o) const noexcept {
     return x0 <= o.x1 && o.x0 <= x1 && y0 <= o.y1 && o.y0 <= y1;
   }
-  /// Grows to contain p.
+  /// Extends the rectangle to contain p.
   constexpr void extend(Point p) noexcept {
     x0 = std::min(x0, p.x);
     y0 = std::min(y0, p.y);
     x1 = std::max(x1, p.x);
     y1 = std::max(y1, p.y);
   }
-  /// Grows to contain o.
+  /// Extends the rectangle to contain o.
   constexpr void extend(const Rect& o) noexcept {
     x0 = std::min(x0, o.x0);
     y0 = std::min(y0, o.y0);

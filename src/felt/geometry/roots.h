@@ -12,7 +12,7 @@ class UnitRoots {
   [[nodiscard]] int size() const noexcept { return count_; }
   [[nodiscard]] double operator[](int i) const noexcept { return t_[static_cast<unsigned>(i)]; }
 
-  /// Adds t if it is in [0, 1] and differs from the roots already there; keeps the order.
+  /// Adds t if it is in [0, 1] and differs from the stored roots; keeps the order.
   void insert(double t) noexcept;
 
  private:
@@ -32,8 +32,8 @@ UnitRoots linear_roots(double c0, double c1) noexcept;
 /// c0 / q. Source: Press et al., Numerical Recipes, 5.6.
 UnitRoots quadratic_roots(double c0, double c1, double c2) noexcept;
 
-/// Splits [0, 1] at the extrema (roots of the derivative) and brackets one root in each monotone
-/// piece by Newton steps kept inside the bracket; at most 64 steps a piece.
+/// Splits [0, 1] at the extrema (roots of the derivative). Finds the root in each monotone piece by
+/// Newton steps that stay inside a bracket; at most 64 steps per piece.
 UnitRoots cubic_roots(double c0, double c1, double c2, double c3) noexcept;
 
 }  // namespace felt

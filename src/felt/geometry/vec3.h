@@ -62,7 +62,7 @@ constexpr Vec in_plane(const Vec3& a) noexcept {
 constexpr Vec3 lerp(const Vec3& a, const Vec3& b, double t) noexcept {
   return (1.0 - t) * a + t * b;
 }
-/// Returns true if all three are finite.
+/// Returns true if all three coordinates are finite.
 inline bool is_finite(const Vec3& a) noexcept {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }

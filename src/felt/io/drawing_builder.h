@@ -19,12 +19,12 @@ namespace felt {
 ///   builder.add(layer, stroke, "s12");
 ///   return std::move(builder).build();
 ///
-/// A stroke named "s12" gets id 12, if it is the first of that name. All others get ids above the
-/// largest id in use, layer by layer in order. A file that was written with stroke_name() therefore
-/// gets its ids back.
+/// A stroke named "s12" gets id 12, if it is the first stroke with that name. All other strokes get
+/// ids above the largest id in use, layer by layer in order. A file that was written with
+/// stroke_name() therefore gets its ids back.
 class DrawingBuilder {
  public:
-  /// Returns everything but the document: page, materials, extras. There is no page until
+  /// Returns everything except the document: page, materials, extras. The drawing has no page until
   /// `has_page` is set.
   [[nodiscard]] Drawing& drawing() noexcept { return drawing_; }
 
@@ -34,16 +34,16 @@ class DrawingBuilder {
   [[nodiscard]] std::size_t layer_count() const noexcept { return layers_.size(); }
   /// Adds a stroke on top of that layer. Requires an index from add_layer().
   void add(std::size_t layer, Stroke stroke, std::string_view name = {});
-  /// Same, for a stroke that another document holds as `id`. The stroke keeps that id.
+  /// Adds a stroke that another document holds as `id`. The stroke keeps that id.
   void add(std::size_t layer, StrokePtr stroke, StrokeId id);
 
-  /// Returns the drawing. If no layer was added, it has an empty one, "Ink". A page larger than
+  /// Returns the drawing. If no layer was added, it gets an empty layer, "Ink". A page larger than
   /// allowed gets the default size. A surface with an invalid name is dropped.
   [[nodiscard]] Drawing build() &&;
 
  private:
   struct Entry {
-    std::uint64_t id = 0;  // the requested id; 0: any
+    std::uint64_t id = 0;  // the requested id; 0 if any id will do
     StrokePtr stroke;
   };
   struct NewLayer {

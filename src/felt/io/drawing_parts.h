@@ -37,7 +37,8 @@ class DrawingParts {
   virtual ~DrawingParts() = default;
 
   [[nodiscard]] virtual std::size_t count() const = 0;
-  /// Replaces `out` by part i. Fails if the format cannot hold a stroke, and names its number.
+  /// Replaces the content of `out` with part i. Fails if the format cannot hold a stroke, and names
+  /// its number.
   virtual Result<void> make(std::size_t i, DrawingPart& out) const = 0;
   /// Returns true if several threads may make parts, in any order. Otherwise one thread makes them
   /// in order.
@@ -50,7 +51,7 @@ class DrawingParts {
 
 /// Makes all parts on the calling thread and passes them to `sink`.
 Result<void> write_parts(DrawingParts& parts, const ByteSink& sink);
-/// Same, but returns the file as one string.
+/// Makes all parts and returns the file as one string.
 Result<std::string> bytes_of(DrawingParts& parts);
 
 /// Strokes [first, last) of a layer. `layer` is its index in the document.
@@ -60,8 +61,8 @@ struct StrokeRange {
   std::size_t before = 0;
 };
 
-/// Largest number of strokes and of control points in a part. A single larger stroke is a part of
-/// its own.
+/// Maximum number of strokes and of control points in a part. A single larger stroke becomes a
+/// separate part.
 inline constexpr std::size_t kPartStrokes = 128;
 inline constexpr std::size_t kPartPoints = 8192;
 
@@ -69,8 +70,8 @@ inline constexpr std::size_t kPartPoints = 8192;
 /// strokes has one empty range.
 std::vector<StrokeRange> stroke_ranges(const Document& document, LayerChoice layers);
 
-/// Returns the part of the page that a picture shows: `page`, or else the ink and `margin_mm`
-/// around it, with its edges rounded outwards to 0.01 mm.
+/// Returns the part of the page that a picture shows: `page`, or, if absent, the ink and
+/// `margin_mm` around it, with its edges rounded outwards to 0.01 mm.
 Rect picture_area(const Rect& ink, const std::optional<Rect>& page, double margin_mm) noexcept;
 
 /// Packs text parts into one gzip file. Each part is packed separately. The file contains no time

@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// Doubles to the last bit, written next to rounded numbers (docs/formats/svg.md, "Exact numbers").
+/// Exact doubles, written next to rounded numbers (docs/formats/svg.md, "Exact numbers").
 
 /// Appends the differences between `values` and their rounded `guesses`: a letter that gives the
 /// number of digits, then that many digits for each value. Requires as many guesses as values.

@@ -29,7 +29,7 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// Removes a whole number up to `most` from the line. Returns nullopt if there is none.
+/// Removes a whole number up to `most` from the line. Returns nullopt if no number is found.
 std::optional<unsigned> take_number(std::string_view& line, unsigned most) {
   line.remove_prefix(std::min(line.find_first_not_of(kSpace), line.size()));
   unsigned number = 0;

@@ -16,14 +16,14 @@ namespace felt {
 struct ImportNotice {
   std::int64_t line = 0;   ///< line of the first occurrence, from 1; 0 if the format has no lines
   std::string element;     ///< "path 'leaf'", "trace 7": the first occurrence
-  std::string what;        ///< what was done with it: a clause that follows the element
+  std::string what;        ///< how it was handled: a clause that follows the element
   std::int64_t count = 1;  ///< number of occurrences in this file
 
   friend bool operator==(const ImportNotice&, const ImportNotice&) = default;
 };
 
 /// Notices of one file, in the order in which they first occurred. Notices with the same `what` are
-/// counted together. Of those that differ only in numbers and quoted names, the first three are
+/// counted together. If notices differ only in numbers and quoted names, only the first three are
 /// kept. The size is bounded for any file: beyond kMaxKinds, all others become one notice.
 class ImportReport {
  public:
@@ -71,7 +71,7 @@ inline InkFitOptions solid_fit(InkFitOptions fit) {
 
 /// Settings for readers of foreign formats.
 struct ImportOptions {
-  /// How pen samples become ink, for formats that hold samples instead of curves.
+  /// Options for converting pen samples to ink, for formats that hold samples instead of curves.
   InkFitOptions fit{};
 };
 

@@ -25,13 +25,13 @@ struct WidePoint {
 inline constexpr double kDrawnLineToleranceMm = 0.05;
 /// Largest difference between the width profile and the widths of a drawn line.
 inline constexpr double kDrawnWidthToleranceMm = 0.02;
-/// A piece of a drawn line that is longer than this was drawn with a ruler: it becomes one straight
-/// segment.
+/// Length in mm above which a straight piece of a drawn line counts as drawn with a ruler. Such a
+/// piece becomes one straight segment.
 inline constexpr double kRuledMm = 20.0;
 
-/// Makes strokes of the data of other programs: pen samples, or lines with widths. Use one object
-/// for each file: it reuses its buffers, and its work for the file is bounded. Thread: one at a
-/// time.
+/// Converts the data of other programs to strokes: pen samples, or lines with widths. Use one
+/// object for each file: it reuses its buffers, and its work for the file is bounded. Not
+/// thread-safe.
 class InkOfPoints {
  public:
   /// `fit` applies to samples. Drawn lines use the tolerances above.
@@ -40,13 +40,13 @@ class InkOfPoints {
   /// Converts pen samples, in mm, to the stroke that the pencil tool would have drawn. Samples at a
   /// single position become a dab. Fails if no sample is usable.
   Result<StrokeData> of_samples(std::span<const InkSample> samples);
-  /// Same, with another map from pressure to width.
+  /// Converts pen samples with another map from pressure to width.
   Result<StrokeData> of_samples(std::span<const InkSample> samples, const WidthMapOptions& widths);
 
   /// Converts a drawn line. The curve follows the straight lines between the points. If the last
   /// point equals the first, the stroke is closed. A single position becomes a dab. Points that are
-  /// not finite or beyond 1e9 mm are skipped, widths below kMinWidthMm are raised to it. Fails if
-  /// no point is left.
+  /// not finite or beyond 1e9 mm are skipped. Widths below kMinWidthMm are raised to kMinWidthMm.
+  /// Fails if no valid point remains.
   Result<StrokeData> of_line(std::span<const WidePoint> line);
 
  private:

@@ -9,8 +9,8 @@
 /// numbers.
 namespace felt::limits {
 
-/// Longest line, without its terminator. A longer line is skipped without being kept in memory.
-/// Enough for a stroke of ten million samples at 50 characters each.
+/// Longest line, without its terminator. A longer line is skipped without being kept in memory. The
+/// limit is enough for a stroke of ten million samples at 50 characters each.
 inline constexpr std::size_t kMaxLineBytes = std::size_t{512} << 20;
 
 /// Longest number, in characters.

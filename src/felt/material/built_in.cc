@@ -6,7 +6,7 @@
 
 namespace felt {
 
-// The values are in share/materials, each with its source.
+// The values and their sources are in share/materials.
 const Materials& Materials::built_in() {
   static const Materials all = [] {
     Materials made;

@@ -20,7 +20,7 @@ enum class MaterialFieldKind : std::uint8_t {
   kColor,   ///< "#rrggbb", as 0xRRGGBB
 };
 
-/// One field of a material: a line of its text, a row of the editor, a line of
+/// One field of a material: it is a line of the material's text, a row of the editor and a line of
 /// docs/formats/material.md. A text also has `kind`, `id` and `label`, a surface may have a custom
 /// relief (`grain.picture`, `grain.heights`), and a medium may have the table `pairs`.
 template <class Material>

@@ -13,7 +13,7 @@
 
 namespace felt {
 
-/// A surface or a medium: the content of one text. Format: docs/formats/material.md.
+/// A surface or a medium, as read from one text. Format: docs/formats/material.md.
 using AnyMaterial = std::variant<SurfaceMaterial, Medium>;
 
 /// Limits of a text: its size, the length of a line, of an id and of a label.
@@ -32,19 +32,20 @@ struct MaterialSource {
 };
 
 /// Reads one material. Fails if the text is not TOML, has no kind or id, has an unknown key or a
-/// value of the wrong type or out of range (as NaN and infinity are), or if the text or a line is
-/// too long. The error is the first one, with its line:
+/// value of the wrong type or out of range (NaN and infinity are out of range), or if the text or a
+/// line is too long. Reports the first error with its line:
 /// "my-paper.toml:7: grain.height_um is 900, it must be 0 to 200 um".
 Result<AnyMaterial> read_material(std::string_view text, const MaterialSource& source = {});
 
-/// Returns all errors of a text in the order of their lines; none if read_material accepts it.
+/// Returns all errors of a text in the order of their lines; empty if read_material accepts it.
 std::vector<Error> material_problems(std::string_view text, const MaterialSource& source = {});
 
 /// Returns the text of a material: every field, with its range and its meaning as a comment. A
 /// custom relief is included as numbers, so that the text is complete. `read_material` returns an
 /// equal material; the same material always gives the same text.
 ///
-/// Requires that material_error() is "". The editor ensures that by keeping to the ranges.
+/// Requires that material_error() is "". The editor ensures this because it allows only values in
+/// range.
 std::string write_material(const SurfaceMaterial& surface);
 std::string write_material(const Medium& medium);
 std::string write_material(const AnyMaterial& material);
@@ -60,7 +61,7 @@ const std::string& label_of(const AnyMaterial& material) noexcept;
 /// Returns "sheet" or "medium".
 std::string_view kind_of(const AnyMaterial& material) noexcept;
 
-/// Returns the label of a material that has none: "My paper" for "my-paper".
+/// Returns the label for a material without a label: "My paper" for "my-paper".
 std::string label_of_id(std::string_view id);
 /// Returns the kind and id, which together identify a material: "sheet my-paper".
 std::string material_key(const AnyMaterial& material);
@@ -68,8 +69,9 @@ std::string material_key(const AnyMaterial& material);
 /// Calls Materials::put with the surface or medium.
 void put(Materials& materials, AnyMaterial material);
 
-/// Returns the materials that are not built in, or differ from the built-in one with the same id. A
-/// recording or a document must contain these. Surfaces first, in the order of `materials`.
+/// Returns the materials that are not built in, or that differ from the built-in material with the
+/// same id. A recording or a document must contain these. Surfaces first, in the order of
+/// `materials`.
 std::vector<AnyMaterial> not_built_in(const Materials& materials);
 
 }  // namespace felt

@@ -31,7 +31,7 @@ std::vector<std::string> files_of(const std::string& folder, std::vector<std::st
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     std::error_code unknown;
     const std::string name = at->path().filename().string();
-    // Only regular files, because reading a pipe could block.
+    // Reads only regular files, because reading a pipe could block.
     if (!at->is_regular_file(unknown) || !name.ends_with(".toml") || name[0] == '.') continue;
     if (names.size() == kMaxFiles) {
       problems.push_back(folder + ": only " + std::to_string(kMaxFiles) +

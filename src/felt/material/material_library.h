@@ -23,9 +23,10 @@ struct MaterialEntry {
 
 /// All available materials.
 struct MaterialLibrary {
-  Materials materials = Materials::built_in();  ///< the built-in ones, then those of the folders
-  std::vector<MaterialEntry> own;  ///< those of the folders, by folder, then by file name
-  /// The files that could not be read, one sentence each. The other files are loaded all the same.
+  Materials materials = Materials::built_in();  ///< built-in materials, then those of the folders
+  std::vector<MaterialEntry> own;  ///< materials of the folders, ordered by folder, then by file
+                                   ///< name
+  /// One message for each file that could not be read. The other files are still loaded.
   std::vector<std::string> problems;
 };
 
@@ -35,11 +36,11 @@ struct MaterialLibrary {
 /// environment, so no other thread may change it meanwhile.
 std::vector<std::string> material_folders();
 
-/// Loads all *.toml files of these folders (not of their subfolders). Missing folders are skipped.
+/// Loads all *.toml files of these folders (not of their subfolders). Skips missing folders.
 ///
-/// The id of a material must not be that of a built-in surface or medium, so that a drawing means
-/// the same on every computer. If two files of a folder have the same id, the second one is a
-/// problem. If a later folder has an id of an earlier folder, its file is skipped.
+/// The id of a material must differ from the ids of the built-in surfaces and media, so that a
+/// drawing means the same on every computer. If two files of a folder have the same id, the second
+/// one is a problem. If a later folder has an id of an earlier folder, its file is skipped.
 MaterialLibrary load_materials(std::span<const std::string> folders,
                                const LoadPicture& load_picture = {});
 
@@ -52,11 +53,11 @@ Result<AnyMaterial> read_material_file(const std::string& path,
 MaterialSource material_source(const std::string& path, const LoadPicture& load_picture = {});
 
 /// Returns the path of the file in a folder that has a material of the same kind and id, even if
-/// its other fields differ; "" if no readable file has.
+/// its other fields differ; returns "" if no such file can be read.
 std::string material_path(const std::string& folder, const AnyMaterial& material);
 
 /// Saves a user-defined material in a folder, which is created if necessary. Replaces the file with
-/// the same kind and id; otherwise writes ID.toml. The file is replaced as a whole or not at all.
+/// the same kind and id; otherwise writes ID.toml. The file is replaced completely or not at all.
 /// Returns its path. Fails if the id is built in, material_error() is not "", a file has the same
 /// id but the other kind, ID.toml has another material, or the disk fails.
 Result<std::string> save_material(const std::string& folder, const AnyMaterial& material);

@@ -217,7 +217,8 @@ class Reading {
   void take_picture(const TomlEntry& entry, SurfaceMaterial& sheet) {
     const auto* file = std::get_if<std::string>(&entry.value);
     if (!file || file->empty()) return refuse(entry, "the name of a .png beside this file");
-    // Only a file name, so that a text from another user cannot read arbitrary files.
+    // Accepts only a file name without a path, so that a text from another user cannot read
+    // arbitrary files.
     if (file->find_first_of("/\\") != std::string::npos || *file == ".." || !is_label(*file)) {
       return refuse(entry, "the name of a .png beside this file, without folders");
     }

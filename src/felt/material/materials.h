@@ -12,8 +12,8 @@
 
 namespace felt {
 
-/// The largest coefficient of friction: the limit for texts, including their pairs, and for the
-/// value computed for other pairs (friction_of). Rubber on rubber is about 1.
+/// The largest coefficient of friction: the limit for the values in texts, including `pairs`, and
+/// for the values that friction_of computes. Rubber on rubber is about 1.
 inline constexpr double kMaxFriction = 1.5;
 
 /// How the line depends on the pressure p and the tilt. `lean` is the tilt as 0..1 here
@@ -38,12 +38,13 @@ struct MediumLine {
 /// uses it; heights are in multiples of the RMS of the relief.
 struct MediumLook {
   double opacity_light = 1.0;  ///< opacity of the inked parts, at tone 0
-  double opacity_heavy = 1.0;  ///< the same at tone 1
+  double opacity_heavy = 1.0;  ///< the same, but at tone 1
   double grain = 1.0;          ///< visible share of the surface's relief; 0 for wet media
   double cut_light = 0.35;     ///< height below which the surface stays bare at tone 0, in RMS
-  double cut_heavy = -2.6;     ///< the same at tone 1
+  double cut_heavy = -2.6;     ///< the same, but at tone 1
   double soft = 0.9;           ///< half the width of the edge of a grain, in RMS
-  double crumb = 0.0;          ///< share of the medium's own coarseness (dust, crumbs), 0..1
+  double crumb = 0.0;          ///< amount of coarseness that the medium itself adds (dust, crumbs),
+                               ///< 0..1
   double crumb_mm = 0.3;       ///< wavelength of that coarseness
   double edge = 0.0;           ///< width of the soft edge of the line, as a share of its radius
   double rim = 0.0;            ///< how much darker a wet line dries at its rim, 0..1
@@ -91,11 +92,11 @@ struct Medium {
 };
 
 /// Returns the share of the relief that remains under a medium that fills or crushes it: 1 under a
-/// light touch, 1 - wear under a firm push, linear in between. The same rule for hand and eye. For
-/// the hand, `firmness` is its push as a share of the push that flattens everything
-/// (flattening_push_n in haptics/drawing_feel.h, Texture). For the eye it is the tone of the ink
-/// (render/grain.h), because a stroke stores nothing else about the push. Both arguments are
-/// clamped to 0..1; NaN counts as 0.
+/// light touch, 1 - wear under a firm push, linear in between. The same rule applies to what the
+/// user feels and sees. For the force, `firmness` is the push of the hand as a share of the push
+/// that flattens everything (flattening_push_n in haptics/drawing_feel.h, Texture). For the display
+/// it is the tone of the ink (render/grain.h), because a stroke stores nothing else about the push.
+/// Clamps both arguments to 0..1; NaN counts as 0.
 constexpr double relief_left(double wear, double firmness) noexcept {
   const auto share = [](double x) { return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0; };
   return 1.0 - share(wear) * share(firmness);
@@ -110,7 +111,7 @@ struct SurfaceSound {
 };
 
 /// A surface to draw on (docs/design/forces.md#surfaces): its stiffness, its friction, and the
-/// relief, which is the same for the eye, the hand and the ear.
+/// relief, which is the same in display, force and sound.
 struct SurfaceMaterial {
   std::string id;     ///< its name in documents and events: "rough-paper"
   std::string label;  ///< its name in the user interface: "Rough paper"
@@ -134,9 +135,8 @@ struct SurfaceMaterial {
   friend bool operator==(const SurfaceMaterial&, const SurfaceMaterial&) = default;
 };
 
-/// Surfaces and media by their ids: the built-in ones and the user-defined ones. A value; do not
-/// change it while another thread reads it. The first surface is paper, the first medium the
-/// pencil.
+/// All surfaces and media, built-in and user-defined, by their ids. A value type; do not change it
+/// while another thread reads it. The first surface is paper, the first medium the pencil.
 class Materials {
  public:
   /// Returns the built-in surfaces (paper, rough-paper, watercolour, canvas, blackboard, felt,
@@ -149,7 +149,7 @@ class Materials {
   [[nodiscard]] const SurfaceMaterial* find_surface(std::string_view id) const noexcept;
   [[nodiscard]] const Medium* find_medium(std::string_view id) const noexcept;
 
-  /// Adds a material, or replaces the one with the same id at its position.
+  /// Adds a material. If a material has the same id, replaces it and keeps its position.
   void put(SurfaceMaterial surface);
   void put(Medium medium);
 
@@ -158,7 +158,7 @@ class Materials {
   std::vector<Medium> media_;
 };
 
-// The same for Materials::built_in().
+// Returns the surfaces of Materials::built_in().
 std::span<const SurfaceMaterial> surface_materials() noexcept;
 std::span<const Medium> media() noexcept;
 const SurfaceMaterial* find_surface(std::string_view id) noexcept;

@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// Returns the shortest text that reads back as the same number: "0.25", "500", "nan". Independent
+/// Returns the shortest text from which the same number is read: "0.25", "500", "nan". Independent
 /// of the locale.
 inline std::string number_text(double number) {
   std::array<char, 32> buffer{};

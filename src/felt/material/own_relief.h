@@ -14,9 +14,9 @@ namespace felt {
 inline constexpr int kOwnReliefSide = 128;
 
 /// Returns a custom relief, for SurfaceMaterial::picture, from a picture. Resamples it to
-/// kOwnReliefSide^2 heights of 16 bits, the form that the text of a material has. The same heights
-/// give the same object: materials with equal texts are equal, and a relief is made (60 ms) only
-/// once. Call on any thread except the haptic one. Fails if height_field_of fails.
+/// kOwnReliefSide^2 heights of 16 bits, the form that the text of a material has. Returns the same
+/// object for the same heights, so materials with equal texts compare equal, and a relief is made
+/// (60 ms) only once. Call on any thread except the haptic one. Fails if height_field_of fails.
 Result<std::shared_ptr<const HeightField>> own_relief(const HeightPicture& picture);
 
 /// Returns the custom relief of a text written by own_relief_text; white space is ignored. Fails if

@@ -11,7 +11,7 @@
 
 namespace felt {
 
-/// A value of a type that no material has, such as an array or a date.
+/// A value of a type that materials do not use, such as an array or a date.
 struct TomlOther {
   std::string_view what;  ///< the type, for messages: "a list"
 };
@@ -26,9 +26,9 @@ struct TomlEntry {
   bool is_whole = false;  ///< a number written without a decimal point
 };
 
-/// Returns all entries of a TOML text in their order. The entries of a table have its name in their
-/// key; an empty table is an entry itself. Fails if the text is not TOML or nested deeper than a
-/// material; the message starts with `name` and the line.
+/// Returns all entries of a TOML text in their order. The key of an entry in a table starts with
+/// the table's name. An empty table gives one entry. Fails if the text is not TOML or nested deeper
+/// than a material; the message starts with `name` and the line.
 Result<std::vector<TomlEntry>> read_toml(std::string_view text, const std::string& name);
 
 /// Returns "file.toml:7: ".

@@ -19,47 +19,48 @@ struct InkLook;
 ///   r = (grain d s(x) + crumb c(x) + streaks b(n)) / n,   n = |(grain, crumb, streaks)|
 ///   G = min(1, n),  w = 1 - wear q,  cut = cut_light + (cut_heavy - cut_light) q
 ///
-/// The smoothstep of h - h_cut(p) is the one of docs/design/rendering.md#grain-in-ink; all its
-/// terms are our own choice:
+/// The smoothstep of h - h_cut(p) is the one of docs/design/rendering.md#grain-in-ink; the choice
+/// of all its terms is ours:
 /// s  the same height h that the hand feels at x, plus a *tooth*: the same map, finer and rotated.
 ///    Grain shorter than 1 mm cannot be rendered to a hand at 1 kHz so that it is both stable and
-///    strong enough to be felt (docs/design/forces.md#texture), but the eye misses it. In units of
-///    its own RMS;
+///    strong enough to be felt (docs/design/forces.md#texture), but the picture looks wrong
+///    without it. In units of its own RMS;
 /// d  = R / (R + 2 um) for the relief's RMS height R: fine paper is less grainy than canvas;
 /// c  the medium's own dust: a separate map, as coarse as crumb_mm, fixed to the page;
-/// b  hairs, by the position n across the line: those of a dry brush are seen one by one.
+/// b  hairs, by the position n across the line: the single hairs of a dry brush are visible.
 /// Within `edge` radii of the rim, q falls to -1/3, where the ink reaches no part of the relief:
 /// dust frays. At the rim wet ink dries darker: alpha (1 + rim). If a pixel is larger than the
 /// grain, alpha is the mean over the detail that it cannot show. Nothing here depends on earlier
 /// strokes, so any order of painting gives the same picture.
 ///
-/// A value; copies share their tables: 1.4 MiB of relief, 5 MiB more from 32 pixels a wavelength
-/// on, and 32 KiB for each medium and scale. Thread: any.
+/// A value type. Copies share their tables: 1.4 MiB of relief, 5 MiB more from 32 pixels a
+/// wavelength on, and 32 KiB for each medium and scale. Safe to use from any thread.
 class Grain {
  public:
-  /// Creates a plain grain: every medium is solid ink.
+  /// Creates a plain grain, with which every medium is solid ink.
   Grain() noexcept = default;
-  /// Requires that `field` outlives all copies. Null is a smooth surface, on which media keep their
-  /// own look.
+  /// Requires that `field` outlives all copies. If it is null, the surface is smooth, and media
+  /// keep their own look.
   explicit Grain(const HeightField* field, const Materials& materials = Materials::built_in());
 
   [[nodiscard]] bool is_plain() const noexcept { return !state_; }
-  /// Returns true if there is no relief: plain, or a smooth surface.
+  /// Returns true if the surface has no relief: the grain is plain, or the surface is smooth.
   [[nodiscard]] bool is_smooth() const noexcept;
-  /// Returns the height at a point: the same function of the same object that a Texture feels.
+  /// Returns the height at a point: the same value that a Texture uses for the force.
   [[nodiscard]] HeightField::Sample at(Point place) const noexcept;
-  /// Returns s in units of its RMS; 0 if there is no relief.
+  /// Returns s in units of its RMS, or 0 if the surface has no relief.
   [[nodiscard]] double relief(Point place) const noexcept;
   /// Returns alpha in the middle of a line of a medium, by its id, without streaks. An unknown
   /// medium looks like the pencil. Returns 1 if plain.
   [[nodiscard]] double alpha(Point place, double tone, std::string_view material) const noexcept;
 
-  /// Returns the same as tables for a scale, for code that fills pixels (ink_look.h). Null: solid
-  /// ink.
+  /// Returns the look of a medium at a scale as tables, for code that fills pixels (ink_look.h).
+  /// Null means solid ink.
   [[nodiscard]] std::shared_ptr<const InkLook> look(std::string_view material,
                                                     double px_per_mm) const;
 
-  /// Returns true if both draw the same pixels: same relief, and media with the same look.
+  /// Returns true if both draw the same pixels, that is, have the same relief and media with the
+  /// same look.
   friend bool operator==(const Grain& a, const Grain& b) noexcept;
 
  private:

@@ -18,7 +18,7 @@ struct PixelRect {
   [[nodiscard]] constexpr int width() const noexcept { return x1 > x0 ? x1 - x0 : 0; }
   [[nodiscard]] constexpr int height() const noexcept { return y1 > y0 ? y1 - y0 : 0; }
   [[nodiscard]] constexpr bool empty() const noexcept { return x1 <= x0 || y1 <= y0; }
-  /// Returns the pixels that are in both.
+  /// Returns the pixels that are in both rectangles.
   [[nodiscard]] constexpr PixelRect intersected(const PixelRect& o) const noexcept {
     return {x0 > o.x0 ? x0 : o.x0, y0 > o.y0 ? y0 : o.y0, x1 < o.x1 ? x1 : o.x1,
             y1 < o.y1 ? y1 : o.y1};
@@ -51,8 +51,8 @@ class Image {
   /// Largest picture: 2^28 pixels, 1 GiB.
   static constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
 
-  /// Creates a transparent picture. Fails if a side is not positive, or if there are more pixels
-  /// than kMaxPixels.
+  /// Creates a transparent picture. Fails if a side is not positive, or if the picture has more
+  /// pixels than kMaxPixels.
   static Result<Image> create(int width, int height);
 
   [[nodiscard]] int width() const noexcept { return width_; }
@@ -61,7 +61,7 @@ class Image {
     return {bytes_.data(), width_, height_, std::ptrdiff_t{4} * width_, PixelOrder::kRgba};
   }
   [[nodiscard]] const std::vector<std::uint8_t>& bytes() const noexcept { return bytes_; }
-  /// Returns the premultiplied pixel at (x, y). Requires a point inside the picture.
+  /// Returns the premultiplied pixel at (x, y). Requires that (x, y) is inside the picture.
   [[nodiscard]] Rgba at(int x, int y) const noexcept;
 
   friend bool operator==(const Image&, const Image&) = default;

@@ -33,7 +33,8 @@ struct ReliefWeights {
 };
 ReliefWeights relief_weights(const MediumLook& look) noexcept;
 
-/// The look of a medium on a surface at a scale, as tables. Immutable. Thread: any.
+/// The look of a medium on a surface at a scale, as tables. Immutable, so safe to use from any
+/// thread.
 struct InkLook {
   InkLook(const MediumLook& look, double wear, const SeenRelief& seen);
 
@@ -45,11 +46,11 @@ struct InkLook {
   int sheet_weight = 0, crumb_weight = 0, hair_weight = 0;  ///< of 256
   bool has_rim = false;
   double edge = 0.0;
-  std::shared_ptr<const ReliefLevel> sheet, crumb;  ///< null: not visible
+  std::shared_ptr<const ReliefLevel> sheet, crumb;  ///< null if not visible
   double sheet_tile_mm = 1.0, crumb_tile_mm = 1.0;
 };
 
-/// A look in a view: shades the pixels of a line. `look` must outlive it.
+/// Shades the pixels of a line with a look in a view. `look` must outlive it.
 class InkShade {
  public:
   InkShade(const InkLook& look, const View& view);

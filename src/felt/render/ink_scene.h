@@ -37,7 +37,7 @@ struct InkHeight {
 /// whole layers take time linear in the sketch. A preview is applied to this copy, and undone when
 /// the next preview or edit arrives; only strokes that look different afterwards are damage.
 ///
-/// Thread: one at a time. Strokes are shared with the document, which may be on another thread.
+/// Not thread-safe. Strokes are shared with the document, which may be used on another thread.
 class InkScene {
  public:
   InkScene() : InkScene(Document{}) {}
@@ -48,19 +48,19 @@ class InkScene {
   /// Applies an edit of the document and ends the preview. Adds the area to repaint to `damage`.
   /// Fails as Document::apply does; then only the preview is removed.
   Result<void> apply(const Edit& edit, InkDamage& damage);
-  /// Shows `preview` applied to the document, or the document itself if there is none. Damage and
-  /// errors are the same as above.
+  /// Shows `preview` applied to the document, or the document itself if `preview` is empty. Damage
+  /// and errors are the same as in apply().
   Result<void> show(const std::optional<Edit>& preview, InkDamage& damage);
 
-  /// Replaces `found` by the strokes of visible layers with bounds that touch the area, lowest
-  /// first. The pointers are valid until the next change. `above`: only of the layers above that
-  /// one.
+  /// Replaces the content of `found` with the strokes of visible layers if their bounds touch the
+  /// area, lowest first. The pointers are valid until the next change. If `above` is set, only
+  /// finds strokes of the layers above that layer.
   void find(const Rect& area, std::vector<const SceneStroke*>& found,
             std::optional<LayerId> above = {}) const;
   [[nodiscard]] static InkHeight height(const SceneStroke& stroke) noexcept {
     return {stroke.layer->position, stroke.rank()};
   }
-  /// Returns the stroke, or null.
+  /// Returns the stroke, or null if the scene does not have it.
   [[nodiscard]] const SceneStroke* find(StrokeId id) const;
   /// Returns the ids of the strokes that the preview changes, ascending; some may not exist.
   [[nodiscard]] const std::vector<StrokeId>& previewed() const noexcept { return previewed_; }

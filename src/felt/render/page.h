@@ -17,18 +17,18 @@ namespace felt {
 /// How a picture of a sketch looks.
 struct PageOptions {
   double dpi = 300.0;
-  /// The part of the page to show; if not set, all ink and the margin around it.
+  /// The part of the page to show. If not set, shows all ink and a margin around it.
   std::optional<Rect> sheet{};
   double margin_mm = 5.0;
   Rgba paper{255, 255, 255, 255};  ///< alpha 0 gives a transparent picture
   Grain grain{};                   ///< the relief of the surface, shown in the ink; default: none
 };
 
-/// Returns the bounds of all ink; empty for no strokes.
+/// Returns the bounds of all ink; empty if `strokes` is empty.
 Rect ink_bounds(std::span<const StrokePtr> strokes) noexcept;
 
-/// Returns the area that the options show: `sheet`, or the ink and its margin, or a square of the
-/// margin around the origin if there is no ink.
+/// Returns the area that the options show: `sheet`, or the ink and its margin, or, if there is no
+/// ink, a square around the origin with the size of the margin.
 Rect page_area(const Rect& ink, const PageOptions& options) noexcept;
 
 /// Draws strokes one by one onto the paper.

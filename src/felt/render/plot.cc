@@ -213,7 +213,7 @@ void PlotPanelDrawing::add_column(double x, const PlotTrace::Stretch& column,
 void PlotPanelDrawing::draw_limit(const PlotLimit& limit) {
   const double y = y_of(limit.value);
   canvas_.line({x0_, y}, {x1_, y}, {.width = 1.1, .color = kLimit, .on = 6.0, .off = 4.0});
-  const bool below = y - y0_ < kTextSize + 5.0;  // there is no room above
+  const bool below = y - y0_ < kTextSize + 5.0;  // the space above is too small
   canvas_.text({x1_ - 4.0, below ? y + kTextSize + 4.0 : y - 4.0}, limit.name,
                {.size = kTextSize - 0.6, .color = kLimit, .align = PlotAlign::kRight});
 }

@@ -42,8 +42,9 @@ struct PlotPanel {
   std::vector<PlotLine> lines{};
   std::vector<PlotLimit> limits{};
   double height = 110.0;           ///< of the axes, in units of the plot
-  bool from_zero = false;          ///< start the axis at 0, whatever the smallest value
-  std::optional<PlotSpan> span{};  ///< own time interval, in which that of the plot is marked
+  bool from_zero = false;          ///< start the axis at 0, even if the smallest value is larger
+  std::optional<PlotSpan> span{};  ///< own time interval, in which the interval of the plot is
+                                   ///< marked
 };
 
 /// Panels below each other that share a time axis, for example pose, width and each force term over
@@ -53,7 +54,7 @@ struct Plot {
   std::string note;  ///< a second line in a lighter colour
   PlotSpan span;
   std::vector<PlotPanel> panels;
-  /// The times at which this is above 0 are shaded in all panels.
+  /// All panels are shaded at the times at which this signal is above 0.
   PlotTrace shade;
   std::string shade_name;
 };
@@ -63,8 +64,8 @@ struct PlotOptions {
   double scale = 2.0;    ///< pixels per unit
 };
 
-/// Draws a plot. The same plot gives the same pixels. Text is ASCII. Fails if there is no panel, if
-/// a time interval is empty or not finite, or if the size is invalid or more than
+/// Draws a plot. The same plot gives the same pixels. Text is ASCII. Fails if the plot has no
+/// panel, if a time interval is empty or not finite, or if the size is invalid or more than
 /// Image::kMaxPixels.
 Result<Image> draw_plot(const Plot& plot, const PlotOptions& options = {});
 

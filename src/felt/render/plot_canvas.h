@@ -50,7 +50,7 @@ class PlotCanvas {
   void polyline(std::span<const Vec> points, const PlotPen& pen);
   /// Draws one line of text with `at` on its base line.
   void text(Vec at, std::string_view text, const PlotFont& font);
-  /// Same, rotated to read upwards; `at` is on its base line.
+  /// Draws one line of text rotated to read upwards, with `at` on its base line.
   void text_upwards(Vec at, std::string_view text, const PlotFont& font);
   /// Returns the length of a text.
   [[nodiscard]] double text_width(std::string_view text, double size) const;

@@ -18,11 +18,11 @@ class PlotTrace {
   };
 
   PlotTrace() = default;
-  /// The first value is that of `start_s`, the next one is `step_s` later. Keeps at most `capacity`
+  /// The first value is at `start_s`; each next value is `step_s` later. Keeps at most `capacity`
   /// (even, >= 2) intervals.
   PlotTrace(double start_s, double step_s, std::size_t capacity = 4096);
 
-  /// Adds the next value; one that is not finite is a gap.
+  /// Adds the next value. A value that is not finite is a gap.
   void add(double value);
 
   [[nodiscard]] std::size_t size() const noexcept { return stretches_.size(); }
@@ -37,7 +37,7 @@ class PlotTrace {
   }
   /// Returns the smallest and largest value of intervals [begin, end).
   [[nodiscard]] Stretch merged(std::size_t begin, std::size_t end) const noexcept;
-  /// Returns the smallest and largest value between two times; empty if there is none.
+  /// Returns the smallest and largest value between two times; empty if the interval has no value.
   [[nodiscard]] Stretch range(double from_s, double to_s) const noexcept;
 
  private:

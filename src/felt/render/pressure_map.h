@@ -18,7 +18,7 @@ struct TipAt {
 };
 
 /// The push on each pixel of a line (Grain: q), its distance from the middle (rho) and its position
-/// across the line, for the looks of media. Thread: one at a time. Reuses its buffer.
+/// across the line, for the looks of media. Reuses its buffer. Not thread-safe.
 ///
 /// Each strip between two dabs writes its push: tone (1 - 0.45 rho^2) at rho radii from its middle
 /// line, falling to kMinPush within the soft edge of a medium. If a line crosses itself, the
@@ -30,7 +30,7 @@ class PressureMap {
   static constexpr int kRows = 128;               ///< steps of push
   static constexpr int kAcross = 512;             ///< steps across a line
 
-  /// Starts an empty map for the pixels of `area`; `edge`: MediumLook::edge.
+  /// Starts an empty map for the pixels of `area`. `edge` is MediumLook::edge.
   void begin(PixelRect area, double edge);
   /// Adds the path of the tip, with straight lines from dab to dab. If the path is a part of a
   /// ring, `into` and `out` are the directions, of length 1, in which the tip arrived and

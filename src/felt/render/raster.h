@@ -20,7 +20,7 @@ inline constexpr double kRasterTolerancePx = 0.05;
 ///
 /// For a long stroke, only the segments near the clip are traced.
 ///
-/// Reuses its buffers: no allocation per outline after warm-up. Thread: one at a time.
+/// Reuses its buffers, so it does not allocate per outline after warm-up. Not thread-safe.
 class Rasterizer {
  public:
   Rasterizer();
@@ -35,12 +35,12 @@ class Rasterizer {
   /// nothing if it is outside the clip.
   void draw(const Stroke& stroke, const View& view, PixelRect clip, Pixels target);
 
-  /// Draws only its centre line, `width_px` wide and opaque: outline view.
+  /// Draws only the centre line of a stroke, `width_px` wide and opaque. Used for the outline view.
   void draw_center_line(const Stroke& stroke, const View& view, PixelRect clip, double width_px,
                         Pixels target);
 
-  /// Same as `draw`, with the look of the stroke's medium on a surface (R47). A plain grain gives
-  /// the same pixels as `draw` without one.
+  /// Draws a stroke with the look of its medium on a surface (R47). If the grain is plain, the
+  /// pixels are the same as without a grain.
   void draw(const Stroke& stroke, const View& view, PixelRect clip, const Grain& grain,
             Pixels target);
 

@@ -11,10 +11,10 @@
 
 namespace felt {
 
-/// Returns the relief that the eye sees, in units of its RMS: h and its tooth, which is the same
-/// map 4.5 and 8.1 times finer, each rotated by some 30 degrees so that its lattice never shows.
-/// The finer lines of wood stay along the wood. Repeats with the tile of h, because the tooth is
-/// rotated by whole numbers.
+/// Returns the visible relief in units of its RMS: h and its tooth, which is the same map 4.5 and
+/// 8.1 times finer, each rotated by about 30 degrees so that its lattice is not visible. The finer
+/// lines of wood stay along the wood. Repeats with the tile of h, because the tooth is rotated by
+/// whole numbers.
 double seen_relief(const HeightField& field, Point place) noexcept;
 
 /// A seamless relief as a grid of texels, each with one height; the side is a power of two.
@@ -22,11 +22,12 @@ struct ReliefLevel {
   static constexpr double kPerRms = 32.0;  ///< texel value of one RMS: +-4 RMS fit
 
   int log2_side = 0;
-  double kept = 1.0;  ///< variance that is left of 1: detail finer than a texel is lost
+  double kept = 1.0;  ///< remaining variance, at most 1; detail finer than a texel is lost
   std::vector<std::int8_t> texels{};
 };
 
-/// The relief of a field at all scales. A level is made on first use and kept. Thread: any.
+/// The relief of a field at all scales. A level is made on first use and kept. Safe to use from any
+/// thread.
 class ReliefTexture {
  public:
   /// Requires that `field` outlives it.

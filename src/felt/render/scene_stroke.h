@@ -31,10 +31,10 @@ struct SceneStroke {
   Rect box;  ///< bounds of its ink
   SceneLayer* layer = nullptr;
   bool is_previewed = false;  ///< shown as in a preview, not as in the document
-  // Used by StrokeOrder.
+  // Set and used by StrokeOrder.
   OrderBlock* block = nullptr;
   std::size_t slot = 0;
-  // Used by StrokeGrid.
+  // Set and used by StrokeGrid.
   StrokeCell* cell = nullptr;
   std::size_t cell_slot = 0;
 

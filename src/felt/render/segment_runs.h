@@ -23,7 +23,7 @@ class SegmentRuns {
   void find(const Stroke& stroke, const Rect& area);
   /// Returns the runs in the order of the stroke.
   [[nodiscard]] const std::vector<SegmentRun>& runs() const noexcept { return runs_; }
-  /// Returns true if they are all segments.
+  /// Returns true if the runs cover all segments of the stroke.
   [[nodiscard]] bool is_whole(const Stroke& stroke) const noexcept {
     return runs_.size() == 1 && runs_[0].first == 0 && runs_[0].last == stroke.segment_count();
   }

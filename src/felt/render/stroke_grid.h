@@ -9,9 +9,9 @@
 
 namespace felt {
 
-/// Finds the strokes in a rectangle. There is one grid of squares for each size of strokes, and
-/// each stroke is in one square that is at least as large as the stroke. Adding and removing is
-/// logarithmic; finding is linear in the results and in the squares around.
+/// Finds the strokes in a rectangle. Each size class of strokes has its own grid of squares. Each
+/// stroke is in one square that is at least as large as the stroke. Adding and removing take
+/// logarithmic time; finding takes linear time in the number of results and nearby squares.
 class StrokeGrid {
  public:
   /// Adds a stroke by its `box`, which must not change until it is removed.

@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// The drawing order of a layer, in blocks. A stroke finds its position without a search, and
-/// adding or removing one in the middle of 10^5 moves some hundred others, not all of them.
+/// The drawing order of a layer, in blocks. The position of a stroke is known without a search.
+/// Adding or removing a stroke in the middle of 10^5 moves only some hundred others.
 class StrokeOrder {
  public:
   StrokeOrder() = default;

@@ -16,7 +16,7 @@ inline constexpr int kTileSide = 256;
 /// How ink is drawn.
 struct InkStyle {
   Grain grain{};
-  /// Above 0: draws only centre lines of this width.
+  /// If above 0, only centre lines of this width are drawn.
   double hair_px = 0.0;
 };
 
@@ -33,24 +33,24 @@ struct InkJob {
 
 /// The content of a tile below and above the strokes of a preview, kept while they change.
 struct TileSplit {
-  PixelRect valid;                  ///< area of the pictures; empty: nothing is kept
+  PixelRect valid;                  ///< area of the pictures; empty if nothing is kept
   std::vector<std::uint8_t> below;  ///< of `valid`
   std::vector<std::uint8_t> above;  ///< same, on a transparent background
-  StrokeId below_top;               ///< the highest stroke in `below`, or none
-  StrokeId above_bottom;            ///< the lowest stroke in `above`, or none
+  StrokeId below_top;               ///< the highest stroke in `below`; zero if it is empty
+  StrokeId above_bottom;            ///< the lowest stroke in `above`; zero if it is empty
   std::vector<StrokeId> drawn;      ///< all strokes of both, ascending
   std::vector<StrokeId> previewed;  ///< at the time it was made, ascending
   std::uint64_t revision = 0;       ///< of the scene
-  /// A part of the tile was composed from `above`, where many strokes are blended in one step: up
-  /// to 4 of 255 levels wrong if dozens of transparent strokes overlap.
+  /// True if a part of the tile was composed from `above`, in which many strokes are blended in one
+  /// step. The error is up to 4 of 255 levels if dozens of transparent strokes overlap.
   bool is_rounded = false;
 };
 
-/// Paints parts of pictures of a scene, on a transparent background. Thread: one at a time.
+/// Paints parts of pictures of a scene, on a transparent background. Not thread-safe.
 class TilePainter {
  public:
-  /// Returns the job that draws `part` of this picture directly. `above`: only the layers above
-  /// that one.
+  /// Returns the job that draws `part` of this picture directly. If `above` is set, only draws the
+  /// layers above that layer.
   [[nodiscard]] static InkJob job_of(const InkScene& scene, const View& view, PixelRect part,
                                      std::optional<LayerId> above = {});
   /// Draws the next stroke of a job. Requires that the part was cleared before the first one.
@@ -60,9 +60,9 @@ class TilePainter {
             Pixels target);
 
   /// Repaints `part` while a preview is shown, with the content below and above its strokes from
-  /// `split`, which is made or extended if it does not fit. The cost is then that of the strokes of
-  /// the preview and those between them, however many others there are. Returns false, and paints
-  /// nothing, if this is not faster than drawing directly.
+  /// `split`, which is made or extended if it does not fit. The cost then depends only on the
+  /// strokes of the preview and the strokes between them. Returns false, and paints nothing, if
+  /// this is not faster than drawing directly.
   bool paint_split(const InkScene& scene, const View& view, PixelRect part, const InkStyle& style,
                    TileSplit& split, Pixels target);
 

@@ -29,7 +29,7 @@ class ByteWriter {
 
 /// Reads what ByteWriter wrote. Never reads beyond the end: after the first error every value is 0
 /// or empty and ok() is false, so that the caller needs to check only once, at the end. Lengths are
-/// checked against the bytes that are left.
+/// checked against the number of bytes left.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) noexcept : bytes_(bytes) {}
@@ -38,10 +38,10 @@ class ByteReader {
   std::uint32_t u32() { return static_cast<std::uint32_t>(little_endian(4)); }
   std::uint64_t u64() { return little_endian(8); }
   double f64();
-  /// Returns a view into the bytes being read. An error if it is longer than `max_bytes`.
+  /// Returns a view into the bytes being read. Fails if the text is longer than `max_bytes`.
   std::string_view text(std::size_t max_bytes);
-  /// Reads what ByteWriter::count wrote. An error if it has more bytes than it needs, or more than
-  /// 64 bits.
+  /// Reads what ByteWriter::count wrote. Fails if the number has more bytes than it needs, or more
+  /// than 64 bits.
   std::uint64_t count();
   /// Returns the next `size` bytes.
   std::string_view bytes(std::size_t size);

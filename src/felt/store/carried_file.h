@@ -14,7 +14,7 @@ namespace felt {
 /// outlive it.
 class CarriedFile {
  public:
-  /// Opens the file. If there is none, there is nothing to carry over, which is not an error.
+  /// Opens the file. If the extras have no file, nothing is carried over; this is not an error.
   static Result<CarriedFile> open(const FeltExtras& extras);
 
   /// Returns the schema, or null if there is no file.
@@ -24,9 +24,9 @@ class CarriedFile {
   }
 
   /// Copies the content of a newer Feltline into a database that has our tables and their rows:
-  /// additional columns of the drawing, and of the layers and strokes that still exist, and whole
-  /// tables. Leaves out rows whose column "stroke" or "layer" names one that does not exist any
-  /// more.
+  /// whole tables, and additional columns of the drawing and of the layers and strokes that still
+  /// exist. Leaves out rows if their column "stroke" or "layer" names an object that no longer
+  /// exists.
   Result<void> copy_to(Database& to, const Document& document) const;
 
  private:

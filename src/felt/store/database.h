@@ -24,7 +24,7 @@ class Statement {
 
   void bind(int parameter, std::int64_t value) const noexcept;
   void bind(int parameter, double value) const noexcept;
-  /// Binds a text, which must live until step(); so must the bytes of bind_blob().
+  /// Binds a text. The text must live until step(). The same holds for the bytes of bind_blob().
   void bind_text(int parameter, std::string_view text) const noexcept;
   void bind_blob(int parameter, std::string_view bytes) const noexcept;
   void bind_null(int parameter) const noexcept;
@@ -54,15 +54,16 @@ class Statement {
   sqlite3_stmt* statement_ = nullptr;
 };
 
-/// A database in memory. SQLite gets bytes and never a file, so that no journal, lock or other file
-/// can appear beside a user's drawing. Thread: one at a time.
+/// A database in memory. SQLite gets bytes instead of a file, so that no journal, lock or other
+/// file can appear beside a user's drawing. Not thread-safe.
 class Database {
  public:
   /// Creates an empty database.
   static Result<Database> create();
   /// Opens the bytes of a file for reading only. They must outlive the database and not change.
-  /// They are not trusted: defensive mode, no trusted schema, low limits, and only SELECT from
-  /// plain columns is allowed: no function, view, trigger, module, attachment or pragma.
+  /// They are not trusted. So SQLite runs in defensive mode, without a trusted schema and with low
+  /// limits. Only SELECT from plain columns is allowed; functions, views, triggers, modules,
+  /// attachments and pragmas are refused.
   static Result<Database> open(std::string_view bytes);
 
   Database(Database&& other) noexcept;

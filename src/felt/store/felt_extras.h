@@ -13,17 +13,17 @@ namespace felt {
 /// Feltline. It keeps the bytes of the file that was opened, so that saving can carry the content
 /// over.
 struct FeltExtras final : DrawingExtras {
-  /// The bytes of the file that was read, if it has such content; else null. They were checked when
+  /// The bytes of the file that was read, or null if it has no such content. They were checked when
   /// the file was read.
   std::shared_ptr<const std::string> file;
-  /// Recordings made since then, the earliest first.
+  /// Recordings made since the file was read, the earliest first.
   std::vector<std::shared_ptr<const FeltRecording>> added;
 
-  /// Compares by value. Other rows of the files do not matter.
+  /// Compares by value. Ignores other rows of the files.
   [[nodiscard]] bool equals(const DrawingExtras& other) const override;
 };
 
-/// Returns the extras of a drawing; empty ones if it has none.
+/// Returns the extras of a drawing; they are empty if the drawing has no extras.
 const FeltExtras& felt_extras(const Drawing& drawing);
 
 }  // namespace felt

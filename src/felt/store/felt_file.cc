@@ -61,7 +61,7 @@ Result<void> check_header(std::string_view bytes) {
 }
 
 /// Parses a file. `keep` owns the same bytes, for extras. If it is null, the bytes are copied if
-/// there are extras.
+/// the file has extras.
 Result<Drawing> parse(std::string_view bytes, std::shared_ptr<const std::string> keep) {
   if (auto ok = check_header(bytes); !ok) return tl::unexpected(ok.error());
   const Result<Database> database = Database::open(bytes);

@@ -13,23 +13,23 @@ namespace felt {
 /// Bytes 68 to 71 of every .felt file, big-endian: "Felt".
 inline constexpr std::uint32_t kFeltApplicationId = 0x46656c74;
 /// Version of the format, bytes 60 to 63. It changes only if older programs would read a file
-/// wrongly; what they can ignore is added without a new version (docs/formats/felt.md, "Newer and
-/// older").
+/// wrongly. Content that they can ignore is added without a new version (docs/formats/felt.md,
+/// "Newer and older").
 inline constexpr std::uint32_t kFeltVersion = 1;
-/// Largest file that is read or written.
+/// Maximum size in bytes of a file that is read or written.
 inline constexpr std::size_t kMaxFeltBytes = std::size_t{2} << 30;
 
 /// Reads a drawing (docs/formats/felt.md) exactly as it was written, including which ids were ever
-/// used. "-" is stdin. The file is read once: no lock, no other file beside it. Recordings, and
-/// content of a newer Feltline, are kept as extras and not read.
+/// used. The path "-" is stdin. The file is read once, without a lock and without other files
+/// beside it. Recordings and content of a newer Feltline are kept as extras and not parsed.
 ///
 /// The bytes are not trusted. Fails if the file cannot be read, is not a .felt file, has a newer
-/// version of the format, is truncated or damaged in any part that matters, or exceeds a limit. The
-/// message begins with the path and says what to do.
+/// version of the format, is truncated or damaged in a part that the drawing needs, or exceeds a
+/// limit. The message begins with the path and says what to do.
 Result<Drawing> read_felt(const std::string& path);
 
-/// Writes a drawing completely or not at all, durably and verified (save_file): a process that is
-/// killed at any moment leaves the old file or the new one. Equal drawings give equal bytes. If it
+/// Writes a drawing completely or not at all, durably and verified (save_file): if the process is
+/// killed, either the old file or the new file remains. Equal drawings give equal bytes. If it
 /// fails, the old file is unchanged, and the message names the path and the reason.
 Result<void> write_felt(const std::string& path, const Drawing& drawing);
 

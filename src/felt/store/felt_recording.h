@@ -15,13 +15,13 @@ namespace felt {
 
 struct Drawing;
 
-/// Forces in a recording are multiples of this, in N. It is far finer than the resolution of any
+/// Recorded forces are multiples of this force, in N. It is much finer than the resolution of any
 /// device.
 inline constexpr double kRecordedForceStepN = 1e-4;
-/// Largest recorded force, in N. Larger ones are recorded as this, NaN as 0.
+/// Largest recorded force, in N. Larger forces are recorded as kMaxRecordedForceN, and NaN as 0.
 inline constexpr double kMaxRecordedForceN = 100.0;
 
-/// The force that the loop computed at a sample, and the one that it sent after the safety chain.
+/// The force that the loop computed at a sample, and the force that it sent after the safety chain.
 struct RecordedForces {
   Force asked, sent;
   friend bool operator==(const RecordedForces&, const RecordedForces&) = default;
@@ -31,7 +31,7 @@ struct RecordedForces {
 struct RecordedSample {
   std::int64_t time_ns = 0;  ///< since the session began
   PenEvent pen;
-  std::optional<RecordedForces> forces;  ///< absent if unknown or if there are none
+  std::optional<RecordedForces> forces;  ///< absent if unknown, or if the device has no forces
   friend bool operator==(const RecordedSample&, const RecordedSample&) = default;
 };
 
@@ -54,7 +54,8 @@ struct FeltRecording {
 };
 
 /// Records a session while it runs. Pass every event of SessionOptions::on_event to event(), and
-/// the forces of every tick to forces(), before or after the event of its sample. Edit thread.
+/// the forces of every tick to forces(), before or after the event of its sample. Call on the edit
+/// thread.
 class FeltRecorder {
  public:
   FeltRecorder(std::string device, std::int64_t period_ns);
@@ -73,7 +74,7 @@ class FeltRecorder {
 
   FeltRecording recording_;
   std::vector<Tick> ticks_;    // ticks whose sample has not arrived yet
-  std::size_t unmatched_ = 0;  // samples from here on have no forces yet
+  std::size_t unmatched_ = 0;  // index from which samples have no forces yet
   std::size_t next_tick_ = 0;  // in ticks_
   std::int64_t last_ns_ = 0;
 };
@@ -94,8 +95,8 @@ struct RecordingInfo {
 
 /// Returns summaries of a drawing's recordings, the earliest first. Does not read their samples.
 Result<std::vector<RecordingInfo>> recordings_of(const Drawing& drawing);
-/// Reads recording `number` (from 0), and checks it and its checksum. Fails if there is no such
-/// recording, or if it is damaged; the message says where.
+/// Reads recording `number` (from 0), and checks its content and checksum. Fails if the recording
+/// does not exist or is damaged; the message says where.
 Result<FeltRecording> read_recording(const Drawing& drawing, std::size_t number);
 /// Checks that the content of a recording is valid and in order. Fails with a message that names
 /// the sample or event.

@@ -42,7 +42,7 @@ const std::string* blob(const Value& v) noexcept {
   const auto* bytes = std::get_if<ScannedRow::Bytes>(&v);
   return bytes && !bytes->is_text ? &bytes->value : nullptr;
 }
-/// First id of strokes whose own id another stroke has; far from all other ids.
+/// First id for strokes if another stroke already has their own id. It is far from all other ids.
 constexpr std::int64_t kStrayIds = std::int64_t{1} << 40;
 
 /// Collects rows. Their table is recognised by their form, because it is not known which page

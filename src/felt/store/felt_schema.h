@@ -20,8 +20,8 @@ struct FeltTable {
   std::string sql;
   std::vector<std::string> columns;
 
-  /// Returns the names of the columns beyond the first `ours`, which our own table of this name
-  /// does not have, each after a comma.
+  /// Returns the names of the columns after the first `ours`, each after a comma. Our own table of
+  /// this name does not have these columns.
   [[nodiscard]] std::string beyond(std::size_t ours) const;
 };
 
@@ -29,12 +29,12 @@ struct FeltTable {
 struct FeltSchema {
   FeltTable drawing, layer, palette, shown, stroke;
   bool has_materials = false;  ///< the table `material` (material_table.h)
-  /// All three tables of recordings, or none.
+  /// The three tables of recordings; empty if the file has no recordings.
   std::vector<FeltTable> recordings;
   /// Tables of a newer Feltline, in the order of their names.
   std::vector<FeltTable> foreign;
 
-  /// Returns true if there is content that a drawing carries as extras.
+  /// Returns true if the file has content that a drawing carries as extras.
   [[nodiscard]] bool has_extras() const noexcept;
 };
 
@@ -46,8 +46,8 @@ struct OwnTable {
 };
 const OwnTable& own_table(std::string_view name);
 
-/// Creates our tables in an empty database. A table that has additional columns in `like` gets
-/// these, too.
+/// Creates our tables in an empty database. Tables also get the additional columns that they have
+/// in `like`.
 Result<void> make_tables(Database& database, const FeltSchema* like);
 /// Creates the tables of recordings, and the views through which other programs read them. They get
 /// columns for the pen's tilt if `like` has them or `with_lean` is true.
@@ -56,14 +56,14 @@ Result<void> make_recording_tables(Database& database, const FeltSchema* like, b
 [[nodiscard]] bool has_lean(const FeltTable& table);
 
 /// Parses a definition: CREATE TABLE name(column TYPE [PRIMARY KEY] [NOT NULL] [DEFAULT literal],
-/// ...) with exactly these blanks, names of a-z, 0-9 and _, types INTEGER, REAL, TEXT and BLOB.
-/// This form allows no check, expression, function or module. Fails for any other text.
+/// ...) with exactly these blanks. Names consist of a-z, 0-9 and _; types are INTEGER, REAL, TEXT
+/// and BLOB. This form allows no check, expression, function or module. Fails for any other text.
 Result<FeltTable> parse_table(std::string_view sql);
 
-/// Reads the tables of an untrusted file. Our tables must exist and begin with our columns; others
-/// must have a form that parse_table() accepts. Views, and indexes on other tables, are ignored
-/// because they are not data. Fails if this does not hold, or if there is a trigger, a virtual
-/// table or an index on our tables.
+/// Reads the tables of an untrusted file. Ignores views, and indexes on other tables, because they
+/// are not data. Fails if one of our tables is missing or does not begin with our columns, if
+/// parse_table() rejects another table, or if the file has a trigger, a virtual table or an index
+/// on our tables.
 Result<FeltSchema> read_schema(const Database& database);
 
 }  // namespace felt

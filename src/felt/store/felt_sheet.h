@@ -14,11 +14,12 @@ bool is_color_number(std::int64_t n) noexcept;
 
 /// Writes the tables `palette` and `shown`, whose rows do not refer to others.
 Result<void> write_sheet(const Database& db, const Drawing& drawing);
-/// Reads them. The palette's name and columns are in the row of the table `drawing`.
+/// Reads the tables `palette` and `shown`. The palette's name and columns are in the row of the
+/// table `drawing`.
 Result<void> read_sheet(const Database& db, Drawing& drawing);
 /// Checks that palette and view are within the limits of the format.
 Result<void> check_sheet(const Drawing& drawing);
-/// Appends the part of them that the drawing's checksum covers.
+/// Appends the part of palette and view that the drawing's checksum covers.
 void append_sheet_bytes(ByteWriter& out, const Drawing& drawing);
 
 }  // namespace felt

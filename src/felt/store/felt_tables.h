@@ -19,8 +19,8 @@ constexpr bool is_id(std::int64_t value) noexcept {
 
 /// Creates our tables in an empty database, with the additional columns of `like` if it is not
 /// null, and writes our columns. Fails if the drawing has something that the format does not allow:
-/// a page out of its range, a name that is not UTF-8, a stroke that is too large. The message names
-/// it.
+/// a page size out of range, a name that is not UTF-8, a stroke that is too large. The message
+/// names the problem.
 Result<void> write_tables(Database& database, const Drawing& drawing, const FeltSchema* like);
 
 /// Reads a drawing from an untrusted database whose schema was checked by read_schema(). Does not

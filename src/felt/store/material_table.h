@@ -9,13 +9,14 @@
 
 namespace felt {
 
-/// The table `material` of a file: texts of materials. A file without any has no such table, like
-/// all files written before materials existed. An older program carries the table over unchanged.
+/// The table `material` of a file: texts of materials. A file without material texts does not have
+/// the table, like all files written before materials existed. An older program carries the table
+/// over unchanged.
 inline constexpr std::string_view kMaterialTable =
     "CREATE TABLE material(id INTEGER PRIMARY KEY, text TEXT NOT NULL, checksum INTEGER NOT NULL)";
 
-/// Creates and fills the table if the drawing has texts. Fails if there are too many, or if one is
-/// not allowed in a file.
+/// Creates and fills the table if the drawing has texts. Fails if the drawing has too many texts,
+/// or if a text is not allowed in a file.
 Result<void> write_materials(Database& database, const Drawing& drawing);
 /// Reads the table from an untrusted database that has it.
 Result<void> read_materials(const Database& database, Drawing& drawing);

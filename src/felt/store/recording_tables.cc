@@ -405,7 +405,7 @@ RecordingInfo info_of(const FeltRecording& r) {
   return {r.device, r.period_ns, std::ssize(r.samples), std::ssize(r.events), s};
 }
 
-/// Returns the recordings of the file; none if it has no tables of recordings.
+/// Returns the recordings of the file; empty if it has no tables of recordings.
 Result<std::vector<RecordingHead>> heads_of(const CarriedFile& file) {
   if (!file.database() || file.schema()->recordings.empty()) return std::vector<RecordingHead>();
   const auto& tables = file.schema()->recordings;

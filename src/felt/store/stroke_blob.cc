@@ -114,7 +114,8 @@ bool NumberUnpacker::is_clean() const noexcept {
          static_cast<unsigned char>(lengths_.back()) >> 4 == 0;
 }
 
-/// Version of a blob whose tones are those of its widths; the only one before strokes had tones.
+/// Version of a blob in which all tones are the default tones of the widths; the only version
+/// before strokes had tones.
 constexpr std::uint8_t kPlain = 1;
 /// Version of a blob with its own tones.
 constexpr std::uint8_t kToned = 2;

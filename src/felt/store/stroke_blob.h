@@ -24,8 +24,7 @@ inline constexpr std::size_t kMaxStrokeBlobBytes =
 Result<void> append_stroke_blob(std::string& out, const Stroke& stroke);
 
 /// Returns the stroke that these bytes describe. Fails if the version is unknown, the checksum is
-/// wrong, there are too few or too many bytes, or the content is not a valid stroke
-/// (Stroke::create).
+/// wrong, the number of bytes is wrong, or the content is not a valid stroke (Stroke::create).
 Result<Stroke> read_stroke_blob(std::string_view bytes);
 
 }  // namespace felt

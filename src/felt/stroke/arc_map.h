@@ -7,11 +7,12 @@
 namespace felt {
 
 /// Converts between the stroke parameter u (segment index + t) and the arc length s along a stroke.
-/// For brushes, whose influence falls off with the arc length (docs/design/editing.md#brush). Made
-/// once a gesture. Keeps a reference to the stroke, which must outlive it.
+/// Used by brushes, because their influence falls off with the arc length
+/// (docs/design/editing.md#brush). Created once per gesture. Keeps a reference to the stroke, which
+/// must outlive it.
 ///
 /// On a closed stroke, lengths beyond the ends wrap around (modulo the whole length), so that a
-/// range may cross the seam. On an open one they are clamped to the ends.
+/// range may cross the seam. On an open stroke they are clamped to the ends.
 ///
 /// Accuracy: `accuracy_mm` for each segment. Construction is linear in the number of segments; a
 /// query costs a binary search among them and one arc length of cubic.h.
@@ -19,7 +20,7 @@ class ArcMap {
  public:
   explicit ArcMap(const Stroke& stroke, double accuracy_mm = 1e-6);
 
-  /// Returns the whole length in mm; more than 0.
+  /// Returns the whole length in mm, which is greater than 0.
   [[nodiscard]] double length_mm() const noexcept { return starts_.back(); }
   /// Returns the arc length up to the start of segment i in mm; i = n gives the whole length.
   [[nodiscard]] double start_of(int segment) const noexcept {
@@ -29,8 +30,8 @@ class ArcMap {
   [[nodiscard]] double length_at(double u) const noexcept;
   /// Returns the u in [0, n] at which the arc from the start has this length.
   [[nodiscard]] double u_at(double length_mm) const noexcept;
-  /// Returns the signed distance along the stroke from s0 to s in mm; on a closed stroke that of
-  /// the shorter way round.
+  /// Returns the signed distance along the stroke from s0 to s in mm. On a closed stroke, measures
+  /// in the shorter direction.
   [[nodiscard]] double way(double s0_mm, double s_mm) const noexcept;
 
  private:

@@ -7,11 +7,11 @@
 
 namespace felt {
 
-/// The tone tolerance of `ProfileBuilder::follow`: far less than an eye can see, and larger than
-/// the error that any width tolerance in use gives to a tone computed from the width.
+/// The tone tolerance of `ProfileBuilder::follow`: much smaller than a visible difference, and
+/// larger than the error that any width tolerance in use gives to a tone computed from the width.
 inline constexpr double kFollowedTone = 0.01;
 
-/// Makes the width profile of a stroke that has the same ink with another parameter. Call its
+/// Makes the width profile of a stroke that has the same ink but another parametrisation. Call its
 /// functions part by part from the start to the end of the stroke. Old parameters are called u, new
 /// ones v.
 ///

@@ -30,10 +30,11 @@ constexpr double tone_of_width(double width_mm) noexcept {
 /// One breakpoint of the width profile [Paper eq. 3]: the full width `width_mm` at stroke parameter
 /// `u` = segment index + t. Linear in u between breakpoints.
 ///
-/// `tone` is the amount of the medium laid on there, 0 (hardly any) .. 1 (the most it gives). It
-/// keeps the pressure and tilt after they became a width. MediumLook says how tone affects the
-/// opacity and how deep the medium goes into the relief; wet ink ignores it. Linear like the width.
-/// A breakpoint made without a tone has the default tone of its width.
+/// `tone` is the amount of the medium laid on there, 0 (almost nothing) .. 1 (the maximum). It
+/// preserves the effect of pressure and tilt, which the width alone does not. MediumLook says how
+/// tone affects the opacity and how deep the medium goes into the relief. Wet ink ignores the tone.
+/// Like the width, it is linear between breakpoints. A breakpoint made without a tone has the
+/// default tone of its width.
 struct WidthKnot {
   double u = 0.0;
   double width_mm = 0.0;
@@ -54,13 +55,13 @@ inline constexpr double kMinWidthMm = 0.05;
 inline constexpr double kMinSegmentMm = 0.05;
 inline constexpr double kSmoothJointMaxDeg = 1e-6;
 
-/// The data of a stroke as a plain value, to be filled in and passed to `Stroke::create`.
+/// The data of a stroke as a plain value, which the caller fills in and passes to `Stroke::create`.
 struct StrokeData {
   /// The 3n + 1 control points of n joined cubics. Joints are stored once, so neighbours share them
   /// exactly (I1). A closed stroke repeats its first point as the last, bit for bit.
   std::vector<Point> points;
   /// The kinds of the joints: n - 1 for an open stroke, n for a closed one (the last is the joint
-  /// at u = 0 = n). Only kSmooth and kCorner.
+  /// at u = 0 = n). Contains only kSmooth and kCorner.
   std::vector<JointKind> joints;
   bool closed = false;
   /// The breakpoints, with u strictly increasing from 0 to n (I6).
@@ -109,9 +110,9 @@ class Stroke {
   StrokeData data_;
 };
 
-/// Checks the invariants I1 to I7 of the stroke model (docs/design/strokes.md#invariants).
-/// The only function that does; `Stroke::create` and every test call it. Fails with the name and
-/// the location of the first broken invariant.
+/// Checks the invariants I1 to I7 of the stroke model (docs/design/strokes.md#invariants). This is
+/// the only function that checks them; `Stroke::create` and every test call it. Fails with the name
+/// and the location of the first broken invariant.
 Result<void> check_invariants(const StrokeData& data);
 
 /// One of the two ends of an open stroke.

@@ -57,7 +57,7 @@ enum class EventName {
   kMaterial
 };
 
-/// Returns the kind of event. Fails if it is not one of ours.
+/// Returns the kind of event. Fails if the name is unknown.
 Result<EventName> parse_event_name(Value& value);
 
 /// Returns the keys of one kind of event, including `event` and `t_ms`.

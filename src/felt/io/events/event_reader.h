@@ -18,14 +18,14 @@ enum class ScriptLineKind {
   kHeader,  ///< {"feltline":1,..}: describes the file
 };
 
-/// Converts the lines of one script to events. Strict, like NdjsonParser: the whole line must be
-/// JSON within the limits of limits.h. A known key may occur once; other keys must be JSON and are
-/// ignored. Keys may come in any order. An unknown kind of event is an error, because skipping it
-/// would play a different session. Times must not decrease from event to event.
+/// Converts the lines of one script to events. It is strict, like NdjsonParser: the whole line must
+/// be JSON within the limits of limits.h. A known key may occur once; other keys must be JSON and
+/// are ignored. Keys may come in any order. An unknown kind of event is an error, because a session
+/// without that event would give a different drawing. Times must not decrease from event to event.
 ///
 /// Error messages name the key and the reason ("t_ms: ..."); the caller adds the file and the line.
-/// After an error, the reader continues with the next line as if the bad one did not exist. Thread:
-/// one at a time.
+/// After an error, the reader continues with the next line as if the invalid line did not exist.
+/// Not thread-safe.
 class EventReader {
  public:
   EventReader();
@@ -33,8 +33,8 @@ class EventReader {
   EventReader(EventReader&&) noexcept;
   EventReader& operator=(EventReader&&) noexcept;
 
-  /// Reads a line into `event` or `stroke` and returns its kind; the other one keeps its value.
-  /// After an error both are unspecified. A line with the key "event" is always an event.
+  /// Reads a line into `event` or `stroke` and returns its kind; the other argument keeps its
+  /// value. After an error both are unspecified. A line with the key "event" is always an event.
   Result<ScriptLineKind> read(const NdjsonLine& line, Event& event, RawStroke& stroke);
 
  private:
@@ -46,7 +46,7 @@ class EventReader {
 /// position, because read_script adds it.
 struct ScriptSink {
   std::function<Result<void>(const Event&)> event;
-  /// If null, strokes are an error.
+  /// Called for each stroke. If null, a stroke is an error.
   std::function<Result<void>(const RawStroke&)> stroke;
 };
 
@@ -54,7 +54,7 @@ struct ScriptSink {
 /// error of the source, of a line or of the sink. The message is "NAME:LINE: key: reason".
 Result<void> read_script(const std::string& name, ReadBytes read, const ScriptSink& sink);
 
-/// Returns all events of a script that contains only events. Same errors.
+/// Returns all events of a script that contains only events. Fails like read_script().
 Result<std::vector<Event>> read_events(const std::string& name, ReadBytes read);
 
 }  // namespace felt

@@ -11,7 +11,7 @@
 
 namespace felt::inkml {
 
-/// More channels in a point than this are an error: no pen has that many.
+/// Maximum number of channels in a point. More are an error, because no pen has that many.
 inline constexpr std::size_t kMaxChannels = 64;
 
 /// Channels that become ink. Others are read and ignored.
@@ -61,14 +61,14 @@ std::optional<double> mm_of_unit(std::string_view unit) noexcept;
 std::optional<double> ms_of_unit(std::string_view unit) noexcept;
 std::optional<double> deg_of_unit(std::string_view unit) noexcept;
 
-/// Reads a traceFormat element. If it has more than kMaxChannels, or another error, `problem` gets
-/// the first one.
+/// Reads a traceFormat element. If it has more than kMaxChannels, or another error, stores the
+/// first error in `problem`.
 Format read_format(const pugi::xml_node& node, std::string& problem);
 /// Returns the default format of a trace: X and Y.
 Format default_format();
 
-/// Returns the size of one unit of a channel in mm, ms or degrees, from its resolution or else its
-/// units. Returns nullopt if the file does not specify it.
+/// Returns the size of one unit of a channel in mm, ms or degrees, from its resolution or, if it
+/// has none, from its units. Returns nullopt if the file does not specify it.
 std::optional<double> scale_of(const Channel& channel, const std::vector<Resolution>& resolutions);
 
 }  // namespace felt::inkml

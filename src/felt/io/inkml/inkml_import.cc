@@ -346,7 +346,8 @@ class InkmlReader {
     c.mm_per_width *= std::sqrt(std::fabs(determinant(*transform)));
   }
 
-  // Divides a trace that is too long into several strokes. The next one begins where this one ends.
+  // Divides a trace that is too long into several strokes. Each next stroke begins at the end of
+  // the previous one.
   void cut(const pugi::xml_node& node, const Context& context) {
     notice(node, "has more points than a stroke takes (" +
                      std::to_string(limits::kMaxStrokePoints) + "); it became several strokes");

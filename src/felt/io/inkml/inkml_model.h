@@ -34,18 +34,19 @@ std::uint64_t trace_sum(std::span<const WidePoint> trace) noexcept;
 Result<void> append_model(std::string& out, std::string_view id, const Stroke& stroke,
                           std::span<const WidePoint> trace);
 
-/// Returns the stroke that the attributes of a trace describe, in `color`; nullopt if there are
-/// none. Fails if they do not describe a stroke, or if they were written for a different `trace`.
+/// Returns the stroke that the attributes of a trace describe, in `color`; nullopt if the trace has
+/// no such attributes. Fails if they do not describe a stroke, or if they were written for a
+/// different `trace`.
 std::optional<Result<NamedStroke>> read_model(const pugi::xml_node& node, const std::string& prefix,
                                               std::span<const WidePoint> trace, Rgba color);
 
-/// Appends the attributes of the root: the page, "297 210 #ffffffff", the surface, and the
-/// materials, if there are any. `paper` replaces the colour of the page. Fails if XML cannot hold a
-/// surface name or text.
+/// Appends the attributes of the root: the page, "297 210 #ffffffff", the surface, and any
+/// materials. `paper` replaces the colour of the page. Fails if XML cannot hold a surface name or
+/// text.
 Result<void> append_sheet(std::string& out, const Drawing& drawing,
                           const std::optional<Rgba>& paper);
-/// Reads these attributes. Returns false if the text of a material was skipped because it is not a
-/// valid one.
+/// Reads these attributes. Returns false if the text of a material was skipped because it is not
+/// valid.
 bool read_sheet(const pugi::xml_node& root, const std::string& prefix, Drawing& drawing);
 
 }  // namespace felt::inkml

@@ -116,7 +116,7 @@ void Settings::remember(const pugi::xml_node& node, Ids& ids, int index) {
 }
 
 Context Settings::read_context(const pugi::xml_node& node) {
-  // A format in the context overrides that of its device, in whatever order they come.
+  // A format in the context overrides that of its device, in any order.
   Context device, own;
   for (const pugi::xml_node& child : node.children()) {
     if (child.type() != pugi::node_element) continue;

@@ -35,7 +35,7 @@ struct Source {
 struct Context {
   int format = -1, source = -1, brush = -1, transform = -1, canvas = -1;
 
-  /// Returns `more`, with the unspecified settings taken from this.
+  /// Returns `more`, with the unspecified settings copied from this context.
   [[nodiscard]] Context overlaid(const Context& more) const noexcept;
 };
 
@@ -52,11 +52,11 @@ class Settings {
   /// Resolves the attributes contextRef, brushRef, traceFormatRef, ... of an element.
   Context referred(const pugi::xml_node& node);
 
-  /// Returns the format of a context; X and Y if it has none.
+  /// Returns the format of a context; X and Y if the context has no format.
   [[nodiscard]] const Format& format(const Context& context) const;
   [[nodiscard]] const std::vector<Resolution>& resolutions(const Context& context) const;
   [[nodiscard]] const Brush* brush(const Context& context) const;
-  /// Returns the map from values of a trace to values of its canvas; null: they are the same.
+  /// Returns the map from values of a trace to values of its canvas; null if they are the same.
   [[nodiscard]] const Affine* transform(const Context& context) const;
   /// Returns the format of the canvas, or null.
   [[nodiscard]] const Format* canvas_format(const Context& context) const;

@@ -15,8 +15,8 @@ namespace felt {
 ///
 ///   1125 18432,'23'43,"7"-8,3-5     ->  (1125,18432) (1148,18475) (1178,18510) (1211,18540)
 ///
-/// Each channel has its own mode, which stays until a prefix changes it: ! explicit, ' first
-/// difference, " second difference. "*" repeats the previous value, difference or second
+/// Each channel has its own mode, which remains in effect until a prefix changes it: ! explicit, '
+/// first difference, " second difference. "*" repeats the previous value, difference or second
 /// difference, "?" is an unknown value. Booleans are T and F, hexadecimal numbers begin with #.
 class InkmlTraceReader {
  public:

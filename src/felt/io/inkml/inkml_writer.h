@@ -21,7 +21,7 @@ inline constexpr double kTraceToleranceMm = 0.01;
 Result<std::unique_ptr<DrawingParts>> inkml_parts(const Drawing& drawing,
                                                   const std::optional<Rgba>& paper = {});
 
-/// Same, as one text.
+/// Returns the same file as one text.
 Result<std::string> inkml_text(const Drawing& drawing);
 
 }  // namespace felt

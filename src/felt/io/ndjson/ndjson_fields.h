@@ -8,7 +8,7 @@
 
 namespace felt::json {
 
-/// Reads a string; a plain number is accepted and kept as written.
+/// Reads a string; also accepts a plain number and keeps it as written.
 Result<void> parse_id(Value& value, std::string& out);
 /// [[x,y,pressure|null,t_ms|null],...]; pressure and time may be missing, further elements are
 /// ignored.

@@ -1,8 +1,8 @@
 #pragma once
 
 /// The parts of NdjsonParser that use simdjson's on-demand interface. Private to this layer. Each
-/// function consumes its value and leaves the document at the start of the next one. After an error
-/// the document must not be used any more.
+/// function consumes its value and leaves the document at the start of the next one. After an
+/// error, the document must not be used again.
 
 #include <simdjson.h>
 

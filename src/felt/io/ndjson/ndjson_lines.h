@@ -66,15 +66,15 @@ class LineBatch {
 };
 
 /// Splits a byte stream into lines, a batch at a time. Memory is bounded by the batch and the
-/// longest line. Lines end with LF or CR LF; the last one may lack its end. A byte order mark at
-/// the start is dropped. Blank lines are counted but not delivered.
+/// longest line. Lines end with LF or CR LF; the last line may have no terminator. A byte order
+/// mark at the start is dropped. Blank lines are counted but not delivered.
 class LineReader {
  public:
   explicit LineReader(ReadBytes read, std::size_t max_line_bytes = limits::kMaxLineBytes);
 
-  /// Replaces the content of `batch` by the next lines: at least one, and no more once it holds
-  /// `enough_bytes`. Returns false at the end of the input. If the source fails, the complete lines
-  /// before the error are delivered first, then the error; the incomplete line is dropped.
+  /// Replaces the content of `batch` with the next lines: at least one, and further lines until it
+  /// holds `enough_bytes`. Returns false at the end of the input. If the source fails, the complete
+  /// lines before the error are delivered first, then the error; the incomplete line is dropped.
   Result<bool> fill(LineBatch& batch, std::size_t enough_bytes);
 
   /// Returns the number of bytes read from the source so far.

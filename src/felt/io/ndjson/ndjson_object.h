@@ -26,7 +26,7 @@ struct Field {
 /// Checks a value whose key is unknown. Errors start with the key.
 Result<void> check_unknown(std::string_view key, Value& value);
 
-/// Checks what can be checked in a line before it is parsed as JSON.
+/// Makes the checks of a line that are possible before it is parsed as JSON.
 Result<void> check_text(const NdjsonLine& line);
 
 /// Tracks which fields of a record were present. At most 32 fields.

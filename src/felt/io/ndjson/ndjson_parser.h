@@ -7,10 +7,10 @@
 
 namespace felt {
 
-/// Converts one line of .ndjson to a record. Strict: the whole line must be JSON in UTF-8 within
-/// the limits of limits.h, including unknown keys. A known key may occur once. Error messages name
-/// the key and the element ("points[17]: y is NaN, not a number"); the caller adds the file and the
-/// line. Reuses its buffers, so memory follows the longest line. Thread: one at a time.
+/// Converts one line of .ndjson to a record. The parser is strict: the whole line must be JSON in
+/// UTF-8 within the limits of limits.h, including unknown keys. A known key may occur once. Error
+/// messages name the key and the element ("points[17]: y is NaN, not a number"); the caller adds
+/// the file and the line. Reuses its buffers, so memory follows the longest line. Not thread-safe.
 class NdjsonParser {
  public:
   NdjsonParser();

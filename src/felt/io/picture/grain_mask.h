@@ -16,8 +16,8 @@
 
 namespace felt {
 
-/// How much of a stroke's ink is visible at each point: a picture that is laid over its outline.
-/// The outline does not change. Outside the picture nothing is visible.
+/// A picture that is laid over the outline of a stroke and gives the visible share of its ink at
+/// each point. The outline does not change. Outside the picture, no ink is visible.
 struct GrainMask {
   Rect area;  ///< mm
   int width = 0, height = 0;
@@ -42,7 +42,7 @@ class GrainMasks {
   /// Masks cover only the part of strokes inside `area`.
   GrainMasks(const GrainPrint& print, const Rect& area) noexcept;
 
-  /// Returns nullopt if all of the ink is visible, or none of it is in the area. Fails if the
+  /// Returns nullopt if all of the ink is visible, or if no ink is in the area. Fails if the
   /// resolution is out of range, or if all masks together exceed kMaxPixels.
   Result<std::optional<GrainMask>> of(const Stroke& stroke);
   [[nodiscard]] double dpi() const noexcept { return print_.dpi; }

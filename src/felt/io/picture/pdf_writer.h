@@ -12,9 +12,9 @@
 
 namespace felt {
 
-/// What a PDF file shows, and how.
+/// Options for writing a PDF file.
 struct PdfOptions {
-  /// The page; if not set, all ink and the margin around it.
+  /// The page. If not set, all ink and the margin around it.
   std::optional<Rect> sheet{};
   double margin_mm = 5.0;
   /// Largest distance between the outline of a stroke and its true one; rounding adds 0.0007 mm.
@@ -26,7 +26,8 @@ struct PdfOptions {
 
 /// Returns the strokes of visible layers as a PDF 1.4 file with one page at true size. Each stroke
 /// is one filled outline of curves, sharp at any zoom, in its colour; a transparent stroke is not
-/// darker where it crosses itself. Equal sketches give equal bytes: no date, no program version.
+/// darker where it crosses itself. Equal sketches give equal bytes, because the file contains
+/// neither date nor program version.
 ///
 /// Grain is a soft mask on the outline (PDF 1.4, 7.5.4).
 ///
@@ -34,7 +35,7 @@ struct PdfOptions {
 /// option is invalid, or if a stroke reaches farther than 1e6 mm from the page.
 Result<std::unique_ptr<DrawingParts>> pdf_parts(const Drawing& drawing, const PdfOptions& options);
 
-/// Same, as one text.
+/// Returns the same file as one text.
 Result<std::string> pdf_text(const Drawing& drawing, const PdfOptions& options);
 
 }  // namespace felt

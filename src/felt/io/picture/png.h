@@ -34,8 +34,8 @@ Result<PngPicture> decode_png(std::string_view bytes);
 Result<HeightPicture> decode_height_png(std::string_view bytes);
 inline constexpr std::int64_t kMaxHeightPixels = std::int64_t{1} << 26;
 
-/// Same, from a file. Also fails if the file cannot be read, is a pipe or a device, or is larger
-/// than 256 MiB. The message names the file.
+/// Reads a relief from a file, like decode_height_png(). Also fails if the file cannot be read, is
+/// a pipe or a device, or is larger than 256 MiB. The message names the file.
 Result<HeightPicture> read_height_png(const std::string& path);
 
 }  // namespace felt

@@ -17,7 +17,7 @@ inline constexpr int kMaxQuickdrawDrawings = 1000;
 /// Reads drawings of the Quick, Draw! data set, simplified or raw, as a contact sheet: a grid with
 /// a layer for each drawing, named after its word. Raw drawings, in pixels of unknown screens, are
 /// moved and scaled into the square of the simplified ones (docs/formats/quickdraw.md). A line that
-/// is not a drawing becomes a notice. Fails if there is no drawing at all.
+/// is not a drawing becomes a notice. Fails if no line is a drawing.
 Result<Imported> import_quickdraw(std::string_view text, const ImportOptions& options = {});
 
 }  // namespace felt

@@ -32,11 +32,12 @@ inline constexpr const char* kUnknownQuickdraw =
 /// Restores the points that the simplified variant removed from a stroke, which keeps only the ends
 /// of straight lines. Adds points on these lines, densely near their ends, so that the fit follows
 /// the lines instead of a few points far apart. Strokes that have times, values outside 0..255 or
-/// more than kMaxSimplifiedPoints points are not simplified ones and do not change.
+/// more than kMaxSimplifiedPoints points are not simplified drawings and do not change.
 void restore_simplified(std::vector<InkSample>& stroke);
 inline constexpr std::size_t kMaxSimplifiedPoints = 1000;
 
-/// Converts a line to a drawing. As strict and as bounded as NdjsonParser. Thread: one at a time.
+/// Converts a line to a drawing. It is as strict as NdjsonParser and has the same bounds. Not
+/// thread-safe.
 class QuickdrawParser {
  public:
   QuickdrawParser();

@@ -37,8 +37,8 @@ class Joiner {
   void add(std::size_t i) {
     Cubic c = contour_.segment(i);
     if (waiting_) {
-      // The waiting path is shorter than a segment may be: this segment begins where that path
-      // began.
+      // The waiting path is too short for a segment, so this segment begins at the start of that
+      // path.
       const Vec back = start_ - c.p[0];
       c.p[0] = start_;
       c.p[1] = c.p[1] + back;

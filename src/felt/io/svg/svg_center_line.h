@@ -24,9 +24,9 @@ struct SvgCenterLine {
   [[nodiscard]] double place(double u) const noexcept;
 };
 
-/// Requires a contour in mm. Segments that are too short (I5) are joined to the next one, or
-/// several of them become a straight one; no point moves by more than kMinSegmentMm. A contour
-/// without length becomes the shortest valid stroke.
+/// Requires a contour in mm. Segments that are too short (I5) are joined to the next segment, or
+/// several of them become one straight segment; no point moves by more than kMinSegmentMm. A
+/// contour without length becomes the shortest valid stroke.
 SvgCenterLine svg_center_line(const SvgContour& contour);
 
 /// Returns the kinds of the joints of a centre line of 3 n + 1 points.

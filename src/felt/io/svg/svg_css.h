@@ -44,15 +44,17 @@ class SvgStyleSheet {
   void add(std::string_view css);
 
   /// Calls back with every declaration that applies to an element. If two declarations set the same
-  /// property, the one with the greater `precedence` wins; the order of equal ones is unspecified.
-  /// Returns false if the matching steps of this file are used up; rules then no longer apply.
+  /// property, the one with the greater `precedence` wins; the order of declarations with equal
+  /// precedence is unspecified. Returns false if the matching steps of this file are used up; rules
+  /// then no longer apply.
   bool match(const pugi::xml_node& node,
              const std::function<void(const SvgDeclaration&, std::uint64_t precedence)>& found);
 
   [[nodiscard]] bool empty() const noexcept { return rules_.empty(); }
-  /// Keeps a value for the lifetime of the sheet. Returns "" once those of a file reach 16 MiB.
+  /// Keeps a value for the lifetime of the sheet. Returns "" if the values of a file exceed 16 MiB.
   std::string_view keep(std::string_view value);
-  /// Returns the custom properties of the root, which apply wherever no others do.
+  /// Returns the custom properties of the root, which apply if an element has no other value for
+  /// them.
   [[nodiscard]] const SvgVariables& root_variables() const noexcept { return root_variables_; }
   void set_root_variables(SvgVariables variables) { root_variables_ = std::move(variables); }
   /// Bytes of variables that may still be read for this file.

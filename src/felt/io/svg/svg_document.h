@@ -29,8 +29,8 @@ class SvgDocument {
   }
   /// Returns the first element with this id, or a null node.
   [[nodiscard]] pugi::xml_node find(std::string_view id) const;
-  /// Returns an attribute in the namespace of Inkscape or in ours. Its data() is null if there is
-  /// none.
+  /// Returns an attribute in the namespace of Inkscape or of Feltline. Its data() is null if the
+  /// attribute is missing.
   [[nodiscard]] std::string_view inkscape(const pugi::xml_node& node, const char* name) const;
   [[nodiscard]] std::string_view ours(const pugi::xml_node& node, const char* name) const;
   [[nodiscard]] std::string_view sodipodi(const pugi::xml_node& node, const char* name) const;
@@ -55,7 +55,7 @@ class SvgDocument {
   bool names_outer_style_ = false;
 };
 
-/// Returns the value of `href`, with any prefix or none; empty if there is none.
+/// Returns the value of `href`, with or without a prefix; empty if the attribute is missing.
 std::string_view svg_href(const pugi::xml_node& node);
 
 }  // namespace felt

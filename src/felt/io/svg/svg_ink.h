@@ -12,7 +12,7 @@
 
 namespace felt {
 
-/// Makes ink of a scene: the second step of reading SVG. Pass it to read_svg_scene, then call
+/// Converts a scene to ink: the second step of reading SVG. Pass it to read_svg_scene, then call
 /// take().
 class SvgInk final : public SvgSceneSink {
  public:

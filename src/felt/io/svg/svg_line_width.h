@@ -11,7 +11,7 @@ namespace felt {
 struct SvgLineWidths {
   std::vector<WidthKnot> knots;  ///< in mm; empty if the transform flattens the line to nothing
   bool is_stretched = false;     ///< the width depends on the direction, and was sampled
-  bool was_thin = false;         ///< was below kMinWidthMm somewhere, and was raised
+  bool was_thin = false;         ///< the width was below kMinWidthMm at some point and was raised
 };
 
 /// Returns the widths of a line that is `width` user units wide along `line` (in mm). `to_mm`

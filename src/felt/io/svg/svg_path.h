@@ -8,7 +8,7 @@
 namespace felt {
 
 /// A sequence of joined cubics of a path: 3 n + 1 points, n >= 1. Straight lines have their handles
-/// at thirds. A closed one ends exactly at its first point.
+/// at thirds. A closed contour ends exactly at its first point.
 struct SvgContour {
   std::vector<Point> points;
   bool closed = false;
@@ -38,7 +38,7 @@ class SvgPathBuilder {
 
   [[nodiscard]] Point here() const noexcept { return here_; }
   [[nodiscard]] bool full() const noexcept { return full_; }
-  /// Returns the contours. A move without a following line is not one.
+  /// Returns the contours. A move without a following line does not make a contour.
   std::vector<SvgContour> take();
 
  private:

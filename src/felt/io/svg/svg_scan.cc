@@ -17,7 +17,8 @@ constexpr char lower(char c) noexcept {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Returns the number of characters of the number at the front; 0 if there is none.
+/// Returns the number of characters of the number at the front; 0 if the text does not begin with a
+/// number.
 std::size_t number_size(std::string_view text) noexcept {
   std::size_t at = 0, digits = 0;
   const auto skip_digits = [&] {

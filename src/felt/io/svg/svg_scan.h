@@ -6,7 +6,7 @@
 namespace felt {
 
 /// Reads numbers, words and signs from the front of an attribute of SVG. Never throws and never
-/// reads beyond the text. Text that was not read stays.
+/// reads beyond the text. Text that was not read remains.
 class SvgScan {
  public:
   /// Numbers with a magnitude beyond `most` are not read.
@@ -16,19 +16,20 @@ class SvgScan {
   void skip_spaces() noexcept;
   /// Skips spaces with at most one comma among them.
   void skip_comma() noexcept;
-  /// Reads a number of SVG: sign, digits, point, exponent; "1e" is 1 and an "e". At most 64
-  /// characters.
+  /// Reads a number of SVG: sign, digits, point, exponent; "1e" is read as 1 followed by "e". At
+  /// most 64 characters.
   bool number(double& value) noexcept;
   /// Reads 0 or 1. No separator needs to follow.
   bool flag(bool& value) noexcept;
   bool take(char c) noexcept;
   /// Reads this word. The case of letters is ignored.
   bool take(std::string_view word) noexcept;
-  /// Reads letters, digits, '-', '_' and non-ASCII characters; empty if there are none.
+  /// Reads letters, digits, '-', '_' and non-ASCII characters; returns "" if the text begins with
+  /// another character.
   std::string_view name() noexcept;
-  /// Reads ASCII letters; empty if there are none.
+  /// Reads ASCII letters; returns "" if the text begins with another character.
   std::string_view letters() noexcept;
-  /// Returns the text before c and removes both. Returns all text if there is no c.
+  /// Returns the text before c and removes both. Returns all text if it does not contain c.
   std::string_view until(char c) noexcept;
   /// Returns true if a number may begin here.
   [[nodiscard]] bool at_number() const noexcept;

@@ -17,8 +17,8 @@
 namespace felt {
 
 /// An SVG file resolved into the shapes it paints: references, styles, units, viewports and
-/// transforms are applied. This is the first of two steps of reading; the second makes ink of it
-/// (svg_ink.h).
+/// transforms are applied. This is the first of two steps of reading; the second converts them to
+/// ink (svg_ink.h).
 
 struct SvgFill {
   Rgba color;

@@ -76,11 +76,11 @@ enum class SvgProperty : std::uint8_t {
 /// or its style sheet.
 class SvgDeclared {
  public:
-  /// Same, by name. Empty for a name that is not a property.
+  /// Returns the value of a property by its name; empty if the name is not a property.
   [[nodiscard]] std::string_view value_of(std::string_view name) const noexcept;
-  /// The properties "--name" that apply here; null: those of the root.
+  /// The custom properties ("--name") that apply here. If null, those of the root apply.
   std::shared_ptr<const SvgVariables> variables;
-  /// A property that was declared only with unreadable values; empty if there is none.
+  /// A property that was declared only with unreadable values; empty if it does not exist.
   std::string_view unread;
 
   [[nodiscard]] std::string_view operator[](SvgProperty p) const noexcept {
@@ -98,7 +98,7 @@ class SvgDeclared {
 /// its style attribute, then `!important` ones. If the style attribute has comments, its text
 /// without them is stored in `clean_style`, which must live as long as the result.
 /// `declared.variables` is that of the parent before the call, and the element's own after it. An
-/// unreadable colour becomes black. Returns false as SvgStyleSheet::match does.
+/// unreadable colour becomes black. Returns false if SvgStyleSheet::match does.
 bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string& clean_style,
                   SvgDeclared& declared);
 

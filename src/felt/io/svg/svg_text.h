@@ -25,8 +25,8 @@ inline constexpr std::string_view kSvgVersion = "2";
 /// Prefix of the ids of masks that show the grain of a stroke.
 inline constexpr std::string_view kSvgMaskId = "grain";
 
-/// Size of the head of a file in bytes, whatever area it states, so that it can be overwritten when
-/// the area is finally known.
+/// Size of the head of a file in bytes. It is the same for every area, so that the head can be
+/// overwritten when the area is known.
 inline constexpr std::size_t kSvgHeadBytes = 640;
 
 /// Paths are written in mm, rounded to steps of 0.001 mm. The unit stays 1 mm: Inkscape computes a

@@ -33,7 +33,7 @@ struct SvgPowerKnots {
 
 /// Reads the widths for a path of `segments` segments. Beyond the knots, an open path keeps the
 /// width of the nearest one; a closed path interpolates from the last to the first, as Inkscape
-/// does. Fails if there are no knots.
+/// does. Fails if the list of knots is empty.
 Result<SvgPowerKnots> svg_power_knots(const SvgVariableWidth& attributes, std::size_t segments,
                                       bool closed);
 

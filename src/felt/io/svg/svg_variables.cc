@@ -14,7 +14,7 @@ constexpr std::size_t kMaxBytes = 4096;
 constexpr std::size_t kMaxReadBytes = std::size_t{64} << 10, kReplacementBytes = 16;
 constexpr std::string_view kVar = "var(";
 
-/// Subtracts `bytes` from `left`. Returns false if there are fewer left.
+/// Subtracts `bytes` from `left`. Returns false if fewer bytes are left.
 bool spend(std::size_t bytes, std::size_t& left) noexcept {
   const bool enough = bytes <= left;
   left -= std::min(bytes, left);

@@ -34,7 +34,7 @@ struct SvgOptions {
 /// locked ones. import_svg reads back an equal drawing. Fails if the page cannot be written.
 Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const SvgOptions& options);
 
-/// Same, as one text.
+/// Returns the same file as one text.
 Result<std::string> svg_text(const Drawing& drawing, const SvgOptions& options);
 
 /// Returns the ink alone, without layers and without a page for import_svg, as for a stream of

@@ -19,7 +19,8 @@ namespace {
 
 /// Points are written in steps of 0.0001 pt, 35 nm.
 constexpr double kStepsPerPoint = 1e4;
-/// Largest number of pieces that a part of a line is divided into, however fast its width grows.
+/// Largest number of pieces that a part of a line is divided into, even if its width grows very
+/// fast.
 constexpr double kMaxPieces = 64.0;
 
 void append_points(std::string& out, double mm) {

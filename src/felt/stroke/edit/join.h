@@ -6,28 +6,28 @@
 namespace felt {
 
 /// Moves the ends of strokes onto each other and joins strokes (docs/design/editing.md#joining;
-/// R43, R45). Pure functions from strokes to strokes; I1-I6 hold.
+/// R43, R45). Pure functions that return new strokes; I1-I6 hold.
 
 /// The longest distance along the stroke over which the shift of an end fades out.
 inline constexpr double kTipFadeMm = 25.0;
-/// Two ends become a smooth joint if the direction changes by less than this; else a corner.
+/// Maximum change of direction at which two ends become a smooth joint instead of a corner.
 inline constexpr double kSmoothJoinBelowDeg = 30.0;
 
 /// Returns the stroke with one end moved exactly to `target`. With L = min(fade_mm, half the
 /// stroke), a joint at arc length s from the end moves by shift * S(s/L), S(x) = 1 - 3x^2 + 2x^3,
 /// and its handles move with it. The stroke is cut at L, so that everything beyond stays the same
-/// bit for bit. The tangents at joints that have handles stay the same, and so do the widths.
-/// Fails with kInvalidArgument for a closed stroke, a target that is not finite, or a shift of more
-/// than L/1.5, with which the ink would fold back on itself; with kInvalidData if a segment would
-/// become too short (I5).
+/// bit for bit. The widths and the tangents at joints with handles stay the same. Fails with
+/// kInvalidArgument for a closed stroke, a target that is not finite, or a shift of more than
+/// L/1.5, with which the ink would fold back on itself; with kInvalidData if a segment would become
+/// too short (I5).
 Result<Stroke> with_tip_at(const Stroke& stroke, StrokeTip tip, Point target,
                            double fade_mm = kTipFadeMm);
 
-/// Joins `first` and `second`, which must start where first ends, bit for bit. Colour and medium
-/// are those of `first`. If the direction changes by less than `smooth_below_deg`, both tangents
-/// become their average and the joint is smooth; otherwise it is a corner. Widths are kept: if they
-/// differ at the joint, the profile steps within one unit in the last place of u. Fails with
-/// kInvalidArgument if one is closed or they do not meet.
+/// Joins `first` and `second`, which must start where first ends, bit for bit. The result has the
+/// colour and medium of `first`. If the direction changes by less than `smooth_below_deg`, both
+/// tangents become their average and the joint is smooth; otherwise it is a corner. Widths are
+/// kept: if they differ at the joint, the profile steps within one unit in the last place of u.
+/// Fails with kInvalidArgument if a stroke is closed or the two do not meet.
 Result<Stroke> joined(const Stroke& first, const Stroke& second,
                       double smooth_below_deg = kSmoothJoinBelowDeg);
 

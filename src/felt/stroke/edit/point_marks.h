@@ -16,7 +16,8 @@ namespace felt {
 /// The *arms* of a joint are the points that define its two tangents: usually its handles; if a
 /// handle is zero (at the joint itself), the next control point that differs from the joint (I2).
 
-/// Widths are not scaled beyond this, the broadest line of the pencil, unless they were broader.
+/// Maximum width in mm after scaling, the broadest line of the pencil. Widths that were already
+/// larger may stay larger.
 inline constexpr double kMaxScaledWidthMm = 50.0;
 
 /// Returns true if every point is marked.
@@ -50,9 +51,9 @@ Result<Stroke> with_marked_moved(const Stroke& stroke, std::span<const std::uint
 
 /// Returns the anchors of a partly selected stroke (R34): for each maximal run of marked points
 /// (runs continue across the seam of a closed stroke), the first unmarked *on-curve* point in each
-/// direction. There is none beyond an open end, and none if all points are marked. An anchor of two
-/// runs, or of both ends of one run, is returned twice. The result has indices of points, with the
-/// seam as 0, in no particular order.
+/// direction. A run that reaches an open end has no anchor there. The result is empty if all points
+/// are marked. A point that is an anchor of two runs, or of both ends of one run, is returned
+/// twice. The result contains indices of points in no particular order; the seam has index 0.
 std::vector<std::size_t> anchors(const Stroke& stroke, std::span<const std::uint8_t> marks);
 
 }  // namespace felt

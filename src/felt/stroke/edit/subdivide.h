@@ -8,14 +8,14 @@
 
 namespace felt {
 
-/// Divides a stroke into more or fewer segments with the same ink. Pure functions; I1-I6 hold; the
-/// rest of the stroke stays the same bit for bit. The width profile is kept (a breakpoint is added
-/// wherever u is stretched).
+/// Divides a stroke into more or fewer segments with the same ink. Pure functions. I1-I6 hold, and
+/// the rest of the stroke stays the same bit for bit. The width profile is kept (a breakpoint is
+/// added wherever u is stretched).
 
-/// Returns the stroke with a smooth joint at each of `us`. If one is nearer than kMinSegmentMm to a
-/// joint or to another one, that joint is used instead, so that there are no slivers. At a cusp the
-/// joint is a corner. If `joints` is not null, stores the number of the joint for each of `us`.
-/// Fails with kInvalidArgument if `us` are not ascending or not in [0, n].
+/// Returns the stroke with a smooth joint at each of `us`. If an element of `us` is nearer than
+/// kMinSegmentMm to a joint or to another element, that joint is used instead, so that no slivers
+/// are made. At a cusp the joint is a corner. If `joints` is not null, stores the number of the
+/// joint for each of `us`. Fails with kInvalidArgument if `us` are not ascending or not in [0, n].
 Result<Stroke> subdivided(const Stroke& stroke, std::span<const double> us,
                           std::vector<int>* joints = nullptr);
 
@@ -24,10 +24,9 @@ Result<Stroke> subdivided(const Stroke& stroke, std::span<const double> us,
 /// A run of segments without a corner inside becomes one cubic, if one cubic can replace it. The
 /// tangents at the outer joints of a run are kept, so that G1 and the rest of the stroke do not
 /// change. Every point of the old curve is within `tolerance_mm` of the new one, and vice versa.
-/// The joints numbered in `keep` stay joints in the same position. The curve still passes the
-/// position of joint `through` within 1e-10 mm, even if it is no longer a joint.
-/// Fails with kInvalidArgument if `first` or `last` is not on the stroke or the tolerance is
-/// negative.
+/// The joints numbered in `keep` remain joints at the same position. The curve still passes the
+/// position of joint `through` within 1e-10 mm, even if it is no longer a joint. Fails with
+/// kInvalidArgument if `first` or `last` is not on the stroke or the tolerance is negative.
 Result<Stroke> with_fewer_segments(const Stroke& stroke, int first, int last, double tolerance_mm,
                                    std::span<const int> keep = {}, int through = -1);
 

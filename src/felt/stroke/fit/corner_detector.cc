@@ -57,7 +57,7 @@ Vec chord_of(const KeptSamples& w, std::size_t k, Way way, std::size_t steps,
 
 // One arm of the ink at a sample.
 struct Arm {
-  std::size_t steps = 0;  // to its last sample; 0: there is no arm
+  std::size_t steps = 0;  // number of steps to its last sample; 0 if it has no arm
   Vec chord;              // from the sample to its end
 };
 

@@ -12,14 +12,14 @@ namespace felt {
 /// arms at it. One arm reaches back and one forward, each to the first point of the ink that is
 /// kCornerArm tolerances away, but over at least two samples. So the scale is larger than both the
 /// tolerance and the sampling. If the pen slows down or rests in the corner, the noise of the
-/// sensor makes more path than the hand does; the arms reach beyond that. Three conditions keep
-/// noise and tight curves out:
+/// sensor adds more path length than the hand; the arms are long enough to reach beyond it. Three
+/// conditions keep noise and tight curves out:
 ///   - the part of the turn that curved or noisy arms can cause is subtracted first: 2 da / a + 2
 ///     db / b, with da and db the largest distances of the arms' samples from their chords, whose
-///     lengths are a and b. A circle loses half its turn by this, a corner nothing;
+///     lengths are a and b. This removes half the turn of a circle, and nothing of a corner;
 ///   - with arms of half the length, at least kCornerPersistence of the turn must remain: a corner
-///     keeps all of it, a circle half;
-///   - of several turns within one arm only the largest counts.
+///     keeps all of its turn, a circle half;
+///   - if several turns lie within one arm, only the largest counts.
 /// An arm does not exist if the ink needs a path of more than kCornerDetour times its length to get
 /// that far. No corner is reported within kCornerMargin tolerances of path of an end of the stroke,
 /// because hooks occur there.
@@ -30,8 +30,9 @@ namespace felt {
 ///
 /// A corner is decided when the ink has continued for kCornerMargin + kCornerArm tolerances, about
 /// 1.7 mm at the default tolerance, or later if the pen dwells. The corners do not depend on how
-/// the samples are divided into calls (R5, R7). Work is bounded: merged samples are not looked at,
-/// so an arm has at most kCornerDetour * kCornerArm tolerances / CurveFitter::spacing_mm() of them.
+/// the samples are divided into calls (R5, R7). The work is bounded: merged samples are not
+/// examined, so an arm has at most kCornerDetour * kCornerArm tolerances /
+/// CurveFitter::spacing_mm() of them.
 class CornerDetector {
  public:
   static constexpr double kCornerDeg = 60.0;
@@ -42,11 +43,12 @@ class CornerDetector {
 
   /// Starts a stroke.
   void clear() noexcept;
-  /// Processes some of the samples added to `kept` and marks the corners among them. Bounded work.
+  /// Processes some of the samples added to `kept` and marks the corners among them. The work is
+  /// bounded.
   void update(KeptSamples& kept) noexcept;
   /// Decides the remaining samples. Call when the stroke has ended.
   void finish(KeptSamples& kept) noexcept;
-  /// Samples before this index are decided.
+  /// Returns the index before which all samples are decided.
   [[nodiscard]] std::size_t decided() const noexcept { return decided_; }
 
  private:

@@ -10,8 +10,8 @@ namespace {
 
 // Samples looked at for corners, or placed, in one step.
 constexpr std::size_t kStepSamples = 128;
-// If the proven part of a run has at least this many samples, it becomes a segment; else the search
-// is repeated with every sample in the window.
+// If the proven part of a run has at least this many samples, it becomes a segment; otherwise the
+// search is repeated with every sample in the window.
 constexpr std::size_t kWorthACut = SegmentFit::kMaxRun / 2;
 // A stroke with a shorter path is a dot: even its merged samples are within kMinSegmentMm, the
 // smallest tolerance, of the first one.
@@ -136,7 +136,7 @@ void CurveFitter::advance(long work) {
   }
 }
 
-// Starts the search for the next run. Returns false if there are not enough samples.
+// Starts the search for the next run. Returns false if too few samples are available.
 bool CurveFitter::start_search() {
   const std::size_t least = next_kind_ == RunStart::Kind::kFree ? 2 : 1;
   if (corners_.decided() < next_first_ + least) return false;

@@ -25,10 +25,11 @@ void append_sample_places(const SamplePlace& place, double next_u, const Cubic& 
 /// Fits joined cubics to the samples of a pen while it draws.
 ///
 /// Greedy: from the last joint, LongRun finds how far one cubic can go; the joint is then put at
-/// kReach of that run. There it has samples on both sides, so position and tangent of the long fit
-/// are well determined. At its far end they are not. The next segment starts with this position and
-/// tangent, so smooth joints are G1 exactly. A run never passes a corner (CornerDetector): there a
-/// segment ends, and the next one starts with a new tangent.
+/// kReach of that run. There the long fit has samples on both sides, so its position and tangent
+/// are well determined; at the end of the run they are not. The next segment starts with this
+/// position and tangent, so smooth joints are G1 exactly. A run never passes a corner
+/// (CornerDetector): the segment ends at the corner, and the next segment starts there with a new
+/// tangent.
 ///
 ///      o--o--o--o--o--o--o--o--o--o            samples
 ///      |===== run, one cubic ======|           longest within the tolerance
@@ -42,8 +43,8 @@ void append_sample_places(const SamplePlace& place, double next_u, const Cubic& 
 /// Stroke ends and corners lie exactly on their samples if the tolerance allows.
 ///
 /// The work of one push() is at most kMaxWorkPerPush for any stroke; a search that needs more
-/// continues with the next sample. No allocation after warm-up. The result depends only on the
-/// samples and their order (R7). Thread: one at a time.
+/// continues with the next sample. Does not allocate after warm-up. The result depends only on the
+/// samples and their order (R7). Not thread-safe: use it from one thread at a time.
 class CurveFitter {
  public:
   /// The joint is put at this fraction of the longest run.
@@ -54,16 +55,17 @@ class CurveFitter {
   static constexpr double kResolutionMm = 0.03;
   static constexpr double kDataPointMm = 0.25;
   static constexpr double kSpacing = 0.125;
-  /// The spacing is never more than this fraction of the tolerance, because the distance to merged
+  /// Maximum spacing as a fraction of the tolerance. It is limited because the distance to merged
   /// samples is subtracted from the tolerance of the curve.
   static constexpr double kMaxSpacing = 0.2;
-  /// A sample becomes a data point if it is farther than this from the last one (R3); others are
-  /// merged into that one (KeptSamples). 0.03 mm at the default tolerance.
+  /// Returns the spacing of data points in mm. A sample becomes a data point if it is farther than
+  /// this from the last data point (R3); other samples are merged into that data point
+  /// (KeptSamples). 0.03 mm at the default tolerance.
   static constexpr double spacing_mm(double tolerance_mm) noexcept {
     return std::min(std::clamp(kSpacing * tolerance_mm, kResolutionMm, kDataPointMm),
                     kMaxSpacing * tolerance_mm);
   }
-  /// Work of one push, in samples x rounds of the fit; takes about 10 microseconds.
+  /// Work of one push, in samples x rounds of the fit. This work takes about 10 microseconds.
   static constexpr long kWorkPerPush = 1000;
   /// Upper bound of the work of one push. It stops after the step that exceeds kWorkPerPush; a step
   /// is an exact fit, the fits of a commit, or placing some samples.
@@ -75,11 +77,12 @@ class CurveFitter {
   void begin() noexcept;
   /// Adds the next sample. Requires finite coordinates of at most 1e9 mm.
   void push(Point p);
-  /// Completes the curve. Call at pen-up. A stroke that stays within kMinSegmentMm becomes one
-  /// segment of about that length (R10). The curve stays empty if there was no sample.
+  /// Completes the curve. Called at pen-up. A stroke that stays within kMinSegmentMm becomes one
+  /// segment of about that length (R10). If no sample was added, the curve stays empty.
   void end();
 
-  /// Returns the number of committed segments, which never change. After end() these are all.
+  /// Returns the number of committed segments, which never change. After end(), all segments are
+  /// committed.
   [[nodiscard]] int segment_count() const noexcept {
     return points_.empty() ? 0 : static_cast<int>(points_.size() / 3);
   }

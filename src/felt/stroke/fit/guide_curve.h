@@ -11,7 +11,7 @@ namespace felt {
 
 struct FittedCurve;
 
-/// A curve that a later fit of the same samples must stay close to: the one that the user has seen
+/// A curve that a later fit of the same samples must stay close to, because the user has seen it
 /// while drawing. It stores the point of that curve at each kept sample and at three positions
 /// between neighbours. So closeness is checked between corresponding points and costs only a few
 /// distances.
@@ -23,15 +23,15 @@ class GuideCurve {
   /// Sets the guide: stores the points of `curve` at the kept samples. Requires that `curve` was
   /// fitted to exactly the samples that were added to `kept`.
   void follow(const KeptSamples& kept, const FittedCurve& curve);
-  /// Removes the guide: every curve is close.
+  /// Removes the guide. Then every curve counts as close.
   void clear() noexcept { places_.clear(); }
   [[nodiscard]] bool empty() const noexcept { return places_.empty(); }
 
   /// Returns true if p is within `limit_mm` of the guide's point at kept sample i.
   [[nodiscard]] bool is_close_at(std::size_t i, Point p, double limit_mm) const noexcept;
   /// Returns true if the guide and the polyline `stretch` stay within `limit_mm` of each other
-  /// between kept samples `from` and `to`. `stretch` are points of the other curve there, in order.
-  /// Requires from < to.
+  /// between kept samples `from` and `to`. `stretch` contains points of the other curve between
+  /// these samples, in order. Requires from < to.
   [[nodiscard]] bool is_close_between(std::size_t from, std::size_t to,
                                       std::span<const Point> stretch,
                                       double limit_mm) const noexcept;

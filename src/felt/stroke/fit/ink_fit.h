@@ -17,7 +17,7 @@ namespace felt {
 struct InkSample {
   Point position;                       ///< mm, page coordinates
   std::optional<double> pressure;       ///< 0..1; absent if the source reports none
-  std::optional<std::int64_t> time_ns;  ///< since the drawing session began; may run backwards
+  std::optional<std::int64_t> time_ns;  ///< since the drawing session began; can run backwards
   std::optional<double> lean_deg{};  ///< tilt from the upright, 0..90 (geometry/lean.h converts it
                                      ///< to 0..1); absent if the source reports none
 
@@ -49,15 +49,15 @@ struct PenFilterOptions {
   double blob_mm = 0.5;
 
   /// A hook at lift: at most hook_max_mm of path after a turn by at least hook_angle_deg, all of it
-  /// below hook_pressure_ratio of the pressure before. If it is shorter than hook_min_mm, it is
+  /// below hook_pressure_ratio of the pressure before. A shorter path than hook_min_mm counts as
   /// noise.
   double hook_max_mm = 1.5;
   double hook_min_mm = 0.15;
   double hook_angle_deg = 90.0;
   double hook_pressure_ratio = 0.5;
 
-  /// A stray sample: farther from its neighbours than jump_mm and faster than jump_mm_per_s. Hands
-  /// reach 1.5 to 2.5 m/s in fast strokes.
+  /// A stray sample is farther from its neighbours than jump_mm and faster than jump_mm_per_s.
+  /// Hands reach 1.5 to 2.5 m/s in fast strokes.
   double jump_mm = 10.0;
   double jump_mm_per_s = 5000.0;
 };
@@ -109,7 +109,7 @@ struct WidthFitOptions {
 
 /// Which curve fitting to use.
 enum class FitScheme {
-  kFeltline,   ///< ours: max error within the tolerance, G1 joints, corners kept
+  kFeltline,   ///< Feltline's own: max error within the tolerance, G1 joints, corners kept
   kPaper2002,  ///< the scheme of the paper, eq. 2 with s shared samples (R6), for study
 };
 

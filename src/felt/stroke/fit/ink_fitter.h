@@ -15,13 +15,14 @@ namespace felt {
 /// Use, for each stroke:
 ///   1. `begin()`;
 ///   2. `push()` for each sample: bounded work, no allocation after warm-up; `segment_count()`,
-///      `segment()` and `joint()` are the stable prefix, which never changes, and `live_tail()` is
-///      the short rest;
-///   3. `end()` at pen-up: the online curve is complete;
-///   4. optionally `refine()`: fewer segments within the same tolerance;
+///      `segment()` and `joint()` return the stable prefix, which never changes; `live_tail()`
+///      returns the rest;
+///   3. `end()` at pen-up, which completes the online curve;
+///   4. optionally `refine()`, which finds a curve with fewer segments within the same tolerance;
 ///   5. `curve()`, `stroke()`: the result.
 /// The object can be reused for the next stroke and keeps its buffers. The result depends on the
-/// samples only, not on how calls are grouped in time (R7). Thread: one at a time.
+/// samples only, not on how calls are grouped in time (R7). Not thread-safe: use it from one thread
+/// at a time.
 class InkFitter {
  public:
   explicit InkFitter(const InkFitOptions& options);
@@ -36,9 +37,9 @@ class InkFitter {
   void push(const InkSample& sample);
   /// Completes the online curve. Call at pen-up.
   void end();
-  /// Replaces the online curve by one with fewer segments within the same tolerance, if one is
-  /// found. Requires end() before. Time is linear in the samples. Does nothing unless the scheme is
-  /// kFeltline.
+  /// Replaces the online curve with a curve of fewer segments within the same tolerance, if it
+  /// finds one. Requires that end() was called. Takes linear time in the number of samples. Does
+  /// nothing unless the scheme is kFeltline.
   void refine();
 
   /// Returns the number of segments: of the stable prefix while drawing, of the whole curve after
@@ -49,21 +50,21 @@ class InkFitter {
   /// Returns the kind of the joint before segment i, 0 < i < segment_count().
   [[nodiscard]] JointKind joint(int i) const;
   /// Returns the positions, on the stable prefix, of the samples that it covers, in order. The
-  /// other samples() have no final position yet. Empty unless the scheme is kFeltline. Valid until
-  /// refine().
+  /// remaining samples() have no final position yet. Empty unless the scheme is kFeltline. Valid
+  /// until refine().
   [[nodiscard]] const ChunkedVector<SamplePlace>& places() const;
   /// Returns provisional segments from the stable prefix to the newest sample, for display only.
   /// Valid until the next call.
   [[nodiscard]] std::span<const Cubic> live_tail();
 
-  /// Returns the samples that became ink since begin(): the accepted ones, after the filter.
+  /// Returns the samples that became ink since begin(): the accepted samples, after the filter.
   [[nodiscard]] const ChunkedVector<InkSample>& samples() const;
   /// Returns the number of samples ignored since begin().
   [[nodiscard]] std::size_t ignored_count() const;
-  /// Returns the whole curve. Requires end() before.
+  /// Returns the whole curve. Requires that end() was called.
   [[nodiscard]] const FittedCurve& curve() const;
-  /// Returns the finished stroke with its width profile. Requires end() before. Fails if no sample
-  /// was accepted.
+  /// Returns the finished stroke with its width profile. Requires that end() was called. Fails if
+  /// no sample was accepted.
   [[nodiscard]] Result<Stroke> stroke() const;
 
  private:

@@ -11,13 +11,14 @@ namespace felt {
 
 /// The data points of a stroke: the samples that a curve fit keeps, from the first one on.
 ///
-/// A sample within the spacing of the last kept one is not stored. That one represents it, or the
-/// next kept one if that turns out to be nearer. It only widens the *slack* of the one that
-/// represents it: the largest distance to a represented sample. A curve that stays within
-/// (tolerance - slack) of a kept sample stays within the tolerance of all samples that it
-/// represents. So the tolerance holds for every sample (R3, R8), and resting the pen costs nothing.
+/// A sample within the spacing of the last kept sample is not stored. The last kept sample
+/// represents it, or the next kept sample if that turns out to be nearer. It only widens the
+/// *slack* of the kept sample that represents it: the largest distance to a represented sample. A
+/// curve that stays within (tolerance - slack) of a kept sample stays within the tolerance of all
+/// samples that it represents. So the tolerance holds for every sample (R3, R8), and resting the
+/// pen costs nothing.
 ///
-/// Adding a sample takes constant time. No allocation after warm-up.
+/// Adding a sample takes constant time and does not allocate after warm-up.
 class KeptSamples {
  public:
   /// Fraction of the tolerance that is not used, so that a distance measured by sampling the curve,

@@ -62,9 +62,9 @@ void RunPlacer::begin(const LongRun& run, const Cubic& curve, double end) noexce
   furthest_sample_ = next_;
 }
 
-// A sample of the window already has the parameter of the fit. For one that was left out, it is
-// guessed from its neighbours in the window. The fit has proven the distance of the former if they
-// are in order; the distance of all others is checked here.
+// A sample of the window already has the parameter of the fit. If a sample was left out, its
+// parameter is guessed from its neighbours in the window. For samples in the window, the fit has
+// proven the distance if the parameters are in order; for all other samples it is checked here.
 std::optional<double> RunPlacer::place(const LongRun& run, const KeptSamples& kept) noexcept {
   const bool was_fitted = run.source(in_window_) == next_;
   const Point p = kept.point(next_);

@@ -16,10 +16,10 @@ namespace felt {
 ///
 /// RunSearch looks at a window of at most SegmentFit::kMaxRun samples. When the run fills it,
 /// samples are removed from the window (RunSearch::thin) and the search continues with those that
-/// follow. The result is then proven only for the samples in the window; RunPlacer proves it for
-/// all. If the curve misses a sample, call search_again(), which holds that sample in the window,
-/// and finally begin() with Detail::kEverySample: such a run ends at the end of the window and
-/// needs no proof.
+/// follow. Then the result is proven only for the samples in the window; RunPlacer proves it for
+/// all samples. If the curve misses a sample, call search_again(), which holds that sample in the
+/// window, and finally begin() with Detail::kEverySample: such a run ends at the end of the window
+/// and needs no proof.
 ///
 /// Work of one step() is bounded by kMaxRun additions and one step of RunSearch. No allocation.
 class LongRun {
@@ -41,11 +41,11 @@ class LongRun {
   /// Starts a search at kept sample `first`, as RunSearch::begin() does.
   void begin(const KeptSamples& kept, const RunStart& start, std::size_t first,
              Detail detail = Detail::kThinned) noexcept;
-  /// Starts the same search again, with kept samples a and b always in the window. Returns false,
-  /// and does nothing, if more than kMaxHeld samples would be held.
+  /// Starts the same search again and always keeps the samples a and b in the window. Returns
+  /// false, and does nothing, if more than kMaxHeld samples would be held.
   bool search_again(const KeptSamples& kept, std::size_t a, std::size_t b) noexcept;
-  /// Does one step. Kept samples before `limit` may be used; `is_final`: there will be no more of
-  /// them for this run. Requires limit > first().
+  /// Does one step. Kept samples before `limit` may be used. `is_final` means that no more samples
+  /// follow for this run. Requires limit > first().
   RunSearch::Status step(const KeptSamples& kept, std::size_t limit, bool is_final) noexcept;
   /// Ensure the minimum length of a segment, and pin the ends to their samples (see RunSearch).
   void ensure_length() noexcept { search_.ensure_length(window_); }
@@ -82,17 +82,17 @@ class LongRun {
 };
 
 /// Assigns parameters on a run's curve to its kept samples, one after the other, including those
-/// that are not in the window. This proves that each is within its limit, in order.
+/// that are not in the window. This proves that each sample is within its limit, in order.
 class RunPlacer {
  public:
   /// Starts at the first sample of `run`. `curve` is the run's curve up to parameter `end`.
   void begin(const LongRun& run, const Cubic& curve, double end) noexcept;
   /// Returns the kept sample to place next.
   [[nodiscard]] std::size_t next() const noexcept { return next_; }
-  /// Places that sample and returns its parameter, which is not less than that of the one before.
-  /// Returns nullopt if the sample is outside its limit. Requires next() < run.end().
+  /// Places that sample and returns its parameter, which is not less than that of the previous
+  /// sample. Returns nullopt if the sample is outside its limit. Requires next() < run.end().
   std::optional<double> place(const LongRun& run, const KeptSamples& kept) noexcept;
-  /// Returns the sample that is furthest along the curve so far. Later samples may not lie before
+  /// Returns the sample that is furthest along the curve so far. Later samples must not lie before
   /// it.
   [[nodiscard]] std::size_t furthest() const noexcept { return furthest_sample_; }
 

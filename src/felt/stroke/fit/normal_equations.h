@@ -22,7 +22,7 @@ struct Priors {
 void add_end_sample(NormalSums& sums, std::size_t basis, Vec sample, double weight) noexcept;
 
 /// Solves for B1..B4. The sums are those of accumulate_free_start. Returns false if the system is
-/// singular, as do the functions below.
+/// singular, like the functions below.
 bool solve_free(const NormalSums& sums, const Priors& priors, Point origin, Cubic& curve) noexcept;
 
 /// Solves for B2, B3, B4 with B1 = origin. The sums are those of accumulate_fixed_start.

@@ -100,7 +100,7 @@ void PaperFitter::end() {
   place_merged();
 }
 
-// Gives the samples between two data points parameters between those of these two.
+// Assigns the samples between two data points parameters between the parameters of these two.
 void PaperFitter::place_merged() {
   std::vector<double> u;
   for (std::size_t i = 0; i < points_.size(); ++i) {

@@ -13,11 +13,13 @@ namespace felt {
 /// Points are added to the current segment while its error stays within a threshold; then a new
 /// segment starts, and "for smoothness two successive segments share a number of points". We read
 /// the text as follows:
-///   - "a threshold" decides what is a data point: a sample nearer than `data_point_mm` to the last
-///     one is not, except the last sample of the stroke. So slow drawing costs no segments.
+///   - "a threshold" decides which samples are data points: a sample nearer than `data_point_mm` to
+///     the last data point is skipped, unless it is the last sample of the stroke. So slow drawing
+///     adds no segments.
 ///   - [Paper eq. 2, docs/design/errata.md#e7] a segment fitted to the points P_1..P_n runs from B1
 ///     = P_(1+s) to B4 = P_(n-s); neighbours share 2s + 1 samples and the joint is the middle one,
-///     so C0 is exact. The first segment starts at its P_1 and the last one ends at its P_n.
+///     so the curve is exactly C0. The first segment starts at its P_1 and the last one ends at its
+///     P_n.
 ///   - B2 and B3 are the least-squares solution over P_1..P_n at chord-length parameters, 0 at B1
 ///     and 1 at B4. The s samples outside have parameters below 0 and above 1 and bend the
 ///     handles, although the segment does not draw them.
@@ -26,8 +28,8 @@ namespace felt {
 ///     point.
 ///
 /// Sharing samples does not make joints smooth (docs/design/errata.md#e8): their tangents differ by
-/// 3 to 10 degrees. A joint is declared kSmooth only if they agree to kSmoothJointMaxDeg, else
-/// kCorner.
+/// 3 to 10 degrees. A joint is declared kSmooth only if the tangents agree to kSmoothJointMaxDeg,
+/// otherwise kCorner.
 ///
 ///      P: o--o--o--o--o--o--o--o--o--o--o--o      s = 2
 ///         B1===================B4                 first segment, fitted to the first 9
@@ -35,10 +37,11 @@ namespace felt {
 ///                              B1==========...    second segment
 ///
 /// Use: begin(); push() for each point; end(). Each sample refits the run from scratch, so its work
-/// is bounded only by the longest run, kMaxRun samples: for study, not for drawing with a device.
+/// is bounded only by the longest run, kMaxRun samples. So this class is for study, not for drawing
+/// with a device.
 class PaperFitter {
  public:
-  /// Most samples that one segment may draw.
+  /// Maximum number of samples that one segment may draw.
   static constexpr std::size_t kMaxRun = 400;
 
   /// `shared_samples` is s of [Paper eq. 2]. Requires shared_samples >= 0.
@@ -49,8 +52,8 @@ class PaperFitter {
   void begin();
   /// Adds the next point, in mm. Requires finite coordinates.
   void push(Point p);
-  /// Fits the rest. Call at pen-up. A stroke that stays within kMinSegmentMm becomes one straight
-  /// segment of that length (R10). The curve stays empty if there was no point.
+  /// Fits the remaining points. Called at pen-up. A stroke that stays within kMinSegmentMm becomes
+  /// one straight segment of that length (R10). If no point was added, the curve stays empty.
   void end();
   /// Returns the segments so far; complete after end(). `sample_u` has the data points until end(),
   /// then every sample; a sample between two data points lies between their parameters. No chord is

@@ -16,7 +16,7 @@ namespace felt {
 /// While drawing, CurveFitter must place each joint before later samples arrive. With the whole
 /// stroke available, a beam search tries several joints. It extends each of the kBeam best partial
 /// curves with m segments by its longest run, cut at each of kReaches. Of these candidates with m +
-/// 1 segments it keeps those that cover most ink. The first candidate that covers all of it is the
+/// 1 segments it keeps those that cover most ink. The first candidate that covers all ink is the
 /// result. Fits, corners and guarantees are those of CurveFitter.
 ///
 /// Time is linear in the samples, about kBeam times that of the online fit. Runs on any thread,
@@ -25,7 +25,7 @@ class Refiner {
  public:
   static constexpr std::size_t kBeam = 8;
   static constexpr double kReaches[] = {0.88, 0.8, 0.7};
-  /// Of the candidates that cover the same samples, at most this many are kept.
+  /// Maximum number of candidates kept that cover the same samples.
   static constexpr std::size_t kPerJoint = 2;
 
   explicit Refiner(const CurveFitOptions& options);
@@ -34,12 +34,12 @@ class Refiner {
   void begin();
   /// Adds the next sample. Requires finite coordinates of at most 1e9 mm.
   void push(Point p);
-  /// Makes end() accept only curves within the tolerance of `online`, so that nothing visible jumps
-  /// by more when the result replaces it. Requires that CurveFitter made `online` of the same
-  /// samples. Call after the last push().
+  /// Makes end() accept only curves within the tolerance of `online`, so that the visible line
+  /// moves by at most the tolerance when the result replaces it. Requires that CurveFitter made
+  /// `online` from the same samples. Call after the last push().
   void follow(const FittedCurve& online);
-  /// Returns the curve with the fewest segments found. Returns an empty one if there is nothing to
-  /// improve (a dot, no sample) or no curve that stays close enough to `online`.
+  /// Returns the curve with the fewest segments found. Returns an empty curve if nothing can be
+  /// improved (a dot, no sample) or no curve found stays close enough to `online`.
   FittedCurve end();
 
  private:

@@ -35,7 +35,7 @@ void RunMoments::add(Point p, double path_mm) noexcept {
 }
 
 // Relative to the origin, B1 is 0 and B4 is the last sample, so only B2 and B3 are unknown. With a
-// tangent, B2 = a tangent; there is no valid handle unless a > 0.
+// tangent, B2 = a tangent; the handle is valid only if a > 0.
 double RunMoments::residual() const noexcept {
   if (!(length_ > 0.0)) return kUndetermined;
   double m[7];

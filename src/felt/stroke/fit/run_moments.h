@@ -4,8 +4,8 @@
 
 namespace felt {
 
-/// A cheap test before the exact fit. It keeps running sums from which the least-squares cubic
-/// through the two end samples of a run, and its residual, follow in constant time per sample.
+/// A cheap test before the exact fit. It keeps running sums. From these, the least-squares cubic
+/// through the two end samples of a run and its residual are computed in constant time per sample.
 ///
 /// With s the path length from the origin, the sums are M_k = sum s^k (k 0..6), Q_k = sum s^k P (k
 /// 0..3) and sum |P|^2, with positions P relative to the origin. Divided by powers of the whole
@@ -23,8 +23,8 @@ class RunMoments {
   /// Adds the sample p at `path_mm` from the origin along the samples. Requires that `path_mm` does
   /// not decrease.
   void add(Point p, double path_mm) noexcept;
-  /// Returns the sum of squared distances in mm^2 of the best cubic from the origin to the last
-  /// sample, or infinity if the sums do not determine one.
+  /// Returns the sum of squared distances in mm^2 of the samples from the best cubic between the
+  /// origin and the last sample, or infinity if the sums do not determine a cubic.
   [[nodiscard]] double residual() const noexcept;
 
  private:

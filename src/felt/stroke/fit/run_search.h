@@ -14,18 +14,18 @@ namespace felt {
 /// SegmentFit accepts. It works in small steps of bounded work, so that it keeps up with a pen.
 /// LongRun continues beyond the end of the window.
 ///
-///   1. gate: as long as running sums prove that the run is within the tolerance, a sample costs
-///      one update (RunMoments);
-///   2. gallop: then exact fits, each a quarter longer than the last good one;
-///   3. bisect: after the first that fails, halve the gap to the last good one until it is within a
-///      sixteenth of the run. Greater precision is not needed, because the last samples of a run go
-///      to the next segment anyway.
+///   1. Gate: while running sums prove that the run is within the tolerance, each sample takes one
+///      update (RunMoments).
+///   2. Gallop: exact fits are tried, each a quarter longer than the last good one.
+///   3. Bisect: after the first fit that fails, the gap to the last good fit is halved until it is
+///      within a sixteenth of the run. Greater precision is not needed, because the last samples of
+///      a run go to the next segment anyway.
 ///
 /// Use: begin(); step() until it returns kDone; then count(), curve(), parameters().
 class RunSearch {
  public:
   enum class Status {
-    kNeedSamples,  ///< all available samples are used; call again when there are more
+    kNeedSamples,  ///< all available samples are used; call again when more have arrived
     kBusy,         ///< one step of work done, more to do
     kDone,         ///< the run is found
   };
@@ -37,12 +37,12 @@ class RunSearch {
   [[nodiscard]] bool is_close_to_guide() const noexcept { return is_close_to_guide_; }
 
   /// Starts a search at sample `first` of the window. If the start is free, that sample is the
-  /// first of the curve, else it is the one after the joint.
+  /// first of the curve; otherwise it is the sample after the joint.
   void begin(const SampleWindow& window, const RunStart& start, std::size_t first) noexcept;
 
-  /// Does one step: some gate updates or one exact fit. Samples before `limit` may be used;
-  /// `is_final`: there will be no more of them for this run, because of a corner or the end of the
-  /// stroke. Requires limit > first.
+  /// Does one step: some gate updates or one exact fit. Samples before `limit` may be used.
+  /// `is_final` means that no more samples follow for this run, because of a corner or the end of
+  /// the stroke. Requires limit > first.
   Status step(const SampleWindow& window, std::size_t limit, bool is_final) noexcept;
 
   /// Returns the start and the first sample given to begin(). pin() may change the start.

@@ -14,7 +14,7 @@ namespace felt {
 /// their number, itself included, and `source` is its index among the kept samples of the stroke.
 class SampleWindow {
  public:
-  /// Arrays are padded so that four lanes may be read at any sample.
+  /// Number of padding elements of each array, so that four lanes may be read at any sample.
   static constexpr std::size_t kPadding = 4;
   /// Once samples are left out, the limits are reduced to this fraction. The rest is for the
   /// samples left out, because they lie between the remaining ones only approximately.
@@ -26,13 +26,13 @@ class SampleWindow {
   void clear() noexcept;
   /// Adds kept sample `source`. Requires size() < capacity().
   void add(const KeptSamples& kept, std::size_t source) noexcept;
-  /// Holds the newest sample: thin() never leaves it out.
+  /// Marks the newest sample as held, so that thin() never leaves it out.
   void hold_newest() noexcept { is_held_[size_ - 1] = 1; }
   /// Leaves samples out, so that about a quarter of a full window becomes free. Of four neighbours
   /// that represent few others, the one with the least `left` and the one with the greatest `right`
   /// stay, and share what the four represented. The first, the last and all held samples always
-  /// stay. Indices shift down; `parameters` is reduced in the same way. Each array has one value
-  /// for each sample.
+  /// stay. Indices shift down, and `parameters` is reduced in the same way. Each array needs one
+  /// value for each sample.
   void thin(const double* left, const double* right, double* parameters) noexcept;
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
@@ -48,7 +48,7 @@ class SampleWindow {
   /// Returns KeptSamples::inverse_limit of each sample, for the reduced limit once samples are left
   /// out (kThinnedShare). A squared distance is allowed if its product with this is at most 1.
   [[nodiscard]] const double* inverse_limit() const noexcept { return inverse_limit_.data(); }
-  /// Returns how many kept samples each one represents. 1 unless samples were left out.
+  /// Returns how many kept samples each one represents. All are 1 unless samples were left out.
   [[nodiscard]] const double* weight() const noexcept { return weight_.data(); }
   /// Returns the index of sample i among the kept samples of the stroke.
   [[nodiscard]] std::size_t source(std::size_t i) const noexcept { return source_[i]; }

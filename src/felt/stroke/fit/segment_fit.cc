@@ -211,7 +211,7 @@ void SegmentFit::bridge(const SampleWindow& window, const RunStart& start, std::
   const double reach = distance(start_.point, end);
   curve_ = straight(start_.point, end);
   if (start_.kind == RunStart::Kind::kTangent || reach < kShortestSegmentMm) {
-    // The handle makes the segment long enough (I5) even when the pen came back to where it was.
+    // The handle makes the segment long enough (I5) even if the pen returned to its start.
     Vec along =
         start_.kind == RunStart::Kind::kTangent ? start_.tangent : normalized(end - start_.point);
     if (along == Vec{}) along = {1.0, 0.0};

@@ -16,7 +16,7 @@ class GuideCurve;
 /// rounding.
 inline constexpr double kShortestSegmentMm = 1.001 * kMinSegmentMm;
 
-/// What is already fixed at the start of a segment.
+/// Which properties are already fixed at the start of a segment.
 struct RunStart {
   enum class Kind {
     kFree,     ///< nothing: first segment of a stroke
@@ -46,14 +46,15 @@ struct RunStart {
 /// samples*: t_i never decreases. Between neighbours it stays within tolerance + kGapBulge x gap of
 /// the straight line that joins them, so that no loop or spike can hide between two samples.
 ///
-/// Thread: any, one fitter per thread. No allocation after construction; bounded work.
+/// Use one fitter per thread; any thread may use one. Does not allocate after construction, and the
+/// work is bounded.
 class SegmentFit {
  public:
-  /// Most samples in one fit. A longer run is thinned (LongRun).
+  /// Maximum number of samples in one fit. A longer run is thinned (LongRun).
   static constexpr std::size_t kMaxRun = 256;
-  /// Most least-squares rounds of one fit.
+  /// Maximum number of least-squares rounds of one fit.
   static constexpr int kMaxRounds = 8;
-  /// Most work of one fit, in samples x rounds.
+  /// Maximum work of one fit, in samples x rounds.
   static constexpr long kMaxWork = static_cast<long>(kMaxRun) * (kMaxRounds + 1);
   static constexpr double kTangentWeight = 0.05;
   static constexpr double kEnergy = 2e-5;
@@ -63,7 +64,7 @@ class SegmentFit {
   static constexpr double kMaxHandle = 2.0;
   static constexpr double kGapBulge = 0.1;
 
-  /// Where the curve ends.
+  /// Position of the end of the curve.
   enum class End {
     kFree,    ///< near the last sample, as far as the tolerance allows
     kPinned,  ///< exactly on it
@@ -77,13 +78,14 @@ class SegmentFit {
            End end = End::kFree, std::span<const double> known = {}) noexcept;
 
   /// Sets a curve that needs no fit: from `start`, with its tangent, to the last of the samples.
-  /// Requires that all but the last lie within kMinSegmentMm of the start. Always within the
-  /// tolerance if that is at least kMinSegmentMm.
+  /// Requires that all but the last lie within kMinSegmentMm of the start. The result is within the
+  /// tolerance if the tolerance is at least kMinSegmentMm.
   void bridge(const SampleWindow& window, const RunStart& start, std::size_t first,
               std::size_t count) noexcept;
 
-  /// Sets a guide: fit() then accepts only curves within the tolerance of it. nullptr removes it.
-  /// Requires that the guide was made of the kept samples that the windows given to fit() hold.
+  /// Sets a guide: fit() then accepts only curves within the tolerance of the guide. If `guide` is
+  /// null, removes the guide. Requires that the guide was made of the kept samples that the windows
+  /// given to fit() hold.
   void set_guide(const GuideCurve* guide) noexcept { guide_ = guide; }
   /// Returns true if the last curve fitted or bridged is within the tolerance of the guide.
   [[nodiscard]] bool follows_guide(const SampleWindow& window) const noexcept;

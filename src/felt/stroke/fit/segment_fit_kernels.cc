@@ -61,7 +61,7 @@ FELT_INLINE void accumulate(const PowerCubic& c, const RunView& run, const doubl
     const Lanes gx = (3.0 * c.a3.x * t + 2.0 * c.a2.x) * t + c.a1.x;
     const Lanes gy = (3.0 * c.a3.y * t + 2.0 * c.a2.y) * t + c.a1.y;
     const Lanes squared = gx * gx + gy * gy;
-    // Where the curve's derivative is zero there is no normal, so the metric is M = I.
+    // If the curve's derivative is zero, the normal is undefined, so the metric is M = I.
     const Mask moving = squared > 1e-30;
     const Lanes a = weight * (moving ? keep / squared : Lanes{});
     const Lanes damp = weight * (moving ? Lanes{} + w : Lanes{} + 1.0);

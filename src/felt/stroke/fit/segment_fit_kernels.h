@@ -27,9 +27,9 @@ struct RunView {
 
 /// Moves every parameter one Newton step towards the foot point of its sample, clamped to [0, 1],
 /// and sets `ratio` to the squared distance there over its limit.
-///   t <- t - (e.f') / (f'.f' + e.f''),  e = f(t) - P   [Plass & Stone 1983; Schneider 1990]
-/// If the denominator is not safely positive, the Gauss-Newton one, f'.f', is used. Requires room
-/// for three more than `count` in t and ratio.
+///   t <- t - (e.f') / (f'.f' + e.f''), e = f(t) - P [Plass & Stone 1983; Schneider 1990]
+/// If this denominator is not safely positive, the Gauss-Newton denominator f'.f' is used. Requires
+/// that t and ratio have room for `count` + 3 values.
 void project(const PowerCubic& curve, const RunView& run, double* t, double* ratio) noexcept;
 
 /// Sums over samples for the normal equations of the control points. Index pairs (j, k) of the

@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// Samples closer than this in u share one position, because a profile is a function with one width
-/// at each u.
+/// Maximum difference in u at which two samples share one position. They share it because a profile
+/// has exactly one width at each u.
 inline constexpr double kSameWidthPlace = 1e-9;
 
 /// Fits the width profile of a stroke [Paper eq. 3] while it is drawn: continuous, linear between
@@ -20,22 +20,22 @@ inline constexpr double kSameWidthPlace = 1e-9;
 ///
 /// Each segment starts at the end (u1, W1) of the last one [docs/design/errata.md#e10] and has one
 /// unknown, its slope a. A sample (u, w) is within the tolerance if a lies in
-///   [(w - tol - W1) / (u - u1), (w + tol - W1) / (u - u1)],
-/// so the intersection of these intervals decides exactly, for all samples so far and in O(1),
-/// whether one more sample fits: the swing filter of Elmeleegy, Elmagarmid, Cecchet, Aref,
-/// Zwaenepoel, "Online piece-wise linear approximation of numerical streams with precision
-/// guarantees", VLDB 2009, section 3. The slope is the least-squares slope
+///   [(w - tol - W1) / (u - u1), (w + tol - W1) / (u - u1)].
+/// So the intersection of these intervals tells exactly and in O(1) whether one more sample fits.
+/// This is the swing filter of Elmeleegy, Elmagarmid, Cecchet, Aref, Zwaenepoel, "Online piece-wise
+/// linear approximation of numerical streams with precision guarantees", VLDB 2009, section 3. The
+/// slope is the least-squares slope
 ///   a = sum (u - u1)(w - W1) / sum (u - u1)^2
 /// clamped to the intersection (docs/design/errata.md#e11). If the intersection is empty, the
 /// segment ends at the sample before.
 ///
 /// Samples that share a position (the pen stands still while the pressure changes) count as one
-/// requirement. If their widths spread by more than twice the tolerance, no function can meet them
+/// condition. If their widths spread by more than twice the tolerance, no function can meet them
 /// all. Then the profile goes through the middle of the spread, which minimises the largest error.
 ///
 /// If samples have their own tone, it is fitted by the same filter as the width, on the same knots:
-/// each has a slope, and the segment ends as soon as either intersection is empty. Otherwise a knot
-/// gets the tone of its width, which costs no additional knots.
+/// width and tone each have a slope, and the segment ends as soon as either intersection is empty.
+/// Otherwise a knot gets the tone of its width, which costs no additional knots.
 class WidthFitter {
  public:
   explicit WidthFitter(const WidthFitOptions& options = {});
@@ -50,8 +50,8 @@ class WidthFitter {
   void push(double u, double width_mm, double tone);
   /// Ends the profile at `u_end` > 0, the number of Bezier segments, with the filtered width of the
   /// last sample as far as the tolerance allows (docs/design/errata.md#e11). Call at pen-up.
-  /// Samples past u_end count as at u_end. If there was no sample, the profile is constant at
-  /// min_mm.
+  /// Samples past u_end count as samples at u_end. If no sample was added, the profile is constant
+  /// at min_mm.
   void finish(double u_end);
   /// Returns the knots so far, with u strictly increasing from 0; after finish() they end exactly
   /// at u_end.
@@ -71,9 +71,9 @@ class WidthFitter {
   // A quantity that is linear between knots: the width or the tone.
   struct Channel {
     double min, max, tolerance;
-    Values here{};      // at the position that is still collecting
+    Values here{};      // at the position that still collects samples
     double from = 0.0;  // value at the start of the open segment
-    Range slopes{};     // feasible ones of the open segment
+    Range slopes{};     // feasible slopes of the open segment
     double sum_uw = 0.0;
 
     [[nodiscard]] Range allowed() const noexcept;
@@ -95,7 +95,7 @@ class WidthFitter {
   Channel width_, tone_;
   bool has_tone_ = false;         // of its own
   std::vector<WidthKnot> knots_;  // the last one is the start of the open segment
-  double place_u_ = 0.0;          // of the samples that are still collecting
+  double place_u_ = 0.0;          // position of the samples that are still collected
   double count_ = 0.0;            // of them
   double sum_uu_ = 0.0;
   double reach_ = 0.0;  // u of the last position added to the open segment

@@ -15,8 +15,8 @@ double width_of_pressure(const WidthMapOptions& options, double p) noexcept;
 /// width_of_pressure() at l = 0.
 double width_of(const WidthMapOptions& options, double p, double l) noexcept;
 
-/// Returns the tone, 0..1, for the pressure p and the tilt l; that of the width if the medium has
-/// no tone of its own. Monotonic in both.
+/// Returns the tone, 0..1, for the pressure p and the tilt l; the default tone of the width if the
+/// medium has no own tone. Monotonic in both.
 double tone_of(const WidthMapOptions& options, double p, double l) noexcept;
 
 /// Width and tone of the ink under the pen.
@@ -32,8 +32,8 @@ struct InkWidth {
 /// Pressure and tilt each pass a first-order low-pass before they are mapped, because the noise of
 /// the sensor and the tremor of the hand would otherwise cost 2.6 to 8.5 times as many width
 /// segments (docs/design/strokes.md#width). Implicit Euler, y += (x - y) dt / (tau + dt): stable
-/// and without overshoot for every dt, and free of transcendental functions whose last bit depends
-/// on the machine.
+/// and without overshoot for every dt. It uses no transcendental functions, because their last bit
+/// depends on the machine.
 class WidthMap {
  public:
   /// Moves options that are out of range to the nearest valid value.
@@ -41,9 +41,9 @@ class WidthMap {
 
   /// Discards the last stroke. The first sample sets the filters to its pressure and tilt.
   void begin() noexcept;
-  /// Processes the next sample and returns its width and tone. A sample without pressure or tilt
-  /// keeps the last one of the stroke. Time that stands still or runs backwards counts as 0.2 ms,
-  /// the tick of the fastest device, so a stuck clock cannot freeze the width.
+  /// Processes the next sample and returns its width and tone. If a sample has no pressure or tilt,
+  /// the last value of the stroke is used. Time that stands still or runs backwards counts as 0.2
+  /// ms, the tick of the fastest device, so a stuck clock cannot freeze the width.
   InkWidth push(const InkSample& sample) noexcept;
 
   [[nodiscard]] const WidthMapOptions& options() const noexcept { return options_; }

@@ -9,12 +9,12 @@ namespace felt {
 /// The direction of the edge of the ink at a point of the centre line that runs along `tangent`
 /// while its radius grows by `slope` per length. The edge of a row of dabs touches each dab at the
 /// normal n with
-///   n . tangent = -slope
-/// so the normal tilts backwards if the stroke widens. If the slope is 1 or more, later dabs cover
+///   n . tangent = -slope.
+/// So the normal tilts backwards if the stroke widens. If the slope is 1 or more, later dabs cover
 /// earlier ones completely; then there is no edge, and n is on the axis.
 ///
-/// Everything here describes the left side, which is the side of perp(tangent). The right side is
-/// the left side of the same stroke in the opposite direction (`backwards`).
+/// This struct describes the left side, which is the side of perp(tangent). The right side is the
+/// left side of the same stroke in the opposite direction (`backwards`).
 struct EnvelopeFrame {
   Vec tangent;          ///< unit vector
   double slope = 0.0;   ///< dr/ds, limited to [-1, 1]
@@ -38,7 +38,7 @@ struct EnvelopeFrame {
 struct Turn {
   enum class Kind {
     kArc,       ///< outside of the bend: along the dab, by `sweep`
-    kShortcut,  ///< inside, with room: straight across, because both stretches ink the corner
+    kShortcut,  ///< inside, with room: a straight line, because both stretches ink the corner
     kPivot,     ///< inside, tighter than the radius: through the centre of the dab
   };
   Kind kind = Kind::kArc;

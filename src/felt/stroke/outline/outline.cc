@@ -72,7 +72,8 @@ void StrokeOutliner::link(std::span<const Dab> dabs, bool closed) {
     const Dab& b = dabs_[i + 1 == dabs_.size() ? 0 : i + 1];
     const Vec way = b.center - a.center;
     const double length = norm(way);
-    // If only the width changes, there is no direction: any will do, so keep the last one.
+    // If only the width changes, the direction is undefined. Any direction is valid, so the last
+    // one is kept.
     if (length > 0.0) tangent = normalized(way);
     edges_.push_back({EnvelopeFrame::of(tangent, b.radius_mm - a.radius_mm, length), length});
   }

@@ -17,12 +17,12 @@ struct Dab {
   friend constexpr bool operator==(const Dab&, const Dab&) noexcept = default;
 };
 
-/// The most steps of one segment. Bounds the memory if a tolerance is extremely fine for the size
-/// of the segment.
+/// Maximum number of steps of one segment. Bounds the memory if a tolerance is extremely fine for
+/// the size of the segment.
 inline constexpr int kMaxFlattenSteps = 1 << 14;
 
-/// The most steps of a stroke with many segments, shared evenly (but at least one for each
-/// segment): 2^24 dabs take 540 MB.
+/// Maximum number of steps of a stroke with many segments. They are shared evenly, with at least
+/// one step for each segment; 2^24 dabs take 540 MB.
 inline constexpr int kMaxStrokeSteps = 1 << 24;
 
 /// Returns the number of steps, at least 1, into which a part of c with a length of `span` in t
@@ -33,8 +33,8 @@ int flatten_steps(const Cubic& c, double span, double tolerance_mm) noexcept;
 
 /// Replaces `out` by dabs along the stroke. Radius and centre, interpolated linearly between dabs,
 /// are within the tolerance of those of the stroke at the same parameter, unless that would need
-/// more than the most steps; tones are exact. There are dabs exactly at segment ends and width
-/// breakpoints. The seam of a closed stroke appears at both ends.
+/// more than the maximum number of steps; tones are exact. Segment ends and width breakpoints each
+/// get a dab. The seam of a closed stroke appears at both ends.
 void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out);
 
 /// Replaces `out` by the dabs of the segments from `first` up to, but not including, `last`; they
@@ -64,12 +64,13 @@ struct Outline {
 /// Traces the edge of variable-width strokes: the union of the dabs along a stroke as ONE outline
 /// with the non-zero rule, so that a transparent colour covers every point once.
 ///
-/// An open stroke gives one contour: left side, round cap, right side, round cap. A closed one
-/// gives two with opposite orientation, so that the ring is inked and its hole is not. Corners are
-/// round. Bends tighter than the half width, cusps, dots, zero handles and widths that change
-/// faster than the arc length are all covered without gaps (envelope.h has the proof).
+/// An open stroke gives one contour: left side, round cap, right side, round cap. A closed stroke
+/// gives two contours with opposite orientation, so that the ring is inked but not its hole.
+/// Corners are round. Bends tighter than the half width, cusps, dots, zero handles and widths that
+/// change faster than the arc length are all covered without gaps (envelope.h has the proof).
 ///
-/// The object keeps its buffers: no allocation for a stroke after warm-up. One thread at a time.
+/// The object keeps its buffers, so it does not allocate after warm-up. Use it from one thread at a
+/// time.
 class StrokeOutliner {
  public:
   StrokeOutliner();
@@ -99,7 +100,7 @@ class StrokeOutliner {
   Outline outline_;
 };
 
-/// Returns the outline of one stroke; for callers that do not need to reuse buffers.
+/// Returns the outline of one stroke; for callers that do not reuse buffers.
 Outline outline_of(const Stroke& stroke, double tolerance_mm);
 
 }  // namespace felt

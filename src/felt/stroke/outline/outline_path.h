@@ -21,8 +21,8 @@ struct OutlinePath {
 
 /// Returns the outline of a stroke as curves, for vector files: the same ink as `StrokeOutliner`,
 /// but smooth at any zoom and with a third of the numbers. Each side is fitted by as few cubics as
-/// stay within the tolerance of its true edge. If a bend is tighter than the half width, there is
-/// no smooth edge, and the side consists of straight lines. Requires tolerance_mm > 0.
+/// stay within the tolerance of its true edge. If a bend is tighter than the half width, the edge
+/// is not smooth, and the side consists of straight lines. Requires tolerance_mm > 0.
 OutlinePath outline_path(const Stroke& stroke, double tolerance_mm);
 
 }  // namespace felt

@@ -41,7 +41,7 @@ class EdgeFit {
 
 /// The most rounds of fitting the curve and moving the parameters of the points along it.
 constexpr int kRounds = 4;
-/// The fit is given up if the error is more than this many tolerances.
+/// Maximum error in tolerances at which a fit is continued.
 constexpr double kHopelessStretch = 8.0;
 /// The share of the tolerance allowed at the points, because the error is a little larger between
 /// them.
@@ -111,7 +111,7 @@ bool EdgeFit::fit(Vec begin, Vec end, double tolerance_mm, Cubic& c) {
   return false;
 }
 
-/// The most halvings of a piece whose edge is only partly smooth.
+/// Maximum number of halvings of a piece if its edge is only partly smooth.
 constexpr int kMaxHalvings = 6;
 /// The number of samples of an edge, including its ends.
 constexpr std::size_t kSamples = 9;
@@ -131,8 +131,8 @@ struct EdgePoint {
   /// 1 on the true edge. Less if the bend is tighter than the radius, so that the edge would run
   /// backwards: `place` is then the centre of the bend.
   double share = 1.0;
-  /// False if there is no edge: the centre line stands still, or the radius grows faster than the
-  /// arc length.
+  /// False if the piece has no edge, because the centre line stands still or the radius grows
+  /// faster than the arc length.
   bool is_regular = false;
 };
 

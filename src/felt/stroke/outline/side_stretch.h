@@ -15,8 +15,8 @@ struct InkPiece {
   Cubic center;
   double radius0_mm = 0.0;
   double radius1_mm = 0.0;
-  /// Unit direction to use if the radius changes but the centre does not move. Any will do, but
-  /// both sides must use the same.
+  /// Unit direction to use if the radius changes but the centre does not move. Any direction is
+  /// valid, but both sides must use the same one.
   Vec heading;
 
   [[nodiscard]] double radius(double t) const noexcept {
@@ -45,7 +45,8 @@ struct SideStretch {
 };
 
 /// Appends the left edge of consecutive pieces. Where the edge is smooth, it uses as few cubics as
-/// stay within the tolerance of the true edge, also across pieces; elsewhere straight lines.
+/// stay within the tolerance of the true edge, also across pieces; elsewhere it uses straight
+/// lines.
 void append_left_edge(std::span<const InkPiece> pieces, double tolerance_mm,
                       std::vector<SideStretch>& out);
 
