@@ -63,9 +63,9 @@ class Device {
   /// Requests a force, which the device holds until the next write().
   virtual tl::expected<void, DeviceFault> write(const Force& force) noexcept = 0;
   /// Returns the force that the device holds after the last write(), if a driver may send another
-  /// one than requested because the process that runs the device is late or the driver has its own
-  /// limit. This value is logged. Returns nullopt if the device holds the requested force. Haptic
-  /// thread, after write().
+  /// one than requested because the device answers late or the driver has its own limit. This value
+  /// is logged. Returns nullopt if the device holds the requested force. Haptic thread, after
+  /// write().
   [[nodiscard]] virtual std::optional<Force> held_force() const noexcept { return std::nullopt; }
   /// Returns true if the pen is at the end of an arm, whose position cannot jump: the loop then
   /// keeps jumps out of the ink (LeapFilter). A mouse or a joystick may jump.

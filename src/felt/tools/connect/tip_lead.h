@@ -13,10 +13,10 @@ namespace felt {
 /// The stroke stays one fair curve (docs/design/editing.md#joining; R45). The part of the shift
 /// straight ahead extends the stroke along its tangent. The rest bends it (with_tip_bent) over a
 /// length of four times that rest, at least 25 mm and at most the extension plus half of the
-/// stroke; if half of the stroke is shorter than that, over 2.7 times that rest, up to 200 mm. If
-/// the stroke is too short for that, too, it does not change, and one cubic along its tangent, with
-/// zero curvature at its end, bridges the gap. Up to `small_gap_mm` the end keeps its tangent;
-/// beyond that it turns gradually towards the target.
+/// stroke; if that maximum is less than 2.7 times that rest, over 2.7 times that rest, but at most
+/// the extension plus 200 mm or 95 % of the stroke. If that bend fails, the stroke does not change,
+/// and one cubic along its tangent, with zero curvature at its end, bridges the gap. Up to
+/// `small_gap_mm` the end keeps its tangent; beyond that it turns gradually towards the target.
 ///
 /// If a stroke has many segments, only a part at the end is changed; the rest stays bit for bit.
 class TipLead {
