@@ -20,9 +20,9 @@ enum class CueWaveform : std::uint8_t {
   kClick,    ///< a tool grabbed something
   kPress,    ///< the nib touches
   kRelease,  ///< the nib lifts
-  kHover,    ///< there is something to grab here
+  kHover,    ///< something can be grabbed here
   kSuccess,  ///< an end snapped, a curve closed
-  kError,    ///< there is nothing to grab here
+  kError,    ///< nothing can be grabbed here
 };
 
 /// How long a continuous waveform plays if it is not repeated.

@@ -49,8 +49,8 @@ inline constexpr double kFullPushN = 2.0;  ///< full width of a line (R17)
 
 /// Returns how strongly rubbing is felt, 0..1. It is continuous and grows with speed up to 1. It
 /// also grows with push as long as the medium does not wear the relief away (relief_left of
-/// push/kFullPushN, the same law as for the hand and the eye); with a wear of up to 0.5 it always
-/// grows.
+/// push/kFullPushN, the same formula as for the felt and the displayed relief); with a wear of up
+/// to 0.5 it always grows.
 ///
 ///   I = r sqrt(P / 75 mW), at most 1,    P = mu Fn (v - 2 mm/s)+
 ///   r = 0.4 + (roughness - 0.4) relief_left
@@ -80,7 +80,7 @@ enum class CueEvent : std::uint8_t {
   kFound,    ///< a hovering pen reached something that can be grabbed
   kTook,     ///< a tool grabbed something
   kSnapped,  ///< an end found its target, a curve closed
-  kRefused,  ///< there was nothing to grab, or the drawing does not allow it
+  kRefused,  ///< nothing could be grabbed, or the drawing does not allow it
 };
 
 /// Decides which cues to play: for touching and lifting, for events, and the humming of the stroke.
@@ -98,8 +98,8 @@ enum class CueEvent : std::uint8_t {
 ///   surface or has been away for 25 ms. So a pen that chatters on the surface touches once.
 /// * Humming starts at 0.06, ends below 0.03, follows changes within some 15 ms, and is sent again
 ///   if it differs by 0.08 or every kSayAgainNs; a single cue interrupts it for kSingleNs.
-/// * There is no humming above the surface. Numbers that are not finite count as 0, and if time
-///   runs backwards, no time has passed.
+/// * A pen above the surface does not hum. Numbers that are not finite count as 0, and if time runs
+///   backwards, no time has passed.
 ///
 /// A value type that does not allocate. Normally used on the edit thread, but real-time safe, too.
 class CueLaw {

@@ -32,7 +32,7 @@ struct ForceLaw {
   [[nodiscard]] double max_slope_n_per_m() const noexcept;
 };
 
-/// The laws of local edits and of transforms.
+/// The force laws of local edits and of transforms.
 inline constexpr ForceLaw kEditLaw{.spread_mm = 10.0};
 inline constexpr ForceLaw kTransformLaw{.spread_mm = 40.0};
 

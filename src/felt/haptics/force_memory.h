@@ -76,7 +76,7 @@ struct Follower {
 };
 
 /// The state of force bricks from tick to tick, and the data that the loop gives them for this
-/// tick. There is one per active model. When one model replaces another it starts with a copy of
+/// tick. Each active model has its own. When one model replaces another it starts with a copy of
 /// the other's memory, so that, for example, a bristle stays anchored. Constant size, trivially
 /// copyable.
 struct ForceMemory {

@@ -57,7 +57,7 @@ class ForceModel {
   }
   /// Returns the stiffness that the functor claims.
   [[nodiscard]] const Slopes& slopes() const noexcept { return slopes_; }
-  /// True if there is a functor inside.
+  /// True if the model holds a functor.
   [[nodiscard]] explicit operator bool() const noexcept { return call_ != nullptr; }
 
   /// Returns the id that controls cross-fading. When the id changes (another tool, material or

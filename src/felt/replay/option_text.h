@@ -11,7 +11,8 @@ namespace felt {
 /// the text is not such a value.
 Result<OptionValue> value_like(const OptionValue& present, const std::string& text);
 
-/// Returns the event for "TOOL.OPTION=VALUE". Fails if there is no such option or value.
+/// Returns the event for "TOOL.OPTION=VALUE". Fails if the text has no "=", the option does not
+/// exist, or the value is not of its kind.
 Result<SetOption> option_event(const Session& session, const std::string& text);
 
 }  // namespace felt

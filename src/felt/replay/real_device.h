@@ -18,7 +18,8 @@ struct RealDevice {
 };
 
 /// Finds a device by its id ("haply:049D"), or by its driver's name if that driver has one device.
-/// Fails if there is none; the message lists the devices that are there and a suggestion.
+/// Fails if no such device is found; the message lists the devices that were found and makes a
+/// suggestion.
 Result<RealDevice> find_real_device(const std::vector<std::unique_ptr<Driver>>& drivers,
                                     const std::string& id);
 

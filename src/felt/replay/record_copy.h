@@ -27,8 +27,8 @@ class RecordCopy {
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
   /// Records that the drawing has changed.
   void note_edit() noexcept { is_changed_ = true; }
-  /// Writes a copy when it is time, but not while the last one is still being written. Call each
-  /// turn.
+  /// Writes a copy when it is time, but not while the previous copy is still being written. Call it
+  /// each time around the loop.
   void keep(const Session& session);
   /// Waits until the current copy is written.
   void wait();

@@ -25,7 +25,7 @@ struct RecordOptions {
   Rect page;
   double force_limit_n = 3.0;
   bool forces = false;
-  std::optional<double> seconds = {};  ///< duration; none: until `is_over`
+  std::optional<double> seconds = {};  ///< duration; if empty, until `is_over` returns true
   std::function<bool()> is_over = {};
   /// Returns true if the program should be suspended. `pause` suspends it once there is no force.
   std::function<bool()> wants_pause = {};

@@ -23,7 +23,7 @@ using ReadImport = std::function<Result<std::vector<StrokePtr>>(const std::strin
 Result<void> apply_script(const std::string& name, ReadBytes read, const ReadImport& read_import,
                           Session& session);
 
-/// Applies the newest recording in a drawing. Fails if there is none.
+/// Applies the newest recording in a drawing. Fails if the drawing has no recording.
 Result<void> apply_recording(const Drawing& drawing, const ReadImport& read_import,
                              Session& session);
 

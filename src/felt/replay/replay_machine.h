@@ -44,7 +44,7 @@ ReplaySettings replay_settings(const StylusPreset& device, const SimulatedHand& 
 struct ReplayTick {
   const TickReport& report;
   std::optional<double> pressure;  ///< 0..1, determines the width
-  std::optional<double> width_mm;  ///< of the ink at the pen; none if the pen leaves no ink
+  std::optional<double> width_mm;  ///< of the ink at the pen; empty if the pen leaves no ink
 };
 
 /// Device, hand, loop, tools and document in one object: plays events on a virtual clock, and

@@ -32,7 +32,7 @@ struct FeedOptions {
   double mm_per_unit = 1.0;
   /// How the hand draws raw strokes.
   HandScriptOptions hand;
-  std::uint64_t seed = 0;  ///< of a tremor; 0 = none
+  std::uint64_t seed = 0;  ///< of a tremor; 0 = no tremor
 };
 
 /// Physiological tremor: a displacement of 0.03 mm rms on each axis at 8 to 12 Hz. It depends only
@@ -55,8 +55,8 @@ class Tremor {
 ///
 /// A raw stroke is drawn after everything before it is done: the hand moves there through the air,
 /// lands, draws at the recorded pace, lifts. An event after it is sent at its own time, or after
-/// the stroke if that is later. Times of a second script count from the end of the first. Memory is
-/// that of the longest stroke.
+/// the stroke if that is later. Times of a second script count from the end of the first. Uses as
+/// much memory as the longest stroke.
 class ScriptFeed {
  public:
   ScriptFeed(const FeedOptions& options, FeedSink sink);

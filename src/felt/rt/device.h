@@ -43,7 +43,8 @@ class Device {
 
   /// Returns a short name for the user and for `--device`.
   [[nodiscard]] virtual std::string_view name() const noexcept = 0;
-  /// Returns what the device can do. Does not change while the device is open. Any thread.
+  /// Returns what the device can do. The result does not change while the device is open. Safe to
+  /// call from any thread.
   [[nodiscard]] virtual const Capabilities& capabilities() const noexcept = 0;
   /// Returns the present state of the pen. If nothing newer has arrived since the last read(),
   /// returns the same sample again with the same time_ns, so that code that measures speeds can
@@ -51,8 +52,8 @@ class Device {
   /// device advances to it.
   virtual tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept = 0;
   /// Returns samples from between the last read() and the one before it, one per call, oldest
-  /// first; nullopt if there are no more. For pens that report faster than the loop runs and have
-  /// no motors, because no force depends on these samples. Haptic thread, after read().
+  /// first; nullopt if no more are left. For pens that report faster than the loop runs and have no
+  /// motors, because no force depends on these samples. Haptic thread, after read().
   virtual std::optional<PenSample> between() noexcept { return std::nullopt; }
   /// Returns a vector along the pen as of the last read(), of any length, in the frame of the
   /// device's positions; nullopt if the device does not sense it. For drivers that know how the pen
@@ -62,8 +63,9 @@ class Device {
   /// Requests a force, which the device holds until the next write().
   virtual tl::expected<void, DeviceFault> write(const Force& force) noexcept = 0;
   /// Returns the force that the device holds after the last write(), if a driver may send another
-  /// one than requested because the other side is late or a limit of its own applies. This value is
-  /// logged. Nullopt means the requested force. Haptic thread, after write().
+  /// one than requested because the device answers late or the driver has its own limit. This value
+  /// is logged. Returns nullopt if the device holds the requested force. Haptic thread, after
+  /// write().
   [[nodiscard]] virtual std::optional<Force> held_force() const noexcept { return std::nullopt; }
   /// Returns true if the pen is at the end of an arm, whose position cannot jump: the loop then
   /// keeps jumps out of the ink (LeapFilter). A mouse or a joystick may jump.
@@ -119,7 +121,8 @@ class LoopHost {
   /// Starts the loop: until stop_loop() has returned, the host calls `tick(context)` about once per
   /// period of the device's capabilities, always from one thread at a time. Edit thread.
   ///
-  /// Fails if the vendor refuses; the message contains the vendor's text. Nothing is called then.
+  /// Fails if the vendor refuses; the message contains the vendor's text. `tick` is not called
+  /// then.
   virtual Result<void> start_loop(Tick tick, void* context) = 0;
   /// Stops the loop. Returns when no call is in progress and none will follow. No effect if no loop
   /// runs. Edit thread.

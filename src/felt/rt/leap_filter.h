@@ -13,7 +13,7 @@ namespace felt {
 ///
 /// A single jump is dropped. If a jump lasts (JumpGuard), or positions keep jumping, the stroke
 /// ends at the last accepted position, and a new one may begin after positions have been steady for
-/// kSteadyNs. There is one exception: a jump between two samples that are clearly lifted is
+/// kSteadyNs. The only exception is a jump between two samples that are clearly lifted: it is
 /// accepted as soon as it lasts. A sample just above the surface is not enough, because it may be a
 /// bounce within a stroke (Contact).
 ///
@@ -34,7 +34,7 @@ class LeapFilter {
 
   /// Processes the next finite sample of an arm. Returns the sample to pass on: usually the same
   /// one. If jumps have lasted too long, returns the last accepted one, lifted off the surface,
-  /// once. Nullopt: pass on nothing.
+  /// once. Returns nullopt if no sample is to be passed on.
   std::optional<PenSample> pass(const PenSample& sample, std::int64_t now_ns) noexcept;
 
   /// Returns how many strokes were ended by a jump.

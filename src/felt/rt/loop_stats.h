@@ -32,7 +32,7 @@ class TimeHistogram {
     return static_cast<std::int64_t>(max_ns_);
   }
   /// Returns the smallest bucket bound such that the fraction `q` (0..1) of all durations is at
-  /// most this; 0 if empty.
+  /// most that bound; 0 if the histogram is empty.
   [[nodiscard]] constexpr std::int64_t percentile_ns(double q) const noexcept {
     const double wanted = std::clamp(q, 0.0, 1.0) * static_cast<double>(count_);
     std::uint64_t seen = 0;

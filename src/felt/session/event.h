@@ -112,8 +112,8 @@ struct LayerEvent {
     kMove,   ///< to position `index`
   };
   Do what = Do::kAdd;
-  LayerId layer;          ///< none for kAdd
-  std::string name = {};  ///< of kAdd and kRename
+  LayerId layer;          ///< unused for kAdd
+  std::string name = {};  ///< for kAdd and kRename
   std::size_t index = 0;  ///< for kMove: 0 is the lowest; above the highest is the highest
   friend bool operator==(const LayerEvent&, const LayerEvent&) = default;
 };

@@ -16,8 +16,8 @@ inline bool is_open(const Layer& layer) noexcept {
 LayerId highest_open_layer(const Document& document) noexcept;
 
 /// Returns the whole effect of a layer event on a document, as one undo step; empty if nothing
-/// changes, as always for kUse. If no open layer would be left, the edit also adds one on top, so
-/// that ink never goes to a layer that the user cannot see.
+/// changes, as always for kUse. If no open layer would be left, the edit also adds one on top,
+/// because ink must never go to a layer that the user cannot see.
 ///
 /// Fails if the layer does not exist, or for kUse if it is not open. The message names the layer
 /// and the reason.

@@ -22,7 +22,7 @@ struct PlayerOptions {
   /// Largest duration of a script from first to last event; a longer one is an error.
   std::int64_t longest_ns = std::int64_t{24} * 3600 * 1'000'000'000;
 
-  /// Called at each tick of the loop, for the CSV of forces and for plots.
+  /// Called at each tick of the loop; used for the CSV of forces and for plots.
   std::function<void(const TickReport&)> on_tick = {};
   /// Reads the strokes that an import event names. Without it, import events are errors.
   std::function<Result<std::vector<StrokePtr>>(const ImportEvent&)> read_import = {};
@@ -66,7 +66,7 @@ struct PlayReport {
 class Player {
  public:
   /// Makes a player. Device, hand and session must outlive it. `hand` is usually the device itself;
-  /// null if there is none.
+  /// null if no hand is simulated.
   Player(Device& device, HandInput* hand, Session& session, PlayerOptions options);
 
   /// Plays the whole script. May be called again: the next script continues with the session as it

@@ -19,16 +19,17 @@ Selection selected(const Document& document, const Selection& before, SelectStro
 
 /// Removes the strokes that are wholly selected. Strokes that are selected in part are not changed,
 /// because the user could not foresee what a stroke would be without some of its control points.
-/// Empty if no stroke is wholly selected.
+/// The edit is empty if no stroke is wholly selected.
 Edit delete_edit(const Document& document, const Selection& selection);
 
 /// Copies the strokes that are wholly selected, shifted, to the top of their layers in drawing
-/// order. Empty if there are none. Fails if a shifted stroke breaks an invariant, because it is so
-/// far out that its joints are lost to rounding; the message names the stroke.
+/// order. The edit is empty if no stroke is wholly selected. Fails if a shifted stroke breaks an
+/// invariant, because it is so far out that its joints are lost to rounding; the message names the
+/// stroke.
 Result<Edit> duplicate_edit(const Document& document, const Selection& selection);
 
 /// Sets the colour (nullopt keeps it) and the medium ("" keeps it) of the strokes that are selected
-/// wholly or in part. Empty if nothing changes.
+/// wholly or in part. The edit is empty if nothing changes.
 Result<Edit> restyle_edit(const Document& document, const Selection& selection,
                           std::optional<Rgba> color, const std::string& medium);
 

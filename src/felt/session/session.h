@@ -20,7 +20,8 @@
 namespace felt {
 
 struct SessionOptions {
-  /// The device that will output forces; a mouse or tablet has none. UseDevice changes it.
+  /// The device that will output forces; the forces of a mouse or tablet are zero. UseDevice
+  /// changes it.
   Capabilities device;
   /// The known surfaces and media: the built-in and the user-defined ones. UseMaterial adds to
   /// them.
@@ -75,10 +76,11 @@ class Session {
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
 
-  /// Handles an event. Fails if there is no such tool, option, layer or medium; if the option does
-  /// not accept the value, or the layer cannot be used; for a HandEvent, which is for the Player;
-  /// for an ImportEvent, because the caller must read its file for import(); or if read_material
-  /// refuses the text of a material. Nothing changes then, and the event is not recorded.
+  /// Handles an event. Fails if the tool, option, layer or medium does not exist; if the option
+  /// does not accept the value, or the layer cannot be used; for a HandEvent, which is for the
+  /// Player; for an ImportEvent, because the caller must read its file for import(); or if
+  /// read_material refuses the text of a material. Nothing changes then, and the event is not
+  /// recorded.
   Result<void> apply(const Event& event);
   /// Handles one pen sample. Fails only if a tool returns an invalid edit (a bug).
   Result<void> sample(const PenSample& sample);
@@ -115,7 +117,7 @@ class Session {
   [[nodiscard]] bool gesture_in_work() const noexcept {
     return gesture_is_open_ || preview_is_of_gesture_;
   }
-  /// Returns an option by "tool.option" or "sheet.option". Fails if there is none.
+  /// Returns an option by "tool.option" or "sheet.option". Fails if it does not exist.
   [[nodiscard]] Result<OptionValue> option(std::string_view id) const;
   /// Returns the number of edits applied to the document, including those of undo and redo.
   [[nodiscard]] std::uint64_t edit_count() const noexcept { return edits_; }

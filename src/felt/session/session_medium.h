@@ -18,8 +18,8 @@ const Medium& medium_in_hand(const Session& session);
 std::string drawing_option(const Session& session, std::string_view option);
 /// Returns the id of the medium that new lines are drawn in; "" if no tool draws.
 std::string drawing_medium(const Session& session);
-/// Returns the options to set so that new lines are drawn in this medium, as it is meant: itself,
-/// its widths, and its pressure curve.
+/// Returns the options to set so that new lines are drawn in this medium as intended: the medium
+/// itself, its widths, and its pressure curve.
 std::vector<SetOption> options_for_medium(const Session& session, const Medium& medium);
 
 }  // namespace felt

@@ -18,7 +18,7 @@ class SheetOptions {
   /// form.
   static std::span<const OptionSpec> table();
 
-  /// Sets an option. Fails if there is no such option, if it does not accept the value, or if the
+  /// Sets an option. Fails if the option does not exist, if it does not accept the value, or if the
   /// surface is not known; nothing changes then.
   Result<void> set(std::string_view id, const OptionValue& value, const Materials& known);
   [[nodiscard]] Result<OptionValue> get(std::string_view id) const;

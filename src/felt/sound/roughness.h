@@ -14,7 +14,7 @@ namespace felt {
 /// The weight of an octave depends on the speed: one that is too fast for the sample rate is left
 /// out, so that there is no aliasing, and a slow pen sounds duller.
 ///
-/// A value; no allocation; one thread at a time.
+/// A value type that does not allocate. Use it on one thread at a time.
 class Roughness {
  public:
   static constexpr double kFinestMm = 0.006;

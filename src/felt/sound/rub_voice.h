@@ -25,7 +25,8 @@ namespace felt {
 /// These go through the bodies: resonances of surface and medium, and a low pass that depends on
 /// the brightness of both (the squeak bypasses them). Then come a soft limiter and a gate, which is
 /// exactly 0 at most kSilentAfterS after the pen is lifted or stops. |sample| < 1 always, and never
-/// NaN for the input that next() allows. A value; no allocation; one thread at a time.
+/// NaN for the input that next() allows. A value type that does not allocate. Use it on one thread
+/// at a time.
 class RubVoice {
  public:
   static constexpr double kRateHz = 48000.0;

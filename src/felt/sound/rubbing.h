@@ -11,25 +11,25 @@ class HeightField;
 
 /// The sound parameters of a medium on a surface: numbers, and the relief, which is never deleted.
 struct RubbingPair {
-  const HeightField* relief =
-      nullptr;                       ///< surface_grain(surface), as for hand and eye (R47), or null
-  double grain_um = 0.0;             ///< RMS height of the relief and of the roughness
-  double stiffness_n_per_m = 500.0;  ///< of the surface; sets its lowest resonance
-  double friction = 0.25;            ///< mu of the pair
-  double through = 1.0;              ///< share of the relief that comes through the medium, 0..1
-  double wear = 0.0;                 ///< share of it that a firm push flattens (relief_left)
-  double firm_push_n = 2.0;          ///< the push that counts as firm, N
-  double loudness = 1.0;             ///< of both together, 0..1
-  double surface_brightness = 0.5;   ///< 0..1
-  double medium_brightness = 0.5;    ///< 0..1
-  double squeak = 0.0;               ///< 0..1
-  std::uint32_t seed = 1;            ///< of the roughness
+  const HeightField* relief = nullptr;  ///< surface_grain(surface), the same relief that is felt
+                                        ///< and displayed (R47), or null
+  double grain_um = 0.0;                ///< RMS height of the relief and of the roughness
+  double stiffness_n_per_m = 500.0;     ///< of the surface; sets its lowest resonance
+  double friction = 0.25;               ///< mu of the pair
+  double through = 1.0;                 ///< share of the relief that comes through the medium, 0..1
+  double wear = 0.0;                    ///< share of it that a firm push flattens (relief_left)
+  double firm_push_n = 2.0;             ///< the push that counts as firm, N
+  double loudness = 1.0;                ///< of both together, 0..1
+  double surface_brightness = 0.5;      ///< 0..1
+  double medium_brightness = 0.5;       ///< 0..1
+  double squeak = 0.0;                  ///< 0..1
+  std::uint32_t seed = 1;               ///< of the roughness
 
   friend bool operator==(const RubbingPair&, const RubbingPair&) = default;
 };
 
 /// Returns the sound parameters of a medium on a surface. May make the relief, which takes up to
-/// 60 ms (material/relief.h): any thread except the haptic one.
+/// 60 ms (material/relief.h): call it on any thread except the haptic one.
 RubbingPair rubbing_pair(const SurfaceMaterial& surface, const Medium& medium);
 
 /// The pen at one sample. The speed is computed from the positions, not taken from the device, so

@@ -18,12 +18,12 @@ namespace felt {
 ///   n = sound.ready();               sound.keep_up(0.020);
 ///   sound.render(block.first(n));    sound.render(block);
 ///
-/// The same calls give the same samples on every machine. A value of about 30 KB; no allocation, no
-/// lock, never waits; one thread at a time.
+/// The same calls give the same samples on every machine. A value type of about 30 KB that never
+/// allocates, locks or waits. Use it on one thread at a time.
 class RubbingSound {
  public:
   static constexpr double kRateHz = RubVoice::kRateHz;
-  /// The most samples in the queue; if there are more, the oldest is dropped.
+  /// Maximum number of samples in the queue; if it is exceeded, the oldest sample is dropped.
   static constexpr std::size_t kMaxWaiting = 1024;
   /// A path with a longer gap, or faster than any hand, is split into two with the pen in the air
   /// in between.
@@ -41,8 +41,8 @@ class RubbingSound {
   [[nodiscard]] std::size_t ready() const noexcept;
 
   /// Keeps the playback delay behind the newest sample near `behind_s`, in s. If the path has run
-  /// out, pauses until there is that much of it again. If the delay has grown, skips a part of the
-  /// path: during silence if it is more than twice `behind_s`, always if it is more than
+  /// out, pauses until `behind_s` of path is available again. If the delay has grown, skips a part
+  /// of the path: during silence if it is more than twice `behind_s`, always if it is more than
   /// kMaxBehindS. Call it before each render() in real time.
   void keep_up(double behind_s) noexcept;
   static constexpr double kMaxBehindS = 0.250;

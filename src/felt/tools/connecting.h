@@ -10,7 +10,7 @@ namespace felt {
 /// Functions shared by the tools that connect ends of strokes (paper, "Connect curves";
 /// docs/design/editing.md#joining; R43, R45). Pure.
 
-/// Returns the stroke of an end, or null if the end does not exist (closed strokes have none).
+/// Returns the stroke of an end, or null if the end does not exist (closed strokes have no ends).
 StrokePtr stroke_with_tip(const Document& document, const std::optional<TipId>& tip);
 
 /// Returns true if two strokes may be joined into one: they have the same medium and colour.

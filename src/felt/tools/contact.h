@@ -33,7 +33,7 @@ class Contact {
   static constexpr std::int64_t kLiftNs = 25'000'000;
   static constexpr int kMaxGapSamples = 256;
 
-  /// What a sample means.
+  /// The effect of a sample on the contact.
   enum class Change {
     kAir,      ///< still in the air
     kTouched,  ///< a contact begins

@@ -18,7 +18,7 @@ struct PushResponse {
   double uncertainty = 0.0;  ///< mm, its standard error
 };
 
-/// Smaller forces count as none.
+/// Forces below this count as zero.
 inline constexpr double kEpsilonN = 1e-6;
 
 /// The state that checks share: the device, and results of earlier checks.
@@ -31,7 +31,7 @@ struct CheckContext {
   std::optional<bool> agreed = {};  ///< whether the user agreed to forces; unset if not asked yet
   std::optional<std::array<PushResponse, 3>> pushes = {};
   bool pushed_in_circles = false;
-  bool is_noisy = false;  ///< then energies, computed from positions, mean nothing
+  bool is_noisy = false;  ///< if true, energies computed from positions are meaningless
 
   /// Opens the device, homes it if necessary, and starts a trial in the loop.
   Result<std::unique_ptr<Trial>> begin();

@@ -17,7 +17,7 @@ struct ProbeTick {
   std::optional<DeviceFault> read_fault;   ///< why reading failed
   Force force;                             ///< as written
   std::optional<DeviceFault> write_fault;  ///< why writing failed
-  bool after_stall = false;                ///< there was a stall before this read
+  bool after_stall = false;                ///< a stall preceded this read
 };
 
 /// Sits between the safety chain and a device under test. It records every tick, and sets the force
@@ -48,7 +48,8 @@ class ProbeDevice final : public Device {
   void guard(const Vec3& middle_mm, double radius_mm) noexcept;
   /// Returns true if the pen has left the ball; the force has been zero since.
   [[nodiscard]] bool has_tripped() const noexcept { return tripped_.load(); }
-  /// Makes the next read() sleep for this long first, as in a program that hangs. Once.
+  /// Makes the next read() sleep for this long first, as in a program that hangs. Applies to one
+  /// read() only.
   void stall(std::int64_t for_ns) noexcept { stall_ns_.store(for_ns); }
   /// Marks the next tick as the first after a stall, for a loop that does the waiting itself.
   void note_stall() noexcept { stall_ns_.store(0); }

@@ -17,7 +17,7 @@ inline constexpr double kTestForceN = 0.3;
 inline constexpr double kHeldWithinMm = 15.0;
 
 /// A device in the haptic loop for one check: servo, safety chain (limit kTestForceN) and probe.
-/// Forces are off until arm(), and when the trial ends, whatever happened.
+/// Forces are off until arm(), and again when the trial ends, whatever happened.
 ///
 ///   Result<std::unique_ptr<Trial>> trial = Trial::begin(subject, loop, is_cancelled);
 ///   (*trial)->pass(2.0);                       // 2 s; the ticks are in ticks()
@@ -46,8 +46,8 @@ class Trial {
   void stall(double seconds);
   void publish(const ForceModel& model);
 
-  /// Returns the ticks since begin() or forget(), except those during keep(false), which is for
-  /// long trials.
+  /// Returns the ticks since begin() or forget(), except those during keep(false). Long trials use
+  /// keep(false) to save memory.
   [[nodiscard]] const std::vector<ProbeTick>& ticks() const noexcept { return ticks_; }
   void forget() noexcept { ticks_.clear(); }
   void keep(bool on) noexcept { keeps_ = on; }

@@ -15,9 +15,9 @@ struct DampingOptions {
   DampingWhere where = DampingWhere::kInAir;
 };
 
-/// Damps the pen: F = -b v, shortened to max_force_n. It acts along all three axes above the
-/// surface, and only along the surface while the pen touches it, because z belongs to the plane
-/// there. It calms a light hand above the surface.
+/// Damps the pen: F = -b v, shortened to max_force_n. Above the surface it acts along all three
+/// axes, which calms a light hand. While the pen touches the surface, it acts only along the
+/// surface, because Plane computes the force in z then.
 class Damping {
  public:
   explicit Damping(const DampingOptions& options = {}) noexcept : options_(options) {}

@@ -21,28 +21,29 @@ using SheetForce = Compose<Plane, Texture, Friction>;
 /// within it.
 double stiffness_budget_n_per_m(const Capabilities& device) noexcept;
 
-/// Returns the plane of a surface on a device. C is the hardest K that a device can give: the least
-/// of 0.9 of its cap (R55), the budget, and what its sensor allows. If C is less than
-/// kHardestNPerM, all surfaces are made softer together, so that felt, paper, board and glass
-/// remain distinguishable (R13):
+/// Returns the plane of a surface on a device. C is the hardest K that a device can render: the
+/// minimum of 0.9 of its cap (R55), the stiffness budget, and the limit that its sensor sets. If C
+/// is less than kHardestNPerM, all surfaces are made softer together, so that felt, paper, board
+/// and glass remain distinguishable (R13):
 ///
 ///   K = min(K of the surface, C sqrt(K of the surface/kHardestNPerM))
 ///
-/// B is at most the device's, and 2 N s/m on loops with periods below 0.5 ms
+/// B is at most the device's maximum, and at most 2 N s/m on loops with periods below 0.5 ms
 /// (docs/design/forces.md#plane). If the sensor is coarse, both are reduced: one of its steps may
-/// change the spring's push by at most 0.025 N, and the damper's by the same amount again; the
-/// damper sees a step as a speed (step over 1.6 ms and a period). Otherwise a sliding pen hums
-/// between two steps at 60 to 100 Hz (docs/stability.md): 0.03 to 0.06 N with steps of 0.055 mm.
-/// The width of a line is computed with this K.
+/// change the spring's push by at most 0.025 N, and the damper's push by the same amount again,
+/// because the damper sees a step as a speed (step over 1.6 ms and a period). Otherwise a sliding
+/// pen hums between two steps at 60 to 100 Hz (docs/stability.md): 0.03 to 0.06 N with steps of
+/// 0.055 mm. The width of a line is computed with this K.
 PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
-/// Returns the friction of a medium on a surface on a device. k is the medium's (default 600 N/m)
-/// if the budget then leaves 300 N/m for one more spring (edit, snap), and less on slower loops
-/// (300 at 3 ms); d is reduced in proportion. A coarse sensor reduces both, as it does for the
-/// plane.
+/// Returns the friction of a medium on a surface on a device. k is the bristle stiffness of the
+/// medium (default 600 N/m) if the budget then leaves 300 N/m for one more spring (edit, snap). On
+/// slower loops k is less (300 N/m at 3 ms); d is reduced in proportion. A coarse sensor reduces
+/// both, as it does for the plane.
 FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
                              const Capabilities& device) noexcept;
 
-/// Up to this stiffness, surfaces remain distinguishable on every device, N/m: that of glass.
+/// Stiffness of glass, N/m, the hardest surface. Up to this value, surfaces remain distinguishable
+/// on every device.
 inline constexpr double kHardestNPerM = 800.0;
 
 /// Returns F1, the push that draws a line of full width and tone: 0.2 to 2 N. The device can hold
@@ -57,7 +58,7 @@ double firm_push_n(const Capabilities& device) noexcept;
 
 /// Returns the push at which the hand feels all of the flattening that a medium causes
 /// (relief_left): 1.2 x the continuous force, within 0.2 and 2 N. On weak devices it is more than
-/// F1, because the grain of rough paper would be too weak to feel otherwise; to the eye the relief
+/// F1, because the grain of rough paper would be too weak to feel otherwise; on screen the relief
 /// is flattened at full width.
 double flattening_push_n(const Capabilities& device) noexcept;
 
@@ -67,7 +68,7 @@ TextureOptions texture_for(const Medium& tool, const SurfaceMaterial& surface,
                            TextureLaw law = TextureLaw::kFriction) noexcept;
 
 /// Returns the forces of a medium on a surface. `grain` is usually surface_grain(surface) and must
-/// outlive the haptic loop; null is smooth.
+/// outlive the haptic loop; if it is null, the surface is smooth.
 SheetForce make_sheet_force(const SurfaceMaterial& surface, const Medium& tool,
                             const Capabilities& device, const HeightField* grain = nullptr,
                             TextureLaw law = TextureLaw::kFriction) noexcept;

@@ -27,7 +27,7 @@ struct FrictionOptions {
 /// v is the known velocity (pen_sample.h). The damper acts on v and not on dz/dt, because dz/dt
 /// jumps when the foot starts to move, and flips the force (docs/design/forces.md#friction: spikes
 /// of -1.2 N). In a slide, the shortening removes the damper's part again. If the plane does not
-/// push, there is no friction, and the foot is lifted.
+/// push, the friction is zero, and the foot is lifted.
 ///
 /// memory.scale.friction scales k and d. memory.friction_factor, set by a texture before this
 /// brick, multiplies mu for one tick; its part is reported as the term "texture".

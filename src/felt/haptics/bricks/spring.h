@@ -98,8 +98,8 @@ class PushSpring {
 
 /// Returns -phi(|V|) V/|V| - share b v in N, the part that the springs here and in the stabiliser
 /// have in common. A share of the stiffness budget below 1 (R56) softens the spring near 0 and
-/// leaves the level of the law unchanged, so that a slow loop resists as strongly as a fast one
-/// (R30).
+/// leaves the level of the force law unchanged, so that a slow loop resists as strongly as a fast
+/// one (R30).
 Force pull_back(const ForceLaw& law, Vec displacement_mm, double damping_n_s_per_m,
                 Vec velocity_mm_per_s, double share) noexcept;
 

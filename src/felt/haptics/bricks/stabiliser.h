@@ -22,10 +22,10 @@ struct TowOptions {
 /// function, so that the drawn line and the felt pull agree.
 Point towed_nib(const TowOptions& options, Point nib, Point pen, double dt_s) noexcept;
 
-/// The pull of the rope: none while it is slack, otherwise F = -phi(e), where e is its stretch. The
-/// nib yields like a dashpot, so pen and nib form a Maxwell element (see SweepSpring): the force
-/// depends on the speed of drawing and not on the rate of the loop, and is passive. At each landing
-/// the nib starts under the pen.
+/// The pull of the rope: zero while the rope is slack, otherwise F = -phi(e), where e is its
+/// stretch. The nib yields like a dashpot, so pen and nib form a Maxwell element (see SweepSpring):
+/// the force depends on the speed of drawing and not on the rate of the loop, and is passive. At
+/// each landing the nib starts under the pen.
 class Towed {
  public:
   explicit Towed(const TowOptions& options = {}) noexcept : options_(options) {}

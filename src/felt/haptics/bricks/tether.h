@@ -19,8 +19,8 @@ namespace felt {
 ///   scale        S = sum r_i |ln s|     F along the arm, towards s = 1
 ///   |F| = min(l(S), Kcap way)           l with D = 40 mm
 ///
-/// There are N anchors at distances r_i from the centre; all that the haptic thread needs to know
-/// of the drawing is N or sum r_i. Without an anchor there is no force.
+/// N is the number of anchors, and r_i are their distances from the centre. N or sum r_i is all
+/// that the haptic thread needs to know of the drawing. Without anchors the force is zero.
 ///
 /// `way` is the distance that the pen has moved, defined so that no slope exceeds Kcap (R38): |d|;
 /// r |th|/sqrt(1 + th^2), where th is unwrapped beyond full turns; r0 (1 - min(s, 1/s)), which is
@@ -55,8 +55,8 @@ class Tether {
   [[nodiscard]] Tether constrained() const noexcept;
   /// Returns this tether for a scale whose factor is never less than `factor`.
   [[nodiscard]] Tether with_least_scale(double factor) const noexcept;
-  /// Returns this tether with another law than kTransformLaw, for devices that cannot hold 1 N for
-  /// long (ForceLaw::gain).
+  /// Returns this tether with another force law than kTransformLaw, for devices that cannot hold 1
+  /// N for long (ForceLaw::gain).
   [[nodiscard]] Tether with_law(const ForceLaw& law) const noexcept;
 
  private:

@@ -38,11 +38,11 @@ double texture_stiffness_limit_n_per_m(double period_s) noexcept;
 /// has no potential, so that moving the pen in a loop can gain energy. A modulated friction only
 /// removes energy (Campion and Hayward 2008), is silent at rest, because the bristle holds, and
 /// costs no stiffness: while the bristle sticks, its own k is felt and no texture; while it slides,
-/// the texture and no k. k = 2 pi/(lambda mu0), so that both laws give the same force, Fn A 2
-/// pi/lambda, for a wave of height A. Near mu0 Fn that is not possible, because friction has no
-/// more to give; hence s, which is nowhere steeper than 1 and leaves a fifth of the friction in the
-/// deepest valley. So coarse and high relief is felt as broad hills, and a rare peak does not
-/// weaken all the rest.
+/// the texture and no k. k = 2 pi/(lambda mu0), so that both kinds of texture give the same force,
+/// Fn A 2 pi/lambda, for a wave of height A. Near mu0 Fn that is not possible, because friction has
+/// reached its maximum. The function s prevents that: it is nowhere steeper than 1 and leaves a
+/// fifth of the friction in the deepest valley. So coarse and high relief is felt as broad hills,
+/// and a rare peak does not weaken all the rest.
 ///
 /// Bounds. A wave presents the stiffness Fn A (2 pi/lambda)^2. Here it stays within the limit for
 /// the loop's period at every point of the field, not only for its average wave; the bounds come
@@ -53,18 +53,19 @@ double texture_stiffness_limit_n_per_m(double period_s) noexcept;
 /// Wear. A soft medium fills the grain when it is pressed: the rest of the relief decreases with
 /// the push just as it does visually with the tone (relief_left in materials.h). This is a factor
 /// of 1 - wear to 1 on the strength that depends only on the push of this tick, so everything above
-/// remains true: it only reduces the stiffness along the surface; the friction law still only
-/// removes energy; and the push itself never changes the force along the surface faster than
-/// friction does anyway: |dF/dFn| of the texture stays within 0.8 mu0.
+/// remains true: it only reduces the stiffness along the surface; friction still only removes
+/// energy; and the push itself never changes the force along the surface faster than friction does
+/// anyway: |dF/dFn| of the texture stays within 0.8 mu0.
 ///
 /// Speed. Above v/lambda = 1/(4T) the loop cannot follow a wave, so the strength decreases smoothly
 /// from full at half that speed to 0 at that speed (lambda: the shortest of the field).
 ///
 /// Place it between the plane and the friction. kFriction acts through memory.friction_factor, and
-/// the friction reports the term "texture". The field must outlive the loop; null is smooth.
+/// the friction reports the term "texture". The field must outlive the loop; if it is null, the
+/// surface is smooth.
 class Texture {
  public:
-  static constexpr double kMaxCountedN = 0.6;  ///< above this push it stops growing
+  static constexpr double kMaxCountedN = 0.6;  ///< above this push the texture stops growing
 
   explicit Texture(const HeightField* field = nullptr, const TextureOptions& options = {}) noexcept;
 

@@ -36,8 +36,8 @@ struct WellShape {
   /// to leave the well.
   [[nodiscard]] double potential_mj(double distance_mm) const noexcept;
   /// Returns the stiffness at the target, N/m, the steepest slope that pulls back. The rim has a
-  /// slope of up to 1.5 Fp/w of the opposite sign, because it lets go; no delay turns that into an
-  /// oscillation.
+  /// slope of up to 1.5 Fp/w of the opposite sign, because the pull ends there; that slope causes
+  /// no oscillation at any delay.
   [[nodiscard]] double core_slope_n_per_m() const noexcept;
   /// Returns the well with a share (0..1) of its stiffness at the target. The core is wider and Fp
   /// does not change if there is room before the rim; otherwise Fp is reduced, too. The damping
@@ -59,7 +59,7 @@ class Wells {
  public:
   static constexpr std::size_t kMax = 4;
 
-  /// Uses the first kMax of the targets.
+  /// Makes wells at the first kMax targets; ignores the others.
   Wells(std::span<const Point> targets, const WellShape& shape = {}) noexcept;
   explicit Wells(Point target, const WellShape& shape = {}) noexcept
       : Wells(std::span<const Point>(&target, 1), shape) {}

@@ -26,7 +26,7 @@ struct ConnectEndsOptions {
 ///     "Connect". The result keeps id, position in the layer and direction of the stroke of `to`.
 ///     Widths are kept; if they differ, the profile steps at the joint;
 ///   - otherwise the strokes share the point: "Connect", because ink must not change its look or
-///     layer. A stroke of a locked or hidden layer stays as it is.
+///     layer. A stroke of a locked or hidden layer does not change.
 /// Joints are smooth if the ink turns by less than 30 degrees, else corners. If the gap is wider
 /// than bending covers, the moved end arrives in the direction of the target (TipLead).
 ///

@@ -7,15 +7,16 @@
 namespace felt {
 
 /// Moves one end of a stroke to other points, always starting from the original stroke, so that
-/// intermediate positions do not matter. Pure, after some preparation once per gesture.
+/// intermediate positions do not matter. The constructor prepares it, once per gesture; all other
+/// functions are pure.
 ///
 /// The stroke stays one fair curve (docs/design/editing.md#joining; R45). The part of the shift
 /// straight ahead extends the stroke along its tangent. The rest bends it (with_tip_bent) over a
 /// length of four times that rest, at least 25 mm and at most the extension plus half of the
-/// stroke; if half of the stroke is not enough, over 2.7 times that rest, up to 200 mm. If that is
-/// not enough either, the stroke stays as it is and one cubic along its tangent, with zero
-/// curvature at its end, bridges the gap. Up to `small_gap_mm` the end keeps its tangent; beyond
-/// that it turns gradually towards the target.
+/// stroke; if that maximum is less than 2.7 times that rest, over 2.7 times that rest, but at most
+/// the extension plus 200 mm or 95 % of the stroke. If that bend fails, the stroke does not change,
+/// and one cubic along its tangent, with zero curvature at its end, bridges the gap. Up to
+/// `small_gap_mm` the end keeps its tangent; beyond that it turns gradually towards the target.
 ///
 /// If a stroke has many segments, only a part at the end is changed; the rest stays bit for bit.
 class TipLead {
@@ -46,8 +47,8 @@ class TipLead {
   [[nodiscard]] Result<Stroke> whole(const Result<Stroke>& part) const;
 
   StrokeTip tip_;
-  Stroke part_;                           // what may change: the stroke, or enough of its end
-  StrokeData rest_;                       // the rest of the stroke; empty if there is none
+  Stroke part_;      // what may change: the stroke, or enough of its end
+  StrokeData rest_;  // the rest of the stroke; empty if part_ is the whole stroke
   JointKind joint_ = JointKind::kSmooth;  // joint between part_ and rest_
   double length_mm_;                      // length of part_
   double small_gap_mm_;

@@ -16,7 +16,7 @@ namespace felt {
 /// sample searches for a few crossings, so on a long line the mark appears some samples late.
 class EraserAim {
  public:
-  /// Older marks are computed again, because the strokes around may have changed (undo).
+  /// Marks older than this are computed again, because nearby strokes may have changed (undo).
   static constexpr std::int64_t kFreshNs = 250'000'000;
   /// Maximum number of strokes under the ring that are marked.
   static constexpr std::size_t kMaxMarked = 64;

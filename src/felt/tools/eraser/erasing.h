@@ -30,8 +30,8 @@ namespace felt {
 /// is made only as often as the eye can see, and less often if it is large.
 class Erasing {
  public:
-  /// How near the path of the pen must come to a line to cross it: practically through it, and less
-  /// than the tremor of a resting hand.
+  /// Maximum distance at which the path of the pen counts as crossing a line. It is close to zero,
+  /// and less than the tremor of a resting hand.
   static constexpr double kPointMm = 0.1;
   /// Budget for crossings per sample (StrokeCrossings::on_segment).
   static constexpr int kCrossingBudget = 120;

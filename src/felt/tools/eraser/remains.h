@@ -46,7 +46,7 @@ class Remains {
     std::shared_ptr<const Stroke> stroke;  // null: dropped
   };
 
-  /// Returns the parts between the holes, or nullopt if there is no hole.
+  /// Returns the parts between the holes, or nullopt if the set has no holes.
   [[nodiscard]] std::optional<std::vector<ParameterSet::Interval>> gaps(
       const ParameterSet& erased) const;
   [[nodiscard]] std::shared_ptr<const Stroke> make(ParameterSet::Interval part) const;

@@ -26,10 +26,11 @@ struct InkConnections {
 ///     length, limited to 2..25 mm, so that the rest stays as drawn.
 ///   - Ink whose end meets its own start becomes a closed stroke.
 ///   - Ink that meets the end of another stroke becomes one stroke with it, which keeps its id,
-///     position and direction; ink that meets both ends of the same stroke closes it. Only if both
-///     look the same (medium, colour) and the stroke is in the layer that is drawn in, unlocked.
-///     Otherwise they share the point.
-///   - Ink that meets a point on another stroke shares that point; the other stroke stays.
+///     position and direction; ink that meets both ends of the same stroke closes it. This happens
+///     only if both look the same (medium, colour) and the stroke is in the current layer,
+///     unlocked. Otherwise they share the point.
+///   - Ink that meets a point on another stroke shares that point; the other stroke does not
+///   change.
 /// An impossible connection (the stroke was removed meanwhile, the ink is too short to reach) is
 /// skipped, so that ink is never lost. Pure.
 Edit connect_ink(const Stroke& ink, const InkConnections& connections, const Scene& scene);

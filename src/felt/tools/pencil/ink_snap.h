@@ -32,7 +32,7 @@ class InkSnap {
   /// ... or less if the shape is large and the gap small: a star, the outline of a hand.
   static constexpr double kMinRoundnessOfLarge = 0.06;
   static constexpr double kLargeMm = 15.0, kLargeShare = 0.05;
-  /// A coil goes around more often; it is shading.
+  /// A line that turns more often than this is a coil, which is shading.
   static constexpr double kMaxTurns = 1.6;
   /// Smaller shapes never close.
   static constexpr double kMinExtentMm = 2.0;
@@ -58,13 +58,13 @@ class InkSnap {
   void end(std::optional<StrokeId> drawn) noexcept;
 
   /// Returns the target of the line's end if the pen is lifted here; while hovering, the possible
-  /// target of a line begun here. Nullopt if snapping is off.
+  /// target of a line begun here. Returns nullopt if snapping is off.
   [[nodiscard]] const std::optional<SnapTarget>& target() const noexcept { return target_; }
-  /// Returns the target of the line's start. Nullopt until the line has a direction.
+  /// Returns the target of the line's start. Returns nullopt until the line has a direction.
   [[nodiscard]] const std::optional<SnapTarget>& start_target() const noexcept {
     return start_target_;
   }
-  /// Returns the target that attracts the pen. Nullopt if attraction is off.
+  /// Returns the target that attracts the pen. Returns nullopt if attraction is off.
   [[nodiscard]] const std::optional<SnapTarget>& attraction() const noexcept { return attraction_; }
 
  private:

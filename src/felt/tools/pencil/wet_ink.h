@@ -49,7 +49,7 @@ class WetInk {
   WidthMap pen_widths_;      // of all samples, as they arrived
   InkWidth stable_;
 
-  // Widths of the tail, one node per kNodeMm; none while the pen rests.
+  // Widths of the tail, one node per kNodeMm; no node is added while the pen rests.
   std::vector<Node> nodes_;
   std::size_t first_node_ = 0;  // nodes before it are stable
   std::size_t taken_ = 0;       // samples

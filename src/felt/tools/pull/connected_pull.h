@@ -30,8 +30,8 @@ namespace felt {
 class ConnectedPull {
  public:
   static constexpr int kMaxRounds = 4;
-  /// Maximum number of strokes that follow in one gesture; the first ones do. Strokes that the
-  /// gesture itself pulls or pushes do not count.
+  /// Maximum number of strokes that follow in one gesture; further ones are not moved. Strokes that
+  /// the gesture itself pulls or pushes do not count.
   static constexpr std::size_t kMaxFollowers = 256;
 
   /// Counts the preparations so far, for tests.
@@ -75,7 +75,7 @@ class ConnectedPull {
   const Leader& lead(const StrokeChange& change, const Scene& scene);
   [[nodiscard]] StrokePtr held(const Leader& leader, StrokePtr after);
   [[nodiscard]] std::vector<Point> carried(Leader& leader);
-  /// Returns null if there are too many.
+  /// Returns null if more strokes than kMaxFollowers would follow.
   Follower* follower(StrokeId id, const Scene& scene);
   void follow(Follower& follower, std::vector<Pull> pulls);
   [[nodiscard]] static StrokePtr pulled(const BrushPull& brush, StrokePtr stroke, Vec displacement);

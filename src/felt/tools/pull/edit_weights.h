@@ -44,7 +44,8 @@ inline constexpr double kBlendTau = 0.25;
 /// Returns the weights of least motion: they minimise the sum of the squares of alpha, c2, c3,
 /// beta, each divided by its compliance. If all are 1 these are the weights `soft` of
 /// docs/design/editing.md#pull-weights: at t = 0 the paper's case 1, at t = 1 case 2, at .5 (.64,
-/// 1.12, 1.12, .64). All zero if no movable part moves the point at t. Requires t in [0, 1].
+/// 1.12, 1.12, .64). The weights are all zero if no movable part moves the point at t. Requires t
+/// in [0, 1].
 EditWeights soft_weights(double t, const Compliance& compliance = {}) noexcept;
 /// Returns the paper's case 3 on [tau, 1 - tau], case 1 at 0, case 2 at 1, and a C1 blend in
 /// between.
