@@ -11,7 +11,7 @@ namespace felt::desktop {
 
 /// The view of the page: which point lies in the middle of the widget, scale, rotation and
 /// mirroring. Widget coordinates are in device-independent pixels. Not part of the drawing or of
-/// undo. A value.
+/// undo. A value type.
 class CanvasView {
  public:
   static constexpr double kMinPxPerMm = 0.02;

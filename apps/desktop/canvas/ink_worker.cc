@@ -76,7 +76,7 @@ void InkWorker::wait(Stage stage) {
   has_stage_.wait(lock, [&] { return stage_ >= stage; });
 }
 
-/// Waits for orders if there is nothing else to do. Returns false at the end.
+/// Waits for orders if no other work is pending. Returns false at the end.
 bool InkWorker::take_orders(std::deque<Order>& orders, std::uint64_t& last) {
   std::unique_lock lock(mutex_);
   if (is_idle_) has_orders_.wait(lock, [&] { return !orders_.empty() || quits_; });

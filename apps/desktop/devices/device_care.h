@@ -39,7 +39,7 @@ class DeviceCare : public QObject {
   bool use(const QString& id, QWidget* parent);
   /// Returns the user's name for the device, otherwise the vendor's.
   [[nodiscard]] QString name_of(const QString& id) const;
-  /// Returns the id of the awaited device; empty if there is none.
+  /// Returns the id of the lost device that may return; empty if no device is lost.
   [[nodiscard]] const QString& waits_for() const noexcept { return waits_for_; }
 
  Q_SIGNALS:

@@ -23,7 +23,7 @@ struct DriverFindings {
 
 /// The drivers of real devices. Finds the devices that are plugged in, and opens them (PenDriver).
 ///
-/// Looks for devices only while a `Watching` exists (a list is shown, or a lost device is awaited):
+/// Looks for devices only while a `Watching` exists (a list is shown, or a device was lost):
 /// once a second, on its own thread, so that a slow library blocks no window. Drivers are used by
 /// one call at a time; opening waits for a running search, at most kPatienceMs. A driver whose
 /// library has not answered for `stuck_ms` is no longer used, and the search continues without it;

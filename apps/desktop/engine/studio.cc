@@ -146,7 +146,7 @@ void Studio::set_saved(const ChangeMark& mark) {
   update_modified();
 }
 
-/// After undoing everything since the last save, or redoing it, there are no unsaved changes.
+/// After undoing everything since the last save, or redoing it, the drawing has no unsaved changes.
 void Studio::update_modified() {
   report_modified(has_other_changes_ || session_->history().position() != saved_position_);
 }

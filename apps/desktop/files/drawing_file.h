@@ -18,7 +18,7 @@ QString with_suffix(const QString& path, FileFormat format);
 /// Reads a drawing of any format, chosen by content, with a report of unsupported content. With
 /// `salvage`, reads as much as possible of a damaged .felt file. The error names the file, the
 /// place and the reason. Fails if the path is not a regular file, for example a pipe, on which the
-/// window would wait. Any thread.
+/// window would wait. Safe to call from any thread.
 Result<Imported> open_drawing(const QString& path, bool salvage = false);
 
 /// Reads it without the report.
@@ -26,7 +26,7 @@ Result<Drawing> read_drawing(const QString& path);
 
 /// Writes a drawing whole or not at all, and durably, in the format of the path's extension.
 /// Formats without layers get the strokes of visible layers. The error names the file and the
-/// reason. Any thread.
+/// reason. Safe to call from any thread.
 Result<void> write_drawing(const QString& path, const Drawing& drawing);
 
 }  // namespace felt::desktop

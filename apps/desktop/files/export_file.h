@@ -19,7 +19,7 @@ struct ExportOptions {
 Rect export_area(const Rect& ink, const SheetPage& page, const ExportOptions& options);
 
 /// Writes the visible ink, and also hidden layers if the format has layers. The error names the
-/// file and the reason. Any thread.
+/// file and the reason. Safe to call from any thread.
 Result<void> export_drawing(const QString& path, const Drawing& drawing,
                             const ExportOptions& options);
 

@@ -25,7 +25,7 @@ struct RecoveryOffer {
 
 /// Reads the autosaves of dead processes, and the saved files. Removes autosaves that are empty or
 /// whose drawing is in its file. One that cannot be read stays where it is, because a newer program
-/// may be able to read it. Any thread.
+/// may be able to read it. Safe to call from any thread.
 std::vector<RecoveryOffer> read_offers(std::vector<AbandonedAutosave> stores);
 
 }  // namespace felt::desktop

@@ -7,7 +7,7 @@
 namespace felt::desktop {
 
 /// How a number of a table is shown: on a slider, which is finer for small values if the range is
-/// wide, and as text with its unit. Shares from 0 to 1 are shown in percent. A value.
+/// wide, and as text with its unit. Shares from 0 to 1 are shown in percent. A value type.
 class OptionScale {
  public:
   static constexpr int kPlaces = 1000;  ///< slider positions are 0..kPlaces

@@ -11,7 +11,7 @@ namespace felt::desktop {
 /// The offset of the clocks is estimated from the events with the smallest delay, because an event
 /// cannot arrive before it was made. The estimate is relaxed by 1 ms in 10 s, so that clocks may
 /// drift apart. Stamps that jump (another device, a clock that was set, no stamps at all) restart
-/// the estimate. A value.
+/// the estimate. A value type.
 class DeviceClock {
  public:
   /// Returns the time of the event, at most `now_ns`, and never before the last returned time.

@@ -13,8 +13,8 @@ namespace felt::desktop {
 /// What one finger does on the canvas.
 enum class TouchMode : std::uint8_t { kPan, kDraw, kOff };
 
-/// The settings of pens, in a form that is quick to read for every event. A value; load() it again
-/// after a setting of pens/ has changed.
+/// The settings of pens, in a form that is quick to read for every event. A value type; load() it
+/// again after a setting of pens/ has changed.
 struct PenSettings {
   bool pressure_on = true;
   PressureCurve curve;

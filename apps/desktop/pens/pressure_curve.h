@@ -5,7 +5,7 @@
 namespace felt::desktop {
 
 /// The user's response to a tablet's pressure: a cubic from (0, 0) to (1, 1) with two handles in
-/// the unit square, so that it never falls. Below a threshold the pen does not touch. A value.
+/// the unit square, so that it never falls. Below a threshold the pen does not touch. A value type.
 class PressureCurve {
  public:
   static constexpr double kMaxThreshold = 0.5;

@@ -8,7 +8,7 @@
 
 namespace felt {
 
-/// Returns one driver of each kind in this build, in the order of display. Costs nothing: see
+/// Returns one driver of each kind in this build, in the order of display. This is cheap, see
 /// Driver.
 std::vector<std::unique_ptr<Driver>> make_drivers();
 

@@ -15,8 +15,8 @@ namespace felt {
 
 /// Why a transfer failed. An enumeration, because the haptic thread must not allocate strings.
 enum class StreamFault : std::uint8_t {
-  kTimedOut,  ///< not within the given time; nothing was lost, and it may be retried
-  kClosed,    ///< the other side closed it, or the device was unplugged
+  kTimedOut,  ///< the time is over; nothing was lost, and the caller may retry
+  kClosed,    ///< the peer closed the stream, or the device was unplugged
   kFailed,    ///< the system refused, see last_errno(); or only a part was sent
 };
 
@@ -41,12 +41,12 @@ class ByteStream {
   /// a caller that needs more calls again with the time that is left (StreamDeadline).
   virtual tl::expected<std::size_t, StreamFault> receive(std::span<std::byte> room,
                                                          std::int64_t within_ns) noexcept = 0;
-  /// Returns the errno of the newest kFailed, 0 if there was none.
+  /// Returns the errno of the newest kFailed, or 0 if no call has failed.
   [[nodiscard]] virtual int last_errno() const noexcept { return 0; }
   /// Starts a process (PortGuard) that sends `last_words` when nothing has been sent for
   /// `patience_ns`, or when this program ends for any reason. Replaces an earlier guard, which
   /// sends its own words as it ends; empty words only end that one. Returns false if no guard runs.
-  /// Edit thread.
+  /// Used on the edit thread.
   virtual bool keep_guard(std::span<const std::byte> last_words, std::int64_t patience_ns) {
     static_cast<void>(last_words);
     static_cast<void>(patience_ns);

@@ -13,7 +13,7 @@ struct DeviceDescriptor;
 /// A device that plays waveforms instead of forces: a haptic pen, a mouse, a touchpad, a game
 /// controller (docs/design/devices.md#kinds-of-devices: every tool feeds both classes). Usually
 /// driven by a CueLaw, at most 50 times a second; drivers skip cues that come too fast for the
-/// device. Edit thread. The destructor silences and closes it.
+/// device. Used on the edit thread. The destructor silences and closes it.
 class CueDevice {
  public:
   CueDevice() = default;

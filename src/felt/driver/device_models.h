@@ -19,11 +19,11 @@ struct DeviceModel {
   /// Where the figures are from. A figure that nobody could check on a data sheet is called an
   /// estimate. If the device itself reports better figures, a driver only ever lowers forces.
   std::string_view source;
-  /// One of our drivers opens it. The others are listed for reference.
+  /// True if one of our drivers opens it. The others are listed for reference.
   bool is_driven = true;
 };
 
-/// Returns all models, ordered by maker. Constant.
+/// Returns all models, ordered by maker; the table never changes.
 std::span<const DeviceModel> device_models() noexcept;
 /// Returns the model with this id, or null.
 const DeviceModel* find_device_model(std::string_view id) noexcept;

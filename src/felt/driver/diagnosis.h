@@ -11,7 +11,7 @@
 namespace felt {
 
 enum class FindingLevel : std::uint8_t {
-  kOk,       ///< present and in order
+  kOk,       ///< present and working
   kAbsent,   ///< nothing of this maker is here: no problem for a user who has no such device
   kWarning,  ///< works, but not as well as it could
   kProblem,  ///< does not work: `steps` say what to do
@@ -50,7 +50,7 @@ inline constexpr std::string_view kReloadUdev =
 
 /// The system as a diagnosis sees it, so that tests can substitute another one: files, the user,
 /// environment variables, whether a library loads, whether a port is listened on. Reads only;
-/// changes nothing. Edit thread.
+/// changes nothing. Used on the edit thread.
 class SystemView {
  public:
   virtual ~SystemView() = default;
@@ -78,7 +78,7 @@ class SystemView {
   [[nodiscard]] virtual bool listens(const std::string& host, std::uint16_t port) const = 0;
 };
 
-/// This machine.
+/// Returns the system of this machine.
 const SystemView& this_system();
 
 }  // namespace felt

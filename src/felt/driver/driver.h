@@ -49,7 +49,7 @@ class ShortText {
 /// The state of an open device. Trivially copyable: written on the haptic thread, read on the edit
 /// thread through a LatestValue.
 struct DeviceStatus {
-  std::optional<DeviceFault> fault;       ///< active now; empty: it reads and writes
+  std::optional<DeviceFault> fault;       ///< active now; empty if the device works
   std::optional<DeviceFault> last_fault;  ///< the newest, even if it is over
   ShortText vendor_words;                 ///< the maker's own text for the newest fault, verbatim
   std::int64_t vendor_code = 0;           ///< the maker's number for it
@@ -58,7 +58,7 @@ struct DeviceStatus {
   std::uint64_t faults = 0;                 ///< since it was opened
   std::uint64_t reads = 0;                  ///< successful ones since it was opened
   std::optional<double> motor_temperature;  ///< 0 cold .. 1 too warm, the warmest motor
-  double rate_hz = 0.0;                     ///< at which the device says it is served; 0: unknown
+  double rate_hz = 0.0;                     ///< rate that the device reports; 0: unknown
 };
 
 /// The kind of output of a device (docs/design/devices.md#kinds-of-devices).
@@ -78,9 +78,10 @@ struct DeviceDescriptor {
   std::string model;    ///< id of device_models(); empty: unknown
   std::string serial;   ///< empty: unknown
   std::string version;  ///< of library, service or firmware, as reported; empty: unknown
-  /// It is known to be connected. False: the maker's software cannot check without opening it.
+  /// True if it is known to be connected; false if the maker's software cannot check without
+  /// opening it.
   bool is_connected = true;
-  /// It reports positions in a frame of its own: the user must calibrate the drawing plane.
+  /// True if it reports positions in its own frame: the user must calibrate the drawing plane.
   bool has_own_frame = true;
   Capabilities capabilities;  ///< as far as known while it is closed
 };
@@ -119,7 +120,7 @@ class DriverDevice : public Device {
   /// Sets whether the pen touches, for a device that cannot sense it (sensed_axes is 2, no
   /// pressure). Samples are then just below or above the plane, z = -0.25 or 0.25 mm in the
   /// device's frame (a larger step in one tick would count as a jump). Returns false, and does
-  /// nothing, if the device senses contact itself. Any thread.
+  /// nothing, if the device senses contact itself. Safe to call from any thread.
   virtual bool set_pen_down(bool is_down) noexcept {
     static_cast<void>(is_down);
     return false;
@@ -131,13 +132,13 @@ class DriverDevice : public Device {
   /// kNone.
   [[nodiscard]] virtual std::string homing_words() { return {}; }
   /// Homes the device: call it after the user agreed to kByItself, or while the user holds it as
-  /// asked. Blocks for some seconds at most. Only while no loop runs. Fails with the maker's
+  /// asked. Blocks for some seconds at most. Requires that no loop runs. Fails with the maker's
   /// message and what to try.
   virtual Result<void> find_home() { return {}; }
 };
 
 /// The interface to one maker's devices. Constructing one costs and touches nothing: libraries are
-/// loaded and ports opened on demand. Edit thread.
+/// loaded and ports opened on demand. Used on the edit thread.
 class Driver {
  public:
   Driver() = default;
@@ -157,7 +158,7 @@ class Driver {
   /// the next step; then nothing moves and nothing stays open.
   virtual Result<std::unique_ptr<DriverDevice>> open(const DeviceDescriptor& device,
                                                      const OpenOptions& options) = 0;
-  /// The same for a cue device.
+  /// Opens a cue device; otherwise the same as open().
   virtual Result<std::unique_ptr<CueDevice>> open_cue(const DeviceDescriptor& device);
   /// Returns the drawing plane for the usual place of the device on a desk, until the user has
   /// calibrated one. The centre of the reachable part of the plane is the page's (0, 0). By

@@ -10,7 +10,7 @@
 
 namespace felt {
 
-/// When a library is unloaded.
+/// Tells when a library is unloaded.
 enum class LibraryLife : std::uint8_t {
   kAsLongAsUsed,     ///< with its last user
   kAsLongAsProgram,  ///< never: for libraries with threads of their own, whose code must stay
@@ -18,7 +18,7 @@ enum class LibraryLife : std::uint8_t {
 };
 
 /// A library that is loaded at run time, because it may be absent: a device maker's. Its symbols
-/// are invisible to other libraries and bound lazily. Edit thread.
+/// are invisible to other libraries and bound lazily. Used on the edit thread.
 ///
 ///   auto library = DynamicLibrary::open(names, LibraryLife::kAsLongAsProgram);
 ///   if (!library) return fail(library.error()...);

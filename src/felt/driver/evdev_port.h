@@ -64,7 +64,7 @@ class EvdevPort {
   EvdevPort& operator=(const EvdevPort&) = delete;
   virtual ~EvdevPort() = default;
 
-  /// Reads the next event; returns false if there is none.
+  /// Reads the next event; returns false if no event is waiting.
   virtual tl::expected<bool, int> next(EvdevEvent& event) noexcept = 0;
   virtual tl::expected<EvdevAxis, int> axis(std::uint16_t code) noexcept = 0;
   /// Returns true if the key or button is down.

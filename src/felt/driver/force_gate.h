@@ -20,9 +20,10 @@ namespace felt {
 /// The limits lie above those of the chain (limits_for uses the same figures, the user's 3 N and 80
 /// % of the continuous force), so that a force from a working chain passes unchanged, to the bit.
 /// They matter if the driver does something that the chain cannot see: it holds a force because the
-/// other side answers late, or sends none for a while.
+/// peer answers late, or sends none for a while.
 ///
-/// Haptic thread; real-time safe. A copy is a snapshot: assign it back if sending failed.
+/// Used on the haptic thread; real-time safe. A copy is a snapshot: assign it back if sending
+/// failed.
 class ForceGate {
  public:
   /// From docs/safety.md, "rise". A call is credited with the time since the last one, at most two

@@ -13,7 +13,7 @@ namespace felt {
 
 /// An open HID device without a kernel driver in between (/dev/hidrawN), or in tests a fake.
 /// Reports begin with their number, 0 if the device does not number them. Errors are errno numbers:
-/// ENODEV and EIO of an unplugged device are permanent. Any one thread.
+/// ENODEV and EIO of an unplugged device are permanent. For use by one thread at a time.
 class HidrawPort {
  public:
   HidrawPort() = default;

@@ -41,7 +41,8 @@ bool has_capability(const SystemView& system, int bit) {
   return error == std::errc() && ((bits >> bit) & 1U) != 0;
 }
 
-/// Returns the soft limit as in proc_pid_limits(5); -1 for "unlimited", nullopt if there is none.
+/// Returns the soft limit as in proc_pid_limits(5); -1 for "unlimited", nullopt if it is
+/// unknown.
 std::optional<std::int64_t> soft_limit(const SystemView& system, std::string_view name) {
   const std::string limits = system.read("/proc/self/limits").value_or("");
   const std::string_view value = field_of(limits, name);

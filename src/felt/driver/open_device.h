@@ -16,10 +16,10 @@
 
 namespace felt {
 
-/// How a driver's device is opened and seen.
+/// Options for opening a driver's device.
 struct DeviceSetup {
   OpenOptions open = {};
-  /// What its user has set; planes that were set with another unit are ignored.
+  /// The user's settings; planes that were set with another unit are ignored.
   DeviceProfile profile = {};
   /// Without a plane of the user, the middle of what the device reaches is put on the middle of
   /// this page. Without a page the driver's default plane is used as it is.
@@ -45,7 +45,7 @@ class OpenDevice final : public Device {
   /// abandoned (felt/rt/abandon.h).
   static constexpr std::chrono::seconds kClosePatience{3};
 
-  /// Opens a device that the driver has found. Error: as Driver::open().
+  /// Opens a device that the driver has found. Fails as Driver::open() does.
   static Result<std::unique_ptr<OpenDevice>> open(Driver& driver, const DeviceDescriptor& found,
                                                   const DeviceSetup& setup);
   /// A device that its driver has opened, with Driver::default_plane().
@@ -56,7 +56,7 @@ class OpenDevice final : public Device {
   ~OpenDevice() override;
 
   [[nodiscard]] std::string_view name() const noexcept override { return device_.name(); }
-  /// Of the device in the page's frame, within the user's limits.
+  /// Returns the capabilities in the page's frame, within the user's limits.
   [[nodiscard]] const Capabilities& capabilities() const noexcept override { return capabilities_; }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
   std::optional<PenSample> between() noexcept override;
@@ -65,18 +65,19 @@ class OpenDevice final : public Device {
   [[nodiscard]] bool is_arm() const noexcept override { return device_.is_arm(); }
   void stop() noexcept override { device_.stop(); }
 
-  /// From the device's frame to the page's; the identity for a device without a frame of its own.
+  /// Returns the mapping from the device's frame to the page's; the identity for a device without a
+  /// frame of its own.
   [[nodiscard]] const PlaneCalibration& plane() const noexcept { return plane_; }
-  /// The plane until its user has set one.
+  /// Returns the plane that is used until the user has set one.
   [[nodiscard]] const PlaneCalibration& default_plane() const noexcept { return default_plane_; }
-  /// In the device's own frame, without the user's limits.
+  /// Returns the capabilities in the device's own frame, without the user's limits.
   [[nodiscard]] const Capabilities& device_capabilities() const noexcept {
     return device_.capabilities();
   }
-  /// Changes plane and limits. While no loop runs.
+  /// Changes plane and limits. Requires that no loop runs.
   void set_profile(DeviceProfile profile);
 
-  // As in DriverDevice; a device without a driver has its defaults.
+  // As in DriverDevice; without a driver they return the defaults of DriverDevice.
   [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept;
   [[nodiscard]] DeviceStatus status() noexcept;
   [[nodiscard]] LoopHost* loop_host() noexcept;
@@ -88,7 +89,7 @@ class OpenDevice final : public Device {
  private:
   void map(PenSample& sample) const noexcept;
 
-  std::unique_ptr<DriverDevice> opened_;  // null: there is no driver
+  std::unique_ptr<DriverDevice> opened_;  // null if the device has no driver
   Device& device_;
   std::shared_ptr<std::timed_mutex> driver_lock_;
   PlaneCalibration default_plane_;

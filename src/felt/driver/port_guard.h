@@ -23,7 +23,7 @@ class PortGuard {
   static constexpr std::size_t kMaxBytes = 64;
 
   /// Starts a guard. The caller keeps `port`. Returns null if `last_words` are longer than
-  /// kMaxBytes, or no process or connection can be created. Edit thread.
+  /// kMaxBytes, or no process or connection can be created. Used on the edit thread.
   static std::unique_ptr<PortGuard> start(int port, std::span<const std::byte> last_words,
                                           std::int64_t patience_ns);
   /// Ends the guard, which writes the last words, and waits until it has exited and the port is
@@ -33,7 +33,7 @@ class PortGuard {
   PortGuard& operator=(const PortGuard&) = delete;
 
   /// Sends a sign of life. Returns false if the guard has ended (it was killed) and protects
-  /// nothing any more. Any thread; real-time safe: one transfer that never waits.
+  /// nothing any more. Safe to call from any thread; real-time safe: one transfer that never waits.
   bool beat() noexcept;
 
  private:

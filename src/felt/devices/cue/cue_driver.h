@@ -13,7 +13,7 @@ namespace felt {
 struct CueOptions {
   /// The system in which to look for devices; null: this machine.
   const SystemView* system = nullptr;
-  /// Opens device nodes.
+  /// The function that opens device nodes.
   std::function<Result<std::unique_ptr<HidrawPort>>(const std::string& path)> open_hidraw =
       felt::open_hidraw;
   std::function<Result<std::unique_ptr<EvdevPort>>(const std::string& path)> open_evdev =

@@ -8,7 +8,7 @@ namespace felt {
 /// Limits cues to a rate that a device can play: a short burst, and an average per second.
 ///
 /// The Slim Pen 2's firmware is known to stop writing when its motor is used heavily (linux-surface
-/// issue 1066); more cues than this could not be told apart by hand anyway.
+/// issue 1066); the hand could not distinguish more cues anyway.
 class CuePacer {
  public:
   explicit constexpr CuePacer(double at_once = 5.0, double per_second = 15.0) noexcept

@@ -14,7 +14,7 @@ namespace felt {
 /// most two effects: a continuous one, which ends by itself after kCueHoldNs, and a short one.
 class EvdevCues final : public CueDevice {
  public:
-  /// `is_haptic`: uses FF_HAPTIC; else FF_RUMBLE.
+  /// Uses FF_HAPTIC if `is_haptic`, otherwise FF_RUMBLE.
   EvdevCues(std::unique_ptr<EvdevPort> port, bool is_haptic, DeviceDescriptor descriptor)
       : port_(std::move(port)), is_haptic_(is_haptic), descriptor_(std::move(descriptor)) {}
   ~EvdevCues() override;

@@ -31,7 +31,8 @@ inline constexpr std::uint32_t kTouchpad = hid_usage(0x0D, 0x05);
 inline constexpr std::uint32_t kMouse = hid_usage(0x01, 0x02);
 }  // namespace haptic_usage
 
-/// Returns the number of a waveform on page 0x0E: 0x1003 is a click. 0x1002 (stop) for kNone.
+/// Returns the number of a waveform on page 0x0E: 0x1003 is a click. Returns 0x1002 (stop) for
+/// kNone.
 std::uint16_t hid_waveform(CueWaveform waveform) noexcept;
 /// Returns the waveforms that may replace one, nearest first; the first is the waveform itself.
 std::span<const CueWaveform> nearest_waveforms(CueWaveform waveform) noexcept;
@@ -55,7 +56,7 @@ class HapticReports {
   [[nodiscard]] std::span<const std::uint8_t> play(const Cue& cue, std::uint32_t hold_ms) noexcept;
   [[nodiscard]] bool cuts_off_by_itself() const noexcept { return cutoff_.has_value(); }
 
-  /// Returns the kind of device it belongs to, for the user.
+  /// Returns the kind of device it belongs to, as a text for the user.
   [[nodiscard]] std::string_view kind() const noexcept { return kind_; }
   [[nodiscard]] bool is_touchpad() const noexcept { return is_touchpad_; }
 

@@ -17,7 +17,7 @@ constexpr std::uint32_t hid_usage(std::uint16_t page, std::uint16_t id) noexcept
 
 enum class HidReportKind : std::uint8_t { kInput, kOutput, kFeature };
 
-/// A number in a report.
+/// A numeric field in a report.
 struct HidField {
   HidReportKind kind = HidReportKind::kInput;
   std::uint8_t report = 0;  ///< its number; 0: the device does not number them
@@ -39,18 +39,18 @@ struct HidField {
 struct HidDescriptor {
   std::vector<HidField> fields;
 
-  /// Returns the size of a report in bytes, with its number and padding; 0 if there is no such
-  /// report.
+  /// Returns the size of a report in bytes, with its number and padding; 0 if the
+  /// device has no such report.
   [[nodiscard]] std::size_t report_bytes(HidReportKind kind, std::uint8_t report) const noexcept;
   [[nodiscard]] bool numbers_reports() const noexcept { return is_numbered; }
 
   bool is_numbered = false;
-  /// By HidReportKind and number: all bits, including those without a usage.
+  /// Sizes in bits by HidReportKind and report number, including those without a usage.
   std::array<std::array<std::uint32_t, 256>, 3> report_bits{};
 };
 
-/// Parses a report descriptor (USB Device Class Definition for HID 1.11, section 6.2.2). Data from
-/// a device is not trusted: depth, fields and bits are bounded, and an invalid item is an error.
+/// Parses a report descriptor (USB Device Class Definition for HID 1.11, section 6.2.2). The
+/// device is not trusted: depth, fields and bits are bounded, and an invalid item is an error.
 /// Fails with the reason and the byte position.
 Result<HidDescriptor> read_hid_descriptor(std::span<const std::uint8_t> bytes);
 inline constexpr std::size_t kMaxHidBytes = 4096;   ///< of a descriptor, the kernel's limit
@@ -58,7 +58,7 @@ inline constexpr std::size_t kMaxHidFields = 1024;  ///< that are kept
 inline constexpr std::size_t kMaxReportBits = 65536;
 
 /// Returns the value of a field in a report that begins with its number; 0 if the report is too
-/// short. Signed if the field's minimum is negative.
+/// short. The value is signed if the field's minimum is negative.
 std::int64_t hid_value(std::span<const std::uint8_t> report, const HidField& field) noexcept;
 /// Sets the value, clamped to the range of the field. Bits beyond the end of a short report are not
 /// written.

@@ -12,10 +12,10 @@
 
 namespace felt {
 
-/// Logitech's HID++ 2.0, as far as a haptic mouse needs it: long reports of 20 bytes, number 0x11,
-/// {device, feature, function and software, 16 bytes}. Messages of Solaar or another program to the
-/// same device have another software number and are ignored. Nothing is ever stored in the device,
-/// whose strength stays as its owner set it.
+/// Logitech's HID++ 2.0, limited to the parts that a haptic mouse needs: long reports of 20 bytes,
+/// number 0x11, {device, feature, function and software, 16 bytes}. Messages of Solaar or another
+/// program to the same device have another software number and are ignored. Nothing is ever stored
+/// in the device: its strength stays as its owner set it.
 ///
 /// Feature 0x19B0, haptics, as found by other projects (Solaar, OpenLogi): function 0 lists the
 /// available waveforms, function 4 plays one.
@@ -29,7 +29,7 @@ class HidppMouse final : public CueDevice {
   static constexpr std::uint8_t kSoftware = 0x5;  ///< ours; Solaar uses 0xB..0xF
 
   /// Looks for a mouse with haptics, at the receiver's numbers or directly; takes some 0.25 s for
-  /// each number that does not answer. Fails if there is none, or with errno's text.
+  /// each number that does not answer. Fails if no mouse answers, or with errno's text.
   static Result<std::unique_ptr<CueDevice>> open(std::unique_ptr<HidrawPort> port, bool is_receiver,
                                                  DeviceDescriptor descriptor);
 

@@ -20,31 +20,31 @@ namespace felt {
 /// sets a request. The worker checks it before each play, after each upload, and whenever it
 /// serves: effects stop within kLookNs and the transfer in progress. If the worker is blocked, in
 /// the kernel or otherwise, effects end by themselves, kEffectMs after the device accepted the last
-/// upload or play: this limit depends on nobody.
+/// upload or play: this limit depends on no other part.
 class EffectKeeper {
  public:
   static constexpr std::int64_t kPlayAgainNs = 40'000'000;  ///< well before kEffectMs
-  static constexpr std::int64_t kUploadNs = 8'000'000;      ///< least time between two uploads
+  static constexpr std::int64_t kUploadNs = 8'000'000;      ///< minimum time between two uploads
 
   /// `port` must outlive this. Effects never push with more than `most_n` together, not even
   /// between two uploads, provided that no single plan does.
   EffectKeeper(EvdevPort& port, const StickForces& stick, double most_n) noexcept
       : port_(port), stick_(stick), most_n_(most_n) {}
 
-  // Haptic thread.
+  // These are called on the haptic thread.
   void want(const EffectPlan& plan) noexcept;
   /// Requests zero force, effective when the worker next checks. Does nothing if no plan is wanted.
   void silence() noexcept;
-  /// Returns the errno of the newest request that the device refused since the last success; 0:
-  /// none. Any thread.
+  /// Returns the errno of the newest request that the device refused since the last success, or 0.
+  /// Safe to call from any thread.
   [[nodiscard]] int error() const noexcept { return error_.load(std::memory_order_relaxed); }
 
-  // Worker, or the thread that replaces it.
+  // These are called on the worker, or on the thread that replaces it.
 
   /// Stops effects immediately if silence was requested; uploads and plays if kUploadNs have
   /// passed.
   void serve(std::int64_t now_ns) noexcept;
-  /// Stops and erases all effects. Only while no thread serves.
+  /// Stops and erases all effects. Requires that no thread serves.
   void erase_all() noexcept;
 
  private:

@@ -13,10 +13,10 @@ namespace felt {
 struct EvdevOptions {
   /// The system in which to look for devices; null: this machine.
   const SystemView* system = nullptr;
-  /// Opens a device node.
+  /// The function that opens a device node.
   std::function<Result<std::unique_ptr<EvdevPort>>(const std::string& path)> open = open_evdev;
-  /// False: no thread uploads effects; the owner of the device calls EffectServed::serve(). For
-  /// tests on a virtual clock.
+  /// If false, no thread uploads effects, and the owner of the device calls EffectServed::serve().
+  /// Meant for tests on a virtual clock.
   bool has_thread = true;
 };
 
@@ -25,14 +25,14 @@ class EffectServed {
  public:
   virtual ~EffectServed() = default;
   /// Does the periodic work of the thread, each kLookNs: stops effects if requested, and uploads
-  /// each kServeNs. Not on the haptic thread.
+  /// each kServeNs. Must not be called on the haptic thread.
   virtual void serve(std::int64_t now_ns) noexcept = 0;
 };
 
 /// Makes the driver of joysticks and wheels with force feedback, through the kernel's input
-/// interface. They render few springs and frictions at a low rate, not 1000 forces a second
-/// (README.md). Each open device has a thread that does all writing: uploads, at most 125 times a
-/// second, and stops.
+/// interface. These devices render few springs and frictions at a low rate, not 1000 forces a
+/// second (README.md). Each open device has a thread that does all writing: uploads, at most 125
+/// times a second, and stops.
 std::unique_ptr<Driver> make_evdev_driver(EvdevOptions options = {});
 inline constexpr std::int64_t kServeNs = 8'000'000;
 inline constexpr std::int64_t kLookNs = 1'000'000;

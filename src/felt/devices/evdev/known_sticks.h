@@ -16,7 +16,7 @@ struct StickKind {
   StickForces forces;
   std::string label;  ///< for the user
   bool is_wheel = false;
-  bool is_known = false;  ///< its strength is from the table; else it is assumed to be strong
+  bool is_known = false;  ///< its strength is from the table; otherwise it is assumed to be strong
 };
 
 /// Returns nullopt if the device has no axis, no button for the pen, or no force along an axis: a

@@ -12,7 +12,7 @@ constexpr std::size_t kUnknowns = 3;
 using Row = std::array<double, kUnknowns>;
 
 constexpr double kSlowMmPerS = 5.0;  // below it, the sign of the motion means little
-constexpr double kNoiseN = 0.02;     // expected residual of the law
+constexpr double kNoiseN = 0.02;     // expected residual of the force law
 // Typical size of each: N, N/mm, N.
 constexpr Row kUsual{0.3, 1.0, 1.0};
 
@@ -81,7 +81,7 @@ Sums sums_of(std::span<const FitSample> samples, double origin_mm) noexcept {
 
 // Solves for force, stiffness and friction. An unknown that comes out negative is removed and the
 // rest fitted again; a stiffness beyond the device's is fixed at its limit. Last, force and
-// friction are adjusted so that the law passes through the newest sample.
+// friction are adjusted so that the force law passes through the newest sample.
 AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noexcept {
   const auto newest = std::find_if(samples.rbegin(), samples.rend(), is_usable);
   if (newest == samples.rend()) return {};
@@ -104,8 +104,8 @@ AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noex
     law[1] = stiffness;
   }
   fit.stiffness_n_per_mm = std::max(law[1], 0.0);
-  // Limits friction to the part of the force that opposes the motion now, so that the law never
-  // pushes with more than was asked for, whichever way the grip turns.
+  // Limits friction to the part of the force that opposes the motion now, so that the force law
+  // never pushes with more than was asked for, in whatever direction the grip moves.
   const double against_n = -newest->force_n * sign_of(newest->speed_mm_per_s);
   fit.friction_n = std::clamp(law[2], 0.0, std::max(against_n, 0.0));
   fit.force_n = newest->force_n + fit.friction_n * sign_of(newest->speed_mm_per_s);

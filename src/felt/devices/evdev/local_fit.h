@@ -29,14 +29,15 @@ struct AxisFit {
   double friction_n = 0.0;          ///< dissipates energy; never negative
 };
 
-/// Fits such a law to the force of the last milliseconds, by regularised least squares in which
-/// newer samples weigh more (a third for each kFitForgets of them). If the samples leave a choice,
-/// prior knowledge decides: without motion there is no stiffness, and a force that always opposes
-/// the motion is mostly friction, so of two explanations that fit equally well the dissipative one
-/// is chosen. The law passes exactly through the newest sample, so that the fit adds no delay, and
-/// its friction is at most the part of the force that opposes the motion there: whichever way the
-/// grip turns, |force_n| + friction_n exceeds the last force asked for by at most a quarter.
-/// Samples are oldest first; none: no force. Samples that are not finite are left out.
+/// Fits such a force law to the force of the last milliseconds, by regularised least squares in
+/// which newer samples weigh more (a third for each kFitForgets of them). If the samples leave a
+/// choice, prior knowledge decides: without motion there is no stiffness, and a force that always
+/// opposes the motion is mostly friction, so of two explanations that fit equally well the
+/// dissipative one is chosen. The force law passes exactly through the newest sample, so that the
+/// fit adds no delay, and its friction is at most the part of the force that opposes the motion
+/// there: in whatever direction the grip moves, |force_n| + friction_n exceeds the last force asked
+/// for by at most a quarter. Samples are oldest first; without samples the force is zero. Samples
+/// that are not finite are left out.
 ///
 /// Real-time safe; linear in the number of samples, with a small constant.
 AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noexcept;

@@ -25,8 +25,8 @@ struct StickStand {
   std::uint32_t buttons = 0;
 };
 
-/// Asks the kernel for the state of axes and buttons. Not on the haptic thread, because the kernel
-/// answers only when no upload is in progress.
+/// Asks the kernel for the state of axes and buttons. Must not be called on the haptic thread,
+/// because the kernel answers only when no upload is in progress.
 StickStand ask_stick(EvdevPort& port, const StickLayout& layout) noexcept;
 
 /// Converts the events of an input device into a pen: the grip's position in mm, x to the right, y
@@ -39,14 +39,14 @@ StickStand ask_stick(EvdevPort& port, const StickLayout& layout) noexcept;
 ///
 /// Sticks usually report every 8 ms, and their position jumps between reports. Here the pen moves
 /// evenly to a reported position within kGlideNs, and the buttons of the report take effect when it
-/// arrives, so that position, contact and velocity stay consistent, some 8 ms late.
+/// arrives, so that position, contact and velocity stay consistent, about 8 ms late.
 ///
 /// When the kernel says that events were lost, no more events are read until another thread has
 /// asked for the state of axes and buttons: needs_asking(), then take(). Events that arrive
 /// meanwhile wait.
 ///
-/// Haptic thread, after begin(); no allocation, and no kernel call except reading the next event,
-/// which never waits.
+/// Used on the haptic thread after begin(). Does not allocate, and makes no kernel call except
+/// reading the next event, which never waits.
 class StickAxes {
  public:
   static constexpr std::int64_t kGlideNs = 8'000'000;
@@ -66,7 +66,8 @@ class StickAxes {
   tl::expected<void, int> listen(EvdevPort& port, std::int64_t now_ns) noexcept;
   /// Returns true if events were lost and ask_stick() must be called.
   [[nodiscard]] bool needs_asking() const noexcept { return loss_ == Loss::kAsks; }
-  /// Returns true if it has waited so long for the state that the last position is no longer valid.
+  /// Returns true if the wait for the state has been so long that the last position is no longer
+  /// valid.
   [[nodiscard]] bool is_stale(std::int64_t now_ns) const noexcept;
   /// Sets the state after lost events. Fails with stand.error, and then still waits.
   tl::expected<void, int> take(const StickStand& stand, std::int64_t now_ns) noexcept;

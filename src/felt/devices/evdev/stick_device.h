@@ -17,10 +17,10 @@ namespace felt {
 Capabilities capabilities_of(const StickKind& kind, double step_mm) noexcept;
 
 /// An open stick or wheel. Every 8 milliseconds the forces given to write() are converted into a
-/// local force law of position and motion (fit_axis), and the law into effects.
+/// local force law of position and motion (fit_axis), and the force law into effects.
 ///
 /// The haptic thread never waits for the kernel: read() reads waiting events; write() and stop()
-/// leave requests for the worker (effect_keeper.h), which checks every millisecond. So a force ends
+/// post requests to the worker (effect_keeper.h), which checks every millisecond. So a force ends
 /// within about 1 ms and the transfer in progress; if the worker is blocked, after kEffectMs at the
 /// latest, because effects end by themselves.
 class StickDevice final : public DriverDevice, public EffectServed {

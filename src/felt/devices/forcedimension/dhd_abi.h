@@ -3,8 +3,8 @@
 #include <cstdint>
 
 /// The interface of Force Dimension's libraries (SDK 3.x: libdhd.so, and libdrd.so, which contains
-/// all of it), in our own declarations of the functions of `dhdc.h` and `drdc.h`. Metres, m/s,
-/// newtons; X is the depth towards the user, Y right, Z up.
+/// all of it), in our own declarations of the functions of `dhdc.h` and `drdc.h`. Units are metres,
+/// m/s and newtons; X is the depth towards the user, Y right, Z up.
 ///
 /// Every function of one device takes its number as last argument, although the maker's header
 /// hides it behind a default value: a pointer type without it would make the function read an
@@ -74,7 +74,7 @@ enum ForceOffCause : int {
   kCauseNone = 0,
   kCauseButton = 1,    ///< the force button of the device
   kCauseVelocity = 2,  ///< the guard against fast movement
-  kCauseWatchdog = 3,  ///< no force command for too long
+  kCauseWatchdog = 3,  ///< no force command for longer than its limit
   kCauseSoftware = 4,  ///< a program requested it
   kCauseUsb = 5,
   kCauseDeadMan = 6,  ///< nobody holds it

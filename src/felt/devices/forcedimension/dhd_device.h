@@ -15,7 +15,7 @@
 
 namespace felt::dhd {
 
-/// An open device. In its own axes: x towards the user, y right, z up.
+/// An open device. Values are in its own axes: x towards the user, y right, z up.
 ///
 /// The motors have three states. *Braked*: we switched them off (initially, and after stop()); the
 /// arm is damped by its own windings. *Live*: forces are enabled, and each write() sends one.
@@ -98,7 +98,7 @@ class DhdDevice final : public DriverDevice {
 
   Motors motors_ = Motors::kBraked;
   int cause_ = kCauseNone;           // while taken
-  std::int64_t quiet_since_ns_ = 0;  // while taken: since when no force is asked for
+  std::int64_t quiet_since_ns_ = 0;  // while taken: start of the time without a requested force
   std::optional<std::int64_t> failed_ns_;
   std::optional<DeviceFault> read_fault_, write_fault_;
   VelocityFilter velocity_;

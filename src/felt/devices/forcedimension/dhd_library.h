@@ -52,7 +52,7 @@ struct Api {
   GetComFreq* get_com_freq = nullptr;                                    ///< or null
   Simple* reset = nullptr;                                               ///< or null
   WaitForReset* wait_for_reset = nullptr;                                ///< or null
-  // Either all of DRD or none of it.
+  // Either all functions of DRD are present, or all are null.
   IsTrue* drd_is_supported = nullptr;    ///< or null
   IsTrue* drd_is_initialized = nullptr;  ///< or null
   Simple* drd_auto_init = nullptr;       ///< or null

@@ -24,7 +24,7 @@ namespace felt::haply {
 /// up to four messages can then wait in front of it. None of them carries a force, because forces
 /// are off by then (ServicePace::kHoldNs is shorter than the patience).
 ///
-/// Haptic thread; real-time safe.
+/// Used on the haptic thread; real-time safe.
 class RequestWindow {
  public:
   static constexpr int kMaxUnanswered = 2;

@@ -51,7 +51,7 @@ struct Inventory {
   std::vector<std::string> grips;  ///< ids, wired ones first
 };
 /// Reads an inventory: the whole message, or inside {"ok": true, "data": ...}. Returns nullopt if
-/// it is not one. Edit thread.
+/// it is not one. Used on the edit thread.
 std::optional<Inventory> read_inventory(std::string_view message);
 
 /// Returns the newest "project_version" or "git_tag" in an answer to GET /version; empty if there

@@ -13,7 +13,7 @@ namespace felt::haply {
 /// stiffness was chosen for one state per tick. Once it is zero the pace is off, and stays off
 /// until states have come in time for kTimelyNs: one fault, however long it lasts.
 ///
-/// Haptic thread; real-time safe.
+/// Used on the haptic thread; real-time safe.
 class ServicePace {
  public:
   static constexpr std::int64_t kHoldNs = 16'000'000;

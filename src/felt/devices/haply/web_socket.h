@@ -16,7 +16,7 @@ namespace felt::haply {
 /// Why a message was not received or sent.
 enum class SocketFault : std::uint8_t {
   kTimedOut,  ///< no whole message within the time; may be retried
-  kClosed,    ///< the other side closed it, or is gone
+  kClosed,    ///< the peer closed it, or is gone
   kBadData,   ///< not a WebSocket frame, or too long; the connection is unusable from then on
 };
 

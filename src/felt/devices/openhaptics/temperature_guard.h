@@ -11,7 +11,7 @@ namespace felt {
 /// motor temperature (docs/design/devices.md#motor-temperature); at 1 kHz the limit halves in 0.7
 /// s.
 ///
-/// Haptic thread; real-time safe.
+/// Used on the haptic thread; real-time safe.
 class TemperatureGuard {
  public:
   static constexpr double kWarm = 0.7;

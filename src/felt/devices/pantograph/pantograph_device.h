@@ -71,7 +71,7 @@ class PantographDevice final : public DriverDevice {
   Result<void> find_home() override;
 
   /// Resets the board, sets it up, and waits for its first answer. Also used by the driver to check
-  /// that there is a board at all. Edit thread.
+  /// that there is a board at all. Used on the edit thread.
   Result<void> set_up();
 
  private:

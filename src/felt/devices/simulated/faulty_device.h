@@ -57,7 +57,7 @@ struct FaultWindow {
 };
 
 /// A wrapper around any device that adds faults on schedule, to test the code above it. Several
-/// faults may be active at once; they act in the order of the list. Deterministic; real-time safe
+/// faults may be active together; they act in the order of the list. Deterministic; real-time safe
 /// after construction.
 class FaultyDevice final : public Device {
  public:

@@ -30,7 +30,7 @@ enum class MousePressure : std::uint8_t {
 /// aims, so that surface and hand balance at the force for that pressure; without forces it is
 /// passed through. Tilt is always passed through.
 ///
-/// Any one thread.
+/// For use by one thread at a time.
 class PointerHand {
  public:
   /// `hand` must outlive this. `options` describes the device and the hand (script_options_for).
