@@ -460,7 +460,7 @@ TEST(DevicePage, RowsSayHowRealDevicesAre) {
   desk.arm->is_plugged_in = false;
   desk.go_on(40);
   desk.look();
-  EXPECT_EQ(row(0), "Scripted arm\nNot connected; used again when it is");
+  EXPECT_EQ(row(0), "Scripted arm\nNot connected; used again once it is");
   desk.arm->is_plugged_in = true;
   QFile::remove(profile_path(kArm));
   desk.care->use(QStringLiteral("simulated:touch"), nullptr);

@@ -5543,10 +5543,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Drücken Sie auf eine fertige Linie, um sie breiter zu machen.</translation>
     </message>
     <message>
-        <source>Erase</source>
-        <translation>Radieren</translation>
-    </message>
-    <message>
         <source>Erase what is covered, a line up to its next crossing, or a whole line.</source>
         <translation>Radieren Sie, was bedeckt ist, eine Linie bis zur nächsten Kreuzung oder eine ganze Linie.</translation>
     </message>

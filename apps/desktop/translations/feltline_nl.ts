@@ -5543,10 +5543,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Druk op een voltooide lijn om hem breder te maken.</translation>
     </message>
     <message>
-        <source>Erase</source>
-        <translation>Gummen</translation>
-    </message>
-    <message>
         <source>Erase what is covered, a line up to its next crossing, or a whole line.</source>
         <translation>Gum uit wat bedekt is, een lijn tot de volgende kruising, of een hele lijn.</translation>
     </message>
