@@ -105,7 +105,7 @@ void add_own_sheets(Actions& actions, Studio& studio, QWidget* window) {
   auto* menu = new QMenu(window);
   QAction* action =
       actions.add(QStringLiteral("feel.sheet_own"),
-                  QCoreApplication::translate("FeelActions", "My &surfaces"), {},
+                  QCoreApplication::translate("FeelActions", "M&y surfaces"), {},
                   QCoreApplication::translate("FeelActions",
                                               "Surfaces that you made or that came with a drawing"),
                   [menu] {

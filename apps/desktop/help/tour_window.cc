@@ -190,7 +190,7 @@ void TourWindow::show_state() {
   step_->setText(act ? tr("%1 of %2").arg(act_ + 1).arg(act_count()) : QString());
   back_->setEnabled(act_ > 0);
   pause_->setEnabled(!is_end);
-  pause_->setText(is_paused_ ? tr("&Continue") : tr("&Pause"));
+  pause_->setText(is_paused_ ? tr("C&ontinue") : tr("&Pause"));
   next_->setText(is_end ? tr("&Try it yourself") : tr("&Next"));
 }
 

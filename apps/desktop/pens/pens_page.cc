@@ -88,7 +88,7 @@ QWidget* PensPage::make_sliders() {
   });
   threshold_text_ = new QLabel;
   layout->addWidget(threshold_text_, 1, 2);
-  auto* reset = new QPushButton(tr("Re&set curve"));
+  auto* reset = new QPushButton(tr("Reset cur&ve"));
   reset->setToolTip(tr("Restores the default curve."));
   connect(reset, &QPushButton::clicked, this, [this] { set_curve({}); });
   layout->addWidget(reset, 2, 1, Qt::AlignLeft);

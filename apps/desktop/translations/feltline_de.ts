@@ -102,7 +102,7 @@
     </message>
     <message>
         <source>&amp;Remove the colour</source>
-        <translation>Farbe &amp;entfernen</translation>
+        <translation>Farbe en&amp;tfernen</translation>
     </message>
     <message>
         <source>Removes the current colour from your own palette.</source>
@@ -304,8 +304,8 @@
 <context>
     <name>FeelActions</name>
     <message>
-        <source>My &amp;surfaces</source>
-        <translation>&amp;Eigene Untergründe</translation>
+        <source>M&amp;y surfaces</source>
+        <translation>Ei&amp;gene Untergründe</translation>
     </message>
     <message>
         <source>Surfaces that you made or that came with a drawing</source>
@@ -1266,7 +1266,7 @@
     </message>
     <message>
         <source>Fit &amp;page</source>
-        <translation>&amp;Seite einpassen</translation>
+        <translation>Se&amp;ite einpassen</translation>
     </message>
     <message>
         <source>Shows the whole page</source>
@@ -1782,7 +1782,7 @@
     </message>
     <message>
         <source>Remove the &amp;colour from your palette</source>
-        <translation>Farbe aus der eigenen Palette &amp;entfernen</translation>
+        <translation>Farbe aus der eigenen Palette en&amp;tfernen</translation>
     </message>
     <message>
         <source>Low contrast with the paper: %1:1</source>
@@ -1997,7 +1997,7 @@
     </message>
     <message>
         <source>Fit to the p&amp;age</source>
-        <translation>An die &amp;Seite anpassen</translation>
+        <translation>An die Se&amp;ite anpassen</translation>
     </message>
     <message>
         <source>Name of the device</source>
@@ -2793,7 +2793,7 @@ Ihre Zeichnung ist noch geöffnet: Speichern Sie sie an einem anderen Ort.</tran
     </message>
     <message>
         <source>Guided &amp;tour</source>
-        <translation>Geführte &amp;Tour</translation>
+        <translation>Geführte T&amp;our</translation>
     </message>
     <message>
         <source>A two-minute demonstration of the tools</source>
@@ -3576,7 +3576,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Pa&amp;ge setup…</source>
-        <translation>&amp;Seite einrichten …</translation>
+        <translation>Sei&amp;te einrichten …</translation>
     </message>
     <message>
         <source>Size, orientation and colour of the page</source>
@@ -3809,7 +3809,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Erhöhen, wenn der Stift schon zeichnet, bevor Sie drücken.</translation>
     </message>
     <message>
-        <source>Re&amp;set curve</source>
+        <source>Reset cur&amp;ve</source>
         <translation>Kurve zurück&amp;setzen</translation>
     </message>
     <message>
@@ -4123,7 +4123,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>&amp;Zurücksetzen</translation>
     </message>
     <message>
-        <source>&amp;Reassign</source>
+        <source>Reass&amp;ign</source>
         <translation>&amp;Neu zuweisen</translation>
     </message>
     <message>
@@ -4412,7 +4412,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>&amp;Continue</source>
+        <source>C&amp;ontinue</source>
         <translation>&amp;Fortsetzen</translation>
     </message>
     <message>

@@ -304,7 +304,7 @@
 <context>
     <name>FeelActions</name>
     <message>
-        <source>My &amp;surfaces</source>
+        <source>M&amp;y surfaces</source>
         <translation>&amp;Eigen ondergronden</translation>
     </message>
     <message>
@@ -1266,7 +1266,7 @@
     </message>
     <message>
         <source>Fit &amp;page</source>
-        <translation>&amp;Pagina passend</translation>
+        <translation>Pa&amp;gina passend</translation>
     </message>
     <message>
         <source>Shows the whole page</source>
@@ -1782,7 +1782,7 @@
     </message>
     <message>
         <source>Remove the &amp;colour from your palette</source>
-        <translation>Kleur uit je &amp;eigen palet verwijderen</translation>
+        <translation>Kleur uit je ei&amp;gen palet verwijderen</translation>
     </message>
     <message>
         <source>Low contrast with the paper: %1:1</source>
@@ -2073,7 +2073,7 @@
     </message>
     <message>
         <source>S&amp;tiffest surface</source>
-        <translation>Maximale s&amp;tijfheid</translation>
+        <translation>Maximale stij&amp;fheid</translation>
     </message>
     <message>
         <source>Drawing plane</source>
@@ -3576,7 +3576,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Pa&amp;ge setup…</source>
-        <translation>Pagina-&amp;instelling…</translation>
+        <translation>Pa&amp;gina-instelling…</translation>
     </message>
     <message>
         <source>Size, orientation and colour of the page</source>
@@ -3809,8 +3809,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Verhoog dit als de pen al tekent voordat je drukt.</translation>
     </message>
     <message>
-        <source>Re&amp;set curve</source>
-        <translation>Kromme he&amp;rstellen</translation>
+        <source>Reset cur&amp;ve</source>
+        <translation>Kromme h&amp;erstellen</translation>
     </message>
     <message>
         <source>Restores the default curve.</source>
@@ -4123,8 +4123,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>&amp;Herstellen</translation>
     </message>
     <message>
-        <source>&amp;Reassign</source>
-        <translation>Opnieuw &amp;toewijzen</translation>
+        <source>Reass&amp;ign</source>
+        <translation>Opnieuw toe&amp;wijzen</translation>
     </message>
     <message>
         <source>Search</source>
@@ -4412,7 +4412,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>%1 van %2</translation>
     </message>
     <message>
-        <source>&amp;Continue</source>
+        <source>C&amp;ontinue</source>
         <translation>&amp;Hervatten</translation>
     </message>
     <message>

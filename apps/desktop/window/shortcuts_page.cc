@@ -34,7 +34,7 @@ ShortcutsPage::ShortcutsPage(Actions& actions, QWidget* parent)
       remove_(new QPushButton(tr("&No key"), this)),
       reset_(new QPushButton(tr("&Reset"), this)),
       warning_(new QLabel(this)),
-      take_(new QPushButton(tr("&Reassign"), this)) {
+      take_(new QPushButton(tr("Reass&ign"), this)) {
   search_->setPlaceholderText(tr("Search"));
   search_->setAccessibleName(tr("Search the commands"));
   search_->setClearButtonEnabled(true);
