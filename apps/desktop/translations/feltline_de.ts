@@ -2132,7 +2132,7 @@
     </message>
     <message>
         <source>This build of Feltline has no drivers.</source>
-        <translation>Dieses Feltline wurde ohne Treiber gebaut.</translation>
+        <translation>Diese Version von Feltline wurde ohne Treiber gebaut.</translation>
     </message>
     <message>
         <source>Nothing to report.</source>
@@ -5140,7 +5140,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Colour of the sheet; a page of another keeps its own.</source>
-        <translation>Farbe des Blattes; eine Seite von anderer Farbe behält ihre.</translation>
+        <translation>Farbe des Untergrunds; eine Seite mit anderer Farbe behält ihre.</translation>
     </message>
     <message>
         <source>Crumbs</source>
@@ -5252,11 +5252,11 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>How much of the sheet&apos;s relief is seen; 0 for what is wet.</source>
-        <translation>Wie viel vom Relief des Blattes zu sehen ist; 0 für Nasses.</translation>
+        <translation>Wie viel vom Relief des Untergrunds zu sehen ist; 0 für Nasses.</translation>
     </message>
     <message>
         <source>How much of the sheet&apos;s relief the hand feels through it.</source>
-        <translation>Wie viel vom Relief des Blattes die Hand dadurch fühlt.</translation>
+        <translation>Wie viel vom Relief des Untergrunds die Hand dadurch fühlt.</translation>
     </message>
     <message>
         <source>How readily stick and slip sing.</source>

@@ -2132,7 +2132,7 @@
     </message>
     <message>
         <source>This build of Feltline has no drivers.</source>
-        <translation>Deze Feltline is zonder stuurprogramma&apos;s gebouwd.</translation>
+        <translation>Deze versie van Feltline is zonder stuurprogramma’s gebouwd.</translation>
     </message>
     <message>
         <source>Nothing to report.</source>
@@ -5140,7 +5140,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Colour of the sheet; a page of another keeps its own.</source>
-        <translation>Kleur van het vel; een pagina met een andere kleur houdt de hare.</translation>
+        <translation>Kleur van de ondergrond; een pagina met een andere kleur behoudt die.</translation>
     </message>
     <message>
         <source>Crumbs</source>
@@ -5252,11 +5252,11 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>How much of the sheet&apos;s relief is seen; 0 for what is wet.</source>
-        <translation>Hoeveel van het reliëf van het vel te zien is; 0 voor wat nat is.</translation>
+        <translation>Hoeveel van het reliëf van de ondergrond te zien is; 0 voor wat nat is.</translation>
     </message>
     <message>
         <source>How much of the sheet&apos;s relief the hand feels through it.</source>
-        <translation>Hoeveel van het reliëf van het vel de hand erdoor voelt.</translation>
+        <translation>Hoeveel van het reliëf van de ondergrond de hand erdoor voelt.</translation>
     </message>
     <message>
         <source>How readily stick and slip sing.</source>
