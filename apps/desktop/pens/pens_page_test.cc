@@ -86,7 +86,7 @@ TEST(PensPage, ShowsHowThePenLeans) {
   const QString none = QStringLiteral("The tilt of the pen is not known");
   EXPECT_TRUE(says(none));
   lean(QInputDevice::Capability::XTilt | QInputDevice::Capability::YTilt);
-  EXPECT_TRUE(says(QStringLiteral("The pen leans by 45°")));
+  EXPECT_TRUE(says(QStringLiteral("The pen is tilted by 45°")));
   lean({});
   EXPECT_TRUE(says(none));
 }
