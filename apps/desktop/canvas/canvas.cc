@@ -57,8 +57,8 @@ Canvas::Canvas(Studio& studio, QWidget* parent)
       studio_(studio),
       shown_(std::make_unique<Shown>()),
       pen_cursor_(make_pen_cursor()) {
-  setAccessibleName(tr("Sheet"));
-  setAccessibleDescription(tr("The sheet to draw on"));
+  setAccessibleName(tr("Drawing area"));
+  setAccessibleDescription(tr("The area to draw on"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setContextMenuPolicy(Qt::PreventContextMenu);

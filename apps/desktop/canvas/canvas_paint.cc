@@ -47,7 +47,7 @@ bool Canvas::event(QEvent* event) {
       lay_out();
       break;
     case QEvent::LanguageChange:
-      setAccessibleName(tr("Sheet"));
+      setAccessibleName(tr("Drawing area"));
       take_status();
       Q_EMIT hint_changed();
       break;

@@ -161,13 +161,13 @@ void Canvas::take_status() {
   Shown& s = *shown_;
   QString status = pen_status_;
   if (status.isEmpty()) {
-    status = pressure_seen_ ? tr("Pressure is seen.")
-                            : tr("No pressure seen yet: a mouse draws lines of even width.");
+    status = pressure_seen_ ? tr("Pressure is recognised.")
+                            : tr("No pressure recognised yet. A mouse draws lines of even width.");
   }
   const Tool* edits = studio_.session().first_tool(ToolKind::kEdits);
   s.first_minute.set_text(edits ? edits->info().shortcut : 'a', status);
   setAccessibleDescription(s.shows_first_minute ? s.first_minute.spoken()
-                                                : tr("The sheet to draw on"));
+                                                : tr("The area to draw on"));
   update(s.first_minute.area(size(), font()));
 }
 

@@ -38,9 +38,8 @@ void FirstMinute::set_text(char pull_key, const QString& status) {
           QT_TRANSLATE_NOOP("FirstMinute", "To correct a line, press %1 and pull it into shape."))
           .arg(key) +
       QLatin1Char('\n') +
-      first_minute_text(
-          QT_TRANSLATE_NOOP("FirstMinute",
-                            "%1 takes back a step. The Help menu has a two-minute tour."))
+      first_minute_text(QT_TRANSLATE_NOOP("FirstMinute",
+                                          "%1 undoes a step. The Help menu has a two-minute tour."))
           .arg(undo);
   status_ = status;
 }

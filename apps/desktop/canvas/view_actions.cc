@@ -36,78 +36,79 @@ double scroll_px(const CanvasView& view) {
 void add_zooming(Actions& actions, Canvas& canvas) {
   add_look(actions, canvas, "view.zoom_in", QT_TRANSLATE_NOOP("ViewActions", "Zoom &in"),
            {QKeySequence(Qt::Key_Plus), QKeySequence(Qt::Key_Equal), QKeySequence::ZoomIn},
-           QT_TRANSLATE_NOOP("ViewActions", "Shows the sheet larger, around the pointer"),
+           QT_TRANSLATE_NOOP("ViewActions", "Shows the drawing larger, around the pointer"),
            [](CanvasView& view, QPointF at) { view.zoom(kZoomStep, at); });
   add_look(actions, canvas, "view.zoom_out", QT_TRANSLATE_NOOP("ViewActions", "Zoom &out"),
            {QKeySequence(Qt::Key_Minus), QKeySequence::ZoomOut},
-           QT_TRANSLATE_NOOP("ViewActions", "Shows the sheet smaller, around the pointer"),
+           QT_TRANSLATE_NOOP("ViewActions", "Shows the drawing smaller, around the pointer"),
            [](CanvasView& view, QPointF at) { view.zoom(1.0 / kZoomStep, at); });
-  actions.add(
-      QStringLiteral("view.zoom_100"), view_text(QT_TRANSLATE_NOOP("ViewActions", "&Life size")),
-      {QKeySequence(Qt::Key_1)},
-      view_text(QT_TRANSLATE_NOOP("ViewActions", "A millimetre on the sheet is one on the screen")),
-      [&canvas] { canvas.set_zoom(1.0); });
+  actions.add(QStringLiteral("view.zoom_100"),
+              view_text(QT_TRANSLATE_NOOP("ViewActions", "&Life size")), {QKeySequence(Qt::Key_1)},
+              view_text(QT_TRANSLATE_NOOP(
+                  "ViewActions", "One millimetre of the drawing is one millimetre on the screen")),
+              [&canvas] { canvas.set_zoom(1.0); });
   actions.add(
       QStringLiteral("view.fit_selection"),
       view_text(QT_TRANSLATE_NOOP("ViewActions", "Fit &selection")), {QKeySequence(Qt::Key_2)},
-      view_text(QT_TRANSLATE_NOOP("ViewActions", "Shows what is selected as large as it can")),
+      view_text(QT_TRANSLATE_NOOP("ViewActions", "Shows the selection as large as possible")),
       [&canvas] { canvas.fit_selection(); });
   actions.add(QStringLiteral("view.fit_page"),
               view_text(QT_TRANSLATE_NOOP("ViewActions", "Fit &page")),
               {QKeySequence(Qt::Key_3), QKeySequence(Qt::Key_0)},
-              view_text(QT_TRANSLATE_NOOP("ViewActions", "Shows the whole sheet")),
+              view_text(QT_TRANSLATE_NOOP("ViewActions", "Shows the whole page")),
               [&canvas] { canvas.fit_page(); });
-  actions.add(QStringLiteral("view.fit_ink"),
-              view_text(QT_TRANSLATE_NOOP("ViewActions", "Fit &drawing")),
-              {QKeySequence(Qt::Key_7)},
-              view_text(QT_TRANSLATE_NOOP("ViewActions", "Shows all ink, beside the sheet too")),
-              [&canvas] { canvas.fit_ink(); });
+  actions.add(
+      QStringLiteral("view.fit_ink"), view_text(QT_TRANSLATE_NOOP("ViewActions", "Fit &drawing")),
+      {QKeySequence(Qt::Key_7)},
+      view_text(QT_TRANSLATE_NOOP("ViewActions", "Shows all ink, including any outside the page")),
+      [&canvas] { canvas.fit_ink(); });
 }
 
 void add_turning(Actions& actions, Canvas& canvas) {
-  add_look(actions, canvas, "view.rotate_left", QT_TRANSLATE_NOOP("ViewActions", "Turn l&eft"),
-           {QKeySequence(Qt::Key_4), QKeySequence(Qt::CTRL | Qt::Key_BracketLeft)},
-           QT_TRANSLATE_NOOP("ViewActions", "Turns the view anticlockwise; the drawing stays"),
-           [](CanvasView& view, QPointF at) { view.turn(-kTurnStepDeg, at); });
-  add_look(actions, canvas, "view.rotate_right", QT_TRANSLATE_NOOP("ViewActions", "Turn ri&ght"),
-           {QKeySequence(Qt::Key_6), QKeySequence(Qt::CTRL | Qt::Key_BracketRight)},
-           QT_TRANSLATE_NOOP("ViewActions", "Turns the view clockwise; the drawing stays"),
-           [](CanvasView& view, QPointF at) { view.turn(kTurnStepDeg, at); });
+  add_look(
+      actions, canvas, "view.rotate_left", QT_TRANSLATE_NOOP("ViewActions", "Turn l&eft"),
+      {QKeySequence(Qt::Key_4), QKeySequence(Qt::CTRL | Qt::Key_BracketLeft)},
+      QT_TRANSLATE_NOOP("ViewActions", "Turns the view anticlockwise; the drawing does not change"),
+      [](CanvasView& view, QPointF at) { view.turn(-kTurnStepDeg, at); });
+  add_look(
+      actions, canvas, "view.rotate_right", QT_TRANSLATE_NOOP("ViewActions", "Turn ri&ght"),
+      {QKeySequence(Qt::Key_6), QKeySequence(Qt::CTRL | Qt::Key_BracketRight)},
+      QT_TRANSLATE_NOOP("ViewActions", "Turns the view clockwise; the drawing does not change"),
+      [](CanvasView& view, QPointF at) { view.turn(kTurnStepDeg, at); });
   add_look(actions, canvas, "view.rotate_reset", QT_TRANSLATE_NOOP("ViewActions", "&Upright"),
            {QKeySequence(Qt::Key_5)},
-           QT_TRANSLATE_NOOP("ViewActions", "Turns the view back, so that the sheet is upright"),
+           QT_TRANSLATE_NOOP("ViewActions", "Turns the view back upright"),
            [](CanvasView& view, QPointF at) { view.turn(-view.angle_deg(), at); });
-  add_look(actions, canvas, "view.mirror", QT_TRANSLATE_NOOP("ViewActions", "&Mirror view"),
-           {QKeySequence(Qt::Key_M)},
-           QT_TRANSLATE_NOOP("ViewActions",
-                             "Swaps left and right of the view, which shows what is askew; the "
-                             "drawing stays"),
-           [](CanvasView& view, QPointF) { view.mirror(); });
+  add_look(
+      actions, canvas, "view.mirror", QT_TRANSLATE_NOOP("ViewActions", "&Mirror view"),
+      {QKeySequence(Qt::Key_M)},
+      QT_TRANSLATE_NOOP(
+          "ViewActions",
+          "Swaps left and right in the view, to check proportions; the drawing does not change"),
+      [](CanvasView& view, QPointF) { view.mirror(); });
 }
 
 void add_scrolling(Actions& actions, Canvas& canvas) {
   add_look(actions, canvas, "view.scroll_left", QT_TRANSLATE_NOOP("ViewActions", "Scroll left"),
            {QKeySequence(Qt::ALT | Qt::Key_Left)},
-           QT_TRANSLATE_NOOP("ViewActions", "Shows what is further to the left"),
+           QT_TRANSLATE_NOOP("ViewActions", "Moves the view to the left"),
            [](CanvasView& view, QPointF) {
              view.pan({scroll_px(view), 0});
            });
   add_look(actions, canvas, "view.scroll_right", QT_TRANSLATE_NOOP("ViewActions", "Scroll right"),
            {QKeySequence(Qt::ALT | Qt::Key_Right)},
-           QT_TRANSLATE_NOOP("ViewActions", "Shows what is further to the right"),
+           QT_TRANSLATE_NOOP("ViewActions", "Moves the view to the right"),
            [](CanvasView& view, QPointF) {
              view.pan({-scroll_px(view), 0});
            });
   add_look(actions, canvas, "view.scroll_up", QT_TRANSLATE_NOOP("ViewActions", "Scroll up"),
            {QKeySequence(Qt::ALT | Qt::Key_Up), QKeySequence(Qt::Key_PageUp)},
-           QT_TRANSLATE_NOOP("ViewActions", "Shows what is further up"),
-           [](CanvasView& view, QPointF) {
+           QT_TRANSLATE_NOOP("ViewActions", "Moves the view up"), [](CanvasView& view, QPointF) {
              view.pan({0, scroll_px(view)});
            });
   add_look(actions, canvas, "view.scroll_down", QT_TRANSLATE_NOOP("ViewActions", "Scroll down"),
            {QKeySequence(Qt::ALT | Qt::Key_Down), QKeySequence(Qt::Key_PageDown)},
-           QT_TRANSLATE_NOOP("ViewActions", "Shows what is further down"),
-           [](CanvasView& view, QPointF) {
+           QT_TRANSLATE_NOOP("ViewActions", "Moves the view down"), [](CanvasView& view, QPointF) {
              view.pan({0, -scroll_px(view)});
            });
 }
@@ -128,18 +129,19 @@ void add_switches(Actions& actions, Canvas& canvas) {
   actions.add_switch(
       QStringLiteral("view.outline"), view_text(QT_TRANSLATE_NOOP("ViewActions", "Ou&tlines")),
       {QKeySequence(Qt::Key_O)},
-      view_text(QT_TRANSLATE_NOOP("ViewActions", "Shows the middle of each line only, hair-thin")),
+      view_text(QT_TRANSLATE_NOOP("ViewActions", "Shows only the centre line of each stroke")),
       false, [&canvas](bool on) { canvas.set_outline_mode(on); });
-  add_setting(actions, "view.force_arrow", QT_TRANSLATE_NOOP("ViewActions", "&Force arrow"),
-              QT_TRANSLATE_NOOP("ViewActions", "Shows at the nib where the force pushes"),
-              canvas_keys::kForceArrow, canvas_keys::kForceArrowDefault);
+  add_setting(
+      actions, "view.force_arrow", QT_TRANSLATE_NOOP("ViewActions", "&Force arrow"),
+      QT_TRANSLATE_NOOP("ViewActions", "Shows the direction and size of the force at the nib"),
+      canvas_keys::kForceArrow, canvas_keys::kForceArrowDefault);
   add_setting(actions, "view.pseudo_haptics",
-              QT_TRANSLATE_NOOP("ViewActions", "&Nib gives way to forces"),
+              QT_TRANSLATE_NOOP("ViewActions", "&Nib moves with forces"),
               QT_TRANSLATE_NOOP("ViewActions",
-                                "With a simulated stylus, the nib is shown where forces move it"),
+                                "With a simulated stylus, shows the nib where forces move it"),
               canvas_keys::kPseudoHaptics, canvas_keys::kPseudoHapticsDefault);
-  add_setting(actions, "view.grain", QT_TRANSLATE_NOOP("ViewActions", "G&rain of the sheet"),
-              QT_TRANSLATE_NOOP("ViewActions", "Dry ink shows the relief of the sheet"),
+  add_setting(actions, "view.grain", QT_TRANSLATE_NOOP("ViewActions", "G&rain of the surface"),
+              QT_TRANSLATE_NOOP("ViewActions", "Dry media show the relief of the surface"),
               canvas_keys::kGrain, canvas_keys::kGrainDefault);
 }
 

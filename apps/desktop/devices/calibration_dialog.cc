@@ -37,7 +37,7 @@ CalibrationDialog::CalibrationDialog(std::unique_ptr<PenDevice> device, Point mi
   for (QLabel* label : {words_, where_}) label->setWordWrap(true);
   words_->setMinimumWidth(40 * fontMetrics().averageCharWidth());
   auto* buttons = new QDialogButtonBox(this);
-  take_ = buttons->addButton(tr("&Take this place"), QDialogButtonBox::ActionRole);
+  take_ = buttons->addButton(tr("&Use this position"), QDialogButtonBox::ActionRole);
   again_ = buttons->addButton(tr("&Start again"), QDialogButtonBox::ActionRole);
   keep_ = buttons->addButton(tr("&Keep"), QDialogButtonBox::AcceptRole);
   buttons->addButton(QDialogButtonBox::Cancel);
@@ -160,17 +160,18 @@ void CalibrationDialog::take() {
       found_ = *fit;
     } else {
       corners_.clear();
-      words_->setText(tr("That is no drawing area: %1. Begin with the upper left corner again.")
-                          .arg(QString::fromStdString(fit.error().message)));
+      words_->setText(
+          tr("This is not a usable drawing area: %1. Start again with the upper left corner.")
+              .arg(QString::fromStdString(fit.error().message)));
       draw();
       return;
     }
   }
   draw();
   static const std::array<const char*, kCorners + 1> kWords{
-      QT_TR_NOOP("Hold the pen's tip on the upper left corner of where you want to draw."),
-      QT_TR_NOOP("Now on the upper right corner."), QT_TR_NOOP("Now on the lower left corner."),
-      ""};
+      QT_TR_NOOP("Hold the tip of the pen on the upper left corner of your drawing area."),
+      QT_TR_NOOP("Now hold it on the upper right corner."),
+      QT_TR_NOOP("Now hold it on the lower left corner."), ""};
   if (!found_) {
     words_->setText(tr(kWords[corners_.size()]));
     return;
@@ -180,8 +181,8 @@ void CalibrationDialog::take() {
                            .arg(norm(corners_[2] - corners_[0]), 0, 'f', 0);
   const QString fit =
       found_->worst_mm <= kGoodMm
-          ? tr("Its corners fit within %L1 mm.").arg(found_->worst_mm, 0, 'f', 1)
-          : tr("Its corner is not square: %L1 mm off. Starting again may be better.")
+          ? tr("Its corners agree to within %L1 mm.").arg(found_->worst_mm, 0, 'f', 1)
+          : tr("The corner is not square: it is off by %L1 mm. Start again for a better result.")
                 .arg(found_->worst_mm, 0, 'f', 1);
   words_->setText(size + QLatin1Char(' ') + fit);
 }
@@ -189,7 +190,7 @@ void CalibrationDialog::take() {
 void CalibrationDialog::start_again() {
   corners_.clear();
   found_.reset();
-  words_->setText(tr("Hold the pen's tip on the upper left corner of where you want to draw."));
+  words_->setText(tr("Hold the tip of the pen on the upper left corner of your drawing area."));
   draw();
   tell();
 }

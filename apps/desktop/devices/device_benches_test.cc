@@ -151,7 +151,7 @@ TEST_P(Benches, UnpluggedMidLineTheInkIsKeptAndItComesBackWithoutForce) {
   EXPECT_EQ(at.studio->loop().device().info().id, QStringLiteral("tablet"));
   EXPECT_GT(at.strokes(), before) << "the ink up to the fault";
   const std::size_t kept = at.strokes();
-  EXPECT_NE(at.said().find("is not connected any more."), std::string::npos) << at.said();
+  EXPECT_NE(at.said().find("is no longer connected."), std::string::npos) << at.said();
   at.move_to(0, 30, 10, 1500);
   EXPECT_EQ(at.strokes(), kept) << "the hand is not read";
   // Reconnects automatically if the driver can find it without opening it, otherwise by the button.

@@ -114,11 +114,12 @@ void DeviceCare::let_go(DeviceFault fault, const DeviceStatus& status) {
   QString text = words.what + QLatin1Char(' ') + words.to_do;
   std::vector<DeviceMessage::Button> buttons;
   if (fault == DeviceFault::kNotCalibrated) {
-    buttons.push_back(use_button(tr("Find its &home…"), info.id));
+    buttons.push_back(use_button(tr("Find its &home position…"), info.id));
   } else if (has_failed_ || !info.is_connected) {
     buttons.push_back(use_button(tr("&Use it again"), info.id));
   } else {
-    text += QLatin1Char(' ') + tr("Plugged in again it is used again, without forces at first.");
+    text +=
+        QLatin1Char(' ') + tr("When you connect it again it is used again, with its forces off.");
   }
   say(text, words.details, std::move(buttons), true);
 }
@@ -179,14 +180,14 @@ bool DeviceCare::open(const QString& id, QWidget* parent, bool may_ask) {
   if (may_ask) QApplication::restoreOverrideCursor();
   if (!device) {
     has_failed_ = true;
-    say(tr("%1 does not open.").arg(name), text_of(device.error()),
+    say(tr("%1 cannot be opened.").arg(name), text_of(device.error()),
         {use_button(tr("&Try again"), id)}, true);
     return false;
   }
   if ((*device)->device().homing() != Homing::kNone && !may_ask) {
     has_failed_ = true;
-    say(tr("%1 is there. It must find its home before it is used.").arg(name), {},
-        {use_button(tr("Find its &home…"), id)}, false);
+    say(tr("%1 is connected. It must find its home position before you can use it.").arg(name), {},
+        {use_button(tr("Find its &home position…"), id)}, false);
     return false;
   }
   if (!HomingDialog::bring_home(**device, parent ? parent : window_.data())) return false;

@@ -138,7 +138,7 @@ TEST(DeviceCare, APersonDrawsUnplugsMidLineAndDrawsOn) {
   EXPECT_EQ(desk.arm->sent, Force{});
   EXPECT_EQ(desk.arm->closed, 1);
   EXPECT_EQ(desk.care->waits_for(), kArm);
-  EXPECT_NE(desk.said().find("Scripted arm is not connected any more."), std::string::npos);
+  EXPECT_NE(desk.said().find("Scripted arm is no longer connected."), std::string::npos);
   EXPECT_EQ(desk.notice->message().details.toStdString(),
             "HD_COMM_ERROR: no answer from the arm (7)");
   const auto point = [&desk](double x, bool touches) {
@@ -236,8 +236,8 @@ TEST(DeviceCare, ForcesThatTheDeviceSwitchesOffDoNotEndTheDrawing) {
         << desk.said();
     QString text;
     for (const auto* label : panel.findChildren<QLabel*>()) text += label->text();
-    EXPECT_TRUE(text.contains(is_off ? QStringLiteral("Switch them on at the device")
-                                     : QStringLiteral("rest for some minutes")))
+    EXPECT_TRUE(text.contains(is_off ? QStringLiteral("Switch the forces on at the device")
+                                     : QStringLiteral("rest for a few minutes")))
         << text.toStdString();
     desk.draw_to(80, 50);
     desk.lift();
@@ -460,7 +460,7 @@ TEST(DevicePage, RowsSayHowRealDevicesAre) {
   desk.arm->is_plugged_in = false;
   desk.go_on(40);
   desk.look();
-  EXPECT_EQ(row(0), "Scripted arm\nNot connected; used again when it is");
+  EXPECT_EQ(row(0), "Scripted arm\nNot connected; used again once it is");
   desk.arm->is_plugged_in = true;
   QFile::remove(profile_path(kArm));
   desk.care->use(QStringLiteral("simulated:touch"), nullptr);

@@ -18,7 +18,7 @@ constexpr int kIndentPx = 24;  // below the text, which stands beside the icon
 DeviceNotice::DeviceNotice(QWidget* parent) : DeviceNotice(new QLabel, parent) {}
 
 DeviceNotice::DeviceNotice(QLabel* vendor, QWidget* parent)
-    : MessageBar(vendor, tr("What the device itself says"), parent), vendor_(vendor) {
+    : MessageBar(vendor, tr("Message from the device itself"), parent), vendor_(vendor) {
   vendor_->setWordWrap(true);
   vendor_->setTextFormat(Qt::PlainText);
   vendor_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -37,7 +37,7 @@ void DeviceNotice::say(DeviceMessage message) {
     connect(button, &QPushButton::clicked, this, [this, i] { press(i); });
     extras().addWidget(button);
   }
-  vendor_->setText(tr("The device says: %1").arg(message_.details));
+  vendor_->setText(tr("Message from the device: %1").arg(message_.details));
   draw_icon();
   MessageBar::say(message_.text, !message_.details.isEmpty());
 }

@@ -41,11 +41,11 @@ QIcon row_icon(const QWidget& page, FeelLevel level, bool asks) {
 
 QString capabilities_in_words(const Capabilities& can) {
   if (!can.has_force()) {
-    return can.senses_pressure ? DevicePage::tr("Feels pressure, if the pen does. No motors.")
+    return can.senses_pressure ? DevicePage::tr("Senses pressure if the pen does. No motors.")
                                : DevicePage::tr("No motors.");
   }
   const SafetyLimits limits = limits_for(can);
-  return DevicePage::tr("Pushes with up to %L1 N, for long with %L2 N. Loop of %L3 Hz.")
+  return DevicePage::tr("Pushes with up to %L1 N, continuously with %L2 N. Loop of %L3 Hz.")
       .arg(limits.peak_force_n, 0, 'g', 2)
       .arg(limits.continuous_force_n, 0, 'g', 2)
       .arg(1e9 / static_cast<double>(can.period_ns), 0, 'f', 0);
@@ -107,7 +107,7 @@ void DevicePage::make_form() {
   limit_->setDecimals(1);
   limit_->setSuffix(tr(" N"));
   limit_->setKeyboardTracking(false);
-  limit_->setToolTip(tr("No force is ever larger than this, whatever a tool asks for"));
+  limit_->setToolTip(tr("The upper limit of all forces of this device"));
   limit_->setAccessibleName(tr("Largest force"));
   connect(limit_, &QDoubleSpinBox::valueChanged, this, &DevicePage::set_limit);
   auto* form = new QFormLayout(general_);
@@ -116,8 +116,8 @@ void DevicePage::make_form() {
   form->addRow(tr("&Largest force"), limit_);
   cue_->setAccessibleName(tr("Vibrations"));
   cue_->setToolTip(
-      tr("A haptic pen, mouse, touchpad or game controller that hums and ticks with "
-         "what you draw, whatever the pen is"));
+      tr("A haptic pen, mouse, touchpad or game controller that vibrates while you draw, with any "
+         "pen"));
   connect(cue_, &QComboBox::activated, this, [this](int index) {
     Settings::the().set(QString::fromLatin1(kCueDeviceKey), cue_->itemData(index).toString());
   });
@@ -188,13 +188,13 @@ QString DevicePage::state_of(const Row& row, int* sign) const {
     }
     return say(FeelLevel::kOn, tr("In use"));
   }
-  if (!row.is_here) return say(FeelLevel::kWaiting, tr("Not connected; used again when it is"));
+  if (!row.is_here) return say(FeelLevel::kWaiting, tr("Not connected; used again once it is"));
   if (PenDevice::is_open(row.info.id)) {
     return say(FeelLevel::kWaiting, tr("In use in another window"));
   }
   if (!row.info.is_connected) {
-    return say(FeelLevel::kWaiting, tr("Its software is here; whether it is connected shows when "
-                                       "it is used"));
+    return say(FeelLevel::kWaiting,
+               tr("Its software is installed; whether it is connected shows when you use it"));
   }
   if (!profile_of(row.info.id)) {
     return say(FeelLevel::kLimited, tr("Connected; its settings cannot be read"));
@@ -212,7 +212,7 @@ void DevicePage::tell_rows() {
     if (id == QLatin1String(kHelpRow)) {
       const bool any = !rows_.empty() && rows_.front().is_real;
       item->setText((any ? tr("Another haptic device…") : tr("A haptic device…")) +
-                    QLatin1Char('\n') + tr("Not here? See what is missing, step by step"));
+                    QLatin1Char('\n') + tr("Not in the list? See what is missing, step by step"));
       item->setIcon(row_icon(*this, FeelLevel::kShown, true));
       continue;
     }
@@ -311,10 +311,10 @@ void DevicePage::tell() {
     if (is_real && !in_use && row->is_here) {
       if (const auto profile = profile_of(row->info.id); !profile) {
         words << QString::fromStdString(profile.error().message) + QLatin1Char('.')
-              << tr("Mend that line, or remove the file.");
+              << tr("Correct that line, or remove the file.");
       }
     }
-    if (!row->is_here) words << tr("Look at its cable and its power.");
+    if (!row->is_here) words << tr("Check its cable and power.");
   }
   words_->setText(words.join(QLatin1Char(' ')));
   use_->setVisible(is_real && !in_use);

@@ -312,8 +312,8 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
   studio.loop().set_forces(true);
   qobject_cast<QDoubleSpinBox*>(child("Largest force"))->setValue(1.2);
   EXPECT_FALSE(studio.loop().forces_are_on()) << "a new loop begins from no force";
-  qobject_cast<QSpinBox*>(child("Stiffest sheet"))->setValue(250);
-  qobject_cast<QSpinBox*>(child("Size of a movement on the sheet"))->setValue(150);
+  qobject_cast<QSpinBox*>(child("Stiffest surface"))->setValue(250);
+  qobject_cast<QSpinBox*>(child("Size of a movement on the page"))->setValue(150);
   auto* name = settings->findChild<QLineEdit*>();
   name->setText(QStringLiteral("  My  arm "));
   Q_EMIT name->editingFinished();
@@ -351,7 +351,7 @@ TEST(DevicePage, TheStiffestSheetLeavesTheForceLimitsAlone) {
   page.show();
   auto* settings = page.findChild<DeviceSettings*>();
   for (auto* box : settings->findChildren<QSpinBox*>()) {
-    if (box->accessibleName() == QLatin1String("Stiffest sheet")) box->setValue(250);
+    if (box->accessibleName() == QLatin1String("Stiffest surface")) box->setValue(250);
   }
   const DeviceProfile kept = profile_of(driver.id).value();
   EXPECT_EQ(kept.stiffness_cap_n_per_m, 250.0);

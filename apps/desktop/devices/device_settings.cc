@@ -48,40 +48,37 @@ DeviceSettings::DeviceSettings(Studio& studio, QWidget* parent)
       plane_(new QLabel(this)),
       calibrate_(new QPushButton(tr("&Set the drawing plane…"), this)),
       scale_(new QSpinBox(this)),
-      fit_(new QPushButton(tr("Fit to the s&heet"), this)) {
+      fit_(new QPushButton(tr("Fit to the p&age"), this)) {
   name_->setMaxLength(60);
   name_->setAccessibleName(tr("Name of the device"));
   hand_->addItems({tr("Right hand"), tr("Left hand")});
   hand_->setAccessibleName(tr("The hand that holds it"));
   hand_->setToolTip(
-      tr("Each hand has a drawing plane of its own: for the other one the device stands on the "
-         "other side"));
+      tr("Each hand has its own drawing plane, because the device stands on that side"));
   limit_->setRange(kMinForceLimitN, SafetyLimits{}.peak_force_n);
   limit_->setSingleStep(kLimitStep);
   limit_->setDecimals(1);
   limit_->setSuffix(tr(" N"));
   limit_->setKeyboardTracking(false);
-  limit_->setToolTip(tr("No force is ever larger than this, whatever a tool asks for"));
+  limit_->setToolTip(tr("The upper limit of all forces of this device"));
   limit_->setAccessibleName(tr("Largest force"));
   stiffest_->setRange(int(kMinStiffnessCap) - kStiffnessStep, 2000);
   stiffest_->setSingleStep(kStiffnessStep);
-  stiffest_->setSpecialValueText(tr("as it can"));
+  stiffest_->setSpecialValueText(tr("device limit"));
   stiffest_->setSuffix(tr(" N/m"));
   stiffest_->setKeyboardTracking(false);
-  stiffest_->setToolTip(tr("Lower it where the sheet hums or trembles under the pen"));
-  stiffest_->setAccessibleName(tr("Stiffest sheet"));
+  stiffest_->setToolTip(tr("Lower this if the surface hums or trembles under the pen"));
+  stiffest_->setAccessibleName(tr("Stiffest surface"));
   plane_->setTextFormat(Qt::PlainText);
   scale_->setRange(qRound(100 * kSmallestSheetScale), qRound(100 * kLargestSheetScale));
   scale_->setSingleStep(kPercentStep);
   scale_->setSuffix(tr(" %"));
   scale_->setKeyboardTracking(false);
-  scale_->setToolTip(
-      tr("100 %: a millimetre of the hand is one of the sheet. 200 %: it is two, and the hand has "
-         "half the way."));
-  scale_->setAccessibleName(tr("Size of a movement on the sheet"));
-  fit_->setToolTip(
-      tr("The middle of the drawing area on the middle of the sheet, and so large "
-         "that the whole sheet can be reached"));
+  scale_->setToolTip(tr(
+      "At 100 %, one millimetre of the hand is one millimetre of the page. At 200 % it is two."));
+  scale_->setAccessibleName(tr("Size of a movement on the page"));
+  fit_->setToolTip(tr(
+      "Centres the drawing area on the page and scales it so that the whole page can be reached"));
   make_form();
 }
 
@@ -94,10 +91,10 @@ void DeviceSettings::make_form() {
   form->addRow(tr("&Name"), name_);
   form->addRow(tr("&Hand"), hand_);
   form->addRow(tr("&Largest force"), limit_);
-  form->addRow(tr("S&tiffest sheet"), stiffest_);
+  form->addRow(tr("S&tiffest surface"), stiffest_);
   form->addRow(tr("Drawing plane"), plane_);
   form->addRow(QString(), calibrate_);
-  form->addRow(tr("S&ize on the sheet"), size_);
+  form->addRow(tr("S&ize on the page"), size_);
   connect(name_, &QLineEdit::editingFinished, this, &DeviceSettings::set_name);
   connect(hand_, &QComboBox::activated, this, &DeviceSettings::set_hand);
   connect(limit_, &QDoubleSpinBox::valueChanged, this, &DeviceSettings::set_limit);
@@ -154,7 +151,7 @@ void DeviceSettings::tell() {
 void DeviceSettings::tell_plane(const DeviceProfile& profile) {
   const PlaneCalibration plane = studio_.loop().device().device().plane();
   if (!profile.plane) {
-    plane_->setText(tr("Not set yet: as such a device usually stands."));
+    plane_->setText(tr("Not set yet: the usual position of such a device is assumed."));
   } else if (profile.area) {
     plane_->setText(tr("Set: %L1 × %L2 mm.")
                         .arg(profile.area->width_mm, 0, 'f', 0)

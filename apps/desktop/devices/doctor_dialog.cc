@@ -71,18 +71,18 @@ QString finding_html(const Finding& finding) {
 DoctorDialog::DoctorDialog(QWidget* parent) : QDialog(parent), text_(new QTextBrowser(this)) {
   setWindowTitle(tr("Setting up a haptic device"));
   resize(kFirstSize);
-  auto* head = new QLabel(
-      tr("A device pushes your hand only once its maker's software is installed and you may use "
-         "its port. Feltline has looked at this computer. Work from the top down; a line with a "
-         "dash is of a device that you may not own, and needs nothing."),
-      this);
+  auto* head =
+      new QLabel(tr("A haptic device needs its maker's software and permission to use its port. "
+                    "Feltline has checked this computer. Work from top to bottom. A line with a "
+                    "dash is about a device that you may not own; ignore it then."),
+                 this);
   head->setWordWrap(true);
   text_->setAccessibleName(tr("What was found"));
   text_->setOpenExternalLinks(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  again_ = buttons->addButton(tr("&Look again"), QDialogButtonBox::ActionRole);
+  again_ = buttons->addButton(tr("&Check again"), QDialogButtonBox::ActionRole);
   copy_ = buttons->addButton(tr("&Copy all"), QDialogButtonBox::ActionRole);
-  copy_->setToolTip(tr("As plain text, to ask somebody who knows"));
+  copy_->setToolTip(tr("Copies the report as plain text, to ask for help"));
   connect(again_, &QPushButton::clicked, this, &DoctorDialog::look);
   connect(copy_, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(plain_text()); });
@@ -100,7 +100,7 @@ void DoctorDialog::look() {
   if (!watch) return show_findings({});
   is_looking_ = true;
   again_->setEnabled(false);
-  text_->setPlainText(tr("Looking…"));
+  text_->setPlainText(tr("Checking…"));
   watch->diagnose(
       this, [this](std::vector<DriverFindings> findings) { show_findings(std::move(findings)); });
 }
@@ -126,7 +126,7 @@ void DoctorDialog::draw() {
                 .arg(driver.label.toHtmlEscaped());
     for (const Finding& finding : driver.findings) html += finding_html(finding);
     if (driver.findings.empty()) {
-      html += QStringLiteral("<p>%1</p>").arg(tr("Nothing to say.").toHtmlEscaped());
+      html += QStringLiteral("<p>%1</p>").arg(tr("Nothing to report.").toHtmlEscaped());
     }
   }
   text_->setHtml(html);

@@ -24,7 +24,7 @@ HomingDialog::HomingDialog(PenDevice& device, QWidget* parent)
       words_(new QLabel(this)),
       error_(new QLabel(this)),
       bar_(new QProgressBar(this)) {
-  setWindowTitle(tr("Bring %1 home").arg(device_.info().label));
+  setWindowTitle(tr("Home position of %1").arg(device_.info().label));
   mover_.setMaxThreadCount(1);
   const bool by_itself = homing_ == Homing::kByItself;
   sign_->setPixmap(level_icon(by_itself ? FeelLevel::kLimited : FeelLevel::kWaiting, palette(),
@@ -40,9 +40,9 @@ HomingDialog::HomingDialog(PenDevice& device, QWidget* parent)
   }
   bar_->setRange(0, 0);
   bar_->setTextVisible(false);
-  bar_->setAccessibleName(tr("Finding home"));
+  bar_->setAccessibleName(tr("Finding the home position"));
   auto* buttons = new QDialogButtonBox(this);
-  go_ = buttons->addButton(by_itself ? tr("Let it &move") : tr("It is &there"),
+  go_ = buttons->addButton(by_itself ? tr("Let it &move") : tr("It is &in place"),
                            QDialogButtonBox::ActionRole);
   not_now_ = buttons->addButton(tr("&Not now"), QDialogButtonBox::RejectRole);
   connect(go_, &QPushButton::clicked, this, &HomingDialog::begin);
@@ -82,22 +82,21 @@ void HomingDialog::ask() {
     case Homing::kNone:
       break;
     case Homing::kByItself:
-      title_->setText(tr("May its arm move by itself?"));
+      title_->setText(tr("Allow its arm to move by itself?"));
       words =
-          tr("%1 must find out where its arm is, and moves it for that: for some seconds, as "
-             "far as it reaches, with the force that it needs. Let go of it, clear the space "
-             "around it, and keep hair, sleeves and cups away. You can stop it at any time by "
-             "its power switch.");
+          tr("%1 moves its arm to find its home position: for a few seconds, over its whole reach, "
+             "with the force that it needs. Let go of the arm, clear the space around it, and keep "
+             "hair, sleeves and cups away. You can stop it at any time with its power switch.");
       break;
     case Homing::kRestPose:
       title_->setText(tr("Bring the arm to its rest pose"));
-      words = tr("%1 takes the pose that it rests in as its home. Nothing moves by itself.");
+      words = tr("%1 uses its rest pose as its home position. Nothing moves by itself.");
       break;
     case Homing::kInkwell:
       title_->setText(tr("Put the stylus into the inkwell"));
       words =
-          tr("%1 finds out where it is while its stylus is in the inkwell, the hole in its "
-             "foot. Nothing moves by itself.");
+          tr("%1 finds its position while its stylus is in the inkwell, the hole in its base. "
+             "Nothing moves by itself.");
       break;
   }
   words = words.arg(device_.info().label);
@@ -122,9 +121,9 @@ void HomingDialog::begin() {
   go_->setEnabled(false);
   not_now_->setEnabled(false);
   if (homing_ == Homing::kByItself) {
-    title_->setText(tr("It is moving: hands off"));
+    title_->setText(tr("It is moving: keep your hands away"));
   } else {
-    title_->setText(tr("One moment: hold it still"));
+    title_->setText(tr("Hold it still for a moment"));
   }
   mover_.start([this] {
     Result<void> home = device_.device().find_home();
@@ -139,9 +138,8 @@ void HomingDialog::take(const Result<void>& home) {
     return accept();
   }
   ask();
-  error_->setText(
-      home ? tr("It did not find its home. Try again.")
-           : tr("That did not work: %1").arg(QString::fromStdString(home.error().message)));
+  error_->setText(home ? tr("It did not find its home position. Try again.")
+                       : tr("This failed: %1").arg(QString::fromStdString(home.error().message)));
   error_->show();
   layout()->activate();
   resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));

@@ -111,7 +111,7 @@ void TestPad::paintEvent(QPaintEvent* event) {
   const QRect inner = rect().adjusted(8, 6, -8, -6);
   if (!studio_) {
     painter.drawText(inner, Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("Try this device on the sheet itself."));
+                     tr("Try this device on the drawing area."));
     return;
   }
   if (trail_.empty()) {

@@ -156,7 +156,7 @@ void CuePlayer::lose(int which) {
   is_silent_ = true;
   again_.start();
   Q_EMIT changed();
-  Q_EMIT refused(tr("%1 is gone. It plays again when it is back.").arg(label));
+  Q_EMIT refused(tr("%1 was disconnected. It continues when it is connected again.").arg(label));
 }
 
 void CuePlayer::fall_silent() {

@@ -24,17 +24,17 @@ QString vendor_words(const DeviceStatus& status) {
 QString words_for(DeviceFault fault) {
   switch (fault) {
     case DeviceFault::kDisconnected:
-      return device_text(QT_TRANSLATE_NOOP("DeviceWords", "the device is not connected any more"));
+      return device_text(QT_TRANSLATE_NOOP("DeviceWords", "the device is no longer connected"));
     case DeviceFault::kNotCalibrated:
       return device_text(
-          QT_TRANSLATE_NOOP("DeviceWords", "the device does not know where its arm is"));
+          QT_TRANSLATE_NOOP("DeviceWords", "the device does not know the position of its arm"));
     case DeviceFault::kForcesOff:
       return device_text(
           QT_TRANSLATE_NOOP("DeviceWords", "the device has switched its forces off"));
     case DeviceFault::kOverheated:
-      return device_text(QT_TRANSLATE_NOOP("DeviceWords", "its motors are warm"));
+      return device_text(QT_TRANSLATE_NOOP("DeviceWords", "its motors are too warm"));
     case DeviceFault::kBadData:
-      return device_text(QT_TRANSLATE_NOOP("DeviceWords", "the device says what cannot be"));
+      return device_text(QT_TRANSLATE_NOOP("DeviceWords", "the device reports impossible values"));
     case DeviceFault::kOther:
       return device_text(QT_TRANSLATE_NOOP("DeviceWords", "the device reports a fault"));
   }
@@ -47,40 +47,41 @@ DeviceWords words_for(DeviceFault fault, const QString& device, const DeviceStat
   words.details = vendor_words(status);
   switch (fault) {
     case DeviceFault::kDisconnected:
-      words.what = device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 is not connected any more."));
+      words.what = device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 is no longer connected."));
       words.to_do = device_text(QT_TRANSLATE_NOOP(
           "DeviceWords",
-          "Draw on with mouse or tablet; nothing is lost. Look at its cable and its power."));
+          "Nothing is lost. Check its cable and power; you can continue with mouse or tablet."));
       break;
     case DeviceFault::kNotCalibrated:
-      words.what =
-          device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 does not know where its arm is."));
+      words.what = device_text(
+          QT_TRANSLATE_NOOP("DeviceWords", "%1 does not know the position of its arm."));
       words.to_do = device_text(QT_TRANSLATE_NOOP(
-          "DeviceWords", "Draw on with mouse or tablet until it has found its home."));
+          "DeviceWords", "Until it has found its home position, continue with mouse or tablet."));
       break;
     case DeviceFault::kForcesOff:
       words.what = device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 has switched its forces off."));
-      words.to_do = device_text(QT_TRANSLATE_NOOP(
-          "DeviceWords",
-          "Its button or its own guard did that. Draw on without forces, or switch them on again "
-          "there and here."));
+      words.to_do = device_text(
+          QT_TRANSLATE_NOOP("DeviceWords",
+                            "Its switch or its own protection did this. Continue without forces, "
+                            "or switch them on at the device and then here."));
       break;
     case DeviceFault::kOverheated:
-      words.what = device_text(QT_TRANSLATE_NOOP("DeviceWords", "The motors of %1 are warm."));
+      words.what = device_text(QT_TRANSLATE_NOOP("DeviceWords", "The motors of %1 are too warm."));
       words.to_do = device_text(QT_TRANSLATE_NOOP(
           "DeviceWords",
-          "Draw on without forces. After some minutes of rest they can be switched on again."));
+          "Continue without forces. You can switch them on again in a few minutes."));
       break;
     case DeviceFault::kBadData:
     case DeviceFault::kOther:
-      words.what = fault == DeviceFault::kBadData
-                       ? device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 says what cannot be."))
-                       : device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 reports a fault."));
-      words.to_do = draws ? device_text(QT_TRANSLATE_NOOP("DeviceWords", "Draw on without forces."))
-                          : device_text(QT_TRANSLATE_NOOP(
-                                "DeviceWords",
-                                "Draw on with mouse or tablet. Look at its cable, switch "
-                                "it off and on, and try again."));
+      words.what =
+          fault == DeviceFault::kBadData
+              ? device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 reports impossible values."))
+              : device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 reports a fault."));
+      words.to_do =
+          draws ? device_text(QT_TRANSLATE_NOOP("DeviceWords", "Continue without forces."))
+                : device_text(QT_TRANSLATE_NOOP("DeviceWords",
+                                                "Continue with mouse or tablet. Check the cable, "
+                                                "switch the device off and on, and try again."));
       break;
   }
   words.what = words.what.arg(device);

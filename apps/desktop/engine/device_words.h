@@ -18,7 +18,7 @@ struct DeviceWords {
 DeviceWords words_for(DeviceFault fault, const QString& device, const DeviceStatus& status,
                       bool draws);
 
-/// Describes it in half a sentence: "the device is not connected any more".
+/// Describes it in half a sentence: "the device is no longer connected".
 QString words_for(DeviceFault fault);
 
 /// Returns the vendor's own message and number, so that the user can search for them. Empty if

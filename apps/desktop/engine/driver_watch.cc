@@ -26,7 +26,8 @@ PenDeviceInfo info_of(const DeviceDescriptor& device) {
   info.is_connected = device.is_connected;
   info.serial = text_of(device.serial);
   info.capabilities = device.capabilities;
-  info.note = QCoreApplication::translate("PenDevice", "A person holds it, and feels the forces.");
+  info.note =
+      QCoreApplication::translate("PenDevice", "You hold it in your hand and feel the forces.");
   return info;
 }
 

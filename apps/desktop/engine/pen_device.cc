@@ -51,7 +51,7 @@ PenDeviceInfo info_of(const StylusPreset& preset) {
     info.label = QCoreApplication::translate("PenDevice", "Mouse or pen, without forces");
     info.short_label = QCoreApplication::translate("PenDevice", "Mouse or pen");
     info.note = QCoreApplication::translate(
-        "PenDevice", "The ink is exactly where the pen is. Forces are shown, not felt.");
+        "PenDevice", "The ink follows the pen exactly. Forces are shown, not felt.");
     return info;
   }
   info.id = kSimulated + text_of(preset.name);
@@ -62,8 +62,8 @@ PenDeviceInfo info_of(const StylusPreset& preset) {
   info.short_label = QCoreApplication::translate("PenDevice", "Simulated %1").arg(model_of(label));
   info.note = QCoreApplication::translate(
       "PenDevice",
-      "Mouse or pen lead a simulated hand that holds this stylus. Forces move the ink, so that you "
-      "see what it would feel like.");
+      "Mouse or pen move a simulated hand that holds this stylus. Forces move the ink, so that you "
+      "see what they would feel like.");
   return info;
 }
 

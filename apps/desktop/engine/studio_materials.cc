@@ -103,7 +103,7 @@ void Studio::add_materials_of_drawing(std::span<const std::string> texts) {
   }
   gather_materials();
   if (others.isEmpty()) return;
-  Q_EMIT refused(tr("This drawing has its own figures for: %1. Yours stay as they are.")
+  Q_EMIT refused(tr("This drawing has its own values for: %1. Your materials are unchanged.")
                      .arg(others.join(QStringLiteral(", "))));
 }
 
@@ -158,7 +158,7 @@ bool Studio::apply_page(const SheetPage& page) {
   }
   if (session_->apply({event_time_ns(), SetOption{kSheetMaterialId, wanted}})) return true;
   const auto id = QString::fromStdString(page_.surface);
-  Q_EMIT refused(tr("The sheet “%1” is not known here: it feels as the one before.").arg(id));
+  Q_EMIT refused(tr("The surface “%1” is not installed, so the previous surface is used.").arg(id));
   return false;
 }
 

@@ -41,7 +41,7 @@ void restore(Studio& studio) {
 void add_switch(Actions& actions, Studio& studio) {
   QAction* forces = actions.add(
       QStringLiteral("feel.forces"), QString(), {},
-      QCoreApplication::translate("FeelActions", "Stops all forces, or lets the pen be pushed"),
+      QCoreApplication::translate("FeelActions", "Stops all forces, or switches them on"),
       [&studio] { studio.loop().set_forces(!studio.loop().forces_are_on()); });
   const auto say = [forces](bool on) {
     forces->setText(on ? QCoreApplication::translate("FeelActions", "Stop &forces")
@@ -51,7 +51,7 @@ void add_switch(Actions& actions, Studio& studio) {
   QObject::connect(&studio.loop(), &HapticLoop::forces_changed, forces, say);
   actions.add(QStringLiteral("feel.forces_off"),
               QCoreApplication::translate("FeelActions", "Stop forces, &never start (Esc twice)"),
-              {}, QCoreApplication::translate("FeelActions", "No force, at once"),
+              {}, QCoreApplication::translate("FeelActions", "Stops all forces immediately"),
               [&studio] { studio.loop().set_forces(false); });
 }
 
@@ -103,13 +103,15 @@ void fill_own_sheets(QMenu& menu, Studio& studio) {
 /// Adds a submenu of surfaces that the user made or a drawing brought; visible if there are any.
 void add_own_sheets(Actions& actions, Studio& studio, QWidget* window) {
   auto* menu = new QMenu(window);
-  QAction* action = actions.add(
-      QStringLiteral("feel.sheet_own"),
-      QCoreApplication::translate("FeelActions", "My &own sheets"), {},
-      QCoreApplication::translate("FeelActions", "Sheets that you made, or a drawing brought"),
-      [menu] {
-        if (!menu->isEmpty()) menu->popup(QCursor::pos());  // triggered by a user-defined key
-      });
+  QAction* action =
+      actions.add(QStringLiteral("feel.sheet_own"),
+                  QCoreApplication::translate("FeelActions", "M&y surfaces"), {},
+                  QCoreApplication::translate("FeelActions",
+                                              "Surfaces that you made or that came with a drawing"),
+                  [menu] {
+                    if (!menu->isEmpty())
+                      menu->popup(QCursor::pos());  // triggered by a user-defined key
+                  });
   action->setMenu(menu);
   const auto fill = [action, menu, &studio] {
     fill_own_sheets(*menu, studio);
@@ -128,7 +130,7 @@ void add_sound(Actions& actions, Studio& studio, QWidget* window) {
   new FrictionSound(studio, window);  // owned by the window; follows the setting
   QAction* action = actions.add_switch(
       QStringLiteral("feel.sound"), QCoreApplication::translate("FeelActions", "S&ound of drawing"),
-      {}, QCoreApplication::translate("FeelActions", "Hear the pen rub on the sheet"), on,
+      {}, QCoreApplication::translate("FeelActions", "Hear the pen rub on the surface"), on,
       [key](bool now) { Settings::the().set(key, now); });
   QObject::connect(&Settings::the(), &Settings::changed, action,
                    [action, key](const QString& which) {
@@ -170,7 +172,7 @@ void add_feel_actions(Actions& actions, Studio& studio, QWidget* window) {
     if (!studio.loop().forces_are_on()) return;
     studio.loop().set_forces(false);
     Q_EMIT studio.refused(QCoreApplication::translate(
-        "FeelActions", "Forces are off. The panel Feel switches them on again."));
+        "FeelActions", "Forces are off. Switch them on in the Feel panel."));
   });
 }
 

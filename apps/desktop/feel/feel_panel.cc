@@ -112,8 +112,8 @@ QWidget* FeelPanel::make_materials() {
   auto* head = new QHBoxLayout;
   auto* edit = new QToolButton(box);
   edit->setText(tr("Edit\u2026"));
-  edit->setToolTip(tr("Change what sheets and media feel, look and sound like"));
-  edit->setAccessibleName(tr("Edit sheets and media"));
+  edit->setToolTip(tr("Change how surfaces and media feel, look and sound"));
+  edit->setAccessibleName(tr("Edit surfaces and media"));
   edit->setFocusPolicy(Qt::StrongFocus);
   connect(edit, &QToolButton::clicked, this, &FeelPanel::wants_editor);
   materials_ = new QButtonGroup(box);
@@ -124,7 +124,7 @@ QWidget* FeelPanel::make_materials() {
   material_ = new QLabel(box);
   material_->setWordWrap(true);
   fill_materials();
-  head->addWidget(heading(tr("Sh&eet"), materials_->button(0), box), 1);
+  head->addWidget(heading(tr("Surfac&e"), materials_->button(0), box), 1);
   head->addWidget(edit);
   rows->addLayout(head);
   rows->addLayout(grid_);
@@ -180,7 +180,8 @@ void FeelPanel::tell_forces() {
   forces_->setIcon(
       on ? stop_icon(palette(), kPanelIconPx, devicePixelRatioF())
          : QIcon(level_icon(FeelLevel::kOn, palette(), kPanelIconPx, devicePixelRatioF())));
-  forces_->setToolTip(on ? tr("No force, at once (Esc twice)") : tr("Let the pen be pushed"));
+  forces_->setToolTip(on ? tr("Stops all forces immediately (Esc twice)")
+                         : tr("Let forces act on the pen"));
   forces_->setPalette(on ? stop_palette(palette()) : palette());
   QStringList text{words.state + QLatin1Char('.')};
   if (!words.detail.isEmpty()) text << words.detail;

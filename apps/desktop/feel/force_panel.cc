@@ -44,16 +44,16 @@ QString microseconds(std::int64_t ns) {
 }
 
 QString scheduling_in_words(const RealtimeStatus& status) {
-  if (status.is_silent) return ForcePanel::tr("The loop stands still: the device does not answer.");
+  if (status.is_silent) return ForcePanel::tr("The loop has stopped: the device does not answer.");
   switch (status.scheduling) {
     case LoopScheduling::kNotRunning:
-      return ForcePanel::tr("The loop does not run.");
+      return ForcePanel::tr("The loop is not running.");
     case LoopScheduling::kFifo:
       return ForcePanel::tr("Real-time scheduling.");
     case LoopScheduling::kNice:
       return ForcePanel::tr("Raised priority, no real-time scheduling.");
     case LoopScheduling::kOrdinary:
-      return ForcePanel::tr("Ordinary scheduling: late when the computer is busy.");
+      return ForcePanel::tr("Ordinary scheduling: late if the computer is busy.");
     case LoopScheduling::kHost:
       return ForcePanel::tr("The device's own software runs the loop.");
   }
@@ -74,9 +74,9 @@ ForcePanel::ForcePanel(Studio& studio, QWidget* parent)
       loop_(wrapped(this)),
       pause_(new QToolButton(this)) {
   setAccessibleName(tr("Forces"));
-  table_->setHorizontalHeaderLabels({tr("Force"), tr("Now"), tr("Most")});
+  table_->setHorizontalHeaderLabels({tr("Force"), tr("Now"), tr("Maximum")});
   table_->setAccessibleName(tr("Forces by name"));
-  table_->setAccessibleDescription(tr("Each force now and its largest value of the last seconds"));
+  table_->setAccessibleDescription(tr("Each force now and its maximum in the last seconds"));
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
   table_->horizontalHeader()->setSectionResizeMode(kNameColumn, QHeaderView::Stretch);
@@ -98,7 +98,7 @@ ForcePanel::ForcePanel(Studio& studio, QWidget* parent)
   state_->setFont(strong);
   pause_->setText(tr("Pause"));
   pause_->setCheckable(true);
-  pause_->setToolTip(tr("Hold the plot still"));
+  pause_->setToolTip(tr("Pause the plot"));
   connect(pause_, &QToolButton::toggled, this, &ForcePanel::set_paused);
   side->addLayout(head);
   side->addWidget(detail_);
@@ -139,9 +139,10 @@ void ForcePanel::use_device() {
   table_->setRowCount(0);
   std::vector<ForceBound> bounds;
   if (has_motors_) {
-    bounds.push_back({tr("most, %L1 N").arg(limits.peak_force_n, 0, 'g', 3), limits.peak_force_n});
+    bounds.push_back(
+        {tr("maximum, %L1 N").arg(limits.peak_force_n, 0, 'g', 3), limits.peak_force_n});
     if (limits.continuous_force_n > 0.0 && limits.continuous_force_n < limits.peak_force_n) {
-      bounds.push_back({tr("for long, %L1 N").arg(limits.continuous_force_n, 0, 'g', 2),
+      bounds.push_back({tr("continuous, %L1 N").arg(limits.continuous_force_n, 0, 'g', 2),
                         limits.continuous_force_n});
     }
   }
@@ -184,7 +185,7 @@ void ForcePanel::tell_table() {
   // Announced to screen readers, but seldom, because they would read nothing else.
   if (++told_tables_ % kTablesToTell != 1) return;
   graph_->setAccessibleDescription(
-      tr("Asked: %L1 N, at most %L2 N of late. The table has each force.")
+      tr("Requested: %L1 N, recently at most %L2 N. The table lists each force.")
           .arg(static_cast<double>(history_.now(ForceHistory::kAsked)), 0, 'f', 1)
           .arg(static_cast<double>(history_.most(ForceHistory::kAsked)), 0, 'f', 1));
 }
@@ -201,7 +202,7 @@ void ForcePanel::tell_state() {
   QString detail = words.detail;
   if (safety.motors_are_warm) {
     detail += (detail.isEmpty() ? QString() : QStringLiteral(" ")) +
-              tr("The motors are warm, so forces are kept lower for a while.");
+              tr("The motors are warm, so forces are reduced for a while.");
   }
   if (detail_->text() != detail) detail_->setText(detail);
   detail_->setVisible(!detail.isEmpty());
@@ -213,7 +214,7 @@ void ForcePanel::tell_loop() {
   const LoopStats& stats = loop ? loop->stats() : studio_.loop().servo().stats();
   lines
       << tr("Loop: %L1 Hz, missed ticks: %L2").arg(stats.rate_hz(), 0, 'f', 0).arg(stats.missed());
-  lines << tr("Late: %1 as a rule, 1 in 100 %2")
+  lines << tr("Delay: usually %1, 1 in 100 %2")
                .arg(microseconds(stats.lateness().percentile_ns(0.5)),
                     microseconds(stats.lateness().percentile_ns(0.99)));
   if (loop) lines << scheduling_in_words(loop->status());

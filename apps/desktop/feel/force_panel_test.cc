@@ -143,7 +143,7 @@ TEST(ForcePanel, ShowsWhatTheLoopDoesInAPlotAndInATable) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return table->rowCount() > 3; }));
   QStringList names;
   for (int row = 0; row < table->rowCount(); ++row) names << table->item(row, 0)->text();
-  EXPECT_TRUE(names.contains(QStringLiteral("Sheet")));
+  EXPECT_TRUE(names.contains(QStringLiteral("Surface")));
   EXPECT_TRUE(names.contains(QStringLiteral("Friction")));
   EXPECT_TRUE(names.contains(QStringLiteral("Sent to the pen")));
   EXPECT_GT(panel.history().most(ForceHistory::kSent), 0.1F);

@@ -126,8 +126,7 @@ SoundState::SoundState() : state_(FrictionSound::is_built_in() ? State::kOff : S
 QString SoundState::words() const {
   switch (state_) {
     case State::kNoDevice:
-      return tr(
-          "There is no sound device now, so nothing is heard. It is heard once there is one.");
+      return tr("There is no sound device. Sound starts when one is connected.");
     case State::kNotBuilt:
       return tr("This program was built without sound.");
     case State::kOff:

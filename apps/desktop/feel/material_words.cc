@@ -52,8 +52,8 @@ QString label_of(const std::array<Name, kCount>& names, std::string_view id,
 QString grain_of(const Medium& medium) {
   if (medium.look.grain < 0.1) {
     return medium.grain < 0.5
-               ? QCoreApplication::translate("Material", "hides the grain")
-               : QCoreApplication::translate("Material", "grain to feel, not to see");
+               ? QCoreApplication::translate("Material", "covers the grain")
+               : QCoreApplication::translate("Material", "grain is felt but not visible");
   }
   return medium.look.grain < 0.9 ? QCoreApplication::translate("Material", "fills the grain")
                                  : QCoreApplication::translate("Material", "shows the grain");

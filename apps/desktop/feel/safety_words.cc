@@ -18,10 +18,11 @@ QString limits_in_words(std::uint32_t limited_by) {
   };
   static constexpr std::array<Stage, 5> kStages{{
       {kLimitedByPeak, QT_TRANSLATE_NOOP("SafetyWords", "the force limit")},
-      {kLimitedByContinuous, QT_TRANSLATE_NOOP("SafetyWords", "what the motors stand for good")},
+      {kLimitedByContinuous,
+       QT_TRANSLATE_NOOP("SafetyWords", "the continuous force of the motors")},
       {kLimitedBySpeed, QT_TRANSLATE_NOOP("SafetyWords", "the speed of the pen")},
-      {kLimitedByRise, QT_TRANSLATE_NOOP("SafetyWords", "how fast a force may rise")},
-      {kLimitedByBudget, QT_TRANSLATE_NOOP("SafetyWords", "how stiff the device can be")},
+      {kLimitedByRise, QT_TRANSLATE_NOOP("SafetyWords", "the limit on how fast a force may rise")},
+      {kLimitedByBudget, QT_TRANSLATE_NOOP("SafetyWords", "the largest stiffness of the device")},
   }};
   QStringList words;
   for (const Stage& stage : kStages) {
@@ -29,7 +30,7 @@ QString limits_in_words(std::uint32_t limited_by) {
       words.push_back(QCoreApplication::translate("SafetyWords", stage.words));
   }
   return words.isEmpty() ? QString()
-                         : QCoreApplication::translate("SafetyWords", "Held back by %1.")
+                         : QCoreApplication::translate("SafetyWords", "Limited by %1.")
                                .arg(words.join(QCoreApplication::translate("SafetyWords", ", ")));
 }
 
@@ -48,17 +49,15 @@ SafetyWords latched(const SafetyReport& safety, std::optional<DeviceFault> devic
           : QCoreApplication::translate("SafetyWords", "Forces were stopped: %1").arg(why);
   if (is_of_device && *device == DeviceFault::kForcesOff) {
     return {FeelLevel::kStopped, state,
-            QCoreApplication::translate(
-                "SafetyWords",
-                "Drawing goes on. Switch them on at the device, lift the pen, and switch them on "
-                "here.")};
+            QCoreApplication::translate("SafetyWords",
+                                        "You can continue to draw. Switch the forces on at the "
+                                        "device, lift the pen, then switch them on here.")};
   }
   if (is_of_device && *device == DeviceFault::kOverheated) {
     return {FeelLevel::kStopped, state,
-            QCoreApplication::translate(
-                "SafetyWords",
-                "Drawing goes on. Let the device rest for some minutes, then switch the forces on "
-                "again.")};
+            QCoreApplication::translate("SafetyWords",
+                                        "You can continue to draw. Let the device rest for a few "
+                                        "minutes, then switch the forces on again.")};
   }
   if (safety.fault == SafetyFault::kDeviceError) {
     return {FeelLevel::kStopped, state,
@@ -66,10 +65,10 @@ SafetyWords latched(const SafetyReport& safety, std::optional<DeviceFault> devic
                 "SafetyWords",
                 "Check the cable and the power of the device, then switch the forces on again.")};
   }
-  return {FeelLevel::kStopped, state,
-          QCoreApplication::translate(
-              "SafetyWords",
-              "Drawing goes on as before. Lift the pen and switch the forces on again.")};
+  return {
+      FeelLevel::kStopped, state,
+      QCoreApplication::translate(
+          "SafetyWords", "You can continue to draw. Lift the pen and switch the forces on again.")};
 }
 
 }  // namespace
@@ -85,9 +84,9 @@ QString words_for(SafetyFault fault) {
     case SafetyFault::kEditSilent:
       return QCoreApplication::translate("SafetyWords", "the program was too busy");
     case SafetyFault::kVeryLateTick:
-      return QCoreApplication::translate("SafetyWords", "the computer stood still for a moment");
+      return QCoreApplication::translate("SafetyWords", "the computer paused for a moment");
     case SafetyFault::kNotFinite:
-      return QCoreApplication::translate("SafetyWords", "a force made no sense");
+      return QCoreApplication::translate("SafetyWords", "a force was invalid");
     case SafetyFault::kDeviceError:
       return QCoreApplication::translate("SafetyWords", "the device does not answer");
     case SafetyFault::kPositionJump:
@@ -109,8 +108,8 @@ SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted,
               QCoreApplication::translate("SafetyWords", "They are not shown either.")};
     return {FeelLevel::kShown,
             QCoreApplication::translate("SafetyWords", "Shown, not felt: this pen has no motors"),
-            QCoreApplication::translate("SafetyWords",
-                                        "The plot shows what a device would be asked for.")};
+            QCoreApplication::translate(
+                "SafetyWords", "The plot shows the forces that a device would be asked for.")};
   }
   switch (safety.state) {
     case SafetyState::kOff:
@@ -118,22 +117,22 @@ SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted,
     case SafetyState::kWaiting:
       return {FeelLevel::kWaiting, QCoreApplication::translate("SafetyWords", "Ready"),
               QCoreApplication::translate("SafetyWords",
-                                          "Lift the pen for a moment: forces then begin.")};
+                                          "Lift the pen for a moment to start the forces.")};
     case SafetyState::kEngaging:
       return {FeelLevel::kWaiting,
-              QCoreApplication::translate("SafetyWords", "Forces are coming up"),
+              QCoreApplication::translate("SafetyWords", "Forces are starting"),
               {}};
     case SafetyState::kActive:
       return active(safety);
     case SafetyState::kSilent:
       return {FeelLevel::kLimited,
               QCoreApplication::translate("SafetyWords", "The program is busy"),
-              QCoreApplication::translate("SafetyWords", "The pen only feels a brake.")};
+              QCoreApplication::translate("SafetyWords", "The pen only feels damping.")};
     case SafetyState::kFalling:
       return {FeelLevel::kLimited,
-              QCoreApplication::translate("SafetyWords", "Forces give way: %1")
+              QCoreApplication::translate("SafetyWords", "Forces are reduced: %1")
                   .arg(words_for(safety.fault)),
-              QCoreApplication::translate("SafetyWords", "They come back by themselves.")};
+              QCoreApplication::translate("SafetyWords", "They return by themselves.")};
     case SafetyState::kLatched:
       return latched(safety, device);
   }
@@ -146,9 +145,9 @@ QString term_label(const char* name) {
     const char* label;
   };
   static constexpr std::array<Label, 12> kLabels{{
-      {"asked", QT_TRANSLATE_NOOP("SafetyWords", "Sum, asked")},
+      {"asked", QT_TRANSLATE_NOOP("SafetyWords", "Sum, requested")},
       {"sent", QT_TRANSLATE_NOOP("SafetyWords", "Sent to the pen")},
-      {"plane", QT_TRANSLATE_NOOP("SafetyWords", "Sheet")},
+      {"plane", QT_TRANSLATE_NOOP("SafetyWords", "Surface")},
       {"friction", QT_TRANSLATE_NOOP("SafetyWords", "Friction")},
       {"texture", QT_TRANSLATE_NOOP("SafetyWords", "Grain")},
       {"edit", QT_TRANSLATE_NOOP("SafetyWords", "Curve")},

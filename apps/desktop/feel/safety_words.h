@@ -27,7 +27,7 @@ SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted,
 /// Returns why the force was removed, as half a sentence: "the pen jumped". Empty for kNone.
 QString words_for(SafetyFault fault);
 
-/// Returns the label of a force term by the name of its brick: "plane" -> "Sheet".
+/// Returns the label of a force term by the name of its brick: "plane" -> "Surface".
 QString term_label(const char* name);
 
 }  // namespace felt::desktop

@@ -8,7 +8,7 @@ bool add_strokes(Studio& studio, const QString& from, std::span<const StrokePtr>
                  std::span<const std::string> materials, ImportReport& report) {
   for (const std::string& label : studio.add_media(materials, strokes)) {
     const QString what = QCoreApplication::translate(
-        "AddedStrokes", "“%1” is another medium here than there: its strokes look as they do here");
+        "AddedStrokes", "“%1” differs here: the added strokes look as it does in this drawing");
     report.add(0, {}, what.arg(QString::fromStdString(label)).toStdString());
   }
   return studio.import(from, strokes);

@@ -49,9 +49,9 @@ ClipboardActions::ClipboardActions(Studio& studio, Actions& actions, FileDialogs
   cut_ = actions.add(QStringLiteral("edit.cut"), tr("Cu&t"), {QKeySequence::Cut},
                      tr("Move the selected strokes to the clipboard"), [this] { cut(); });
   actions.add(QStringLiteral("edit.copy"), tr("&Copy"), {QKeySequence::Copy},
-              tr("Copy the selected strokes, or all"), [this] { copy(); });
+              tr("Copy the selected strokes, or all if none is selected"), [this] { copy(); });
   actions.add(QStringLiteral("edit.paste"), tr("&Paste"), {QKeySequence::Paste},
-              tr("Add the strokes of the clipboard"), [this] { paste(); });
+              tr("Add the strokes from the clipboard"), [this] { paste(); });
   actions.add(QStringLiteral("edit.copy_as_svg"), tr("Copy as &SVG"), {},
               tr("Copy the selected strokes, or all, as an SVG drawing"),
               [this] { put(svg_mime(chosen())); });
@@ -110,7 +110,7 @@ void ClipboardActions::cut() {
   const Selection& selection = studio_.session().selection();
   Drawing whole = drawing_with([&](StrokeId id) { return selection.is_whole(id); });
   if (whole.document.stroke_count() == 0) {
-    Q_EMIT studio_.refused(tr("Only whole strokes can be cut: select all of a stroke."));
+    Q_EMIT studio_.refused(tr("Only whole strokes can be cut. Select a whole stroke first."));
     return;
   }
   remember_and_put(std::move(whole));

@@ -8,11 +8,11 @@ namespace {
 const char* words_of(ErrorCode code) {
   switch (code) {
     case ErrorCode::kNotFound:
-      return QT_TRANSLATE_NOOP("ErrorWords", "The file or folder is not there.");
+      return QT_TRANSLATE_NOOP("ErrorWords", "The file or folder does not exist.");
     case ErrorCode::kIo:
       return QT_TRANSLATE_NOOP(
           "ErrorWords",
-          "The file cannot be read or written: it may be protected, or the disk may be full.");
+          "The file cannot be read or written. It may be protected, or the disk may be full.");
     case ErrorCode::kLimitExceeded:
       return QT_TRANSLATE_NOOP("ErrorWords", "The drawing is too large for Feltline.");
     case ErrorCode::kUnsupported:
@@ -21,7 +21,8 @@ const char* words_of(ErrorCode code) {
     case ErrorCode::kInvalidArgument:
       break;
   }
-  return QT_TRANSLATE_NOOP("ErrorWords", "It is damaged, or not a drawing that Feltline can read.");
+  return QT_TRANSLATE_NOOP("ErrorWords",
+                           "The file is damaged, or is not a drawing that Feltline can read.");
 }
 
 }  // namespace

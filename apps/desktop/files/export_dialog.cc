@@ -70,7 +70,7 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
       area_(new QComboBox(this)),
       dpi_(new QDoubleSpinBox(this)),
       background_(new QCheckBox(tr("With the &paper’s colour"), this)),
-      grain_(new QCheckBox(tr("&Grain of the sheet in dry ink"), this)),
+      grain_(new QCheckBox(tr("&Grain of the surface in dry media"), this)),
       picture_(new QLabel(this)),
       size_(new QLabel(this)),
       kept_(new QLabel(this)),
@@ -92,9 +92,7 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
   background_->setChecked(settings.flag(files_keys::kExportBackground, true));
   if (const Result<Grain> grain = grain_of(drawing)) sheet_grain_ = *grain;
   grain_->setChecked(sheet_grain_ && settings.flag(kShowsGrain, kShowsGrainDefault));
-  grain_->setToolTip(
-      tr("As on the screen. Lines stay lines: other programs show them through a "
-         "picture of the grain"));
+  grain_->setToolTip(tr("As on the screen. Lines stay editable; the grain is added as a picture"));
   picture_->setFixedSize(kPreviewSize);
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setAccessibleName(tr("Preview"));

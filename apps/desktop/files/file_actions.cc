@@ -89,7 +89,7 @@ FileActions::~FileActions() = default;
 
 void FileActions::add_file_actions(Actions& actions) {
   actions.add(QStringLiteral("file.new"), tr("&New"), {QKeySequence::New},
-              tr("Begin another drawing"), [this] { start_new(); });
+              tr("Start a new drawing"), [this] { start_new(); });
   actions.add(QStringLiteral("file.open"), tr("&Open…"), {QKeySequence::Open},
               tr("Open a drawing from a file"), [this] { ask_open(); });
   actions.add(QStringLiteral("file.save"), tr("&Save"), {QKeySequence::Save},
@@ -103,7 +103,7 @@ void FileActions::add_file_actions(Actions& actions) {
               tr("Close this window"), [this] { window_->close(); });
   QAction* quit =
       actions.add(QStringLiteral("file.quit"), tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)},
-                  tr("Leave the program"), [] { QApplication::closeAllWindows(); });
+                  tr("Quit the program"), [] { QApplication::closeAllWindows(); });
   quit->setMenuRole(QAction::QuitRole);
 }
 
@@ -348,7 +348,7 @@ void FileActions::end_save(const QString& path, const ChangeMark& mark, const Re
   last_save_failed_ = !done;
   if (!done) {
     dialogs_->show_save_error(window_, tr("“%1” was not saved").arg(QFileInfo(path).fileName()),
-                              tr("%1\nYour drawing is still here: save it to another place.")
+                              tr("%1\nYour drawing is still open: save it to another place.")
                                   .arg(error_words(done.error())),
                               text_of(done.error()), [this] { save_as(); });
     Q_EMIT saved(false);

@@ -68,7 +68,7 @@ FileDialogs::Unsaved FileDialogs::ask_unsaved(QWidget* window, const QString& na
   QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
                   tr("Save the changes to “%1”?").arg(name),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window);
-  box.setInformativeText(tr("Without saving, what you drew since the last save is lost."));
+  box.setInformativeText(tr("If you do not save, your changes since the last save are lost."));
   box.setDefaultButton(QMessageBox::Save);
   box.setEscapeButton(QMessageBox::Cancel);
   const int answer = box.exec();
@@ -81,7 +81,7 @@ FileDialogs::Overwrite FileDialogs::ask_overwrite(QWidget* window, const QString
   QMessageBox box(QMessageBox::Warning, tr("Changed on disk"),
                   tr("“%1” was changed by another program.").arg(name), QMessageBox::Cancel,
                   window);
-  box.setInformativeText(tr("Saving now replaces those changes by your drawing."));
+  box.setInformativeText(tr("If you save now, your drawing replaces those changes."));
   const QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
   const QPushButton* elsewhere = box.addButton(tr("Save &as…"), QMessageBox::AcceptRole);
   box.setDefaultButton(QMessageBox::Cancel);
@@ -100,7 +100,7 @@ bool FileDialogs::ask_salvage(QWidget* window, const QString& name, const QStrin
       tr("%n stroke(s) of it can be shown, as a new drawing; the file stays as it is.", nullptr,
          strokes));
   box.setDetailedText(why);
-  const QPushButton* rescue = box.addButton(tr("&Show what is left"), QMessageBox::AcceptRole);
+  const QPushButton* rescue = box.addButton(tr("&Show the readable part"), QMessageBox::AcceptRole);
   box.setEscapeButton(QMessageBox::Cancel);
   box.exec();
   return box.clickedButton() == rescue;

@@ -72,12 +72,12 @@ void FileActions::show_status(const AutosaveStatus& status) {
   const QString why = QString::fromStdString(status.why);
   const bool is_lost = status.state == AutosaveStatus::State::kFailing;
   const QString text =
-      is_lost ? tr("No crash protection: save often") : tr("Crash protection in another place");
+      is_lost ? tr("No crash protection: save often") : tr("Autosave in another place");
   warning_ = new QLabel(QStringLiteral("⚠ ") + text, bar);
-  warning_->setToolTip(
-      is_lost ? tr("What is needed for recovery cannot be written: %1").arg(why)
-              : tr("The drawing is kept for recovery in %1, because the usual place fails: %2")
-                    .arg(QString::fromStdString(status.folder), why));
+  warning_->setToolTip(is_lost
+                           ? tr("The autosave cannot be written: %1").arg(why)
+                           : tr("The drawing is autosaved in %1, because the usual place fails: %2")
+                                 .arg(QString::fromStdString(status.folder), why));
   warning_->setAccessibleName(text);
   bar->addPermanentWidget(warning_);
 }

@@ -30,7 +30,7 @@ constexpr const char* kWords[] = {
     QT_TRANSLATE_NOOP("felt::desktop::Formats", "Strokes as lines of JSON"),
     QT_TRANSLATE_NOOP(
         "felt::desktop::Formats",
-        "Every line that is seen, exactly, for programs and scripts; no layers and no sheet."),
+        "Every visible line, exactly, for programs and scripts; no layers, page or surface."),
     QT_TRANSLATE_NOOP("felt::desktop::Formats", "PDF page"),
     QT_TRANSLATE_NOOP("felt::desktop::Formats",
                       "A page to read and print, sharp at any size; it cannot be opened again."),

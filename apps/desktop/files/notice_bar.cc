@@ -19,11 +19,11 @@ constexpr int kIconPx = 16;
 NoticeBar::NoticeBar(QWidget* parent) : NoticeBar(new QTreeWidget, parent) {}
 
 NoticeBar::NoticeBar(QTreeWidget* list, QWidget* parent)
-    : MessageBar(list, tr("What was left out or changed, and where"), parent), list_(list) {
+    : MessageBar(list, tr("Unsupported content, and its line"), parent), list_(list) {
   set_icon(style()->standardIcon(QStyle::SP_MessageBoxInformation).pixmap(kIconPx));
   list_->setRootIsDecorated(false);
-  list_->setHeaderLabels({tr("Line"), tr("Element"), tr("What became of it"), tr("How often")});
-  list_->setAccessibleName(tr("What was left out or changed, and where"));
+  list_->setHeaderLabels({tr("Line"), tr("Element"), tr("Result"), tr("Count")});
+  list_->setAccessibleName(tr("Unsupported content, and its line"));
   list_->setWordWrap(true);
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -45,8 +45,8 @@ void NoticeBar::show_report(const QString& name, const ImportReport& report) {
     item->setToolTip(2, text_of(notice_text(notice)));
     item->setText(3, locale.toString(qlonglong(notice.count)));
   }
-  say(tr("Not everything in “%1” could be taken as it is. Left out or changed: %2. "
-         "The file itself is as it was.")
+  say(tr("Some content of “%1” is not supported. Skipped or changed: %2. The file itself is "
+         "unchanged.")
           .arg(name, locale.toString(count)),
       true);
 }

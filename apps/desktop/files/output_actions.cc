@@ -133,14 +133,14 @@ OutputActions::OutputActions(FileActions& files, Studio& studio, Actions& action
     : QObject(window), files_(files), studio_(studio), window_(window) {
   actions.add(QStringLiteral("file.export"), tr("&Export…"),
               {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
-              tr("Write the drawing as SVG, PDF, PNG or ink for other programs"),
+              tr("Export the drawing as SVG, PDF, PNG or ink for other programs"),
               [this] { ask_export(); });
   actions.add(QStringLiteral("file.page_setup"), tr("Pa&ge setup…"), {},
-              tr("Size, orientation and colour of the sheet"), [this] { ask_page(); });
+              tr("Size, orientation and colour of the page"), [this] { ask_page(); });
   actions.add(QStringLiteral("file.print_preview"), tr("Print pre&view…"), {},
-              tr("See what will be printed"), [this] { preview(); });
+              tr("Shows what will be printed"), [this] { preview(); });
   actions.add(QStringLiteral("file.print"), tr("&Print…"), {QKeySequence::Print},
-              tr("Print the sheet at its true size"), [this] { print(); });
+              tr("Prints the page at its true size"), [this] { print(); });
 }
 
 void OutputActions::ask_export() {

@@ -122,7 +122,7 @@ TEST(Print, TheSheetIsPaintedAtItsTrueSize) {
   EXPECT_LT(sum / (600 * 400), 1.0);
 }
 
-// "Grain of the sheet" applies to every format that is a picture, and to print.
+// "Grain of the surface" applies to every format that is a picture, and to print.
 TEST(Export, GrainIsThatOfTheSheet) {
   TestDesk desk;
   desk.studio.apply(SetOption{"sheet.material", std::string("rough-paper")});

@@ -88,7 +88,8 @@ RecoveryDialog::RecoveryDialog(std::vector<RecoveryOffer> offers, QWidget* paren
     : QDialog(parent), offers_(std::move(offers)), left_(offers_.size()) {
   setWindowTitle(tr("Recover drawings"));
   auto* all = new QVBoxLayout(this);
-  all->addWidget(plain_label(tr("Feltline did not close in order. This was not saved:"), this));
+  all->addWidget(
+      plain_label(tr("Feltline closed unexpectedly. These drawings have unsaved changes:"), this));
   auto* list = new QWidget(this);
   auto* rows = new QVBoxLayout(list);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -145,7 +146,7 @@ QWidget* RecoveryDialog::make_row(std::size_t i) {
     grid->addWidget(frame, 1, 1);
   }
   if (!recovered.problems.empty()) {
-    QLabel* warning = plain_label(tr("⚠ Not all of it could be read."), row);
+    QLabel* warning = plain_label(tr("⚠ Some of it could not be read."), row);
     QStringList problems;
     for (const std::string& problem : recovered.problems) {
       problems.push_back(QString::fromStdString(problem));
@@ -168,9 +169,9 @@ QWidget* RecoveryDialog::make_keys(std::size_t i, QWidget* row) {
   recover->setDefault(i == 0);
   line->addWidget(recover);
   if (offer.saved) {
-    auto* open = new QPushButton(tr("Open the saved one"), keys);
-    open->setAccessibleDescription(tr("Open “%1” as it was saved").arg(name));
-    open->setToolTip(tr("What was not saved is kept, and offered again at the next start"));
+    auto* open = new QPushButton(tr("Open the saved version"), keys);
+    open->setAccessibleDescription(tr("Open the saved version of “%1”").arg(name));
+    open->setToolTip(tr("The unsaved changes are kept and offered again at the next start"));
     open->setAutoDefault(false);
     line->addWidget(open);
     const QString path = QString::fromStdString(offer.recovered.path);
@@ -180,7 +181,7 @@ QWidget* RecoveryDialog::make_keys(std::size_t i, QWidget* row) {
     });
   }
   auto* discard_key = new QPushButton(tr("Discard…"), keys);
-  discard_key->setAccessibleDescription(tr("Throw “%1” away").arg(name));
+  discard_key->setAccessibleDescription(tr("Discard “%1”").arg(name));
   discard_key->setAutoDefault(false);
   line->addWidget(discard_key);
   line->addStretch();
@@ -195,12 +196,12 @@ QWidget* RecoveryDialog::make_keys(std::size_t i, QWidget* row) {
 
 void RecoveryDialog::discard(std::size_t i, QWidget* row) {
   const QString name = name_of(offers_[i].recovered);
-  QMessageBox box(QMessageBox::Question, tr("Throw away"),
-                  tr("Throw away what was not saved of “%1”?").arg(name),
+  QMessageBox box(QMessageBox::Question, tr("Discard"),
+                  tr("Discard the unsaved changes of “%1”?").arg(name),
                   QMessageBox::Discard | QMessageBox::Cancel, this);
   box.setInformativeText(offers_[i].saved
-                             ? tr("It cannot be brought back. The file stays as it is.")
-                             : tr("It cannot be brought back."));
+                             ? tr("This cannot be undone. The saved file does not change.")
+                             : tr("This cannot be undone."));
   box.setDefaultButton(QMessageBox::Cancel);
   if (box.exec() != QMessageBox::Discard) return;
   static_cast<void>(std::move(offers_[i].store).remove());

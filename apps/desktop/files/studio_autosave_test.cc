@@ -197,7 +197,7 @@ TEST(StudioAutosave, AFailureIsShownAndNothingElseHappens) {
     Q_EMIT desk.files->autosave()->status_changed({state, "disk full", "/elsewhere"});
   };
   tell(AutosaveStatus::State::kElsewhere);
-  EXPECT_EQ(warnings(), QStringList(QStringLiteral("Crash protection in another place")));
+  EXPECT_EQ(warnings(), QStringList(QStringLiteral("Autosave in another place")));
   tell(AutosaveStatus::State::kWorking);
   EXPECT_EQ(warnings(), QStringList());
 }

@@ -31,14 +31,13 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
   text->setMinimumWidth(26 * text->fontMetrics().averageCharWidth() * 2);
   text->setText(
       QStringLiteral("<h2>Feltline %1</h2><p>%2</p><p>%3<br>%4</p><p>%5<br>%6</p><p>%7</p>")
-          .arg(
-              QStringLiteral(FELT_VERSION),
-              tr("Sketching that the hand feels: ink that pushes back, lines that are corrected by "
-                 "pulling and pushing them."),
-              tr("Begun from an idea of this paper:"), QString::fromLatin1(kPaper),
-              tr("Built with Qt %1 and these libraries:").arg(QString::fromLatin1(qVersion())),
-              QString::fromLatin1(kLibraries),
-              tr("Free software under the Apache License 2.0. It comes without any warranty.")));
+          .arg(QStringLiteral(FELT_VERSION),
+               tr("Sketching that you can feel: ink that resists, lines that you correct by "
+                  "pulling and pushing."),
+               tr("Based on an idea in this paper:"), QString::fromLatin1(kPaper),
+               tr("Built with Qt %1 and these libraries:").arg(QString::fromLatin1(qVersion())),
+               QString::fromLatin1(kLibraries),
+               tr("Free software under the Apache License 2.0. It comes without any warranty.")));
   auto* top = new QHBoxLayout;
   top->setSpacing(20);
   top->addWidget(icon, 0, Qt::AlignTop);

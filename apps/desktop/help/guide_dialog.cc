@@ -43,25 +43,25 @@ GuideDialog::GuideDialog(const Actions& actions, QWidget* parent) : QDialog(pare
   };
   QString page = heading(tr("Draw, then correct"));
   page +=
-      say(tr("Draw with a pen or with the mouse. A line that is not right is not drawn again: "
-             "pull it, push it, smooth it, make it broader. Every step can be undone."));
+      say(tr("Draw with a pen or with the mouse. You do not need to redraw a line that is not "
+             "right: pull it, push it, smooth it, make it broader. You can undo every step."));
   page +=
-      say(tr("A short press on a tool's key takes the tool. Hold the key while you use the tool, "
-             "and the former one comes back when you let go."));
+      say(tr("Press a tool's key briefly to choose the tool. Hold the key to use the tool only "
+             "until you release it."));
   page += heading(tr("Tools")) + tools_part(actions);
-  page += heading(tr("The sheet"));
+  page += heading(tr("The view"));
   page +=
-      say(tr("The wheel zooms at the pointer. Hold Space and drag to move the sheet, with Shift "
-             "to turn it. None of this changes the drawing."));
+      say(tr("The wheel zooms at the pointer. Hold Space and drag to move the view, with Shift to "
+             "turn it. None of this changes the drawing."));
   page += heading(tr("The feel"));
   page +=
-      say(tr("Every tool pushes back. With a force-feedback pen you feel it in your hand; with a "
-             "tablet or a mouse you see it, as an arrow at the nib and in the panel Forces. Press "
-             "Esc twice to switch all forces off at once."));
+      say(tr("Every tool resists. With a force-feedback pen you feel this in your hand. With a "
+             "tablet or a mouse you see it: as an arrow at the nib and in the panel Forces. Press "
+             "Esc twice to switch off all forces immediately."));
   page += heading(tr("Files"));
   page +=
-      say(tr("Drawings are kept as .felt files, with their layers and their history of pen "
-             "pressure. Export gives SVG, PDF and PNG to other programs."));
+      say(tr("Drawings are saved as .felt files, with their layers and pen pressure. You can "
+             "export SVG, PDF and PNG for other programs."));
   auto* text = new QTextBrowser(this);
   text->setAccessibleName(tr("Guide"));
   text->setFrameShape(QFrame::NoFrame);

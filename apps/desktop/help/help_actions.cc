@@ -20,22 +20,22 @@ HelpActions::HelpActions(Actions& actions, QWidget* window)
                   return new GuideDialog(all, parent);
                 });
               });
-  actions.add(QStringLiteral("help.shortcuts"), tr("&Keys at a glance"),
-              {QKeySequence(Qt::Key_Question)}, tr("All keys on one page, to search and to print"),
-              [this] {
+  actions.add(QStringLiteral("help.shortcuts"), tr("&Keyboard shortcuts"),
+              {QKeySequence(Qt::Key_Question)},
+              tr("All shortcuts on one page, to search and to print"), [this] {
                 show_dialog(shortcuts_, [](const Actions& all, QWidget* parent) -> QWidget* {
                   return new ShortcutSheet(all, parent);
                 });
               });
   actions.add(QStringLiteral("help.tour"), tr("Guided &tour"), {},
-              tr("Two minutes in which the program draws by itself"), [this] { show_tour(); });
+              tr("A two-minute demonstration of the tools"), [this] { show_tour(); });
   for (const Example& example : examples()) {
     actions.add(QStringLiteral("help.example_") + example.id, example.title, {},
                 tr("Opens this drawing, made by the project's simulated hand"),
                 [this, example] { make_example(example); });
   }
   actions.add(QStringLiteral("help.about"), tr("&About Feltline"), {},
-              tr("Version, licence and what it is built on"), [this] {
+              tr("Version, licence and libraries"), [this] {
                 show_dialog(about_, [](const Actions&, QWidget* parent) -> QWidget* {
                   return new AboutDialog(parent);
                 });

@@ -23,14 +23,14 @@ constexpr std::array kGroups{
 
 /// Inputs that are not actions: pen, mouse and held keys.
 constexpr std::array kHandRows{
-    std::pair{QT_TRANSLATE_NOOP("KeyTable", "Move the sheet"),
+    std::pair{QT_TRANSLATE_NOOP("KeyTable", "Move the view"),
               QT_TRANSLATE_NOOP("KeyTable", "Space + drag")},
     std::pair{QT_TRANSLATE_NOOP("KeyTable", "Zoom"), QT_TRANSLATE_NOOP("KeyTable", "Wheel")},
     std::pair{QT_TRANSLATE_NOOP("KeyTable", "Zoom smoothly"),
               QT_TRANSLATE_NOOP("KeyTable", "Ctrl + Space + drag")},
     std::pair{QT_TRANSLATE_NOOP("KeyTable", "Turn the view"),
               QT_TRANSLATE_NOOP("KeyTable", "Shift + Space + drag")},
-    std::pair{QT_TRANSLATE_NOOP("KeyTable", "Borrow a tool"),
+    std::pair{QT_TRANSLATE_NOOP("KeyTable", "Use a tool temporarily"),
               QT_TRANSLATE_NOOP("KeyTable", "Hold its key while you use it")},
 };
 

@@ -17,10 +17,10 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent)
       actions_(actions),
       search_(new QLineEdit(this)),
       page_(new QTextBrowser(this)) {
-  setWindowTitle(tr("Keys at a glance"));
+  setWindowTitle(tr("Keyboard shortcuts"));
   resize(900, 640);
   search_->setPlaceholderText(tr("Search"));
-  search_->setAccessibleName(tr("Search the keys"));
+  search_->setAccessibleName(tr("Search the shortcuts"));
   search_->setClearButtonEnabled(true);
   page_->setAccessibleName(tr("Keys"));
   page_->setFrameShape(QFrame::NoFrame);
@@ -42,7 +42,7 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent)
 void ShortcutSheet::refresh() {
   const QVector<KeyGroup> groups = key_groups(actions_, search_->text().trimmed());
   page_->setHtml(groups.isEmpty()
-                     ? QStringLiteral("<p>%1</p>").arg(tr("No key does that.").toHtmlEscaped())
+                     ? QStringLiteral("<p>%1</p>").arg(tr("No shortcut found.").toHtmlEscaped())
                      : key_page(groups, 2, palette()));
 }
 

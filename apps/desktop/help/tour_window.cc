@@ -57,7 +57,7 @@ TourWindow::TourWindow(QWidget* parent)
   setAttribute(Qt::WA_DeleteOnClose);
   studio_->set_page({.width_mm = kSheetWidthMm, .height_mm = kSheetHeightMm});
   canvas_->setFocusPolicy(Qt::NoFocus);
-  canvas_->setAccessibleName(tr("The sheet of the tour"));
+  canvas_->setAccessibleName(tr("Drawing area of the tour"));
   make_controls();
   resize(760, 820);
   before_.push_back(studio_->session().document());
@@ -87,7 +87,7 @@ void TourWindow::make_controls() {
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(6);
-  progress_->setAccessibleName(tr("How much of the tour was seen"));
+  progress_->setAccessibleName(tr("Progress of the tour"));
   back_ = new QPushButton(tr("&Back"), this);
   pause_ = new QPushButton(tr("&Pause"), this);
   next_ = new QPushButton(tr("&Next"), this);
@@ -185,12 +185,12 @@ void TourWindow::show_state() {
   const Act* act = is_end ? nullptr : &acts()[std::size_t(act_)];
   title_->setText(act ? translated(act->words.title) : tr("Try it yourself"));
   caption_->setText(act ? translated(act->words.caption)
-                        : tr("Draw with a pen or with the mouse. Press ? for the keys. "
-                             "Nothing can go wrong: Ctrl+Z takes everything back."));
+                        : tr("Draw with a pen or with the mouse. Press ? for the keys. You can "
+                             "undo everything with Ctrl+Z."));
   step_->setText(act ? tr("%1 of %2").arg(act_ + 1).arg(act_count()) : QString());
   back_->setEnabled(act_ > 0);
   pause_->setEnabled(!is_end);
-  pause_->setText(is_paused_ ? tr("&Go on") : tr("&Pause"));
+  pause_->setText(is_paused_ ? tr("C&ontinue") : tr("&Pause"));
   next_->setText(is_end ? tr("&Try it yourself") : tr("&Next"));
 }
 

@@ -20,7 +20,7 @@ constexpr double kStepMm = 10.0;
 
 FeltPlot::FeltPlot(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  setAccessibleName(tr("Plot of what a stroke of 40 mm feels like"));
+  setAccessibleName(tr("Plot of the force along a stroke of 40 mm"));
 }
 
 void FeltPlot::show_figures(const FeltFigures& figures) {
@@ -37,9 +37,9 @@ void FeltPlot::show_figures(const FeltFigures& figures) {
   const QString grain_text = locale.toString(departure_n_, 'f', 2);
   setAccessibleDescription(
       departure_n_ >= kFeltN
-          ? tr("%1 N of drag; the grain changes it by up to %2 N, which can be felt.")
+          ? tr("%1 N of friction; the grain changes it by up to %2 N, which can be felt.")
                 .arg(drag_text, grain_text)
-          : tr("%1 N of drag; it changes by up to %2 N, which nobody feels.")
+          : tr("%1 N of friction; the grain changes it by up to %2 N, which is too little to feel.")
                 .arg(drag_text, grain_text));
   setToolTip(accessibleDescription());
   update();

@@ -247,7 +247,7 @@ void MaterialDesk::set(std::string_view field, double value, std::uint64_t run) 
 
 void MaterialDesk::take_figures(const AnyMaterial& from) {
   if (key_of(from).is_sheet != key_.is_sheet) return;
-  change(with_names_of(from, now()), tr("Figures of %1").arg(name_of(from)));
+  change(with_names_of(from, now()), tr("Values of %1").arg(name_of(from)));
 }
 
 Result<void> MaterialDesk::take_relief(const HeightPicture& picture) {
@@ -310,7 +310,7 @@ std::string MaterialDesk::free_id(const QString& name) const {
 /// Returns the default name of a copy of the selected material.
 QString MaterialDesk::copy_name() const {
   const QString name = name_of(now());
-  return is_built_in(key_) ? tr("%1, my own").arg(name) : tr("Copy of %1").arg(name);
+  return is_built_in(key_) ? tr("%1 (custom)").arg(name) : tr("Copy of %1").arg(name);
 }
 
 void MaterialDesk::change(AnyMaterial to, const QString& words, std::string_view field,

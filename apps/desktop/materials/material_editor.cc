@@ -138,9 +138,10 @@ QWidget* MaterialEditor::make_figures() {
   auto* line = new QHBoxLayout;
   auto* label = new QLabel(tr("S&tart from:"), column);
   label->setBuddy(presets_);
-  presets_->setAccessibleName(tr("Take the figures of another one"));
-  presets_->setToolTip(tr("Sets all figures to those of another one; they can be changed then"));
-  presets_->setPlaceholderText(tr("Figures of\u2026"));
+  presets_->setAccessibleName(tr("Use the values of another material"));
+  presets_->setToolTip(
+      tr("Sets all values to those of another material; you can then change them"));
+  presets_->setPlaceholderText(tr("Values of…"));
   connect(presets_, &QComboBox::activated, this, [this](int index) {
     const MaterialKey key{desk_.key().is_sheet, presets_->itemData(index).toString().toStdString()};
     const std::optional<AnyMaterial> from = find_in(studio_.materials(), key);
@@ -156,7 +157,7 @@ QWidget* MaterialEditor::make_figures() {
   fields_->add_to_group(true, QStringLiteral("grain"), make_relief_button());
   fields_->add_to_group(false, QStringLiteral("feel"), pairs_);
   figures->addWidget(fields_);
-  QScrollArea* area = scrolling(content, tr("Figures"), column);
+  QScrollArea* area = scrolling(content, tr("Values"), column);
   rows->addWidget(area, 1);
   column->setMinimumWidth(content->minimumSizeHint().width() + 24);
   return column;
@@ -166,8 +167,8 @@ QWidget* MaterialEditor::make_relief_button() {
   auto* button = new QToolButton(this);
   button->setText(tr("Relief from a picture\u2026"));
   button->setToolTip(
-      tr("A PNG of 8 or 16 bits: white is high. It is fitted into a square of 32 "
-         "widths of the grain, and repeats without a seam"));
+      tr("A PNG of 8 or 16 bits; white is high. It is scaled to a square of 32 grain wavelengths "
+         "and repeats seamlessly"));
   button->setAccessibleName(button->text());
   button->setFocusPolicy(Qt::StrongFocus);
   connect(button, &QToolButton::clicked, this, &MaterialEditor::ask_relief);
@@ -182,13 +183,14 @@ QWidget* MaterialEditor::make_looks() {
   rows->addWidget(preview_, 3);
   rows->addWidget(heading(tr("What a stroke feels like"), content));
   rows->addWidget(plot_, 3);
-  auto* hatched = new QLabel(tr("Hatched: changes below 0.04 N, which nobody feels."), content);
+  auto* hatched =
+      new QLabel(tr("Hatched: changes below 0.04 N, which are too small to feel."), content);
   hatched->setWordWrap(true);
   rows->addWidget(hatched);
   rows->addWidget(sign_);
-  rows->addWidget(heading(tr("What the pen feels now"), content));
+  rows->addWidget(heading(tr("Forces on the pen now"), content));
   rows->addWidget(graph_, 2);
-  return scrolling(content, tr("What comes of it"), this);
+  return scrolling(content, tr("Result"), this);
 }
 
 void MaterialEditor::follow_list() {
@@ -241,18 +243,17 @@ void MaterialEditor::tell_names() {
   action("delete")->setEnabled(desk_.is_own() && kept.isEmpty());
   action("delete")->setToolTip(desk_.is_own() && !kept.isEmpty()
                                    ? kept
-                                   : tr("Takes it away, and its file; undo brings it back"));
+                                   : tr("Deletes the material and its file; undo restores both"));
   tell_slots();
 }
 
 QString MaterialEditor::state_words() const {
   if (desk_.is_own()) {
-    return desk_.is_changed() ? tr("Your own, not saved. It is kept all the same.")
+    return desk_.is_changed() ? tr("Your own, not saved to a file yet. Feltline remembers it.")
                               : tr("Your own, saved.");
   }
-  return is_built_in(desk_.key())
-             ? tr("Comes with Feltline. A change makes a copy of your own.")
-             : tr("Comes with this drawing. A change makes a copy of your own.");
+  return is_built_in(desk_.key()) ? tr("Comes with Feltline. Changing it makes your own copy.")
+                                  : tr("Comes with this drawing. Changing it makes your own copy.");
 }
 
 void MaterialEditor::tell_slots() {

@@ -51,27 +51,28 @@ void MaterialEditor::make_actions() {
   add_action("redo", tr("Redo"), tr("Redo"),
              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
              "redo", [this] { desk_.steps().redo(); });
-  add_action("revert", tr("Revert"), tr("All figures as they were at first, or when last saved"),
-             {}, "reset", [this] { desk_.revert(); });
+  add_action("revert", tr("Revert"),
+             tr("Restores all values as they were at first, or when last saved"), {}, "reset",
+             [this] { desk_.revert(); });
   add_action("flip", tr("Compare: %1").arg(QLatin1Char('A')), {}, {QKeySequence(Qt::Key_B)}, "",
              [this] { desk_.flip(); });
   add_action("copy_to_other", tr("Copy %1 to %2").arg(QLatin1Char('A')).arg(QLatin1Char('B')),
-             tr("The other one gets these figures"), {}, "", [this] { desk_.copy_to_other(); });
-  add_action("save", tr("Save"), tr("Save as a file of your own"),
-             {QKeySequence(Qt::CTRL | Qt::Key_S)}, "save",
-             [this] { tell(desk_.save(), tr("%1 is saved.").arg(name_of(desk_.now()))); });
+             tr("Copies these values to the other material"), {}, "",
+             [this] { desk_.copy_to_other(); });
+  add_action("save", tr("Save"), tr("Save to your own file"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
+             "save", [this] { tell(desk_.save(), tr("%1 was saved.").arg(name_of(desk_.now()))); });
   add_action("save_as", tr("Save as\u2026"), tr("Save under another name, as your own"),
              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}, "save", [this] { ask_save_as(); });
-  add_action("rename", tr("Rename\u2026"), tr("Another name"), {QKeySequence(Qt::Key_F2)}, "rename",
-             [this] { ask_rename(); });
-  add_action("delete", tr("Delete"), tr("Takes it away, and its file; undo brings it back"), {},
-             "delete", [this] {
+  add_action("rename", tr("Rename\u2026"), tr("Changes the name"), {QKeySequence(Qt::Key_F2)},
+             "rename", [this] { ask_rename(); });
+  add_action("delete", tr("Delete"), tr("Deletes the material and its file; undo restores both"),
+             {}, "delete", [this] {
                const QString name = name_of(desk_.now());
-               tell(desk_.remove(), tr("%1 is deleted. Undo brings it back.").arg(name));
+               tell(desk_.remove(), tr("%1 was deleted. Undo restores it.").arg(name));
              });
-  add_action("import", tr("Import\u2026"), tr("Take up a material of a file"), {}, "import",
+  add_action("import", tr("Import\u2026"), tr("Add a material from a file"), {}, "import",
              [this] { ask_import(); });
-  add_action("export", tr("Export\u2026"), tr("Write a file for others"), {}, "export",
+  add_action("export", tr("Export\u2026"), tr("Write a file to share"), {}, "export",
              [this] { ask_export(); });
 }
 
@@ -129,7 +130,7 @@ void MaterialEditor::ask_save_as() {
   const QString name = QInputDialog::getText(this, tr("Save as"), tr("Name:"), QLineEdit::Normal,
                                              name_of(desk_.now()), &ok);
   if (!ok || name.trimmed().isEmpty()) return;
-  tell(desk_.save_as(name), tr("%1 is saved.").arg(name));
+  tell(desk_.save_as(name), tr("%1 was saved.").arg(name));
 }
 
 void MaterialEditor::ask_rename() {
@@ -144,14 +145,14 @@ void MaterialEditor::ask_import() {
   const QString path =
       QFileDialog::getOpenFileName(this, tr("Import"), {}, tr("Materials (*.toml)"));
   if (path.isEmpty()) return;
-  tell(desk_.import_file(path), tr("It is yours now, and not saved yet."));
+  tell(desk_.import_file(path), tr("It is yours now, but not saved yet."));
 }
 
 void MaterialEditor::ask_export() {
   const QString path = QFileDialog::getSaveFileName(
       this, tr("Export"), qstring(desk_.key().id + ".toml"), tr("Materials (*.toml)"));
   if (path.isEmpty()) return;
-  tell(desk_.export_file(path), tr("%1 is written.").arg(path));
+  tell(desk_.export_file(path), tr("%1 was exported.").arg(path));
 }
 
 /// Handles undo keys in a number field, because typed numbers have no undo steps: the editor's are

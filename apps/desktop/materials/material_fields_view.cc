@@ -155,9 +155,9 @@ class SeedRow final : public PlainFigureRow {
     spin_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     add(spin_, name());
     auto* other = new QToolButton(this);
-    other->setText(MaterialFieldsView::tr("Another"));
+    other->setText(MaterialFieldsView::tr("New seed"));
     other->setFocusPolicy(Qt::StrongFocus);
-    add(other, MaterialFieldsView::tr("Another seed"));
+    add(other, MaterialFieldsView::tr("Chooses another seed"));
     connect(spin_, &QDoubleSpinBox::valueChanged, this,
             [this](double value) { Q_EMIT chosen(value, 0); });
     connect(other, &QToolButton::clicked, this, [this] {
@@ -233,11 +233,11 @@ struct GroupName {
 };
 constexpr std::array kGroups{
     GroupName{"", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "General")},
-    GroupName{"feel", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "In the hand")},
+    GroupName{"feel", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "Touch")},
     GroupName{"grain", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "Grain")},
     GroupName{"line", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "Line")},
-    GroupName{"look", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "To the eye")},
-    GroupName{"sound", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "To the ear")},
+    GroupName{"look", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "Appearance")},
+    GroupName{"sound", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "Sound")},
 };
 
 QString group_id(std::string_view field) {

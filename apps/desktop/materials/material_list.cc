@@ -20,7 +20,7 @@ MaterialList::MaterialList(QWidget* parent) : QTreeWidget(parent) {
   setExpandsOnDoubleClick(false);
   setItemsExpandable(false);
   setUniformRowHeights(true);
-  setAccessibleName(tr("Sheets and media"));
+  setAccessibleName(tr("Surfaces and media"));
   setTextElideMode(Qt::ElideRight);
   connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (!item || item->data(0, kMaterialIdRole).isNull()) return;
@@ -60,8 +60,8 @@ void MaterialList::fill() {
     bool is_sheet, is_own;
   };
   for (const Group& group :
-       {Group{tr("Sheets"), true, false}, Group{tr("My own sheets"), true, true},
-        Group{tr("Media"), false, false}, Group{tr("My own media"), false, true}}) {
+       {Group{tr("Surfaces"), true, false}, Group{tr("My surfaces"), true, true},
+        Group{tr("Media"), false, false}, Group{tr("My media"), false, true}}) {
     QTreeWidgetItem* head = nullptr;
     for (const Row& row : rows_) {
       if (row.key.is_sheet != group.is_sheet || row.is_own != group.is_own) continue;

@@ -72,7 +72,7 @@ bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::
 MediaPicker::MediaPicker(Studio& studio, const MediaPictures& pictures, QWidget* parent)
     : QWidget(parent), studio_(studio), pictures_(pictures), group_(new QButtonGroup(this)) {
   setObjectName(QStringLiteral("media"));
-  setAccessibleName(tr("What is drawn with"));
+  setAccessibleName(tr("Drawing medium"));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   connect(group_, &QButtonGroup::idClicked, this, [this](int index) {
     choose_medium(studio_, ids_[static_cast<std::size_t>(index)]);

@@ -125,8 +125,8 @@ Result<void> OwnMaterials::save(const MaterialKey& key) {
   const std::string old = material_path(own_folder(), entry.now);
   if (!old.empty() && !is_known(old, entry)) {
     return fail(ErrorCode::kInvalidData,
-                tr("%1 was changed by another program, and stays as it is. Save yours under "
-                   "another name; the file can be imported.")
+                tr("%1 was changed by another program and was not overwritten. Save your material "
+                   "under another name; you can import the file.")
                     .arg(text_of(old))
                     .toStdString());
   }
@@ -144,7 +144,7 @@ QString OwnMaterials::kept_because(const MaterialKey& key) const {
   if (!entry || entry->path.empty()) return {};
   const std::string folder = own_folder();
   if (!folder.empty() && entry->path.starts_with(folder + "/")) return {};
-  return tr("It is for all users of this computer, and cannot be deleted here: %1")
+  return tr("It is installed for all users of this computer and cannot be deleted here: %1")
       .arg(text_of(entry->path));
 }
 
@@ -155,11 +155,11 @@ Result<void> OwnMaterials::remove_file(const Entry& entry) const {
   const std::string path = material_path(own_folder(), entry.now);
   if (path.empty() && is_gone(entry.path)) return {};
   if (!path.empty() && !is_known(path, entry)) {
-    return fail(ErrorCode::kInvalidData,
-                tr("%1 was changed by another program, and stays as it is. To lose it, delete "
-                   "the file.")
-                    .arg(text_of(path))
-                    .toStdString());
+    return fail(
+        ErrorCode::kInvalidData,
+        tr("%1 was changed by another program and was not deleted. To remove it, delete the file.")
+            .arg(text_of(path))
+            .toStdString());
   }
   return delete_material(own_folder(), entry.now);
 }

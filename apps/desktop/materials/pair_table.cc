@@ -70,15 +70,15 @@ PairTable::PairTable(QWidget* parent)
     : QWidget(parent), table_(new QTableWidget(0, 2, this)), rule_(new QToolButton(this)) {
   auto* lines = new QVBoxLayout(this);
   lines->setContentsMargins({});
-  auto* heading = new QLabel(tr("Friction on each sheet"), this);
+  auto* heading = new QLabel(tr("Friction on each surface"), this);
   heading->setBuddy(table_);
   lines->addWidget(heading);
   lines->addWidget(table_);
   lines->addWidget(rule_, 0, Qt::AlignLeft);
   table_->setAccessibleName(heading->text());
-  table_->setAccessibleDescription(tr("Bold numbers are the medium's own for that sheet"));
-  table_->setToolTip(tr("Double-click a number, or press F2, to set the friction on that sheet"));
-  table_->setHorizontalHeaderLabels({tr("Sheet"), tr("Friction")});
+  table_->setAccessibleDescription(tr("Bold numbers are specific to this medium and surface"));
+  table_->setToolTip(tr("Double-click a number, or press F2, to set the friction on that surface"));
+  table_->setHorizontalHeaderLabels({tr("Surface"), tr("Friction")});
   table_->horizontalHeader()->setSectionResizeMode(kSheet, QHeaderView::Stretch);
   table_->horizontalHeader()->setSectionResizeMode(kFriction, QHeaderView::ResizeToContents);
   table_->verticalHeader()->hide();
@@ -88,8 +88,8 @@ PairTable::PairTable(QWidget* parent)
   table_->setTabKeyNavigation(false);
   table_->setShowGrid(false);
   table_->setItemDelegateForColumn(kFriction, new FrictionDelegate(table_));
-  rule_->setText(tr("By the rule"));
-  rule_->setToolTip(tr("Friction of the medium times that of the sheet, again"));
+  rule_->setText(tr("Use the default"));
+  rule_->setToolTip(tr("Uses the friction of the medium times that of the surface"));
   rule_->setFocusPolicy(Qt::StrongFocus);
   connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
     if (item->column() != kFriction) return;

@@ -37,7 +37,7 @@ StabilityLevel level_of_rest(const FeltFigures& figures) {
 
 QString state_of(StabilityLevel level, bool trembles) {
   if (level == StabilityLevel::kGiven) {
-    return text(QT_TRANSLATE_NOOP("Stability", "Stable, as wished"));
+    return text(QT_TRANSLATE_NOOP("Stability", "Stable, as requested"));
   }
   if (trembles) {
     return level == StabilityLevel::kLess
@@ -45,7 +45,7 @@ QString state_of(StabilityLevel level, bool trembles) {
                : text(QT_TRANSLATE_NOOP("Stability", "Trembles"));
   }
   return level == StabilityLevel::kLess
-             ? text(QT_TRANSLATE_NOOP("Stability", "Stable, but less than wished"))
+             ? text(QT_TRANSLATE_NOOP("Stability", "Stable, but less than requested"))
              : text(QT_TRANSLATE_NOOP("Stability", "Too much for this device"));
 }
 
@@ -55,8 +55,8 @@ void tell_rest(const FeltFigures& figures, QStringList& detail) {
   }
   if (figures.rest_n < kCleanN) return;
   detail << text(QT_TRANSLATE_NOOP("Stability",
-                                   "A pen that rests trembles with %1 N above 30 Hz; 0.04 N can be "
-                                   "felt. Less hardness, less friction or more damping helps."))
+                                   "The pen at rest trembles with %1 N above 30 Hz; 0.04 N can be "
+                                   "felt. Reduce hardness or friction, or add damping."))
                 .arg(QLocale().toString(figures.rest_n, 'f', 3));
 }
 
@@ -67,7 +67,7 @@ StabilityWords stability_words(const FeltWish& wish, const FeltFigures& figures,
   StabilityWords words;
   if (!wish.device.has_force()) {
     words.detail << text(QT_TRANSLATE_NOOP("Stability",
-                                           "%1 has no motors: nothing is felt. The figures are "
+                                           "%1 has no motors, so nothing is felt. The figures are "
                                            "those of a 3D Systems Touch."))
                         .arg(device_label);
   }
@@ -75,19 +75,19 @@ StabilityWords stability_words(const FeltWish& wish, const FeltFigures& figures,
   const StabilityLevel rest = level_of_rest(figures);
   words.level = std::max({level_of_share(hard), level_of_share(figures.grain_share), rest});
   words.state = state_of(words.level, rest == words.level);
-  words.number = text(QT_TRANSLATE_NOOP("Stability", "%1 % of what the device bears"))
+  words.number = text(QT_TRANSLATE_NOOP("Stability", "%1 % of the device’s limit"))
                      .arg(whole(100.0 * figures.budget_share));
   if (hard < kWhole) {
     words.detail << text(QT_TRANSLATE_NOOP("Stability",
-                                           "Hardness: this device makes it %1 of your %2 N/m."))
+                                           "Hardness: this device reaches %1 of your %2 N/m."))
                         .arg(whole(figures.stiffness_n_per_m), whole(wish.sheet.stiffness_n_per_m));
   }
   if (figures.grain_share < kWhole) {
-    words.detail << text(QT_TRANSLATE_NOOP("Stability",
-                                           "Grain: its hills are steeper than this loop can "
-                                           "follow; felt are %1 of your %2 µm."))
-                        .arg(height(figures.grain_share * wish.sheet.grain_um),
-                             height(wish.sheet.grain_um));
+    words.detail
+        << text(QT_TRANSLATE_NOOP(
+                    "Stability",
+                    "Grain: it is too steep for the haptic loop; you feel %1 of your %2 µm."))
+               .arg(height(figures.grain_share * wish.sheet.grain_um), height(wish.sheet.grain_um));
   }
   tell_rest(figures, words.detail);
   return words;

@@ -29,15 +29,15 @@ void add_color_actions(Actions& actions, ColorsPanel& panel) {
   actions
       .add(QStringLiteral("edit.palette_keep"),
            color_text(QT_TRANSLATE_NOOP("ColorActions", "&Keep the colour")), {},
-           color_text(QT_TRANSLATE_NOOP("ColorActions",
-                                        "Puts the colour in use into a palette of your own.")),
+           color_text(
+               QT_TRANSLATE_NOOP("ColorActions", "Adds the current colour to your own palette.")),
            [&panel] { panel.keep_color(); })
       ->setIcon(icon_of("add"));
   actions
       .add(QStringLiteral("edit.palette_drop"),
-           color_text(QT_TRANSLATE_NOOP("ColorActions", "&Take the colour out")), {},
+           color_text(QT_TRANSLATE_NOOP("ColorActions", "&Remove the colour")), {},
            color_text(QT_TRANSLATE_NOOP("ColorActions",
-                                        "Takes the colour in use out of your own palette.")),
+                                        "Removes the current colour from your own palette.")),
            [&panel] { panel.drop_color(); })
       ->setIcon(icon_of("remove"));
 }

@@ -56,7 +56,7 @@ ShadeField::ShadeField(QWidget* parent) : QWidget(parent) {
   setCursor(Qt::CrossCursor);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Saturation and brightness"));
-  setToolTip(tr("Across: saturation. Up: brightness. Arrow keys move it."));
+  setToolTip(tr("Horizontal: saturation. Vertical: brightness. Change them with the arrow keys."));
 }
 
 void ShadeField::show_shade(double hue, double saturation, double brightness) {
@@ -129,7 +129,7 @@ HueStrip::HueStrip(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
   setAccessibleName(tr("Hue"));
-  setToolTip(tr("Hue. Arrow keys move it."));
+  setToolTip(tr("Hue. Change it with the arrow keys."));
 }
 
 void HueStrip::show_hue(double hue) {

@@ -141,8 +141,8 @@ QWidget* ColorsPanel::make_numbers() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
   sample_->setAccessibleName(tr("Colour of new lines"));
-  number_->setAccessibleName(tr("Number of the colour"));
-  number_->setToolTip(tr("The colour as #rrggbb; #rgb and #rrggbbaa do as well"));
+  number_->setAccessibleName(tr("Colour code"));
+  number_->setToolTip(tr("The colour as #rrggbb, #rgb or #rrggbbaa"));
   number_->setMaxLength(9);
   number_->setMinimumWidth(number_->fontMetrics().averageCharWidth() * 9);
   static const QRegularExpression kNumber(
@@ -151,7 +151,7 @@ QWidget* ColorsPanel::make_numbers() {
   opacity_->setRange(0, 100);
   opacity_->setSuffix(tr(" %"));
   opacity_->setAccessibleName(tr("Opacity"));
-  opacity_->setToolTip(tr("Opacity: 0 % is see-through"));
+  opacity_->setToolTip(tr("Opacity: 0 % is transparent"));
   opacity_->setKeyboardTracking(false);
   opacity_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(sample_);
@@ -181,14 +181,14 @@ QWidget* ColorsPanel::make_palette_row() {
     row->addWidget(made);
     return made;
   };
-  connect(button("add", tr("Keep this colour in a palette of your own")), &QToolButton::clicked,
-          this, &ColorsPanel::keep_color);
+  connect(button("add", tr("Keep this colour in your own palette")), &QToolButton::clicked, this,
+          &ColorsPanel::keep_color);
   QToolButton* more = button("more", tr("Palettes"));
   auto* menu = new QMenu(more);
   menu->addAction(icon_of("open"), tr("&Open a palette…"), this, &ColorsPanel::ask_open);
   menu->addAction(icon_of("export"), tr("&Export this palette…"), this, &ColorsPanel::ask_export);
   menu->addSeparator();
-  menu->addAction(icon_of("remove"), tr("Take the &colour out of your own"), this,
+  menu->addAction(icon_of("remove"), tr("Remove the &colour from your palette"), this,
                   &ColorsPanel::drop_color);
   more->setMenu(menu);
   more->setPopupMode(QToolButton::InstantPopup);
@@ -268,8 +268,8 @@ void ColorsPanel::follow() {
   if (paper.a == 0) paper = {255, 255, 255};
   const double contrast = contrast_of(seen_on(now, paper), paper);
   const QString ratio = locale().toString(contrast, 'f', 1);
-  contrast_->setText(contrast < kFaint ? tr("Faint on this paper: %1:1").arg(ratio)
-                                       : tr("Contrast with paper %1:1").arg(ratio));
+  contrast_->setText(contrast < kFaint ? tr("Low contrast with the paper: %1:1").arg(ratio)
+                                       : tr("Contrast with the paper: %1:1").arg(ratio));
 }
 
 /// Adds the colours of new strokes to the recent ones.

@@ -235,9 +235,9 @@ TEST_F(ColorsPanelTest, NotesFaintColoursOnThePaper) {
     return std::string();
   };
   studio.apply(SetOption{"sheet.color", std::string("#000000")});
-  EXPECT_EQ(note(), "Contrast with paper 21.0:1");
+  EXPECT_EQ(note(), "Contrast with the paper: 21.0:1");
   studio.set_page({.paper = {0, 0, 0, 255}});
-  EXPECT_EQ(note(), "Faint on this paper: 1.0:1");
+  EXPECT_EQ(note(), "Low contrast with the paper: 1.0:1");
 }
 
 TEST_F(ColorsPanelTest, NamesEveryControl) {

@@ -62,22 +62,22 @@ void add_history(Actions& actions, Studio& studio) {
   QAction* undo =
       actions.add(QStringLiteral("edit.undo"), menu_text(QT_TRANSLATE_NOOP("EditActions", "&Undo")),
                   {QKeySequence(Qt::CTRL | Qt::Key_Z)},
-                  menu_text(QT_TRANSLATE_NOOP("EditActions", "Takes the last step back.")),
+                  menu_text(QT_TRANSLATE_NOOP("EditActions", "Undoes the last step.")),
                   [&studio] { studio.apply(UndoEvent{}); });
   undo->setIcon(icon_of("undo"));
   QAction* redo = actions.add(
       QStringLiteral("edit.redo"), menu_text(QT_TRANSLATE_NOOP("EditActions", "&Redo")),
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
-      menu_text(QT_TRANSLATE_NOOP("EditActions", "Does again what was taken back.")),
+      menu_text(QT_TRANSLATE_NOOP("EditActions", "Redoes the step that was undone.")),
       [&studio] { studio.apply(RedoEvent{}); });
   redo->setIcon(icon_of("redo"));
   new UndoTexts(undo, redo, studio, &actions);
   QAction* cancel =
       actions.add(QStringLiteral("edit.cancel"),
-                  menu_text(QT_TRANSLATE_NOOP("EditActions", "&Cancel or select nothing")),
+                  menu_text(QT_TRANSLATE_NOOP("EditActions", "&Cancel or clear selection")),
                   {QKeySequence(Qt::Key_Escape)},
                   menu_text(QT_TRANSLATE_NOOP(
-                      "EditActions", "Cancels what the pen is doing, or clears the selection.")),
+                      "EditActions", "Cancels the current gesture, or clears the selection.")),
                   [&studio] {
                     const Session& session = studio.session();
                     if (session.gesture_in_work() || session.selection().empty()) {
@@ -94,14 +94,13 @@ void add_selected(Actions& actions, Studio& studio) {
   QAction* remove = actions.add(
       QStringLiteral("edit.delete"), menu_text(QT_TRANSLATE_NOOP("EditActions", "De&lete")),
       {QKeySequence(Qt::Key_Delete), QKeySequence(Qt::Key_Backspace)},
-      menu_text(QT_TRANSLATE_NOOP("EditActions", "Removes the lines that are selected.")),
+      menu_text(QT_TRANSLATE_NOOP("EditActions", "Removes the selected lines.")),
       [&studio] { studio.apply(DeleteEvent{}); });
   remove->setIcon(icon_of("delete"));
   QAction* copy = actions.add(
       QStringLiteral("edit.duplicate"), menu_text(QT_TRANSLATE_NOOP("EditActions", "&Duplicate")),
       {QKeySequence(Qt::CTRL | Qt::Key_D)},
-      menu_text(
-          QT_TRANSLATE_NOOP("EditActions", "Copies the selected lines, a little beside them.")),
+      menu_text(QT_TRANSLATE_NOOP("EditActions", "Copies the selected lines, slightly offset.")),
       [&studio] { studio.apply(DuplicateEvent{}); });
   copy->setIcon(icon_of("duplicate"));
   const auto follow = [remove, copy, &studio] {
@@ -126,15 +125,15 @@ void add_selecting(Actions& actions, Studio& studio) {
   QAction* none = actions.add(QStringLiteral("edit.select_none"),
                               menu_text(QT_TRANSLATE_NOOP("EditActions", "Select &none")),
                               {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A)},
-                              menu_text(QT_TRANSLATE_NOOP("EditActions", "Selects nothing.")),
+                              menu_text(QT_TRANSLATE_NOOP("EditActions", "Clears the selection.")),
                               [&studio] { studio.apply(SelectStrokes{What::kNone}); });
   none->setIcon(icon_of("select-none"));
   actions
       .add(QStringLiteral("edit.invert_selection"),
            menu_text(QT_TRANSLATE_NOOP("EditActions", "&Invert selection")),
            {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I)},
-           menu_text(QT_TRANSLATE_NOOP("EditActions",
-                                       "Selects all lines but those that are selected now.")),
+           menu_text(
+               QT_TRANSLATE_NOOP("EditActions", "Selects all lines that are not selected now.")),
            [&studio] { studio.apply(SelectStrokes{What::kInvert}); })
       ->setIcon(icon_of("select-invert"));
   const auto follow = [none, &studio] { none->setEnabled(!studio.session().selection().empty()); };

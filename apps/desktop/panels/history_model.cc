@@ -65,13 +65,13 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const {
   const int row = index.row();
   if (row < 0 || row > static_cast<int>(history.step_count())) return {};
   const QString label = row > 0 ? edit_text(history.label(static_cast<std::size_t>(row) - 1))
-                        : forgotten_ > 0 ? tr("Earlier steps are forgotten")
+                        : forgotten_ > 0 ? tr("Earlier steps are no longer available")
                                          : tr("As opened");
   switch (role) {
     case Qt::DisplayRole:
       return label;
     case Qt::AccessibleTextRole:
-      return row == done_  ? tr("%1, here").arg(label)
+      return row == done_  ? tr("%1, current").arg(label)
              : row > done_ ? tr("%1, undone").arg(label)
                            : label;
     case Qt::FontRole: {

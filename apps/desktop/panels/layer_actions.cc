@@ -17,34 +17,34 @@ void add_order(Actions& actions, LayersPanel& panel) {
   actions
       .add(QStringLiteral("layer.add"), layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Add layer")),
            {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N)},
-           layer_text(QT_TRANSLATE_NOOP("LayerActions", "A new layer above the one in use.")),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Adds a layer above the current one.")),
            [&panel] { panel.tell(Do::kAdd); })
       ->setIcon(icon_of("layer-add"));
   actions
       .add(QStringLiteral("layer.remove"),
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Remo&ve layer")), {},
-           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Removes it and what is drawn on it.")),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Removes the layer and its lines.")),
            [&panel] { panel.tell(Do::kRemove); })
       ->setIcon(icon_of("layer-remove"));
   actions
       .add(QStringLiteral("layer.rename"),
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Re&name layer")),
            {QKeySequence(Qt::Key_F2)},
-           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Gives it another name.")),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Changes the name of the layer.")),
            [&panel] { panel.rename(); })
       ->setIcon(icon_of("rename"));
   actions
       .add(QStringLiteral("layer.raise"),
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Raise layer")),
            {QKeySequence(Qt::CTRL | Qt::Key_PageUp)},
-           layer_text(QT_TRANSLATE_NOOP("LayerActions", "One place up.")),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Moves the layer up by one.")),
            [&panel] { panel.tell(Do::kRaise); })
       ->setIcon(icon_of("raise"));
   actions
       .add(QStringLiteral("layer.lower"),
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Lower layer")),
            {QKeySequence(Qt::CTRL | Qt::Key_PageDown)},
-           layer_text(QT_TRANSLATE_NOOP("LayerActions", "One place down.")),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Moves the layer down by one.")),
            [&panel] { panel.tell(Do::kLower); })
       ->setIcon(icon_of("lower"));
 }
@@ -71,15 +71,15 @@ void add_layer_actions(Actions& actions, Studio& studio, LayersPanel& panel) {
   };
   QAction* show = actions.add_switch(
       QStringLiteral("layer.show"), layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Show layer")),
-      {}, layer_text(QT_TRANSLATE_NOOP("LayerActions", "What is drawn on it is seen.")), true,
-      [&panel, chosen](bool on) {
+      {}, layer_text(QT_TRANSLATE_NOOP("LayerActions", "Shows or hides the lines on the layer.")),
+      true, [&panel, chosen](bool on) {
         if (chosen() && chosen()->visible != on) panel.toggle_visible();
       });
   show->setIcon(icon_of("eye"));
   QAction* lock = actions.add_switch(
       QStringLiteral("layer.lock"), layer_text(QT_TRANSLATE_NOOP("LayerActions", "Loc&k layer")),
-      {}, layer_text(QT_TRANSLATE_NOOP("LayerActions", "Nothing on it can be changed.")), false,
-      [&panel, chosen](bool on) {
+      {}, layer_text(QT_TRANSLATE_NOOP("LayerActions", "Protects the layer against changes.")),
+      false, [&panel, chosen](bool on) {
         if (chosen() && chosen()->locked != on) panel.toggle_locked();
       });
   lock->setIcon(icon_of("lock"));

@@ -52,7 +52,7 @@ QString LayersModel::spoken(const Layer& layer) const {
   QString text = tr("%1, %2, %3")
                      .arg(shown_name(layer), layer.visible ? tr("visible") : tr("hidden"),
                           layer.locked ? tr("locked") : tr("unlocked"));
-  if (layer.id == studio_.session().layer()) text += tr(", in use");
+  if (layer.id == studio_.session().layer()) text += tr(", current");
   return text;
 }
 

@@ -48,10 +48,9 @@ LayersPanel::LayersPanel(Studio& studio, QWidget* parent)
   };
   add("layer-add", tr("Add a layer"), tr("A new layer above this one"), Do::kAdd);
   row->addStretch(1);
-  raise_ = add("raise", tr("Raise the layer"), tr("One place up"), Do::kRaise);
-  lower_ = add("lower", tr("Lower the layer"), tr("One place down"), Do::kLower);
-  add("delete", tr("Remove the layer"), tr("Removes the layer and what is drawn on it"),
-      Do::kRemove);
+  raise_ = add("raise", tr("Raise the layer"), tr("Moves the layer up by one"), Do::kRaise);
+  lower_ = add("lower", tr("Lower the layer"), tr("Moves the layer down by one"), Do::kLower);
+  add("delete", tr("Remove the layer"), tr("Removes the layer and its lines"), Do::kRemove);
   lines->addLayout(row);
   connect(delegate, &LayerDelegate::eye_clicked, this, [this](const QModelIndex& index) {
     was_icon_ = true;
@@ -111,9 +110,8 @@ void LayersPanel::tell(Do what, LayerId id) {
   const std::size_t before = count();
   if (!studio_.apply(LayerEvent{what, id}) || what == Do::kAdd || count() <= before) return;
   const Layer* added = studio_.session().document().layer(studio_.session().layer());
-  Q_EMIT studio_.refused(
-      tr("All layers were hidden or locked: “%1” was added, so that there is one to draw on.")
-          .arg(model_->shown_name(*added)));
+  Q_EMIT studio_.refused(tr("All layers were hidden or locked, so “%1” was added to draw on.")
+                             .arg(model_->shown_name(*added)));
 }
 
 void LayersPanel::toggle_visible(LayerId id) {
@@ -171,8 +169,8 @@ void LayersPanel::use_clicked() {
   const Layer* layer = studio_.session().document().layer(chosen());
   if (!layer || is_open(*layer)) return use_chosen();
   const QString name = model_->shown_name(*layer);
-  Q_EMIT studio_.refused(layer->locked ? tr("“%1” is locked: unlock it to draw there.").arg(name)
-                                       : tr("“%1” is hidden: show it to draw there.").arg(name));
+  Q_EMIT studio_.refused(layer->locked ? tr("“%1” is locked. Unlock it to draw there.").arg(name)
+                                       : tr("“%1” is hidden. Show it to draw there.").arg(name));
   choose(studio_.session().layer());
 }
 

@@ -54,7 +54,7 @@ OptionsPanel::OptionsPanel(Studio& studio, QWidget* parent,
   reset_->setIcon(icon_of("reset"));
   reset_->setAutoRaise(true);
   reset_->setObjectName(QStringLiteral("reset_tool"));
-  reset_->setToolTip(tr("All options of this tool back to what they were at first"));
+  reset_->setToolTip(tr("Resets all options of this tool to their defaults"));
   reset_->setAccessibleName(tr("Reset the tool"));
   connect(reset_, &QToolButton::clicked, this, &OptionsPanel::reset_tool);
   head->addWidget(reset_);
@@ -177,7 +177,7 @@ QVBoxLayout* OptionsPanel::add_more(Page& page, QVBoxLayout* lines) {
   auto* button = new QToolButton(page.widget);
   button->setObjectName(QStringLiteral("more"));
   button->setText(tr("More"));
-  button->setToolTip(tr("Options that are seldom needed"));
+  button->setToolTip(tr("Options that are rarely needed"));
   button->setCheckable(true);
   button->setAutoRaise(true);
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

@@ -65,10 +65,10 @@ void add_sizes(Actions& actions, Studio& studio) {
   };
   size("tool.size_down", tool_text(QT_TRANSLATE_NOOP("ToolActions", "S&maller")),
        Qt::Key_BracketLeft,
-       tool_text(QT_TRANSLATE_NOOP("ToolActions", "Makes the tool in hand smaller.")), false)
+       tool_text(QT_TRANSLATE_NOOP("ToolActions", "Makes the current tool smaller.")), false)
       ->setIcon(icon_of("size-down"));
   size("tool.size_up", tool_text(QT_TRANSLATE_NOOP("ToolActions", "&Larger")), Qt::Key_BracketRight,
-       tool_text(QT_TRANSLATE_NOOP("ToolActions", "Makes the tool in hand larger.")), true)
+       tool_text(QT_TRANSLATE_NOOP("ToolActions", "Makes the current tool larger.")), true)
       ->setIcon(icon_of("size-up"));
 }
 
@@ -80,11 +80,11 @@ void add_strengths(Actions& actions, Studio& studio) {
   };
   strength("tool.strength_down", tool_text(QT_TRANSLATE_NOOP("ToolActions", "Forces &weaker")),
            Qt::Key_BracketLeft,
-           tool_text(QT_TRANSLATE_NOOP("ToolActions", "The tool in hand pushes back less.")), false)
+           tool_text(QT_TRANSLATE_NOOP("ToolActions", "The current tool resists less.")), false)
       ->setIcon(icon_of("force-on"));
   strength("tool.strength_up", tool_text(QT_TRANSLATE_NOOP("ToolActions", "Forces &stronger")),
            Qt::Key_BracketRight,
-           tool_text(QT_TRANSLATE_NOOP("ToolActions", "The tool in hand pushes back more.")), true)
+           tool_text(QT_TRANSLATE_NOOP("ToolActions", "The current tool resists more.")), true)
       ->setIcon(icon_of("force-on"));
 }
 
@@ -140,9 +140,9 @@ void ToolBar::follow_tool() {
     font.setItalic(is_lent);
     font.setUnderline(comes_back);
     button->setFont(font);
-    button->setAccessibleDescription(is_lent      ? tr("in hand while the key is held")
-                                     : comes_back ? tr("comes back when the key is let go")
-                                     : id == now  ? tr("in hand")
+    button->setAccessibleDescription(is_lent      ? tr("active while the key is held")
+                                     : comes_back ? tr("returns when the key is released")
+                                     : id == now  ? tr("active")
                                                   : QString());
   }
 }

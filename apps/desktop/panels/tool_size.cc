@@ -29,8 +29,8 @@ void step_tool_size(Studio& studio, bool up) {
   if (std::abs(wanted - size->mm) < kHairMm) {
     const QString mm = QLocale().toString(size->mm, 'g', 3);
     Q_EMIT studio.refused(
-        up ? QCoreApplication::translate("ToolSize", "%1 mm is the largest size.").arg(mm)
-           : QCoreApplication::translate("ToolSize", "%1 mm is the smallest size.").arg(mm));
+        up ? QCoreApplication::translate("ToolSize", "The largest size is %1 mm.").arg(mm)
+           : QCoreApplication::translate("ToolSize", "The smallest size is %1 mm.").arg(mm));
     return;
   }
   set_tool_size(studio, wanted);

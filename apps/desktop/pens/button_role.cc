@@ -16,7 +16,7 @@ constexpr std::array<Row, 8> kRows = {{
     {"eraser", QT_TRANSLATE_NOOP("ButtonRole", "Erase while held")},
     {"pull", QT_TRANSLATE_NOOP("ButtonRole", "Pull while held")},
     {"lasso", QT_TRANSLATE_NOOP("ButtonRole", "Select while held")},
-    {"pan", QT_TRANSLATE_NOOP("ButtonRole", "Move the sheet while held")},
+    {"pan", QT_TRANSLATE_NOOP("ButtonRole", "Move the view while held")},
     {"undo", QT_TRANSLATE_NOOP("ButtonRole", "Undo")},
     {"modifier-1", QT_TRANSLATE_NOOP("ButtonRole", "The tool's first modifier (Shift)")},
     {"modifier-2", QT_TRANSLATE_NOOP("ButtonRole", "The tool's second modifier (Ctrl)")},

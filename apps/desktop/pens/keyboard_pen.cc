@@ -50,7 +50,7 @@ bool KeyboardPen::press(const QKeyEvent& event) {
   if (!wants(event)) return false;
   if (event.key() == Qt::Key_Escape) {
     hand_.cancel();
-    Q_EMIT said(tr("Cancelled, the pen is up"));
+    Q_EMIT said(tr("Cancelled; the pen is up"));
     return true;
   }
   if (direction_of(event.key())) {

@@ -24,8 +24,9 @@ void add_pen_actions(Actions& actions, PenInput& input) {
   const QString key = QString::fromLatin1(pen_keys::kPressureOn);
   QAction* pressure = actions.add_switch(
       QStringLiteral("feel.pressure"), text(QT_TRANSLATE_NOOP("PenActions", "&Pen pressure")), {},
-      text(QT_TRANSLATE_NOOP("PenActions",
-                             "Pressing harder draws wider; off, every line has the same width.")),
+      text(QT_TRANSLATE_NOOP(
+          "PenActions",
+          "Press harder to draw a wider line. If off, every line has the same width.")),
       Settings::the().flag(key, pen_keys::kPressureOnDefault),
       [key](bool on) { Settings::the().set(key, on); });
   QObject::connect(&Settings::the(), &Settings::changed, pressure,
@@ -33,18 +34,18 @@ void add_pen_actions(Actions& actions, PenInput& input) {
                      if (changed != key) return;
                      pressure->setChecked(Settings::the().flag(key, pen_keys::kPressureOnDefault));
                    });
-  actions.add_switch(
-      QStringLiteral("feel.hold_first"),
-      text(QT_TRANSLATE_NOOP("PenActions", "Hold the &first modifier")),
-      {QKeySequence(Qt::Key_Comma)},
-      text(QT_TRANSLATE_NOOP("PenActions", "As if Shift were held, until it is chosen again.")),
-      false, [&input](bool on) { hold(input, kFirstModifier, on); });
-  actions.add_switch(
-      QStringLiteral("feel.hold_second"),
-      text(QT_TRANSLATE_NOOP("PenActions", "Hold the &second modifier")),
-      {QKeySequence(Qt::Key_Period)},
-      text(QT_TRANSLATE_NOOP("PenActions", "As if Ctrl were held, until it is chosen again.")),
-      false, [&input](bool on) { hold(input, kSecondModifier, on); });
+  actions.add_switch(QStringLiteral("feel.hold_first"),
+                     text(QT_TRANSLATE_NOOP("PenActions", "Hold the &first modifier")),
+                     {QKeySequence(Qt::Key_Comma)},
+                     text(QT_TRANSLATE_NOOP(
+                         "PenActions", "Acts as if Shift were held, until you choose this again.")),
+                     false, [&input](bool on) { hold(input, kFirstModifier, on); });
+  actions.add_switch(QStringLiteral("feel.hold_second"),
+                     text(QT_TRANSLATE_NOOP("PenActions", "Hold the &second modifier")),
+                     {QKeySequence(Qt::Key_Period)},
+                     text(QT_TRANSLATE_NOOP(
+                         "PenActions", "Acts as if Ctrl were held, until you choose this again.")),
+                     false, [&input](bool on) { hold(input, kSecondModifier, on); });
 }
 
 }  // namespace felt::desktop

@@ -61,7 +61,7 @@ void PenInput::say_pressure() {
   if (!settings_.pressure_on) return canvas_.set_pen_status(tr("Pressure is switched off."));
   switch (tablet_.pressure_seen()) {
     case TabletInput::Pressure::kSeen:
-      return canvas_.set_pen_status(tr("Your pen's pressure is seen."));
+      return canvas_.set_pen_status(tr("The pressure of your pen is recognised."));
     case TabletInput::Pressure::kNone:
       return canvas_.set_pen_status(tr("Your pen senses no pressure."));
     case TabletInput::Pressure::kNotSeen:

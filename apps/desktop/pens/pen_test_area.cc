@@ -31,7 +31,7 @@ bool senses(const QTabletEvent& event) {
 PenTestArea::PenTestArea(QWidget* parent) : QWidget(parent) {
   setTabletTracking(true);  // shows the tilt before the pen touches
   setAccessibleName(tr("Test area"));
-  setAccessibleDescription(tr("Scribble here to try the pen; nothing of it is kept."));
+  setAccessibleDescription(tr("Scribble here to try the pen. The scribbles are not kept."));
   setCursor(Qt::CrossCursor);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMinimumHeight(fontMetrics().height() * 5);

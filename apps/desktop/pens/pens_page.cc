@@ -42,7 +42,7 @@ QWidget* PensPage::make_pressure() {
   auto* group = new QGroupBox(tr("Pressure"));
   auto* layout = new QGridLayout(group);
   pressure_on_ = new QCheckBox(tr("&Pressing harder draws wider"));
-  pressure_on_->setToolTip(tr("Off: every line has the same width, however hard you press."));
+  pressure_on_->setToolTip(tr("If off, every line has the same width, however hard you press."));
   connect(pressure_on_, &QCheckBox::toggled, this,
           [this](bool on) { loads_ ? void() : set(pen_keys::kPressureOn, on); });
   editor_ = new PressureCurveEditor;
@@ -72,15 +72,15 @@ QWidget* PensPage::make_sliders() {
   };
   firmness_ = row(0, tr("&Soft"), tr("Feel, from soft to firm"), -kSliderSteps);
   firmness_->setToolTip(
-      tr("Soft: a light hand draws wide. Firm: press harder for the same width."));
+      tr("Soft: light pressure draws wide. Firm: press harder for the same width."));
   connect(firmness_, &QSlider::valueChanged, this, [this](int value) {
     if (loads_) return;
     set_curve(
         PressureCurve::of_firmness(double(value) / kSliderSteps, editor_->curve().threshold()));
   });
   layout->addWidget(new QLabel(tr("Firm")), 0, 2);
-  threshold_ = row(1, tr("&Touches from"), tr("Pressure from which the pen touches"), 0);
-  threshold_->setToolTip(tr("For a pen that draws before it is pressed."));
+  threshold_ = row(1, tr("Con&tact from"), tr("Pressure at which the pen touches the surface"), 0);
+  threshold_->setToolTip(tr("Raise this if the pen draws before you press it."));
   connect(threshold_, &QSlider::valueChanged, this, [this](int value) {
     if (loads_) return;
     const PressureCurve& curve = editor_->curve();
@@ -88,8 +88,8 @@ QWidget* PensPage::make_sliders() {
   });
   threshold_text_ = new QLabel;
   layout->addWidget(threshold_text_, 1, 2);
-  auto* reset = new QPushButton(tr("&Straight again"));
-  reset->setToolTip(tr("The curve that it came with."));
+  auto* reset = new QPushButton(tr("Reset cur&ve"));
+  reset->setToolTip(tr("Restores the default curve."));
   connect(reset, &QPushButton::clicked, this, [this] { set_curve({}); });
   layout->addWidget(reset, 2, 1, Qt::AlignLeft);
   layout->setColumnStretch(1, 1);
@@ -110,9 +110,9 @@ QWidget* PensPage::make_test() {
       tr("pen %1, line %2").arg(percent(1.0), percent(1.0)) + QStringLiteral("  ")));
   lean_ = new QLabel;
   lean_->setToolTip(
-      tr("Charcoal, chalk and pencils draw broader with a pen that leans, where it can say so."));
+      tr("Charcoal, chalk and pencils draw broader with a tilted pen, if it reports its tilt."));
   auto* wipe = new QPushButton(tr("&Wipe"));
-  wipe->setToolTip(tr("Takes what was scribbled away."));
+  wipe->setToolTip(tr("Clears the test area."));
   connect(wipe, &QPushButton::clicked, area_, &PenTestArea::clear);
   connect(area_, &PenTestArea::pressed, this, &PensPage::show_pressure);
   connect(area_, &PenTestArea::leaned, this, &PensPage::show_lean);
@@ -160,21 +160,21 @@ QWidget* PensPage::make_buttons() {
   form->addRow(tr("Mouse, &right button:"),
                make_roles(kRightButton, kRightButtonDefault, tr("Right button of the mouse")));
   QComboBox* mouse = make_choice(kMousePressure, tr("Width of lines by mouse"));
-  mouse->addItem(tr("The same all along"), QStringLiteral("constant"));
+  mouse->addItem(tr("Constant"), QStringLiteral("constant"));
   mouse->addItem(tr("Thinner when fast"), QStringLiteral("speed"));
   mouse->setCurrentIndex(std::max(
       0, mouse->findData(Settings::the().text(QString::fromLatin1(kMousePressure),
                                               QString::fromLatin1(kMousePressureDefault)))));
   form->addRow(tr("&Mouse, width of lines:"), mouse);
   QComboBox* touch = make_choice(kTouch, tr("What one finger does"));
-  touch->addItem(tr("Moves the sheet"), name_of(TouchMode::kPan));
+  touch->addItem(tr("Moves the view"), name_of(TouchMode::kPan));
   touch->addItem(tr("Draws"), name_of(TouchMode::kDraw));
   touch->addItem(tr("Nothing: touch is off"), name_of(TouchMode::kOff));
   touch->setCurrentIndex(
       std::max(0, touch->findData(Settings::the().text(QString::fromLatin1(kTouch),
                                                        QString::fromLatin1(kTouchDefault)))));
   touch->setToolTip(
-      tr("Two fingers move, zoom and turn the sheet. While the pen is near, touch is ignored."));
+      tr("Two fingers move, zoom and turn the view. While the pen is near, touch is ignored."));
   form->addRow(tr("One f&inger:"), touch);
   return group;
 }
@@ -210,8 +210,8 @@ void PensPage::show_pressure(std::optional<double> raw, double curved) {
 }
 
 void PensPage::show_lean(std::optional<double> lean_deg) {
-  lean_->setText(lean_deg ? tr("The pen leans by %L1°").arg(*lean_deg, 0, 'f', 0)
-                          : tr("How far the pen leans is not known"));
+  lean_->setText(lean_deg ? tr("The pen is tilted by %L1°").arg(*lean_deg, 0, 'f', 0)
+                          : tr("The tilt of the pen is not known"));
 }
 
 }  // namespace felt::desktop

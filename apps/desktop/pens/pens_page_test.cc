@@ -83,10 +83,10 @@ TEST(PensPage, ShowsHowThePenLeans) {
                        Qt::NoModifier, Qt::NoButton, Qt::NoButton);
     QApplication::sendEvent(area, &event);
   };
-  const QString none = QStringLiteral("How far the pen leans is not known");
+  const QString none = QStringLiteral("The tilt of the pen is not known");
   EXPECT_TRUE(says(none));
   lean(QInputDevice::Capability::XTilt | QInputDevice::Capability::YTilt);
-  EXPECT_TRUE(says(QStringLiteral("The pen leans by 45°")));
+  EXPECT_TRUE(says(QStringLiteral("The pen is tilted by 45°")));
   lean({});
   EXPECT_TRUE(says(none));
 }

@@ -19,9 +19,9 @@ constexpr int kPieces = 64;
 PressureCurveEditor::PressureCurveEditor(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Pressure curve"));
-  setAccessibleDescription(tr(
-      "From the pen's pressure, left to right, to the line's width, bottom to top. The arrow keys "
-      "move a handle, Space takes the other one."));
+  setAccessibleDescription(
+      tr("From the pressure of the pen (left to right) to the width of the line (bottom to top). "
+         "The arrow keys move a handle; Space selects the other one."));
   setToolTip(tr("Drag the two handles. Higher is wider."));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
 }

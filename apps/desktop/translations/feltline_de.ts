@@ -4,35 +4,35 @@
 <context>
     <name>AddedStrokes</name>
     <message>
-        <source>“%1” is another medium here than there: its strokes look as they do here</source>
-        <translation>„%1“ ist hier ein anderes Zeichenmittel als dort: seine Linien sehen aus wie hier</translation>
+        <source>“%1” differs here: the added strokes look as it does in this drawing</source>
+        <translation>„%1“ ist hier anders definiert: Die hinzugefügten Linien sehen aus wie in dieser Zeichnung</translation>
     </message>
 </context>
 <context>
     <name>Arguments</name>
     <message>
-        <source>Open a window of its own, with a fresh sheet.</source>
-        <translation>Ein eigenes Fenster mit einem leeren Blatt öffnen.</translation>
+        <source>Open a separate window with an empty drawing.</source>
+        <translation>Ein separates Fenster mit einer leeren Zeichnung öffnen.</translation>
     </message>
     <message>
-        <source>Speak en, de or nl, whatever the system does.</source>
-        <translation>Sprache en, de oder nl, unabhängig vom System.</translation>
+        <source>Use this UI language (en, de, nl) instead of the system&apos;s.</source>
+        <translation>Diese Sprache (en, de, nl) statt der Systemsprache verwenden.</translation>
     </message>
     <message>
-        <source>Record all that happens to the drawing, for feltline replay --as-recorded.</source>
+        <source>Record everything that happens to the drawing, for feltline replay --as-recorded.</source>
         <translation>Alles aufzeichnen, was mit der Zeichnung geschieht, für feltline replay --as-recorded.</translation>
     </message>
     <message>
         <source>Feltline: draw, and feel what you draw.</source>
-        <translation>Feltline: zeichnen und fühlen, was man zeichnet.</translation>
+        <translation>Feltline: zeichnen und spüren, was man zeichnet.</translation>
     </message>
     <message>
         <source>Drawings to open: .felt, .svg, .ndjson.</source>
-        <translation>Zeichnungen, die geöffnet werden: .felt, .svg, .ndjson.</translation>
+        <translation>Zu öffnende Zeichnungen: .felt, .svg, .ndjson.</translation>
     </message>
     <message>
-        <source>--size is WIDTHxHEIGHT, from 100 to 8000</source>
-        <translation>--size ist BREITExHÖHE, von 100 bis 8000</translation>
+        <source>--size must be WIDTHxHEIGHT, each from 100 to 8000</source>
+        <translation>--size muss BREITExHÖHE sein, jeweils 100 bis 8000</translation>
     </message>
     <message>
         <source>Examples:</source>
@@ -47,19 +47,19 @@
     </message>
     <message>
         <source>Erase while held</source>
-        <translation>Radieren, solange gehalten</translation>
+        <translation>Radieren, solange gedrückt</translation>
     </message>
     <message>
         <source>Pull while held</source>
-        <translation>Ziehen, solange gehalten</translation>
+        <translation>Ziehen, solange gedrückt</translation>
     </message>
     <message>
         <source>Select while held</source>
-        <translation>Auswählen, solange gehalten</translation>
+        <translation>Auswählen, solange gedrückt</translation>
     </message>
     <message>
-        <source>Move the sheet while held</source>
-        <translation>Blatt verschieben, solange gehalten</translation>
+        <source>Move the view while held</source>
+        <translation>Ansicht verschieben, solange gedrückt</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -90,98 +90,98 @@
     </message>
     <message>
         <source>Writes the palette that is shown.</source>
-        <translation>Schreibt die gezeigte Palette.</translation>
+        <translation>Schreibt die angezeigte Palette in eine Datei.</translation>
     </message>
     <message>
         <source>&amp;Keep the colour</source>
         <translation>Farbe &amp;behalten</translation>
     </message>
     <message>
-        <source>Puts the colour in use into a palette of your own.</source>
-        <translation>Legt die benutzte Farbe in eine eigene Palette.</translation>
+        <source>Adds the current colour to your own palette.</source>
+        <translation>Fügt die aktuelle Farbe zur eigenen Palette hinzu.</translation>
     </message>
     <message>
-        <source>&amp;Take the colour out</source>
-        <translation>Farbe &amp;herausnehmen</translation>
+        <source>&amp;Remove the colour</source>
+        <translation>Farbe en&amp;tfernen</translation>
     </message>
     <message>
-        <source>Takes the colour in use out of your own palette.</source>
-        <translation>Nimmt die benutzte Farbe aus der eigenen Palette.</translation>
+        <source>Removes the current colour from your own palette.</source>
+        <translation>Entfernt die aktuelle Farbe aus der eigenen Palette.</translation>
     </message>
 </context>
 <context>
     <name>DeviceWords</name>
     <message>
-        <source>the device is not connected any more</source>
-        <translation>das Gerät ist nicht mehr angeschlossen</translation>
+        <source>the device is no longer connected</source>
+        <translation>das Gerät ist nicht mehr verbunden</translation>
     </message>
     <message>
-        <source>the device does not know where its arm is</source>
-        <translation>das Gerät weiß nicht, wo sein Arm ist</translation>
+        <source>the device does not know the position of its arm</source>
+        <translation>das Gerät kennt die Position seines Arms nicht</translation>
     </message>
     <message>
         <source>the device has switched its forces off</source>
         <translation>das Gerät hat seine Kräfte abgeschaltet</translation>
     </message>
     <message>
-        <source>its motors are warm</source>
-        <translation>seine Motoren sind warm</translation>
+        <source>its motors are too warm</source>
+        <translation>die Motoren sind zu warm</translation>
     </message>
     <message>
-        <source>the device says what cannot be</source>
-        <translation>das Gerät meldet Unmögliches</translation>
+        <source>the device reports impossible values</source>
+        <translation>das Gerät meldet unmögliche Werte</translation>
     </message>
     <message>
         <source>the device reports a fault</source>
         <translation>das Gerät meldet einen Fehler</translation>
     </message>
     <message>
-        <source>%1 is not connected any more.</source>
-        <translation>%1 ist nicht mehr angeschlossen.</translation>
+        <source>%1 is no longer connected.</source>
+        <translation>%1 ist nicht mehr verbunden.</translation>
     </message>
     <message>
-        <source>Draw on with mouse or tablet; nothing is lost. Look at its cable and its power.</source>
-        <translation>Mit Maus oder Tablett weiterzeichnen; nichts ist verloren. Kabel und Stromversorgung prüfen.</translation>
+        <source>Nothing is lost. Check its cable and power; you can continue with mouse or tablet.</source>
+        <translation>Es ist nichts verloren. Prüfen Sie Kabel und Stromversorgung; Sie können mit Maus oder Tablett weiterzeichnen.</translation>
     </message>
     <message>
-        <source>%1 does not know where its arm is.</source>
-        <translation>%1 weiß nicht, wo sein Arm ist.</translation>
+        <source>%1 does not know the position of its arm.</source>
+        <translation>%1 kennt die Position seines Arms nicht.</translation>
     </message>
     <message>
-        <source>Draw on with mouse or tablet until it has found its home.</source>
-        <translation>Mit Maus oder Tablett weiterzeichnen, bis es seine Ausgangslage gefunden hat.</translation>
+        <source>Until it has found its home position, continue with mouse or tablet.</source>
+        <translation>Zeichnen Sie mit Maus oder Tablett weiter, bis es seine Ausgangsposition gefunden hat.</translation>
     </message>
     <message>
         <source>%1 has switched its forces off.</source>
         <translation>%1 hat seine Kräfte abgeschaltet.</translation>
     </message>
     <message>
-        <source>Its button or its own guard did that. Draw on without forces, or switch them on again there and here.</source>
-        <translation>Das war sein Knopf oder sein eigener Schutz. Ohne Kräfte weiterzeichnen oder sie dort und hier wieder einschalten.</translation>
+        <source>Its switch or its own protection did this. Continue without forces, or switch them on at the device and then here.</source>
+        <translation>Auslöser war sein Schalter oder sein eigener Schutz. Zeichnen Sie ohne Kräfte weiter oder schalten Sie die Kräfte erst am Gerät und dann hier wieder ein.</translation>
     </message>
     <message>
-        <source>The motors of %1 are warm.</source>
-        <translation>Die Motoren von %1 sind warm.</translation>
+        <source>The motors of %1 are too warm.</source>
+        <translation>Die Motoren von %1 sind zu warm.</translation>
     </message>
     <message>
-        <source>Draw on without forces. After some minutes of rest they can be switched on again.</source>
-        <translation>Ohne Kräfte weiterzeichnen. Nach einigen Minuten Ruhe lassen sie sich wieder einschalten.</translation>
+        <source>Continue without forces. You can switch them on again in a few minutes.</source>
+        <translation>Zeichnen Sie ohne Kräfte weiter. In einigen Minuten können Sie sie wieder einschalten.</translation>
     </message>
     <message>
-        <source>%1 says what cannot be.</source>
-        <translation>%1 meldet Unmögliches.</translation>
+        <source>%1 reports impossible values.</source>
+        <translation>%1 meldet unmögliche Werte.</translation>
     </message>
     <message>
         <source>%1 reports a fault.</source>
         <translation>%1 meldet einen Fehler.</translation>
     </message>
     <message>
-        <source>Draw on without forces.</source>
-        <translation>Ohne Kräfte weiterzeichnen.</translation>
+        <source>Continue without forces.</source>
+        <translation>Zeichnen Sie ohne Kräfte weiter.</translation>
     </message>
     <message>
-        <source>Draw on with mouse or tablet. Look at its cable, switch it off and on, and try again.</source>
-        <translation>Mit Maus oder Tablett weiterzeichnen. Das Kabel prüfen, das Gerät aus- und einschalten und es noch einmal versuchen.</translation>
+        <source>Continue with mouse or tablet. Check the cable, switch the device off and on, and try again.</source>
+        <translation>Zeichnen Sie mit Maus oder Tablett weiter. Prüfen Sie das Kabel, schalten Sie das Gerät aus und wieder ein und versuchen Sie es erneut.</translation>
     </message>
 </context>
 <context>
@@ -192,7 +192,7 @@
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
+        <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
@@ -208,22 +208,22 @@
     </message>
     <message>
         <source>&amp;Redo %1</source>
-        <translation>&amp;Wiederholen: %1</translation>
+        <translation>&amp;Wiederherstellen: %1</translation>
     </message>
     <message>
-        <source>Takes the last step back.</source>
-        <translation>Nimmt den letzten Schritt zurück.</translation>
+        <source>Undoes the last step.</source>
+        <translation>Macht den letzten Schritt rückgängig.</translation>
     </message>
     <message>
-        <source>Does again what was taken back.</source>
-        <translation>Macht wieder, was zurückgenommen wurde.</translation>
+        <source>Redoes the step that was undone.</source>
+        <translation>Stellt den rückgängig gemachten Schritt wieder her.</translation>
     </message>
     <message>
         <source>De&amp;lete</source>
         <translation>&amp;Löschen</translation>
     </message>
     <message>
-        <source>Removes the lines that are selected.</source>
+        <source>Removes the selected lines.</source>
         <translation>Entfernt die ausgewählten Linien.</translation>
     </message>
     <message>
@@ -231,51 +231,51 @@
         <translation>&amp;Duplizieren</translation>
     </message>
     <message>
-        <source>Copies the selected lines, a little beside them.</source>
-        <translation>Kopiert die ausgewählten Linien, etwas daneben.</translation>
+        <source>Copies the selected lines, slightly offset.</source>
+        <translation>Kopiert die ausgewählten Linien, leicht versetzt.</translation>
     </message>
     <message>
         <source>Selects all lines of visible, unlocked layers.</source>
-        <translation>Wählt alle Linien sichtbarer, nicht gesperrter Ebenen.</translation>
+        <translation>Wählt alle Linien auf sichtbaren, nicht gesperrten Ebenen aus.</translation>
     </message>
     <message>
         <source>Select &amp;none</source>
         <translation>&amp;Nichts auswählen</translation>
     </message>
     <message>
-        <source>Selects nothing.</source>
-        <translation>Wählt nichts aus.</translation>
+        <source>Clears the selection.</source>
+        <translation>Hebt die Auswahl auf.</translation>
     </message>
     <message>
-        <source>Selects all lines but those that are selected now.</source>
-        <translation>Wählt alle Linien außer den jetzt ausgewählten.</translation>
+        <source>Selects all lines that are not selected now.</source>
+        <translation>Wählt alle Linien aus, die jetzt nicht ausgewählt sind.</translation>
     </message>
     <message>
-        <source>&amp;Cancel or select nothing</source>
-        <translation>&amp;Abbrechen oder nichts auswählen</translation>
+        <source>&amp;Cancel or clear selection</source>
+        <translation>&amp;Abbrechen oder Auswahl aufheben</translation>
     </message>
     <message>
-        <source>Cancels what the pen is doing, or clears the selection.</source>
-        <translation>Bricht ab, was der Stift gerade tut, oder hebt die Auswahl auf.</translation>
+        <source>Cancels the current gesture, or clears the selection.</source>
+        <translation>Bricht die laufende Aktion ab oder hebt die Auswahl auf.</translation>
     </message>
 </context>
 <context>
     <name>ErrorWords</name>
     <message>
-        <source>The file or folder is not there.</source>
-        <translation>Die Datei oder der Ordner ist nicht da.</translation>
+        <source>The file or folder does not exist.</source>
+        <translation>Die Datei oder der Ordner existiert nicht.</translation>
     </message>
     <message>
-        <source>The file cannot be read or written: it may be protected, or the disk may be full.</source>
-        <translation>Die Datei kann nicht gelesen oder geschrieben werden: vielleicht ist sie geschützt oder der Datenträger voll.</translation>
+        <source>The file cannot be read or written. It may be protected, or the disk may be full.</source>
+        <translation>Die Datei kann nicht gelesen oder geschrieben werden. Vielleicht ist sie schreibgeschützt oder der Datenträger voll.</translation>
     </message>
     <message>
         <source>Feltline cannot read this kind of file.</source>
-        <translation>Feltline kann Dateien dieser Art nicht lesen.</translation>
+        <translation>Feltline kann diesen Dateityp nicht lesen.</translation>
     </message>
     <message>
-        <source>It is damaged, or not a drawing that Feltline can read.</source>
-        <translation>Sie ist beschädigt oder keine Zeichnung, die Feltline lesen kann.</translation>
+        <source>The file is damaged, or is not a drawing that Feltline can read.</source>
+        <translation>Die Datei ist beschädigt oder keine Zeichnung, die Feltline lesen kann.</translation>
     </message>
     <message>
         <source>The drawing is too large for Feltline.</source>
@@ -304,16 +304,16 @@
 <context>
     <name>FeelActions</name>
     <message>
-        <source>My &amp;own sheets</source>
-        <translation>&amp;Eigene Blätter</translation>
+        <source>M&amp;y surfaces</source>
+        <translation>Ei&amp;gene Untergründe</translation>
     </message>
     <message>
-        <source>Sheets that you made, or a drawing brought</source>
-        <translation>Blätter, die man selbst gemacht hat oder die eine Zeichnung mitbrachte</translation>
+        <source>Surfaces that you made or that came with a drawing</source>
+        <translation>Untergründe, die Sie erstellt haben oder die mit einer Zeichnung kamen</translation>
     </message>
     <message>
-        <source>No force, at once</source>
-        <translation>Keine Kraft mehr, sofort</translation>
+        <source>Stops all forces immediately</source>
+        <translation>Schaltet alle Kräfte sofort ab</translation>
     </message>
     <message>
         <source>&amp;Stronger forces</source>
@@ -332,16 +332,16 @@
         <translation>Alle Kräfte 10 % schwächer</translation>
     </message>
     <message>
-        <source>Forces are off. The panel Feel switches them on again.</source>
-        <translation>Die Kräfte sind aus. Im Feld „Gefühl“ schaltet man sie wieder ein.</translation>
+        <source>Forces are off. Switch them on in the Feel panel.</source>
+        <translation>Die Kräfte sind aus. Schalten Sie sie im Bedienfeld „Gefühl“ wieder ein.</translation>
     </message>
     <message>
-        <source>Hear the pen rub on the sheet</source>
-        <translation>Den Stift auf dem Blatt reiben hören</translation>
+        <source>Hear the pen rub on the surface</source>
+        <translation>Den Stift auf dem Untergrund reiben hören</translation>
     </message>
     <message>
-        <source>Stops all forces, or lets the pen be pushed</source>
-        <translation>Hält alle Kräfte an oder lässt den Stift schieben</translation>
+        <source>Stops all forces, or switches them on</source>
+        <translation>Hält alle Kräfte an oder schaltet sie ein</translation>
     </message>
     <message>
         <source>Stop &amp;forces</source>
@@ -368,11 +368,11 @@
     </message>
     <message>
         <source>To correct a line, press %1 and pull it into shape.</source>
-        <translation>Um eine Linie zu verbessern, drücken Sie %1 und ziehen Sie sie in Form.</translation>
+        <translation>Um eine Linie zu korrigieren, drücken Sie %1 und ziehen Sie sie in Form.</translation>
     </message>
     <message>
-        <source>%1 takes back a step. The Help menu has a two-minute tour.</source>
-        <translation>%1 nimmt einen Schritt zurück. Im Hilfe-Menü gibt es eine Führung von zwei Minuten.</translation>
+        <source>%1 undoes a step. The Help menu has a two-minute tour.</source>
+        <translation>%1 macht einen Schritt rückgängig. Im Hilfe-Menü finden Sie eine zweiminütige Tour.</translation>
     </message>
 </context>
 <context>
@@ -406,8 +406,8 @@
         <translation>Hilfe</translation>
     </message>
     <message>
-        <source>Move the sheet</source>
-        <translation>Blatt verschieben</translation>
+        <source>Move the view</source>
+        <translation>Ansicht verschieben</translation>
     </message>
     <message>
         <source>Space + drag</source>
@@ -438,12 +438,12 @@
         <translation>Umschalt + Leertaste + ziehen</translation>
     </message>
     <message>
-        <source>Borrow a tool</source>
-        <translation>Werkzeug ausleihen</translation>
+        <source>Use a tool temporarily</source>
+        <translation>Werkzeug vorübergehend benutzen</translation>
     </message>
     <message>
         <source>Hold its key while you use it</source>
-        <translation>Taste beim Benutzen halten</translation>
+        <translation>Taste während der Benutzung gedrückt halten</translation>
     </message>
     <message>
         <source>Pen, mouse and held keys</source>
@@ -457,40 +457,40 @@
         <translation>Ebene &amp;hinzufügen</translation>
     </message>
     <message>
-        <source>A new layer above the one in use.</source>
-        <translation>Eine neue Ebene über der benutzten.</translation>
+        <source>Adds a layer above the current one.</source>
+        <translation>Fügt eine Ebene über der aktuellen hinzu.</translation>
     </message>
     <message>
         <source>Remo&amp;ve layer</source>
         <translation>Ebene &amp;entfernen</translation>
     </message>
     <message>
-        <source>Removes it and what is drawn on it.</source>
-        <translation>Entfernt sie und was darauf gezeichnet ist.</translation>
+        <source>Removes the layer and its lines.</source>
+        <translation>Entfernt die Ebene und ihre Linien.</translation>
     </message>
     <message>
         <source>Re&amp;name layer</source>
         <translation>Ebene &amp;umbenennen</translation>
     </message>
     <message>
-        <source>Gives it another name.</source>
-        <translation>Gibt ihr einen anderen Namen.</translation>
+        <source>Changes the name of the layer.</source>
+        <translation>Ändert den Namen der Ebene.</translation>
     </message>
     <message>
         <source>&amp;Raise layer</source>
         <translation>Ebene nach &amp;oben</translation>
     </message>
     <message>
-        <source>One place up.</source>
-        <translation>Einen Platz nach oben.</translation>
+        <source>Moves the layer up by one.</source>
+        <translation>Verschiebt die Ebene um eins nach oben.</translation>
     </message>
     <message>
         <source>&amp;Lower layer</source>
         <translation>Ebene nach un&amp;ten</translation>
     </message>
     <message>
-        <source>One place down.</source>
-        <translation>Einen Platz nach unten.</translation>
+        <source>Moves the layer down by one.</source>
+        <translation>Verschiebt die Ebene um eins nach unten.</translation>
     </message>
     <message>
         <source>Draw on the layer &amp;above</source>
@@ -498,7 +498,7 @@
     </message>
     <message>
         <source>New lines go to the next layer up.</source>
-        <translation>Neue Linien kommen auf die nächsthöhere Ebene.</translation>
+        <translation>Neue Linien kommen auf die nächste Ebene darüber.</translation>
     </message>
     <message>
         <source>Draw on the layer &amp;below</source>
@@ -506,23 +506,23 @@
     </message>
     <message>
         <source>New lines go to the next layer down.</source>
-        <translation>Neue Linien kommen auf die nächsttiefere Ebene.</translation>
+        <translation>Neue Linien kommen auf die nächste Ebene darunter.</translation>
     </message>
     <message>
         <source>&amp;Show layer</source>
-        <translation>Ebene &amp;zeigen</translation>
+        <translation>Ebene an&amp;zeigen</translation>
     </message>
     <message>
-        <source>What is drawn on it is seen.</source>
-        <translation>Was darauf gezeichnet ist, ist zu sehen.</translation>
+        <source>Shows or hides the lines on the layer.</source>
+        <translation>Zeigt die Linien der Ebene an oder blendet sie aus.</translation>
     </message>
     <message>
         <source>Loc&amp;k layer</source>
         <translation>Ebene &amp;sperren</translation>
     </message>
     <message>
-        <source>Nothing on it can be changed.</source>
-        <translation>Nichts darauf lässt sich ändern.</translation>
+        <source>Protects the layer against changes.</source>
+        <translation>Schützt die Ebene vor Änderungen.</translation>
     </message>
 </context>
 <context>
@@ -617,7 +617,7 @@
     </message>
     <message>
         <source>hilly grain</source>
-        <translation>hügeliges Korn</translation>
+        <translation>hügelige Körnung</translation>
     </message>
     <message>
         <source>Pencil</source>
@@ -660,12 +660,12 @@
         <translation>Radierer</translation>
     </message>
     <message>
-        <source>hides the grain</source>
-        <translation>deckt die Körnung zu</translation>
+        <source>covers the grain</source>
+        <translation>überdeckt die Körnung</translation>
     </message>
     <message>
-        <source>grain to feel, not to see</source>
-        <translation>Körnung zu fühlen, nicht zu sehen</translation>
+        <source>grain is felt but not visible</source>
+        <translation>Körnung spürbar, aber nicht sichtbar</translation>
     </message>
     <message>
         <source>fills the grain</source>
@@ -739,15 +739,15 @@
     </message>
     <message>
         <source>&amp;Scroll</source>
-        <translation>Ro&amp;llen</translation>
+        <translation>&amp;Scrollen</translation>
     </message>
     <message>
         <source>Pal&amp;ette</source>
         <translation>&amp;Palette</translation>
     </message>
     <message>
-        <source>S&amp;heet</source>
-        <translation>&amp;Blatt</translation>
+        <source>S&amp;urface</source>
+        <translation>&amp;Untergrund</translation>
     </message>
 </context>
 <context>
@@ -887,24 +887,24 @@
         <translation>Stift&amp;druck</translation>
     </message>
     <message>
-        <source>Pressing harder draws wider; off, every line has the same width.</source>
-        <translation>Fester drücken zeichnet breiter; aus: jede Linie ist gleich breit.</translation>
+        <source>Press harder to draw a wider line. If off, every line has the same width.</source>
+        <translation>Fester drücken zeichnet breitere Linien. Wenn aus, sind alle Linien gleich breit.</translation>
     </message>
     <message>
         <source>Hold the &amp;first modifier</source>
         <translation>&amp;Erste Zusatztaste halten</translation>
     </message>
     <message>
-        <source>As if Shift were held, until it is chosen again.</source>
-        <translation>Als würde Umschalt gehalten, bis zum nächsten Wählen.</translation>
+        <source>Acts as if Shift were held, until you choose this again.</source>
+        <translation>Wirkt wie gehaltene Umschalttaste, bis der Befehl erneut gewählt wird.</translation>
     </message>
     <message>
         <source>Hold the &amp;second modifier</source>
         <translation>&amp;Zweite Zusatztaste halten</translation>
     </message>
     <message>
-        <source>As if Ctrl were held, until it is chosen again.</source>
-        <translation>Als würde Strg gehalten, bis zum nächsten Wählen.</translation>
+        <source>Acts as if Ctrl were held, until you choose this again.</source>
+        <translation>Wirkt wie gehaltene Strg-Taste, bis der Befehl erneut gewählt wird.</translation>
     </message>
 </context>
 <context>
@@ -914,20 +914,20 @@
         <translation>Simuliert: %1</translation>
     </message>
     <message>
-        <source>The ink is exactly where the pen is. Forces are shown, not felt.</source>
-        <translation>Die Tinte ist genau, wo der Stift ist. Kräfte werden gezeigt, nicht gefühlt.</translation>
+        <source>The ink follows the pen exactly. Forces are shown, not felt.</source>
+        <translation>Die Tinte folgt dem Stift genau. Kräfte werden angezeigt, sind aber nicht zu spüren.</translation>
     </message>
     <message>
-        <source>Mouse or pen lead a simulated hand that holds this stylus. Forces move the ink, so that you see what it would feel like.</source>
-        <translation>Maus oder Stift führen eine simulierte Hand, die diesen Stift hält. Kräfte bewegen die Tinte, so dass man sieht, wie es sich anfühlen würde.</translation>
+        <source>Mouse or pen move a simulated hand that holds this stylus. Forces move the ink, so that you see what they would feel like.</source>
+        <translation>Maus oder Stift bewegen eine simulierte Hand, die diesen Stift hält. Kräfte verschieben die Tinte und zeigen so, wie es sich anfühlen würde.</translation>
     </message>
     <message>
         <source>Simulated %1</source>
         <translation>%1, simuliert</translation>
     </message>
     <message>
-        <source>A person holds it, and feels the forces.</source>
-        <translation>Man hält es in der Hand und fühlt die Kräfte.</translation>
+        <source>You hold it in your hand and feel the forces.</source>
+        <translation>Sie halten es in der Hand und spüren die Kräfte.</translation>
     </message>
     <message>
         <source>Mouse or pen, without forces</source>
@@ -949,23 +949,23 @@
         <translation>die Kraftgrenze</translation>
     </message>
     <message>
-        <source>what the motors stand for good</source>
-        <translation>was die Motoren auf Dauer aushalten</translation>
+        <source>the continuous force of the motors</source>
+        <translation>die Dauerkraft der Motoren</translation>
     </message>
     <message>
         <source>the speed of the pen</source>
-        <translation>das Tempo des Stifts</translation>
+        <translation>die Geschwindigkeit des Stifts</translation>
     </message>
     <message>
-        <source>how fast a force may rise</source>
-        <translation>wie schnell eine Kraft steigen darf</translation>
+        <source>the limit on how fast a force may rise</source>
+        <translation>die Grenze für den Anstieg einer Kraft</translation>
     </message>
     <message>
-        <source>how stiff the device can be</source>
-        <translation>wie steif das Gerät sein kann</translation>
+        <source>the largest stiffness of the device</source>
+        <translation>die größte Steifigkeit des Geräts</translation>
     </message>
     <message>
-        <source>Held back by %1.</source>
+        <source>Limited by %1.</source>
         <translation>Begrenzt durch: %1.</translation>
     </message>
     <message>
@@ -986,15 +986,15 @@
     </message>
     <message>
         <source>Check the cable and the power of the device, then switch the forces on again.</source>
-        <translation>Prüfen Sie Kabel und Strom des Geräts und schalten Sie die Kräfte dann wieder ein.</translation>
+        <translation>Prüfen Sie Kabel und Stromversorgung des Geräts und schalten Sie die Kräfte dann wieder ein.</translation>
     </message>
     <message>
-        <source>Drawing goes on as before. Lift the pen and switch the forces on again.</source>
-        <translation>Das Zeichnen geht weiter wie zuvor. Heben Sie den Stift und schalten Sie die Kräfte wieder ein.</translation>
+        <source>You can continue to draw. Lift the pen and switch the forces on again.</source>
+        <translation>Sie können weiterzeichnen. Heben Sie den Stift ab und schalten Sie die Kräfte wieder ein.</translation>
     </message>
     <message>
         <source>the computer was too busy</source>
-        <translation>der Rechner war zu beschäftigt</translation>
+        <translation>der Computer war ausgelastet</translation>
     </message>
     <message>
         <source>the pen was too fast</source>
@@ -1002,15 +1002,15 @@
     </message>
     <message>
         <source>the program was too busy</source>
-        <translation>das Programm war zu beschäftigt</translation>
+        <translation>das Programm war ausgelastet</translation>
     </message>
     <message>
-        <source>the computer stood still for a moment</source>
-        <translation>der Rechner stand einen Moment still</translation>
+        <source>the computer paused for a moment</source>
+        <translation>der Computer hielt einen Moment an</translation>
     </message>
     <message>
-        <source>a force made no sense</source>
-        <translation>eine Kraft ergab keinen Sinn</translation>
+        <source>a force was invalid</source>
+        <translation>eine Kraft war ungültig</translation>
     </message>
     <message>
         <source>the device does not answer</source>
@@ -1034,51 +1034,51 @@
     </message>
     <message>
         <source>Shown, not felt: this pen has no motors</source>
-        <translation>Zu sehen, nicht zu fühlen: dieser Stift hat keine Motoren</translation>
+        <translation>Wird angezeigt, nicht gespürt: Dieser Stift hat keine Motoren</translation>
     </message>
     <message>
-        <source>The plot shows what a device would be asked for.</source>
-        <translation>Das Diagramm zeigt, was von einem Gerät verlangt würde.</translation>
+        <source>The plot shows the forces that a device would be asked for.</source>
+        <translation>Das Diagramm zeigt die Kräfte, die von einem Gerät angefordert würden.</translation>
     </message>
     <message>
         <source>Ready</source>
         <translation>Bereit</translation>
     </message>
     <message>
-        <source>Lift the pen for a moment: forces then begin.</source>
-        <translation>Heben Sie den Stift kurz: dann beginnen die Kräfte.</translation>
+        <source>Lift the pen for a moment to start the forces.</source>
+        <translation>Heben Sie den Stift kurz ab, um die Kräfte zu starten.</translation>
     </message>
     <message>
-        <source>Forces are coming up</source>
-        <translation>Die Kräfte kommen</translation>
+        <source>Forces are starting</source>
+        <translation>Die Kräfte setzen ein</translation>
     </message>
     <message>
         <source>The program is busy</source>
         <translation>Das Programm ist beschäftigt</translation>
     </message>
     <message>
-        <source>The pen only feels a brake.</source>
-        <translation>Der Stift fühlt nur eine Bremse.</translation>
+        <source>The pen only feels damping.</source>
+        <translation>Der Stift spürt nur eine Dämpfung.</translation>
     </message>
     <message>
-        <source>Forces give way: %1</source>
-        <translation>Die Kräfte geben nach: %1</translation>
+        <source>Forces are reduced: %1</source>
+        <translation>Die Kräfte sind verringert: %1</translation>
     </message>
     <message>
-        <source>They come back by themselves.</source>
-        <translation>Sie kommen von selbst wieder.</translation>
+        <source>They return by themselves.</source>
+        <translation>Sie kehren von selbst zurück.</translation>
     </message>
     <message>
-        <source>Sum, asked</source>
-        <translation>Summe, verlangt</translation>
+        <source>Sum, requested</source>
+        <translation>Summe, angefordert</translation>
     </message>
     <message>
         <source>Sent to the pen</source>
         <translation>An den Stift gesendet</translation>
     </message>
     <message>
-        <source>Sheet</source>
-        <translation>Blatt</translation>
+        <source>Surface</source>
+        <translation>Untergrund</translation>
     </message>
     <message>
         <source>Friction</source>
@@ -1117,23 +1117,23 @@
         <translation>Andere</translation>
     </message>
     <message>
-        <source>Drawing goes on. Switch them on at the device, lift the pen, and switch them on here.</source>
-        <translation>Das Zeichnen geht weiter. Am Gerät einschalten, den Stift heben und hier einschalten.</translation>
+        <source>You can continue to draw. Switch the forces on at the device, lift the pen, then switch them on here.</source>
+        <translation>Sie können weiterzeichnen. Schalten Sie die Kräfte am Gerät ein, heben Sie den Stift ab und schalten Sie sie dann hier ein.</translation>
     </message>
     <message>
-        <source>Drawing goes on. Let the device rest for some minutes, then switch the forces on again.</source>
-        <translation>Das Zeichnen geht weiter. Das Gerät einige Minuten ruhen lassen, dann die Kräfte wieder einschalten.</translation>
+        <source>You can continue to draw. Let the device rest for a few minutes, then switch the forces on again.</source>
+        <translation>Sie können weiterzeichnen. Lassen Sie das Gerät einige Minuten ruhen und schalten Sie die Kräfte dann wieder ein.</translation>
     </message>
     <message>
         <source>the computer or the device could not keep up several times in a minute</source>
-        <translation>Computer oder Gerät kamen mehrmals in einer Minute nicht nach</translation>
+        <translation>Computer oder Gerät kamen mehrmals in einer Minute nicht hinterher</translation>
     </message>
 </context>
 <context>
     <name>Stability</name>
     <message>
-        <source>Stable, as wished</source>
-        <translation>Stabil, wie gewünscht</translation>
+        <source>Stable, as requested</source>
+        <translation>Stabil, wie eingestellt</translation>
     </message>
     <message>
         <source>Close to trembling</source>
@@ -1144,8 +1144,8 @@
         <translation>Zittert</translation>
     </message>
     <message>
-        <source>Stable, but less than wished</source>
-        <translation>Stabil, aber weniger als gewünscht</translation>
+        <source>Stable, but less than requested</source>
+        <translation>Stabil, aber weniger als eingestellt</translation>
     </message>
     <message>
         <source>Too much for this device</source>
@@ -1156,24 +1156,24 @@
         <translation>Die Sicherheitskette würde die Kräfte abschalten.</translation>
     </message>
     <message>
-        <source>A pen that rests trembles with %1 N above 30 Hz; 0.04 N can be felt. Less hardness, less friction or more damping helps.</source>
-        <translation>Ein ruhender Stift zittert mit %1 N über 30 Hz; 0,04 N sind zu spüren. Weniger Härte, weniger Reibung oder mehr Dämpfung hilft.</translation>
+        <source>The pen at rest trembles with %1 N above 30 Hz; 0.04 N can be felt. Reduce hardness or friction, or add damping.</source>
+        <translation>Der ruhende Stift zittert mit %1 N über 30 Hz; ab 0,04 N ist das spürbar. Verringern Sie Härte oder Reibung oder erhöhen Sie die Dämpfung.</translation>
     </message>
     <message>
-        <source>%1 has no motors: nothing is felt. The figures are those of a 3D Systems Touch.</source>
-        <translation>%1 hat keine Motoren: Nichts ist zu spüren. Die Werte sind die eines 3D Systems Touch.</translation>
+        <source>%1 has no motors, so nothing is felt. The figures are those of a 3D Systems Touch.</source>
+        <translation>%1 hat keine Motoren, daher ist nichts zu spüren. Die Werte gelten für einen 3D Systems Touch.</translation>
     </message>
     <message>
-        <source>%1 % of what the device bears</source>
-        <translation>%1 % dessen, was das Gerät verträgt</translation>
+        <source>%1 % of the device’s limit</source>
+        <translation>%1 % der Grenze des Geräts</translation>
     </message>
     <message>
-        <source>Hardness: this device makes it %1 of your %2 N/m.</source>
-        <translation>Härte: Dieses Gerät macht daraus %1 von Ihren %2 N/m.</translation>
+        <source>Hardness: this device reaches %1 of your %2 N/m.</source>
+        <translation>Härte: Dieses Gerät erreicht %1 von %2 N/m.</translation>
     </message>
     <message>
-        <source>Grain: its hills are steeper than this loop can follow; felt are %1 of your %2 µm.</source>
-        <translation>Körnung: Ihre Hügel sind steiler, als diese Regelschleife folgen kann; zu fühlen sind %1 von Ihren %2 µm.</translation>
+        <source>Grain: it is too steep for the haptic loop; you feel %1 of your %2 µm.</source>
+        <translation>Körnung: Sie ist zu steil für die Regelschleife; zu spüren sind %1 von %2 µm.</translation>
     </message>
 </context>
 <context>
@@ -1183,32 +1183,32 @@
         <translation>&amp;Kleiner</translation>
     </message>
     <message>
-        <source>Makes the tool in hand smaller.</source>
-        <translation>Macht das Werkzeug in der Hand kleiner.</translation>
+        <source>Makes the current tool smaller.</source>
+        <translation>Verkleinert das aktuelle Werkzeug.</translation>
     </message>
     <message>
         <source>&amp;Larger</source>
         <translation>&amp;Größer</translation>
     </message>
     <message>
-        <source>Makes the tool in hand larger.</source>
-        <translation>Macht das Werkzeug in der Hand größer.</translation>
+        <source>Makes the current tool larger.</source>
+        <translation>Vergrößert das aktuelle Werkzeug.</translation>
     </message>
     <message>
         <source>Forces &amp;weaker</source>
         <translation>Kräfte &amp;schwächer</translation>
     </message>
     <message>
-        <source>The tool in hand pushes back less.</source>
-        <translation>Das Werkzeug in der Hand gibt weniger Widerstand.</translation>
+        <source>The current tool resists less.</source>
+        <translation>Das aktuelle Werkzeug leistet weniger Widerstand.</translation>
     </message>
     <message>
         <source>Forces &amp;stronger</source>
         <translation>Kräfte s&amp;tärker</translation>
     </message>
     <message>
-        <source>The tool in hand pushes back more.</source>
-        <translation>Das Werkzeug in der Hand gibt mehr Widerstand.</translation>
+        <source>The current tool resists more.</source>
+        <translation>Das aktuelle Werkzeug leistet mehr Widerstand.</translation>
     </message>
 </context>
 <context>
@@ -1222,12 +1222,12 @@
 <context>
     <name>ToolSize</name>
     <message>
-        <source>%1 mm is the largest size.</source>
-        <translation>%1 mm ist die größte Größe.</translation>
+        <source>The largest size is %1 mm.</source>
+        <translation>Die maximale Größe ist %1 mm.</translation>
     </message>
     <message>
-        <source>%1 mm is the smallest size.</source>
-        <translation>%1 mm ist die kleinste Größe.</translation>
+        <source>The smallest size is %1 mm.</source>
+        <translation>Die minimale Größe ist %1 mm.</translation>
     </message>
 </context>
 <context>
@@ -1237,144 +1237,144 @@
         <translation>Ver&amp;größern</translation>
     </message>
     <message>
-        <source>Shows the sheet larger, around the pointer</source>
-        <translation>Zeigt das Blatt größer, um den Zeiger</translation>
+        <source>Shows the drawing larger, around the pointer</source>
+        <translation>Vergrößert die Ansicht um den Zeiger</translation>
     </message>
     <message>
         <source>Zoom &amp;out</source>
         <translation>Ver&amp;kleinern</translation>
     </message>
     <message>
-        <source>Shows the sheet smaller, around the pointer</source>
-        <translation>Zeigt das Blatt kleiner, um den Zeiger</translation>
+        <source>Shows the drawing smaller, around the pointer</source>
+        <translation>Verkleinert die Ansicht um den Zeiger</translation>
     </message>
     <message>
         <source>&amp;Life size</source>
         <translation>&amp;Originalgröße</translation>
     </message>
     <message>
-        <source>A millimetre on the sheet is one on the screen</source>
-        <translation>Ein Millimeter auf dem Blatt ist einer auf dem Bildschirm</translation>
+        <source>One millimetre of the drawing is one millimetre on the screen</source>
+        <translation>Ein Millimeter der Zeichnung entspricht einem Millimeter auf dem Bildschirm</translation>
     </message>
     <message>
         <source>Fit &amp;selection</source>
         <translation>&amp;Auswahl einpassen</translation>
     </message>
     <message>
-        <source>Shows what is selected as large as it can</source>
-        <translation>Zeigt das Ausgewählte so groß wie möglich</translation>
+        <source>Shows the selection as large as possible</source>
+        <translation>Zeigt die Auswahl so groß wie möglich</translation>
     </message>
     <message>
         <source>Fit &amp;page</source>
-        <translation>&amp;Blatt einpassen</translation>
+        <translation>Se&amp;ite einpassen</translation>
     </message>
     <message>
-        <source>Shows the whole sheet</source>
-        <translation>Zeigt das ganze Blatt</translation>
+        <source>Shows the whole page</source>
+        <translation>Zeigt die ganze Seite</translation>
     </message>
     <message>
         <source>Fit &amp;drawing</source>
         <translation>&amp;Zeichnung einpassen</translation>
     </message>
     <message>
-        <source>Shows all ink, beside the sheet too</source>
-        <translation>Zeigt alle Tinte, auch neben dem Blatt</translation>
+        <source>Shows all ink, including any outside the page</source>
+        <translation>Zeigt alle Linien, auch außerhalb der Seite</translation>
     </message>
     <message>
         <source>Turn l&amp;eft</source>
         <translation>Nach &amp;links drehen</translation>
     </message>
     <message>
-        <source>Turns the view anticlockwise; the drawing stays</source>
-        <translation>Dreht die Ansicht gegen den Uhrzeigersinn; die Zeichnung bleibt</translation>
+        <source>Turns the view anticlockwise; the drawing does not change</source>
+        <translation>Dreht die Ansicht gegen den Uhrzeigersinn; die Zeichnung ändert sich nicht</translation>
     </message>
     <message>
         <source>Turn ri&amp;ght</source>
         <translation>Nach &amp;rechts drehen</translation>
     </message>
     <message>
-        <source>Turns the view clockwise; the drawing stays</source>
-        <translation>Dreht die Ansicht im Uhrzeigersinn; die Zeichnung bleibt</translation>
+        <source>Turns the view clockwise; the drawing does not change</source>
+        <translation>Dreht die Ansicht im Uhrzeigersinn; die Zeichnung ändert sich nicht</translation>
     </message>
     <message>
         <source>&amp;Upright</source>
         <translation>Au&amp;frecht</translation>
     </message>
     <message>
-        <source>Turns the view back, so that the sheet is upright</source>
-        <translation>Dreht die Ansicht zurück, so dass das Blatt aufrecht steht</translation>
+        <source>Turns the view back upright</source>
+        <translation>Dreht die Ansicht wieder aufrecht</translation>
     </message>
     <message>
         <source>&amp;Mirror view</source>
         <translation>Ansicht &amp;spiegeln</translation>
     </message>
     <message>
-        <source>Swaps left and right of the view, which shows what is askew; the drawing stays</source>
-        <translation>Vertauscht links und rechts in der Ansicht und zeigt so, was schief ist; die Zeichnung bleibt</translation>
+        <source>Swaps left and right in the view, to check proportions; the drawing does not change</source>
+        <translation>Vertauscht links und rechts in der Ansicht, um Proportionen zu prüfen; die Zeichnung ändert sich nicht</translation>
     </message>
     <message>
         <source>Scroll left</source>
-        <translation>Nach links rollen</translation>
+        <translation>Nach links scrollen</translation>
     </message>
     <message>
-        <source>Shows what is further to the left</source>
-        <translation>Zeigt, was weiter links ist</translation>
+        <source>Moves the view to the left</source>
+        <translation>Verschiebt die Ansicht nach links</translation>
     </message>
     <message>
         <source>Scroll right</source>
-        <translation>Nach rechts rollen</translation>
+        <translation>Nach rechts scrollen</translation>
     </message>
     <message>
-        <source>Shows what is further to the right</source>
-        <translation>Zeigt, was weiter rechts ist</translation>
+        <source>Moves the view to the right</source>
+        <translation>Verschiebt die Ansicht nach rechts</translation>
     </message>
     <message>
         <source>Scroll up</source>
-        <translation>Nach oben rollen</translation>
+        <translation>Nach oben scrollen</translation>
     </message>
     <message>
-        <source>Shows what is further up</source>
-        <translation>Zeigt, was weiter oben ist</translation>
+        <source>Moves the view up</source>
+        <translation>Verschiebt die Ansicht nach oben</translation>
     </message>
     <message>
         <source>Scroll down</source>
-        <translation>Nach unten rollen</translation>
+        <translation>Nach unten scrollen</translation>
     </message>
     <message>
-        <source>Shows what is further down</source>
-        <translation>Zeigt, was weiter unten ist</translation>
+        <source>Moves the view down</source>
+        <translation>Verschiebt die Ansicht nach unten</translation>
     </message>
     <message>
         <source>Ou&amp;tlines</source>
         <translation>&amp;Umrisse</translation>
     </message>
     <message>
-        <source>Shows the middle of each line only, hair-thin</source>
-        <translation>Zeigt nur die Mitte jeder Linie, haarfein</translation>
+        <source>Shows only the centre line of each stroke</source>
+        <translation>Zeigt nur die Mittellinie jedes Strichs</translation>
     </message>
     <message>
         <source>&amp;Force arrow</source>
         <translation>Kraft&amp;pfeil</translation>
     </message>
     <message>
-        <source>Shows at the nib where the force pushes</source>
-        <translation>Zeigt an der Spitze, wohin die Kraft drückt</translation>
+        <source>Shows the direction and size of the force at the nib</source>
+        <translation>Zeigt Richtung und Stärke der Kraft an der Spitze</translation>
     </message>
     <message>
-        <source>&amp;Nib gives way to forces</source>
-        <translation>Spitze gibt Kräften &amp;nach</translation>
+        <source>&amp;Nib moves with forces</source>
+        <translation>Spitze folgt den Kräfte&amp;n</translation>
     </message>
     <message>
-        <source>With a simulated stylus, the nib is shown where forces move it</source>
-        <translation>Mit einem simulierten Stift steht die Spitze, wohin Kräfte sie bewegen</translation>
+        <source>With a simulated stylus, shows the nib where forces move it</source>
+        <translation>Zeigt bei einem simulierten Stift die Spitze dort, wohin die Kräfte sie bewegen</translation>
     </message>
     <message>
-        <source>G&amp;rain of the sheet</source>
-        <translation>&amp;Körnung des Blatts</translation>
+        <source>G&amp;rain of the surface</source>
+        <translation>&amp;Körnung des Untergrunds</translation>
     </message>
     <message>
-        <source>Dry ink shows the relief of the sheet</source>
-        <translation>Trockene Tinte zeigt das Relief des Blatts</translation>
+        <source>Dry media show the relief of the surface</source>
+        <translation>Trockene Zeichenmittel zeigen das Relief des Untergrunds</translation>
     </message>
 </context>
 <context>
@@ -1409,7 +1409,7 @@
     </message>
     <message>
         <source>Hide layer</source>
-        <translation>Ebene verbergen</translation>
+        <translation>Ebene ausblenden</translation>
     </message>
     <message>
         <source>Import</source>
@@ -1469,7 +1469,7 @@
     </message>
     <message>
         <source>Show layer</source>
-        <translation>Ebene zeigen</translation>
+        <translation>Ebene anzeigen</translation>
     </message>
     <message>
         <source>Smooth</source>
@@ -1503,12 +1503,12 @@
         <translation>Symbol von Feltline</translation>
     </message>
     <message>
-        <source>Sketching that the hand feels: ink that pushes back, lines that are corrected by pulling and pushing them.</source>
-        <translation>Skizzieren, das die Hand fühlt: Tinte, die sich wehrt, Linien, die man durch Ziehen und Schieben verbessert.</translation>
+        <source>Sketching that you can feel: ink that resists, lines that you correct by pulling and pushing.</source>
+        <translation>Skizzieren, das man spürt: Tinte, die Widerstand leistet, und Linien, die man durch Ziehen und Schieben korrigiert.</translation>
     </message>
     <message>
-        <source>Begun from an idea of this paper:</source>
-        <translation>Entstanden aus einer Idee dieses Artikels:</translation>
+        <source>Based on an idea in this paper:</source>
+        <translation>Nach einer Idee aus diesem Artikel:</translation>
     </message>
     <message>
         <source>Built with Qt %1 and these libraries:</source>
@@ -1527,11 +1527,11 @@
     </message>
     <message>
         <source>The corner to touch</source>
-        <translation>Die Ecke, die zu berühren ist</translation>
+        <translation>Zu berührende Ecke</translation>
     </message>
     <message>
-        <source>&amp;Take this place</source>
-        <translation>Diesen &amp;Ort nehmen</translation>
+        <source>&amp;Use this position</source>
+        <translation>Diese &amp;Position verwenden</translation>
     </message>
     <message>
         <source>&amp;Start again</source>
@@ -1542,36 +1542,36 @@
         <translation>&amp;Behalten</translation>
     </message>
     <message>
-        <source>That is no drawing area: %1. Begin with the upper left corner again.</source>
-        <translation>Das ist keine Zeichenfläche: %1. Beginnen Sie wieder mit der Ecke oben links.</translation>
+        <source>This is not a usable drawing area: %1. Start again with the upper left corner.</source>
+        <translation>Das ist keine brauchbare Zeichenfläche: %1. Beginnen Sie erneut mit der oberen linken Ecke.</translation>
     </message>
     <message>
-        <source>Hold the pen&apos;s tip on the upper left corner of where you want to draw.</source>
-        <translation>Halten Sie die Stiftspitze auf die obere linke Ecke der Fläche, auf der Sie zeichnen wollen.</translation>
+        <source>Hold the tip of the pen on the upper left corner of your drawing area.</source>
+        <translation>Halten Sie die Stiftspitze auf die obere linke Ecke der Zeichenfläche.</translation>
     </message>
     <message>
-        <source>Now on the upper right corner.</source>
-        <translation>Jetzt auf die Ecke oben rechts.</translation>
+        <source>Now hold it on the upper right corner.</source>
+        <translation>Halten Sie sie jetzt auf die obere rechte Ecke.</translation>
     </message>
     <message>
-        <source>Now on the lower left corner.</source>
-        <translation>Jetzt auf die Ecke unten links.</translation>
+        <source>Now hold it on the lower left corner.</source>
+        <translation>Halten Sie sie jetzt auf die untere linke Ecke.</translation>
     </message>
     <message>
         <source>The drawing area is %L1 mm wide and %L2 mm high.</source>
         <translation>Die Zeichenfläche ist %L1 mm breit und %L2 mm hoch.</translation>
     </message>
     <message>
-        <source>Its corners fit within %L1 mm.</source>
-        <translation>Ihre Ecken passen auf %L1 mm.</translation>
+        <source>Its corners agree to within %L1 mm.</source>
+        <translation>Die Ecken stimmen auf %L1 mm genau.</translation>
     </message>
     <message>
-        <source>Its corner is not square: %L1 mm off. Starting again may be better.</source>
-        <translation>Ihre Ecke ist nicht rechtwinklig: %L1 mm daneben. Neu beginnen ist wohl besser.</translation>
+        <source>The corner is not square: it is off by %L1 mm. Start again for a better result.</source>
+        <translation>Die Ecke ist nicht rechtwinklig, die Abweichung beträgt %L1 mm. Beginnen Sie für ein besseres Ergebnis neu.</translation>
     </message>
     <message>
         <source>The device does not answer. Check its cable and power.</source>
-        <translation>Das Gerät antwortet nicht. Prüfen Sie Kabel und Strom.</translation>
+        <translation>Das Gerät antwortet nicht. Prüfen Sie Kabel und Stromversorgung.</translation>
     </message>
     <message>
         <source>The pen is at %L1, %L2, %L3 mm.</source>
@@ -1585,12 +1585,12 @@
 <context>
     <name>felt::desktop::Canvas</name>
     <message>
-        <source>Sheet</source>
-        <translation>Blatt</translation>
+        <source>Drawing area</source>
+        <translation>Zeichenfläche</translation>
     </message>
     <message>
-        <source>The sheet to draw on</source>
-        <translation>Das Blatt, auf dem man zeichnet</translation>
+        <source>The area to draw on</source>
+        <translation>Die Fläche, auf der gezeichnet wird</translation>
     </message>
     <message>
         <source>%1, %2 mm</source>
@@ -1609,12 +1609,12 @@
         <translation>gespiegelt</translation>
     </message>
     <message>
-        <source>Pressure is seen.</source>
+        <source>Pressure is recognised.</source>
         <translation>Druck wird erkannt.</translation>
     </message>
     <message>
-        <source>No pressure seen yet: a mouse draws lines of even width.</source>
-        <translation>Noch kein Druck erkannt: die Maus zeichnet gleich breite Linien.</translation>
+        <source>No pressure recognised yet. A mouse draws lines of even width.</source>
+        <translation>Noch kein Druck erkannt. Mit der Maus sind Linien überall gleich breit.</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -1632,24 +1632,24 @@
         <translation>Die &amp;Kraft als Pfeil zeigen</translation>
     </message>
     <message>
-        <source>At the nib: which way it pushes, and how strong it is</source>
-        <translation>An der Spitze: wohin sie drückt und wie stark</translation>
+        <source>Shows the direction and strength of the force at the nib</source>
+        <translation>Zeigt Richtung und Stärke der Kraft an der Spitze</translation>
     </message>
     <message>
-        <source>The &amp;nib gives way to forces</source>
-        <translation>Die &amp;Spitze gibt Kräften nach</translation>
+        <source>The &amp;nib moves with forces</source>
+        <translation>Die &amp;Spitze folgt den Kräften</translation>
     </message>
     <message>
-        <source>With a mouse or a tablet, forces are seen in how the nib moves</source>
-        <translation>Mit Maus oder Tablett sieht man Kräfte daran, wie die Spitze sich bewegt</translation>
+        <source>With a mouse or a tablet, this makes forces visible</source>
+        <translation>Macht Kräfte bei Maus oder Tablett sichtbar</translation>
     </message>
     <message>
-        <source>Dry ink shows the &amp;grain of the sheet</source>
-        <translation>Trockene Tinte zeigt die K&amp;örnung des Blatts</translation>
+        <source>Dry media show the &amp;grain of the surface</source>
+        <translation>Trockene Zeichenmittel zeigen die K&amp;örnung des Untergrunds</translation>
     </message>
     <message>
-        <source>As chalk does; exported outlines stay as they are</source>
-        <translation>Wie Kreide; exportierte Umrisse bleiben, wie sie sind</translation>
+        <source>Like chalk on paper. Exported outlines do not change</source>
+        <translation>Wie Kreide auf Papier. Exportierte Umrisse ändern sich nicht</translation>
     </message>
 </context>
 <context>
@@ -1660,23 +1660,23 @@
     </message>
     <message>
         <source>Move the selected strokes to the clipboard</source>
-        <translation>Die ausgewählten Linien in die Zwischenablage legen</translation>
+        <translation>Die ausgewählten Linien in die Zwischenablage verschieben</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
         <translation>&amp;Kopieren</translation>
     </message>
     <message>
-        <source>Copy the selected strokes, or all</source>
-        <translation>Die ausgewählten Linien kopieren, oder alle</translation>
+        <source>Copy the selected strokes, or all if none is selected</source>
+        <translation>Die ausgewählten Linien kopieren, ohne Auswahl alle</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
         <translation>&amp;Einfügen</translation>
     </message>
     <message>
-        <source>Add the strokes of the clipboard</source>
-        <translation>Die Linien der Zwischenablage hinzufügen</translation>
+        <source>Add the strokes from the clipboard</source>
+        <translation>Die Linien aus der Zwischenablage hinzufügen</translation>
     </message>
     <message>
         <source>Copy as &amp;SVG</source>
@@ -1695,8 +1695,8 @@
         <translation>Die ausgewählten Linien oder alle als Bild kopieren</translation>
     </message>
     <message>
-        <source>Only whole strokes can be cut: select all of a stroke.</source>
-        <translation>Nur ganze Linien lassen sich ausschneiden: wählen Sie eine ganze aus.</translation>
+        <source>Only whole strokes can be cut. Select a whole stroke first.</source>
+        <translation>Nur ganze Linien lassen sich ausschneiden. Wählen Sie zuerst eine ganze Linie aus.</translation>
     </message>
     <message>
         <source>The clipboard cannot be pasted</source>
@@ -1708,7 +1708,7 @@
     </message>
     <message>
         <source>the clipboard</source>
-        <translation>der Zwischenablage</translation>
+        <translation>die Zwischenablage</translation>
     </message>
 </context>
 <context>
@@ -1737,12 +1737,12 @@
         <translation>Farbe neuer Linien</translation>
     </message>
     <message>
-        <source>Number of the colour</source>
-        <translation>Nummer der Farbe</translation>
+        <source>Colour code</source>
+        <translation>Farbcode</translation>
     </message>
     <message>
-        <source>The colour as #rrggbb; #rgb and #rrggbbaa do as well</source>
-        <translation>Die Farbe als #rrggbb; auch #rgb und #rrggbbaa gehen</translation>
+        <source>The colour as #rrggbb, #rgb or #rrggbbaa</source>
+        <translation>Die Farbe als #rrggbb, #rgb oder #rrggbbaa</translation>
     </message>
     <message>
         <source> %</source>
@@ -1753,7 +1753,7 @@
         <translation>Deckkraft</translation>
     </message>
     <message>
-        <source>Opacity: 0 % is see-through</source>
+        <source>Opacity: 0 % is transparent</source>
         <translation>Deckkraft: 0 % ist durchsichtig</translation>
     </message>
     <message>
@@ -1769,8 +1769,8 @@
         <translation>Die Palette darunter</translation>
     </message>
     <message>
-        <source>Keep this colour in a palette of your own</source>
-        <translation>Diese Farbe in einer eigenen Palette behalten</translation>
+        <source>Keep this colour in your own palette</source>
+        <translation>Diese Farbe in der eigenen Palette behalten</translation>
     </message>
     <message>
         <source>&amp;Open a palette…</source>
@@ -1781,16 +1781,16 @@
         <translation>Diese Palette &amp;exportieren …</translation>
     </message>
     <message>
-        <source>Take the &amp;colour out of your own</source>
-        <translation>Farbe aus der eigenen &amp;herausnehmen</translation>
+        <source>Remove the &amp;colour from your palette</source>
+        <translation>Farbe aus der eigenen Palette en&amp;tfernen</translation>
     </message>
     <message>
-        <source>Faint on this paper: %1:1</source>
-        <translation>Blass auf diesem Papier: %1:1</translation>
+        <source>Low contrast with the paper: %1:1</source>
+        <translation>Geringer Kontrast zum Papier: %1:1</translation>
     </message>
     <message>
-        <source>Contrast with paper %1:1</source>
-        <translation>Kontrast zum Papier %1:1</translation>
+        <source>Contrast with the paper: %1:1</source>
+        <translation>Kontrast zum Papier: %1:1</translation>
     </message>
     <message>
         <source>My colours</source>
@@ -1812,30 +1812,30 @@
 <context>
     <name>felt::desktop::CuePlayer</name>
     <message>
-        <source>%1 is gone. It plays again when it is back.</source>
-        <translation>%1 ist weg. Es spielt wieder, sobald es zurück ist.</translation>
+        <source>%1 was disconnected. It continues when it is connected again.</source>
+        <translation>%1 wurde getrennt. Es macht weiter, sobald es wieder verbunden ist.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::DeviceCare</name>
     <message>
-        <source>Find its &amp;home…</source>
-        <translation>&amp;Ausgangslage suchen …</translation>
+        <source>Find its &amp;home position…</source>
+        <translation>&amp;Ausgangsposition suchen …</translation>
     </message>
     <message>
         <source>&amp;Use it again</source>
         <translation>Wieder &amp;benutzen</translation>
     </message>
     <message>
-        <source>Plugged in again it is used again, without forces at first.</source>
-        <translation>Wieder angesteckt wird es wieder benutzt, zunächst ohne Kräfte.</translation>
+        <source>When you connect it again it is used again, with its forces off.</source>
+        <translation>Sobald es wieder angeschlossen ist, wird es wieder benutzt; seine Kräfte sind dann aus.</translation>
     </message>
     <message>
         <source>%1 is in use in another window.</source>
         <translation>%1 wird in einem anderen Fenster benutzt.</translation>
     </message>
     <message>
-        <source>%1 does not open.</source>
+        <source>%1 cannot be opened.</source>
         <translation>%1 lässt sich nicht öffnen.</translation>
     </message>
     <message>
@@ -1843,8 +1843,8 @@
         <translation>Noch einmal &amp;versuchen</translation>
     </message>
     <message>
-        <source>%1 is there. It must find its home before it is used.</source>
-        <translation>%1 ist da. Vor dem Benutzen muss es seine Ausgangslage finden.</translation>
+        <source>%1 is connected. It must find its home position before you can use it.</source>
+        <translation>%1 ist angeschlossen. Vor der Benutzung muss es seine Ausgangsposition finden.</translation>
     </message>
     <message>
         <source>%1 is in use. Its forces are off until you switch them on.</source>
@@ -1862,27 +1862,27 @@
 <context>
     <name>felt::desktop::DeviceNotice</name>
     <message>
-        <source>What the device itself says</source>
-        <translation>Was das Gerät selbst sagt</translation>
+        <source>Message from the device itself</source>
+        <translation>Meldung des Geräts selbst</translation>
     </message>
     <message>
-        <source>The device says: %1</source>
-        <translation>Das Gerät sagt: %1</translation>
+        <source>Message from the device: %1</source>
+        <translation>Meldung des Geräts: %1</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::DevicePage</name>
     <message>
-        <source>Feels pressure, if the pen does. No motors.</source>
-        <translation>Erkennt Druck, wenn der Stift es tut. Keine Motoren.</translation>
+        <source>Senses pressure if the pen does. No motors.</source>
+        <translation>Erkennt Druck, wenn der Stift ihn meldet. Keine Motoren.</translation>
     </message>
     <message>
         <source>No motors.</source>
         <translation>Keine Motoren.</translation>
     </message>
     <message>
-        <source>Pushes with up to %L1 N, for long with %L2 N. Loop of %L3 Hz.</source>
-        <translation>Drückt mit bis zu %L1 N, auf Dauer mit %L2 N. Schleife mit %L3 Hz.</translation>
+        <source>Pushes with up to %L1 N, continuously with %L2 N. Loop of %L3 Hz.</source>
+        <translation>Drückt mit bis zu %L1 N, dauerhaft mit %L2 N. Regelschleife mit %L3 Hz.</translation>
     </message>
     <message>
         <source>Device</source>
@@ -1893,12 +1893,12 @@
         <translation> N</translation>
     </message>
     <message>
-        <source>No force is ever larger than this, whatever a tool asks for</source>
-        <translation>Keine Kraft ist je größer, was auch immer ein Werkzeug verlangt</translation>
+        <source>The upper limit of all forces of this device</source>
+        <translation>Obergrenze für alle Kräfte dieses Geräts</translation>
     </message>
     <message>
         <source>Largest force</source>
-        <translation>Größte Kraft</translation>
+        <translation>Maximale Kraft</translation>
     </message>
     <message>
         <source>&amp;Largest force</source>
@@ -1917,8 +1917,8 @@
         <translation>Vibrationen</translation>
     </message>
     <message>
-        <source>A haptic pen, mouse, touchpad or game controller that hums and ticks with what you draw, whatever the pen is</source>
-        <translation>Ein haptischer Stift, eine Maus, ein Touchpad oder ein Spielregler, der mit der Zeichnung summt und tickt, gleich welcher Stift zeichnet</translation>
+        <source>A haptic pen, mouse, touchpad or game controller that vibrates while you draw, with any pen</source>
+        <translation>Haptischer Stift, Maus, Touchpad oder Gamecontroller, der beim Zeichnen vibriert, mit jedem Stift</translation>
     </message>
     <message>
         <source>&amp;Vibrations</source>
@@ -1937,20 +1937,20 @@
         <translation>Benutzt</translation>
     </message>
     <message>
-        <source>Not connected; used again when it is</source>
-        <translation>Nicht angeschlossen; wird wieder benutzt, sobald es das ist</translation>
+        <source>Not connected; used again once it is</source>
+        <translation>Nicht angeschlossen; wird wieder benutzt, sobald es angeschlossen ist</translation>
     </message>
     <message>
         <source>In use in another window</source>
         <translation>In einem anderen Fenster benutzt</translation>
     </message>
     <message>
-        <source>Its software is here; whether it is connected shows when it is used</source>
-        <translation>Seine Software ist da; ob es angeschlossen ist, zeigt sich beim Benutzen</translation>
+        <source>Its software is installed; whether it is connected shows when you use it</source>
+        <translation>Die Software ist installiert; ob es angeschlossen ist, zeigt sich bei der Benutzung</translation>
     </message>
     <message>
         <source>Connected; its settings cannot be read</source>
-        <translation>Angeschlossen; seine Einstellungen sind nicht lesbar</translation>
+        <translation>Angeschlossen; die Einstellungen sind nicht lesbar</translation>
     </message>
     <message>
         <source>Connected</source>
@@ -1958,7 +1958,7 @@
     </message>
     <message>
         <source>Connected; its drawing plane is not set yet</source>
-        <translation>Angeschlossen; seine Zeichenebene ist noch nicht festgelegt</translation>
+        <translation>Angeschlossen; die Zeichenebene ist noch nicht festgelegt</translation>
     </message>
     <message>
         <source>Another haptic device…</source>
@@ -1969,16 +1969,16 @@
         <translation>Ein haptisches Gerät …</translation>
     </message>
     <message>
-        <source>Not here? See what is missing, step by step</source>
-        <translation>Nicht dabei? Schritt für Schritt sehen, was fehlt</translation>
+        <source>Not in the list? See what is missing, step by step</source>
+        <translation>Nicht in der Liste? Schritt für Schritt sehen, was fehlt</translation>
     </message>
     <message>
-        <source>Mend that line, or remove the file.</source>
-        <translation>Diese Zeile berichtigen oder die Datei entfernen.</translation>
+        <source>Correct that line, or remove the file.</source>
+        <translation>Korrigieren Sie diese Zeile oder löschen Sie die Datei.</translation>
     </message>
     <message>
-        <source>Look at its cable and its power.</source>
-        <translation>Kabel und Stromversorgung prüfen.</translation>
+        <source>Check its cable and power.</source>
+        <translation>Prüfen Sie Kabel und Stromversorgung.</translation>
     </message>
     <message>
         <source>None</source>
@@ -1996,8 +1996,8 @@
         <translation>&amp;Zeichenebene festlegen …</translation>
     </message>
     <message>
-        <source>Fit to the s&amp;heet</source>
-        <translation>An das &amp;Blatt anpassen</translation>
+        <source>Fit to the p&amp;age</source>
+        <translation>An die Se&amp;ite anpassen</translation>
     </message>
     <message>
         <source>Name of the device</source>
@@ -2020,44 +2020,44 @@
         <translation> N</translation>
     </message>
     <message>
-        <source>No force is ever larger than this, whatever a tool asks for</source>
-        <translation>Keine Kraft ist je größer, was auch immer ein Werkzeug verlangt</translation>
+        <source>The upper limit of all forces of this device</source>
+        <translation>Obergrenze für alle Kräfte dieses Geräts</translation>
     </message>
     <message>
         <source>Largest force</source>
-        <translation>Größte Kraft</translation>
+        <translation>Maximale Kraft</translation>
     </message>
     <message>
-        <source>as it can</source>
-        <translation>was es kann</translation>
+        <source>device limit</source>
+        <translation>Gerätegrenze</translation>
     </message>
     <message>
         <source> N/m</source>
         <translation> N/m</translation>
     </message>
     <message>
-        <source>Lower it where the sheet hums or trembles under the pen</source>
-        <translation>Senken, wenn das Blatt unter dem Stift brummt oder zittert</translation>
+        <source>Lower this if the surface hums or trembles under the pen</source>
+        <translation>Verringern, wenn der Untergrund unter dem Stift brummt oder zittert</translation>
     </message>
     <message>
-        <source>Stiffest sheet</source>
-        <translation>Steifstes Blatt</translation>
+        <source>Stiffest surface</source>
+        <translation>Größte Steifigkeit</translation>
     </message>
     <message>
         <source> %</source>
         <translation> %</translation>
     </message>
     <message>
-        <source>100 %: a millimetre of the hand is one of the sheet. 200 %: it is two, and the hand has half the way.</source>
-        <translation>100 %: ein Millimeter der Hand ist einer auf dem Blatt. 200 %: es sind zwei, und die Hand hat den halben Weg.</translation>
+        <source>At 100 %, one millimetre of the hand is one millimetre of the page. At 200 % it is two.</source>
+        <translation>Bei 100 % ist ein Millimeter der Hand ein Millimeter auf der Seite. Bei 200 % sind es zwei.</translation>
     </message>
     <message>
-        <source>Size of a movement on the sheet</source>
-        <translation>Größe einer Bewegung auf dem Blatt</translation>
+        <source>Size of a movement on the page</source>
+        <translation>Größe einer Bewegung auf der Seite</translation>
     </message>
     <message>
-        <source>The middle of the drawing area on the middle of the sheet, and so large that the whole sheet can be reached</source>
-        <translation>Die Mitte der Zeichenfläche auf der Mitte des Blatts und so groß, dass das ganze Blatt erreichbar ist</translation>
+        <source>Centres the drawing area on the page and scales it so that the whole page can be reached</source>
+        <translation>Zentriert die Zeichenfläche auf der Seite und skaliert sie, so dass die ganze Seite erreichbar ist</translation>
     </message>
     <message>
         <source>&amp;Name</source>
@@ -2069,23 +2069,23 @@
     </message>
     <message>
         <source>&amp;Largest force</source>
-        <translation>&amp;Größte Kraft</translation>
+        <translation>&amp;Maximale Kraft</translation>
     </message>
     <message>
-        <source>S&amp;tiffest sheet</source>
-        <translation>&amp;Steifstes Blatt</translation>
+        <source>S&amp;tiffest surface</source>
+        <translation>Größte &amp;Steifigkeit</translation>
     </message>
     <message>
         <source>Drawing plane</source>
         <translation>Zeichenebene</translation>
     </message>
     <message>
-        <source>S&amp;ize on the sheet</source>
-        <translation>Größe au&amp;f dem Blatt</translation>
+        <source>S&amp;ize on the page</source>
+        <translation>Größe au&amp;f der Seite</translation>
     </message>
     <message>
-        <source>Not set yet: as such a device usually stands.</source>
-        <translation>Noch nicht festgelegt: so, wie ein solches Gerät meist steht.</translation>
+        <source>Not set yet: the usual position of such a device is assumed.</source>
+        <translation>Noch nicht festgelegt: Die übliche Position eines solchen Geräts wird angenommen.</translation>
     </message>
     <message>
         <source>Set: %L1 × %L2 mm.</source>
@@ -2096,8 +2096,8 @@
         <translation>Festgelegt.</translation>
     </message>
     <message>
-        <source>Each hand has a drawing plane of its own: for the other one the device stands on the other side</source>
-        <translation>Jede Hand hat ihre eigene Zeichenebene: für die andere steht das Gerät auf der anderen Seite</translation>
+        <source>Each hand has its own drawing plane, because the device stands on that side</source>
+        <translation>Jede Hand hat ihre eigene Zeichenebene, weil das Gerät auf der jeweiligen Seite steht</translation>
     </message>
 </context>
 <context>
@@ -2107,36 +2107,36 @@
         <translation>Ein haptisches Gerät einrichten</translation>
     </message>
     <message>
-        <source>A device pushes your hand only once its maker&apos;s software is installed and you may use its port. Feltline has looked at this computer. Work from the top down; a line with a dash is of a device that you may not own, and needs nothing.</source>
-        <translation>Ein Gerät schiebt die Hand erst, wenn die Software seines Herstellers installiert ist und Sie seinen Anschluss benutzen dürfen. Feltline hat diesen Rechner untersucht. Arbeiten Sie von oben nach unten; eine Zeile mit Strich betrifft ein Gerät, das Sie vielleicht nicht besitzen, und braucht nichts.</translation>
+        <source>A haptic device needs its maker&apos;s software and permission to use its port. Feltline has checked this computer. Work from top to bottom. A line with a dash is about a device that you may not own; ignore it then.</source>
+        <translation>Ein haptisches Gerät braucht die Software seines Herstellers und die Berechtigung, seinen Anschluss zu benutzen. Feltline hat diesen Computer geprüft. Gehen Sie die Liste von oben nach unten durch. Eine Zeile mit Strich betrifft ein Gerät, das Sie vielleicht nicht besitzen; ignorieren Sie sie dann.</translation>
     </message>
     <message>
         <source>What was found</source>
         <translation>Was gefunden wurde</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
-        <translation>&amp;Noch einmal nachsehen</translation>
+        <source>&amp;Check again</source>
+        <translation>&amp;Erneut prüfen</translation>
     </message>
     <message>
         <source>&amp;Copy all</source>
         <translation>Alles &amp;kopieren</translation>
     </message>
     <message>
-        <source>As plain text, to ask somebody who knows</source>
-        <translation>Als einfacher Text, um jemanden zu fragen, der sich auskennt</translation>
+        <source>Copies the report as plain text, to ask for help</source>
+        <translation>Kopiert den Bericht als einfachen Text, um Hilfe zu erbitten</translation>
     </message>
     <message>
-        <source>Looking…</source>
-        <translation>Wird nachgesehen …</translation>
+        <source>Checking…</source>
+        <translation>Wird geprüft …</translation>
     </message>
     <message>
         <source>This build of Feltline has no drivers.</source>
-        <translation>Dieses Feltline wurde ohne Treiber gebaut.</translation>
+        <translation>Diese Version von Feltline wurde ohne Treiber gebaut.</translation>
     </message>
     <message>
-        <source>Nothing to say.</source>
-        <translation>Nichts zu sagen.</translation>
+        <source>Nothing to report.</source>
+        <translation>Nichts zu melden.</translation>
     </message>
 </context>
 <context>
@@ -2151,7 +2151,7 @@
     </message>
     <message>
         <source>The page</source>
-        <translation>Das Blatt</translation>
+        <translation>Die Seite</translation>
     </message>
     <message>
         <source>The ink only</source>
@@ -2171,7 +2171,7 @@
     </message>
     <message>
         <source>&amp;Show:</source>
-        <translation>&amp;Zeigen:</translation>
+        <translation>An&amp;zeigen:</translation>
     </message>
     <message>
         <source>&amp;Resolution:</source>
@@ -2202,12 +2202,12 @@
         <translation>Bewahrt:</translation>
     </message>
     <message>
-        <source>&amp;Grain of the sheet in dry ink</source>
-        <translation>&amp;Körnung des Blattes in trockener Tinte</translation>
+        <source>&amp;Grain of the surface in dry media</source>
+        <translation>&amp;Körnung des Untergrunds in trockenen Zeichenmitteln</translation>
     </message>
     <message>
-        <source>As on the screen. Lines stay lines: other programs show them through a picture of the grain</source>
-        <translation>Wie auf dem Bildschirm. Linien bleiben Linien: Andere Programme zeigen sie durch ein Bild der Körnung</translation>
+        <source>As on the screen. Lines stay editable; the grain is added as a picture</source>
+        <translation>Wie auf dem Bildschirm. Linien bleiben Linien; die Körnung kommt als Bild dazu</translation>
     </message>
 </context>
 <context>
@@ -2229,8 +2229,8 @@
         <translation>&amp;Stärke</translation>
     </message>
     <message>
-        <source>Sh&amp;eet</source>
-        <translation>Bla&amp;tt</translation>
+        <source>Surfac&amp;e</source>
+        <translation>&amp;Untergrund</translation>
     </message>
     <message>
         <source>Stop forces</source>
@@ -2241,12 +2241,12 @@
         <translation>Kräfte einschalten</translation>
     </message>
     <message>
-        <source>No force, at once (Esc twice)</source>
-        <translation>Keine Kraft, sofort (Esc zweimal)</translation>
+        <source>Stops all forces immediately (Esc twice)</source>
+        <translation>Schaltet alle Kräfte sofort ab (Esc zweimal)</translation>
     </message>
     <message>
-        <source>Let the pen be pushed</source>
-        <translation>Der Stift wird geschoben</translation>
+        <source>Let forces act on the pen</source>
+        <translation>Kräfte auf den Stift wirken lassen</translation>
     </message>
     <message>
         <source>Esc twice stops them too.</source>
@@ -2257,27 +2257,27 @@
         <translation>Bearbeiten …</translation>
     </message>
     <message>
-        <source>Change what sheets and media feel, look and sound like</source>
-        <translation>Ändern, wie Blätter und Zeichenmittel sich anfühlen, aussehen und klingen</translation>
+        <source>Change how surfaces and media feel, look and sound</source>
+        <translation>Ändern, wie Untergründe und Zeichenmittel sich anfühlen, aussehen und klingen</translation>
     </message>
     <message>
-        <source>Edit sheets and media</source>
-        <translation>Blätter und Zeichenmittel bearbeiten</translation>
+        <source>Edit surfaces and media</source>
+        <translation>Untergründe und Zeichenmittel bearbeiten</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::FeltPlot</name>
     <message>
-        <source>Plot of what a stroke of 40 mm feels like</source>
-        <translation>Kurve dessen, was ein Strich von 40 mm fühlen lässt</translation>
+        <source>Plot of the force along a stroke of 40 mm</source>
+        <translation>Diagramm der Kraft entlang eines Strichs von 40 mm</translation>
     </message>
     <message>
-        <source>%1 N of drag; the grain changes it by up to %2 N, which can be felt.</source>
-        <translation>%1 N Reibung; die Körnung ändert sie um bis zu %2 N, was zu spüren ist.</translation>
+        <source>%1 N of friction; the grain changes it by up to %2 N, which can be felt.</source>
+        <translation>%1 N Reibung; die Körnung ändert sie um bis zu %2 N, was spürbar ist.</translation>
     </message>
     <message>
-        <source>%1 N of drag; it changes by up to %2 N, which nobody feels.</source>
-        <translation>%1 N Reibung; sie ändert sich um bis zu %2 N, was niemand spürt.</translation>
+        <source>%1 N of friction; the grain changes it by up to %2 N, which is too little to feel.</source>
+        <translation>%1 N Reibung; die Körnung ändert sie um bis zu %2 N, was zu wenig zum Spüren ist.</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -2299,8 +2299,8 @@
         <translation>&amp;Neu</translation>
     </message>
     <message>
-        <source>Begin another drawing</source>
-        <translation>Eine andere Zeichnung beginnen</translation>
+        <source>Start a new drawing</source>
+        <translation>Eine neue Zeichnung beginnen</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -2316,7 +2316,7 @@
     </message>
     <message>
         <source>Save the drawing to its file</source>
-        <translation>Die Zeichnung in ihre Datei speichern</translation>
+        <translation>Die Zeichnung in ihrer Datei speichern</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
@@ -2324,7 +2324,7 @@
     </message>
     <message>
         <source>Save the drawing to another file</source>
-        <translation>Die Zeichnung in eine andere Datei speichern</translation>
+        <translation>Die Zeichnung in einer anderen Datei speichern</translation>
     </message>
     <message>
         <source>&amp;Import…</source>
@@ -2332,7 +2332,7 @@
     </message>
     <message>
         <source>Add the strokes of another file to this drawing</source>
-        <translation>Die Linien einer anderen Datei hinzufügen</translation>
+        <translation>Dieser Zeichnung die Linien einer anderen Datei hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -2347,12 +2347,12 @@
         <translation>&amp;Beenden</translation>
     </message>
     <message>
-        <source>Leave the program</source>
+        <source>Quit the program</source>
         <translation>Das Programm beenden</translation>
     </message>
     <message>
         <source>Untitled</source>
-        <translation>Ohne Namen</translation>
+        <translation>Unbenannt</translation>
     </message>
     <message>
         <source>Open a drawing</source>
@@ -2380,9 +2380,9 @@
     </message>
     <message>
         <source>%1
-Your drawing is still here: save it to another place.</source>
+Your drawing is still open: save it to another place.</source>
         <translation>%1
-Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
+Ihre Zeichnung ist noch geöffnet: Speichern Sie sie an einem anderen Ort.</translation>
     </message>
     <message>
         <source>Nothing yet</source>
@@ -2394,23 +2394,23 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
     <message>
         <source>Recovered %1</source>
-        <translation>%1 (gerettet)</translation>
+        <translation>%1 (wiederhergestellt)</translation>
     </message>
     <message>
         <source>No crash protection: save often</source>
         <translation>Kein Absturzschutz: oft speichern</translation>
     </message>
     <message>
-        <source>What is needed for recovery cannot be written: %1</source>
-        <translation>Was zum Retten nötig ist, lässt sich nicht schreiben: %1</translation>
+        <source>The autosave cannot be written: %1</source>
+        <translation>Die automatische Sicherung lässt sich nicht schreiben: %1</translation>
     </message>
     <message>
-        <source>Crash protection in another place</source>
-        <translation>Absturzschutz an anderem Ort</translation>
+        <source>Autosave in another place</source>
+        <translation>Automatische Sicherung an anderem Ort</translation>
     </message>
     <message>
-        <source>The drawing is kept for recovery in %1, because the usual place fails: %2</source>
-        <translation>Die Zeichnung wird zum Retten in %1 aufgehoben, denn am üblichen Ort geht es nicht: %2</translation>
+        <source>The drawing is autosaved in %1, because the usual place fails: %2</source>
+        <translation>Die Zeichnung wird automatisch in %1 gesichert, weil der übliche Ort nicht funktioniert: %2</translation>
     </message>
 </context>
 <context>
@@ -2424,20 +2424,20 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <translation>Änderungen an „%1“ speichern?</translation>
     </message>
     <message>
-        <source>Without saving, what you drew since the last save is lost.</source>
-        <translation>Ohne Speichern geht verloren, was seitdem gezeichnet wurde.</translation>
+        <source>If you do not save, your changes since the last save are lost.</source>
+        <translation>Wenn Sie nicht speichern, gehen die Änderungen seit dem letzten Speichern verloren.</translation>
     </message>
     <message>
         <source>Changed on disk</source>
-        <translation>Auf der Platte geändert</translation>
+        <translation>Auf dem Datenträger geändert</translation>
     </message>
     <message>
         <source>“%1” was changed by another program.</source>
         <translation>„%1“ wurde von einem anderen Programm geändert.</translation>
     </message>
     <message>
-        <source>Saving now replaces those changes by your drawing.</source>
-        <translation>Speichern ersetzt diese Änderungen durch Ihre Zeichnung.</translation>
+        <source>If you save now, your drawing replaces those changes.</source>
+        <translation>Wenn Sie jetzt speichern, überschreibt Ihre Zeichnung diese Änderungen.</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
@@ -2459,8 +2459,8 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         </translation>
     </message>
     <message>
-        <source>&amp;Show what is left</source>
-        <translation>Übriges &amp;zeigen</translation>
+        <source>&amp;Show the readable part</source>
+        <translation>&amp;Lesbaren Teil anzeigen</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
@@ -2493,8 +2493,8 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <translation>%L1 µs</translation>
     </message>
     <message>
-        <source>The loop does not run.</source>
-        <translation>Die Schleife läuft nicht.</translation>
+        <source>The loop is not running.</source>
+        <translation>Die Regelschleife läuft nicht.</translation>
     </message>
     <message>
         <source>Real-time scheduling.</source>
@@ -2502,19 +2502,19 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
     <message>
         <source>Raised priority, no real-time scheduling.</source>
-        <translation>Höherer Vorrang, kein Echtzeitbetrieb.</translation>
+        <translation>Höhere Priorität, kein Echtzeitbetrieb.</translation>
     </message>
     <message>
-        <source>Ordinary scheduling: late when the computer is busy.</source>
-        <translation>Gewöhnlicher Betrieb: spät, wenn der Rechner beschäftigt ist.</translation>
+        <source>Ordinary scheduling: late if the computer is busy.</source>
+        <translation>Normaler Betrieb: verspätet, wenn der Computer ausgelastet ist.</translation>
     </message>
     <message>
-        <source>The loop stands still: the device does not answer.</source>
-        <translation>Die Schleife steht still: Das Gerät antwortet nicht.</translation>
+        <source>The loop has stopped: the device does not answer.</source>
+        <translation>Die Regelschleife steht: Das Gerät antwortet nicht.</translation>
     </message>
     <message>
         <source>The device&apos;s own software runs the loop.</source>
-        <translation>Die Schleife läuft in der Software des Geräts.</translation>
+        <translation>Die Regelschleife läuft in der Software des Geräts.</translation>
     </message>
     <message>
         <source>Forces</source>
@@ -2529,47 +2529,47 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <translation>Jetzt</translation>
     </message>
     <message>
-        <source>Most</source>
-        <translation>Höchstens</translation>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
     </message>
     <message>
         <source>Forces by name</source>
         <translation>Kräfte nach Namen</translation>
     </message>
     <message>
-        <source>Each force now and its largest value of the last seconds</source>
-        <translation>Jede Kraft jetzt und ihr größter Wert der letzten Sekunden</translation>
+        <source>Each force now and its maximum in the last seconds</source>
+        <translation>Jede Kraft jetzt und ihr Höchstwert in den letzten Sekunden</translation>
     </message>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Hold the plot still</source>
+        <source>Pause the plot</source>
         <translation>Das Diagramm anhalten</translation>
     </message>
     <message>
-        <source>most, %L1 N</source>
-        <translation>höchstens, %L1 N</translation>
+        <source>maximum, %L1 N</source>
+        <translation>maximal, %L1 N</translation>
     </message>
     <message>
-        <source>for long, %L1 N</source>
-        <translation>auf Dauer, %L1 N</translation>
+        <source>continuous, %L1 N</source>
+        <translation>dauerhaft, %L1 N</translation>
     </message>
     <message>
         <source>%L1 N</source>
         <translation>%L1 N</translation>
     </message>
     <message>
-        <source>The motors are warm, so forces are kept lower for a while.</source>
-        <translation>Die Motoren sind warm, darum bleiben die Kräfte eine Weile kleiner.</translation>
+        <source>The motors are warm, so forces are reduced for a while.</source>
+        <translation>Die Motoren sind warm, daher sind die Kräfte eine Weile verringert.</translation>
     </message>
     <message>
         <source>Loop: %L1 Hz, missed ticks: %L2</source>
-        <translation>Schleife: %L1 Hz, versäumte Takte: %L2</translation>
+        <translation>Regelschleife: %L1 Hz, versäumte Takte: %L2</translation>
     </message>
     <message>
-        <source>Late: %1 as a rule, 1 in 100 %2</source>
+        <source>Delay: usually %1, 1 in 100 %2</source>
         <translation>Verspätung: meist %1, 1 von 100 %2</translation>
     </message>
     <message>
@@ -2581,8 +2581,8 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <translation>Arbeit an der Hand: %L1 mJ</translation>
     </message>
     <message>
-        <source>Asked: %L1 N, at most %L2 N of late. The table has each force.</source>
-        <translation>Verlangt: %L1 N, zuletzt höchstens %L2 N. Die Tabelle nennt jede Kraft.</translation>
+        <source>Requested: %L1 N, recently at most %L2 N. The table lists each force.</source>
+        <translation>Angefordert: %L1 N, zuletzt höchstens %L2 N. Die Tabelle nennt jede Kraft.</translation>
     </message>
 </context>
 <context>
@@ -2621,11 +2621,11 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
     <message>
         <source>Strokes as lines of JSON</source>
-        <translation>Striche als JSON-Zeilen</translation>
+        <translation>Linien als JSON-Zeilen</translation>
     </message>
     <message>
-        <source>Every line that is seen, exactly, for programs and scripts; no layers and no sheet.</source>
-        <translation>Jede sichtbare Linie, genau, für Programme und Skripte; keine Ebenen und kein Blatt.</translation>
+        <source>Every visible line, exactly, for programs and scripts; no layers, page or surface.</source>
+        <translation>Jede sichtbare Linie, genau, für Programme und Skripte; keine Ebenen, keine Seite, kein Untergrund.</translation>
     </message>
     <message>
         <source>PDF page</source>
@@ -2655,8 +2655,8 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
 <context>
     <name>felt::desktop::GeneralPage</name>
     <message>
-        <source>As the desktop</source>
-        <translation>Wie der Desktop</translation>
+        <source>Same as the desktop</source>
+        <translation>Wie die Arbeitsumgebung</translation>
     </message>
     <message>
         <source>Light</source>
@@ -2668,26 +2668,26 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation>Farben</translation>
+        <translation>Design</translation>
     </message>
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>Another language is used from the next start on.</source>
-        <translation>Eine andere Sprache gilt ab dem nächsten Start.</translation>
+        <source>The new language is used from the next start.</source>
+        <translation>Die neue Sprache gilt ab dem nächsten Start.</translation>
     </message>
     <message>
         <source>&amp;Theme:</source>
-        <translation>&amp;Farbschema:</translation>
+        <translation>&amp;Design:</translation>
     </message>
     <message>
         <source>&amp;Language:</source>
         <translation>&amp;Sprache:</translation>
     </message>
     <message>
-        <source>At the start:</source>
+        <source>At startup:</source>
         <translation>Beim Start:</translation>
     </message>
     <message>
@@ -2695,16 +2695,16 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <translation>Die letzte Zeichnung &amp;wieder öffnen</translation>
     </message>
     <message>
-        <source>Where no file is named</source>
-        <translation>Wenn keine Datei genannt ist</translation>
+        <source>If no file is given</source>
+        <translation>Wenn keine Datei angegeben ist</translation>
     </message>
     <message>
         <source>So&amp;und of drawing</source>
         <translation>&amp;Ton beim Zeichnen</translation>
     </message>
     <message>
-        <source>Hear the pen rub on the sheet</source>
-        <translation>Den Stift auf dem Blatt reiben hören</translation>
+        <source>Hear the pen rub on the surface</source>
+        <translation>Den Stift auf dem Untergrund reiben hören</translation>
     </message>
     <message>
         <source>Volume of the sound of drawing</source>
@@ -2727,43 +2727,43 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
     <message>
         <source>Draw, then correct</source>
-        <translation>Zeichnen, dann verbessern</translation>
+        <translation>Zeichnen, dann korrigieren</translation>
     </message>
     <message>
-        <source>Draw with a pen or with the mouse. A line that is not right is not drawn again: pull it, push it, smooth it, make it broader. Every step can be undone.</source>
-        <translation>Zeichnen Sie mit einem Stift oder der Maus. Eine Linie, die nicht stimmt, wird nicht neu gezeichnet: ziehen, schieben, glätten oder verbreitern Sie sie. Jeder Schritt lässt sich zurücknehmen.</translation>
+        <source>Draw with a pen or with the mouse. You do not need to redraw a line that is not right: pull it, push it, smooth it, make it broader. You can undo every step.</source>
+        <translation>Zeichnen Sie mit einem Stift oder der Maus. Eine Linie, die nicht stimmt, müssen Sie nicht neu zeichnen: Ziehen, schieben, glätten oder verbreitern Sie sie. Jeder Schritt lässt sich rückgängig machen.</translation>
     </message>
     <message>
-        <source>A short press on a tool&apos;s key takes the tool. Hold the key while you use the tool, and the former one comes back when you let go.</source>
-        <translation>Ein kurzer Druck auf die Taste eines Werkzeugs nimmt es. Wird sie beim Benutzen gehalten, kommt beim Loslassen das vorige zurück.</translation>
+        <source>Press a tool&apos;s key briefly to choose the tool. Hold the key to use the tool only until you release it.</source>
+        <translation>Drücken Sie kurz die Taste eines Werkzeugs, um es zu wählen. Halten Sie die Taste gedrückt, um es nur bis zum Loslassen zu benutzen.</translation>
     </message>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>The sheet</source>
-        <translation>Das Blatt</translation>
+        <source>The view</source>
+        <translation>Die Ansicht</translation>
     </message>
     <message>
-        <source>The wheel zooms at the pointer. Hold Space and drag to move the sheet, with Shift to turn it. None of this changes the drawing.</source>
-        <translation>Das Mausrad zoomt am Zeiger. Leertaste halten und ziehen verschiebt das Blatt, mit Umschalt dreht es sich. Nichts davon ändert die Zeichnung.</translation>
+        <source>The wheel zooms at the pointer. Hold Space and drag to move the view, with Shift to turn it. None of this changes the drawing.</source>
+        <translation>Das Mausrad zoomt am Zeiger. Mit gedrückter Leertaste ziehen verschiebt die Ansicht, zusätzlich mit Umschalt dreht es sie. Nichts davon ändert die Zeichnung.</translation>
     </message>
     <message>
         <source>The feel</source>
         <translation>Das Gefühl</translation>
     </message>
     <message>
-        <source>Every tool pushes back. With a force-feedback pen you feel it in your hand; with a tablet or a mouse you see it, as an arrow at the nib and in the panel Forces. Press Esc twice to switch all forces off at once.</source>
-        <translation>Jedes Werkzeug gibt Widerstand. Mit einem Stift mit Kraftrückmeldung fühlen Sie ihn in der Hand; mit Tablett oder Maus sehen Sie ihn, als Pfeil an der Spitze und im Feld „Kräfte“. Zweimal Esc schaltet alle Kräfte sofort aus.</translation>
+        <source>Every tool resists. With a force-feedback pen you feel this in your hand. With a tablet or a mouse you see it: as an arrow at the nib and in the panel Forces. Press Esc twice to switch off all forces immediately.</source>
+        <translation>Jedes Werkzeug leistet Widerstand. Mit einem Force-Feedback-Stift spüren Sie ihn in der Hand. Mit Tablett oder Maus sehen Sie ihn: als Pfeil an der Spitze und im Bedienfeld „Kräfte“. Zweimal Esc schaltet alle Kräfte sofort ab.</translation>
     </message>
     <message>
         <source>Files</source>
         <translation>Dateien</translation>
     </message>
     <message>
-        <source>Drawings are kept as .felt files, with their layers and their history of pen pressure. Export gives SVG, PDF and PNG to other programs.</source>
-        <translation>Zeichnungen liegen in .felt-Dateien, mit ihren Ebenen. Für andere Programme gibt es SVG, PDF und PNG.</translation>
+        <source>Drawings are saved as .felt files, with their layers and pen pressure. You can export SVG, PDF and PNG for other programs.</source>
+        <translation>Zeichnungen werden als .felt-Dateien gespeichert, mit Ebenen und Stiftdruck. Für andere Programme können Sie SVG, PDF und PNG exportieren.</translation>
     </message>
 </context>
 <context>
@@ -2784,20 +2784,20 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <translation>Was die Werkzeuge tun, auf einer Seite</translation>
     </message>
     <message>
-        <source>&amp;Keys at a glance</source>
-        <translation>&amp;Tasten im Überblick</translation>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Tastenkürzel</translation>
     </message>
     <message>
-        <source>All keys on one page, to search and to print</source>
-        <translation>Alle Tasten auf einer Seite, zum Suchen und Drucken</translation>
+        <source>All shortcuts on one page, to search and to print</source>
+        <translation>Alle Tastenkürzel auf einer Seite, zum Suchen und Drucken</translation>
     </message>
     <message>
         <source>Guided &amp;tour</source>
-        <translation>&amp;Führung</translation>
+        <translation>Geführte T&amp;our</translation>
     </message>
     <message>
-        <source>Two minutes in which the program draws by itself</source>
-        <translation>Zwei Minuten, in denen das Programm selbst zeichnet</translation>
+        <source>A two-minute demonstration of the tools</source>
+        <translation>Eine zweiminütige Vorführung der Werkzeuge</translation>
     </message>
     <message>
         <source>Opens this drawing, made by the project&apos;s simulated hand</source>
@@ -2808,8 +2808,8 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <translation>&amp;Über Feltline</translation>
     </message>
     <message>
-        <source>Version, licence and what it is built on</source>
-        <translation>Version, Lizenz und worauf es gebaut ist</translation>
+        <source>Version, licence and libraries</source>
+        <translation>Version, Lizenz und Bibliotheken</translation>
     </message>
     <message>
         <source>From the tour</source>
@@ -2819,20 +2819,20 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
 <context>
     <name>felt::desktop::HistoryModel</name>
     <message>
-        <source>Earlier steps are forgotten</source>
-        <translation>Frühere Schritte sind vergessen</translation>
+        <source>Earlier steps are no longer available</source>
+        <translation>Frühere Schritte sind nicht mehr verfügbar</translation>
     </message>
     <message>
         <source>As opened</source>
         <translation>Wie geöffnet</translation>
     </message>
     <message>
-        <source>%1, here</source>
-        <translation>%1, hier</translation>
+        <source>%1, current</source>
+        <translation>%1, aktuell</translation>
     </message>
     <message>
         <source>%1, undone</source>
-        <translation>%1, zurückgenommen</translation>
+        <translation>%1, rückgängig gemacht</translation>
     </message>
 </context>
 <context>
@@ -2853,64 +2853,64 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
 <context>
     <name>felt::desktop::HomingDialog</name>
     <message>
-        <source>Bring %1 home</source>
-        <translation>%1 in die Ausgangslage bringen</translation>
+        <source>Home position of %1</source>
+        <translation>Ausgangsposition von %1</translation>
     </message>
     <message>
-        <source>Finding home</source>
-        <translation>Ausgangslage wird gesucht</translation>
+        <source>Finding the home position</source>
+        <translation>Ausgangsposition wird gesucht</translation>
     </message>
     <message>
         <source>Let it &amp;move</source>
-        <translation>Es darf sich &amp;bewegen</translation>
+        <translation>&amp;Bewegung erlauben</translation>
     </message>
     <message>
-        <source>It is &amp;there</source>
-        <translation>Es ist &amp;dort</translation>
+        <source>It is &amp;in place</source>
+        <translation>Es ist an &amp;Ort und Stelle</translation>
     </message>
     <message>
         <source>&amp;Not now</source>
         <translation>&amp;Nicht jetzt</translation>
     </message>
     <message>
-        <source>May its arm move by itself?</source>
+        <source>Allow its arm to move by itself?</source>
         <translation>Darf sich der Arm von selbst bewegen?</translation>
     </message>
     <message>
-        <source>%1 must find out where its arm is, and moves it for that: for some seconds, as far as it reaches, with the force that it needs. Let go of it, clear the space around it, and keep hair, sleeves and cups away. You can stop it at any time by its power switch.</source>
-        <translation>%1 muss herausfinden, wo sein Arm ist, und bewegt ihn dazu: einige Sekunden lang, so weit er reicht, mit der Kraft, die er braucht. Lassen Sie ihn los, machen Sie ringsum Platz und halten Sie Haare, Ärmel und Tassen fern. Mit dem Netzschalter des Geräts lässt er sich jederzeit anhalten.</translation>
+        <source>%1 moves its arm to find its home position: for a few seconds, over its whole reach, with the force that it needs. Let go of the arm, clear the space around it, and keep hair, sleeves and cups away. You can stop it at any time with its power switch.</source>
+        <translation>%1 bewegt seinen Arm, um die Ausgangsposition zu finden: einige Sekunden lang, über die ganze Reichweite, mit der nötigen Kraft. Lassen Sie den Arm los, machen Sie ringsum Platz und halten Sie Haare, Ärmel und Tassen fern. Am Netzschalter können Sie ihn jederzeit anhalten.</translation>
     </message>
     <message>
         <source>Bring the arm to its rest pose</source>
-        <translation>Den Arm in die Ruhelage bringen</translation>
+        <translation>Bringen Sie den Arm in die Ruheposition</translation>
     </message>
     <message>
-        <source>%1 takes the pose that it rests in as its home. Nothing moves by itself.</source>
-        <translation>%1 nimmt die Lage, in der es ruht, als Ausgangslage. Nichts bewegt sich von selbst.</translation>
+        <source>%1 uses its rest pose as its home position. Nothing moves by itself.</source>
+        <translation>%1 verwendet die Ruheposition als Ausgangsposition. Nichts bewegt sich von selbst.</translation>
     </message>
     <message>
         <source>Put the stylus into the inkwell</source>
-        <translation>Den Stift ins Tintenfass stecken</translation>
+        <translation>Stecken Sie den Stift in die Halterung</translation>
     </message>
     <message>
-        <source>%1 finds out where it is while its stylus is in the inkwell, the hole in its foot. Nothing moves by itself.</source>
-        <translation>%1 findet heraus, wo es ist, während sein Stift im Tintenfass steckt, dem Loch in seinem Fuß. Nichts bewegt sich von selbst.</translation>
+        <source>%1 finds its position while its stylus is in the inkwell, the hole in its base. Nothing moves by itself.</source>
+        <translation>%1 ermittelt seine Position, während der Stift in der Halterung steckt, der Öffnung im Sockel. Nichts bewegt sich von selbst.</translation>
     </message>
     <message>
-        <source>It is moving: hands off</source>
-        <translation>Es bewegt sich: Hände weg</translation>
+        <source>It is moving: keep your hands away</source>
+        <translation>Es bewegt sich: Hände fernhalten</translation>
     </message>
     <message>
-        <source>One moment: hold it still</source>
-        <translation>Einen Moment: still halten</translation>
+        <source>Hold it still for a moment</source>
+        <translation>Bitte einen Moment still halten</translation>
     </message>
     <message>
-        <source>It did not find its home. Try again.</source>
-        <translation>Es hat seine Ausgangslage nicht gefunden. Versuchen Sie es noch einmal.</translation>
+        <source>It did not find its home position. Try again.</source>
+        <translation>Es hat seine Ausgangsposition nicht gefunden. Versuchen Sie es erneut.</translation>
     </message>
     <message>
-        <source>That did not work: %1</source>
-        <translation>Das ging nicht: %1</translation>
+        <source>This failed: %1</source>
+        <translation>Fehlgeschlagen: %1</translation>
     </message>
 </context>
 <context>
@@ -2920,8 +2920,8 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <translation>Farbton</translation>
     </message>
     <message>
-        <source>Hue. Arrow keys move it.</source>
-        <translation>Farbton. Pfeiltasten bewegen ihn.</translation>
+        <source>Hue. Change it with the arrow keys.</source>
+        <translation>Farbton. Mit den Pfeiltasten ändern.</translation>
     </message>
     <message>
         <source>%1 degrees</source>
@@ -2938,16 +2938,16 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
 <context>
     <name>felt::desktop::KeyboardPen</name>
     <message>
-        <source>Cancelled, the pen is up</source>
-        <translation>Abgebrochen, der Stift ist oben</translation>
+        <source>Cancelled; the pen is up</source>
+        <translation>Abgebrochen; der Stift ist abgehoben</translation>
     </message>
     <message>
         <source>The pen is down</source>
-        <translation>Der Stift ist unten</translation>
+        <translation>Der Stift ist aufgesetzt</translation>
     </message>
     <message>
         <source>The pen is up</source>
-        <translation>Der Stift ist oben</translation>
+        <translation>Der Stift ist abgehoben</translation>
     </message>
 </context>
 <context>
@@ -2962,7 +2962,7 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
     <message>
         <source>hidden</source>
-        <translation>verborgen</translation>
+        <translation>ausgeblendet</translation>
     </message>
     <message>
         <source>locked</source>
@@ -2973,8 +2973,8 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <translation>nicht gesperrt</translation>
     </message>
     <message>
-        <source>, in use</source>
-        <translation>, in Gebrauch</translation>
+        <source>, current</source>
+        <translation>, aktuell</translation>
     </message>
     <message>
         <source>%1
@@ -3010,43 +3010,43 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Die Ebene nach oben</translation>
     </message>
     <message>
-        <source>One place up</source>
-        <translation>Einen Platz nach oben</translation>
+        <source>Moves the layer up by one</source>
+        <translation>Verschiebt die Ebene um eins nach oben</translation>
     </message>
     <message>
         <source>Lower the layer</source>
         <translation>Die Ebene nach unten</translation>
     </message>
     <message>
-        <source>One place down</source>
-        <translation>Einen Platz nach unten</translation>
+        <source>Moves the layer down by one</source>
+        <translation>Verschiebt die Ebene um eins nach unten</translation>
     </message>
     <message>
         <source>Remove the layer</source>
         <translation>Die Ebene entfernen</translation>
     </message>
     <message>
-        <source>Removes the layer and what is drawn on it</source>
-        <translation>Entfernt die Ebene und was darauf gezeichnet ist</translation>
+        <source>Removes the layer and its lines</source>
+        <translation>Entfernt die Ebene und ihre Linien</translation>
     </message>
     <message>
-        <source>All layers were hidden or locked: “%1” was added, so that there is one to draw on.</source>
-        <translation>Alle Ebenen waren verborgen oder gesperrt: „%1“ kam dazu, damit es eine zum Zeichnen gibt.</translation>
+        <source>All layers were hidden or locked, so “%1” was added to draw on.</source>
+        <translation>Alle Ebenen waren ausgeblendet oder gesperrt, daher wurde „%1“ zum Zeichnen hinzugefügt.</translation>
     </message>
     <message>
-        <source>“%1” is locked: unlock it to draw there.</source>
-        <translation>„%1“ ist gesperrt: zum Zeichnen dort entsperren.</translation>
+        <source>“%1” is locked. Unlock it to draw there.</source>
+        <translation>„%1“ ist gesperrt. Entsperren Sie die Ebene, um darauf zu zeichnen.</translation>
     </message>
     <message>
-        <source>“%1” is hidden: show it to draw there.</source>
-        <translation>„%1“ ist verborgen: zum Zeichnen dort einblenden.</translation>
+        <source>“%1” is hidden. Show it to draw there.</source>
+        <translation>„%1“ ist ausgeblendet. Blenden Sie die Ebene ein, um darauf zu zeichnen.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::MainWindow</name>
     <message>
         <source>Shows or hides the panel %1</source>
-        <translation>Zeigt oder verbirgt das Feld %1</translation>
+        <translation>Blendet das Bedienfeld %1 ein oder aus</translation>
     </message>
     <message>
         <source>Options</source>
@@ -3074,11 +3074,11 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>&amp;Hide all panels</source>
-        <translation>Alle Bedienfelder &amp;verbergen</translation>
+        <translation>Alle Bedienfelder &amp;ausblenden</translation>
     </message>
     <message>
-        <source>Leaves nothing but the sheet</source>
-        <translation>Lässt nur das Blatt stehen</translation>
+        <source>Shows only the drawing area</source>
+        <translation>Zeigt nur die Zeichenfläche</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
@@ -3093,16 +3093,16 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Nächster &amp;Teil des Fensters</translation>
     </message>
     <message>
-        <source>Moves the focus from the sheet to the tools, to each panel, and back</source>
-        <translation>Bringt den Fokus vom Blatt zu den Werkzeugen, zu jedem Feld und zurück</translation>
+        <source>Moves the focus from the drawing area to the tools, to each panel, and back</source>
+        <translation>Bewegt den Fokus von der Zeichenfläche zu den Werkzeugen, zu jedem Bedienfeld und zurück</translation>
     </message>
     <message>
         <source>&amp;Reset the panels</source>
         <translation>Bedienfelder &amp;zurücksetzen</translation>
     </message>
     <message>
-        <source>Puts panels and bars where they were at first</source>
-        <translation>Stellt Bedienfelder und Leisten hin, wo sie zuerst waren</translation>
+        <source>Restores the default layout of panels and bars</source>
+        <translation>Stellt die Standardanordnung der Bedienfelder und Leisten wieder her</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
@@ -3110,7 +3110,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Theme, language, pen, device and shortcuts</source>
-        <translation>Farben, Sprache, Stift, Gerät und Tasten</translation>
+        <translation>Design, Sprache, Stift, Gerät und Tastenkürzel</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -3129,24 +3129,24 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Schließt alle Fenster</translation>
     </message>
     <message>
-        <source>These of your own materials could not be read:</source>
-        <translation>Diese Ihrer eigenen Materialien konnten nicht gelesen werden:</translation>
+        <source>Some of your materials could not be read:</source>
+        <translation>Einige Ihrer Materialien konnten nicht gelesen werden:</translation>
     </message>
     <message>
         <source>Ma&amp;terials…</source>
         <translation>Ma&amp;terialien …</translation>
     </message>
     <message>
-        <source>Change what sheets and media feel, look and sound like, and make your own</source>
-        <translation>Ändern, wie Blätter und Zeichenmittel sich anfühlen, aussehen und klingen, und eigene machen</translation>
+        <source>Change how surfaces and media feel, look and sound, and make your own</source>
+        <translation>Ändern, wie Untergründe und Zeichenmittel sich anfühlen, aussehen und klingen, und eigene erstellen</translation>
     </message>
     <message>
         <source>&amp;Compare materials A and B</source>
         <translation>Materialien A und B &amp;vergleichen</translation>
     </message>
     <message>
-        <source>Feel, see and hear the other one of the two that the editor compares</source>
-        <translation>Das andere der beiden fühlen, sehen und hören, die der Editor vergleicht</translation>
+        <source>Switch between the two materials that the editor compares</source>
+        <translation>Zwischen den beiden Materialien umschalten, die der Editor vergleicht</translation>
     </message>
     <message>
         <source> (read-only)</source>
@@ -3156,7 +3156,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
 <context>
     <name>felt::desktop::MaterialDesk</name>
     <message>
-        <source>Figures of %1</source>
+        <source>Values of %1</source>
         <translation>Werte von %1</translation>
     </message>
     <message>
@@ -3172,8 +3172,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>%1, my own</source>
-        <translation>%1, eigenes</translation>
+        <source>%1 (custom)</source>
+        <translation>%1 (eigenes)</translation>
     </message>
     <message>
         <source>Copy of %1</source>
@@ -3211,19 +3211,19 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>&amp;Ausgehen von:</translation>
     </message>
     <message>
-        <source>Take the figures of another one</source>
-        <translation>Die Werte eines anderen nehmen</translation>
+        <source>Use the values of another material</source>
+        <translation>Die Werte eines anderen Materials verwenden</translation>
     </message>
     <message>
-        <source>Sets all figures to those of another one; they can be changed then</source>
-        <translation>Setzt alle Werte auf die eines anderen; sie lassen sich dann ändern</translation>
+        <source>Sets all values to those of another material; you can then change them</source>
+        <translation>Setzt alle Werte auf die eines anderen Materials; Sie können sie danach ändern</translation>
     </message>
     <message>
-        <source>Figures of…</source>
+        <source>Values of…</source>
         <translation>Werte von …</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Values</source>
         <translation>Werte</translation>
     </message>
     <message>
@@ -3231,8 +3231,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Relief aus einem Bild …</translation>
     </message>
     <message>
-        <source>A PNG of 8 or 16 bits: white is high. It is fitted into a square of 32 widths of the grain, and repeats without a seam</source>
-        <translation>Ein PNG mit 8 oder 16 Bit: Weiß ist hoch. Es wird in ein Quadrat von 32 Körnungsweiten eingepasst und wiederholt sich ohne Naht</translation>
+        <source>A PNG of 8 or 16 bits; white is high. It is scaled to a square of 32 grain wavelengths and repeats seamlessly</source>
+        <translation>Ein PNG mit 8 oder 16 Bit; Weiß ist hoch. Es wird auf ein Quadrat von 32 Wellenlängen der Körnung skaliert und wiederholt sich nahtlos</translation>
     </message>
     <message>
         <source>Light, firm, hard</source>
@@ -3240,31 +3240,31 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>What a stroke feels like</source>
-        <translation>Wie ein Strich sich anfühlt</translation>
+        <translation>Wie sich ein Strich anfühlt</translation>
     </message>
     <message>
-        <source>Hatched: changes below 0.04 N, which nobody feels.</source>
-        <translation>Schraffiert: Änderungen unter 0,04 N, die niemand spürt.</translation>
+        <source>Hatched: changes below 0.04 N, which are too small to feel.</source>
+        <translation>Schraffiert: Änderungen unter 0,04 N, zu klein, um sie zu spüren.</translation>
     </message>
     <message>
-        <source>What the pen feels now</source>
-        <translation>Was der Stift jetzt fühlt</translation>
+        <source>Forces on the pen now</source>
+        <translation>Aktuelle Kräfte am Stift</translation>
     </message>
     <message>
-        <source>What comes of it</source>
-        <translation>Was daraus wird</translation>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>Comes with Feltline. A change makes a copy of your own.</source>
-        <translation>Gehört zu Feltline. Eine Änderung macht eine eigene Kopie.</translation>
+        <source>Comes with Feltline. Changing it makes your own copy.</source>
+        <translation>Gehört zu Feltline. Eine Änderung legt eine eigene Kopie an.</translation>
     </message>
     <message>
-        <source>Your own, not saved. It is kept all the same.</source>
-        <translation>Ihr eigenes, nicht gespeichert. Es bleibt trotzdem erhalten.</translation>
+        <source>Your own, not saved to a file yet. Feltline remembers it.</source>
+        <translation>Eigenes, noch nicht in einer Datei gespeichert. Feltline merkt es sich.</translation>
     </message>
     <message>
         <source>Your own, saved.</source>
-        <translation>Ihr eigenes, gespeichert.</translation>
+        <translation>Eigenes, gespeichert.</translation>
     </message>
     <message>
         <source>Undo: %1</source>
@@ -3292,7 +3292,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>You feel, see and hear %1. Press B for %2.</source>
-        <translation>Sie fühlen, sehen und hören %1. B drücken für %2.</translation>
+        <translation>Sie fühlen, sehen und hören %1. Drücken Sie B für %2.</translation>
     </message>
     <message>
         <source>Copy %1 to %2</source>
@@ -3303,24 +3303,24 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>All figures as they were at first, or when last saved</source>
-        <translation>Alle Werte wie am Anfang oder wie zuletzt gespeichert</translation>
+        <source>Restores all values as they were at first, or when last saved</source>
+        <translation>Setzt alle Werte auf den Anfangszustand oder den zuletzt gespeicherten Stand zurück</translation>
     </message>
     <message>
-        <source>The other one gets these figures</source>
-        <translation>Das andere bekommt diese Werte</translation>
+        <source>Copies these values to the other material</source>
+        <translation>Kopiert diese Werte in das andere Material</translation>
     </message>
     <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Save as a file of your own</source>
+        <source>Save to your own file</source>
         <translation>Als eigene Datei speichern</translation>
     </message>
     <message>
-        <source>%1 is saved.</source>
-        <translation>%1 ist gespeichert.</translation>
+        <source>%1 was saved.</source>
+        <translation>%1 wurde gespeichert.</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -3335,36 +3335,36 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Umbenennen …</translation>
     </message>
     <message>
-        <source>Another name</source>
-        <translation>Ein anderer Name</translation>
+        <source>Changes the name</source>
+        <translation>Ändert den Namen</translation>
     </message>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>Takes it away, and its file; undo brings it back</source>
-        <translation>Nimmt es und seine Datei weg; Rückgängig bringt beide zurück</translation>
+        <source>Deletes the material and its file; undo restores both</source>
+        <translation>Löscht das Material und seine Datei; Rückgängig stellt beide wieder her</translation>
     </message>
     <message>
-        <source>%1 is deleted. Undo brings it back.</source>
-        <translation>%1 ist gelöscht. Rückgängig bringt es zurück.</translation>
+        <source>%1 was deleted. Undo restores it.</source>
+        <translation>%1 wurde gelöscht. Rückgängig stellt es wieder her.</translation>
     </message>
     <message>
         <source>Import…</source>
         <translation>Importieren …</translation>
     </message>
     <message>
-        <source>Take up a material of a file</source>
-        <translation>Ein Material aus einer Datei aufnehmen</translation>
+        <source>Add a material from a file</source>
+        <translation>Ein Material aus einer Datei hinzufügen</translation>
     </message>
     <message>
         <source>Export…</source>
         <translation>Exportieren …</translation>
     </message>
     <message>
-        <source>Write a file for others</source>
-        <translation>Eine Datei für andere schreiben</translation>
+        <source>Write a file to share</source>
+        <translation>Eine Datei zum Weitergeben schreiben</translation>
     </message>
     <message>
         <source>More</source>
@@ -3403,39 +3403,39 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Materialien (*.toml)</translation>
     </message>
     <message>
-        <source>It is yours now, and not saved yet.</source>
-        <translation>Es gehört jetzt Ihnen und ist noch nicht gespeichert.</translation>
+        <source>It is yours now, but not saved yet.</source>
+        <translation>Es ist jetzt Ihr eigenes, aber noch nicht gespeichert.</translation>
     </message>
     <message>
         <source>Export</source>
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>%1 is written.</source>
-        <translation>%1 ist geschrieben.</translation>
+        <source>%1 was exported.</source>
+        <translation>%1 wurde exportiert.</translation>
     </message>
     <message>
-        <source>Comes with this drawing. A change makes a copy of your own.</source>
-        <translation>Gehört zu dieser Zeichnung. Eine Änderung macht eine eigene Kopie.</translation>
+        <source>Comes with this drawing. Changing it makes your own copy.</source>
+        <translation>Gehört zu dieser Zeichnung. Eine Änderung legt eine eigene Kopie an.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::MaterialFieldsView</name>
     <message>
-        <source>Another</source>
-        <translation>Andere</translation>
+        <source>New seed</source>
+        <translation>Neuer Startwert</translation>
     </message>
     <message>
-        <source>Another seed</source>
-        <translation>Ein anderer Startwert</translation>
+        <source>Chooses another seed</source>
+        <translation>Wählt einen anderen Startwert</translation>
     </message>
     <message>
         <source>General</source>
         <translation>Allgemein</translation>
     </message>
     <message>
-        <source>In the hand</source>
-        <translation>In der Hand</translation>
+        <source>Touch</source>
+        <translation>Haptik</translation>
     </message>
     <message>
         <source>Grain</source>
@@ -3446,34 +3446,34 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Linie</translation>
     </message>
     <message>
-        <source>To the eye</source>
-        <translation>Für das Auge</translation>
+        <source>Appearance</source>
+        <translation>Aussehen</translation>
     </message>
     <message>
-        <source>To the ear</source>
-        <translation>Für das Ohr</translation>
+        <source>Sound</source>
+        <translation>Klang</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::MaterialList</name>
     <message>
-        <source>Sheets and media</source>
-        <translation>Blätter und Zeichenmittel</translation>
+        <source>Surfaces and media</source>
+        <translation>Untergründe und Zeichenmittel</translation>
     </message>
     <message>
-        <source>Sheets</source>
-        <translation>Blätter</translation>
+        <source>Surfaces</source>
+        <translation>Untergründe</translation>
     </message>
     <message>
-        <source>My own sheets</source>
-        <translation>Eigene Blätter</translation>
+        <source>My surfaces</source>
+        <translation>Eigene Untergründe</translation>
     </message>
     <message>
         <source>Media</source>
         <translation>Zeichenmittel</translation>
     </message>
     <message>
-        <source>My own media</source>
+        <source>My media</source>
         <translation>Eigene Zeichenmittel</translation>
     </message>
     <message>
@@ -3484,8 +3484,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
 <context>
     <name>felt::desktop::MediaPicker</name>
     <message>
-        <source>What is drawn with</source>
-        <translation>Womit gezeichnet wird</translation>
+        <source>Drawing medium</source>
+        <translation>Zeichenmittel</translation>
     </message>
 </context>
 <context>
@@ -3502,8 +3502,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
 <context>
     <name>felt::desktop::NoticeBar</name>
     <message>
-        <source>What was left out or changed, and where</source>
-        <translation>Was weggelassen oder geändert wurde, und wo</translation>
+        <source>Unsupported content, and its line</source>
+        <translation>Nicht unterstützte Inhalte mit Zeile</translation>
     </message>
     <message>
         <source>Line</source>
@@ -3514,16 +3514,16 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Element</translation>
     </message>
     <message>
-        <source>What became of it</source>
-        <translation>Was daraus wurde</translation>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>How often</source>
-        <translation>Wie oft</translation>
+        <source>Count</source>
+        <translation>Anzahl</translation>
     </message>
     <message>
-        <source>Not everything in “%1” could be taken as it is. Left out or changed: %2. The file itself is as it was.</source>
-        <translation>Nicht alles in „%1“ ließ sich übernehmen, wie es ist. Weggelassen oder geändert: %2. Die Datei selbst ist unverändert.</translation>
+        <source>Some content of “%1” is not supported. Skipped or changed: %2. The file itself is unchanged.</source>
+        <translation>Einige Inhalte von „%1“ werden nicht unterstützt. Übersprungen oder geändert: %2. Die Datei selbst ist unverändert.</translation>
     </message>
 </context>
 <context>
@@ -3544,8 +3544,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
 <context>
     <name>felt::desktop::OptionsPanel</name>
     <message>
-        <source>All options of this tool back to what they were at first</source>
-        <translation>Alle Optionen dieses Werkzeugs wie am Anfang</translation>
+        <source>Resets all options of this tool to their defaults</source>
+        <translation>Setzt alle Optionen dieses Werkzeugs auf die Vorgaben zurück</translation>
     </message>
     <message>
         <source>Reset the tool</source>
@@ -3564,7 +3564,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Mehr</translation>
     </message>
     <message>
-        <source>Options that are seldom needed</source>
+        <source>Options that are rarely needed</source>
         <translation>Optionen, die selten gebraucht werden</translation>
     </message>
 </context>
@@ -3576,27 +3576,27 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Pa&amp;ge setup…</source>
-        <translation>&amp;Blatt einrichten …</translation>
+        <translation>Sei&amp;te einrichten …</translation>
     </message>
     <message>
-        <source>Size, orientation and colour of the sheet</source>
-        <translation>Größe, Lage und Farbe des Blatts</translation>
+        <source>Size, orientation and colour of the page</source>
+        <translation>Größe, Ausrichtung und Farbe der Seite</translation>
     </message>
     <message>
         <source>Print pre&amp;view…</source>
         <translation>Druck&amp;vorschau …</translation>
     </message>
     <message>
-        <source>See what will be printed</source>
-        <translation>Sehen, was gedruckt wird</translation>
+        <source>Shows what will be printed</source>
+        <translation>Zeigt, was gedruckt wird</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
         <translation>&amp;Drucken …</translation>
     </message>
     <message>
-        <source>Print the sheet at its true size</source>
-        <translation>Das Blatt in wahrer Größe drucken</translation>
+        <source>Prints the page at its true size</source>
+        <translation>Druckt die Seite in Originalgröße</translation>
     </message>
     <message>
         <source>Export</source>
@@ -3615,8 +3615,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Druckvorschau</translation>
     </message>
     <message>
-        <source>Write the drawing as SVG, PDF, PNG or ink for other programs</source>
-        <translation>Die Zeichnung als SVG, PDF, PNG oder Tinte für andere Programme schreiben</translation>
+        <source>Export the drawing as SVG, PDF, PNG or ink for other programs</source>
+        <translation>Die Zeichnung als SVG, PDF, PNG oder Tinte für andere Programme exportieren</translation>
     </message>
     <message>
         <source>“%1” was exported.</source>
@@ -3630,16 +3630,16 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>nicht gespeichert</translation>
     </message>
     <message>
-        <source>%1 was changed by another program, and stays as it is. Save yours under another name; the file can be imported.</source>
-        <translation>%1 wurde von einem anderen Programm geändert und bleibt, wie es ist. Speichern Sie Ihres unter einem anderen Namen; die Datei lässt sich importieren.</translation>
+        <source>%1 was changed by another program and was not overwritten. Save your material under another name; you can import the file.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und nicht überschrieben. Speichern Sie Ihr Material unter einem anderen Namen; die Datei können Sie importieren.</translation>
     </message>
     <message>
-        <source>It is for all users of this computer, and cannot be deleted here: %1</source>
-        <translation>Es ist für alle Benutzer dieses Computers und lässt sich hier nicht löschen: %1</translation>
+        <source>It is installed for all users of this computer and cannot be deleted here: %1</source>
+        <translation>Es ist für alle Benutzer dieses Computers installiert und kann hier nicht gelöscht werden: %1</translation>
     </message>
     <message>
-        <source>%1 was changed by another program, and stays as it is. To lose it, delete the file.</source>
-        <translation>%1 wurde von einem anderen Programm geändert und bleibt, wie es ist. Wer es nicht behalten will, löscht die Datei.</translation>
+        <source>%1 was changed by another program and was not deleted. To remove it, delete the file.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und nicht gelöscht. Um es zu entfernen, löschen Sie die Datei.</translation>
     </message>
 </context>
 <context>
@@ -3662,11 +3662,11 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Page setup</source>
-        <translation>Blatt einrichten</translation>
+        <translation>Seite einrichten</translation>
     </message>
     <message>
         <source>Custom</source>
-        <translation>Eigene</translation>
+        <translation>Benutzerdefiniert</translation>
     </message>
     <message>
         <source>No paper: transparent in exported pictures</source>
@@ -3690,7 +3690,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Orientation:</source>
-        <translation>Lage:</translation>
+        <translation>Ausrichtung:</translation>
     </message>
     <message>
         <source>Paper:</source>
@@ -3704,32 +3704,32 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
 <context>
     <name>felt::desktop::PairTable</name>
     <message>
-        <source>Friction on each sheet</source>
-        <translation>Reibung auf jedem Blatt</translation>
+        <source>Friction on each surface</source>
+        <translation>Reibung auf jedem Untergrund</translation>
     </message>
     <message>
-        <source>Bold numbers are the medium&apos;s own for that sheet</source>
-        <translation>Fette Zahlen sind die eigenen des Zeichenmittels auf diesem Blatt</translation>
+        <source>Bold numbers are specific to this medium and surface</source>
+        <translation>Fette Zahlen gelten nur für dieses Zeichenmittel auf diesem Untergrund</translation>
     </message>
     <message>
-        <source>Double-click a number, or press F2, to set the friction on that sheet</source>
-        <translation>Eine Zahl doppelt anklicken oder F2 drücken, um die Reibung auf diesem Blatt zu setzen</translation>
+        <source>Double-click a number, or press F2, to set the friction on that surface</source>
+        <translation>Auf eine Zahl doppelklicken oder F2 drücken, um die Reibung auf diesem Untergrund festzulegen</translation>
     </message>
     <message>
-        <source>Sheet</source>
-        <translation>Blatt</translation>
+        <source>Surface</source>
+        <translation>Untergrund</translation>
     </message>
     <message>
         <source>Friction</source>
         <translation>Reibung</translation>
     </message>
     <message>
-        <source>By the rule</source>
-        <translation>Nach der Regel</translation>
+        <source>Use the default</source>
+        <translation>Vorgabe verwenden</translation>
     </message>
     <message>
-        <source>Friction of the medium times that of the sheet, again</source>
-        <translation>Wieder die Reibung des Zeichenmittels mal die des Blattes</translation>
+        <source>Uses the friction of the medium times that of the surface</source>
+        <translation>Verwendet die Reibung des Zeichenmittels mal die des Untergrunds</translation>
     </message>
 </context>
 <context>
@@ -3739,7 +3739,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Druck ist ausgeschaltet.</translation>
     </message>
     <message>
-        <source>Your pen&apos;s pressure is seen.</source>
+        <source>The pressure of your pen is recognised.</source>
         <translation>Der Druck Ihres Stifts wird erkannt.</translation>
     </message>
     <message>
@@ -3751,15 +3751,15 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <name>felt::desktop::PenTestArea</name>
     <message>
         <source>Test area</source>
-        <translation>Probefläche</translation>
+        <translation>Testbereich</translation>
     </message>
     <message>
-        <source>Scribble here to try the pen; nothing of it is kept.</source>
-        <translation>Hier kritzeln, um den Stift zu probieren; nichts davon bleibt.</translation>
+        <source>Scribble here to try the pen. The scribbles are not kept.</source>
+        <translation>Kritzeln Sie hier, um den Stift auszuprobieren. Das Gekritzel wird nicht gespeichert.</translation>
     </message>
     <message>
         <source>Scribble here to try your pen</source>
-        <translation>Hier kritzeln, um den Stift zu probieren</translation>
+        <translation>Hier kritzeln, um den Stift auszuprobieren</translation>
     </message>
 </context>
 <context>
@@ -3777,8 +3777,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Fester &amp;drücken zeichnet breiter</translation>
     </message>
     <message>
-        <source>Off: every line has the same width, however hard you press.</source>
-        <translation>Aus: jede Linie ist gleich breit, wie fest Sie auch drücken.</translation>
+        <source>If off, every line has the same width, however hard you press.</source>
+        <translation>Wenn aus, sind alle Linien gleich breit, egal wie fest Sie drücken.</translation>
     </message>
     <message>
         <source>&amp;Soft</source>
@@ -3789,32 +3789,32 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Gefühl, von weich bis fest</translation>
     </message>
     <message>
-        <source>Soft: a light hand draws wide. Firm: press harder for the same width.</source>
-        <translation>Weich: eine leichte Hand zeichnet breit. Fest: fester drücken für dieselbe Breite.</translation>
+        <source>Soft: light pressure draws wide. Firm: press harder for the same width.</source>
+        <translation>Weich: Leichter Druck zeichnet breit. Fest: Für dieselbe Breite fester drücken.</translation>
     </message>
     <message>
         <source>Firm</source>
         <translation>Fest</translation>
     </message>
     <message>
-        <source>&amp;Touches from</source>
-        <translation>&amp;Berührt ab</translation>
+        <source>Con&amp;tact from</source>
+        <translation>Kon&amp;takt ab</translation>
     </message>
     <message>
-        <source>Pressure from which the pen touches</source>
-        <translation>Druck, ab dem der Stift berührt</translation>
+        <source>Pressure at which the pen touches the surface</source>
+        <translation>Druck, ab dem der Stift den Untergrund berührt</translation>
     </message>
     <message>
-        <source>For a pen that draws before it is pressed.</source>
-        <translation>Für einen Stift, der zeichnet, bevor er gedrückt wird.</translation>
+        <source>Raise this if the pen draws before you press it.</source>
+        <translation>Erhöhen, wenn der Stift schon zeichnet, bevor Sie drücken.</translation>
     </message>
     <message>
-        <source>&amp;Straight again</source>
-        <translation>Wieder &amp;gerade</translation>
+        <source>Reset cur&amp;ve</source>
+        <translation>Kurve zurück&amp;setzen</translation>
     </message>
     <message>
-        <source>The curve that it came with.</source>
-        <translation>Die ursprüngliche Kurve.</translation>
+        <source>Restores the default curve.</source>
+        <translation>Stellt die Standardkurve wieder her.</translation>
     </message>
     <message>
         <source>Pressure after the curve</source>
@@ -3825,20 +3825,20 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Stift %1, Linie %2</translation>
     </message>
     <message>
-        <source>Charcoal, chalk and pencils draw broader with a pen that leans, where it can say so.</source>
-        <translation>Kohle, Kreide und Bleistifte zeichnen breiter, wenn der Stift sich neigt, sofern er das sagen kann.</translation>
+        <source>Charcoal, chalk and pencils draw broader with a tilted pen, if it reports its tilt.</source>
+        <translation>Kohle, Kreide und Bleistifte zeichnen mit geneigtem Stift breiter, wenn er seine Neigung meldet.</translation>
     </message>
     <message>
         <source>&amp;Wipe</source>
-        <translation>&amp;Wischen</translation>
+        <translation>&amp;Leeren</translation>
     </message>
     <message>
-        <source>Takes what was scribbled away.</source>
-        <translation>Nimmt das Gekritzel weg.</translation>
+        <source>Clears the test area.</source>
+        <translation>Leert den Testbereich.</translation>
     </message>
     <message>
         <source>Buttons, mouse and touch</source>
-        <translation>Tasten, Maus und Berührung</translation>
+        <translation>Tasten, Maus und Touch</translation>
     </message>
     <message>
         <source>Pen, &amp;lower button:</source>
@@ -3869,12 +3869,12 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Linienbreite mit der Maus</translation>
     </message>
     <message>
-        <source>The same all along</source>
-        <translation>Überall gleich</translation>
+        <source>Constant</source>
+        <translation>Gleichmäßig</translation>
     </message>
     <message>
         <source>Thinner when fast</source>
-        <translation>Schnell ist dünner</translation>
+        <translation>Bei Tempo dünner</translation>
     </message>
     <message>
         <source>&amp;Mouse, width of lines:</source>
@@ -3885,8 +3885,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Was ein Finger tut</translation>
     </message>
     <message>
-        <source>Moves the sheet</source>
-        <translation>Verschiebt das Blatt</translation>
+        <source>Moves the view</source>
+        <translation>Verschiebt die Ansicht</translation>
     </message>
     <message>
         <source>Draws</source>
@@ -3894,11 +3894,11 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Nothing: touch is off</source>
-        <translation>Nichts: Berührung ist aus</translation>
+        <translation>Nichts: Touch ist aus</translation>
     </message>
     <message>
-        <source>Two fingers move, zoom and turn the sheet. While the pen is near, touch is ignored.</source>
-        <translation>Zwei Finger verschieben, zoomen und drehen das Blatt. Ist der Stift nah, zählt Berührung nicht.</translation>
+        <source>Two fingers move, zoom and turn the view. While the pen is near, touch is ignored.</source>
+        <translation>Zwei Finger verschieben, zoomen und drehen die Ansicht. Solange der Stift nah ist, wird Touch ignoriert.</translation>
     </message>
     <message>
         <source>One f&amp;inger:</source>
@@ -3909,12 +3909,12 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Maus, Linie %1</translation>
     </message>
     <message>
-        <source>The pen leans by %L1°</source>
+        <source>The pen is tilted by %L1°</source>
         <translation>Der Stift ist um %L1° geneigt</translation>
     </message>
     <message>
-        <source>How far the pen leans is not known</source>
-        <translation>Wie weit der Stift geneigt ist, ist nicht bekannt</translation>
+        <source>The tilt of the pen is not known</source>
+        <translation>Die Neigung des Stifts ist nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -3933,11 +3933,11 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation>Tasten</translation>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
-        <source>Sheet</source>
-        <translation>Blatt</translation>
+        <source>Canvas</source>
+        <translation>Zeichenfläche</translation>
     </message>
     <message>
         <source>Pen</source>
@@ -3955,8 +3955,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Druckkurve</translation>
     </message>
     <message>
-        <source>From the pen&apos;s pressure, left to right, to the line&apos;s width, bottom to top. The arrow keys move a handle, Space takes the other one.</source>
-        <translation>Vom Druck des Stifts, links nach rechts, zur Breite der Linie, unten nach oben. Pfeiltasten bewegen einen Griff, die Leertaste nimmt den anderen.</translation>
+        <source>From the pressure of the pen (left to right) to the width of the line (bottom to top). The arrow keys move a handle; Space selects the other one.</source>
+        <translation>Vom Druck des Stifts (links nach rechts) zur Breite der Linie (unten nach oben). Die Pfeiltasten bewegen einen Griff; die Leertaste wählt den anderen.</translation>
     </message>
     <message>
         <source>Drag the two handles. Higher is wider.</source>
@@ -3967,15 +3967,15 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <name>felt::desktop::RecoveryDialog</name>
     <message>
         <source>Untitled</source>
-        <translation>Ohne Namen</translation>
+        <translation>Unbenannt</translation>
     </message>
     <message>
         <source>Recover drawings</source>
-        <translation>Zeichnungen retten</translation>
+        <translation>Zeichnungen wiederherstellen</translation>
     </message>
     <message>
-        <source>Feltline did not close in order. This was not saved:</source>
-        <translation>Feltline wurde nicht ordentlich beendet. Das war nicht gespeichert:</translation>
+        <source>Feltline closed unexpectedly. These drawings have unsaved changes:</source>
+        <translation>Feltline wurde unerwartet beendet. Diese Zeichnungen haben nicht gespeicherte Änderungen:</translation>
     </message>
     <message>
         <source>&amp;Later</source>
@@ -3987,23 +3987,23 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Recover “%1”</source>
-        <translation>„%1“ retten</translation>
+        <translation>„%1“ wiederherstellen</translation>
     </message>
     <message>
         <source>Discard…</source>
         <translation>Verwerfen …</translation>
     </message>
     <message>
-        <source>Throw “%1” away</source>
-        <translation>„%1“ wegwerfen</translation>
+        <source>Discard “%1”</source>
+        <translation>„%1“ verwerfen</translation>
     </message>
     <message>
-        <source>Throw away</source>
-        <translation>Wegwerfen</translation>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>It cannot be brought back.</source>
-        <translation>Das lässt sich nicht zurückholen.</translation>
+        <source>This cannot be undone.</source>
+        <translation>Das lässt sich nicht rückgängig machen.</translation>
     </message>
     <message>
         <source>%1, one line</source>
@@ -4027,43 +4027,43 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Picture of the recovered drawing</source>
-        <translation>Bild der geretteten Zeichnung</translation>
+        <translation>Bild der wiederhergestellten Zeichnung</translation>
     </message>
     <message>
         <source>Picture of the saved file</source>
         <translation>Bild der gespeicherten Datei</translation>
     </message>
     <message>
-        <source>⚠ Not all of it could be read.</source>
-        <translation>⚠ Nicht alles davon war lesbar.</translation>
+        <source>⚠ Some of it could not be read.</source>
+        <translation>⚠ Ein Teil davon war nicht lesbar.</translation>
     </message>
     <message>
         <source>Recover as a new drawing</source>
-        <translation>Als neue Zeichnung retten</translation>
+        <translation>Als neue Zeichnung wiederherstellen</translation>
     </message>
     <message>
-        <source>Open the saved one</source>
-        <translation>Gespeicherte öffnen</translation>
+        <source>Open the saved version</source>
+        <translation>Gespeicherte Version öffnen</translation>
     </message>
     <message>
-        <source>Open “%1” as it was saved</source>
-        <translation>„%1“ öffnen, wie sie gespeichert wurde</translation>
+        <source>Open the saved version of “%1”</source>
+        <translation>Gespeicherte Version von „%1“ öffnen</translation>
     </message>
     <message>
-        <source>What was not saved is kept, and offered again at the next start</source>
-        <translation>Was nicht gespeichert wurde, bleibt erhalten und wird beim nächsten Start wieder angeboten</translation>
+        <source>The unsaved changes are kept and offered again at the next start</source>
+        <translation>Die nicht gespeicherten Änderungen bleiben erhalten und werden beim nächsten Start wieder angeboten</translation>
     </message>
     <message>
-        <source>Throw away what was not saved of “%1”?</source>
-        <translation>Wegwerfen, was von „%1“ nicht gespeichert wurde?</translation>
+        <source>Discard the unsaved changes of “%1”?</source>
+        <translation>Nicht gespeicherte Änderungen an „%1“ verwerfen?</translation>
     </message>
     <message>
-        <source>It cannot be brought back. The file stays as it is.</source>
-        <translation>Es lässt sich nicht zurückholen. Die Datei bleibt, wie sie ist.</translation>
+        <source>This cannot be undone. The saved file does not change.</source>
+        <translation>Das lässt sich nicht rückgängig machen. Die gespeicherte Datei ändert sich nicht.</translation>
     </message>
     <message>
         <source>Recovered</source>
-        <translation>Gerettet</translation>
+        <translation>Wiederhergestellt</translation>
     </message>
     <message>
         <source>Saved</source>
@@ -4077,8 +4077,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Sättigung und Helligkeit</translation>
     </message>
     <message>
-        <source>Across: saturation. Up: brightness. Arrow keys move it.</source>
-        <translation>Quer: Sättigung. Aufwärts: Helligkeit. Pfeiltasten bewegen sie.</translation>
+        <source>Horizontal: saturation. Vertical: brightness. Change them with the arrow keys.</source>
+        <translation>Horizontal: Sättigung. Vertikal: Helligkeit. Mit den Pfeiltasten ändern.</translation>
     </message>
     <message>
         <source>Saturation %1 %, brightness %2 %</source>
@@ -4088,16 +4088,16 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
 <context>
     <name>felt::desktop::ShortcutSheet</name>
     <message>
-        <source>Keys at a glance</source>
-        <translation>Tasten im Überblick</translation>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
         <source>Search</source>
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Search the keys</source>
-        <translation>Tasten suchen</translation>
+        <source>Search the shortcuts</source>
+        <translation>Tastenkürzel suchen</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -4108,8 +4108,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>&amp;Drucken …</translation>
     </message>
     <message>
-        <source>No key does that.</source>
-        <translation>Das tut keine Taste.</translation>
+        <source>No shortcut found.</source>
+        <translation>Kein Tastenkürzel gefunden.</translation>
     </message>
 </context>
 <context>
@@ -4123,8 +4123,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>&amp;Zurücksetzen</translation>
     </message>
     <message>
-        <source>&amp;Take it over</source>
-        <translation>&amp;Übernehmen</translation>
+        <source>Reass&amp;ign</source>
+        <translation>&amp;Neu zuweisen</translation>
     </message>
     <message>
         <source>Search</source>
@@ -4148,11 +4148,11 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Reset all keys</source>
-        <translation>Alle Tasten zurücksetzen</translation>
+        <translation>Alle Tastenkürzel zurücksetzen</translation>
     </message>
     <message>
-        <source>Give every command the key that it came with?</source>
-        <translation>Jedem Befehl seine ursprüngliche Taste geben?</translation>
+        <source>Restore the default keys of all commands?</source>
+        <translation>Die Standardtasten aller Befehle wiederherstellen?</translation>
     </message>
     <message>
         <source>Commands and their keys</source>
@@ -4168,7 +4168,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>%1 belongs to “%2”.</source>
-        <translation>%1 gehört zu „%2“.</translation>
+        <translation>%1 ist bereits „%2“ zugewiesen.</translation>
     </message>
 </context>
 <context>
@@ -4189,8 +4189,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
 <context>
     <name>felt::desktop::SoundState</name>
     <message>
-        <source>There is no sound device now, so nothing is heard. It is heard once there is one.</source>
-        <translation>Es gibt gerade kein Tongerät, daher ist nichts zu hören. Sobald es eines gibt, ist es zu hören.</translation>
+        <source>There is no sound device. Sound starts when one is connected.</source>
+        <translation>Es gibt kein Audiogerät. Der Ton beginnt, sobald eines angeschlossen ist.</translation>
     </message>
     <message>
         <source>This program was built without sound.</source>
@@ -4211,8 +4211,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Hinweis</translation>
     </message>
     <message>
-        <source>Place of the pen</source>
-        <translation>Ort des Stifts</translation>
+        <source>Position of the pen</source>
+        <translation>Position des Stifts</translation>
     </message>
     <message>
         <source>Pressure</source>
@@ -4227,7 +4227,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>Turn of the view</source>
+        <source>Rotation of the view</source>
         <translation>Drehung der Ansicht</translation>
     </message>
     <message>
@@ -4236,7 +4236,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>State of the file</source>
-        <translation>Stand der Datei</translation>
+        <translation>Status der Datei</translation>
     </message>
     <message>
         <source>%1, %2 mm</source>
@@ -4273,27 +4273,27 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
 <context>
     <name>felt::desktop::Studio</name>
     <message>
-        <source>This drawing has its own figures for: %1. Yours stay as they are.</source>
-        <translation>Diese Zeichnung hat eigene Werte für: %1. Die Ihren bleiben, wie sie sind.</translation>
+        <source>This drawing has its own values for: %1. Your materials are unchanged.</source>
+        <translation>Diese Zeichnung hat eigene Werte für: %1. Ihre Materialien sind unverändert.</translation>
     </message>
     <message>
-        <source>The sheet “%1” is not known here: it feels as the one before.</source>
-        <translation>Das Blatt „%1“ ist hier nicht bekannt: Es fühlt sich an wie das vorige.</translation>
+        <source>The surface “%1” is not installed, so the previous surface is used.</source>
+        <translation>Der Untergrund „%1“ ist nicht installiert, daher wird der vorige verwendet.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::TestPad</name>
     <message>
         <source>Test pad</source>
-        <translation>Probefläche</translation>
+        <translation>Testbereich</translation>
     </message>
     <message>
         <source>Press here with pen or mouse to try the device</source>
-        <translation>Hier mit Stift oder Maus drücken, um das Gerät zu probieren</translation>
+        <translation>Hier mit Stift oder Maus drücken, um das Gerät auszuprobieren</translation>
     </message>
     <message>
-        <source>Try this device on the sheet itself.</source>
-        <translation>Probieren Sie dieses Gerät auf dem Blatt selbst.</translation>
+        <source>Try this device on the drawing area.</source>
+        <translation>Probieren Sie dieses Gerät auf der Zeichenfläche aus.</translation>
     </message>
     <message>
         <source>Press here and feel</source>
@@ -4311,27 +4311,27 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>in hand while the key is held</source>
-        <translation>in der Hand, solange die Taste gehalten wird</translation>
+        <source>active while the key is held</source>
+        <translation>aktiv, solange die Taste gedrückt ist</translation>
     </message>
     <message>
-        <source>comes back when the key is let go</source>
-        <translation>kommt zurück, wenn die Taste losgelassen wird</translation>
+        <source>returns when the key is released</source>
+        <translation>kehrt zurück, wenn die Taste losgelassen wird</translation>
     </message>
     <message>
-        <source>in hand</source>
-        <translation>in der Hand</translation>
+        <source>active</source>
+        <translation>aktiv</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::ToolKeys</name>
     <message>
         <source>&amp;Eraser while held</source>
-        <translation>&amp;Radierer, solange gehalten</translation>
+        <translation>&amp;Radierer, solange gedrückt</translation>
     </message>
     <message>
-        <source>The eraser as long as the key is held; the pencil where the eraser is in hand</source>
-        <translation>Der Radierer, solange die Taste gehalten wird; der Bleistift, wenn der Radierer in der Hand ist</translation>
+        <source>Uses the eraser while the key is held, or the pencil if the eraser is active</source>
+        <translation>Benutzt den Radierer, solange die Taste gedrückt ist, oder den Bleistift, wenn der Radierer aktiv ist</translation>
     </message>
 </context>
 <context>
@@ -4341,24 +4341,24 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Obere Leiste</translation>
     </message>
     <message>
-        <source>Sheet:</source>
-        <translation>Blatt:</translation>
+        <source>Surface:</source>
+        <translation>Untergrund:</translation>
     </message>
     <message>
-        <source>Material of the sheet</source>
-        <translation>Material des Blatts</translation>
+        <source>Material of the surface</source>
+        <translation>Material des Untergrunds</translation>
     </message>
     <message>
-        <source>What the sheet feels and looks like</source>
-        <translation>Wie sich das Blatt anfühlt und aussieht</translation>
+        <source>How the surface feels and looks</source>
+        <translation>Wie sich der Untergrund anfühlt und aussieht</translation>
     </message>
     <message>
-        <source>What is drawn with</source>
-        <translation>Womit gezeichnet wird</translation>
+        <source>Drawing medium</source>
+        <translation>Zeichenmittel</translation>
     </message>
     <message>
-        <source>What the pen is made of: how it looks, feels and sounds</source>
-        <translation>Woraus der Stift ist: wie er aussieht, sich anfühlt und klingt</translation>
+        <source>How the medium looks, feels and sounds</source>
+        <translation>Wie das Zeichenmittel aussieht, sich anfühlt und klingt</translation>
     </message>
     <message>
         <source>Size:</source>
@@ -4373,15 +4373,15 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <name>felt::desktop::TourWindow</name>
     <message>
         <source>Guided tour</source>
-        <translation>Führung</translation>
+        <translation>Geführte Tour</translation>
     </message>
     <message>
-        <source>The sheet of the tour</source>
-        <translation>Das Blatt der Führung</translation>
+        <source>Drawing area of the tour</source>
+        <translation>Zeichenfläche der Tour</translation>
     </message>
     <message>
-        <source>How much of the tour was seen</source>
-        <translation>Wie viel von der Führung zu sehen war</translation>
+        <source>Progress of the tour</source>
+        <translation>Fortschritt der Tour</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -4404,16 +4404,16 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Versuchen Sie es selbst</translation>
     </message>
     <message>
-        <source>Draw with a pen or with the mouse. Press ? for the keys. Nothing can go wrong: Ctrl+Z takes everything back.</source>
-        <translation>Zeichnen Sie mit einem Stift oder der Maus. ? zeigt die Tasten. Nichts kann schiefgehen: Strg+Z nimmt alles zurück.</translation>
+        <source>Draw with a pen or with the mouse. Press ? for the keys. You can undo everything with Ctrl+Z.</source>
+        <translation>Zeichnen Sie mit einem Stift oder der Maus. ? zeigt die Tastenkürzel. Mit Strg+Z können Sie alles rückgängig machen.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>&amp;Go on</source>
-        <translation>&amp;Weiterspielen</translation>
+        <source>C&amp;ontinue</source>
+        <translation>&amp;Fortsetzen</translation>
     </message>
     <message>
         <source>&amp;Try it yourself</source>
@@ -4423,36 +4423,36 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
 <context>
     <name>tools</name>
     <message>
-        <source>A line drawn round what is to be selected, or a rectangle from corner to corner.</source>
-        <translation>Eine Linie um das, was ausgewählt wird, oder ein Rechteck von Ecke zu Ecke.</translation>
+        <source>Draw a line around the selection, or a rectangle from corner to corner.</source>
+        <translation>Die Auswahl mit einer Linie umfahren oder ein Rechteck von Ecke zu Ecke aufziehen.</translation>
     </message>
     <message>
-        <source>A line farther from the pen than this is not taken hold of.</source>
-        <translation>Eine Linie, die weiter weg vom Stift ist, wird nicht gefasst.</translation>
+        <source>Lines farther from the pen than this are not grabbed.</source>
+        <translation>Linien, die weiter vom Stift entfernt sind, werden nicht gegriffen.</translation>
     </message>
     <message>
-        <source>Erases the ink that the ring covers. Off: cuts a line where the ring covers its middle, whatever its width.</source>
-        <translation>Radiert die Tinte, die der Ring bedeckt. Aus: trennt eine Linie dort, wo der Ring ihre Mitte bedeckt, wie breit sie auch ist.</translation>
+        <source>Erases the ink that the ring covers. If off, cuts a line where the ring covers its centre line.</source>
+        <translation>Radiert die Tinte, die der Ring bedeckt. Wenn aus, wird eine Linie dort getrennt, wo der Ring ihre Mittellinie bedeckt.</translation>
     </message>
     <message>
-        <source>A line touched from beside keeps its distance from the pen, instead of coming to the pen over the first millimetres.</source>
-        <translation>Eine Linie, die daneben berührt wird, behält ihren Abstand zum Stift, statt auf den ersten Millimetern zum Stift zu kommen.</translation>
+        <source>A grabbed line keeps its distance from the pen instead of moving to it.</source>
+        <translation>Eine gegriffene Linie behält ihren Abstand zum Stift, statt zu ihm zu wandern.</translation>
     </message>
     <message>
-        <source>A short touch selects the whole nearest line within this distance.</source>
-        <translation>Eine kurze Berührung wählt die ganze nächste Linie in diesem Abstand.</translation>
+        <source>A short touch selects the nearest line within this distance.</source>
+        <translation>Eine kurze Berührung wählt die nächste Linie in diesem Abstand aus.</translation>
     </message>
     <message>
-        <source>Above 1 a light hand stays thin for longer, below 1 it broadens sooner.</source>
-        <translation>Über 1 bleibt eine leichte Hand länger dünn, unter 1 wird sie früher breit.</translation>
+        <source>Above 1, light pressure stays thin for longer; below 1, lines broaden sooner.</source>
+        <translation>Über 1 bleiben Linien bei leichtem Druck länger dünn, unter 1 werden sie früher breit.</translation>
     </message>
     <message>
         <source>Amount</source>
-        <translation>Ausmaß</translation>
+        <translation>Stärke</translation>
     </message>
     <message>
-        <source>An end that is let go beside all others stays there; without it, it goes back. The first modifier chooses the other.</source>
-        <translation>Ein Ende, das neben allen anderen losgelassen wird, bleibt dort; sonst geht es zurück. Die erste Zusatztaste wählt das andere.</translation>
+        <source>An end released away from all others stays there. If off, it returns. The first modifier inverts this.</source>
+        <translation>Ein abseits aller anderen losgelassenes Ende bleibt dort. Wenn aus, kehrt es zurück. Die erste Zusatztaste kehrt dies um.</translation>
     </message>
     <message>
         <source>Attraction</source>
@@ -4463,8 +4463,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Tafel</translation>
     </message>
     <message>
-        <source>Width of ink counts</source>
-        <translation>Breite der Tinte zählt</translation>
+        <source>Erase by ink width</source>
+        <translation>Tintenbreite berücksichtigen</translation>
     </message>
     <message>
         <source>Broadest line</source>
@@ -4495,8 +4495,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Einschränken</translation>
     </message>
     <message>
-        <source>Corrects lines: take hold of one and pull it into shape, or push it from outside.</source>
-        <translation>Verbessert Linien: eine fassen und in Form ziehen oder von außen schieben.</translation>
+        <source>Corrects lines: grab one and pull it into shape, or push it from outside.</source>
+        <translation>Korrigiert Linien: eine greifen und in Form ziehen oder von außen schieben.</translation>
     </message>
     <message>
         <source>Direction of the brush</source>
@@ -4511,8 +4511,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Duplizieren</translation>
     </message>
     <message>
-        <source>Ends and corners go along, instead of staying unless taken hold of; the first modifier turns this round for one gesture.</source>
-        <translation>Enden und Ecken gehen mit, statt zu bleiben, wenn sie nicht gefasst sind; die erste Zusatztaste kehrt das für eine Geste um.</translation>
+        <source>Ends and corners move along instead of staying; the first modifier inverts this for one gesture.</source>
+        <translation>Enden und Ecken bewegen sich mit, statt zu bleiben; die erste Zusatztaste kehrt dies für eine Geste um.</translation>
     </message>
     <message>
         <source>Eraser</source>
@@ -4543,56 +4543,56 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Glas</translation>
     </message>
     <message>
-        <source>Grab divides the line so that no more than this is bent; 0 takes segments as they are.</source>
-        <translation>Greifen teilt die Linie, damit nicht mehr als dies gebogen wird; 0 nimmt Segmente, wie sie sind.</translation>
+        <source>Grab divides the line so that no more than this is bent; 0 bends whole segments.</source>
+        <translation>Greifen teilt die Linie, damit nicht mehr als diese Länge gebogen wird; 0 biegt ganze Segmente.</translation>
     </message>
     <message>
         <source>Grab radius</source>
         <translation>Greifradius</translation>
     </message>
     <message>
-        <source>Heavier draws smoother and trails more; for the stabiliser &apos;inertia&apos;.</source>
-        <translation>Schwerer zeichnet glatter und hängt mehr nach; für den Stabilisator „Trägheit“.</translation>
+        <source>A larger mass draws smoother lines with more lag; for the stabiliser &apos;inertia&apos;.</source>
+        <translation>Eine größere Masse zeichnet glattere Linien mit mehr Verzögerung; für den Stabilisator „Trägheit“.</translation>
     </message>
     <message>
-        <source>How far a line may move when the brush lets go of it; more leaves fewer segments.</source>
-        <translation>Wie weit sich eine Linie bewegen darf, wenn der Pinsel sie loslässt; mehr lässt weniger Segmente.</translation>
+        <source>How far a line may move when it is simplified after the gesture; more gives fewer segments.</source>
+        <translation>Wie weit sich eine Linie beim Vereinfachen nach der Geste verschieben darf; mehr ergibt weniger Segmente.</translation>
     </message>
     <message>
         <source>How far the brush reaches along the line, to each side.</source>
         <translation>Wie weit der Pinsel entlang der Linie reicht, zu jeder Seite.</translation>
     </message>
     <message>
-        <source>How far the finished line may be from the ironed one, for fewer segments.</source>
-        <translation>Wie weit die fertige Linie von der geglätteten abweichen darf, für weniger Segmente.</translation>
+        <source>How far the simplified line may be from the smoothed one.</source>
+        <translation>Wie weit die vereinfachte Linie von der geglätteten abweichen darf.</translation>
     </message>
     <message>
-        <source>How far the pen leans, from upright, where the device does not say: some media draw broader and softer with their side.</source>
-        <translation>Wie weit der Stift aus der Senkrechten geneigt ist, wenn das Gerät es nicht sagt: manche Zeichenmittel zeichnen mit ihrer Seite breiter und weicher.</translation>
+        <source>Tilt of the pen from upright, if the device does not report it. Some media draw broader and softer when tilted.</source>
+        <translation>Neigung des Stifts aus der Senkrechten, wenn das Gerät sie nicht meldet. Manche Zeichenmittel zeichnen geneigt breiter und weicher.</translation>
     </message>
     <message>
-        <source>How fast it irons; pressing harder irons faster too.</source>
-        <translation>Wie schnell es glättet; fester drücken glättet auch schneller.</translation>
+        <source>How fast it smooths; pressing harder is faster.</source>
+        <translation>Wie schnell geglättet wird; fester drücken geht schneller.</translation>
     </message>
     <message>
         <source>How fast the width changes, per unit of pressure.</source>
-        <translation>Wie schnell sich die Breite ändert, je Druck.</translation>
+        <translation>Wie schnell sich die Breite ändert, je Einheit Druck.</translation>
     </message>
     <message>
         <source>How grab bends a segment: with least motion (soft), by the paper&apos;s three cases (paper), or by its equation 7 as printed, which does not reach the pen.</source>
         <translation>Wie Greifen ein Segment biegt: mit geringster Bewegung (weich), nach den drei Fällen des Artikels (Artikel) oder nach seiner gedruckten Gleichung 7, die den Stift nicht erreicht.</translation>
     </message>
     <message>
-        <source>How near to the end of a line the pen takes hold of it.</source>
-        <translation>Wie nah am Ende einer Linie der Stift es fasst.</translation>
+        <source>Distance from the end of a line at which the pen grabs it.</source>
+        <translation>Abstand vom Linienende, in dem der Stift es greift.</translation>
     </message>
     <message>
         <source>How slowly a line gives way to the pen that sweeps it.</source>
         <translation>Wie langsam eine Linie dem fegenden Stift nachgibt.</translation>
     </message>
     <message>
-        <source>Irons the jitter out of lines and leaves their shape.</source>
-        <translation>Glättet das Zittern aus Linien und lässt ihre Form.</translation>
+        <source>Smooths the jitter out of lines and keeps their shape.</source>
+        <translation>Glättet das Zittern in Linien und behält ihre Form.</translation>
     </message>
     <message>
         <source>Joins ends of lines, or closes a line: drag an end onto another, or tap where two ends are near.</source>
@@ -4607,24 +4607,24 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Linien getrennt lassen</translation>
     </message>
     <message>
-        <source>Largest distance between the pen&apos;s way and the line.</source>
-        <translation>Größter Abstand zwischen dem Weg des Stifts und der Linie.</translation>
+        <source>Largest distance between the path of the pen and the line.</source>
+        <translation>Größter Abstand zwischen dem Pfad des Stifts und der Linie.</translation>
     </message>
     <message>
         <source>Lasso</source>
         <translation>Lasso</translation>
     </message>
     <message>
-        <source>Lean of a mouse&apos;s pen</source>
-        <translation>Neigung des Stifts einer Maus</translation>
+        <source>Tilt with a mouse</source>
+        <translation>Neigung mit der Maus</translation>
     </message>
     <message>
-        <source>Leave the end where it is let go</source>
-        <translation>Das Ende lassen, wo es losgelassen wird</translation>
+        <source>Keep the end where it is released</source>
+        <translation>Das Ende bleibt, wo es losgelassen wird</translation>
     </message>
     <message>
-        <source>Leaves the lines and transforms a copy; as the second button of the pen does.</source>
-        <translation>Lässt die Linien und verändert eine Kopie; wie die zweite Stifttaste.</translation>
+        <source>Keeps the lines and transforms a copy, like the second button of the pen.</source>
+        <translation>Behält die Linien und transformiert eine Kopie, wie die zweite Stifttaste.</translation>
     </message>
     <message>
         <source>Length bent by grab</source>
@@ -4635,8 +4635,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Linien, die sich treffen, teilen den Punkt, bleiben aber zwei.</translation>
     </message>
     <message>
-        <source>Longer draws smoother and trails more; for the stabiliser &apos;towed&apos;.</source>
-        <translation>Länger zeichnet glatter und hängt mehr nach; für den Stabilisator „geschleppt“.</translation>
+        <source>A longer rope draws smoother lines with more lag; for the stabiliser &apos;towed&apos;.</source>
+        <translation>Eine längere Leine zeichnet glattere Linien mit mehr Verzögerung; für den Stabilisator „geschleppt“.</translation>
     </message>
     <message>
         <source>Makes lines broader and thinner, here and there or as a whole.</source>
@@ -4651,20 +4651,20 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Modus</translation>
     </message>
     <message>
-        <source>Moves along one axis, turns in steps of 15 degrees, corners stretch both axes freely; as the first button of the pen does.</source>
-        <translation>Verschiebt entlang einer Achse, dreht in Schritten von 15 Grad, Ecken strecken beide Achsen frei; wie die erste Stifttaste.</translation>
+        <source>Moves along one axis, turns in steps of 15 degrees, and corners stretch both axes freely, like the first button of the pen.</source>
+        <translation>Verschiebt entlang einer Achse, dreht in Schritten von 15 Grad, und Ecken strecken beide Achsen frei, wie die erste Stifttaste.</translation>
     </message>
     <message>
-        <source>Moves, turns, scales and stretches what is selected, held back by the lines that lead out of it.</source>
-        <translation>Verschiebt, dreht, skaliert und streckt das Ausgewählte, gehalten von den Linien, die hinausführen.</translation>
+        <source>Moves, turns, scales and stretches the selection. Lines that cross it stay attached and resist.</source>
+        <translation>Verschiebt, dreht, skaliert und streckt die Auswahl. Linien, die sie kreuzen, bleiben verbunden und leisten Widerstand.</translation>
     </message>
     <message>
-        <source>No line is made broader than this; one that is may stay so.</source>
-        <translation>Keine Linie wird breiter als dies; eine, die es ist, darf es bleiben.</translation>
+        <source>Lines are not made broader than this. Lines that already are broader keep their width.</source>
+        <translation>Linien werden nicht breiter als dieser Wert. Bereits breitere Linien behalten ihre Breite.</translation>
     </message>
     <message>
-        <source>Of retracing: above 1 a light hand stays thin for longer.</source>
-        <translation>Beim Nachziehen: über 1 bleibt eine leichte Hand länger dünn.</translation>
+        <source>For retracing: above 1, light pressure stays thin for longer.</source>
+        <translation>Beim Nachziehen: Über 1 bleiben Linien bei leichtem Druck länger dünn.</translation>
     </message>
     <message>
         <source>Paper</source>
@@ -4679,20 +4679,20 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Druckkurve</translation>
     </message>
     <message>
-        <source>Pressure of a device that knows neither pressure nor depth.</source>
-        <translation>Druck eines Geräts, das weder Druck noch Tiefe kennt.</translation>
+        <source>Pressure for devices that report neither pressure nor depth.</source>
+        <translation>Druck für Geräte, die weder Druck noch Tiefe melden.</translation>
     </message>
     <message>
-        <source>Pressure of a mouse</source>
-        <translation>Druck einer Maus</translation>
+        <source>Pressure with a mouse</source>
+        <translation>Druck mit der Maus</translation>
     </message>
     <message>
         <source>Pull</source>
         <translation>Ziehen</translation>
     </message>
     <message>
-        <source>Pull a stretch of a line (brush), bend one segment (grab), push lines from outside (push), or draw a line over again (sweep).</source>
-        <translation>Ein Stück Linie ziehen (Pinsel), ein Segment biegen (Greifen), Linien von außen schieben (Schieben) oder eine Linie neu führen (Fegen).</translation>
+        <source>Pull a stretch of a line (brush), bend one segment (grab), push lines from outside (push), or move a line along the pen (sweep).</source>
+        <translation>Ein Stück einer Linie ziehen (Pinsel), ein Segment biegen (Greifen), Linien von außen schieben (Schieben) oder eine Linie am Stift entlangführen (Fegen).</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -4739,8 +4739,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Leine des Stabilisators</translation>
     </message>
     <message>
-        <source>Rounds corners, which otherwise stay; ends of lines always do.</source>
-        <translation>Rundet Ecken, die sonst bleiben; Linienenden bleiben immer.</translation>
+        <source>Rounds corners instead of keeping them. Ends of lines are always kept.</source>
+        <translation>Rundet Ecken ab, statt sie zu erhalten. Linienenden bleiben immer erhalten.</translation>
     </message>
     <message>
         <source>Scale widths</source>
@@ -4755,48 +4755,48 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Auswählen</translation>
     </message>
     <message>
-        <source>Selects what a line is drawn round; a short touch takes a line.</source>
-        <translation>Wählt aus, was umfahren wird; eine kurze Berührung nimmt eine Linie.</translation>
+        <source>Selects the lines that you draw around; a short touch selects one line.</source>
+        <translation>Wählt die umfahrenen Linien aus; eine kurze Berührung wählt eine Linie aus.</translation>
     </message>
     <message>
         <source>Shape</source>
         <translation>Form</translation>
     </message>
     <message>
-        <source>Share of friction and grain that is felt; the sheet stays as hard as it is.</source>
-        <translation>Anteil von Reibung und Körnung, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+        <source>Force level of friction and grain. Does not affect the hardness of the surface.</source>
+        <translation>Stärke von Reibung und Körnung. Die Härte des Untergrunds bleibt gleich.</translation>
     </message>
     <message>
-        <source>Share of friction and roughness that is felt; the sheet stays as hard as it is.</source>
-        <translation>Anteil von Reibung und Rauheit, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+        <source>Force level of friction and roughness. Does not affect the hardness of the surface.</source>
+        <translation>Stärke von Reibung und Rauheit. Die Härte des Untergrunds bleibt gleich.</translation>
     </message>
     <message>
-        <source>Share of friction, grain, attraction and pull that is felt; the sheet stays as hard as it is.</source>
-        <translation>Anteil von Reibung, Körnung, Anziehung und Zug, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+        <source>Force level of friction, grain, attraction and pull. Does not affect the hardness of the surface.</source>
+        <translation>Stärke von Reibung, Körnung, Anziehung und Zug. Die Härte des Untergrunds bleibt gleich.</translation>
     </message>
     <message>
-        <source>Share of friction, grain, attraction and stabiliser that is felt; the sheet stays as hard as it is.</source>
-        <translation>Anteil von Reibung, Körnung, Anziehung und Stabilisator, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+        <source>Force level of friction, grain, attraction and stabiliser. Does not affect the hardness of the surface.</source>
+        <translation>Stärke von Reibung, Körnung, Anziehung und Stabilisator. Die Härte des Untergrunds bleibt gleich.</translation>
     </message>
     <message>
-        <source>Share of friction, stops and pull that is felt; the sheet stays as hard as it is.</source>
-        <translation>Anteil von Reibung, Anschlägen und Zug, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+        <source>Force level of friction, stops and pull. Does not affect the hardness of the surface.</source>
+        <translation>Stärke von Reibung, Anschlägen und Zug. Die Härte des Untergrunds bleibt gleich.</translation>
     </message>
     <message>
-        <source>Share of the counter-force, friction and grain that is felt; the sheet stays as hard as it is.</source>
-        <translation>Anteil von Gegenkraft, Reibung und Körnung, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+        <source>Force level of the counter-force, friction and grain. Does not affect the hardness of the surface.</source>
+        <translation>Stärke von Gegenkraft, Reibung und Körnung. Die Härte des Untergrunds bleibt gleich.</translation>
     </message>
     <message>
-        <source>Share of the sheet&apos;s friction and grain that is felt; the sheet stays as hard as it is.</source>
-        <translation>Anteil von Reibung und Körnung des Blatts, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+        <source>Force level of the surface&apos;s friction and grain. Does not affect its hardness.</source>
+        <translation>Stärke von Reibung und Körnung des Untergrunds. Seine Härte bleibt gleich.</translation>
     </message>
     <message>
-        <source>Share of the tethers, friction and grain that is felt.</source>
-        <translation>Anteil von Leinen, Reibung und Körnung, der zu fühlen ist.</translation>
+        <source>Force level of the tethers, friction and grain.</source>
+        <translation>Stärke von Leinen, Reibung und Körnung.</translation>
     </message>
     <message>
-        <source>Sheet</source>
-        <translation>Blatt</translation>
+        <source>Surface</source>
+        <translation>Untergrund</translation>
     </message>
     <message>
         <source>Size of the round nib that pushes lines.</source>
@@ -4820,7 +4820,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Speed of the brush</source>
-        <translation>Tempo des Pinsels</translation>
+        <translation>Geschwindigkeit des Pinsels</translation>
     </message>
     <message>
         <source>Stabiliser</source>
@@ -4859,12 +4859,12 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Transformieren</translation>
     </message>
     <message>
-        <source>Way along the line, to both sides of the pen, that is ironed; waves up to this long can be taken away.</source>
-        <translation>Weg entlang der Linie, zu beiden Seiten des Stifts, der geglättet wird; so lange Wellen lassen sich wegnehmen.</translation>
+        <source>Length of line, to each side of the pen, that is smoothed. Waves up to this length can be removed.</source>
+        <translation>Länge der Linie zu jeder Seite des Stifts, die geglättet wird. Wellen bis zu dieser Länge lassen sich entfernen.</translation>
     </message>
     <message>
-        <source>Way along the line, to both sides of the pen, within which the width changes.</source>
-        <translation>Weg entlang der Linie, zu beiden Seiten des Stifts, auf dem sich die Breite ändert.</translation>
+        <source>Length of line, to each side of the pen, whose width changes.</source>
+        <translation>Länge der Linie zu jeder Seite des Stifts, deren Breite sich ändert.</translation>
     </message>
     <message>
         <source>Weights of grab</source>
@@ -4875,24 +4875,24 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Was eine Berührung tut</translation>
     </message>
     <message>
-        <source>What becomes of what was selected before; the first button of the pen adds, the second takes away.</source>
-        <translation>Was aus der bisherigen Auswahl wird; die erste Stifttaste fügt hinzu, die zweite nimmt weg.</translation>
+        <source>How to combine with the previous selection; the first button of the pen adds, the second subtracts.</source>
+        <translation>Wie mit der bisherigen Auswahl kombiniert wird; die erste Stifttaste fügt hinzu, die zweite zieht ab.</translation>
     </message>
     <message>
-        <source>What goes</source>
-        <translation>Was verschwindet</translation>
+        <source>Erase</source>
+        <translation>Radieren</translation>
     </message>
     <message>
         <source>What is covered, the part of a line up to its next crossings, or the whole line.</source>
         <translation>Was bedeckt ist, der Teil einer Linie bis zu den nächsten Kreuzungen oder die ganze Linie.</translation>
     </message>
     <message>
-        <source>What the pen is made of: how it looks and how it slides.</source>
-        <translation>Woraus der Stift ist: wie er aussieht und wie er gleitet.</translation>
+        <source>The material of the pen: how it looks and how it slides.</source>
+        <translation>Das Material des Stifts: wie es aussieht und wie es gleitet.</translation>
     </message>
     <message>
-        <source>What the sheet is made of: its hardness and its friction.</source>
-        <translation>Woraus das Blatt ist: seine Härte und seine Reibung.</translation>
+        <source>The material of the surface: its hardness and its friction.</source>
+        <translation>Das Material des Untergrunds: seine Härte und seine Reibung.</translation>
     </message>
     <message>
         <source>Whether ends of lines attract the pen (force), connect to the dragged end (snap), or both.</source>
@@ -4915,8 +4915,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Breite einer nachgezogenen Linie ohne Druck.</translation>
     </message>
     <message>
-        <source>With nothing selected, a touch takes the nearest line within this distance.</source>
-        <translation>Ist nichts ausgewählt, nimmt eine Berührung die nächste Linie in diesem Abstand.</translation>
+        <source>If nothing is selected, a touch selects the nearest line within this distance.</source>
+        <translation>Ist nichts ausgewählt, wählt eine Berührung die nächste Linie in diesem Abstand aus.</translation>
     </message>
     <message>
         <source>add</source>
@@ -5112,7 +5112,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Above 1 a light hand stays pale for longer, below 1 it darkens sooner.</source>
-        <translation>Über 1 bleibt eine leichte Hand länger blass, unter 1 wird sie früher dunkel.</translation>
+        <translation>Über 1 bleibt leichter Druck länger blass, unter 1 wird er früher dunkel.</translation>
     </message>
     <message>
         <source>Another one makes another relief of its kind.</source>
@@ -5140,7 +5140,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Colour of the sheet; a page of another keeps its own.</source>
-        <translation>Farbe des Blattes; eine Seite von anderer Farbe behält ihre.</translation>
+        <translation>Farbe des Untergrunds; eine Seite mit anderer Farbe behält ihre.</translation>
     </message>
     <message>
         <source>Crumbs</source>
@@ -5252,11 +5252,11 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>How much of the sheet&apos;s relief is seen; 0 for what is wet.</source>
-        <translation>Wie viel vom Relief des Blattes zu sehen ist; 0 für Nasses.</translation>
+        <translation>Wie viel vom Relief des Untergrunds zu sehen ist; 0 für Nasses.</translation>
     </message>
     <message>
         <source>How much of the sheet&apos;s relief the hand feels through it.</source>
-        <translation>Wie viel vom Relief des Blattes die Hand dadurch fühlt.</translation>
+        <translation>Wie viel vom Relief des Untergrunds die Hand dadurch fühlt.</translation>
     </message>
     <message>
         <source>How readily stick and slip sing.</source>
@@ -5455,20 +5455,20 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Zeichnen; fester drücken für eine breitere Linie. An einem Linienende enden verbindet.</translation>
     </message>
     <message>
-        <source>Drag a line to bend it; it goes back as you go back.</source>
-        <translation>Linie ziehen, um sie zu biegen; sie geht zurück, wie Sie zurückgehen.</translation>
+        <source>Drag a line to bend it; drag back to undo the bend.</source>
+        <translation>Eine Linie ziehen, um sie zu biegen; zurückziehen hebt die Biegung auf.</translation>
     </message>
     <message>
-        <source>Rub along a line to iron the tremor out; press to iron harder.</source>
-        <translation>Eine Linie entlangreiben glättet Zittern; fester drücken glättet mehr.</translation>
+        <source>Rub along a line to smooth it; press harder to smooth it more.</source>
+        <translation>An einer Linie entlangreiben, um sie zu glätten; fester drücken glättet mehr.</translation>
     </message>
     <message>
         <source>Rub a line to make it broader or thinner.</source>
-        <translation>Linie reiben, um sie breiter oder dünner zu machen.</translation>
+        <translation>Über eine Linie reiben, um sie breiter oder dünner zu machen.</translation>
     </message>
     <message>
-        <source>Rub out what the ring touches.</source>
-        <translation>Wegradieren, was der Ring berührt.</translation>
+        <source>Erase what the ring touches.</source>
+        <translation>Radieren, was der Ring berührt.</translation>
     </message>
     <message>
         <source>up to the crossings</source>
@@ -5479,16 +5479,16 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>ganze Linien</translation>
     </message>
     <message>
-        <source>Draw round what you mean, or click a line.</source>
-        <translation>Umfahren Sie, was gemeint ist, oder klicken Sie eine Linie an.</translation>
+        <source>Draw around lines to select them, or click one.</source>
+        <translation>Linien umfahren, um sie auszuwählen, oder eine anklicken.</translation>
     </message>
     <message>
         <source>adds</source>
         <translation>fügt hinzu</translation>
     </message>
     <message>
-        <source>takes away</source>
-        <translation>nimmt weg</translation>
+        <source>subtracts</source>
+        <translation>zieht ab</translation>
     </message>
     <message>
         <source>Drag inside to move, a corner to scale, outside it to turn.</source>
@@ -5507,12 +5507,12 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Ein Linienende zu einem anderen Ende ziehen.</translation>
     </message>
     <message>
-        <source>the end stays where you let it go</source>
-        <translation>das Ende bleibt, wo Sie loslassen</translation>
+        <source>the end stays where you release it</source>
+        <translation>das Ende bleibt, wo Sie es loslassen</translation>
     </message>
     <message>
-        <source>ends and corners go along, or stay</source>
-        <translation>Enden und Ecken gehen mit oder bleiben</translation>
+        <source>ends and corners move along, or stay</source>
+        <translation>Enden und Ecken bewegen sich mit oder bleiben</translation>
     </message>
     <message>
         <source>Push lines away from the side of the pen.</source>
@@ -5523,48 +5523,44 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Zeichnen</translation>
     </message>
     <message>
-        <source>Lines become smooth curves while you draw; press harder for a broader one. Near its start, an outline snaps shut.</source>
-        <translation>Linien werden beim Zeichnen zu glatten Kurven; fester drücken macht sie breiter. Nahe am Anfang rastet ein Umriss ein.</translation>
+        <source>Lines become smooth curves while you draw; press harder for a broader line. Near its start, an outline closes by itself.</source>
+        <translation>Linien werden beim Zeichnen zu glatten Kurven; fester drücken macht sie breiter. Nahe am Anfang schließt sich ein Umriss von selbst.</translation>
     </message>
     <message>
         <source>Pull and push</source>
         <translation>Ziehen und schieben</translation>
     </message>
     <message>
-        <source>A line is not quite right? Take hold of it and pull. It resists like a wire, the more the further you go.</source>
-        <translation>Eine Linie stimmt nicht ganz? Fassen Sie sie und ziehen Sie. Sie widersteht wie ein Draht, je weiter, desto mehr.</translation>
+        <source>Is a line not quite right? Grab it and pull. Like a wire, it resists more the further you pull.</source>
+        <translation>Eine Linie stimmt nicht ganz? Greifen und ziehen Sie sie. Wie ein Draht leistet sie mehr Widerstand, je weiter Sie ziehen.</translation>
     </message>
     <message>
-        <source>Rub along a shaky line: the jitter goes, the shape stays.</source>
-        <translation>Reiben Sie eine zittrige Linie entlang: das Zittern geht, die Form bleibt.</translation>
+        <source>Rub along a shaky line to remove the jitter and keep the shape.</source>
+        <translation>Reiben Sie an einer zittrigen Linie entlang: Das Zittern verschwindet, die Form bleibt.</translation>
     </message>
     <message>
-        <source>Press on a line to make it broader, after it was drawn.</source>
-        <translation>Drücken Sie auf eine Linie, um sie nachträglich breiter zu machen.</translation>
+        <source>Press on a finished line to make it broader.</source>
+        <translation>Drücken Sie auf eine fertige Linie, um sie breiter zu machen.</translation>
     </message>
     <message>
-        <source>Erase</source>
-        <translation>Radieren</translation>
+        <source>Erase what is covered, a line up to its next crossing, or a whole line.</source>
+        <translation>Radieren Sie, was bedeckt ist, eine Linie bis zur nächsten Kreuzung oder eine ganze Linie.</translation>
     </message>
     <message>
-        <source>Rub away what is covered, a line up to its next crossing, or all of it.</source>
-        <translation>Wegreiben, was bedeckt ist, eine Linie bis zur nächsten Kreuzung oder ganz.</translation>
-    </message>
-    <message>
-        <source>Draw a loop around lines to select them; touch one to take it.</source>
-        <translation>Linien umfahren wählt sie aus; eine berühren nimmt sie.</translation>
+        <source>Draw a loop around lines to select them, or touch one.</source>
+        <translation>Umfahren Sie Linien, um sie auszuwählen, oder berühren Sie eine.</translation>
     </message>
     <message>
         <source>Move and turn</source>
         <translation>Verschieben und drehen</translation>
     </message>
     <message>
-        <source>Drag what is selected. Lines that lead out of it hold it back, and you feel how much.</source>
-        <translation>Ziehen Sie, was ausgewählt ist. Linien, die hinausführen, halten es zurück, und Sie fühlen, wie sehr.</translation>
+        <source>Drag the selection. Lines that cross it stay attached and resist, and you feel how much.</source>
+        <translation>Ziehen Sie die Auswahl. Linien, die sie kreuzen, bleiben verbunden und leisten Widerstand, und Sie spüren, wie viel.</translation>
     </message>
     <message>
-        <source>Drag one end onto another: they snap, and become one line.</source>
-        <translation>Ziehen Sie ein Ende auf ein anderes: sie rasten ein und werden eine Linie.</translation>
+        <source>Drag one end onto another: they snap together and become one line.</source>
+        <translation>Ziehen Sie ein Ende auf ein anderes: Sie rasten ein und werden eine Linie.</translation>
     </message>
 </context>
 </TS>

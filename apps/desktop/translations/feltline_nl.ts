@@ -4,22 +4,22 @@
 <context>
     <name>AddedStrokes</name>
     <message>
-        <source>“%1” is another medium here than there: its strokes look as they do here</source>
-        <translation>‘%1’ is hier een ander tekenmiddel dan daar: de lijnen ervan zien eruit zoals hier</translation>
+        <source>“%1” differs here: the added strokes look as it does in this drawing</source>
+        <translation>‘%1’ is hier anders gedefinieerd: de toegevoegde lijnen zien eruit zoals in deze tekening</translation>
     </message>
 </context>
 <context>
     <name>Arguments</name>
     <message>
-        <source>Open a window of its own, with a fresh sheet.</source>
-        <translation>Een eigen venster met een leeg vel openen.</translation>
+        <source>Open a separate window with an empty drawing.</source>
+        <translation>Een apart venster met een lege tekening openen.</translation>
     </message>
     <message>
-        <source>Speak en, de or nl, whatever the system does.</source>
-        <translation>Taal en, de of nl, wat het systeem ook spreekt.</translation>
+        <source>Use this UI language (en, de, nl) instead of the system&apos;s.</source>
+        <translation>Deze taal (en, de, nl) gebruiken in plaats van de systeemtaal.</translation>
     </message>
     <message>
-        <source>Record all that happens to the drawing, for feltline replay --as-recorded.</source>
+        <source>Record everything that happens to the drawing, for feltline replay --as-recorded.</source>
         <translation>Alles opnemen wat er met de tekening gebeurt, voor feltline replay --as-recorded.</translation>
     </message>
     <message>
@@ -31,8 +31,8 @@
         <translation>Tekeningen om te openen: .felt, .svg, .ndjson.</translation>
     </message>
     <message>
-        <source>--size is WIDTHxHEIGHT, from 100 to 8000</source>
-        <translation>--size is BREEDTExHOOGTE, van 100 tot 8000</translation>
+        <source>--size must be WIDTHxHEIGHT, each from 100 to 8000</source>
+        <translation>--size moet BREEDTExHOOGTE zijn, elk van 100 tot 8000</translation>
     </message>
     <message>
         <source>Examples:</source>
@@ -58,8 +58,8 @@
         <translation>Selecteren zolang ingedrukt</translation>
     </message>
     <message>
-        <source>Move the sheet while held</source>
-        <translation>Vel verschuiven zolang ingedrukt</translation>
+        <source>Move the view while held</source>
+        <translation>Beeld verschuiven zolang ingedrukt</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -67,11 +67,11 @@
     </message>
     <message>
         <source>The tool&apos;s first modifier (Shift)</source>
-        <translation>Eerste extra toets van het gereedschap (Shift)</translation>
+        <translation>Eerste modificatietoets van het gereedschap (Shift)</translation>
     </message>
     <message>
         <source>The tool&apos;s second modifier (Ctrl)</source>
-        <translation>Tweede extra toets van het gereedschap (Ctrl)</translation>
+        <translation>Tweede modificatietoets van het gereedschap (Ctrl)</translation>
     </message>
 </context>
 <context>
@@ -90,98 +90,98 @@
     </message>
     <message>
         <source>Writes the palette that is shown.</source>
-        <translation>Schrijft het getoonde palet.</translation>
+        <translation>Schrijft het getoonde palet naar een bestand.</translation>
     </message>
     <message>
         <source>&amp;Keep the colour</source>
         <translation>Kleur be&amp;waren</translation>
     </message>
     <message>
-        <source>Puts the colour in use into a palette of your own.</source>
-        <translation>Legt de gebruikte kleur in een eigen palet.</translation>
+        <source>Adds the current colour to your own palette.</source>
+        <translation>Voegt de huidige kleur toe aan je eigen palet.</translation>
     </message>
     <message>
-        <source>&amp;Take the colour out</source>
-        <translation>Kleur &amp;weghalen</translation>
+        <source>&amp;Remove the colour</source>
+        <translation>Kleur &amp;verwijderen</translation>
     </message>
     <message>
-        <source>Takes the colour in use out of your own palette.</source>
-        <translation>Haalt de gebruikte kleur uit je eigen palet.</translation>
+        <source>Removes the current colour from your own palette.</source>
+        <translation>Verwijdert de huidige kleur uit je eigen palet.</translation>
     </message>
 </context>
 <context>
     <name>DeviceWords</name>
     <message>
-        <source>the device is not connected any more</source>
-        <translation>het apparaat is niet meer aangesloten</translation>
+        <source>the device is no longer connected</source>
+        <translation>het apparaat is niet meer verbonden</translation>
     </message>
     <message>
-        <source>the device does not know where its arm is</source>
-        <translation>het apparaat weet niet waar zijn arm is</translation>
+        <source>the device does not know the position of its arm</source>
+        <translation>het apparaat kent de positie van zijn arm niet</translation>
     </message>
     <message>
         <source>the device has switched its forces off</source>
-        <translation>het apparaat heeft zijn krachten uitgezet</translation>
+        <translation>het apparaat heeft zijn krachten uitgeschakeld</translation>
     </message>
     <message>
-        <source>its motors are warm</source>
-        <translation>de motoren zijn warm</translation>
+        <source>its motors are too warm</source>
+        <translation>de motoren zijn te warm</translation>
     </message>
     <message>
-        <source>the device says what cannot be</source>
-        <translation>het apparaat meldt wat niet kan</translation>
+        <source>the device reports impossible values</source>
+        <translation>het apparaat meldt onmogelijke waarden</translation>
     </message>
     <message>
         <source>the device reports a fault</source>
         <translation>het apparaat meldt een fout</translation>
     </message>
     <message>
-        <source>%1 is not connected any more.</source>
-        <translation>%1 is niet meer aangesloten.</translation>
+        <source>%1 is no longer connected.</source>
+        <translation>%1 is niet meer verbonden.</translation>
     </message>
     <message>
-        <source>Draw on with mouse or tablet; nothing is lost. Look at its cable and its power.</source>
-        <translation>Teken door met muis of tablet; er is niets verloren. Kijk naar de kabel en de voeding.</translation>
+        <source>Nothing is lost. Check its cable and power; you can continue with mouse or tablet.</source>
+        <translation>Er is niets verloren. Controleer de kabel en de voeding; je kunt met muis of tablet verder tekenen.</translation>
     </message>
     <message>
-        <source>%1 does not know where its arm is.</source>
-        <translation>%1 weet niet waar zijn arm is.</translation>
+        <source>%1 does not know the position of its arm.</source>
+        <translation>%1 kent de positie van zijn arm niet.</translation>
     </message>
     <message>
-        <source>Draw on with mouse or tablet until it has found its home.</source>
-        <translation>Teken door met muis of tablet tot het zijn uitgangsstand heeft gevonden.</translation>
+        <source>Until it has found its home position, continue with mouse or tablet.</source>
+        <translation>Teken met muis of tablet verder tot het zijn uitgangspositie heeft gevonden.</translation>
     </message>
     <message>
         <source>%1 has switched its forces off.</source>
-        <translation>%1 heeft zijn krachten uitgezet.</translation>
+        <translation>%1 heeft zijn krachten uitgeschakeld.</translation>
     </message>
     <message>
-        <source>Its button or its own guard did that. Draw on without forces, or switch them on again there and here.</source>
-        <translation>Dat deed de knop of de eigen beveiliging. Teken door zonder krachten, of zet ze daar en hier weer aan.</translation>
+        <source>Its switch or its own protection did this. Continue without forces, or switch them on at the device and then here.</source>
+        <translation>De schakelaar of de eigen beveiliging van het apparaat deed dit. Teken verder zonder krachten, of schakel ze eerst op het apparaat en dan hier weer in.</translation>
     </message>
     <message>
-        <source>The motors of %1 are warm.</source>
-        <translation>De motoren van %1 zijn warm.</translation>
+        <source>The motors of %1 are too warm.</source>
+        <translation>De motoren van %1 zijn te warm.</translation>
     </message>
     <message>
-        <source>Draw on without forces. After some minutes of rest they can be switched on again.</source>
-        <translation>Teken door zonder krachten. Na enkele minuten rust kunnen ze weer aan.</translation>
+        <source>Continue without forces. You can switch them on again in a few minutes.</source>
+        <translation>Teken verder zonder krachten. Over enkele minuten kun je ze weer inschakelen.</translation>
     </message>
     <message>
-        <source>%1 says what cannot be.</source>
-        <translation>%1 meldt wat niet kan.</translation>
+        <source>%1 reports impossible values.</source>
+        <translation>%1 meldt onmogelijke waarden.</translation>
     </message>
     <message>
         <source>%1 reports a fault.</source>
         <translation>%1 meldt een fout.</translation>
     </message>
     <message>
-        <source>Draw on without forces.</source>
-        <translation>Teken door zonder krachten.</translation>
+        <source>Continue without forces.</source>
+        <translation>Teken verder zonder krachten.</translation>
     </message>
     <message>
-        <source>Draw on with mouse or tablet. Look at its cable, switch it off and on, and try again.</source>
-        <translation>Teken door met muis of tablet. Kijk naar de kabel, zet het uit en aan, en probeer het opnieuw.</translation>
+        <source>Continue with mouse or tablet. Check the cable, switch the device off and on, and try again.</source>
+        <translation>Teken verder met muis of tablet. Controleer de kabel, zet het apparaat uit en weer aan en probeer het opnieuw.</translation>
     </message>
 </context>
 <context>
@@ -211,19 +211,19 @@
         <translation>Op&amp;nieuw: %1</translation>
     </message>
     <message>
-        <source>Takes the last step back.</source>
-        <translation>Neemt de laatste stap terug.</translation>
+        <source>Undoes the last step.</source>
+        <translation>Maakt de laatste stap ongedaan.</translation>
     </message>
     <message>
-        <source>Does again what was taken back.</source>
-        <translation>Doet opnieuw wat teruggenomen is.</translation>
+        <source>Redoes the step that was undone.</source>
+        <translation>Voert de ongedaan gemaakte stap opnieuw uit.</translation>
     </message>
     <message>
         <source>De&amp;lete</source>
         <translation>&amp;Verwijderen</translation>
     </message>
     <message>
-        <source>Removes the lines that are selected.</source>
+        <source>Removes the selected lines.</source>
         <translation>Verwijdert de geselecteerde lijnen.</translation>
     </message>
     <message>
@@ -231,51 +231,51 @@
         <translation>&amp;Dupliceren</translation>
     </message>
     <message>
-        <source>Copies the selected lines, a little beside them.</source>
-        <translation>Kopieert de geselecteerde lijnen, er iets naast.</translation>
+        <source>Copies the selected lines, slightly offset.</source>
+        <translation>Kopieert de geselecteerde lijnen, iets verschoven.</translation>
     </message>
     <message>
         <source>Selects all lines of visible, unlocked layers.</source>
-        <translation>Selecteert alle lijnen van zichtbare, niet vergrendelde lagen.</translation>
+        <translation>Selecteert alle lijnen op zichtbare, niet vergrendelde lagen.</translation>
     </message>
     <message>
         <source>Select &amp;none</source>
         <translation>&amp;Niets selecteren</translation>
     </message>
     <message>
-        <source>Selects nothing.</source>
-        <translation>Selecteert niets.</translation>
+        <source>Clears the selection.</source>
+        <translation>Heft de selectie op.</translation>
     </message>
     <message>
-        <source>Selects all lines but those that are selected now.</source>
-        <translation>Selecteert alle lijnen behalve de nu geselecteerde.</translation>
+        <source>Selects all lines that are not selected now.</source>
+        <translation>Selecteert alle lijnen die nu niet geselecteerd zijn.</translation>
     </message>
     <message>
-        <source>&amp;Cancel or select nothing</source>
-        <translation>&amp;Annuleren of niets selecteren</translation>
+        <source>&amp;Cancel or clear selection</source>
+        <translation>&amp;Annuleren of selectie opheffen</translation>
     </message>
     <message>
-        <source>Cancels what the pen is doing, or clears the selection.</source>
-        <translation>Breekt af wat de pen aan het doen is, of heft de selectie op.</translation>
+        <source>Cancels the current gesture, or clears the selection.</source>
+        <translation>Breekt de huidige handeling af, of heft de selectie op.</translation>
     </message>
 </context>
 <context>
     <name>ErrorWords</name>
     <message>
-        <source>The file or folder is not there.</source>
-        <translation>Het bestand of de map is er niet.</translation>
+        <source>The file or folder does not exist.</source>
+        <translation>Het bestand of de map bestaat niet.</translation>
     </message>
     <message>
-        <source>The file cannot be read or written: it may be protected, or the disk may be full.</source>
-        <translation>Het bestand kan niet worden gelezen of geschreven: misschien is het beveiligd of de schijf vol.</translation>
+        <source>The file cannot be read or written. It may be protected, or the disk may be full.</source>
+        <translation>Het bestand kan niet worden gelezen of geschreven. Misschien is het beveiligd of is de schijf vol.</translation>
     </message>
     <message>
         <source>Feltline cannot read this kind of file.</source>
-        <translation>Feltline kan dit soort bestand niet lezen.</translation>
+        <translation>Feltline kan dit bestandstype niet lezen.</translation>
     </message>
     <message>
-        <source>It is damaged, or not a drawing that Feltline can read.</source>
-        <translation>Het is beschadigd, of geen tekening die Feltline kan lezen.</translation>
+        <source>The file is damaged, or is not a drawing that Feltline can read.</source>
+        <translation>Het bestand is beschadigd, of geen tekening die Feltline kan lezen.</translation>
     </message>
     <message>
         <source>The drawing is too large for Feltline.</source>
@@ -304,16 +304,16 @@
 <context>
     <name>FeelActions</name>
     <message>
-        <source>My &amp;own sheets</source>
-        <translation>&amp;Eigen vellen</translation>
+        <source>M&amp;y surfaces</source>
+        <translation>&amp;Eigen ondergronden</translation>
     </message>
     <message>
-        <source>Sheets that you made, or a drawing brought</source>
-        <translation>Vellen die u zelf maakte of die een tekening meebracht</translation>
+        <source>Surfaces that you made or that came with a drawing</source>
+        <translation>Ondergronden die je hebt gemaakt of die met een tekening meekwamen</translation>
     </message>
     <message>
-        <source>No force, at once</source>
-        <translation>Geen kracht meer, meteen</translation>
+        <source>Stops all forces immediately</source>
+        <translation>Stopt alle krachten onmiddellijk</translation>
     </message>
     <message>
         <source>&amp;Stronger forces</source>
@@ -332,16 +332,16 @@
         <translation>Alle krachten 10% zwakker</translation>
     </message>
     <message>
-        <source>Forces are off. The panel Feel switches them on again.</source>
-        <translation>De krachten zijn uit. In het paneel Gevoel zet je ze weer aan.</translation>
+        <source>Forces are off. Switch them on in the Feel panel.</source>
+        <translation>De krachten zijn uit. Schakel ze weer in op het paneel Gevoel.</translation>
     </message>
     <message>
-        <source>Hear the pen rub on the sheet</source>
-        <translation>De pen op het vel horen wrijven</translation>
+        <source>Hear the pen rub on the surface</source>
+        <translation>De pen over de ondergrond horen wrijven</translation>
     </message>
     <message>
-        <source>Stops all forces, or lets the pen be pushed</source>
-        <translation>Stopt alle krachten, of laat de pen duwen</translation>
+        <source>Stops all forces, or switches them on</source>
+        <translation>Stopt alle krachten, of schakelt ze in</translation>
     </message>
     <message>
         <source>Stop &amp;forces</source>
@@ -357,7 +357,7 @@
     </message>
     <message>
         <source>S&amp;ound of drawing</source>
-        <translation>&amp;Geluid van het tekenen</translation>
+        <translation>&amp;Geluid bij het tekenen</translation>
     </message>
 </context>
 <context>
@@ -368,11 +368,11 @@
     </message>
     <message>
         <source>To correct a line, press %1 and pull it into shape.</source>
-        <translation>Om een lijn te verbeteren druk je op %1 en trek je hem in vorm.</translation>
+        <translation>Druk op %1 en trek een lijn in vorm om die te corrigeren.</translation>
     </message>
     <message>
-        <source>%1 takes back a step. The Help menu has a two-minute tour.</source>
-        <translation>%1 neemt een stap terug. In het menu Help staat een rondleiding van twee minuten.</translation>
+        <source>%1 undoes a step. The Help menu has a two-minute tour.</source>
+        <translation>%1 maakt een stap ongedaan. In het menu Help staat een rondleiding van twee minuten.</translation>
     </message>
 </context>
 <context>
@@ -406,8 +406,8 @@
         <translation>Help</translation>
     </message>
     <message>
-        <source>Move the sheet</source>
-        <translation>Vel verschuiven</translation>
+        <source>Move the view</source>
+        <translation>Beeld verschuiven</translation>
     </message>
     <message>
         <source>Space + drag</source>
@@ -438,16 +438,16 @@
         <translation>Shift + spatie + slepen</translation>
     </message>
     <message>
-        <source>Borrow a tool</source>
-        <translation>Gereedschap lenen</translation>
+        <source>Use a tool temporarily</source>
+        <translation>Gereedschap tijdelijk gebruiken</translation>
     </message>
     <message>
         <source>Hold its key while you use it</source>
-        <translation>Houd de toets vast terwijl je het gebruikt</translation>
+        <translation>Toets tijdens het gebruik ingedrukt houden</translation>
     </message>
     <message>
         <source>Pen, mouse and held keys</source>
-        <translation>Pen, muis en vastgehouden toetsen</translation>
+        <translation>Pen, muis en ingedrukte toetsen</translation>
     </message>
 </context>
 <context>
@@ -457,40 +457,40 @@
         <translation>Laag &amp;toevoegen</translation>
     </message>
     <message>
-        <source>A new layer above the one in use.</source>
-        <translation>Een nieuwe laag boven de gebruikte.</translation>
+        <source>Adds a layer above the current one.</source>
+        <translation>Voegt een laag toe boven de huidige.</translation>
     </message>
     <message>
         <source>Remo&amp;ve layer</source>
         <translation>Laag &amp;verwijderen</translation>
     </message>
     <message>
-        <source>Removes it and what is drawn on it.</source>
-        <translation>Verwijdert de laag en wat erop getekend is.</translation>
+        <source>Removes the layer and its lines.</source>
+        <translation>Verwijdert de laag en de lijnen erop.</translation>
     </message>
     <message>
         <source>Re&amp;name layer</source>
         <translation>Laag &amp;hernoemen</translation>
     </message>
     <message>
-        <source>Gives it another name.</source>
-        <translation>Geeft de laag een andere naam.</translation>
+        <source>Changes the name of the layer.</source>
+        <translation>Wijzigt de naam van de laag.</translation>
     </message>
     <message>
         <source>&amp;Raise layer</source>
         <translation>Laag &amp;omhoog</translation>
     </message>
     <message>
-        <source>One place up.</source>
-        <translation>Eén plaats omhoog.</translation>
+        <source>Moves the layer up by one.</source>
+        <translation>Verplaatst de laag één omhoog.</translation>
     </message>
     <message>
         <source>&amp;Lower layer</source>
         <translation>Laag o&amp;mlaag</translation>
     </message>
     <message>
-        <source>One place down.</source>
-        <translation>Eén plaats omlaag.</translation>
+        <source>Moves the layer down by one.</source>
+        <translation>Verplaatst de laag één omlaag.</translation>
     </message>
     <message>
         <source>Draw on the layer &amp;above</source>
@@ -513,16 +513,16 @@
         <translation>Laag to&amp;nen</translation>
     </message>
     <message>
-        <source>What is drawn on it is seen.</source>
-        <translation>Wat erop getekend is, is te zien.</translation>
+        <source>Shows or hides the lines on the layer.</source>
+        <translation>Toont of verbergt de lijnen op de laag.</translation>
     </message>
     <message>
         <source>Loc&amp;k layer</source>
         <translation>Laag ver&amp;grendelen</translation>
     </message>
     <message>
-        <source>Nothing on it can be changed.</source>
-        <translation>Er kan niets op veranderd worden.</translation>
+        <source>Protects the layer against changes.</source>
+        <translation>Beschermt de laag tegen wijzigingen.</translation>
     </message>
 </context>
 <context>
@@ -581,7 +581,7 @@
     </message>
     <message>
         <source>rough grain</source>
-        <translation>ruwe korrel</translation>
+        <translation>grove korrel</translation>
     </message>
     <message>
         <source>coarse weave</source>
@@ -601,7 +601,7 @@
     </message>
     <message>
         <source>Canvas</source>
-        <translation>Linnen</translation>
+        <translation>Canvas</translation>
     </message>
     <message>
         <source>Wood</source>
@@ -660,12 +660,12 @@
         <translation>Gum</translation>
     </message>
     <message>
-        <source>hides the grain</source>
+        <source>covers the grain</source>
         <translation>bedekt de korrel</translation>
     </message>
     <message>
-        <source>grain to feel, not to see</source>
-        <translation>korrel te voelen, niet te zien</translation>
+        <source>grain is felt but not visible</source>
+        <translation>korrel voelbaar, maar niet zichtbaar</translation>
     </message>
     <message>
         <source>fills the grain</source>
@@ -746,8 +746,8 @@
         <translation>Pal&amp;et</translation>
     </message>
     <message>
-        <source>S&amp;heet</source>
-        <translation>&amp;Blad</translation>
+        <source>S&amp;urface</source>
+        <translation>&amp;Ondergrond</translation>
     </message>
 </context>
 <context>
@@ -887,24 +887,24 @@
         <translation>Pen&amp;druk</translation>
     </message>
     <message>
-        <source>Pressing harder draws wider; off, every line has the same width.</source>
-        <translation>Harder drukken tekent breder; uit: elke lijn is even breed.</translation>
+        <source>Press harder to draw a wider line. If off, every line has the same width.</source>
+        <translation>Harder drukken geeft bredere lijnen. Indien uit, zijn alle lijnen even breed.</translation>
     </message>
     <message>
         <source>Hold the &amp;first modifier</source>
-        <translation>&amp;Eerste extra toets vasthouden</translation>
+        <translation>&amp;Eerste modificatietoets vasthouden</translation>
     </message>
     <message>
-        <source>As if Shift were held, until it is chosen again.</source>
-        <translation>Alsof Shift ingedrukt is, tot je dit weer kiest.</translation>
+        <source>Acts as if Shift were held, until you choose this again.</source>
+        <translation>Alsof Shift wordt vastgehouden, tot je deze opdracht opnieuw kiest.</translation>
     </message>
     <message>
         <source>Hold the &amp;second modifier</source>
-        <translation>&amp;Tweede extra toets vasthouden</translation>
+        <translation>&amp;Tweede modificatietoets vasthouden</translation>
     </message>
     <message>
-        <source>As if Ctrl were held, until it is chosen again.</source>
-        <translation>Alsof Ctrl ingedrukt is, tot je dit weer kiest.</translation>
+        <source>Acts as if Ctrl were held, until you choose this again.</source>
+        <translation>Alsof Ctrl wordt vastgehouden, tot je deze opdracht opnieuw kiest.</translation>
     </message>
 </context>
 <context>
@@ -914,19 +914,19 @@
         <translation>Gesimuleerd: %1</translation>
     </message>
     <message>
-        <source>The ink is exactly where the pen is. Forces are shown, not felt.</source>
-        <translation>De inkt ligt precies waar de pen is. Krachten worden getoond, niet gevoeld.</translation>
+        <source>The ink follows the pen exactly. Forces are shown, not felt.</source>
+        <translation>De inkt volgt de pen exact. Krachten worden getoond, maar zijn niet voelbaar.</translation>
     </message>
     <message>
-        <source>Mouse or pen lead a simulated hand that holds this stylus. Forces move the ink, so that you see what it would feel like.</source>
-        <translation>Muis of pen leiden een gesimuleerde hand die deze stylus vasthoudt. Krachten bewegen de inkt, zodat je ziet hoe het zou voelen.</translation>
+        <source>Mouse or pen move a simulated hand that holds this stylus. Forces move the ink, so that you see what they would feel like.</source>
+        <translation>Muis of pen bewegen een gesimuleerde hand die deze stylus vasthoudt. Krachten verplaatsen de inkt, zodat je ziet hoe het zou aanvoelen.</translation>
     </message>
     <message>
         <source>Simulated %1</source>
         <translation>%1, gesimuleerd</translation>
     </message>
     <message>
-        <source>A person holds it, and feels the forces.</source>
+        <source>You hold it in your hand and feel the forces.</source>
         <translation>Je houdt het in de hand en voelt de krachten.</translation>
     </message>
     <message>
@@ -949,23 +949,23 @@
         <translation>de krachtgrens</translation>
     </message>
     <message>
-        <source>what the motors stand for good</source>
-        <translation>wat de motoren blijvend aankunnen</translation>
+        <source>the continuous force of the motors</source>
+        <translation>de continue kracht van de motoren</translation>
     </message>
     <message>
         <source>the speed of the pen</source>
         <translation>de snelheid van de pen</translation>
     </message>
     <message>
-        <source>how fast a force may rise</source>
-        <translation>hoe snel een kracht mag stijgen</translation>
+        <source>the limit on how fast a force may rise</source>
+        <translation>de grens voor hoe snel een kracht mag toenemen</translation>
     </message>
     <message>
-        <source>how stiff the device can be</source>
-        <translation>hoe stijf het apparaat kan zijn</translation>
+        <source>the largest stiffness of the device</source>
+        <translation>de maximale stijfheid van het apparaat</translation>
     </message>
     <message>
-        <source>Held back by %1.</source>
+        <source>Limited by %1.</source>
         <translation>Begrensd door: %1.</translation>
     </message>
     <message>
@@ -986,11 +986,11 @@
     </message>
     <message>
         <source>Check the cable and the power of the device, then switch the forces on again.</source>
-        <translation>Controleer de kabel en de stroom van het apparaat en zet de krachten dan weer aan.</translation>
+        <translation>Controleer de kabel en de voeding van het apparaat en schakel de krachten daarna weer in.</translation>
     </message>
     <message>
-        <source>Drawing goes on as before. Lift the pen and switch the forces on again.</source>
-        <translation>Tekenen gaat door als tevoren. Til de pen op en zet de krachten weer aan.</translation>
+        <source>You can continue to draw. Lift the pen and switch the forces on again.</source>
+        <translation>Je kunt verder tekenen. Til de pen op en schakel de krachten weer in.</translation>
     </message>
     <message>
         <source>the computer was too busy</source>
@@ -1005,12 +1005,12 @@
         <translation>het programma had het te druk</translation>
     </message>
     <message>
-        <source>the computer stood still for a moment</source>
+        <source>the computer paused for a moment</source>
         <translation>de computer stond even stil</translation>
     </message>
     <message>
-        <source>a force made no sense</source>
-        <translation>een kracht was onzinnig</translation>
+        <source>a force was invalid</source>
+        <translation>een kracht was ongeldig</translation>
     </message>
     <message>
         <source>the device does not answer</source>
@@ -1034,42 +1034,42 @@
     </message>
     <message>
         <source>Shown, not felt: this pen has no motors</source>
-        <translation>Te zien, niet te voelen: deze pen heeft geen motoren</translation>
+        <translation>Getoond, niet gevoeld: deze pen heeft geen motoren</translation>
     </message>
     <message>
-        <source>The plot shows what a device would be asked for.</source>
-        <translation>De grafiek toont wat er van een apparaat gevraagd zou worden.</translation>
+        <source>The plot shows the forces that a device would be asked for.</source>
+        <translation>De grafiek toont de krachten die van een apparaat gevraagd zouden worden.</translation>
     </message>
     <message>
         <source>Ready</source>
         <translation>Klaar</translation>
     </message>
     <message>
-        <source>Lift the pen for a moment: forces then begin.</source>
-        <translation>Til de pen even op: dan beginnen de krachten.</translation>
+        <source>Lift the pen for a moment to start the forces.</source>
+        <translation>Til de pen even op om de krachten te starten.</translation>
     </message>
     <message>
-        <source>Forces are coming up</source>
-        <translation>De krachten komen op</translation>
+        <source>Forces are starting</source>
+        <translation>De krachten beginnen</translation>
     </message>
     <message>
         <source>The program is busy</source>
         <translation>Het programma is bezig</translation>
     </message>
     <message>
-        <source>The pen only feels a brake.</source>
-        <translation>De pen voelt alleen een rem.</translation>
+        <source>The pen only feels damping.</source>
+        <translation>De pen voelt alleen demping.</translation>
     </message>
     <message>
-        <source>Forces give way: %1</source>
-        <translation>De krachten geven toe: %1</translation>
+        <source>Forces are reduced: %1</source>
+        <translation>De krachten zijn verlaagd: %1</translation>
     </message>
     <message>
-        <source>They come back by themselves.</source>
+        <source>They return by themselves.</source>
         <translation>Ze komen vanzelf terug.</translation>
     </message>
     <message>
-        <source>Sum, asked</source>
+        <source>Sum, requested</source>
         <translation>Som, gevraagd</translation>
     </message>
     <message>
@@ -1077,8 +1077,8 @@
         <translation>Naar de pen gestuurd</translation>
     </message>
     <message>
-        <source>Sheet</source>
-        <translation>Vel</translation>
+        <source>Surface</source>
+        <translation>Ondergrond</translation>
     </message>
     <message>
         <source>Friction</source>
@@ -1117,23 +1117,23 @@
         <translation>Overige</translation>
     </message>
     <message>
-        <source>Drawing goes on. Switch them on at the device, lift the pen, and switch them on here.</source>
-        <translation>Tekenen gaat door. Zet ze aan op het apparaat, til de pen op en zet ze hier aan.</translation>
+        <source>You can continue to draw. Switch the forces on at the device, lift the pen, then switch them on here.</source>
+        <translation>Je kunt verder tekenen. Schakel de krachten in op het apparaat, til de pen op en schakel ze dan hier in.</translation>
     </message>
     <message>
-        <source>Drawing goes on. Let the device rest for some minutes, then switch the forces on again.</source>
-        <translation>Tekenen gaat door. Laat het apparaat enkele minuten rusten en zet de krachten dan weer aan.</translation>
+        <source>You can continue to draw. Let the device rest for a few minutes, then switch the forces on again.</source>
+        <translation>Je kunt verder tekenen. Laat het apparaat enkele minuten rusten en schakel de krachten daarna weer in.</translation>
     </message>
     <message>
         <source>the computer or the device could not keep up several times in a minute</source>
-        <translation>computer of apparaat kon het meermaals in een minuut niet bijhouden</translation>
+        <translation>de computer of het apparaat kon het meermaals per minuut niet bijhouden</translation>
     </message>
 </context>
 <context>
     <name>Stability</name>
     <message>
-        <source>Stable, as wished</source>
-        <translation>Stabiel, zoals gewenst</translation>
+        <source>Stable, as requested</source>
+        <translation>Stabiel, zoals ingesteld</translation>
     </message>
     <message>
         <source>Close to trembling</source>
@@ -1144,8 +1144,8 @@
         <translation>Trilt</translation>
     </message>
     <message>
-        <source>Stable, but less than wished</source>
-        <translation>Stabiel, maar minder dan gewenst</translation>
+        <source>Stable, but less than requested</source>
+        <translation>Stabiel, maar minder dan ingesteld</translation>
     </message>
     <message>
         <source>Too much for this device</source>
@@ -1156,24 +1156,24 @@
         <translation>De veiligheidsketen zou de krachten uitschakelen.</translation>
     </message>
     <message>
-        <source>A pen that rests trembles with %1 N above 30 Hz; 0.04 N can be felt. Less hardness, less friction or more damping helps.</source>
-        <translation>Een rustende pen trilt met %1 N boven 30 Hz; 0,04 N is te voelen. Minder hardheid, minder wrijving of meer demping helpt.</translation>
+        <source>The pen at rest trembles with %1 N above 30 Hz; 0.04 N can be felt. Reduce hardness or friction, or add damping.</source>
+        <translation>De pen in rust trilt met %1 N boven 30 Hz; 0,04 N is voelbaar. Verlaag de hardheid of wrijving, of voeg demping toe.</translation>
     </message>
     <message>
-        <source>%1 has no motors: nothing is felt. The figures are those of a 3D Systems Touch.</source>
-        <translation>%1 heeft geen motoren: er is niets te voelen. De waarden zijn die van een 3D Systems Touch.</translation>
+        <source>%1 has no motors, so nothing is felt. The figures are those of a 3D Systems Touch.</source>
+        <translation>%1 heeft geen motoren, dus er is niets te voelen. De waarden gelden voor een 3D Systems Touch.</translation>
     </message>
     <message>
-        <source>%1 % of what the device bears</source>
-        <translation>%1 % van wat het apparaat verdraagt</translation>
+        <source>%1 % of the device’s limit</source>
+        <translation>%1% van de grens van het apparaat</translation>
     </message>
     <message>
-        <source>Hardness: this device makes it %1 of your %2 N/m.</source>
-        <translation>Hardheid: dit apparaat maakt er %1 van uw %2 N/m van.</translation>
+        <source>Hardness: this device reaches %1 of your %2 N/m.</source>
+        <translation>Hardheid: dit apparaat haalt %1 van de %2 N/m.</translation>
     </message>
     <message>
-        <source>Grain: its hills are steeper than this loop can follow; felt are %1 of your %2 µm.</source>
-        <translation>Korrel: de heuvels zijn steiler dan deze lus kan volgen; te voelen zijn %1 van uw %2 µm.</translation>
+        <source>Grain: it is too steep for the haptic loop; you feel %1 of your %2 µm.</source>
+        <translation>Korrel: die is te steil voor de regellus; te voelen is %1 van de %2 µm.</translation>
     </message>
 </context>
 <context>
@@ -1183,32 +1183,32 @@
         <translation>&amp;Kleiner</translation>
     </message>
     <message>
-        <source>Makes the tool in hand smaller.</source>
-        <translation>Maakt het gereedschap in de hand kleiner.</translation>
+        <source>Makes the current tool smaller.</source>
+        <translation>Maakt het huidige gereedschap kleiner.</translation>
     </message>
     <message>
         <source>&amp;Larger</source>
         <translation>&amp;Groter</translation>
     </message>
     <message>
-        <source>Makes the tool in hand larger.</source>
-        <translation>Maakt het gereedschap in de hand groter.</translation>
+        <source>Makes the current tool larger.</source>
+        <translation>Maakt het huidige gereedschap groter.</translation>
     </message>
     <message>
         <source>Forces &amp;weaker</source>
         <translation>Krachten &amp;zwakker</translation>
     </message>
     <message>
-        <source>The tool in hand pushes back less.</source>
-        <translation>Het gereedschap in de hand biedt minder weerstand.</translation>
+        <source>The current tool resists less.</source>
+        <translation>Het huidige gereedschap biedt minder weerstand.</translation>
     </message>
     <message>
         <source>Forces &amp;stronger</source>
         <translation>Krachten &amp;sterker</translation>
     </message>
     <message>
-        <source>The tool in hand pushes back more.</source>
-        <translation>Het gereedschap in de hand biedt meer weerstand.</translation>
+        <source>The current tool resists more.</source>
+        <translation>Het huidige gereedschap biedt meer weerstand.</translation>
     </message>
 </context>
 <context>
@@ -1222,12 +1222,12 @@
 <context>
     <name>ToolSize</name>
     <message>
-        <source>%1 mm is the largest size.</source>
-        <translation>%1 mm is de grootste maat.</translation>
+        <source>The largest size is %1 mm.</source>
+        <translation>De maximale grootte is %1 mm.</translation>
     </message>
     <message>
-        <source>%1 mm is the smallest size.</source>
-        <translation>%1 mm is de kleinste maat.</translation>
+        <source>The smallest size is %1 mm.</source>
+        <translation>De minimale grootte is %1 mm.</translation>
     </message>
 </context>
 <context>
@@ -1237,144 +1237,144 @@
         <translation>&amp;Inzoomen</translation>
     </message>
     <message>
-        <source>Shows the sheet larger, around the pointer</source>
-        <translation>Toont het vel groter, rond de aanwijzer</translation>
+        <source>Shows the drawing larger, around the pointer</source>
+        <translation>Vergroot het beeld rond de aanwijzer</translation>
     </message>
     <message>
         <source>Zoom &amp;out</source>
         <translation>&amp;Uitzoomen</translation>
     </message>
     <message>
-        <source>Shows the sheet smaller, around the pointer</source>
-        <translation>Toont het vel kleiner, rond de aanwijzer</translation>
+        <source>Shows the drawing smaller, around the pointer</source>
+        <translation>Verkleint het beeld rond de aanwijzer</translation>
     </message>
     <message>
         <source>&amp;Life size</source>
         <translation>&amp;Ware grootte</translation>
     </message>
     <message>
-        <source>A millimetre on the sheet is one on the screen</source>
-        <translation>Een millimeter op het vel is er een op het scherm</translation>
+        <source>One millimetre of the drawing is one millimetre on the screen</source>
+        <translation>Eén millimeter in de tekening is één millimeter op het scherm</translation>
     </message>
     <message>
         <source>Fit &amp;selection</source>
         <translation>&amp;Selectie passend</translation>
     </message>
     <message>
-        <source>Shows what is selected as large as it can</source>
+        <source>Shows the selection as large as possible</source>
         <translation>Toont de selectie zo groot mogelijk</translation>
     </message>
     <message>
         <source>Fit &amp;page</source>
-        <translation>&amp;Vel passend</translation>
+        <translation>Pa&amp;gina passend</translation>
     </message>
     <message>
-        <source>Shows the whole sheet</source>
-        <translation>Toont het hele vel</translation>
+        <source>Shows the whole page</source>
+        <translation>Toont de hele pagina</translation>
     </message>
     <message>
         <source>Fit &amp;drawing</source>
         <translation>&amp;Tekening passend</translation>
     </message>
     <message>
-        <source>Shows all ink, beside the sheet too</source>
-        <translation>Toont alle inkt, ook naast het vel</translation>
+        <source>Shows all ink, including any outside the page</source>
+        <translation>Toont alle inkt, ook buiten de pagina</translation>
     </message>
     <message>
         <source>Turn l&amp;eft</source>
         <translation>&amp;Linksom draaien</translation>
     </message>
     <message>
-        <source>Turns the view anticlockwise; the drawing stays</source>
-        <translation>Draait het beeld tegen de klok in; de tekening blijft</translation>
+        <source>Turns the view anticlockwise; the drawing does not change</source>
+        <translation>Draait het beeld linksom; de tekening verandert niet</translation>
     </message>
     <message>
         <source>Turn ri&amp;ght</source>
         <translation>&amp;Rechtsom draaien</translation>
     </message>
     <message>
-        <source>Turns the view clockwise; the drawing stays</source>
-        <translation>Draait het beeld met de klok mee; de tekening blijft</translation>
+        <source>Turns the view clockwise; the drawing does not change</source>
+        <translation>Draait het beeld rechtsom; de tekening verandert niet</translation>
     </message>
     <message>
         <source>&amp;Upright</source>
         <translation>Re&amp;chtop</translation>
     </message>
     <message>
-        <source>Turns the view back, so that the sheet is upright</source>
-        <translation>Draait het beeld terug, zodat het vel rechtop staat</translation>
+        <source>Turns the view back upright</source>
+        <translation>Zet het beeld weer rechtop</translation>
     </message>
     <message>
         <source>&amp;Mirror view</source>
         <translation>Beeld s&amp;piegelen</translation>
     </message>
     <message>
-        <source>Swaps left and right of the view, which shows what is askew; the drawing stays</source>
-        <translation>Verwisselt links en rechts in beeld, zodat je ziet wat scheef is; de tekening blijft</translation>
+        <source>Swaps left and right in the view, to check proportions; the drawing does not change</source>
+        <translation>Verwisselt links en rechts in beeld, om verhoudingen te controleren; de tekening verandert niet</translation>
     </message>
     <message>
         <source>Scroll left</source>
         <translation>Naar links schuiven</translation>
     </message>
     <message>
-        <source>Shows what is further to the left</source>
-        <translation>Toont wat verder naar links ligt</translation>
+        <source>Moves the view to the left</source>
+        <translation>Verschuift het beeld naar links</translation>
     </message>
     <message>
         <source>Scroll right</source>
         <translation>Naar rechts schuiven</translation>
     </message>
     <message>
-        <source>Shows what is further to the right</source>
-        <translation>Toont wat verder naar rechts ligt</translation>
+        <source>Moves the view to the right</source>
+        <translation>Verschuift het beeld naar rechts</translation>
     </message>
     <message>
         <source>Scroll up</source>
         <translation>Omhoog schuiven</translation>
     </message>
     <message>
-        <source>Shows what is further up</source>
-        <translation>Toont wat hoger ligt</translation>
+        <source>Moves the view up</source>
+        <translation>Verschuift het beeld omhoog</translation>
     </message>
     <message>
         <source>Scroll down</source>
         <translation>Omlaag schuiven</translation>
     </message>
     <message>
-        <source>Shows what is further down</source>
-        <translation>Toont wat lager ligt</translation>
+        <source>Moves the view down</source>
+        <translation>Verschuift het beeld omlaag</translation>
     </message>
     <message>
         <source>Ou&amp;tlines</source>
         <translation>&amp;Omtrekken</translation>
     </message>
     <message>
-        <source>Shows the middle of each line only, hair-thin</source>
-        <translation>Toont alleen het midden van elke lijn, haardun</translation>
+        <source>Shows only the centre line of each stroke</source>
+        <translation>Toont alleen de hartlijn van elke lijn</translation>
     </message>
     <message>
         <source>&amp;Force arrow</source>
         <translation>&amp;Krachtpijl</translation>
     </message>
     <message>
-        <source>Shows at the nib where the force pushes</source>
-        <translation>Toont bij de punt waarheen de kracht duwt</translation>
+        <source>Shows the direction and size of the force at the nib</source>
+        <translation>Toont richting en grootte van de kracht bij de punt</translation>
     </message>
     <message>
-        <source>&amp;Nib gives way to forces</source>
-        <translation>Pu&amp;nt geeft toe aan krachten</translation>
+        <source>&amp;Nib moves with forces</source>
+        <translation>Pu&amp;nt beweegt mee met krachten</translation>
     </message>
     <message>
-        <source>With a simulated stylus, the nib is shown where forces move it</source>
-        <translation>Bij een gesimuleerde pen staat de punt waar krachten hem heen bewegen</translation>
+        <source>With a simulated stylus, shows the nib where forces move it</source>
+        <translation>Toont bij een gesimuleerde pen de punt waar de krachten hem heen bewegen</translation>
     </message>
     <message>
-        <source>G&amp;rain of the sheet</source>
-        <translation>Korr&amp;el van het vel</translation>
+        <source>G&amp;rain of the surface</source>
+        <translation>Korr&amp;el van de ondergrond</translation>
     </message>
     <message>
-        <source>Dry ink shows the relief of the sheet</source>
-        <translation>Droge inkt toont het reliëf van het vel</translation>
+        <source>Dry media show the relief of the surface</source>
+        <translation>Droge tekenmiddelen tonen het reliëf van de ondergrond</translation>
     </message>
 </context>
 <context>
@@ -1503,12 +1503,12 @@
         <translation>Pictogram van Feltline</translation>
     </message>
     <message>
-        <source>Sketching that the hand feels: ink that pushes back, lines that are corrected by pulling and pushing them.</source>
-        <translation>Schetsen dat de hand voelt: inkt die weerstand biedt, lijnen die je verbetert door te trekken en te duwen.</translation>
+        <source>Sketching that you can feel: ink that resists, lines that you correct by pulling and pushing.</source>
+        <translation>Schetsen dat je kunt voelen: inkt die weerstand biedt, lijnen die je verbetert door te trekken en te duwen.</translation>
     </message>
     <message>
-        <source>Begun from an idea of this paper:</source>
-        <translation>Begonnen met een idee uit dit artikel:</translation>
+        <source>Based on an idea in this paper:</source>
+        <translation>Gebaseerd op een idee uit dit artikel:</translation>
     </message>
     <message>
         <source>Built with Qt %1 and these libraries:</source>
@@ -1527,11 +1527,11 @@
     </message>
     <message>
         <source>The corner to touch</source>
-        <translation>De hoek om aan te raken</translation>
+        <translation>De hoek die je moet aanraken</translation>
     </message>
     <message>
-        <source>&amp;Take this place</source>
-        <translation>Deze &amp;plek nemen</translation>
+        <source>&amp;Use this position</source>
+        <translation>Deze &amp;positie gebruiken</translation>
     </message>
     <message>
         <source>&amp;Start again</source>
@@ -1542,36 +1542,36 @@
         <translation>&amp;Bewaren</translation>
     </message>
     <message>
-        <source>That is no drawing area: %1. Begin with the upper left corner again.</source>
-        <translation>Dat is geen tekenvlak: %1. Begin weer met de hoek linksboven.</translation>
+        <source>This is not a usable drawing area: %1. Start again with the upper left corner.</source>
+        <translation>Dit is geen bruikbaar tekengebied: %1. Begin opnieuw met de hoek linksboven.</translation>
     </message>
     <message>
-        <source>Hold the pen&apos;s tip on the upper left corner of where you want to draw.</source>
-        <translation>Houd de punt van de pen op de hoek linksboven van waar je wilt tekenen.</translation>
+        <source>Hold the tip of the pen on the upper left corner of your drawing area.</source>
+        <translation>Houd de punt van de pen op de hoek linksboven van het tekengebied.</translation>
     </message>
     <message>
-        <source>Now on the upper right corner.</source>
-        <translation>Nu op de hoek rechtsboven.</translation>
+        <source>Now hold it on the upper right corner.</source>
+        <translation>Houd hem nu op de hoek rechtsboven.</translation>
     </message>
     <message>
-        <source>Now on the lower left corner.</source>
-        <translation>Nu op de hoek linksonder.</translation>
+        <source>Now hold it on the lower left corner.</source>
+        <translation>Houd hem nu op de hoek linksonder.</translation>
     </message>
     <message>
         <source>The drawing area is %L1 mm wide and %L2 mm high.</source>
-        <translation>Het tekenvlak is %L1 mm breed en %L2 mm hoog.</translation>
+        <translation>Het tekengebied is %L1 mm breed en %L2 mm hoog.</translation>
     </message>
     <message>
-        <source>Its corners fit within %L1 mm.</source>
-        <translation>De hoeken passen binnen %L1 mm.</translation>
+        <source>Its corners agree to within %L1 mm.</source>
+        <translation>De hoeken kloppen tot op %L1 mm.</translation>
     </message>
     <message>
-        <source>Its corner is not square: %L1 mm off. Starting again may be better.</source>
-        <translation>De hoek is niet haaks: %L1 mm ernaast. Opnieuw beginnen is misschien beter.</translation>
+        <source>The corner is not square: it is off by %L1 mm. Start again for a better result.</source>
+        <translation>De hoek is niet haaks: de afwijking is %L1 mm. Begin opnieuw voor een beter resultaat.</translation>
     </message>
     <message>
         <source>The device does not answer. Check its cable and power.</source>
-        <translation>Het apparaat antwoordt niet. Controleer kabel en stroom.</translation>
+        <translation>Het apparaat antwoordt niet. Controleer de kabel en de voeding.</translation>
     </message>
     <message>
         <source>The pen is at %L1, %L2, %L3 mm.</source>
@@ -1585,12 +1585,12 @@
 <context>
     <name>felt::desktop::Canvas</name>
     <message>
-        <source>Sheet</source>
-        <translation>Vel</translation>
+        <source>Drawing area</source>
+        <translation>Tekengebied</translation>
     </message>
     <message>
-        <source>The sheet to draw on</source>
-        <translation>Het vel om op te tekenen</translation>
+        <source>The area to draw on</source>
+        <translation>Het gebied om op te tekenen</translation>
     </message>
     <message>
         <source>%1, %2 mm</source>
@@ -1609,12 +1609,12 @@
         <translation>gespiegeld</translation>
     </message>
     <message>
-        <source>Pressure is seen.</source>
-        <translation>Druk wordt gezien.</translation>
+        <source>Pressure is recognised.</source>
+        <translation>Druk wordt herkend.</translation>
     </message>
     <message>
-        <source>No pressure seen yet: a mouse draws lines of even width.</source>
-        <translation>Nog geen druk gezien: een muis tekent even brede lijnen.</translation>
+        <source>No pressure recognised yet. A mouse draws lines of even width.</source>
+        <translation>Nog geen druk herkend. Met een muis zijn lijnen overal even breed.</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -1632,24 +1632,24 @@
         <translation>De &amp;kracht als pijl tonen</translation>
     </message>
     <message>
-        <source>At the nib: which way it pushes, and how strong it is</source>
-        <translation>Bij de punt: waarheen ze duwt en hoe sterk</translation>
+        <source>Shows the direction and strength of the force at the nib</source>
+        <translation>Toont richting en sterkte van de kracht bij de punt</translation>
     </message>
     <message>
-        <source>The &amp;nib gives way to forces</source>
-        <translation>De &amp;punt geeft toe aan krachten</translation>
+        <source>The &amp;nib moves with forces</source>
+        <translation>De &amp;punt beweegt mee met krachten</translation>
     </message>
     <message>
-        <source>With a mouse or a tablet, forces are seen in how the nib moves</source>
-        <translation>Met muis of tablet zie je krachten aan hoe de punt beweegt</translation>
+        <source>With a mouse or a tablet, this makes forces visible</source>
+        <translation>Maakt krachten zichtbaar bij gebruik van muis of tablet</translation>
     </message>
     <message>
-        <source>Dry ink shows the &amp;grain of the sheet</source>
-        <translation>Droge inkt toont de korrel van het &amp;vel</translation>
+        <source>Dry media show the &amp;grain of the surface</source>
+        <translation>Droge tekenmiddelen tonen de k&amp;orrel van de ondergrond</translation>
     </message>
     <message>
-        <source>As chalk does; exported outlines stay as they are</source>
-        <translation>Zoals krijt; geëxporteerde omtrekken blijven zoals ze zijn</translation>
+        <source>Like chalk on paper. Exported outlines do not change</source>
+        <translation>Zoals krijt op papier. Geëxporteerde omtrekken veranderen niet</translation>
     </message>
 </context>
 <context>
@@ -1667,15 +1667,15 @@
         <translation>&amp;Kopiëren</translation>
     </message>
     <message>
-        <source>Copy the selected strokes, or all</source>
-        <translation>De geselecteerde lijnen kopiëren, of alle</translation>
+        <source>Copy the selected strokes, or all if none is selected</source>
+        <translation>De geselecteerde lijnen kopiëren, of alle als er geen selectie is</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
         <translation>&amp;Plakken</translation>
     </message>
     <message>
-        <source>Add the strokes of the clipboard</source>
+        <source>Add the strokes from the clipboard</source>
         <translation>De lijnen van het klembord toevoegen</translation>
     </message>
     <message>
@@ -1695,8 +1695,8 @@
         <translation>De geselecteerde lijnen of alle als afbeelding kopiëren</translation>
     </message>
     <message>
-        <source>Only whole strokes can be cut: select all of a stroke.</source>
-        <translation>Alleen hele lijnen kun je knippen: selecteer een hele lijn.</translation>
+        <source>Only whole strokes can be cut. Select a whole stroke first.</source>
+        <translation>Alleen hele lijnen kunnen worden geknipt. Selecteer eerst een hele lijn.</translation>
     </message>
     <message>
         <source>The clipboard cannot be pasted</source>
@@ -1737,12 +1737,12 @@
         <translation>Kleur van nieuwe lijnen</translation>
     </message>
     <message>
-        <source>Number of the colour</source>
-        <translation>Nummer van de kleur</translation>
+        <source>Colour code</source>
+        <translation>Kleurcode</translation>
     </message>
     <message>
-        <source>The colour as #rrggbb; #rgb and #rrggbbaa do as well</source>
-        <translation>De kleur als #rrggbb; #rgb en #rrggbbaa kan ook</translation>
+        <source>The colour as #rrggbb, #rgb or #rrggbbaa</source>
+        <translation>De kleur als #rrggbb, #rgb of #rrggbbaa</translation>
     </message>
     <message>
         <source> %</source>
@@ -1753,7 +1753,7 @@
         <translation>Dekking</translation>
     </message>
     <message>
-        <source>Opacity: 0 % is see-through</source>
+        <source>Opacity: 0 % is transparent</source>
         <translation>Dekking: 0% is doorzichtig</translation>
     </message>
     <message>
@@ -1769,8 +1769,8 @@
         <translation>Het palet hieronder</translation>
     </message>
     <message>
-        <source>Keep this colour in a palette of your own</source>
-        <translation>Deze kleur in een eigen palet bewaren</translation>
+        <source>Keep this colour in your own palette</source>
+        <translation>Deze kleur in je eigen palet bewaren</translation>
     </message>
     <message>
         <source>&amp;Open a palette…</source>
@@ -1781,16 +1781,16 @@
         <translation>Dit palet &amp;exporteren…</translation>
     </message>
     <message>
-        <source>Take the &amp;colour out of your own</source>
-        <translation>Kleur uit het &amp;eigen palet halen</translation>
+        <source>Remove the &amp;colour from your palette</source>
+        <translation>Kleur uit je ei&amp;gen palet verwijderen</translation>
     </message>
     <message>
-        <source>Faint on this paper: %1:1</source>
-        <translation>Flauw op dit papier: %1:1</translation>
+        <source>Low contrast with the paper: %1:1</source>
+        <translation>Weinig contrast met het papier: %1:1</translation>
     </message>
     <message>
-        <source>Contrast with paper %1:1</source>
-        <translation>Contrast met papier %1:1</translation>
+        <source>Contrast with the paper: %1:1</source>
+        <translation>Contrast met het papier: %1:1</translation>
     </message>
     <message>
         <source>My colours</source>
@@ -1812,47 +1812,47 @@
 <context>
     <name>felt::desktop::CuePlayer</name>
     <message>
-        <source>%1 is gone. It plays again when it is back.</source>
-        <translation>%1 is weg. Het speelt weer zodra het terug is.</translation>
+        <source>%1 was disconnected. It continues when it is connected again.</source>
+        <translation>%1 is losgekoppeld. Het gaat verder zodra het weer is aangesloten.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::DeviceCare</name>
     <message>
-        <source>Find its &amp;home…</source>
-        <translation>&amp;Uitgangsstand zoeken…</translation>
+        <source>Find its &amp;home position…</source>
+        <translation>&amp;Uitgangspositie zoeken…</translation>
     </message>
     <message>
         <source>&amp;Use it again</source>
         <translation>Weer &amp;gebruiken</translation>
     </message>
     <message>
-        <source>Plugged in again it is used again, without forces at first.</source>
-        <translation>Weer aangesloten wordt het weer gebruikt, eerst zonder krachten.</translation>
+        <source>When you connect it again it is used again, with its forces off.</source>
+        <translation>Zodra het weer is aangesloten, wordt het weer gebruikt, met de krachten uit.</translation>
     </message>
     <message>
         <source>%1 is in use in another window.</source>
         <translation>%1 wordt in een ander venster gebruikt.</translation>
     </message>
     <message>
-        <source>%1 does not open.</source>
-        <translation>%1 gaat niet open.</translation>
+        <source>%1 cannot be opened.</source>
+        <translation>%1 kan niet worden geopend.</translation>
     </message>
     <message>
         <source>&amp;Try again</source>
         <translation>Opnieuw &amp;proberen</translation>
     </message>
     <message>
-        <source>%1 is there. It must find its home before it is used.</source>
-        <translation>%1 is er. Het moet zijn uitgangsstand vinden voordat het wordt gebruikt.</translation>
+        <source>%1 is connected. It must find its home position before you can use it.</source>
+        <translation>%1 is aangesloten. Het moet eerst zijn uitgangspositie vinden.</translation>
     </message>
     <message>
         <source>%1 is in use. Its forces are off until you switch them on.</source>
-        <translation>%1 wordt gebruikt. De krachten zijn uit totdat u ze aanzet.</translation>
+        <translation>%1 is in gebruik. De krachten blijven uit totdat je ze inschakelt.</translation>
     </message>
     <message>
         <source>Switch &amp;forces on</source>
-        <translation>Krachten &amp;aanzetten</translation>
+        <translation>Krachten &amp;inschakelen</translation>
     </message>
     <message>
         <source>Message from %1: %2</source>
@@ -1862,27 +1862,27 @@
 <context>
     <name>felt::desktop::DeviceNotice</name>
     <message>
-        <source>What the device itself says</source>
-        <translation>Wat het apparaat zelf zegt</translation>
+        <source>Message from the device itself</source>
+        <translation>Melding van het apparaat zelf</translation>
     </message>
     <message>
-        <source>The device says: %1</source>
-        <translation>Het apparaat zegt: %1</translation>
+        <source>Message from the device: %1</source>
+        <translation>Melding van het apparaat: %1</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::DevicePage</name>
     <message>
-        <source>Feels pressure, if the pen does. No motors.</source>
-        <translation>Voelt druk, als de pen dat doet. Geen motoren.</translation>
+        <source>Senses pressure if the pen does. No motors.</source>
+        <translation>Herkent druk als de pen dat doet. Geen motoren.</translation>
     </message>
     <message>
         <source>No motors.</source>
         <translation>Geen motoren.</translation>
     </message>
     <message>
-        <source>Pushes with up to %L1 N, for long with %L2 N. Loop of %L3 Hz.</source>
-        <translation>Duwt met hoogstens %L1 N, blijvend met %L2 N. Lus van %L3 Hz.</translation>
+        <source>Pushes with up to %L1 N, continuously with %L2 N. Loop of %L3 Hz.</source>
+        <translation>Duwt met maximaal %L1 N, continu met %L2 N. Regellus van %L3 Hz.</translation>
     </message>
     <message>
         <source>Device</source>
@@ -1893,20 +1893,20 @@
         <translation> N</translation>
     </message>
     <message>
-        <source>No force is ever larger than this, whatever a tool asks for</source>
-        <translation>Geen kracht is ooit groter, wat een gereedschap ook vraagt</translation>
+        <source>The upper limit of all forces of this device</source>
+        <translation>De bovengrens van alle krachten van dit apparaat</translation>
     </message>
     <message>
         <source>Largest force</source>
-        <translation>Grootste kracht</translation>
+        <translation>Maximale kracht</translation>
     </message>
     <message>
         <source>&amp;Largest force</source>
-        <translation>&amp;Grootste kracht</translation>
+        <translation>&amp;Maximale kracht</translation>
     </message>
     <message>
         <source>Forces stay off until you switch them on.</source>
-        <translation>De krachten blijven uit tot je ze aanzet.</translation>
+        <translation>De krachten blijven uit totdat je ze inschakelt.</translation>
     </message>
     <message>
         <source>&amp;Use this device</source>
@@ -1917,8 +1917,8 @@
         <translation>Trillingen</translation>
     </message>
     <message>
-        <source>A haptic pen, mouse, touchpad or game controller that hums and ticks with what you draw, whatever the pen is</source>
-        <translation>Een haptische pen, muis, touchpad of spelbesturing die zoemt en tikt met wat u tekent, welke pen er ook tekent</translation>
+        <source>A haptic pen, mouse, touchpad or game controller that vibrates while you draw, with any pen</source>
+        <translation>Een haptische pen, muis, touchpad of gamecontroller die trilt terwijl je tekent, met elke pen</translation>
     </message>
     <message>
         <source>&amp;Vibrations</source>
@@ -1937,16 +1937,16 @@
         <translation>In gebruik</translation>
     </message>
     <message>
-        <source>Not connected; used again when it is</source>
-        <translation>Niet aangesloten; wordt weer gebruikt zodra dat zo is</translation>
+        <source>Not connected; used again once it is</source>
+        <translation>Niet aangesloten; wordt weer gebruikt zodra het is aangesloten</translation>
     </message>
     <message>
         <source>In use in another window</source>
         <translation>In gebruik in een ander venster</translation>
     </message>
     <message>
-        <source>Its software is here; whether it is connected shows when it is used</source>
-        <translation>De software is er; of het is aangesloten blijkt bij het gebruik</translation>
+        <source>Its software is installed; whether it is connected shows when you use it</source>
+        <translation>De software is geïnstalleerd; of het is aangesloten blijkt bij gebruik</translation>
     </message>
     <message>
         <source>Connected; its settings cannot be read</source>
@@ -1969,16 +1969,16 @@
         <translation>Een haptisch apparaat…</translation>
     </message>
     <message>
-        <source>Not here? See what is missing, step by step</source>
+        <source>Not in the list? See what is missing, step by step</source>
         <translation>Niet in de lijst? Zie stap voor stap wat er ontbreekt</translation>
     </message>
     <message>
-        <source>Mend that line, or remove the file.</source>
-        <translation>Verbeter die regel of verwijder het bestand.</translation>
+        <source>Correct that line, or remove the file.</source>
+        <translation>Corrigeer die regel of verwijder het bestand.</translation>
     </message>
     <message>
-        <source>Look at its cable and its power.</source>
-        <translation>Kijk naar de kabel en de voeding.</translation>
+        <source>Check its cable and power.</source>
+        <translation>Controleer de kabel en de voeding.</translation>
     </message>
     <message>
         <source>None</source>
@@ -1996,8 +1996,8 @@
         <translation>&amp;Tekenvlak instellen…</translation>
     </message>
     <message>
-        <source>Fit to the s&amp;heet</source>
-        <translation>Aan het &amp;blad aanpassen</translation>
+        <source>Fit to the p&amp;age</source>
+        <translation>A&amp;an de pagina aanpassen</translation>
     </message>
     <message>
         <source>Name of the device</source>
@@ -2020,44 +2020,44 @@
         <translation> N</translation>
     </message>
     <message>
-        <source>No force is ever larger than this, whatever a tool asks for</source>
-        <translation>Geen kracht is ooit groter, wat een gereedschap ook vraagt</translation>
+        <source>The upper limit of all forces of this device</source>
+        <translation>De bovengrens van alle krachten van dit apparaat</translation>
     </message>
     <message>
         <source>Largest force</source>
-        <translation>Grootste kracht</translation>
+        <translation>Maximale kracht</translation>
     </message>
     <message>
-        <source>as it can</source>
-        <translation>wat het kan</translation>
+        <source>device limit</source>
+        <translation>apparaatgrens</translation>
     </message>
     <message>
         <source> N/m</source>
         <translation> N/m</translation>
     </message>
     <message>
-        <source>Lower it where the sheet hums or trembles under the pen</source>
-        <translation>Verlaag dit als het blad onder de pen bromt of trilt</translation>
+        <source>Lower this if the surface hums or trembles under the pen</source>
+        <translation>Verlaag dit als de ondergrond onder de pen bromt of trilt</translation>
     </message>
     <message>
-        <source>Stiffest sheet</source>
-        <translation>Stijfste blad</translation>
+        <source>Stiffest surface</source>
+        <translation>Maximale stijfheid</translation>
     </message>
     <message>
         <source> %</source>
         <translation> %</translation>
     </message>
     <message>
-        <source>100 %: a millimetre of the hand is one of the sheet. 200 %: it is two, and the hand has half the way.</source>
-        <translation>100 %: een millimeter van de hand is er een op het blad. 200 %: het zijn er twee, en de hand heeft de halve weg.</translation>
+        <source>At 100 %, one millimetre of the hand is one millimetre of the page. At 200 % it is two.</source>
+        <translation>Bij 100 % is één millimeter van de hand één millimeter op de pagina. Bij 200 % zijn het er twee.</translation>
     </message>
     <message>
-        <source>Size of a movement on the sheet</source>
-        <translation>Grootte van een beweging op het blad</translation>
+        <source>Size of a movement on the page</source>
+        <translation>Grootte van een beweging op de pagina</translation>
     </message>
     <message>
-        <source>The middle of the drawing area on the middle of the sheet, and so large that the whole sheet can be reached</source>
-        <translation>Het midden van het tekengebied op het midden van het blad, en zo groot dat het hele blad bereikbaar is</translation>
+        <source>Centres the drawing area on the page and scales it so that the whole page can be reached</source>
+        <translation>Centreert het tekengebied op de pagina en schaalt het zodat de hele pagina bereikbaar is</translation>
     </message>
     <message>
         <source>&amp;Name</source>
@@ -2069,23 +2069,23 @@
     </message>
     <message>
         <source>&amp;Largest force</source>
-        <translation>&amp;Grootste kracht</translation>
+        <translation>Ma&amp;ximale kracht</translation>
     </message>
     <message>
-        <source>S&amp;tiffest sheet</source>
-        <translation>&amp;Stijfste blad</translation>
+        <source>S&amp;tiffest surface</source>
+        <translation>Maximale stij&amp;fheid</translation>
     </message>
     <message>
         <source>Drawing plane</source>
         <translation>Tekenvlak</translation>
     </message>
     <message>
-        <source>S&amp;ize on the sheet</source>
-        <translation>Gr&amp;ootte op het blad</translation>
+        <source>S&amp;ize on the page</source>
+        <translation>Gr&amp;ootte op de pagina</translation>
     </message>
     <message>
-        <source>Not set yet: as such a device usually stands.</source>
-        <translation>Nog niet ingesteld: zoals zo&apos;n apparaat meestal staat.</translation>
+        <source>Not set yet: the usual position of such a device is assumed.</source>
+        <translation>Nog niet ingesteld: de gebruikelijke positie van zo’n apparaat wordt aangenomen.</translation>
     </message>
     <message>
         <source>Set: %L1 × %L2 mm.</source>
@@ -2096,8 +2096,8 @@
         <translation>Ingesteld.</translation>
     </message>
     <message>
-        <source>Each hand has a drawing plane of its own: for the other one the device stands on the other side</source>
-        <translation>Elke hand heeft een eigen tekenvlak: voor de andere staat het apparaat aan de andere kant</translation>
+        <source>Each hand has its own drawing plane, because the device stands on that side</source>
+        <translation>Elke hand heeft een eigen tekenvlak, omdat het apparaat aan die kant staat</translation>
     </message>
 </context>
 <context>
@@ -2107,36 +2107,36 @@
         <translation>Een haptisch apparaat instellen</translation>
     </message>
     <message>
-        <source>A device pushes your hand only once its maker&apos;s software is installed and you may use its port. Feltline has looked at this computer. Work from the top down; a line with a dash is of a device that you may not own, and needs nothing.</source>
-        <translation>Een apparaat duwt uw hand pas als de software van de maker is geïnstalleerd en u de poort mag gebruiken. Feltline heeft deze computer bekeken. Werk van boven naar beneden; een regel met een streepje hoort bij een apparaat dat u misschien niet hebt, en vraagt niets.</translation>
+        <source>A haptic device needs its maker&apos;s software and permission to use its port. Feltline has checked this computer. Work from top to bottom. A line with a dash is about a device that you may not own; ignore it then.</source>
+        <translation>Een haptisch apparaat heeft de software van de fabrikant nodig en toestemming om de poort te gebruiken. Feltline heeft deze computer gecontroleerd. Werk van boven naar beneden. Een regel met een streepje gaat over een apparaat dat je misschien niet hebt; sla die dan over.</translation>
     </message>
     <message>
         <source>What was found</source>
         <translation>Wat er is gevonden</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
-        <translation>&amp;Opnieuw kijken</translation>
+        <source>&amp;Check again</source>
+        <translation>&amp;Opnieuw controleren</translation>
     </message>
     <message>
         <source>&amp;Copy all</source>
         <translation>Alles &amp;kopiëren</translation>
     </message>
     <message>
-        <source>As plain text, to ask somebody who knows</source>
-        <translation>Als gewone tekst, om het iemand te vragen die het weet</translation>
+        <source>Copies the report as plain text, to ask for help</source>
+        <translation>Kopieert het rapport als platte tekst, om hulp te vragen</translation>
     </message>
     <message>
-        <source>Looking…</source>
-        <translation>Bezig met kijken…</translation>
+        <source>Checking…</source>
+        <translation>Bezig met controleren…</translation>
     </message>
     <message>
         <source>This build of Feltline has no drivers.</source>
-        <translation>Deze Feltline is zonder stuurprogramma&apos;s gebouwd.</translation>
+        <translation>Deze versie van Feltline is zonder stuurprogramma’s gebouwd.</translation>
     </message>
     <message>
-        <source>Nothing to say.</source>
-        <translation>Niets te zeggen.</translation>
+        <source>Nothing to report.</source>
+        <translation>Niets te melden.</translation>
     </message>
 </context>
 <context>
@@ -2151,7 +2151,7 @@
     </message>
     <message>
         <source>The page</source>
-        <translation>Het vel</translation>
+        <translation>De pagina</translation>
     </message>
     <message>
         <source>The ink only</source>
@@ -2202,12 +2202,12 @@
         <translation>Bewaart:</translation>
     </message>
     <message>
-        <source>&amp;Grain of the sheet in dry ink</source>
-        <translation>&amp;Korrel van het vel in droge inkt</translation>
+        <source>&amp;Grain of the surface in dry media</source>
+        <translation>&amp;Korrel van de ondergrond in droge tekenmiddelen</translation>
     </message>
     <message>
-        <source>As on the screen. Lines stay lines: other programs show them through a picture of the grain</source>
-        <translation>Zoals op het scherm. Lijnen blijven lijnen: andere programma’s tonen ze door een afbeelding van de korrel</translation>
+        <source>As on the screen. Lines stay editable; the grain is added as a picture</source>
+        <translation>Zoals op het scherm. Lijnen blijven lijnen; de korrel wordt als afbeelding toegevoegd</translation>
     </message>
 </context>
 <context>
@@ -2229,8 +2229,8 @@
         <translation>&amp;Sterkte</translation>
     </message>
     <message>
-        <source>Sh&amp;eet</source>
-        <translation>V&amp;el</translation>
+        <source>Surfac&amp;e</source>
+        <translation>Ond&amp;ergrond</translation>
     </message>
     <message>
         <source>Stop forces</source>
@@ -2241,12 +2241,12 @@
         <translation>Krachten inschakelen</translation>
     </message>
     <message>
-        <source>No force, at once (Esc twice)</source>
-        <translation>Geen kracht, meteen (tweemaal Esc)</translation>
+        <source>Stops all forces immediately (Esc twice)</source>
+        <translation>Stopt alle krachten onmiddellijk (tweemaal Esc)</translation>
     </message>
     <message>
-        <source>Let the pen be pushed</source>
-        <translation>De pen wordt geduwd</translation>
+        <source>Let forces act on the pen</source>
+        <translation>Krachten op de pen laten werken</translation>
     </message>
     <message>
         <source>Esc twice stops them too.</source>
@@ -2257,27 +2257,27 @@
         <translation>Bewerken…</translation>
     </message>
     <message>
-        <source>Change what sheets and media feel, look and sound like</source>
-        <translation>Veranderen hoe vellen en tekenmiddelen aanvoelen, eruitzien en klinken</translation>
+        <source>Change how surfaces and media feel, look and sound</source>
+        <translation>Wijzigen hoe ondergronden en tekenmiddelen aanvoelen, eruitzien en klinken</translation>
     </message>
     <message>
-        <source>Edit sheets and media</source>
-        <translation>Vellen en tekenmiddelen bewerken</translation>
+        <source>Edit surfaces and media</source>
+        <translation>Ondergronden en tekenmiddelen bewerken</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::FeltPlot</name>
     <message>
-        <source>Plot of what a stroke of 40 mm feels like</source>
-        <translation>Grafiek van wat een streek van 40 mm laat voelen</translation>
+        <source>Plot of the force along a stroke of 40 mm</source>
+        <translation>Grafiek van de kracht langs een streek van 40 mm</translation>
     </message>
     <message>
-        <source>%1 N of drag; the grain changes it by up to %2 N, which can be felt.</source>
-        <translation>%1 N wrijving; de korrel verandert die met hoogstens %2 N, wat te voelen is.</translation>
+        <source>%1 N of friction; the grain changes it by up to %2 N, which can be felt.</source>
+        <translation>%1 N wrijving; de korrel verandert die met hoogstens %2 N, wat voelbaar is.</translation>
     </message>
     <message>
-        <source>%1 N of drag; it changes by up to %2 N, which nobody feels.</source>
-        <translation>%1 N wrijving; die verandert met hoogstens %2 N, wat niemand voelt.</translation>
+        <source>%1 N of friction; the grain changes it by up to %2 N, which is too little to feel.</source>
+        <translation>%1 N wrijving; de korrel verandert die met hoogstens %2 N, te weinig om te voelen.</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -2299,8 +2299,8 @@
         <translation>&amp;Nieuw</translation>
     </message>
     <message>
-        <source>Begin another drawing</source>
-        <translation>Een andere tekening beginnen</translation>
+        <source>Start a new drawing</source>
+        <translation>Een nieuwe tekening beginnen</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -2316,7 +2316,7 @@
     </message>
     <message>
         <source>Save the drawing to its file</source>
-        <translation>De tekening in haar bestand opslaan</translation>
+        <translation>De tekening in het bestand opslaan</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
@@ -2332,7 +2332,7 @@
     </message>
     <message>
         <source>Add the strokes of another file to this drawing</source>
-        <translation>De lijnen van een ander bestand toevoegen</translation>
+        <translation>De lijnen van een ander bestand aan deze tekening toevoegen</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -2347,7 +2347,7 @@
         <translation>&amp;Afsluiten</translation>
     </message>
     <message>
-        <source>Leave the program</source>
+        <source>Quit the program</source>
         <translation>Het programma afsluiten</translation>
     </message>
     <message>
@@ -2380,9 +2380,9 @@
     </message>
     <message>
         <source>%1
-Your drawing is still here: save it to another place.</source>
+Your drawing is still open: save it to another place.</source>
         <translation>%1
-Je tekening is er nog: sla haar ergens anders op.</translation>
+Je tekening is nog open: sla haar op een andere plaats op.</translation>
     </message>
     <message>
         <source>Nothing yet</source>
@@ -2401,16 +2401,16 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>Geen crashbescherming: sla vaak op</translation>
     </message>
     <message>
-        <source>What is needed for recovery cannot be written: %1</source>
-        <translation>Wat voor herstel nodig is kan niet worden geschreven: %1</translation>
+        <source>The autosave cannot be written: %1</source>
+        <translation>De automatische opslag kan niet worden geschreven: %1</translation>
     </message>
     <message>
-        <source>Crash protection in another place</source>
-        <translation>Crashbeveiliging op een andere plek</translation>
+        <source>Autosave in another place</source>
+        <translation>Automatische opslag op een andere plaats</translation>
     </message>
     <message>
-        <source>The drawing is kept for recovery in %1, because the usual place fails: %2</source>
-        <translation>De tekening wordt voor herstel bewaard in %1, want op de gewone plek lukt het niet: %2</translation>
+        <source>The drawing is autosaved in %1, because the usual place fails: %2</source>
+        <translation>De tekening wordt automatisch opgeslagen in %1, omdat de gebruikelijke plaats niet werkt: %2</translation>
     </message>
 </context>
 <context>
@@ -2424,8 +2424,8 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>De wijzigingen in ‘%1’ opslaan?</translation>
     </message>
     <message>
-        <source>Without saving, what you drew since the last save is lost.</source>
-        <translation>Zonder opslaan gaat verloren wat je sindsdien tekende.</translation>
+        <source>If you do not save, your changes since the last save are lost.</source>
+        <translation>Als je niet opslaat, gaan je wijzigingen sinds de laatste keer opslaan verloren.</translation>
     </message>
     <message>
         <source>Changed on disk</source>
@@ -2436,8 +2436,8 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>‘%1’ is door een ander programma gewijzigd.</translation>
     </message>
     <message>
-        <source>Saving now replaces those changes by your drawing.</source>
-        <translation>Opslaan vervangt die wijzigingen door jouw tekening.</translation>
+        <source>If you save now, your drawing replaces those changes.</source>
+        <translation>Als je nu opslaat, vervangt je tekening die wijzigingen.</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
@@ -2449,7 +2449,7 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     </message>
     <message>
         <source>“%1” is damaged.</source>
-        <translation>“%1” is beschadigd.</translation>
+        <translation>‘%1’ is beschadigd.</translation>
     </message>
     <message numerus="yes">
         <source>%n stroke(s) of it can be shown, as a new drawing; the file stays as it is.</source>
@@ -2459,8 +2459,8 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         </translation>
     </message>
     <message>
-        <source>&amp;Show what is left</source>
-        <translation>&amp;Tonen wat er over is</translation>
+        <source>&amp;Show the readable part</source>
+        <translation>Leesbaar deel &amp;tonen</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
@@ -2493,28 +2493,28 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>%L1 µs</translation>
     </message>
     <message>
-        <source>The loop does not run.</source>
-        <translation>De lus loopt niet.</translation>
+        <source>The loop is not running.</source>
+        <translation>De regellus draait niet.</translation>
     </message>
     <message>
         <source>Real-time scheduling.</source>
-        <translation>Realtime-planning.</translation>
+        <translation>Realtimeplanning.</translation>
     </message>
     <message>
         <source>Raised priority, no real-time scheduling.</source>
-        <translation>Hogere prioriteit, geen realtime-planning.</translation>
+        <translation>Hogere prioriteit, geen realtimeplanning.</translation>
     </message>
     <message>
-        <source>Ordinary scheduling: late when the computer is busy.</source>
-        <translation>Gewone planning: te laat als de computer het druk heeft.</translation>
+        <source>Ordinary scheduling: late if the computer is busy.</source>
+        <translation>Normale planning: te laat als de computer het druk heeft.</translation>
     </message>
     <message>
-        <source>The loop stands still: the device does not answer.</source>
-        <translation>De lus staat stil: het apparaat antwoordt niet.</translation>
+        <source>The loop has stopped: the device does not answer.</source>
+        <translation>De regellus staat stil: het apparaat antwoordt niet.</translation>
     </message>
     <message>
         <source>The device&apos;s own software runs the loop.</source>
-        <translation>De lus loopt in de software van het apparaat.</translation>
+        <translation>De regellus draait in de software van het apparaat.</translation>
     </message>
     <message>
         <source>Forces</source>
@@ -2529,48 +2529,48 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>Nu</translation>
     </message>
     <message>
-        <source>Most</source>
-        <translation>Hoogste</translation>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
     </message>
     <message>
         <source>Forces by name</source>
         <translation>Krachten op naam</translation>
     </message>
     <message>
-        <source>Each force now and its largest value of the last seconds</source>
-        <translation>Elke kracht nu en haar hoogste waarde van de laatste seconden</translation>
+        <source>Each force now and its maximum in the last seconds</source>
+        <translation>Elke kracht nu en haar maximum in de laatste seconden</translation>
     </message>
     <message>
         <source>Pause</source>
         <translation>Pauze</translation>
     </message>
     <message>
-        <source>Hold the plot still</source>
-        <translation>De grafiek stilzetten</translation>
+        <source>Pause the plot</source>
+        <translation>De grafiek pauzeren</translation>
     </message>
     <message>
-        <source>most, %L1 N</source>
-        <translation>hoogstens, %L1 N</translation>
+        <source>maximum, %L1 N</source>
+        <translation>maximaal, %L1 N</translation>
     </message>
     <message>
-        <source>for long, %L1 N</source>
-        <translation>blijvend, %L1 N</translation>
+        <source>continuous, %L1 N</source>
+        <translation>continu, %L1 N</translation>
     </message>
     <message>
         <source>%L1 N</source>
         <translation>%L1 N</translation>
     </message>
     <message>
-        <source>The motors are warm, so forces are kept lower for a while.</source>
-        <translation>De motoren zijn warm, dus blijven de krachten een tijdje lager.</translation>
+        <source>The motors are warm, so forces are reduced for a while.</source>
+        <translation>De motoren zijn warm, daarom zijn de krachten een tijdje verlaagd.</translation>
     </message>
     <message>
         <source>Loop: %L1 Hz, missed ticks: %L2</source>
-        <translation>Lus: %L1 Hz, gemiste tikken: %L2</translation>
+        <translation>Regellus: %L1 Hz, gemiste tikken: %L2</translation>
     </message>
     <message>
-        <source>Late: %1 as a rule, 1 in 100 %2</source>
-        <translation>Te laat: meestal %1, 1 op 100 %2</translation>
+        <source>Delay: usually %1, 1 in 100 %2</source>
+        <translation>Vertraging: meestal %1, 1 op 100 %2</translation>
     </message>
     <message>
         <source>Motors: %L1 N on average</source>
@@ -2581,7 +2581,7 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>Arbeid op de hand: %L1 mJ</translation>
     </message>
     <message>
-        <source>Asked: %L1 N, at most %L2 N of late. The table has each force.</source>
+        <source>Requested: %L1 N, recently at most %L2 N. The table lists each force.</source>
         <translation>Gevraagd: %L1 N, onlangs hoogstens %L2 N. De tabel toont elke kracht.</translation>
     </message>
 </context>
@@ -2624,8 +2624,8 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>Lijnen als JSON-regels</translation>
     </message>
     <message>
-        <source>Every line that is seen, exactly, for programs and scripts; no layers and no sheet.</source>
-        <translation>Elke zichtbare lijn, exact, voor programma’s en scripts; geen lagen en geen blad.</translation>
+        <source>Every visible line, exactly, for programs and scripts; no layers, page or surface.</source>
+        <translation>Elke zichtbare lijn, exact, voor programma’s en scripts; geen lagen, pagina of ondergrond.</translation>
     </message>
     <message>
         <source>PDF page</source>
@@ -2655,8 +2655,8 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
 <context>
     <name>felt::desktop::GeneralPage</name>
     <message>
-        <source>As the desktop</source>
-        <translation>Zoals het bureaublad</translation>
+        <source>Same as the desktop</source>
+        <translation>Zoals de werkomgeving</translation>
     </message>
     <message>
         <source>Light</source>
@@ -2675,8 +2675,8 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>Taal</translation>
     </message>
     <message>
-        <source>Another language is used from the next start on.</source>
-        <translation>Een andere taal geldt vanaf de volgende start.</translation>
+        <source>The new language is used from the next start.</source>
+        <translation>De nieuwe taal geldt vanaf de volgende start.</translation>
     </message>
     <message>
         <source>&amp;Theme:</source>
@@ -2687,7 +2687,7 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>T&amp;aal:</translation>
     </message>
     <message>
-        <source>At the start:</source>
+        <source>At startup:</source>
         <translation>Bij het starten:</translation>
     </message>
     <message>
@@ -2695,20 +2695,20 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>De laatste tekening &amp;weer openen</translation>
     </message>
     <message>
-        <source>Where no file is named</source>
-        <translation>Als er geen bestand is genoemd</translation>
+        <source>If no file is given</source>
+        <translation>Als er geen bestand is opgegeven</translation>
     </message>
     <message>
         <source>So&amp;und of drawing</source>
-        <translation>&amp;Geluid van het tekenen</translation>
+        <translation>&amp;Geluid bij het tekenen</translation>
     </message>
     <message>
-        <source>Hear the pen rub on the sheet</source>
-        <translation>De pen op het vel horen wrijven</translation>
+        <source>Hear the pen rub on the surface</source>
+        <translation>De pen over de ondergrond horen wrijven</translation>
     </message>
     <message>
         <source>Volume of the sound of drawing</source>
-        <translation>Volume van het geluid van het tekenen</translation>
+        <translation>Volume van het geluid bij het tekenen</translation>
     </message>
     <message>
         <source>Sound:</source>
@@ -2727,43 +2727,43 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     </message>
     <message>
         <source>Draw, then correct</source>
-        <translation>Tekenen, dan verbeteren</translation>
+        <translation>Tekenen, dan corrigeren</translation>
     </message>
     <message>
-        <source>Draw with a pen or with the mouse. A line that is not right is not drawn again: pull it, push it, smooth it, make it broader. Every step can be undone.</source>
-        <translation>Teken met een pen of met de muis. Een lijn die niet klopt, teken je niet opnieuw: trek, duw, strijk hem glad of maak hem breder. Elke stap kan ongedaan worden gemaakt.</translation>
+        <source>Draw with a pen or with the mouse. You do not need to redraw a line that is not right: pull it, push it, smooth it, make it broader. You can undo every step.</source>
+        <translation>Teken met een pen of met de muis. Een lijn die niet klopt, hoef je niet opnieuw te tekenen: trek eraan, duw ertegen, strijk hem glad of maak hem breder. Elke stap kun je ongedaan maken.</translation>
     </message>
     <message>
-        <source>A short press on a tool&apos;s key takes the tool. Hold the key while you use the tool, and the former one comes back when you let go.</source>
-        <translation>Een korte druk op de toets van een gereedschap neemt het. Houd je de toets vast terwijl je het gebruikt, dan komt bij loslaten het vorige terug.</translation>
+        <source>Press a tool&apos;s key briefly to choose the tool. Hold the key to use the tool only until you release it.</source>
+        <translation>Druk kort op de toets van een gereedschap om het te kiezen. Houd de toets ingedrukt om het alleen tot het loslaten te gebruiken.</translation>
     </message>
     <message>
         <source>Tools</source>
         <translation>Gereedschap</translation>
     </message>
     <message>
-        <source>The sheet</source>
-        <translation>Het vel</translation>
+        <source>The view</source>
+        <translation>Het beeld</translation>
     </message>
     <message>
-        <source>The wheel zooms at the pointer. Hold Space and drag to move the sheet, with Shift to turn it. None of this changes the drawing.</source>
-        <translation>Het muiswiel zoomt bij de aanwijzer. Houd de spatiebalk vast en sleep om het vel te verschuiven, met Shift om het te draaien. Niets daarvan verandert de tekening.</translation>
+        <source>The wheel zooms at the pointer. Hold Space and drag to move the view, with Shift to turn it. None of this changes the drawing.</source>
+        <translation>Het muiswiel zoomt bij de aanwijzer. Houd de spatiebalk ingedrukt en sleep om het beeld te verschuiven, met Shift om het te draaien. Niets daarvan verandert de tekening.</translation>
     </message>
     <message>
         <source>The feel</source>
         <translation>Het gevoel</translation>
     </message>
     <message>
-        <source>Every tool pushes back. With a force-feedback pen you feel it in your hand; with a tablet or a mouse you see it, as an arrow at the nib and in the panel Forces. Press Esc twice to switch all forces off at once.</source>
-        <translation>Elk gereedschap biedt weerstand. Met een pen met krachtterugkoppeling voel je die in je hand; met een tablet of muis zie je hem, als pijl bij de punt en in het paneel Krachten. Druk tweemaal op Esc om alle krachten meteen uit te zetten.</translation>
+        <source>Every tool resists. With a force-feedback pen you feel this in your hand. With a tablet or a mouse you see it: as an arrow at the nib and in the panel Forces. Press Esc twice to switch off all forces immediately.</source>
+        <translation>Elk gereedschap biedt weerstand. Met een forcefeedbackpen voel je die in je hand. Met een tablet of muis zie je hem: als pijl bij de punt en in het paneel Krachten. Druk tweemaal op Esc om alle krachten onmiddellijk uit te schakelen.</translation>
     </message>
     <message>
         <source>Files</source>
         <translation>Bestanden</translation>
     </message>
     <message>
-        <source>Drawings are kept as .felt files, with their layers and their history of pen pressure. Export gives SVG, PDF and PNG to other programs.</source>
-        <translation>Tekeningen staan in .felt-bestanden, met hun lagen. Voor andere programma&apos;s zijn er SVG, PDF en PNG.</translation>
+        <source>Drawings are saved as .felt files, with their layers and pen pressure. You can export SVG, PDF and PNG for other programs.</source>
+        <translation>Tekeningen worden als .felt-bestanden opgeslagen, met hun lagen en pendruk. Voor andere programma’s kun je SVG, PDF en PNG exporteren.</translation>
     </message>
 </context>
 <context>
@@ -2784,20 +2784,20 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>Wat de gereedschappen doen, op één pagina</translation>
     </message>
     <message>
-        <source>&amp;Keys at a glance</source>
-        <translation>&amp;Toetsen in één oogopslag</translation>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>Snel&amp;toetsen</translation>
     </message>
     <message>
-        <source>All keys on one page, to search and to print</source>
-        <translation>Alle toetsen op één pagina, om te zoeken en te printen</translation>
+        <source>All shortcuts on one page, to search and to print</source>
+        <translation>Alle sneltoetsen op één pagina, om te zoeken en af te drukken</translation>
     </message>
     <message>
         <source>Guided &amp;tour</source>
         <translation>&amp;Rondleiding</translation>
     </message>
     <message>
-        <source>Two minutes in which the program draws by itself</source>
-        <translation>Twee minuten waarin het programma zelf tekent</translation>
+        <source>A two-minute demonstration of the tools</source>
+        <translation>Een demonstratie van de gereedschappen in twee minuten</translation>
     </message>
     <message>
         <source>Opens this drawing, made by the project&apos;s simulated hand</source>
@@ -2808,8 +2808,8 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>&amp;Over Feltline</translation>
     </message>
     <message>
-        <source>Version, licence and what it is built on</source>
-        <translation>Versie, licentie en waarop het gebouwd is</translation>
+        <source>Version, licence and libraries</source>
+        <translation>Versie, licentie en bibliotheken</translation>
     </message>
     <message>
         <source>From the tour</source>
@@ -2819,16 +2819,16 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
 <context>
     <name>felt::desktop::HistoryModel</name>
     <message>
-        <source>Earlier steps are forgotten</source>
-        <translation>Eerdere stappen zijn vergeten</translation>
+        <source>Earlier steps are no longer available</source>
+        <translation>Eerdere stappen zijn niet meer beschikbaar</translation>
     </message>
     <message>
         <source>As opened</source>
         <translation>Zoals geopend</translation>
     </message>
     <message>
-        <source>%1, here</source>
-        <translation>%1, hier</translation>
+        <source>%1, current</source>
+        <translation>%1, huidige</translation>
     </message>
     <message>
         <source>%1, undone</source>
@@ -2853,64 +2853,64 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
 <context>
     <name>felt::desktop::HomingDialog</name>
     <message>
-        <source>Bring %1 home</source>
-        <translation>%1 naar de uitgangsstand brengen</translation>
+        <source>Home position of %1</source>
+        <translation>Uitgangspositie van %1</translation>
     </message>
     <message>
-        <source>Finding home</source>
-        <translation>Uitgangsstand wordt gezocht</translation>
+        <source>Finding the home position</source>
+        <translation>Uitgangspositie wordt gezocht</translation>
     </message>
     <message>
         <source>Let it &amp;move</source>
-        <translation>Laat het be&amp;wegen</translation>
+        <translation>Be&amp;weging toestaan</translation>
     </message>
     <message>
-        <source>It is &amp;there</source>
-        <translation>Het is &amp;daar</translation>
+        <source>It is &amp;in place</source>
+        <translation>Het staat op &amp;zijn plaats</translation>
     </message>
     <message>
         <source>&amp;Not now</source>
         <translation>&amp;Niet nu</translation>
     </message>
     <message>
-        <source>May its arm move by itself?</source>
+        <source>Allow its arm to move by itself?</source>
         <translation>Mag de arm uit zichzelf bewegen?</translation>
     </message>
     <message>
-        <source>%1 must find out where its arm is, and moves it for that: for some seconds, as far as it reaches, with the force that it needs. Let go of it, clear the space around it, and keep hair, sleeves and cups away. You can stop it at any time by its power switch.</source>
-        <translation>%1 moet uitvinden waar de arm is en beweegt hem daarvoor: enkele seconden, zo ver als hij reikt, met de kracht die nodig is. Laat hem los, maak er ruimte omheen en houd haar, mouwen en kopjes weg. Met de aan-uitknop van het apparaat kunt u hem altijd stoppen.</translation>
+        <source>%1 moves its arm to find its home position: for a few seconds, over its whole reach, with the force that it needs. Let go of the arm, clear the space around it, and keep hair, sleeves and cups away. You can stop it at any time with its power switch.</source>
+        <translation>%1 beweegt zijn arm om de uitgangspositie te vinden: enkele seconden, over het hele bereik, met de kracht die nodig is. Laat de arm los, maak er ruimte omheen en houd haar, mouwen en kopjes weg. Met de aan-uitschakelaar kun je hem op elk moment stoppen.</translation>
     </message>
     <message>
         <source>Bring the arm to its rest pose</source>
         <translation>Breng de arm in de ruststand</translation>
     </message>
     <message>
-        <source>%1 takes the pose that it rests in as its home. Nothing moves by itself.</source>
-        <translation>%1 neemt de stand waarin het rust als uitgangsstand. Niets beweegt uit zichzelf.</translation>
+        <source>%1 uses its rest pose as its home position. Nothing moves by itself.</source>
+        <translation>%1 gebruikt de ruststand als uitgangspositie. Niets beweegt uit zichzelf.</translation>
     </message>
     <message>
         <source>Put the stylus into the inkwell</source>
-        <translation>Zet de stift in de inktpot</translation>
+        <translation>Zet de stylus in de inktpot</translation>
     </message>
     <message>
-        <source>%1 finds out where it is while its stylus is in the inkwell, the hole in its foot. Nothing moves by itself.</source>
-        <translation>%1 vindt uit waar het is terwijl de stift in de inktpot staat, het gat in de voet. Niets beweegt uit zichzelf.</translation>
+        <source>%1 finds its position while its stylus is in the inkwell, the hole in its base. Nothing moves by itself.</source>
+        <translation>%1 bepaalt zijn positie terwijl de stylus in de inktpot staat, het gat in de voet. Niets beweegt uit zichzelf.</translation>
     </message>
     <message>
-        <source>It is moving: hands off</source>
-        <translation>Het beweegt: handen weg</translation>
+        <source>It is moving: keep your hands away</source>
+        <translation>Het beweegt: houd je handen weg</translation>
     </message>
     <message>
-        <source>One moment: hold it still</source>
-        <translation>Een ogenblik: houd het stil</translation>
+        <source>Hold it still for a moment</source>
+        <translation>Houd het even stil</translation>
     </message>
     <message>
-        <source>It did not find its home. Try again.</source>
-        <translation>Het heeft zijn uitgangsstand niet gevonden. Probeer het opnieuw.</translation>
+        <source>It did not find its home position. Try again.</source>
+        <translation>Het heeft zijn uitgangspositie niet gevonden. Probeer het opnieuw.</translation>
     </message>
     <message>
-        <source>That did not work: %1</source>
-        <translation>Dat lukte niet: %1</translation>
+        <source>This failed: %1</source>
+        <translation>Mislukt: %1</translation>
     </message>
 </context>
 <context>
@@ -2920,8 +2920,8 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>Tint</translation>
     </message>
     <message>
-        <source>Hue. Arrow keys move it.</source>
-        <translation>Tint. Pijltoetsen verschuiven hem.</translation>
+        <source>Hue. Change it with the arrow keys.</source>
+        <translation>Tint. Wijzig met de pijltoetsen.</translation>
     </message>
     <message>
         <source>%1 degrees</source>
@@ -2938,8 +2938,8 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
 <context>
     <name>felt::desktop::KeyboardPen</name>
     <message>
-        <source>Cancelled, the pen is up</source>
-        <translation>Afgebroken, de pen is op</translation>
+        <source>Cancelled; the pen is up</source>
+        <translation>Afgebroken; de pen is opgetild</translation>
     </message>
     <message>
         <source>The pen is down</source>
@@ -2947,7 +2947,7 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     </message>
     <message>
         <source>The pen is up</source>
-        <translation>De pen is op</translation>
+        <translation>De pen is opgetild</translation>
     </message>
 </context>
 <context>
@@ -2973,8 +2973,8 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>niet vergrendeld</translation>
     </message>
     <message>
-        <source>, in use</source>
-        <translation>, in gebruik</translation>
+        <source>, current</source>
+        <translation>, huidig</translation>
     </message>
     <message>
         <source>%1
@@ -3010,36 +3010,36 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>De laag omhoog</translation>
     </message>
     <message>
-        <source>One place up</source>
-        <translation>Eén plaats omhoog</translation>
+        <source>Moves the layer up by one</source>
+        <translation>Verplaatst de laag één omhoog</translation>
     </message>
     <message>
         <source>Lower the layer</source>
         <translation>De laag omlaag</translation>
     </message>
     <message>
-        <source>One place down</source>
-        <translation>Eén plaats omlaag</translation>
+        <source>Moves the layer down by one</source>
+        <translation>Verplaatst de laag één omlaag</translation>
     </message>
     <message>
         <source>Remove the layer</source>
         <translation>De laag verwijderen</translation>
     </message>
     <message>
-        <source>Removes the layer and what is drawn on it</source>
-        <translation>Verwijdert de laag en wat erop getekend is</translation>
+        <source>Removes the layer and its lines</source>
+        <translation>Verwijdert de laag en de lijnen erop</translation>
     </message>
     <message>
-        <source>All layers were hidden or locked: “%1” was added, so that there is one to draw on.</source>
-        <translation>Alle lagen waren verborgen of vergrendeld: ‘%1’ is toegevoegd, zodat er een is om op te tekenen.</translation>
+        <source>All layers were hidden or locked, so “%1” was added to draw on.</source>
+        <translation>Alle lagen waren verborgen of vergrendeld, daarom is ‘%1’ toegevoegd om op te tekenen.</translation>
     </message>
     <message>
-        <source>“%1” is locked: unlock it to draw there.</source>
-        <translation>‘%1’ is vergrendeld: ontgrendel de laag om er te tekenen.</translation>
+        <source>“%1” is locked. Unlock it to draw there.</source>
+        <translation>‘%1’ is vergrendeld. Ontgrendel de laag om erop te tekenen.</translation>
     </message>
     <message>
-        <source>“%1” is hidden: show it to draw there.</source>
-        <translation>‘%1’ is verborgen: toon de laag om er te tekenen.</translation>
+        <source>“%1” is hidden. Show it to draw there.</source>
+        <translation>‘%1’ is verborgen. Maak de laag zichtbaar om erop te tekenen.</translation>
     </message>
 </context>
 <context>
@@ -3077,8 +3077,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Alle panelen &amp;verbergen</translation>
     </message>
     <message>
-        <source>Leaves nothing but the sheet</source>
-        <translation>Laat alleen het vel over</translation>
+        <source>Shows only the drawing area</source>
+        <translation>Toont alleen het tekengebied</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
@@ -3093,16 +3093,16 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Volge&amp;nd deel van het venster</translation>
     </message>
     <message>
-        <source>Moves the focus from the sheet to the tools, to each panel, and back</source>
-        <translation>Brengt de focus van het vel naar het gereedschap, naar elk paneel en terug</translation>
+        <source>Moves the focus from the drawing area to the tools, to each panel, and back</source>
+        <translation>Verplaatst de focus van het tekengebied naar het gereedschap, naar elk paneel en terug</translation>
     </message>
     <message>
         <source>&amp;Reset the panels</source>
         <translation>Panelen &amp;herstellen</translation>
     </message>
     <message>
-        <source>Puts panels and bars where they were at first</source>
-        <translation>Zet panelen en balken terug waar ze eerst stonden</translation>
+        <source>Restores the default layout of panels and bars</source>
+        <translation>Herstelt de standaardindeling van panelen en balken</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
@@ -3129,24 +3129,24 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Sluit alle vensters</translation>
     </message>
     <message>
-        <source>These of your own materials could not be read:</source>
-        <translation>Deze eigen materialen konden niet worden gelezen:</translation>
+        <source>Some of your materials could not be read:</source>
+        <translation>Sommige van je materialen konden niet worden gelezen:</translation>
     </message>
     <message>
         <source>Ma&amp;terials…</source>
         <translation>Ma&amp;terialen…</translation>
     </message>
     <message>
-        <source>Change what sheets and media feel, look and sound like, and make your own</source>
-        <translation>Veranderen hoe vellen en tekenmiddelen aanvoelen, eruitzien en klinken, en eigen maken</translation>
+        <source>Change how surfaces and media feel, look and sound, and make your own</source>
+        <translation>Wijzigen hoe ondergronden en tekenmiddelen aanvoelen, eruitzien en klinken, en eigen maken</translation>
     </message>
     <message>
         <source>&amp;Compare materials A and B</source>
         <translation>Materialen A en B &amp;vergelijken</translation>
     </message>
     <message>
-        <source>Feel, see and hear the other one of the two that the editor compares</source>
-        <translation>De andere van de twee voelen, zien en horen die de editor vergelijkt</translation>
+        <source>Switch between the two materials that the editor compares</source>
+        <translation>Wisselen tussen de twee materialen die de editor vergelijkt</translation>
     </message>
     <message>
         <source> (read-only)</source>
@@ -3156,7 +3156,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
 <context>
     <name>felt::desktop::MaterialDesk</name>
     <message>
-        <source>Figures of %1</source>
+        <source>Values of %1</source>
         <translation>Waarden van %1</translation>
     </message>
     <message>
@@ -3172,8 +3172,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Terugzetten</translation>
     </message>
     <message>
-        <source>%1, my own</source>
-        <translation>%1, eigen</translation>
+        <source>%1 (custom)</source>
+        <translation>%1 (eigen)</translation>
     </message>
     <message>
         <source>Copy of %1</source>
@@ -3211,19 +3211,19 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Ui&amp;tgaan van:</translation>
     </message>
     <message>
-        <source>Take the figures of another one</source>
-        <translation>De waarden van een ander nemen</translation>
+        <source>Use the values of another material</source>
+        <translation>De waarden van een ander materiaal gebruiken</translation>
     </message>
     <message>
-        <source>Sets all figures to those of another one; they can be changed then</source>
-        <translation>Zet alle waarden op die van een ander; daarna zijn ze te veranderen</translation>
+        <source>Sets all values to those of another material; you can then change them</source>
+        <translation>Zet alle waarden op die van een ander materiaal; daarna kun je ze wijzigen</translation>
     </message>
     <message>
-        <source>Figures of…</source>
+        <source>Values of…</source>
         <translation>Waarden van…</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Values</source>
         <translation>Waarden</translation>
     </message>
     <message>
@@ -3231,8 +3231,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Reliëf uit een afbeelding…</translation>
     </message>
     <message>
-        <source>A PNG of 8 or 16 bits: white is high. It is fitted into a square of 32 widths of the grain, and repeats without a seam</source>
-        <translation>Een PNG van 8 of 16 bits: wit is hoog. Het wordt in een vierkant van 32 korrelbreedtes gepast en herhaalt zich zonder naad</translation>
+        <source>A PNG of 8 or 16 bits; white is high. It is scaled to a square of 32 grain wavelengths and repeats seamlessly</source>
+        <translation>Een PNG van 8 of 16 bits; wit is hoog. Het wordt geschaald naar een vierkant van 32 golflengten van de korrel en herhaalt zich naadloos</translation>
     </message>
     <message>
         <source>Light, firm, hard</source>
@@ -3243,28 +3243,28 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Hoe een streek aanvoelt</translation>
     </message>
     <message>
-        <source>Hatched: changes below 0.04 N, which nobody feels.</source>
-        <translation>Gearceerd: veranderingen onder 0,04 N, die niemand voelt.</translation>
+        <source>Hatched: changes below 0.04 N, which are too small to feel.</source>
+        <translation>Gearceerd: veranderingen onder 0,04 N, te klein om te voelen.</translation>
     </message>
     <message>
-        <source>What the pen feels now</source>
-        <translation>Wat de pen nu voelt</translation>
+        <source>Forces on the pen now</source>
+        <translation>Krachten op de pen nu</translation>
     </message>
     <message>
-        <source>What comes of it</source>
-        <translation>Wat ervan komt</translation>
+        <source>Result</source>
+        <translation>Resultaat</translation>
     </message>
     <message>
-        <source>Comes with Feltline. A change makes a copy of your own.</source>
-        <translation>Hoort bij Feltline. Een verandering maakt een eigen kopie.</translation>
+        <source>Comes with Feltline. Changing it makes your own copy.</source>
+        <translation>Hoort bij Feltline. Een wijziging maakt een eigen kopie.</translation>
     </message>
     <message>
-        <source>Your own, not saved. It is kept all the same.</source>
-        <translation>Uw eigen, niet opgeslagen. Het blijft toch bewaard.</translation>
+        <source>Your own, not saved to a file yet. Feltline remembers it.</source>
+        <translation>Eigen materiaal, nog niet in een bestand opgeslagen. Feltline onthoudt het.</translation>
     </message>
     <message>
         <source>Your own, saved.</source>
-        <translation>Uw eigen, opgeslagen.</translation>
+        <translation>Eigen materiaal, opgeslagen.</translation>
     </message>
     <message>
         <source>Undo: %1</source>
@@ -3292,7 +3292,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>You feel, see and hear %1. Press B for %2.</source>
-        <translation>U voelt, ziet en hoort %1. Druk op B voor %2.</translation>
+        <translation>Je voelt, ziet en hoort %1. Druk op B voor %2.</translation>
     </message>
     <message>
         <source>Copy %1 to %2</source>
@@ -3303,23 +3303,23 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Terugzetten</translation>
     </message>
     <message>
-        <source>All figures as they were at first, or when last saved</source>
-        <translation>Alle waarden zoals aan het begin of zoals laatst opgeslagen</translation>
+        <source>Restores all values as they were at first, or when last saved</source>
+        <translation>Herstelt alle waarden zoals aan het begin, of zoals laatst opgeslagen</translation>
     </message>
     <message>
-        <source>The other one gets these figures</source>
-        <translation>De andere krijgt deze waarden</translation>
+        <source>Copies these values to the other material</source>
+        <translation>Kopieert deze waarden naar het andere materiaal</translation>
     </message>
     <message>
         <source>Save</source>
         <translation>Opslaan</translation>
     </message>
     <message>
-        <source>Save as a file of your own</source>
+        <source>Save to your own file</source>
         <translation>Als eigen bestand opslaan</translation>
     </message>
     <message>
-        <source>%1 is saved.</source>
+        <source>%1 was saved.</source>
         <translation>%1 is opgeslagen.</translation>
     </message>
     <message>
@@ -3335,36 +3335,36 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Hernoemen…</translation>
     </message>
     <message>
-        <source>Another name</source>
-        <translation>Een andere naam</translation>
+        <source>Changes the name</source>
+        <translation>Wijzigt de naam</translation>
     </message>
     <message>
         <source>Delete</source>
         <translation>Verwijderen</translation>
     </message>
     <message>
-        <source>Takes it away, and its file; undo brings it back</source>
-        <translation>Haalt het en het bestand weg; ongedaan maken brengt beide terug</translation>
+        <source>Deletes the material and its file; undo restores both</source>
+        <translation>Verwijdert het materiaal en het bestand; ongedaan maken herstelt beide</translation>
     </message>
     <message>
-        <source>%1 is deleted. Undo brings it back.</source>
-        <translation>%1 is verwijderd. Ongedaan maken brengt het terug.</translation>
+        <source>%1 was deleted. Undo restores it.</source>
+        <translation>%1 is verwijderd. Ongedaan maken herstelt het.</translation>
     </message>
     <message>
         <source>Import…</source>
         <translation>Importeren…</translation>
     </message>
     <message>
-        <source>Take up a material of a file</source>
-        <translation>Een materiaal uit een bestand opnemen</translation>
+        <source>Add a material from a file</source>
+        <translation>Een materiaal uit een bestand toevoegen</translation>
     </message>
     <message>
         <source>Export…</source>
         <translation>Exporteren…</translation>
     </message>
     <message>
-        <source>Write a file for others</source>
-        <translation>Een bestand voor anderen schrijven</translation>
+        <source>Write a file to share</source>
+        <translation>Een bestand schrijven om te delen</translation>
     </message>
     <message>
         <source>More</source>
@@ -3403,39 +3403,39 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Materialen (*.toml)</translation>
     </message>
     <message>
-        <source>It is yours now, and not saved yet.</source>
-        <translation>Het is nu van u en nog niet opgeslagen.</translation>
+        <source>It is yours now, but not saved yet.</source>
+        <translation>Het is nu van jou, maar nog niet opgeslagen.</translation>
     </message>
     <message>
         <source>Export</source>
         <translation>Exporteren</translation>
     </message>
     <message>
-        <source>%1 is written.</source>
-        <translation>%1 is geschreven.</translation>
+        <source>%1 was exported.</source>
+        <translation>%1 is geëxporteerd.</translation>
     </message>
     <message>
-        <source>Comes with this drawing. A change makes a copy of your own.</source>
-        <translation>Hoort bij deze tekening. Een verandering maakt een eigen kopie.</translation>
+        <source>Comes with this drawing. Changing it makes your own copy.</source>
+        <translation>Hoort bij deze tekening. Een wijziging maakt een eigen kopie.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::MaterialFieldsView</name>
     <message>
-        <source>Another</source>
-        <translation>Andere</translation>
+        <source>New seed</source>
+        <translation>Nieuwe startwaarde</translation>
     </message>
     <message>
-        <source>Another seed</source>
-        <translation>Een andere startwaarde</translation>
+        <source>Chooses another seed</source>
+        <translation>Kiest een andere startwaarde</translation>
     </message>
     <message>
         <source>General</source>
         <translation>Algemeen</translation>
     </message>
     <message>
-        <source>In the hand</source>
-        <translation>In de hand</translation>
+        <source>Touch</source>
+        <translation>Gevoel</translation>
     </message>
     <message>
         <source>Grain</source>
@@ -3446,34 +3446,34 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Lijn</translation>
     </message>
     <message>
-        <source>To the eye</source>
-        <translation>Voor het oog</translation>
+        <source>Appearance</source>
+        <translation>Uiterlijk</translation>
     </message>
     <message>
-        <source>To the ear</source>
-        <translation>Voor het oor</translation>
+        <source>Sound</source>
+        <translation>Geluid</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::MaterialList</name>
     <message>
-        <source>Sheets and media</source>
-        <translation>Vellen en tekenmiddelen</translation>
+        <source>Surfaces and media</source>
+        <translation>Ondergronden en tekenmiddelen</translation>
     </message>
     <message>
-        <source>Sheets</source>
-        <translation>Vellen</translation>
+        <source>Surfaces</source>
+        <translation>Ondergronden</translation>
     </message>
     <message>
-        <source>My own sheets</source>
-        <translation>Eigen vellen</translation>
+        <source>My surfaces</source>
+        <translation>Eigen ondergronden</translation>
     </message>
     <message>
         <source>Media</source>
         <translation>Tekenmiddelen</translation>
     </message>
     <message>
-        <source>My own media</source>
+        <source>My media</source>
         <translation>Eigen tekenmiddelen</translation>
     </message>
     <message>
@@ -3484,8 +3484,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
 <context>
     <name>felt::desktop::MediaPicker</name>
     <message>
-        <source>What is drawn with</source>
-        <translation>Waarmee getekend wordt</translation>
+        <source>Drawing medium</source>
+        <translation>Tekenmiddel</translation>
     </message>
 </context>
 <context>
@@ -3502,8 +3502,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
 <context>
     <name>felt::desktop::NoticeBar</name>
     <message>
-        <source>What was left out or changed, and where</source>
-        <translation>Wat is weggelaten of veranderd, en waar</translation>
+        <source>Unsupported content, and its line</source>
+        <translation>Niet-ondersteunde inhoud, met regel</translation>
     </message>
     <message>
         <source>Line</source>
@@ -3514,16 +3514,16 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Element</translation>
     </message>
     <message>
-        <source>What became of it</source>
-        <translation>Wat ervan werd</translation>
+        <source>Result</source>
+        <translation>Resultaat</translation>
     </message>
     <message>
-        <source>How often</source>
-        <translation>Hoe vaak</translation>
+        <source>Count</source>
+        <translation>Aantal</translation>
     </message>
     <message>
-        <source>Not everything in “%1” could be taken as it is. Left out or changed: %2. The file itself is as it was.</source>
-        <translation>Niet alles in “%1” kon worden overgenomen zoals het is. Weggelaten of veranderd: %2. Het bestand zelf is onveranderd.</translation>
+        <source>Some content of “%1” is not supported. Skipped or changed: %2. The file itself is unchanged.</source>
+        <translation>Sommige inhoud van ‘%1’ wordt niet ondersteund. Overgeslagen of gewijzigd: %2. Het bestand zelf is ongewijzigd.</translation>
     </message>
 </context>
 <context>
@@ -3544,8 +3544,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
 <context>
     <name>felt::desktop::OptionsPanel</name>
     <message>
-        <source>All options of this tool back to what they were at first</source>
-        <translation>Alle opties van dit gereedschap zoals in het begin</translation>
+        <source>Resets all options of this tool to their defaults</source>
+        <translation>Herstelt alle opties van dit gereedschap naar de standaardwaarden</translation>
     </message>
     <message>
         <source>Reset the tool</source>
@@ -3564,7 +3564,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Meer</translation>
     </message>
     <message>
-        <source>Options that are seldom needed</source>
+        <source>Options that are rarely needed</source>
         <translation>Opties die zelden nodig zijn</translation>
     </message>
 </context>
@@ -3576,27 +3576,27 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Pa&amp;ge setup…</source>
-        <translation>Vel &amp;instellen…</translation>
+        <translation>Pa&amp;gina-instelling…</translation>
     </message>
     <message>
-        <source>Size, orientation and colour of the sheet</source>
-        <translation>Grootte, stand en kleur van het vel</translation>
+        <source>Size, orientation and colour of the page</source>
+        <translation>Grootte, oriëntatie en kleur van de pagina</translation>
     </message>
     <message>
         <source>Print pre&amp;view…</source>
         <translation>Afdrukvoor&amp;beeld…</translation>
     </message>
     <message>
-        <source>See what will be printed</source>
-        <translation>Zien wat er wordt afgedrukt</translation>
+        <source>Shows what will be printed</source>
+        <translation>Toont wat er wordt afgedrukt</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
         <translation>Af&amp;drukken…</translation>
     </message>
     <message>
-        <source>Print the sheet at its true size</source>
-        <translation>Het vel op ware grootte afdrukken</translation>
+        <source>Prints the page at its true size</source>
+        <translation>Drukt de pagina op ware grootte af</translation>
     </message>
     <message>
         <source>Export</source>
@@ -3615,8 +3615,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Afdrukvoorbeeld</translation>
     </message>
     <message>
-        <source>Write the drawing as SVG, PDF, PNG or ink for other programs</source>
-        <translation>De tekening als SVG, PDF, PNG of inkt voor andere programma’s schrijven</translation>
+        <source>Export the drawing as SVG, PDF, PNG or ink for other programs</source>
+        <translation>De tekening als SVG, PDF, PNG of inkt voor andere programma’s exporteren</translation>
     </message>
     <message>
         <source>“%1” was exported.</source>
@@ -3630,16 +3630,16 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>niet opgeslagen</translation>
     </message>
     <message>
-        <source>%1 was changed by another program, and stays as it is. Save yours under another name; the file can be imported.</source>
-        <translation>%1 is door een ander programma veranderd en blijft zoals het is. Sla het uwe onder een andere naam op; het bestand is te importeren.</translation>
+        <source>%1 was changed by another program and was not overwritten. Save your material under another name; you can import the file.</source>
+        <translation>%1 is door een ander programma gewijzigd en niet overschreven. Sla je materiaal onder een andere naam op; het bestand kun je importeren.</translation>
     </message>
     <message>
-        <source>It is for all users of this computer, and cannot be deleted here: %1</source>
-        <translation>Het is voor alle gebruikers van deze computer en is hier niet te verwijderen: %1</translation>
+        <source>It is installed for all users of this computer and cannot be deleted here: %1</source>
+        <translation>Het is voor alle gebruikers van deze computer geïnstalleerd en kan hier niet worden verwijderd: %1</translation>
     </message>
     <message>
-        <source>%1 was changed by another program, and stays as it is. To lose it, delete the file.</source>
-        <translation>%1 is door een ander programma veranderd en blijft zoals het is. Wie het niet wil houden, verwijdert het bestand.</translation>
+        <source>%1 was changed by another program and was not deleted. To remove it, delete the file.</source>
+        <translation>%1 is door een ander programma gewijzigd en niet verwijderd. Verwijder het bestand om het te verwijderen.</translation>
     </message>
 </context>
 <context>
@@ -3662,7 +3662,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Page setup</source>
-        <translation>Vel instellen</translation>
+        <translation>Pagina-instelling</translation>
     </message>
     <message>
         <source>Custom</source>
@@ -3690,7 +3690,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Orientation:</source>
-        <translation>Stand:</translation>
+        <translation>Oriëntatie:</translation>
     </message>
     <message>
         <source>Paper:</source>
@@ -3704,32 +3704,32 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
 <context>
     <name>felt::desktop::PairTable</name>
     <message>
-        <source>Friction on each sheet</source>
-        <translation>Wrijving op elk vel</translation>
+        <source>Friction on each surface</source>
+        <translation>Wrijving op elke ondergrond</translation>
     </message>
     <message>
-        <source>Bold numbers are the medium&apos;s own for that sheet</source>
-        <translation>Vette getallen zijn die van het tekenmiddel zelf op dat vel</translation>
+        <source>Bold numbers are specific to this medium and surface</source>
+        <translation>Vette getallen gelden alleen voor dit tekenmiddel op deze ondergrond</translation>
     </message>
     <message>
-        <source>Double-click a number, or press F2, to set the friction on that sheet</source>
-        <translation>Dubbelklik op een getal, of druk op F2, om de wrijving op dat vel in te stellen</translation>
+        <source>Double-click a number, or press F2, to set the friction on that surface</source>
+        <translation>Dubbelklik op een getal, of druk op F2, om de wrijving op die ondergrond in te stellen</translation>
     </message>
     <message>
-        <source>Sheet</source>
-        <translation>Vel</translation>
+        <source>Surface</source>
+        <translation>Ondergrond</translation>
     </message>
     <message>
         <source>Friction</source>
         <translation>Wrijving</translation>
     </message>
     <message>
-        <source>By the rule</source>
-        <translation>Volgens de regel</translation>
+        <source>Use the default</source>
+        <translation>Standaard gebruiken</translation>
     </message>
     <message>
-        <source>Friction of the medium times that of the sheet, again</source>
-        <translation>Weer de wrijving van het tekenmiddel maal die van het vel</translation>
+        <source>Uses the friction of the medium times that of the surface</source>
+        <translation>Gebruikt de wrijving van het tekenmiddel maal die van de ondergrond</translation>
     </message>
 </context>
 <context>
@@ -3739,23 +3739,23 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Druk is uitgeschakeld.</translation>
     </message>
     <message>
-        <source>Your pen&apos;s pressure is seen.</source>
-        <translation>De druk van je pen wordt gezien.</translation>
+        <source>The pressure of your pen is recognised.</source>
+        <translation>De druk van je pen wordt herkend.</translation>
     </message>
     <message>
         <source>Your pen senses no pressure.</source>
-        <translation>Je pen voelt geen druk.</translation>
+        <translation>Je pen herkent geen druk.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::PenTestArea</name>
     <message>
         <source>Test area</source>
-        <translation>Proefvlak</translation>
+        <translation>Testgebied</translation>
     </message>
     <message>
-        <source>Scribble here to try the pen; nothing of it is kept.</source>
-        <translation>Krabbel hier om de pen te proberen; er blijft niets van bewaard.</translation>
+        <source>Scribble here to try the pen. The scribbles are not kept.</source>
+        <translation>Krabbel hier om de pen te proberen. De krabbels worden niet bewaard.</translation>
     </message>
     <message>
         <source>Scribble here to try your pen</source>
@@ -3777,8 +3777,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Harder &amp;drukken tekent breder</translation>
     </message>
     <message>
-        <source>Off: every line has the same width, however hard you press.</source>
-        <translation>Uit: elke lijn is even breed, hoe hard je ook drukt.</translation>
+        <source>If off, every line has the same width, however hard you press.</source>
+        <translation>Indien uit, is elke lijn even breed, hoe hard je ook drukt.</translation>
     </message>
     <message>
         <source>&amp;Soft</source>
@@ -3789,32 +3789,32 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Gevoel, van zacht tot stevig</translation>
     </message>
     <message>
-        <source>Soft: a light hand draws wide. Firm: press harder for the same width.</source>
-        <translation>Zacht: een lichte hand tekent breed. Stevig: druk harder voor dezelfde breedte.</translation>
+        <source>Soft: light pressure draws wide. Firm: press harder for the same width.</source>
+        <translation>Zacht: lichte druk tekent breed. Stevig: druk harder voor dezelfde breedte.</translation>
     </message>
     <message>
         <source>Firm</source>
         <translation>Stevig</translation>
     </message>
     <message>
-        <source>&amp;Touches from</source>
-        <translation>&amp;Raakt vanaf</translation>
+        <source>Con&amp;tact from</source>
+        <translation>Con&amp;tact vanaf</translation>
     </message>
     <message>
-        <source>Pressure from which the pen touches</source>
-        <translation>Druk vanaf welke de pen raakt</translation>
+        <source>Pressure at which the pen touches the surface</source>
+        <translation>Druk waarbij de pen de ondergrond raakt</translation>
     </message>
     <message>
-        <source>For a pen that draws before it is pressed.</source>
-        <translation>Voor een pen die tekent voordat je drukt.</translation>
+        <source>Raise this if the pen draws before you press it.</source>
+        <translation>Verhoog dit als de pen al tekent voordat je drukt.</translation>
     </message>
     <message>
-        <source>&amp;Straight again</source>
-        <translation>Weer &amp;recht</translation>
+        <source>Reset cur&amp;ve</source>
+        <translation>Kromme h&amp;erstellen</translation>
     </message>
     <message>
-        <source>The curve that it came with.</source>
-        <translation>De oorspronkelijke kromme.</translation>
+        <source>Restores the default curve.</source>
+        <translation>Herstelt de standaardkromme.</translation>
     </message>
     <message>
         <source>Pressure after the curve</source>
@@ -3825,16 +3825,16 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>pen %1, lijn %2</translation>
     </message>
     <message>
-        <source>Charcoal, chalk and pencils draw broader with a pen that leans, where it can say so.</source>
-        <translation>Houtskool, krijt en potloden tekenen breder als de pen overhelt, mits hij dat kan zeggen.</translation>
+        <source>Charcoal, chalk and pencils draw broader with a tilted pen, if it reports its tilt.</source>
+        <translation>Houtskool, krijt en potloden tekenen breder met een gekantelde pen, mits die zijn kanteling meldt.</translation>
     </message>
     <message>
         <source>&amp;Wipe</source>
         <translation>&amp;Wissen</translation>
     </message>
     <message>
-        <source>Takes what was scribbled away.</source>
-        <translation>Haalt het gekrabbel weg.</translation>
+        <source>Clears the test area.</source>
+        <translation>Wist het testgebied.</translation>
     </message>
     <message>
         <source>Buttons, mouse and touch</source>
@@ -3869,12 +3869,12 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Lijnbreedte met de muis</translation>
     </message>
     <message>
-        <source>The same all along</source>
-        <translation>Overal gelijk</translation>
+        <source>Constant</source>
+        <translation>Constant</translation>
     </message>
     <message>
         <source>Thinner when fast</source>
-        <translation>Snel is dunner</translation>
+        <translation>Dunner bij snelheid</translation>
     </message>
     <message>
         <source>&amp;Mouse, width of lines:</source>
@@ -3885,8 +3885,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Wat één vinger doet</translation>
     </message>
     <message>
-        <source>Moves the sheet</source>
-        <translation>Verschuift het vel</translation>
+        <source>Moves the view</source>
+        <translation>Verschuift het beeld</translation>
     </message>
     <message>
         <source>Draws</source>
@@ -3897,8 +3897,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Niets: aanraking is uit</translation>
     </message>
     <message>
-        <source>Two fingers move, zoom and turn the sheet. While the pen is near, touch is ignored.</source>
-        <translation>Twee vingers verschuiven, zoomen en draaien het vel. Is de pen dichtbij, dan telt aanraking niet.</translation>
+        <source>Two fingers move, zoom and turn the view. While the pen is near, touch is ignored.</source>
+        <translation>Twee vingers verschuiven, zoomen en draaien het beeld. Zolang de pen dichtbij is, wordt aanraking genegeerd.</translation>
     </message>
     <message>
         <source>One f&amp;inger:</source>
@@ -3909,12 +3909,12 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>muis, lijn %1</translation>
     </message>
     <message>
-        <source>The pen leans by %L1°</source>
-        <translation>De pen helt %L1° over</translation>
+        <source>The pen is tilted by %L1°</source>
+        <translation>De pen is %L1° gekanteld</translation>
     </message>
     <message>
-        <source>How far the pen leans is not known</source>
-        <translation>Hoe ver de pen overhelt is niet bekend</translation>
+        <source>The tilt of the pen is not known</source>
+        <translation>De kanteling van de pen is niet bekend</translation>
     </message>
 </context>
 <context>
@@ -3925,7 +3925,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Pages of the preferences</source>
-        <translation>Pagina&apos;s van de voorkeuren</translation>
+        <translation>Pagina’s van de voorkeuren</translation>
     </message>
     <message>
         <source>General</source>
@@ -3936,8 +3936,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Sneltoetsen</translation>
     </message>
     <message>
-        <source>Sheet</source>
-        <translation>Vel</translation>
+        <source>Canvas</source>
+        <translation>Tekengebied</translation>
     </message>
     <message>
         <source>Pen</source>
@@ -3955,8 +3955,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Drukkromme</translation>
     </message>
     <message>
-        <source>From the pen&apos;s pressure, left to right, to the line&apos;s width, bottom to top. The arrow keys move a handle, Space takes the other one.</source>
-        <translation>Van de druk van de pen, links naar rechts, naar de breedte van de lijn, onder naar boven. Pijltoetsen bewegen een greep, de spatiebalk neemt de andere.</translation>
+        <source>From the pressure of the pen (left to right) to the width of the line (bottom to top). The arrow keys move a handle; Space selects the other one.</source>
+        <translation>Van de druk van de pen (links naar rechts) naar de breedte van de lijn (onder naar boven). De pijltoetsen bewegen een greep; de spatiebalk kiest de andere.</translation>
     </message>
     <message>
         <source>Drag the two handles. Higher is wider.</source>
@@ -3974,8 +3974,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Tekeningen herstellen</translation>
     </message>
     <message>
-        <source>Feltline did not close in order. This was not saved:</source>
-        <translation>Feltline is niet netjes afgesloten. Dit was niet opgeslagen:</translation>
+        <source>Feltline closed unexpectedly. These drawings have unsaved changes:</source>
+        <translation>Feltline is onverwacht afgesloten. Deze tekeningen hebben niet-opgeslagen wijzigingen:</translation>
     </message>
     <message>
         <source>&amp;Later</source>
@@ -3994,15 +3994,15 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Weggooien…</translation>
     </message>
     <message>
-        <source>Throw “%1” away</source>
+        <source>Discard “%1”</source>
         <translation>‘%1’ weggooien</translation>
     </message>
     <message>
-        <source>Throw away</source>
+        <source>Discard</source>
         <translation>Weggooien</translation>
     </message>
     <message>
-        <source>It cannot be brought back.</source>
+        <source>This cannot be undone.</source>
         <translation>Dat kan niet ongedaan worden gemaakt.</translation>
     </message>
     <message>
@@ -4034,32 +4034,32 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Afbeelding van het opgeslagen bestand</translation>
     </message>
     <message>
-        <source>⚠ Not all of it could be read.</source>
-        <translation>⚠ Niet alles ervan was leesbaar.</translation>
+        <source>⚠ Some of it could not be read.</source>
+        <translation>⚠ Een deel ervan was niet leesbaar.</translation>
     </message>
     <message>
         <source>Recover as a new drawing</source>
         <translation>Als nieuwe tekening herstellen</translation>
     </message>
     <message>
-        <source>Open the saved one</source>
-        <translation>Opgeslagen tekening openen</translation>
+        <source>Open the saved version</source>
+        <translation>Opgeslagen versie openen</translation>
     </message>
     <message>
-        <source>Open “%1” as it was saved</source>
-        <translation>“%1” openen zoals ze is opgeslagen</translation>
+        <source>Open the saved version of “%1”</source>
+        <translation>Opgeslagen versie van ‘%1’ openen</translation>
     </message>
     <message>
-        <source>What was not saved is kept, and offered again at the next start</source>
-        <translation>Wat niet is opgeslagen blijft bewaard en wordt bij de volgende start weer aangeboden</translation>
+        <source>The unsaved changes are kept and offered again at the next start</source>
+        <translation>De niet-opgeslagen wijzigingen blijven bewaard en worden bij de volgende start opnieuw aangeboden</translation>
     </message>
     <message>
-        <source>Throw away what was not saved of “%1”?</source>
-        <translation>Weggooien wat van “%1” niet is opgeslagen?</translation>
+        <source>Discard the unsaved changes of “%1”?</source>
+        <translation>Niet-opgeslagen wijzigingen in ‘%1’ weggooien?</translation>
     </message>
     <message>
-        <source>It cannot be brought back. The file stays as it is.</source>
-        <translation>Het kan niet worden teruggehaald. Het bestand blijft zoals het is.</translation>
+        <source>This cannot be undone. The saved file does not change.</source>
+        <translation>Dit kan niet ongedaan worden gemaakt. Het opgeslagen bestand verandert niet.</translation>
     </message>
     <message>
         <source>Recovered</source>
@@ -4077,8 +4077,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Verzadiging en helderheid</translation>
     </message>
     <message>
-        <source>Across: saturation. Up: brightness. Arrow keys move it.</source>
-        <translation>Dwars: verzadiging. Omhoog: helderheid. Pijltoetsen verschuiven ze.</translation>
+        <source>Horizontal: saturation. Vertical: brightness. Change them with the arrow keys.</source>
+        <translation>Horizontaal: verzadiging. Verticaal: helderheid. Wijzig ze met de pijltoetsen.</translation>
     </message>
     <message>
         <source>Saturation %1 %, brightness %2 %</source>
@@ -4088,16 +4088,16 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
 <context>
     <name>felt::desktop::ShortcutSheet</name>
     <message>
-        <source>Keys at a glance</source>
-        <translation>Toetsen in één oogopslag</translation>
+        <source>Keyboard shortcuts</source>
+        <translation>Sneltoetsen</translation>
     </message>
     <message>
         <source>Search</source>
         <translation>Zoeken</translation>
     </message>
     <message>
-        <source>Search the keys</source>
-        <translation>Toetsen zoeken</translation>
+        <source>Search the shortcuts</source>
+        <translation>Sneltoetsen zoeken</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -4108,8 +4108,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Af&amp;drukken…</translation>
     </message>
     <message>
-        <source>No key does that.</source>
-        <translation>Geen toets doet dat.</translation>
+        <source>No shortcut found.</source>
+        <translation>Geen sneltoets gevonden.</translation>
     </message>
 </context>
 <context>
@@ -4123,8 +4123,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>&amp;Herstellen</translation>
     </message>
     <message>
-        <source>&amp;Take it over</source>
-        <translation>&amp;Overnemen</translation>
+        <source>Reass&amp;ign</source>
+        <translation>Opnieuw toe&amp;wijzen</translation>
     </message>
     <message>
         <source>Search</source>
@@ -4148,11 +4148,11 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Reset all keys</source>
-        <translation>Alle toetsen herstellen</translation>
+        <translation>Alle sneltoetsen herstellen</translation>
     </message>
     <message>
-        <source>Give every command the key that it came with?</source>
-        <translation>Elke opdracht zijn oorspronkelijke toets geven?</translation>
+        <source>Restore the default keys of all commands?</source>
+        <translation>De standaardtoetsen van alle opdrachten herstellen?</translation>
     </message>
     <message>
         <source>Commands and their keys</source>
@@ -4168,7 +4168,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>%1 belongs to “%2”.</source>
-        <translation>%1 hoort bij ‘%2’.</translation>
+        <translation>%1 is al toegewezen aan ‘%2’.</translation>
     </message>
 </context>
 <context>
@@ -4189,8 +4189,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
 <context>
     <name>felt::desktop::SoundState</name>
     <message>
-        <source>There is no sound device now, so nothing is heard. It is heard once there is one.</source>
-        <translation>Er is nu geen geluidsapparaat, dus is er niets te horen. Zodra er een is, is het te horen.</translation>
+        <source>There is no sound device. Sound starts when one is connected.</source>
+        <translation>Er is geen geluidsapparaat. Het geluid begint zodra er een is aangesloten.</translation>
     </message>
     <message>
         <source>This program was built without sound.</source>
@@ -4211,8 +4211,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Tip</translation>
     </message>
     <message>
-        <source>Place of the pen</source>
-        <translation>Plaats van de pen</translation>
+        <source>Position of the pen</source>
+        <translation>Positie van de pen</translation>
     </message>
     <message>
         <source>Pressure</source>
@@ -4227,7 +4227,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>Turn of the view</source>
+        <source>Rotation of the view</source>
         <translation>Draaiing van het beeld</translation>
     </message>
     <message>
@@ -4273,27 +4273,27 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
 <context>
     <name>felt::desktop::Studio</name>
     <message>
-        <source>This drawing has its own figures for: %1. Yours stay as they are.</source>
-        <translation>Deze tekening heeft eigen waarden voor: %1. Die van jou blijven zoals ze zijn.</translation>
+        <source>This drawing has its own values for: %1. Your materials are unchanged.</source>
+        <translation>Deze tekening heeft eigen waarden voor: %1. Je materialen zijn ongewijzigd.</translation>
     </message>
     <message>
-        <source>The sheet “%1” is not known here: it feels as the one before.</source>
-        <translation>Het vel “%1” is hier niet bekend: het voelt aan als het vorige.</translation>
+        <source>The surface “%1” is not installed, so the previous surface is used.</source>
+        <translation>De ondergrond ‘%1’ is niet geïnstalleerd, daarom wordt de vorige gebruikt.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::TestPad</name>
     <message>
         <source>Test pad</source>
-        <translation>Proefvlak</translation>
+        <translation>Testgebied</translation>
     </message>
     <message>
         <source>Press here with pen or mouse to try the device</source>
         <translation>Druk hier met pen of muis om het apparaat te proberen</translation>
     </message>
     <message>
-        <source>Try this device on the sheet itself.</source>
-        <translation>Probeer dit apparaat op het vel zelf.</translation>
+        <source>Try this device on the drawing area.</source>
+        <translation>Probeer dit apparaat uit op het tekengebied.</translation>
     </message>
     <message>
         <source>Press here and feel</source>
@@ -4311,16 +4311,16 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Gereedschap</translation>
     </message>
     <message>
-        <source>in hand while the key is held</source>
-        <translation>in de hand zolang de toets ingedrukt is</translation>
+        <source>active while the key is held</source>
+        <translation>actief zolang de toets ingedrukt is</translation>
     </message>
     <message>
-        <source>comes back when the key is let go</source>
-        <translation>komt terug als de toets wordt losgelaten</translation>
+        <source>returns when the key is released</source>
+        <translation>keert terug als de toets wordt losgelaten</translation>
     </message>
     <message>
-        <source>in hand</source>
-        <translation>in de hand</translation>
+        <source>active</source>
+        <translation>actief</translation>
     </message>
 </context>
 <context>
@@ -4330,8 +4330,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>&amp;Gum zolang ingedrukt</translation>
     </message>
     <message>
-        <source>The eraser as long as the key is held; the pencil where the eraser is in hand</source>
-        <translation>De gum zolang de toets ingedrukt is; het potlood als je de gum in de hand hebt</translation>
+        <source>Uses the eraser while the key is held, or the pencil if the eraser is active</source>
+        <translation>Gebruikt de gum zolang de toets ingedrukt is, of het potlood als de gum actief is</translation>
     </message>
 </context>
 <context>
@@ -4341,24 +4341,24 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Bovenste balk</translation>
     </message>
     <message>
-        <source>Sheet:</source>
-        <translation>Vel:</translation>
+        <source>Surface:</source>
+        <translation>Ondergrond:</translation>
     </message>
     <message>
-        <source>Material of the sheet</source>
-        <translation>Materiaal van het vel</translation>
+        <source>Material of the surface</source>
+        <translation>Materiaal van de ondergrond</translation>
     </message>
     <message>
-        <source>What the sheet feels and looks like</source>
-        <translation>Hoe het vel aanvoelt en eruitziet</translation>
+        <source>How the surface feels and looks</source>
+        <translation>Hoe de ondergrond aanvoelt en eruitziet</translation>
     </message>
     <message>
-        <source>What is drawn with</source>
-        <translation>Waarmee getekend wordt</translation>
+        <source>Drawing medium</source>
+        <translation>Tekenmiddel</translation>
     </message>
     <message>
-        <source>What the pen is made of: how it looks, feels and sounds</source>
-        <translation>Waarvan de pen is: hoe hij eruitziet, aanvoelt en klinkt</translation>
+        <source>How the medium looks, feels and sounds</source>
+        <translation>Hoe het tekenmiddel eruitziet, aanvoelt en klinkt</translation>
     </message>
     <message>
         <source>Size:</source>
@@ -4376,12 +4376,12 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Rondleiding</translation>
     </message>
     <message>
-        <source>The sheet of the tour</source>
-        <translation>Het vel van de rondleiding</translation>
+        <source>Drawing area of the tour</source>
+        <translation>Tekengebied van de rondleiding</translation>
     </message>
     <message>
-        <source>How much of the tour was seen</source>
-        <translation>Hoeveel van de rondleiding is gezien</translation>
+        <source>Progress of the tour</source>
+        <translation>Voortgang van de rondleiding</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -4404,16 +4404,16 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Probeer het zelf</translation>
     </message>
     <message>
-        <source>Draw with a pen or with the mouse. Press ? for the keys. Nothing can go wrong: Ctrl+Z takes everything back.</source>
-        <translation>Teken met een pen of met de muis. Druk op ? voor de toetsen. Er kan niets misgaan: Ctrl+Z neemt alles terug.</translation>
+        <source>Draw with a pen or with the mouse. Press ? for the keys. You can undo everything with Ctrl+Z.</source>
+        <translation>Teken met een pen of met de muis. Druk op ? voor de sneltoetsen. Met Ctrl+Z kun je alles ongedaan maken.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
         <translation>%1 van %2</translation>
     </message>
     <message>
-        <source>&amp;Go on</source>
-        <translation>&amp;Verder</translation>
+        <source>C&amp;ontinue</source>
+        <translation>&amp;Hervatten</translation>
     </message>
     <message>
         <source>&amp;Try it yourself</source>
@@ -4423,36 +4423,36 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
 <context>
     <name>tools</name>
     <message>
-        <source>A line drawn round what is to be selected, or a rectangle from corner to corner.</source>
-        <translation>Een lijn om wat geselecteerd moet worden, of een rechthoek van hoek tot hoek.</translation>
+        <source>Draw a line around the selection, or a rectangle from corner to corner.</source>
+        <translation>Teken een lijn om de selectie, of een rechthoek van hoek tot hoek.</translation>
     </message>
     <message>
-        <source>A line farther from the pen than this is not taken hold of.</source>
-        <translation>Een lijn die verder van de pen ligt, wordt niet gepakt.</translation>
+        <source>Lines farther from the pen than this are not grabbed.</source>
+        <translation>Lijnen die verder van de pen liggen, worden niet gepakt.</translation>
     </message>
     <message>
-        <source>Erases the ink that the ring covers. Off: cuts a line where the ring covers its middle, whatever its width.</source>
-        <translation>Gumt de inkt die de ring bedekt. Uit: knipt een lijn waar de ring haar midden bedekt, hoe breed ze ook is.</translation>
+        <source>Erases the ink that the ring covers. If off, cuts a line where the ring covers its centre line.</source>
+        <translation>Gumt de inkt die de ring bedekt. Indien uit, wordt een lijn doorgeknipt waar de ring haar hartlijn bedekt.</translation>
     </message>
     <message>
-        <source>A line touched from beside keeps its distance from the pen, instead of coming to the pen over the first millimetres.</source>
-        <translation>Een lijn die ernaast wordt aangeraakt, houdt haar afstand tot de pen, in plaats van in de eerste millimeters naar de pen te komen.</translation>
+        <source>A grabbed line keeps its distance from the pen instead of moving to it.</source>
+        <translation>Een gepakte lijn houdt haar afstand tot de pen, in plaats van ernaartoe te bewegen.</translation>
     </message>
     <message>
-        <source>A short touch selects the whole nearest line within this distance.</source>
-        <translation>Een korte aanraking selecteert de hele dichtstbijzijnde lijn binnen deze afstand.</translation>
+        <source>A short touch selects the nearest line within this distance.</source>
+        <translation>Een korte aanraking selecteert de dichtstbijzijnde lijn binnen deze afstand.</translation>
     </message>
     <message>
-        <source>Above 1 a light hand stays thin for longer, below 1 it broadens sooner.</source>
-        <translation>Boven 1 blijft een lichte hand langer dun, onder 1 wordt hij eerder breed.</translation>
+        <source>Above 1, light pressure stays thin for longer; below 1, lines broaden sooner.</source>
+        <translation>Boven 1 blijft lichte druk langer dun, onder 1 worden lijnen eerder breed.</translation>
     </message>
     <message>
         <source>Amount</source>
         <translation>Hoeveelheid</translation>
     </message>
     <message>
-        <source>An end that is let go beside all others stays there; without it, it goes back. The first modifier chooses the other.</source>
-        <translation>Een eind dat naast alle andere wordt losgelaten blijft daar; anders gaat het terug. De eerste extra toets kiest het andere.</translation>
+        <source>An end released away from all others stays there. If off, it returns. The first modifier inverts this.</source>
+        <translation>Een eind dat los van alle andere wordt losgelaten, blijft daar. Indien uit, gaat het terug. De eerste modificatietoets keert dit om.</translation>
     </message>
     <message>
         <source>Attraction</source>
@@ -4463,8 +4463,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Schoolbord</translation>
     </message>
     <message>
-        <source>Width of ink counts</source>
-        <translation>Breedte van de inkt telt</translation>
+        <source>Erase by ink width</source>
+        <translation>Rekening houden met inktbreedte</translation>
     </message>
     <message>
         <source>Broadest line</source>
@@ -4495,8 +4495,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Beperken</translation>
     </message>
     <message>
-        <source>Corrects lines: take hold of one and pull it into shape, or push it from outside.</source>
-        <translation>Verbetert lijnen: pak er een en trek haar in vorm, of duw haar van buitenaf.</translation>
+        <source>Corrects lines: grab one and pull it into shape, or push it from outside.</source>
+        <translation>Corrigeert lijnen: pak er een en trek haar in vorm, of duw haar van buitenaf.</translation>
     </message>
     <message>
         <source>Direction of the brush</source>
@@ -4511,8 +4511,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Dupliceren</translation>
     </message>
     <message>
-        <source>Ends and corners go along, instead of staying unless taken hold of; the first modifier turns this round for one gesture.</source>
-        <translation>Uiteinden en hoeken gaan mee, in plaats van te blijven als ze niet gepakt zijn; de eerste extra toets draait dit om voor één gebaar.</translation>
+        <source>Ends and corners move along instead of staying; the first modifier inverts this for one gesture.</source>
+        <translation>Uiteinden en hoeken bewegen mee in plaats van te blijven; de eerste modificatietoets keert dit om voor één gebaar.</translation>
     </message>
     <message>
         <source>Eraser</source>
@@ -4543,56 +4543,56 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Glas</translation>
     </message>
     <message>
-        <source>Grab divides the line so that no more than this is bent; 0 takes segments as they are.</source>
-        <translation>Pakken verdeelt de lijn zodat niet meer dan dit wordt gebogen; 0 neemt segmenten zoals ze zijn.</translation>
+        <source>Grab divides the line so that no more than this is bent; 0 bends whole segments.</source>
+        <translation>Pakken verdeelt de lijn zodat niet meer dan deze lengte wordt gebogen; 0 buigt hele segmenten.</translation>
     </message>
     <message>
         <source>Grab radius</source>
         <translation>Pakstraal</translation>
     </message>
     <message>
-        <source>Heavier draws smoother and trails more; for the stabiliser &apos;inertia&apos;.</source>
-        <translation>Zwaarder tekent vloeiender en sleept meer na; voor de stabilisator ‘traagheid’.</translation>
+        <source>A larger mass draws smoother lines with more lag; for the stabiliser &apos;inertia&apos;.</source>
+        <translation>Een grotere massa tekent vloeiendere lijnen met meer vertraging; voor de stabilisator ‘traagheid’.</translation>
     </message>
     <message>
-        <source>How far a line may move when the brush lets go of it; more leaves fewer segments.</source>
-        <translation>Hoe ver een lijn mag verschuiven als het penseel haar loslaat; meer laat minder segmenten over.</translation>
+        <source>How far a line may move when it is simplified after the gesture; more gives fewer segments.</source>
+        <translation>Hoe ver een lijn mag verschuiven bij het vereenvoudigen na het gebaar; meer geeft minder segmenten.</translation>
     </message>
     <message>
         <source>How far the brush reaches along the line, to each side.</source>
         <translation>Hoe ver het penseel langs de lijn reikt, naar elke kant.</translation>
     </message>
     <message>
-        <source>How far the finished line may be from the ironed one, for fewer segments.</source>
-        <translation>Hoe ver de voltooide lijn van de gladgestreken mag liggen, voor minder segmenten.</translation>
+        <source>How far the simplified line may be from the smoothed one.</source>
+        <translation>Hoe ver de vereenvoudigde lijn van de gladgestreken lijn mag afwijken.</translation>
     </message>
     <message>
-        <source>How far the pen leans, from upright, where the device does not say: some media draw broader and softer with their side.</source>
-        <translation>Hoe ver de pen overhelt vanuit rechtop, als het apparaat het niet zegt: sommige middelen tekenen met hun zijkant breder en zachter.</translation>
+        <source>Tilt of the pen from upright, if the device does not report it. Some media draw broader and softer when tilted.</source>
+        <translation>Kanteling van de pen ten opzichte van rechtop, als het apparaat die niet meldt. Sommige tekenmiddelen tekenen gekanteld breder en zachter.</translation>
     </message>
     <message>
-        <source>How fast it irons; pressing harder irons faster too.</source>
-        <translation>Hoe snel het gladstrijkt; harder drukken gaat ook sneller.</translation>
+        <source>How fast it smooths; pressing harder is faster.</source>
+        <translation>Hoe snel er wordt gladgestreken; harder drukken gaat sneller.</translation>
     </message>
     <message>
         <source>How fast the width changes, per unit of pressure.</source>
-        <translation>Hoe snel de breedte verandert, per druk.</translation>
+        <translation>Hoe snel de breedte verandert, per eenheid druk.</translation>
     </message>
     <message>
         <source>How grab bends a segment: with least motion (soft), by the paper&apos;s three cases (paper), or by its equation 7 as printed, which does not reach the pen.</source>
         <translation>Hoe pakken een segment buigt: met de minste beweging (zacht), volgens de drie gevallen van het artikel (artikel), of volgens vergelijking 7 zoals gedrukt, die de pen niet bereikt.</translation>
     </message>
     <message>
-        <source>How near to the end of a line the pen takes hold of it.</source>
-        <translation>Hoe dicht bij het eind van een lijn de pen het pakt.</translation>
+        <source>Distance from the end of a line at which the pen grabs it.</source>
+        <translation>Afstand tot het lijneind waarop de pen het pakt.</translation>
     </message>
     <message>
         <source>How slowly a line gives way to the pen that sweeps it.</source>
         <translation>Hoe langzaam een lijn toegeeft aan de vegende pen.</translation>
     </message>
     <message>
-        <source>Irons the jitter out of lines and leaves their shape.</source>
-        <translation>Strijkt het beven uit lijnen en laat hun vorm.</translation>
+        <source>Smooths the jitter out of lines and keeps their shape.</source>
+        <translation>Strijkt trillingen uit lijnen en behoudt hun vorm.</translation>
     </message>
     <message>
         <source>Joins ends of lines, or closes a line: drag an end onto another, or tap where two ends are near.</source>
@@ -4607,24 +4607,24 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Lijnen apart houden</translation>
     </message>
     <message>
-        <source>Largest distance between the pen&apos;s way and the line.</source>
-        <translation>Grootste afstand tussen de weg van de pen en de lijn.</translation>
+        <source>Largest distance between the path of the pen and the line.</source>
+        <translation>Grootste afstand tussen het pad van de pen en de lijn.</translation>
     </message>
     <message>
         <source>Lasso</source>
         <translation>Lasso</translation>
     </message>
     <message>
-        <source>Lean of a mouse&apos;s pen</source>
-        <translation>Helling van de pen van een muis</translation>
+        <source>Tilt with a mouse</source>
+        <translation>Kanteling met een muis</translation>
     </message>
     <message>
-        <source>Leave the end where it is let go</source>
-        <translation>Het eind laten waar het wordt losgelaten</translation>
+        <source>Keep the end where it is released</source>
+        <translation>Het eind blijft waar het wordt losgelaten</translation>
     </message>
     <message>
-        <source>Leaves the lines and transforms a copy; as the second button of the pen does.</source>
-        <translation>Laat de lijnen en transformeert een kopie; zoals de tweede penknop.</translation>
+        <source>Keeps the lines and transforms a copy, like the second button of the pen.</source>
+        <translation>Behoudt de lijnen en transformeert een kopie, zoals de tweede penknop.</translation>
     </message>
     <message>
         <source>Length bent by grab</source>
@@ -4635,8 +4635,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Lijnen die elkaar raken delen het punt maar blijven twee lijnen.</translation>
     </message>
     <message>
-        <source>Longer draws smoother and trails more; for the stabiliser &apos;towed&apos;.</source>
-        <translation>Langer tekent vloeiender en sleept meer na; voor de stabilisator ‘gesleept’.</translation>
+        <source>A longer rope draws smoother lines with more lag; for the stabiliser &apos;towed&apos;.</source>
+        <translation>Een langer touw tekent vloeiendere lijnen met meer vertraging; voor de stabilisator ‘gesleept’.</translation>
     </message>
     <message>
         <source>Makes lines broader and thinner, here and there or as a whole.</source>
@@ -4651,20 +4651,20 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Modus</translation>
     </message>
     <message>
-        <source>Moves along one axis, turns in steps of 15 degrees, corners stretch both axes freely; as the first button of the pen does.</source>
-        <translation>Verplaatst langs één as, draait in stappen van 15 graden, hoeken rekken beide assen vrij; zoals de eerste penknop.</translation>
+        <source>Moves along one axis, turns in steps of 15 degrees, and corners stretch both axes freely, like the first button of the pen.</source>
+        <translation>Verplaatst langs één as, draait in stappen van 15 graden, en hoeken rekken beide assen vrij, zoals de eerste penknop.</translation>
     </message>
     <message>
-        <source>Moves, turns, scales and stretches what is selected, held back by the lines that lead out of it.</source>
-        <translation>Verplaatst, draait, schaalt en rekt wat geselecteerd is, tegengehouden door de lijnen die eruit leiden.</translation>
+        <source>Moves, turns, scales and stretches the selection. Lines that cross it stay attached and resist.</source>
+        <translation>Verplaatst, draait, schaalt en rekt de selectie. Lijnen die haar kruisen, blijven verbonden en bieden weerstand.</translation>
     </message>
     <message>
-        <source>No line is made broader than this; one that is may stay so.</source>
-        <translation>Geen lijn wordt breder dan dit; een die dat al is mag zo blijven.</translation>
+        <source>Lines are not made broader than this. Lines that already are broader keep their width.</source>
+        <translation>Lijnen worden niet breder dan dit. Lijnen die al breder zijn, behouden hun breedte.</translation>
     </message>
     <message>
-        <source>Of retracing: above 1 a light hand stays thin for longer.</source>
-        <translation>Bij overtrekken: boven 1 blijft een lichte hand langer dun.</translation>
+        <source>For retracing: above 1, light pressure stays thin for longer.</source>
+        <translation>Bij overtrekken: boven 1 blijft lichte druk langer dun.</translation>
     </message>
     <message>
         <source>Paper</source>
@@ -4679,20 +4679,20 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Drukkromme</translation>
     </message>
     <message>
-        <source>Pressure of a device that knows neither pressure nor depth.</source>
-        <translation>Druk van een apparaat dat druk noch diepte kent.</translation>
+        <source>Pressure for devices that report neither pressure nor depth.</source>
+        <translation>Druk voor apparaten die druk noch diepte melden.</translation>
     </message>
     <message>
-        <source>Pressure of a mouse</source>
-        <translation>Druk van een muis</translation>
+        <source>Pressure with a mouse</source>
+        <translation>Druk met een muis</translation>
     </message>
     <message>
         <source>Pull</source>
         <translation>Trekken</translation>
     </message>
     <message>
-        <source>Pull a stretch of a line (brush), bend one segment (grab), push lines from outside (push), or draw a line over again (sweep).</source>
-        <translation>Een stuk lijn trekken (penseel), één segment buigen (pakken), lijnen van buitenaf duwen (duwen), of een lijn opnieuw trekken (vegen).</translation>
+        <source>Pull a stretch of a line (brush), bend one segment (grab), push lines from outside (push), or move a line along the pen (sweep).</source>
+        <translation>Trek aan een stuk van een lijn (penseel), buig één segment (pakken), duw lijnen van buitenaf (duwen), of voer een lijn langs de pen (vegen).</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -4739,8 +4739,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Touw van de stabilisator</translation>
     </message>
     <message>
-        <source>Rounds corners, which otherwise stay; ends of lines always do.</source>
-        <translation>Rondt hoeken af, die anders blijven; lijneinden blijven altijd.</translation>
+        <source>Rounds corners instead of keeping them. Ends of lines are always kept.</source>
+        <translation>Rondt hoeken af in plaats van ze te behouden. Lijneinden blijven altijd behouden.</translation>
     </message>
     <message>
         <source>Scale widths</source>
@@ -4755,48 +4755,48 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Selecteren</translation>
     </message>
     <message>
-        <source>Selects what a line is drawn round; a short touch takes a line.</source>
-        <translation>Selecteert waar een lijn omheen getekend wordt; een korte aanraking neemt een lijn.</translation>
+        <source>Selects the lines that you draw around; a short touch selects one line.</source>
+        <translation>Selecteert de lijnen waar je omheen tekent; een korte aanraking selecteert één lijn.</translation>
     </message>
     <message>
         <source>Shape</source>
         <translation>Vorm</translation>
     </message>
     <message>
-        <source>Share of friction and grain that is felt; the sheet stays as hard as it is.</source>
-        <translation>Aandeel van wrijving en korrel dat je voelt; het vel blijft zo hard als het is.</translation>
+        <source>Force level of friction and grain. Does not affect the hardness of the surface.</source>
+        <translation>Sterkte van wrijving en korrel. De hardheid van de ondergrond verandert niet.</translation>
     </message>
     <message>
-        <source>Share of friction and roughness that is felt; the sheet stays as hard as it is.</source>
-        <translation>Aandeel van wrijving en ruwheid dat je voelt; het vel blijft zo hard als het is.</translation>
+        <source>Force level of friction and roughness. Does not affect the hardness of the surface.</source>
+        <translation>Sterkte van wrijving en ruwheid. De hardheid van de ondergrond verandert niet.</translation>
     </message>
     <message>
-        <source>Share of friction, grain, attraction and pull that is felt; the sheet stays as hard as it is.</source>
-        <translation>Aandeel van wrijving, korrel, aantrekking en trek dat je voelt; het vel blijft zo hard als het is.</translation>
+        <source>Force level of friction, grain, attraction and pull. Does not affect the hardness of the surface.</source>
+        <translation>Sterkte van wrijving, korrel, aantrekking en trek. De hardheid van de ondergrond verandert niet.</translation>
     </message>
     <message>
-        <source>Share of friction, grain, attraction and stabiliser that is felt; the sheet stays as hard as it is.</source>
-        <translation>Aandeel van wrijving, korrel, aantrekking en stabilisator dat je voelt; het vel blijft zo hard als het is.</translation>
+        <source>Force level of friction, grain, attraction and stabiliser. Does not affect the hardness of the surface.</source>
+        <translation>Sterkte van wrijving, korrel, aantrekking en stabilisator. De hardheid van de ondergrond verandert niet.</translation>
     </message>
     <message>
-        <source>Share of friction, stops and pull that is felt; the sheet stays as hard as it is.</source>
-        <translation>Aandeel van wrijving, aanslagen en trek dat je voelt; het vel blijft zo hard als het is.</translation>
+        <source>Force level of friction, stops and pull. Does not affect the hardness of the surface.</source>
+        <translation>Sterkte van wrijving, aanslagen en trek. De hardheid van de ondergrond verandert niet.</translation>
     </message>
     <message>
-        <source>Share of the counter-force, friction and grain that is felt; the sheet stays as hard as it is.</source>
-        <translation>Aandeel van tegenkracht, wrijving en korrel dat je voelt; het vel blijft zo hard als het is.</translation>
+        <source>Force level of the counter-force, friction and grain. Does not affect the hardness of the surface.</source>
+        <translation>Sterkte van tegenkracht, wrijving en korrel. De hardheid van de ondergrond verandert niet.</translation>
     </message>
     <message>
-        <source>Share of the sheet&apos;s friction and grain that is felt; the sheet stays as hard as it is.</source>
-        <translation>Aandeel van wrijving en korrel van het vel dat je voelt; het vel blijft zo hard als het is.</translation>
+        <source>Force level of the surface&apos;s friction and grain. Does not affect its hardness.</source>
+        <translation>Sterkte van wrijving en korrel van de ondergrond. De hardheid ervan verandert niet.</translation>
     </message>
     <message>
-        <source>Share of the tethers, friction and grain that is felt.</source>
-        <translation>Aandeel van lijnen, wrijving en korrel dat je voelt.</translation>
+        <source>Force level of the tethers, friction and grain.</source>
+        <translation>Sterkte van lijnen, wrijving en korrel.</translation>
     </message>
     <message>
-        <source>Sheet</source>
-        <translation>Vel</translation>
+        <source>Surface</source>
+        <translation>Ondergrond</translation>
     </message>
     <message>
         <source>Size of the round nib that pushes lines.</source>
@@ -4859,12 +4859,12 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Transformeren</translation>
     </message>
     <message>
-        <source>Way along the line, to both sides of the pen, that is ironed; waves up to this long can be taken away.</source>
-        <translation>Weg langs de lijn, aan beide kanten van de pen, die wordt gladgestreken; golven tot deze lengte kunnen weg.</translation>
+        <source>Length of line, to each side of the pen, that is smoothed. Waves up to this length can be removed.</source>
+        <translation>Lengte van de lijn, aan elke kant van de pen, die wordt gladgestreken. Golven tot deze lengte kunnen worden verwijderd.</translation>
     </message>
     <message>
-        <source>Way along the line, to both sides of the pen, within which the width changes.</source>
-        <translation>Weg langs de lijn, aan beide kanten van de pen, waarbinnen de breedte verandert.</translation>
+        <source>Length of line, to each side of the pen, whose width changes.</source>
+        <translation>Lengte van de lijn, aan elke kant van de pen, waarvan de breedte verandert.</translation>
     </message>
     <message>
         <source>Weights of grab</source>
@@ -4875,24 +4875,24 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Wat een aanraking doet</translation>
     </message>
     <message>
-        <source>What becomes of what was selected before; the first button of the pen adds, the second takes away.</source>
-        <translation>Wat er met de vorige selectie gebeurt; de eerste penknop voegt toe, de tweede haalt weg.</translation>
+        <source>How to combine with the previous selection; the first button of the pen adds, the second subtracts.</source>
+        <translation>Hoe met de vorige selectie wordt gecombineerd; de eerste penknop voegt toe, de tweede trekt af.</translation>
     </message>
     <message>
-        <source>What goes</source>
-        <translation>Wat verdwijnt</translation>
+        <source>Erase</source>
+        <translation>Gummen</translation>
     </message>
     <message>
         <source>What is covered, the part of a line up to its next crossings, or the whole line.</source>
         <translation>Wat bedekt is, het deel van een lijn tot de volgende kruisingen, of de hele lijn.</translation>
     </message>
     <message>
-        <source>What the pen is made of: how it looks and how it slides.</source>
-        <translation>Waar de pen van gemaakt is: hoe hij eruitziet en hoe hij glijdt.</translation>
+        <source>The material of the pen: how it looks and how it slides.</source>
+        <translation>Het materiaal van de pen: hoe het eruitziet en hoe het glijdt.</translation>
     </message>
     <message>
-        <source>What the sheet is made of: its hardness and its friction.</source>
-        <translation>Waar het vel van gemaakt is: zijn hardheid en wrijving.</translation>
+        <source>The material of the surface: its hardness and its friction.</source>
+        <translation>Het materiaal van de ondergrond: de hardheid en de wrijving.</translation>
     </message>
     <message>
         <source>Whether ends of lines attract the pen (force), connect to the dragged end (snap), or both.</source>
@@ -4915,8 +4915,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Breedte van een overgetrokken lijn zonder druk.</translation>
     </message>
     <message>
-        <source>With nothing selected, a touch takes the nearest line within this distance.</source>
-        <translation>Is er niets geselecteerd, dan neemt een aanraking de dichtstbijzijnde lijn binnen deze afstand.</translation>
+        <source>If nothing is selected, a touch selects the nearest line within this distance.</source>
+        <translation>Als er niets is geselecteerd, selecteert een aanraking de dichtstbijzijnde lijn binnen deze afstand.</translation>
     </message>
     <message>
         <source>add</source>
@@ -5080,7 +5080,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Canvas</source>
-        <translation>Linnen</translation>
+        <translation>Canvas</translation>
     </message>
     <message>
         <source>Rough paper</source>
@@ -5096,7 +5096,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>canvas</source>
-        <translation>linnen</translation>
+        <translation>canvas</translation>
     </message>
     <message>
         <source>rough-paper</source>
@@ -5112,7 +5112,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Above 1 a light hand stays pale for longer, below 1 it darkens sooner.</source>
-        <translation>Boven 1 blijft een lichte hand langer bleek, onder 1 wordt die eerder donker.</translation>
+        <translation>Boven 1 blijft lichte druk langer bleek, onder 1 wordt die eerder donker.</translation>
     </message>
     <message>
         <source>Another one makes another relief of its kind.</source>
@@ -5140,7 +5140,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Colour of the sheet; a page of another keeps its own.</source>
-        <translation>Kleur van het vel; een pagina met een andere kleur houdt de hare.</translation>
+        <translation>Kleur van de ondergrond; een pagina met een andere kleur behoudt die.</translation>
     </message>
     <message>
         <source>Crumbs</source>
@@ -5252,11 +5252,11 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>How much of the sheet&apos;s relief is seen; 0 for what is wet.</source>
-        <translation>Hoeveel van het reliëf van het vel te zien is; 0 voor wat nat is.</translation>
+        <translation>Hoeveel van het reliëf van de ondergrond te zien is; 0 voor wat nat is.</translation>
     </message>
     <message>
         <source>How much of the sheet&apos;s relief the hand feels through it.</source>
-        <translation>Hoeveel van het reliëf van het vel de hand erdoor voelt.</translation>
+        <translation>Hoeveel van het reliëf van de ondergrond de hand erdoor voelt.</translation>
     </message>
     <message>
         <source>How readily stick and slip sing.</source>
@@ -5300,11 +5300,11 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Pressure curve of the tone</source>
-        <translation>Drukcurve van de toon</translation>
+        <translation>Drukkromme van de toon</translation>
     </message>
     <message>
         <source>Pressure curve of the width</source>
-        <translation>Drukcurve van de breedte</translation>
+        <translation>Drukkromme van de breedte</translation>
     </message>
     <message>
         <source>Root mean square of its heights; 0 is smooth.</source>
@@ -5455,20 +5455,20 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Teken; druk harder voor een bredere lijn. Eindig op een lijneinde om te verbinden.</translation>
     </message>
     <message>
-        <source>Drag a line to bend it; it goes back as you go back.</source>
-        <translation>Sleep een lijn om hem te buigen; hij gaat terug als jij teruggaat.</translation>
+        <source>Drag a line to bend it; drag back to undo the bend.</source>
+        <translation>Sleep een lijn om hem te buigen; sleep terug om de buiging op te heffen.</translation>
     </message>
     <message>
-        <source>Rub along a line to iron the tremor out; press to iron harder.</source>
-        <translation>Wrijf langs een lijn om trillingen glad te strijken; druk om harder te strijken.</translation>
+        <source>Rub along a line to smooth it; press harder to smooth it more.</source>
+        <translation>Wrijf langs een lijn om hem glad te strijken; druk harder voor meer effect.</translation>
     </message>
     <message>
         <source>Rub a line to make it broader or thinner.</source>
-        <translation>Wrijf een lijn om hem breder of dunner te maken.</translation>
+        <translation>Wrijf over een lijn om hem breder of dunner te maken.</translation>
     </message>
     <message>
-        <source>Rub out what the ring touches.</source>
-        <translation>Gum weg wat de ring raakt.</translation>
+        <source>Erase what the ring touches.</source>
+        <translation>Gum uit wat de ring raakt.</translation>
     </message>
     <message>
         <source>up to the crossings</source>
@@ -5479,16 +5479,16 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>hele lijnen</translation>
     </message>
     <message>
-        <source>Draw round what you mean, or click a line.</source>
-        <translation>Teken om wat je bedoelt heen, of klik een lijn aan.</translation>
+        <source>Draw around lines to select them, or click one.</source>
+        <translation>Teken om lijnen heen om ze te selecteren, of klik er een aan.</translation>
     </message>
     <message>
         <source>adds</source>
         <translation>voegt toe</translation>
     </message>
     <message>
-        <source>takes away</source>
-        <translation>haalt weg</translation>
+        <source>subtracts</source>
+        <translation>trekt af</translation>
     </message>
     <message>
         <source>Drag inside to move, a corner to scale, outside it to turn.</source>
@@ -5507,12 +5507,12 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Sleep het eind van een lijn naar een ander eind.</translation>
     </message>
     <message>
-        <source>the end stays where you let it go</source>
+        <source>the end stays where you release it</source>
         <translation>het eind blijft waar je het loslaat</translation>
     </message>
     <message>
-        <source>ends and corners go along, or stay</source>
-        <translation>uiteinden en hoeken gaan mee of blijven</translation>
+        <source>ends and corners move along, or stay</source>
+        <translation>uiteinden en hoeken bewegen mee of blijven</translation>
     </message>
     <message>
         <source>Push lines away from the side of the pen.</source>
@@ -5523,47 +5523,43 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Tekenen</translation>
     </message>
     <message>
-        <source>Lines become smooth curves while you draw; press harder for a broader one. Near its start, an outline snaps shut.</source>
-        <translation>Lijnen worden vloeiend terwijl je tekent; druk harder voor een bredere. Dicht bij het begin klikt een omtrek dicht.</translation>
+        <source>Lines become smooth curves while you draw; press harder for a broader line. Near its start, an outline closes by itself.</source>
+        <translation>Lijnen worden vloeiende krommen terwijl je tekent; druk harder voor een bredere lijn. Dicht bij het begin sluit een omtrek vanzelf.</translation>
     </message>
     <message>
         <source>Pull and push</source>
         <translation>Trekken en duwen</translation>
     </message>
     <message>
-        <source>A line is not quite right? Take hold of it and pull. It resists like a wire, the more the further you go.</source>
-        <translation>Klopt een lijn niet helemaal? Pak hem vast en trek. Hij biedt weerstand als een draad, hoe verder hoe meer.</translation>
+        <source>Is a line not quite right? Grab it and pull. Like a wire, it resists more the further you pull.</source>
+        <translation>Klopt een lijn niet helemaal? Pak hem vast en trek. Als een draad biedt hij meer weerstand naarmate je verder trekt.</translation>
     </message>
     <message>
-        <source>Rub along a shaky line: the jitter goes, the shape stays.</source>
-        <translation>Wrijf langs een beverige lijn: het beven gaat weg, de vorm blijft.</translation>
+        <source>Rub along a shaky line to remove the jitter and keep the shape.</source>
+        <translation>Wrijf langs een beverige lijn om het beven te verwijderen en de vorm te behouden.</translation>
     </message>
     <message>
-        <source>Press on a line to make it broader, after it was drawn.</source>
-        <translation>Druk op een lijn om hem achteraf breder te maken.</translation>
+        <source>Press on a finished line to make it broader.</source>
+        <translation>Druk op een voltooide lijn om hem breder te maken.</translation>
     </message>
     <message>
-        <source>Erase</source>
-        <translation>Gummen</translation>
+        <source>Erase what is covered, a line up to its next crossing, or a whole line.</source>
+        <translation>Gum uit wat bedekt is, een lijn tot de volgende kruising, of een hele lijn.</translation>
     </message>
     <message>
-        <source>Rub away what is covered, a line up to its next crossing, or all of it.</source>
-        <translation>Wrijf weg wat bedekt is, een lijn tot de volgende kruising, of helemaal.</translation>
-    </message>
-    <message>
-        <source>Draw a loop around lines to select them; touch one to take it.</source>
-        <translation>Teken een lus om lijnen om ze te selecteren; raak er een aan om hem te nemen.</translation>
+        <source>Draw a loop around lines to select them, or touch one.</source>
+        <translation>Teken een lus om lijnen om ze te selecteren, of raak er een aan.</translation>
     </message>
     <message>
         <source>Move and turn</source>
         <translation>Verplaatsen en draaien</translation>
     </message>
     <message>
-        <source>Drag what is selected. Lines that lead out of it hold it back, and you feel how much.</source>
-        <translation>Sleep wat geselecteerd is. Lijnen die eruit leiden houden het tegen, en je voelt hoeveel.</translation>
+        <source>Drag the selection. Lines that cross it stay attached and resist, and you feel how much.</source>
+        <translation>Sleep de selectie. Lijnen die haar kruisen blijven verbonden en bieden weerstand, en je voelt hoeveel.</translation>
     </message>
     <message>
-        <source>Drag one end onto another: they snap, and become one line.</source>
+        <source>Drag one end onto another: they snap together and become one line.</source>
         <translation>Sleep een eind op een ander: ze klikken vast en worden één lijn.</translation>
     </message>
 </context>

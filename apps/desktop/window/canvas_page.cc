@@ -33,12 +33,12 @@ CanvasPage::CanvasPage(QWidget* parent) : QWidget(parent) {
     all->addSpacing(kGapPx);
   };
   add(canvas_keys::kForceArrow, canvas_keys::kForceArrowDefault, tr("Show the &force as an arrow"),
-      tr("At the nib: which way it pushes, and how strong it is"));
+      tr("Shows the direction and strength of the force at the nib"));
   add(canvas_keys::kPseudoHaptics, canvas_keys::kPseudoHapticsDefault,
-      tr("The &nib gives way to forces"),
-      tr("With a mouse or a tablet, forces are seen in how the nib moves"));
-  add(canvas_keys::kGrain, canvas_keys::kGrainDefault, tr("Dry ink shows the &grain of the sheet"),
-      tr("As chalk does; exported outlines stay as they are"));
+      tr("The &nib moves with forces"), tr("With a mouse or a tablet, this makes forces visible"));
+  add(canvas_keys::kGrain, canvas_keys::kGrainDefault,
+      tr("Dry media show the &grain of the surface"),
+      tr("Like chalk on paper. Exported outlines do not change"));
   all->addStretch(1);
 }
 

@@ -21,17 +21,17 @@ QLabel* note_with(const QString& text, QWidget* parent) {
 
 GeneralPage::GeneralPage(QWidget* parent) : QWidget(parent) {
   QComboBox* theme = setting_choice(window_keys::kTheme, QStringLiteral("system"),
-                                    {{QStringLiteral("system"), tr("As the desktop")},
+                                    {{QStringLiteral("system"), tr("Same as the desktop")},
                                      {QStringLiteral("light"), tr("Light")},
                                      {QStringLiteral("dark"), tr("Dark")}},
                                     tr("Theme"), this);
   QComboBox* language = setting_choice(window_keys::kLanguage, QString(),
-                                       {{QString(), tr("As the desktop")},
+                                       {{QString(), tr("Same as the desktop")},
                                         {QStringLiteral("en"), QStringLiteral("English")},
                                         {QStringLiteral("de"), QStringLiteral("Deutsch")},
                                         {QStringLiteral("nl"), QStringLiteral("Nederlands")}},
                                        tr("Language"), this);
-  QLabel* note = note_with(tr("Another language is used from the next start on."), this);
+  QLabel* note = note_with(tr("The new language is used from the next start."), this);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->setVerticalSpacing(12);
@@ -39,16 +39,16 @@ GeneralPage::GeneralPage(QWidget* parent) : QWidget(parent) {
   form->addRow(tr("&Theme:"), theme);
   form->addRow(tr("&Language:"), language);
   form->addRow(QString(), note);
-  form->addRow(tr("At the start:"),
+  form->addRow(tr("At startup:"),
                setting_switch(window_keys::kReopenLast, false, tr("&Open the last drawing again"),
-                              tr("Where no file is named"), this));
+                              tr("If no file is given"), this));
   add_sound(*form);
 }
 
 void GeneralPage::add_sound(QFormLayout& form) {
   QCheckBox* heard =
       setting_switch(feel_keys::kSound, feel_keys::kSoundDefault, tr("So&und of drawing"),
-                     tr("Hear the pen rub on the sheet"), this);
+                     tr("Hear the pen rub on the surface"), this);
   QSlider* volume = setting_slider(feel_keys::kSoundVolume, feel_keys::kSoundVolumeDefault,
                                    tr("Volume of the sound of drawing"), this);
   heard->setEnabled(FrictionSound::is_built_in());

@@ -162,7 +162,7 @@ QWidget* MainWindow::sheet_with_notices() {
   connect(files_, &FileActions::taken, notices, &NoticeBar::show_report);
   connect(files_, &FileActions::drawing_changed, notices, &NoticeBar::forget_report);
   if (const QStringList wrong = OwnMaterials::the().take_problems(); !wrong.isEmpty()) {
-    notices->show_words(tr("These of your own materials could not be read:") + QLatin1Char('\n') +
+    notices->show_words(tr("Some of your materials could not be read:") + QLatin1Char('\n') +
                         wrong.join(QLatin1Char('\n')));
   }
   return middle;
@@ -261,17 +261,17 @@ bool MainWindow::show_panel(const QString& name) {
 
 void MainWindow::add_window_actions() {
   actions_->add_switch(QStringLiteral("view.hide_panels"), tr("&Hide all panels"),
-                       {QKeySequence(Qt::Key_Tab)}, tr("Leaves nothing but the sheet"), false,
+                       {QKeySequence(Qt::Key_Tab)}, tr("Shows only the drawing area"), false,
                        [this](bool on) { hide_panels(on); });
   actions_->add_switch(QStringLiteral("view.full_screen"), tr("&Full screen"),
                        {QKeySequence(Qt::Key_F11)}, tr("The window fills the screen"), false,
                        [this](bool on) { set_full_screen(on); });
   actions_->add(QStringLiteral("view.next_part"), tr("&Next part of the window"),
                 {QKeySequence(Qt::Key_F6)},
-                tr("Moves the focus from the sheet to the tools, to each panel, and back"),
+                tr("Moves the focus from the drawing area to the tools, to each panel, and back"),
                 [this] { go_to_next_part(); });
   actions_->add(QStringLiteral("view.reset_layout"), tr("&Reset the panels"), {},
-                tr("Puts panels and bars where they were at first"), [this] { reset_layout(); });
+                tr("Restores the default layout of panels and bars"), [this] { reset_layout(); });
   actions_->add(QStringLiteral("edit.preferences"), tr("&Preferences\u2026"),
                 {QKeySequence(Qt::CTRL | Qt::Key_Comma)},
                 tr("Theme, language, pen, device and shortcuts"),
@@ -294,7 +294,7 @@ MaterialEditor& MainWindow::material_editor() {
 void MainWindow::add_material_actions() {
   actions_->add(QStringLiteral("view.materials"), tr("Ma&terials\u2026"),
                 {QKeySequence(Qt::CTRL | Qt::Key_M)},
-                tr("Change what sheets and media feel, look and sound like, and make your own"),
+                tr("Change how surfaces and media feel, look and sound, and make your own"),
                 [this] {
                   material_editor().show();
                   material_editor().raise();
@@ -302,7 +302,7 @@ void MainWindow::add_material_actions() {
                 });
   actions_->add(QStringLiteral("view.compare_materials"), tr("&Compare materials A and B"),
                 {QKeySequence(Qt::Key_B)},
-                tr("Feel, see and hear the other one of the two that the editor compares"),
+                tr("Switch between the two materials that the editor compares"),
                 [this] { materials_->flip(); });
 }
 

@@ -178,7 +178,7 @@ TEST(MainWindow, TheMaterialsWindowOpensByMenuKeyAndPanel) {
   EXPECT_TRUE(window->material_editor().isVisible());
   window->material_editor().close();
   for (auto* button : window->findChildren<QToolButton*>()) {
-    if (button->accessibleName() == QStringLiteral("Edit sheets and media")) button->click();
+    if (button->accessibleName() == QStringLiteral("Edit surfaces and media")) button->click();
   }
   EXPECT_TRUE(window->material_editor().isVisible());
 }

@@ -61,7 +61,7 @@ constexpr std::array kSubmenus{
     SubmenuRow{"edit.palette_", QT_TRANSLATE_NOOP("Menus", "Pal&ette")},
     SubmenuRow{"view.scroll_", QT_TRANSLATE_NOOP("Menus", "&Scroll")},
     SubmenuRow{"view.panel_", QT_TRANSLATE_NOOP("Menus", "&Panels")},
-    SubmenuRow{"feel.sheet_", QT_TRANSLATE_NOOP("Menus", "S&heet")},
+    SubmenuRow{"feel.sheet_", QT_TRANSLATE_NOOP("Menus", "S&urface")},
     SubmenuRow{"help.example_", QT_TRANSLATE_NOOP("Menus", "&Example drawings")},
 };
 

@@ -35,7 +35,7 @@ Preferences::Preferences(MainWindow& window)
   add(QStringLiteral("pen"), "pen-pressure", tr("Pen"), [] { return new PensPage; });
   add(QStringLiteral("device"), "device", tr("Device"),
       [&window] { return new DevicePage(window.studio(), &window.care()); });
-  add(QStringLiteral("canvas"), "page", tr("Sheet"), [] { return new CanvasPage; });
+  add(QStringLiteral("canvas"), "page", tr("Canvas"), [] { return new CanvasPage; });
   add(QStringLiteral("shortcuts"), "keyboard", tr("Shortcuts"),
       [&actions] { return new ShortcutsPage(actions); });
   list_->setFixedWidth(std::max(kMinListPx, list_->sizeHintForColumn(0) + kListMarginPx));

@@ -34,7 +34,7 @@ ShortcutsPage::ShortcutsPage(Actions& actions, QWidget* parent)
       remove_(new QPushButton(tr("&No key"), this)),
       reset_(new QPushButton(tr("&Reset"), this)),
       warning_(new QLabel(this)),
-      take_(new QPushButton(tr("&Take it over"), this)) {
+      take_(new QPushButton(tr("Reass&ign"), this)) {
   search_->setPlaceholderText(tr("Search"));
   search_->setAccessibleName(tr("Search the commands"));
   search_->setClearButtonEnabled(true);
@@ -69,7 +69,7 @@ ShortcutsPage::ShortcutsPage(Actions& actions, QWidget* parent)
   });
   connect(reset_all, &QPushButton::clicked, this, [this] {
     const auto answer = QMessageBox::question(this, tr("Reset all keys"),
-                                              tr("Give every command the key that it came with?"));
+                                              tr("Restore the default keys of all commands?"));
     if (answer != QMessageBox::Yes) return;
     for (QAction* action : actions_.all()) actions_.reset_keys(action->objectName());
   });

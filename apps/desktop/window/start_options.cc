@@ -14,13 +14,13 @@ struct Row {
 
 constexpr Row kRows[] = {
     {"new-window", "",
-     QT_TRANSLATE_NOOP("Arguments", "Open a window of its own, with a fresh sheet.")},
+     QT_TRANSLATE_NOOP("Arguments", "Open a separate window with an empty drawing.")},
     {"language", "LANGUAGE",
-     QT_TRANSLATE_NOOP("Arguments", "Speak en, de or nl, whatever the system does.")},
+     QT_TRANSLATE_NOOP("Arguments", "Use this UI language (en, de, nl) instead of the system's.")},
     {"record", "FILE",
      QT_TRANSLATE_NOOP(
          "Arguments",
-         "Record all that happens to the drawing, for feltline replay --as-recorded.")},
+         "Record everything that happens to the drawing, for feltline replay --as-recorded.")},
     {"measure-start", "", nullptr},
     {"screenshot", "PNG", nullptr},
     {"size", "WxH", nullptr},
@@ -87,7 +87,8 @@ std::optional<QString> read_arguments(const QStringList& arguments, StartOptions
   options.picture = picture_of(parser);
   const QSize size = options.picture.size;
   if (size.width() < 100 || size.height() < 100 || size.width() > 8000 || size.height() > 8000) {
-    return option_text(QT_TRANSLATE_NOOP("Arguments", "--size is WIDTHxHEIGHT, from 100 to 8000"));
+    return option_text(
+        QT_TRANSLATE_NOOP("Arguments", "--size must be WIDTHxHEIGHT, each from 100 to 8000"));
   }
   return std::nullopt;
 }

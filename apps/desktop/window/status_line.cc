@@ -25,10 +25,10 @@ StatusLine::StatusLine(Studio& studio, Canvas& canvas, QWidget* parent)
   hint_->setContentsMargins(6, 0, 6, 0);
   hint_->installEventFilter(this);
   addWidget(hint_, 1);
-  place_ = field(tr("Place of the pen"), QStringLiteral("-888.8, -888.8 mm"));
+  place_ = field(tr("Position of the pen"), QStringLiteral("-888.8, -888.8 mm"));
   pressure_ = field(tr("Pressure"), tr("Pressure %1").arg(percent(1.0)));
   zoom_ = field(tr("Zoom"), QStringLiteral("8888\u202f%"));
-  angle_ = field(tr("Turn of the view"), QStringLiteral("-888\u00b0"));
+  angle_ = field(tr("Rotation of the view"), QStringLiteral("-888\u00b0"));
   device_ = field(tr("Device"), QString());
   saved_ = field(tr("State of the file"), QString());
   connect(&canvas, &Canvas::hint_changed, this, &StatusLine::show_tool);

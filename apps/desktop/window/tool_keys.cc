@@ -42,7 +42,7 @@ ToolKeys::ToolKeys(Actions& actions, Studio& studio, QWidget* window)
   }
   QAction* swap = actions_.add(
       QStringLiteral("tool.swap"), tr("&Eraser while held"), {QKeySequence(Qt::Key_X)},
-      tr("The eraser as long as the key is held; the pencil where the eraser is in hand"), [this] {
+      tr("Uses the eraser while the key is held, or the pencil if the eraser is active"), [this] {
         const Session& session = studio_.session();
         const bool erases = session.tool().info().kind == ToolKind::kErases;
         const Tool* other = session.first_tool(erases ? ToolKind::kDraws : ToolKind::kErases);

@@ -114,8 +114,8 @@ QComboBox* TopBar::add_list(const QString& label, const QString& name, const QSt
 
 /// Shows a picture of each medium. Choosing one also selects the tool that draws with it.
 void TopBar::add_media(const MediaPictures& pictures) {
-  QComboBox* box = add_list(tr("Medium:"), tr("What is drawn with"),
-                            tr("What the pen is made of: how it looks, feels and sounds"));
+  QComboBox* box =
+      add_list(tr("Medium:"), tr("Drawing medium"), tr("How the medium looks, feels and sounds"));
   box->setObjectName(QStringLiteral("top_media"));
   box->setIconSize(kPicturePx);
   const auto show = [this, box] {
@@ -165,8 +165,8 @@ void TopBar::add_size() {
 }
 
 void TopBar::add_sheets() {
-  QComboBox* box = add_list(tr("Sheet:"), tr("Material of the sheet"),
-                            tr("What the sheet feels and looks like"));
+  QComboBox* box = add_list(tr("Surface:"), tr("Material of the surface"),
+                            tr("How the surface feels and looks"));
   box->setObjectName(QStringLiteral("top_sheets"));
   const auto show = [this, box] {
     box->setCurrentIndex(box->findData(text_of(studio_.session().sheet().material().id)));

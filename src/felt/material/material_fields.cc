@@ -99,7 +99,7 @@ constexpr std::array<MediumField, 29> kMediumFields = {{
                                                "Width of a line at full pressure."),
     medium<&Medium::line, &MediumLine::gamma>(
         "line.gamma", "Pressure curve of the width", "", 0.2, 5,
-        "Above 1 a light hand stays thin for longer, below 1 it broadens sooner."),
+        "Above 1, light pressure stays thin for longer; below 1, lines broaden sooner."),
     medium<&Medium::line, &MediumLine::lean_width>("line.lean_width", "Width of a leaning pen", "",
                                                    1, 20, "In widths of an upright one."),
     medium<&Medium::line, &MediumLine::tone_light>("line.tone_light", "Tone of a light hand", "", 0,

@@ -39,7 +39,7 @@ inline constexpr std::array<OptionSpec, ConnectOption::kCount> kConnectOptions{{
      .min = 0.5,
      .max = 40.0,
      .fallback = 8.0,
-     .help = "How near to the end of a line the pen takes hold of it.",
+     .help = "Distance from the end of a line at which the pen grabs it.",
      .is_seldom = true},
     {.id = "reach_mm",
      .label = "Reach of the attraction",
@@ -68,12 +68,12 @@ inline constexpr std::array<OptionSpec, ConnectOption::kCount> kConnectOptions{{
      .when = "snap=force|both",
      .is_seldom = true},
     {.id = "extend",
-     .label = "Leave the end where it is let go",
+     .label = "Keep the end where it is released",
      .unit = "",
      .kind = OptionKind::kSwitch,
      .fallback = 0,
-     .help = "An end that is let go beside all others stays there; without it, it goes back. The "
-             "first modifier chooses the other.",
+     .help = "An end released away from all others stays there. If off, it returns. The first "
+             "modifier inverts this.",
      .is_seldom = true},
     {.id = "keep_separate",
      .label = "Keep lines separate",
@@ -82,9 +82,8 @@ inline constexpr std::array<OptionSpec, ConnectOption::kCount> kConnectOptions{{
      .fallback = 0,
      .help = "Lines that meet share the point but stay two lines.",
      .is_seldom = true},
-    strength_option(
-        "Share of friction, grain, attraction and pull that is felt; the sheet stays as hard "
-        "as it is."),
+    strength_option("Force level of friction, grain, attraction and pull. Does not affect the "
+                    "hardness of the surface."),
 }};
 
 /// The options in the form that the tool uses.

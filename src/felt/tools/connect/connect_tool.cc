@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<ToolUse, 1> kConnectUses = {
     {{.hint = "Drag the end of a line to another end.",
-      .first_modifier = "the end stays where you let it go",
+      .first_modifier = "the end stays where you release it",
       .size = "grab_radius_mm",
       .path = ToolPath::kFromEnd}}};
 constexpr std::array<std::string_view, 3> kConnectEdits = {"Connect", "Close", "Move end"};
@@ -30,7 +30,7 @@ constexpr ToolInfo kConnectInfo{
     .uses = kConnectUses,
     .edits = kConnectEdits,
     .act = {.title = "Connect",
-            .caption = "Drag one end onto another: they snap, and become one line.",
+            .caption = "Drag one end onto another: they snap together and become one line.",
             .seconds = 16.0}};
 
 /// Radius of the ring around the end that would be grabbed.

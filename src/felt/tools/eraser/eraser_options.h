@@ -24,7 +24,7 @@ struct EraserOption {
 
 inline constexpr std::array<OptionSpec, EraserOption::kCount> kEraserOptions = {{
     {.id = "mode",
-     .label = "What goes",
+     .label = "Erase",
      .unit = "",
      .kind = OptionKind::kChoice,
      .fallback = 0,
@@ -38,13 +38,14 @@ inline constexpr std::array<OptionSpec, EraserOption::kCount> kEraserOptions = {
      .fallback = 2.0,
      .help = "Radius of the eraser."},
     {.id = "include_width",
-     .label = "Width of ink counts",
+     .label = "Erase by ink width",
      .unit = "",
      .kind = OptionKind::kSwitch,
      .fallback = 1,
-     .help = "Erases the ink that the ring covers. Off: cuts a line where the ring covers its "
-             "middle, whatever its width."},
-    strength_option("Share of friction and grain that is felt; the sheet stays as hard as it is."),
+     .help = "Erases the ink that the ring covers. If off, cuts a line where the ring covers its "
+             "centre line."},
+    strength_option(
+        "Force level of friction and grain. Does not affect the hardness of the surface."),
 }};
 
 /// The options in the form that the tool uses.

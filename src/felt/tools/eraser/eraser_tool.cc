@@ -7,7 +7,7 @@
 namespace felt {
 namespace {
 
-constexpr std::array<ToolUse, 1> kEraserUses = {{{.hint = "Rub out what the ring touches.",
+constexpr std::array<ToolUse, 1> kEraserUses = {{{.hint = "Erase what the ring touches.",
                                                   .first_modifier = "up to the crossings",
                                                   .second_modifier = "whole lines",
                                                   .size = "radius_mm",
@@ -23,7 +23,7 @@ constexpr ToolInfo kEraserInfo{
     .uses = kEraserUses,
     .edits = kEraserEdits,
     .act = {.title = "Erase",
-            .caption = "Rub away what is covered, a line up to its next crossing, or all of it.",
+            .caption = "Erase what is covered, a line up to its next crossing, or a whole line.",
             .seconds = 14.0}};
 
 }  // namespace

@@ -29,7 +29,7 @@ inline constexpr std::array<OptionSpec, LassoOption::kCount> kLassoOptions = {{
      .kind = OptionKind::kChoice,
      .fallback = 0,
      .choices = kLassoModes,
-     .help = "A line drawn round what is to be selected, or a rectangle from corner to corner."},
+     .help = "Draw a line around the selection, or a rectangle from corner to corner."},
     {.id = "take",
      .label = "Select",
      .unit = "",
@@ -44,8 +44,8 @@ inline constexpr std::array<OptionSpec, LassoOption::kCount> kLassoOptions = {{
      .kind = OptionKind::kChoice,
      .fallback = 0,
      .choices = kLassoCombines,
-     .help = "What becomes of what was selected before; the first button of the pen adds, the "
-             "second takes away.",
+     .help = "How to combine with the previous selection; the first button of the pen adds, the "
+             "second subtracts.",
      .is_momentary = true},
     {.id = "click_radius_mm",
      .label = "Reach of a click",
@@ -53,11 +53,10 @@ inline constexpr std::array<OptionSpec, LassoOption::kCount> kLassoOptions = {{
      .min = 0.5,
      .max = 20.0,
      .fallback = 4.0,
-     .help = "A short touch selects the whole nearest line within this distance.",
+     .help = "A short touch selects the nearest line within this distance.",
      .is_seldom = true},
     strength_option(
-        "Share of the sheet's friction and grain that is felt; the sheet stays as hard as it "
-        "is."),
+        "Force level of the surface's friction and grain. Does not affect its hardness."),
 }};
 
 /// The options in the form that the tool uses.

@@ -340,7 +340,7 @@ TEST(Lasso, GlidesMoreThanAPencil) {
   const Force full = slide(1.0);
   EXPECT_NEAR(-full.x / full.z, kLassoGlide * 0.25, 0.1 * 0.25);
   EXPECT_NEAR(slide(0.0).x, 0.0, 1e-12);
-  EXPECT_EQ(slide(0.0).z, full.z) << "the sheet stays as hard as it is";
+  EXPECT_EQ(slide(0.0).z, full.z) << "Does not affect the hardness";
 }
 
 }  // namespace

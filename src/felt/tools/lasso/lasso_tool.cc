@@ -10,21 +10,21 @@ namespace felt {
 namespace {
 
 constexpr std::array<ToolUse, 1> kLassoUses = {
-    {{.hint = "Draw round what you mean, or click a line.",
+    {{.hint = "Draw around lines to select them, or click one.",
       .first_modifier = "adds",
-      .second_modifier = "takes away",
+      .second_modifier = "subtracts",
       .size = "click_radius_mm",
       .path = ToolPath::kAround}}};
 constexpr ToolInfo kLassoInfo{
     .id = "lasso",
     .label = "Lasso",
-    .help = "Selects what a line is drawn round; a short touch takes a line.",
+    .help = "Selects the lines that you draw around; a short touch selects one line.",
     .shortcut = 'v',
     .options = kLassoOptions,
     .kind = ToolKind::kSelects,
     .uses = kLassoUses,
     .act = {.title = "Select",
-            .caption = "Draw a loop around lines to select them; touch one to take it.",
+            .caption = "Draw a loop around lines to select them, or touch one.",
             .seconds = 10.0}};
 
 LassoCombine combine_of(std::uint32_t buttons, LassoCombine option) {

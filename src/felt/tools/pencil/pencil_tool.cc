@@ -29,8 +29,8 @@ constexpr ToolInfo kPencilInfo{
     .uses = kPencilUses,
     .edits = kPencilEdits,
     .act = {.title = "Draw",
-            .caption = "Lines become smooth curves while you draw; press harder for a broader one. "
-                       "Near its start, an outline snaps shut.",
+            .caption = "Lines become smooth curves while you draw; press harder for a broader "
+                       "line. Near its start, an outline closes by itself.",
             .seconds = 36.0}};
 
 /// Returns the width that a mouse draws, 0 (thinnest) to 1 (broadest).

@@ -46,7 +46,7 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .fallback = 0,
      .choices = kPullModes,
      .help = "Pull a stretch of a line (brush), bend one segment (grab), push lines from outside "
-             "(push), or draw a line over again (sweep)."},
+             "(push), or move a line along the pen (sweep)."},
     {.id = "radius_mm",
      .label = "Radius",
      .unit = "mm",
@@ -60,16 +60,15 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .unit = "",
      .kind = OptionKind::kSwitch,
      .fallback = 0,
-     .help = "Ends and corners go along, instead of staying unless taken hold of; the first "
-             "modifier turns this round for one gesture.",
+     .help = "Ends and corners move along instead of staying; the first modifier inverts this for "
+             "one gesture.",
      .when = "mode=brush|grab"},
     {.id = "keep_offset",
      .label = "Keep distance from the pen",
      .unit = "",
      .kind = OptionKind::kSwitch,
      .fallback = 0,
-     .help = "A line touched from beside keeps its distance from the pen, instead of coming to the "
-             "pen over the first millimetres.",
+     .help = "A grabbed line keeps its distance from the pen instead of moving to it.",
      .when = "mode=brush|grab",
      .is_seldom = true},
     {.id = "grab_radius_mm",
@@ -78,7 +77,7 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .min = 0.5,
      .max = 50.0,
      .fallback = 8.0,
-     .help = "A line farther from the pen than this is not taken hold of.",
+     .help = "Lines farther from the pen than this are not grabbed.",
      .when = "mode=brush|grab|sweep"},
     {.id = "tolerance_mm",
      .label = "Tolerance",
@@ -86,7 +85,8 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .min = 0.01,
      .max = 0.5,
      .fallback = 0.1,
-     .help = "How far a line may move when the brush lets go of it; more leaves fewer segments.",
+     .help = "How far a line may move when it is simplified after the gesture; more gives fewer "
+             "segments.",
      .when = "mode=brush",
      .is_seldom = true},
     {.id = "weights",
@@ -105,8 +105,7 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .min = 0.0,
      .max = 200.0,
      .fallback = 0.0,
-     .help = "Grab divides the line so that no more than this is bent; 0 takes segments as they "
-             "are.",
+     .help = "Grab divides the line so that no more than this is bent; 0 bends whole segments.",
      .when = "mode=grab"},
     {.id = "nib_radius_mm",
      .label = "Radius of the nib",
@@ -125,9 +124,8 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .help = "How slowly a line gives way to the pen that sweeps it.",
      .when = "mode=sweep",
      .is_seldom = true},
-    strength_option(
-        "Share of the counter-force, friction and grain that is felt; the sheet stays as hard "
-        "as it is."),
+    strength_option("Force level of the counter-force, friction and grain. Does not affect the "
+                    "hardness of the surface."),
 }};
 
 /// The options in the form that the tool uses.

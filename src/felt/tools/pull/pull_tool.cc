@@ -14,8 +14,8 @@
 namespace felt {
 namespace {
 
-constexpr std::string_view kPullHint = "Drag a line to bend it; it goes back as you go back.";
-constexpr std::string_view kEnds = "ends and corners go along, or stay";
+constexpr std::string_view kPullHint = "Drag a line to bend it; drag back to undo the bend.";
+constexpr std::string_view kEnds = "ends and corners move along, or stay";
 constexpr std::array<ToolUse, 4> kPullUses = {{
     {.mode = "push",
      .hint = "Push lines away from the side of the pen.",
@@ -29,15 +29,15 @@ constexpr std::array<std::string_view, 3> kPullEdits = {"Pull", "Push", "Redraw"
 constexpr ToolInfo kPullInfo{
     .id = "pull",
     .label = "Pull",
-    .help = "Corrects lines: take hold of one and pull it into shape, or push it from outside.",
+    .help = "Corrects lines: grab one and pull it into shape, or push it from outside.",
     .shortcut = 'a',
     .options = kPullOptions,
     .kind = ToolKind::kEdits,
     .uses = kPullUses,
     .edits = kPullEdits,
     .act = {.title = "Pull and push",
-            .caption = "A line is not quite right? Take hold of it and pull. It resists like a "
-                       "wire, the more the further you go.",
+            .caption = "Is a line not quite right? Grab it and pull. Like a wire, it resists more "
+                       "the further you pull.",
             .seconds = 16.0}};
 
 }  // namespace

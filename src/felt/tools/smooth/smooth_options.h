@@ -20,31 +20,31 @@ inline constexpr std::array<OptionSpec, SmoothOption::kCount> kSmoothOptions = {
      .min = 2.0,
      .max = 40.0,
      .fallback = 10.0,
-     .help = "Way along the line, to both sides of the pen, that is ironed; waves up to this long "
-             "can be taken away."},
+     .help = "Length of line, to each side of the pen, that is smoothed. Waves up to this length "
+             "can be removed."},
     {.id = "amount",
      .label = "Amount",
      .unit = "",
      .min = 0.05,
      .max = 1.0,
      .fallback = 0.5,
-     .help = "How fast it irons; pressing harder irons faster too."},
+     .help = "How fast it smooths; pressing harder is faster."},
     {.id = "smooth_corners",
      .label = "Smooth corners too",
      .unit = "",
      .kind = OptionKind::kSwitch,
      .fallback = 0,
-     .help = "Rounds corners, which otherwise stay; ends of lines always do."},
+     .help = "Rounds corners instead of keeping them. Ends of lines are always kept."},
     {.id = "tolerance_mm",
      .label = "Tolerance",
      .unit = "mm",
      .min = 0.01,
      .max = 0.5,
      .fallback = 0.05,
-     .help = "How far the finished line may be from the ironed one, for fewer segments.",
+     .help = "How far the simplified line may be from the smoothed one.",
      .is_seldom = true},
     strength_option(
-        "Share of friction and roughness that is felt; the sheet stays as hard as it is."),
+        "Force level of friction and roughness. Does not affect the hardness of the surface."),
 }};
 
 /// The options in the form that the tool uses.

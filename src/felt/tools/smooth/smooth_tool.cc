@@ -13,21 +13,21 @@ namespace felt {
 namespace {
 
 constexpr std::array<ToolUse, 1> kSmoothUses = {
-    {{.hint = "Rub along a line to iron the tremor out; press to iron harder.",
+    {{.hint = "Rub along a line to smooth it; press harder to smooth it more.",
       .size = "radius_mm",
       .path = ToolPath::kAlong}}};
 constexpr std::array<std::string_view, 1> kSmoothEdits = {"Smooth"};
 constexpr ToolInfo kSmoothInfo{
     .id = "smooth",
     .label = "Smooth",
-    .help = "Irons the jitter out of lines and leaves their shape.",
+    .help = "Smooths the jitter out of lines and keeps their shape.",
     .shortcut = 's',
     .options = kSmoothOptions,
     .kind = ToolKind::kEdits,
     .uses = kSmoothUses,
     .edits = kSmoothEdits,
     .act = {.title = "Smooth",
-            .caption = "Rub along a shaky line: the jitter goes, the shape stays.",
+            .caption = "Rub along a shaky line to remove the jitter and keep the shape.",
             .seconds = 16.0}};
 constexpr const char* kSmoothLabel = "Smooth";
 /// Largest distance along the line between two applications of the iron within a sample.

@@ -41,16 +41,15 @@ inline constexpr std::array<OptionSpec, TransformOption::kCount> kTransformOptio
      .unit = "",
      .kind = OptionKind::kSwitch,
      .fallback = 0,
-     .help =
-         "Moves along one axis, turns in steps of 15 degrees, corners stretch both axes freely; "
-         "as the first button of the pen does.",
+     .help = "Moves along one axis, turns in steps of 15 degrees, and corners stretch both axes "
+             "freely, like the first button of the pen.",
      .is_momentary = true},
     {.id = "duplicate",
      .label = "Duplicate",
      .unit = "",
      .kind = OptionKind::kSwitch,
      .fallback = 0,
-     .help = "Leaves the lines and transforms a copy; as the second button of the pen does.",
+     .help = "Keeps the lines and transforms a copy, like the second button of the pen.",
      .is_momentary = true},
     {.id = "scale_widths",
      .label = "Scale widths",
@@ -64,9 +63,9 @@ inline constexpr std::array<OptionSpec, TransformOption::kCount> kTransformOptio
      .min = 0.5,
      .max = 20.0,
      .fallback = 4.0,
-     .help = "With nothing selected, a touch takes the nearest line within this distance.",
+     .help = "If nothing is selected, a touch selects the nearest line within this distance.",
      .is_seldom = true},
-    strength_option("Share of the tethers, friction and grain that is felt."),
+    strength_option("Force level of the tethers, friction and grain."),
 }};
 
 /// The options in the form that the tool uses.

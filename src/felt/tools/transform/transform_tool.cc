@@ -18,21 +18,20 @@ constexpr std::array<ToolUse, 1> kTransformUses = {
       .path = ToolPath::kAway}}};
 constexpr std::array<std::string_view, 5> kTransformEdits = {"Move", "Rotate", "Scale", "Stretch",
                                                              "Duplicate"};
-constexpr ToolInfo kTransformInfo{
-    .id = "transform",
-    .label = "Transform",
-    .help =
-        "Moves, turns, scales and stretches what is selected, held back by the lines that "
-        "lead out of it.",
-    .shortcut = 't',
-    .options = kTransformOptions,
-    .kind = ToolKind::kTransforms,
-    .uses = kTransformUses,
-    .edits = kTransformEdits,
-    .act = {.title = "Move and turn",
-            .caption = "Drag what is selected. Lines that lead out of it hold it back, and you "
-                       "feel how much.",
-            .seconds = 18.0}};
+constexpr ToolInfo kTransformInfo{.id = "transform",
+                                  .label = "Transform",
+                                  .help =
+                                      "Moves, turns, scales and stretches the selection. Lines "
+                                      "that cross it stay attached and resist.",
+                                  .shortcut = 't',
+                                  .options = kTransformOptions,
+                                  .kind = ToolKind::kTransforms,
+                                  .uses = kTransformUses,
+                                  .edits = kTransformEdits,
+                                  .act = {.title = "Move and turn",
+                                          .caption = "Drag the selection. Lines that cross it stay "
+                                                     "attached and resist, and you feel how much.",
+                                          .seconds = 18.0}};
 
 TransformKind kind_of(TransformMode mode) {
   switch (mode) {

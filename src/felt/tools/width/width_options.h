@@ -68,7 +68,7 @@ inline constexpr std::array<OptionSpec, WidthOption::kCount> kWidthOptions = {{
      .min = 1.0,
      .max = 100.0,
      .fallback = 10.0,
-     .help = "Way along the line, to both sides of the pen, within which the width changes.",
+     .help = "Length of line, to each side of the pen, whose width changes.",
      .when = "mode=brush"},
     {.id = "min_width_mm",
      .label = "Thinnest retraced line",
@@ -85,7 +85,8 @@ inline constexpr std::array<OptionSpec, WidthOption::kCount> kWidthOptions = {{
      .min = kMinWidthMm,
      .max = 50.0,
      .fallback = 6.0,
-     .help = "No line is made broader than this; one that is may stay so.",
+     .help =
+         "Lines are not made broader than this. Lines that already are broader keep their width.",
      .is_seldom = true},
     {.id = "gamma",
      .label = "Pressure curve",
@@ -93,20 +94,20 @@ inline constexpr std::array<OptionSpec, WidthOption::kCount> kWidthOptions = {{
      .min = 0.2,
      .max = 5.0,
      .fallback = 1.0,
-     .help = "Of retracing: above 1 a light hand stays thin for longer.",
+     .help = "For retracing: above 1, light pressure stays thin for longer.",
      .when = "mode=retrace",
      .is_seldom = true},
     {.id = "mouse_pressure",
-     .label = "Pressure of a mouse",
+     .label = "Pressure with a mouse",
      .unit = "",
      .min = 0.0,
      .max = 1.0,
      .fallback = 0.75,
-     .help = "Pressure of a device that knows neither pressure nor depth.",
+     .help = "Pressure for devices that report neither pressure nor depth.",
      .when = "mode=brush|retrace",
      .is_seldom = true},
     strength_option(
-        "Share of friction, stops and pull that is felt; the sheet stays as hard as it is."),
+        "Force level of friction, stops and pull. Does not affect the hardness of the surface."),
 }};
 
 /// The options in the form that the tool uses.

@@ -34,7 +34,7 @@ constexpr ToolInfo kWidthInfo{
     .uses = kWidthUses,
     .edits = kWidthEdits,
     .act = {.title = "Width",
-            .caption = "Press on a line to make it broader, after it was drawn.",
+            .caption = "Press on a finished line to make it broader.",
             .seconds = 14.0}};
 constexpr std::string_view kWidthLabel = "Width";
 /// Largest distance along the line between two applications of the brush within a sample.
