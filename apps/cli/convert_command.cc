@@ -47,7 +47,8 @@ void convert_lines(const Input& input, const ConvertArguments& args, Format form
   if (!args.layers.empty() && args.layers != "all" && args.layers != "visible") {
     return console.error(input.name() + ": .ndjson has no layers to choose from");
   }
-  Result<DrawingOutput> output = DrawingOutput::create(args.output, format, picture);
+  Result<DrawingOutput> output =
+      DrawingOutput::create(args.output, format, picture, OutputUse::kStrokes);
   if (!output) return console.error(output.error().message);
   bool empty = true;
   const bool read = for_each_piece(input, format, console, [&](const EncodedStrokes& piece) {

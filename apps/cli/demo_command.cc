@@ -118,7 +118,7 @@ Result<void> write_picture(const std::string& path, const Document& document,
                            const PictureOptions& picture) {
   const Result<Format> format = format_of_path(path);
   if (!format) return tl::unexpected(format.error());
-  Result<DrawingOutput> output = DrawingOutput::create(path, *format, picture);
+  Result<DrawingOutput> output = DrawingOutput::create(path, *format, picture, OutputUse::kStrokes);
   if (!output) return tl::unexpected(output.error());
   return output->append(document).and_then([&] { return output->finish(); });
 }

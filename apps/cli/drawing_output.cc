@@ -128,16 +128,23 @@ Result<void> encode(const NamedStroke& stroke, std::int64_t number, Format forma
   return {};
 }
 
+Format stroke_format(const std::string& path, Format format) {
+  return format == Format::kSvg && !is_compressed_name(path) ? Format::kSvg : Format::kNdjson;
+}
+
 DrawingOutput::DrawingOutput(std::string path, Format format, PictureOptions picture, Output output)
     : path_(std::move(path)),
       format_(format),
+      stroke_format_(stroke_format(path_, format)),
       picture_(std::move(picture)),
       output_(std::move(output)) {}
 
 Result<DrawingOutput> DrawingOutput::create(const std::string& path, Format format,
-                                            const PictureOptions& picture) {
+                                            const PictureOptions& picture, OutputUse use) {
+  const bool head_comes_last =
+      use == OutputUse::kStrokes && stroke_format(path, format) == Format::kSvg;
   Result<Output> output =
-      format == Format::kSvg ? Output::create_for_overwrite(path) : Output::create(path);
+      head_comes_last ? Output::create_for_overwrite(path) : Output::create(path);
   if (!output) return tl::unexpected(output.error());
   return DrawingOutput(path, format, picture, *std::move(output));
 }
@@ -157,7 +164,7 @@ Result<void> DrawingOutput::write(Drawing drawing) {
                                                     ? line_parts(drawing, LineHeader::kLeftOut)
                                                     : drawing_parts(drawing, format_, *options);
   if (!parts) return tl::unexpected(with_context(parts.error(), name));
-  if (is_compressed_name(path_)) parts = gzip_parts(*std::move(parts));
+  if (format_ == Format::kSvg && is_compressed_name(path_)) parts = gzip_parts(*std::move(parts));
   if (auto ok = write_in_order(**parts, name, output_); !ok) return ok;
   return output_.commit();
 }
@@ -165,7 +172,7 @@ Result<void> DrawingOutput::write(Drawing drawing) {
 Result<void> DrawingOutput::append(const EncodedStrokes& strokes) {
   if (format_ == Format::kNdjson) return output_.write(strokes.text);
   ink_.extend(strokes.bounds);
-  if (format_ != Format::kSvg) return spool_.add_lines(strokes.text);
+  if (stroke_format_ != Format::kSvg) return spool_.add_lines(strokes.text);
   return begin_svg().and_then([&] { return output_.write(strokes.text); });
 }
 
@@ -176,7 +183,7 @@ Result<void> DrawingOutput::append(const Document& document) {
     if (!layer.visible) continue;
     for (const StrokeId id : layer.strokes) {
       const NamedStroke stroke{stroke_name(id), *document.find(id)};
-      if (auto ok = encode(stroke, ++number, format_, strokes); !ok) {
+      if (auto ok = encode(stroke, ++number, stroke_format_, strokes); !ok) {
         return tl::unexpected(with_context(ok.error(), "stroke " + stroke.id + " of the sketch"));
       }
     }
@@ -186,7 +193,7 @@ Result<void> DrawingOutput::append(const Document& document) {
 
 Result<void> DrawingOutput::finish() {
   if (format_ == Format::kNdjson) return output_.commit();
-  if (format_ == Format::kSvg) return finish_svg();
+  if (stroke_format_ == Format::kSvg) return finish_svg();
   return format_ == Format::kPng ? finish_png() : finish_drawing();
 }
 
@@ -213,7 +220,8 @@ Result<void> DrawingOutput::finish_svg() {
 Result<void> DrawingOutput::finish_png() {
   PageOptions options;
   options.dpi = picture_.dpi;
-  options.sheet = picture_.sheet.value_or(ink_.inflated(kMarginMm));
+  options.sheet =
+      picture_.sheet.value_or((ink_.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink_).inflated(kMarginMm));
   options.paper = picture_.paper.value_or(options.paper);
   options.grain = picture_.grain;
   Result<PagePainter> page = PagePainter::create(ink_, options);

@@ -25,6 +25,13 @@ struct EncodedStrokes {
 Result<void> encode(const NamedStroke& stroke, std::int64_t number, Format format,
                     EncodedStrokes& out);
 
+/// What a DrawingOutput receives: a whole drawing by write(), or single strokes by append().
+enum class OutputUse { kWhole, kStrokes };
+
+/// Returns the format that encode() must get for strokes that go to this output. Only .ndjson and
+/// uncompressed .svg are written stroke by stroke; for other outputs strokes are kept as lines.
+Format stroke_format(const std::string& path, Format format);
+
 /// The output of a drawing: either as a whole with write(), or stroke by stroke with append() and
 /// then finish(). No file appears under the output's name before write() or finish() is done.
 ///
@@ -35,18 +42,21 @@ Result<void> encode(const NamedStroke& stroke, std::int64_t number, Format forma
 /// layer first.
 class DrawingOutput {
  public:
-  /// The picture options apply to all formats but .ndjson. Fails if the path cannot be written.
+  /// The picture options apply to all formats but .ndjson. With OutputUse::kStrokes an .svg on
+  /// stdout appears only when it is complete, because its first line has its size. Fails if the
+  /// path cannot be written.
   static Result<DrawingOutput> create(const std::string& path, Format format,
-                                      const PictureOptions& picture);
+                                      const PictureOptions& picture,
+                                      OutputUse use = OutputUse::kWhole);
 
   /// Writes a whole drawing. Call once. Fails if the format cannot hold it, if grain is requested
   /// and the surface is unknown, or if writing fails. Messages begin with the path if they are
   /// about the file.
   Result<void> write(Drawing drawing);
 
-  /// Appends strokes that encode() made for this format.
+  /// Appends strokes that encode() made for stroke_format(). Requires OutputUse::kStrokes.
   Result<void> append(const EncodedStrokes& strokes);
-  /// Appends the strokes of visible layers, named by stroke_name().
+  /// Appends the strokes of visible layers, named by stroke_name(). Requires OutputUse::kStrokes.
   Result<void> append(const Document& document);
   /// Completes the file after the last append().
   Result<void> finish();
@@ -60,6 +70,7 @@ class DrawingOutput {
 
   std::string path_;
   Format format_;
+  Format stroke_format_;
   PictureOptions picture_;
   Output output_;
   // About the appended strokes.

@@ -62,7 +62,7 @@ void add_width_options(CLI::App& command, FitArguments& args) {
   command
       .add_option(
           "--medium,--material", args.material,
-          "What the lines are drawn with, by its widths, tone and answer to lean: " + media_names())
+          "What the lines are drawn with, by its widths, tone and answer to tilt: " + media_names())
       ->check(CLI::Validator(check_medium, "ID"));
   command
       .add_option(
@@ -133,6 +133,7 @@ void add_options(CLI::App& command, FitArguments& args) {
 /// The settings after parsing the command line.
 struct FitPlan {
   FitSettings settings;
+  std::optional<Format> format;  // of the output
   PictureOptions picture;
   int jobs = 1;
 };
@@ -156,7 +157,8 @@ FitPlan plan_of(const FitArguments& args, Console& console) {
   if (!args.output.empty()) {
     const Result<Format> format = output_format(args.output, args.to);
     if (!format) throw UsageError(format.error().message);
-    plan.settings.format = *format;
+    plan.format = *format;
+    plan.settings.format = stroke_format(args.output, *format);
   }
   const Result<PictureOptions> picture = args.picture.parse(console);
   if (!picture) throw UsageError(picture.error());
@@ -191,9 +193,9 @@ bool fit_all(const FitArguments& args, const FitPlan& plan, DrawingOutput* outpu
 void run_fit(const FitArguments& args, Console& console) {
   const FitPlan plan = plan_of(args, console);
   std::optional<DrawingOutput> output;
-  if (plan.settings.format) {
+  if (plan.format) {
     Result<DrawingOutput> opened =
-        DrawingOutput::create(args.output, *plan.settings.format, plan.picture);
+        DrawingOutput::create(args.output, *plan.format, plan.picture, OutputUse::kStrokes);
     if (!opened) return console.error(opened.error().message);
     output.emplace(*std::move(opened));
   }

@@ -24,6 +24,7 @@ bool is_sketch(const LineBatch& lines) {
 bool FitSource::next(FitItem& item) {
   item.failure.reset();
   item.drawing.reset();
+  item.drawing_bytes = 0;
   for (;;) {
     if (!input_) {
       item.lines = {};
@@ -73,6 +74,7 @@ void FitSource::read_whole(FitItem& item) {
   item.lines = {};
   Result<Imported> opened = input_->read_drawing({.import = {.fit = settings_.ink}});
   bytes_of_ended_ += input_->size_bytes();
+  const auto size = static_cast<std::size_t>(input_->size_bytes());
   input_.reset();
   if (!opened) {
     item.failure = opened.error();
@@ -84,6 +86,7 @@ void FitSource::read_whole(FitItem& item) {
     item.first_record = records_ + 1;
     records_ += static_cast<std::int64_t>(opened->drawing.document.stroke_count());
     item.drawing = *std::move(opened);
+    item.drawing_bytes = size;
   }
 }
 

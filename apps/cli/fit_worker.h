@@ -20,7 +20,7 @@ struct FitSettings {
   double mm_per_unit = 1.0;
   bool refine = true;
   bool measure = false;          ///< fill in all of FitStats, which takes about five times as long
-  std::optional<Format> format;  ///< of the output; none: encode nothing
+  std::optional<Format> format;  ///< stroke_format() of the output; if absent, encodes nothing
 };
 
 /// The work for one call of a worker: some lines of one input, or a whole input of another format.
@@ -28,10 +28,11 @@ struct FitItem {
   std::string name;  ///< of the input, for errors
   LineBatch lines;
   std::optional<Imported> drawing;
+  std::size_t drawing_bytes = 0;  ///< size of the input that `drawing` comes from
   std::int64_t first_record = 1;  ///< number of the first line among the records of all inputs
   std::optional<Error> failure;   ///< failure of the input after these lines
 
-  [[nodiscard]] std::size_t bytes() const noexcept { return lines.bytes(); }
+  [[nodiscard]] std::size_t bytes() const noexcept { return lines.bytes() + drawing_bytes; }
 };
 
 /// An error in a line, or in a whole input (line 0).

@@ -105,7 +105,8 @@ Result<void> rescue(const Error& error, const Session& session) {
   std::error_code none;
   const std::string path = std::filesystem::temp_directory_path(none).string() +
                            "/feltline-record-" + std::to_string(getpid()) + ".ndjson";
-  Result<DrawingOutput> other = DrawingOutput::create(path, Format::kNdjson, PictureOptions());
+  Result<DrawingOutput> other =
+      DrawingOutput::create(path, Format::kNdjson, PictureOptions(), OutputUse::kStrokes);
   const bool saved = other && other->append(session.document()) && other->finish();
   return fail(error.code, error.message + (saved ? "; the drawing is in " + path : ""));
 }

@@ -26,7 +26,7 @@ LineBatch batch_of(std::string_view text) {
 void check_sample(const InkSample& sample) {
   FELT_CHECK(std::fabs(sample.position.x) <= limits::kMaxCoordinate);
   FELT_CHECK(std::fabs(sample.position.y) <= limits::kMaxCoordinate);
-  FELT_CHECK(!sample.lean_deg || (*sample.lean_deg >= 0.0 && *sample.lean_deg <= 90.0));
+  FELT_CHECK(!sample.tilt_deg || (*sample.tilt_deg >= 0.0 && *sample.tilt_deg <= 90.0));
   FELT_CHECK(!sample.pressure || (*sample.pressure >= 0.0 && *sample.pressure <= 1.0));
 }
 

@@ -5,7 +5,7 @@
 #include <QTabletEvent>
 #include <cmath>
 
-#include "desktop/engine/tablet_lean.h"
+#include "desktop/engine/tablet_tilt.h"
 #include "desktop/feel/feel_icons.h"
 
 namespace felt::desktop {
@@ -68,19 +68,19 @@ void TestPad::take(QMouseEvent* event) {
 
 void TestPad::tabletEvent(QTabletEvent* event) {
   const bool touches = event->type() != QEvent::TabletRelease && event->pressure() > 0.0;
-  point(event->position(), touches, event->pressure(), lean_of(*event));
+  point(event->position(), touches, event->pressure(), tilt_of(*event));
   event->accept();
 }
 
 void TestPad::point(QPointF px, bool touches, std::optional<double> pressure,
-                    std::optional<double> lean_deg) {
+                    std::optional<double> tilt_deg) {
   if (!studio_) return;
   PointerEvent event;
   event.time_ns = studio_->now_ns();
   event.position = {px.x() / kScreenPxPerMm, px.y() / kScreenPxPerMm};
   event.touching = touches;
   event.pressure = pressure;
-  event.lean_deg = lean_deg;
+  event.tilt_deg = tilt_deg;
   studio_->point(event);
 }
 

@@ -40,7 +40,7 @@ class TestPad : public QWidget {
   };
   void take(QMouseEvent* event);
   void point(QPointF px, bool touches, std::optional<double> pressure,
-             std::optional<double> lean_deg = {});
+             std::optional<double> tilt_deg = {});
   void follow();
   void open();
 

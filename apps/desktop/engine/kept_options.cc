@@ -57,7 +57,10 @@ void KeptOptions::restore() {
     for (const OptionSpec& row : tool->info().options) {
       const std::string id = owner + "." + std::string(row.id);
       if (row.is_momentary) continue;
-      const auto value = value_of(settings.value(option_key(id)), row, studio_.materials());
+      QVariant stored = settings.value(option_key(id));
+      if (!stored.isValid() && !row.former_id.empty())
+        stored = settings.value(option_key(owner + "." + std::string(row.former_id)));
+      const auto value = value_of(stored, row, studio_.materials());
       if (value && studio_.session().option(id) != *value) studio_.apply(SetOption{id, *value});
     }
   }

@@ -116,6 +116,7 @@ ForcePanel::ForcePanel(Studio& studio, QWidget* parent)
   connect(&words_, &QTimer::timeout, this, &ForcePanel::tell);
   connect(&studio_.loop(), &HapticLoop::ticked, this, &ForcePanel::take);
   connect(&studio_.loop(), &HapticLoop::device_changed, this, &ForcePanel::use_device);
+  connect(&studio_.loop(), &HapticLoop::started, this, &ForcePanel::show_bounds);
   connect(&studio_.loop(), &HapticLoop::forces_changed, this, &ForcePanel::tell);
   use_device();
 }
@@ -132,11 +133,17 @@ void ForcePanel::take(const TickReport& tick) {
 }
 
 void ForcePanel::use_device() {
-  const SafetyLimits& limits = studio_.loop().servo().options().limits;
   has_motors_ = studio_.loop().device().device().capabilities().has_force();
   history_.clear();
   held_.clear();
   table_->setRowCount(0);
+  show_bounds();
+  graph_->set_shows_sent(has_motors_);
+  tell();
+}
+
+void ForcePanel::show_bounds() {
+  const SafetyLimits& limits = studio_.loop().servo().options().limits;
   std::vector<ForceBound> bounds;
   if (has_motors_) {
     bounds.push_back(
@@ -147,8 +154,6 @@ void ForcePanel::use_device() {
     }
   }
   graph_->set_bounds(std::move(bounds));
-  graph_->set_shows_sent(has_motors_);
-  tell();
 }
 
 void ForcePanel::tell() {

@@ -36,6 +36,7 @@ class ForcePanel : public QWidget {
  private:
   void take(const TickReport& tick);
   void use_device();
+  void show_bounds();
   void tell();
   void tell_table();
   void tell_state();

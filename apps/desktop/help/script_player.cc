@@ -66,7 +66,7 @@ void ScriptPlayer::tick() {
   HandInput* hand = studio_.loop().device().hand();
   if (hand && track_ && track_->has_poses()) {
     const ScriptPose pose = track_->at(played_ns_);
-    hand->aim(Aim{pose.position, pose.pressure, pose.buttons, pose.lean_deg});
+    hand->aim(Aim{pose.position, pose.pressure, pose.buttons, pose.tilt_deg});
   }
   studio_.advance(kTickNs);
 }

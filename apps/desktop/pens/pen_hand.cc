@@ -43,12 +43,12 @@ PenHand::PenHand(Canvas& canvas) : canvas_(canvas), studio_(canvas.studio()) {
 }
 
 bool PenHand::point(Source source, QPointF px, std::int64_t time_ns, bool touching,
-                    std::optional<double> pressure, std::optional<double> lean_deg) {
-  return point_mm(source, canvas_.view().to_mm(px), time_ns, touching, pressure, lean_deg);
+                    std::optional<double> pressure, std::optional<double> tilt_deg) {
+  return point_mm(source, canvas_.view().to_mm(px), time_ns, touching, pressure, tilt_deg);
 }
 
 bool PenHand::point_mm(Source source, Point mm, std::int64_t time_ns, bool touching,
-                       std::optional<double> pressure, std::optional<double> lean_deg) {
+                       std::optional<double> pressure, std::optional<double> tilt_deg) {
   if (down_ && source != source_) {
     if (source_ == Source::kTablet || (!touching && source != Source::kTablet)) return false;
     lift();
@@ -57,7 +57,7 @@ bool PenHand::point_mm(Source source, Point mm, std::int64_t time_ns, bool touch
   place_ = mm;
   is_known_ = true;
   pressure_ = pressure;
-  lean_deg_ = lean_deg;
+  tilt_deg_ = tilt_deg;
   if (touching && !down_) give_back(true);
   const bool changes = std::exchange(down_, touching) != touching;
   if (changes && !touching) lifted_ns_ = std::max(time_ns, studio_.now_ns());
@@ -73,7 +73,7 @@ Point PenHand::place_mm() const {
 }
 
 void PenHand::lift() {
-  if (down_) point_mm(source_, place_, studio_.now_ns(), false, pressure_, lean_deg_);
+  if (down_) point_mm(source_, place_, studio_.now_ns(), false, pressure_, tilt_deg_);
 }
 
 void PenHand::cancel() {
@@ -82,7 +82,7 @@ void PenHand::cancel() {
 }
 
 void PenHand::send(std::int64_t time_ns) {
-  studio_.point({time_ns, place_, down_, down_ ? pressure_ : std::nullopt, buttons(), lean_deg_});
+  studio_.point({time_ns, place_, down_, down_ ? pressure_ : std::nullopt, buttons(), tilt_deg_});
 }
 
 /// A modifier takes effect even while the pen rests, so its change is sent as an event.

@@ -26,9 +26,9 @@ class PenHand : public QObject {
   /// Moves the hand to a position, in pixels of the canvas or in mm on the page. `time_ns`: on the
   /// studio's clock. Returns false if another source has the pen down; the call is then ignored.
   bool point(Source source, QPointF px, std::int64_t time_ns, bool touching,
-             std::optional<double> pressure, std::optional<double> lean_deg = {});
+             std::optional<double> pressure, std::optional<double> tilt_deg = {});
   bool point_mm(Source source, Point mm, std::int64_t time_ns, bool touching,
-                std::optional<double> pressure, std::optional<double> lean_deg = {});
+                std::optional<double> pressure, std::optional<double> tilt_deg = {});
   /// Lifts the pen where it is, for any source. Does nothing if it is not down.
   void lift();
   /// Discards the gesture; the pen must be lifted before it does anything more.
@@ -69,7 +69,7 @@ class PenHand : public QObject {
   bool down_ = false;
   bool is_known_ = false;
   Point place_;
-  std::optional<double> pressure_, lean_deg_;
+  std::optional<double> pressure_, tilt_deg_;
   std::uint32_t keys_ = 0, held_ = 0, locked_ = 0;
   std::uint32_t borrowing_ = 0;  // roles that borrow a tool, as bits
   int owed_ = 0;                 // tools to give back after the lift was seen

@@ -179,31 +179,31 @@ TEST_F(PenInputTest, EveryPlaceIsASample) {
 
 // A tablet that senses tilt reports the pen's tilt; for another the tilt stays unknown, whatever
 // its events contain.
-TEST_F(PenInputTest, ThePenLeansAsTheTabletSays) {
+TEST_F(PenInputTest, ThePenTiltsAsTheTabletSays) {
   const auto* tilting =
       new QPointingDevice(QStringLiteral("tilting pen"), 13, QInputDevice::DeviceType::Stylus,
                           QPointingDevice::PointerType::Pen,
                           QInputDevice::Capability::Position | QInputDevice::Capability::Pressure |
                               QInputDevice::Capability::XTilt | QInputDevice::Capability::YTilt,
                           1, 3, {}, QPointingDeviceUniqueId::fromNumericId(2), qApp);
-  const auto lean = [this](const QPointingDevice& pen, float x_deg, float y_deg) {
+  const auto tilt = [this](const QPointingDevice& pen, float x_deg, float y_deg) {
     const QPointF at(200, 200);
     QTabletEvent event(QEvent::TabletMove, &pen, at, at, 0.0, x_deg, y_deg, 0, 0, 0, Qt::NoModifier,
                        Qt::NoButton, Qt::NoButton);
     event.setTimestamp(1000 + static_cast<quint64>(studio_.now_ns() / kMs));
     QApplication::sendEvent(&canvas_, &event);
     wait(60);
-    return samples_.back().lean_deg;
+    return samples_.back().tilt_deg;
   };
-  EXPECT_EQ(lean(*tilting, 0, 0), 0.0);
-  EXPECT_EQ(lean(*tilting, 30, 0), 30.0);
-  EXPECT_EQ(lean(*tilting, 0, -60), 60.0);
-  EXPECT_EQ(lean(*tilting, -45, 45), 54.7);
-  EXPECT_EQ(lean(pen_device(QPointingDevice::PointerType::Pen), 30, 0), std::nullopt);
+  EXPECT_EQ(tilt(*tilting, 0, 0), 0.0);
+  EXPECT_EQ(tilt(*tilting, 30, 0), 30.0);
+  EXPECT_EQ(tilt(*tilting, 0, -60), 60.0);
+  EXPECT_EQ(tilt(*tilting, -45, 45), 54.7);
+  EXPECT_EQ(tilt(pen_device(QPointingDevice::PointerType::Pen), 30, 0), std::nullopt);
   leave_proximity();
   mouse(QEvent::MouseMove, {220, 200}, Qt::NoButton, Qt::NoButton);
   wait(60);
-  EXPECT_EQ(samples_.back().lean_deg, std::nullopt);
+  EXPECT_EQ(samples_.back().tilt_deg, std::nullopt);
 }
 
 // For every way that a stroke can end, the pen is up afterwards and the ink is there.

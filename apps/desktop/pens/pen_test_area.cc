@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "desktop/engine/tablet_lean.h"
+#include "desktop/engine/tablet_tilt.h"
 
 namespace felt::desktop {
 namespace {
@@ -112,7 +112,7 @@ void PenTestArea::tabletEvent(QTabletEvent* event) {
                    !(event->type() == QEvent::TabletRelease && event->button() == Qt::LeftButton);
   point(event->position(), tip, senses(*event) ? std::optional(event->pressure()) : std::nullopt,
         event->timestamp());
-  Q_EMIT leaned(lean_of(*event));
+  Q_EMIT tilted(tilt_of(*event));
   event->accept();
 }
 
@@ -122,7 +122,7 @@ void PenTestArea::mousePressEvent(QMouseEvent* event) {
 
 void PenTestArea::mouseMoveEvent(QMouseEvent* event) {
   if (event->source() != Qt::MouseEventNotSynthesized) return;
-  Q_EMIT leaned(std::nullopt);
+  Q_EMIT tilted(std::nullopt);
   point(event->position(), event->buttons().testFlag(Qt::LeftButton), std::nullopt,
         event->timestamp());
 }

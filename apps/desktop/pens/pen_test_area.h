@@ -26,7 +26,7 @@ class PenTestArea : public QWidget {
   /// 0..1. Both are 0 when it was lifted.
   void pressed(std::optional<double> raw, double curved);
   /// The tilt of the pen from the upright, in degrees; none if it does not report it.
-  void leaned(std::optional<double> lean_deg);
+  void tilted(std::optional<double> tilt_deg);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

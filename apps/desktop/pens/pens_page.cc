@@ -108,23 +108,23 @@ QWidget* PensPage::make_test() {
   numbers_ = new QLabel;
   numbers_->setMinimumWidth(numbers_->fontMetrics().horizontalAdvance(
       tr("pen %1, line %2").arg(percent(1.0), percent(1.0)) + QStringLiteral("  ")));
-  lean_ = new QLabel;
-  lean_->setToolTip(
+  tilt_ = new QLabel;
+  tilt_->setToolTip(
       tr("Charcoal, chalk and pencils draw broader with a tilted pen, if it reports its tilt."));
   auto* wipe = new QPushButton(tr("&Wipe"));
   wipe->setToolTip(tr("Clears the test area."));
   connect(wipe, &QPushButton::clicked, area_, &PenTestArea::clear);
   connect(area_, &PenTestArea::pressed, this, &PensPage::show_pressure);
-  connect(area_, &PenTestArea::leaned, this, &PensPage::show_lean);
+  connect(area_, &PenTestArea::tilted, this, &PensPage::show_tilt);
   layout->addWidget(area_, 0, 0, 1, 3);
   layout->addWidget(bar_, 1, 0);
   layout->addWidget(numbers_, 1, 1);
   layout->addWidget(wipe, 1, 2);
-  layout->addWidget(lean_, 2, 0, 1, 3);
+  layout->addWidget(tilt_, 2, 0, 1, 3);
   layout->setColumnStretch(0, 1);
   layout->setRowStretch(0, 1);
   show_pressure(0.0, 0.0);
-  show_lean({});
+  show_tilt({});
   return box;
 }
 
@@ -209,8 +209,8 @@ void PensPage::show_pressure(std::optional<double> raw, double curved) {
                         : tr("mouse, line %1").arg(percent(curved)));
 }
 
-void PensPage::show_lean(std::optional<double> lean_deg) {
-  lean_->setText(lean_deg ? tr("The pen is tilted by %L1°").arg(*lean_deg, 0, 'f', 0)
+void PensPage::show_tilt(std::optional<double> tilt_deg) {
+  tilt_->setText(tilt_deg ? tr("The pen is tilted by %L1°").arg(*tilt_deg, 0, 'f', 0)
                           : tr("The tilt of the pen is not known"));
 }
 

@@ -31,7 +31,7 @@ class PensPage : public QWidget {
   QComboBox* make_choice(const char* key, const QString& name);
   void set_curve(PressureCurve curve);
   void show_pressure(std::optional<double> raw, double curved);
-  void show_lean(std::optional<double> lean_deg);
+  void show_tilt(std::optional<double> tilt_deg);
   void load();
 
   QCheckBox* pressure_on_;
@@ -42,7 +42,7 @@ class PensPage : public QWidget {
   PenTestArea* area_;
   QProgressBar* bar_;
   QLabel* numbers_;
-  QLabel* lean_;
+  QLabel* tilt_;
   bool loads_ = false;
 };
 

@@ -64,7 +64,7 @@ TEST(PensPage, TheCurveFollowsSlidersHandlesAndKeys) {
 }
 
 /// With a tablet that senses tilt, and with one that does not.
-TEST(PensPage, ShowsHowThePenLeans) {
+TEST(PensPage, ShowsHowThePenTilts) {
   PensPage page;
   page.resize(700, 600);
   page.show();
@@ -75,7 +75,7 @@ TEST(PensPage, ShowsHowThePenLeans) {
     return std::any_of(labels.begin(), labels.end(),
                        [&](const QLabel* label) { return label->text() == words; });
   };
-  const auto lean = [&](QInputDevice::Capabilities more) {
+  const auto tilt = [&](QInputDevice::Capabilities more) {
     const QPointingDevice pen(QStringLiteral("test pen"), 21, QInputDevice::DeviceType::Stylus,
                               QPointingDevice::PointerType::Pen,
                               QInputDevice::Capability::Position | more, 1, 3);
@@ -85,9 +85,9 @@ TEST(PensPage, ShowsHowThePenLeans) {
   };
   const QString none = QStringLiteral("The tilt of the pen is not known");
   EXPECT_TRUE(says(none));
-  lean(QInputDevice::Capability::XTilt | QInputDevice::Capability::YTilt);
+  tilt(QInputDevice::Capability::XTilt | QInputDevice::Capability::YTilt);
   EXPECT_TRUE(says(QStringLiteral("The pen is tilted by 45°")));
-  lean({});
+  tilt({});
   EXPECT_TRUE(says(none));
 }
 

@@ -3,7 +3,7 @@
 #include <QPointingDevice>
 #include <utility>
 
-#include "desktop/engine/tablet_lean.h"
+#include "desktop/engine/tablet_tilt.h"
 
 namespace felt::desktop {
 namespace {
@@ -59,7 +59,7 @@ void TabletInput::take(const QTabletEvent& event) {
   std::optional<double> pressure;
   if (!settings_.pressure_on) pressure = kFixedPressure;
   if (settings_.pressure_on && senses) pressure = settings_.curve(raw);
-  hand_.point(PenHand::Source::kTablet, px, time_ns, touching, pressure, lean_of(event));
+  hand_.point(PenHand::Source::kTablet, px, time_ns, touching, pressure, tilt_of(event));
 }
 
 void TabletInput::note_pressure(const QTabletEvent& event, bool touching) {

@@ -279,9 +279,19 @@ void Autosave::apply(AutosaveMessage& message) {
   }
 }
 
-/// The previous database is removed when the base of the next one is complete. If its own base is
-/// not complete and there is an older database, it is removed immediately, because it is useless
-/// and repeated attempts must not fill the disk.
+/// Closes the present database. It is removed when the base of the next one is complete. If its own
+/// base is not complete and there is an older database, it is removed immediately, because it is
+/// useless and repeated attempts must not fill the disk.
+void Autosave::retire_database() {
+  if (!database_) return;
+  AutosaveDatabase database = *std::exchange(database_, {});
+  if (database.base_in_progress() && !old_.empty()) {
+    static_cast<void>(std::move(database).remove());
+  } else {
+    old_.push_back(std::move(database));
+  }
+}
+
 void Autosave::replace_drawing(Drawing drawing) {
   drawing_ = std::move(drawing);
   info_ = {};
@@ -289,9 +299,7 @@ void Autosave::replace_drawing(Drawing drawing) {
   edits_.clear();
   has_drawing_ = true;
   ++drawing_number_;
-  const bool is_complete = database_ && !database_->base_in_progress();
-  if (database_ && (is_complete || old_.empty())) old_.push_back(*std::exchange(database_, {}));
-  if (database_) static_cast<void>(std::move(*std::exchange(database_, {})).remove());
+  retire_database();
   next_try_ = {};
   why_.clear();
   root_ = 0;
@@ -368,7 +376,7 @@ void Autosave::try_first_root() {
 
 void Autosave::fail_over(const Error& error) {
   why_ = error.message;
-  if (database_) old_.push_back(*std::exchange(database_, {}));
+  retire_database();
   ++root_;
   next_try_first_ = Clock::now() + options_.retry_first;
 }

@@ -154,6 +154,7 @@ class Autosave {
   Result<void> write();
   Result<void> write_base();
   Result<void> create_database(std::size_t root);
+  void retire_database();
   void fail_over(const Error& error);
   void remove_old_databases();
   void finish();

@@ -29,7 +29,7 @@ enum class LiveKind : std::uint8_t {
   kContext = 1,  ///< state that the gesture depends on, besides the document
   kEvents = 2,   ///< events that the session handled, as lines of an event script
   kSamples = 3,  ///< samples of the haptic loop that the session has not handled yet
-  kLeaning = 4,  ///< like kSamples, but with the tilt of the pen
+  kTilted = 4,   ///< like kSamples, but with the tilt of the pen
 };
 
 /// An autosave of a drawing: an SQLite database in WAL mode, each commit synchronised

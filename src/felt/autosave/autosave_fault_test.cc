@@ -192,5 +192,45 @@ TEST_F(AutosaveFault, AFullDiskIsSaidAndFoundMended) {
   EXPECT_TRUE(desk.crashed().drawing.document == desk.ended());
 }
 
+/// A disk that takes a new folder but not a copy of the drawing: attempts that failed leave
+/// nothing.
+TEST_F(AutosaveFault, RepeatedFailuresDoNotFillTheDisk) {
+  const TestFolder folder;
+  AutosaveOptions how = options();
+  how.roots = {folder.at("first"), folder.at("second")};
+  how.retry = how.retry_first = std::chrono::milliseconds(0);
+  bool is_full = false;
+  int writes = 0;
+  FaultyVfs::the().judge = [&](DiskCall call, const std::string&) {
+    return is_full && call == DiskCall::kWrite && ++writes % 40 == 0 ? SQLITE_FULL : SQLITE_OK;
+  };
+  AutosaveFixture desk(how);
+  for (std::uint64_t i = 0; i < 40; ++i) desk.draw(i);
+  desk.autosave->process();
+  const auto databases = [&] {
+    std::size_t count = 0;
+    for (const char* root : {"first", "second"}) {
+      std::error_code none;
+      for (const auto& entry : std::filesystem::directory_iterator(folder.at(root), none))
+        count += entry.is_directory() ? 1 : 0;
+    }
+    return count;
+  };
+  ASSERT_EQ(databases(), 1u);
+  is_full = true;
+  std::size_t most = 0;
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    desk.draw(40 + i);
+    desk.autosave->process();
+    most = std::max(most, databases());
+  }
+  EXPECT_LE(most, 4u);
+  is_full = false;
+  desk.draw(1000);
+  desk.autosave->process();
+  EXPECT_EQ(databases(), 1u);
+  EXPECT_TRUE(desk.crashed().drawing.document == desk.ended());
+}
+
 }  // namespace
 }  // namespace felt::autosave_fault_test

@@ -87,21 +87,21 @@ TEST(Autosave, AHungEditThreadCostsNoInk) {
 
 /// Samples of a tilted pen that the session has not received are saved with their tilt; samples
 /// without tilt are saved in the older form.
-TEST(LiveInk, KeepsHowThePenLeans) {
-  for (const std::optional<double> lean : {std::optional<double>(), std::optional(32.5)}) {
+TEST(LiveInk, KeepsHowThePenTilts) {
+  for (const std::optional<double> tilt : {std::optional<double>(), std::optional(32.5)}) {
     LiveInk live;
     live.clear();
     std::vector<PenSample> told;
     for (int i = 0; i < 20; ++i) {
       const double z = i < 5 ? 3.0 : -0.3;
       told.push_back({i * 1'000'000, {0.1 * i, 5.0, z}, {}, {}, 0});
-      if (i > 8) told.back().lean_deg = lean;
+      if (i > 8) told.back().tilt_deg = tilt;
       live.add_loop_sample(told.back());
     }
     LiveStretch stretch;
     for (const LiveChunk& chunk : live.take_changes().chunks) {
       if (chunk.kind != LiveKind::kContext) {
-        EXPECT_EQ(chunk.kind, lean ? LiveKind::kLeaning : LiveKind::kSamples);
+        EXPECT_EQ(chunk.kind, tilt ? LiveKind::kTilted : LiveKind::kSamples);
       }
       ASSERT_TRUE(read_live_chunk(chunk.kind, chunk.bytes, stretch));
       LiveStretch damaged;

@@ -100,12 +100,12 @@ TEST(FeltRecording, IsCarriedUnreadAndOthersAreAdded) {
 FeltRecording leaning() {
   FeltRecording recording = draw().recording;
   for (std::size_t i = 100; i < 700; ++i) {
-    recording.samples[i].pen.lean_deg = 0.1 * static_cast<double>(i);
+    recording.samples[i].pen.tilt_deg = 0.1 * static_cast<double>(i);
   }
   return recording;
 }
 
-TEST(FeltRecording, APensLeanIsKept) {
+TEST(FeltRecording, APensTiltIsKept) {
   Drawing drawing;
   ASSERT_TRUE(add_recording(drawing, leaning()));
   const std::string once = felt_bytes(drawing).value();
@@ -115,21 +115,21 @@ TEST(FeltRecording, APensLeanIsKept) {
 }
 
 /// Recordings without tilt give the same files as before tilt was recorded.
-TEST(FeltRecording, WithoutLeanItIsTheSameFileAsEver) {
+TEST(FeltRecording, WithoutTiltItIsTheSameFileAsEver) {
   const std::string bytes = felt_bytes(drawing_of(draw())).value();
-  EXPECT_EQ(bytes.find("lean"), std::string::npos);
+  EXPECT_EQ(bytes.find("tilt"), std::string::npos);
 }
 
-TEST(FeltRecording, OneThatLeansStandsBesideOneThatDoesNot) {
-  const FeltRecording plain = draw().recording, leans = leaning();
+TEST(FeltRecording, OneThatTiltsStandsBesideOneThatDoesNot) {
+  const FeltRecording plain = draw().recording, tilts = leaning();
   for (const bool plain_first : {true, false}) {
     Drawing drawing;
-    ASSERT_TRUE(add_recording(drawing, plain_first ? plain : leans));
+    ASSERT_TRUE(add_recording(drawing, plain_first ? plain : tilts));
     drawing = parse_felt(felt_bytes(drawing).value()).value();
-    ASSERT_TRUE(add_recording(drawing, plain_first ? leans : plain));
+    ASSERT_TRUE(add_recording(drawing, plain_first ? tilts : plain));
     drawing = parse_felt(felt_bytes(drawing).value()).value();
-    EXPECT_TRUE(read_recording(drawing, 0).value() == (plain_first ? plain : leans));
-    EXPECT_TRUE(read_recording(drawing, 1).value() == (plain_first ? leans : plain));
+    EXPECT_TRUE(read_recording(drawing, 0).value() == (plain_first ? plain : tilts));
+    EXPECT_TRUE(read_recording(drawing, 1).value() == (plain_first ? tilts : plain));
   }
 }
 
@@ -201,7 +201,7 @@ TEST_F(Queries, PlainSqlReadsSamplesForcesAndEvents) {
             1);
 }
 
-TEST_F(Queries, PlainSqlReadsTheLean) {
+TEST_F(Queries, PlainSqlReadsTheTilt) {
   sqlite3_close(db_);
   Drawing drawing;
   ASSERT_TRUE(add_recording(drawing, leaning()));
@@ -212,7 +212,7 @@ TEST_F(Queries, PlainSqlReadsTheLean) {
 }
 
 /// A tilt that was changed or removed is damage, which the checksum of the tilts detects.
-TEST_F(Queries, AChangedLeanIsDamage) {
+TEST_F(Queries, AChangedTiltIsDamage) {
   sqlite3_close(db_);
   Drawing drawing;
   ASSERT_TRUE(add_recording(drawing, leaning()));
@@ -247,8 +247,8 @@ TEST(FeltRecording, WhatIsOutOfOrderOrDamagedIsAnError) {
   EXPECT_THAT(add_recording(drawing, bad).error().message, HasSubstr("sample 1"));
   bad.samples = {{5, {{std::nan(""), 0, 0}, {}, 0}, std::nullopt}};
   EXPECT_THAT(add_recording(drawing, bad).error().message, HasSubstr("sample 0"));
-  for (const double lean : {-0.1, 90.1, std::nan("")}) {
-    bad.samples = {{5, {{0, 0, 0}, {}, 0, lean}, std::nullopt}};
+  for (const double tilt : {-0.1, 90.1, std::nan("")}) {
+    bad.samples = {{5, {{0, 0, 0}, {}, 0, tilt}, std::nullopt}};
     EXPECT_THAT(add_recording(drawing, bad).error().message, HasSubstr("sample 0"));
   }
   bad.samples.clear();

@@ -25,7 +25,7 @@ PenSample sample_of(const Event& event, const PenEvent& pen) {
   sample.position = pen.position;
   sample.pressure = pen.pressure;
   sample.buttons = pen.buttons;
-  sample.lean_deg = pen.lean_deg;
+  sample.tilt_deg = pen.tilt_deg;
   return sample;
 }
 
@@ -44,7 +44,7 @@ void append_sample(ByteWriter& out, const PenSample& sample, LiveKind kind) {
   out.f64(sample.position.z);
   out.f64(number_or_nan(sample.pressure));
   out.u32(sample.buttons);
-  if (kind == LiveKind::kLeaning) out.f64(number_or_nan(sample.lean_deg));
+  if (kind == LiveKind::kTilted) out.f64(number_or_nan(sample.tilt_deg));
 }
 
 PenSample read_sample(ByteReader& in, LiveKind kind) {
@@ -53,7 +53,7 @@ PenSample read_sample(ByteReader& in, LiveKind kind) {
   sample.position = {in.f64(), in.f64(), in.f64()};
   sample.pressure = unless_nan(in.f64());
   sample.buttons = in.u32();
-  if (kind == LiveKind::kLeaning) sample.lean_deg = unless_nan(in.f64());
+  if (kind == LiveKind::kTilted) sample.tilt_deg = unless_nan(in.f64());
   return sample;
 }
 
@@ -207,10 +207,10 @@ LiveInk::Changes LiveInk::take_changes() {
   if (!events_.empty()) keep(changes, LiveKind::kEvents, std::exchange(events_, {}));
   std::string samples;
   ByteWriter out(samples);
-  const bool leans = std::any_of(overhang_.begin(), overhang_.end(), [](const PenSample& sample) {
-    return sample.lean_deg.has_value();
+  const bool tilts = std::any_of(overhang_.begin(), overhang_.end(), [](const PenSample& sample) {
+    return sample.tilt_deg.has_value();
   });
-  const LiveKind kind = leans ? LiveKind::kLeaning : LiveKind::kSamples;
+  const LiveKind kind = tilts ? LiveKind::kTilted : LiveKind::kSamples;
   for (const PenSample& sample : overhang_) {
     if (sample.time_ns > kept_ns_) append_sample(out, sample, kind);
   }
@@ -228,8 +228,8 @@ Result<void> read_live_chunk(LiveKind kind, std::string_view bytes, LiveStretch&
     return {};
   }
   ByteReader in(bytes);
-  if (kind == LiveKind::kSamples || kind == LiveKind::kLeaning) {
-    if (bytes.size() % (kind == LiveKind::kLeaning ? kLeaningBytes : kSampleBytes) != 0) {
+  if (kind == LiveKind::kSamples || kind == LiveKind::kTilted) {
+    if (bytes.size() % (kind == LiveKind::kTilted ? kLeaningBytes : kSampleBytes) != 0) {
       return damaged();
     }
     while (in.left() > 0) stretch.overhang.push_back(read_sample(in, kind));

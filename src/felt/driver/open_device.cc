@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "felt/driver/page_fit.h"
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 #include "felt/rt/abandon.h"
 
 namespace felt {
@@ -70,7 +70,7 @@ tl::expected<PenSample, DeviceFault> OpenDevice::read(std::int64_t now_ns) noexc
   if (!sample) return sample;
   map(*sample);
   if (const std::optional<Vec3> axis = device_.pen_axis()) {
-    sample->lean_deg = lean_of_axis(plane_.turn_to_sheet(*axis));
+    sample->tilt_deg = tilt_of_axis(plane_.turn_to_sheet(*axis));
   }
   return sample;
 }

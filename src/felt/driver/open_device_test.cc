@@ -42,40 +42,40 @@ TEST(OpenDevice, MapsPlacesInAndForcesOut) {
 }
 
 // The tilt of the same pen in the same hand depends on how the board is tilted.
-TEST(OpenDevice, ThePenLeansAgainstTheSheetNotTheDevice) {
+TEST(OpenDevice, ThePenTiltsAgainstTheSheetNotTheDevice) {
   ScriptedDevice inner;
   OpenDevice device(inner, leaning());
-  EXPECT_EQ(device.read(1)->lean_deg, std::nullopt) << "no device, no lean";
+  EXPECT_EQ(device.read(1)->tilt_deg, std::nullopt) << "no device, no tilt";
   const PlaneCalibration map = leaning();
   inner.axis = map.rows()[2];  // normal to the page
-  EXPECT_EQ(device.read(2)->lean_deg, 0.0);
+  EXPECT_EQ(device.read(2)->tilt_deg, 0.0);
   inner.axis = Vec3{0, 0, 1};  // the device's own upright: the table is tilted by 30 degrees
-  EXPECT_EQ(device.read(3)->lean_deg, 30.0);
+  EXPECT_EQ(device.read(3)->tilt_deg, 30.0);
   inner.axis = 7.5 * map.rows()[0];  // of any length, within the page
-  EXPECT_EQ(device.read(4)->lean_deg, 90.0);
+  EXPECT_EQ(device.read(4)->tilt_deg, 90.0);
   inner.axis = map.rows()[2] - map.rows()[1];
-  EXPECT_EQ(device.read(5)->lean_deg, 45.0);
+  EXPECT_EQ(device.read(5)->tilt_deg, 45.0);
 }
 
 TEST(OpenDevice, TheScaleOfTheSheetTurnsNoPen) {
   ScriptedDevice inner;
   inner.axis = Vec3{1, 2, 4};
-  const auto lean = [&](double scale) {
+  const auto tilt = [&](double scale) {
     OpenDevice device(inner, *PlaneCalibration::from(leaning().rows(), {1, 2, 3}, scale));
-    return device.read(1)->lean_deg;
+    return device.read(1)->tilt_deg;
   };
-  EXPECT_EQ(lean(0.5), lean(1.0));
-  EXPECT_EQ(lean(2.0), lean(1.0));
+  EXPECT_EQ(tilt(0.5), tilt(1.0));
+  EXPECT_EQ(tilt(2.0), tilt(1.0));
 }
 
-TEST(OpenDevice, AnAxisWithoutDirectionIsNoLean) {
+TEST(OpenDevice, AnAxisWithoutDirectionIsNoTilt) {
   ScriptedDevice inner;
   OpenDevice device(inner, leaning());
-  inner.sample.lean_deg = 12.0;
-  EXPECT_EQ(device.read(1)->lean_deg, 12.0) << "what a device says by itself is kept";
+  inner.sample.tilt_deg = 12.0;
+  EXPECT_EQ(device.read(1)->tilt_deg, 12.0) << "what a device says by itself is kept";
   for (const Vec3& axis : {Vec3{}, Vec3{std::nan(""), 0, 1}, Vec3{HUGE_VAL, 0, 1}}) {
     inner.axis = axis;
-    EXPECT_EQ(device.read(1)->lean_deg, std::nullopt);
+    EXPECT_EQ(device.read(1)->tilt_deg, std::nullopt);
   }
 }
 

@@ -93,7 +93,7 @@ Result<void> write_drawing(const std::string& path, const Drawing& drawing, File
   };
   Result<std::unique_ptr<DrawingParts>> parts = drawing_parts(drawing, format, options);
   if (!parts) return about_path(parts.error());
-  if (is_compressed_name(path)) parts = gzip_parts(*std::move(parts));
+  if (format == FileFormat::kSvg && is_compressed_name(path)) parts = gzip_parts(*std::move(parts));
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return tl::unexpected(file.error());
   bool is_disk = false;  // errors of the disk name the file already

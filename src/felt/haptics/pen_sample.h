@@ -18,7 +18,7 @@ struct PenSample {
   std::uint32_t buttons = 0;       ///< bit i is set while button i is pressed
   /// Tilt: the angle between the pen and the normal of the surface, degrees, 0..90. Only from
   /// devices that sense it.
-  std::optional<double> lean_deg{};
+  std::optional<double> tilt_deg{};
 
   friend constexpr bool operator==(const PenSample&, const PenSample&) noexcept = default;
 };

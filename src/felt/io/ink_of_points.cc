@@ -131,7 +131,7 @@ Result<StrokeData> InkOfPoints::of_samples(std::span<const InkSample> samples,
   }
   WidthMap map(widths);
   WidthFitOptions options = fit_.width;
-  options.max_mm = std::max(options.max_mm, widths.max_mm * std::max(1.0, widths.lean_width));
+  options.max_mm = std::max(options.max_mm, widths.max_mm * std::max(1.0, widths.tilt_width));
   WidthFitter width(options);
   for (std::size_t i = 0; i < pencil_.samples().size(); ++i) {
     const InkWidth ink = map.push(pencil_.samples()[i]);

@@ -100,7 +100,7 @@ constexpr std::array<MediumField, 29> kMediumFields = {{
     medium<&Medium::line, &MediumLine::gamma>(
         "line.gamma", "Pressure curve of the width", "", 0.2, 5,
         "Above 1, light pressure stays thin for longer; below 1, lines broaden sooner."),
-    medium<&Medium::line, &MediumLine::lean_width>("line.lean_width", "Width of a leaning pen", "",
+    medium<&Medium::line, &MediumLine::tilt_width>("line.tilt_width", "Width of a leaning pen", "",
                                                    1, 20, "In widths of an upright one."),
     medium<&Medium::line, &MediumLine::tone_light>("line.tone_light", "Tone of a light hand", "", 0,
                                                    1, "How much is laid on without pressure."),
@@ -109,7 +109,7 @@ constexpr std::array<MediumField, 29> kMediumFields = {{
     medium<&Medium::line, &MediumLine::tone_gamma>(
         "line.tone_gamma", "Pressure curve of the tone", "", 0.2, 5,
         "Above 1 a light hand stays pale for longer, below 1 it darkens sooner."),
-    medium<&Medium::line, &MediumLine::lean_tone>("line.lean_tone", "Tone of a leaning pen", "", 0,
+    medium<&Medium::line, &MediumLine::tilt_tone>("line.tilt_tone", "Tone of a leaning pen", "", 0,
                                                   1, "In tones of an upright one."),
     medium<&Medium::look, &MediumLook::opacity_light>("look.opacity_light", "Opacity, light", "", 0,
                                                       1, "Of what is inked, at tone 0."),

@@ -307,6 +307,21 @@ TEST(MaterialFile, WritesWhatItReads) {
   }
 }
 
+TEST(MaterialFile, ReadsTheFormerKeys) {
+  Medium medium{.id = "soft", .label = "Soft"};
+  medium.line.tilt_width = 3.5;
+  medium.line.tilt_tone = 0.25;
+  const std::string text = write_material(medium);
+  std::string old = text;
+  for (std::size_t at = 0; (at = old.find("tilt_", at)) != std::string::npos;)
+    old.replace(at, 5, "lean_");
+  ASSERT_NE(old, text);
+  EXPECT_EQ(medium_from(old), medium);
+
+  EXPECT_THAT(error_of("kind = \"medium\"\nid = \"m\"\nline.tilt_tone = 1\nline.lean_tone = 1\n"),
+              HasSubstr("line.lean_tone is unknown"));
+}
+
 TEST(MaterialFile, WritesEveryBuiltInMaterial) {
   for (const SurfaceMaterial& sheet : surface_materials()) {
     EXPECT_EQ(sheet_of(write_material(sheet)), sheet) << write_material(sheet);

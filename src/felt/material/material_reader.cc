@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -14,6 +15,10 @@ namespace {
 
 constexpr std::size_t kMaxProblems = 20;
 constexpr std::size_t kShownChars = 40;
+
+/// Keys that were renamed, with their present names. Texts that have them are still read.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kFormerKeys = {
+    {{"line.lean_width", "line.tilt_width"}, {"line.lean_tone", "line.tilt_tone"}}};
 
 std::string shown(const TomlEntry& entry) {
   if (const auto* number = std::get_if<double>(&entry.value)) return number_text(*number);
@@ -294,6 +299,18 @@ class Reading {
   std::vector<std::pair<int, Error>> problems_;
 };
 
+/// An entry whose present key is in the text, too, keeps its old key, which is reported as unknown.
+void rename_former_keys(std::vector<TomlEntry>& entries) {
+  for (const auto& [former, present] : kFormerKeys) {
+    const auto with = [&entries](std::string_view key) {
+      return std::find_if(entries.begin(), entries.end(),
+                          [key](const TomlEntry& entry) { return entry.key == key; });
+    };
+    if (with(present) != entries.end()) continue;
+    if (const auto entry = with(former); entry != entries.end()) entry->key = present;
+  }
+}
+
 /// Returns an error if the text or a line is too long. Must be called before the parser, because it
 /// nests as many tables as a line has dots.
 std::optional<Error> too_long(std::string_view text, const std::string& name) {
@@ -318,11 +335,12 @@ std::optional<AnyMaterial> read(std::string_view text, const MaterialSource& sou
     problems.push_back(*std::move(error));
     return std::nullopt;
   }
-  const Result<std::vector<TomlEntry>> entries = read_toml(text, source.name);
+  Result<std::vector<TomlEntry>> entries = read_toml(text, source.name);
   if (!entries) {
     problems.push_back(entries.error());
     return std::nullopt;
   }
+  rename_former_keys(*entries);
   Reading reading(source);
   std::optional<AnyMaterial> material = reading.material_of(*entries);
   problems = std::move(reading).problems();

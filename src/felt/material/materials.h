@@ -16,20 +16,20 @@ namespace felt {
 /// for the values that friction_of computes. Rubber on rubber is about 1.
 inline constexpr double kMaxFriction = 1.5;
 
-/// How the line depends on the pressure p and the tilt. `lean` is the tilt as 0..1 here
-/// (`lean_share`, geometry/lean.h).
+/// How the line depends on the pressure p and the tilt. `tilt` is the tilt as 0..1 here
+/// (`tilt_share`, geometry/tilt.h).
 ///
-///   width = (min + (max - min) p^gamma) (1 + (lean_width - 1) lean)
-///   tone  = (tone_light + (tone_heavy - tone_light) p^tone_gamma) (1 + (lean_tone - 1) lean)
+///   width = (min + (max - min) p^gamma) (1 + (tilt_width - 1) tilt)
+///   tone  = (tone_light + (tone_heavy - tone_light) p^tone_gamma) (1 + (tilt_tone - 1) tilt)
 struct MediumLine {
   double min_mm = 0.3;  ///< range of widths, which the pencil tool uses when the medium is selected
   double max_mm = 6.0;
   double gamma = 1.0;
-  double lean_width = 1.0;  ///< width at full tilt, as a multiple of the upright width, >= 1
+  double tilt_width = 1.0;  ///< width at full tilt, as a multiple of the upright width, >= 1
   double tone_light = 0.0;  ///< tone without pressure, 0..1
   double tone_heavy = 1.0;  ///< tone at full pressure, 0..1
   double tone_gamma = 1.0;
-  double lean_tone = 1.0;  ///< tone at full tilt, as a share of the upright tone, 0..1
+  double tilt_tone = 1.0;  ///< tone at full tilt, as a share of the upright tone, 0..1
 
   friend bool operator==(const MediumLine&, const MediumLine&) = default;
 };

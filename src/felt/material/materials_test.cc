@@ -1,5 +1,5 @@
 #include "felt/material/materials.h"
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 
 #include <gtest/gtest.h>
 
@@ -64,12 +64,12 @@ TEST(Materials, TheRuleForPairsKeepsToWhatATextMaySay) {
   EXPECT_EQ(friction_of(glue, rubber), 0.0);
 }
 
-TEST(Materials, OnlyWhatLeansFartherThanAHandAtRestCounts) {
-  EXPECT_EQ(lean_share(0.0), 0.0);
-  EXPECT_EQ(lean_share(kFreeLeanDeg), 0.0);
-  EXPECT_DOUBLE_EQ(lean_share(0.5 * (kFreeLeanDeg + kFullLeanDeg)), 0.5);
-  EXPECT_EQ(lean_share(90.0), 1.0);
-  EXPECT_EQ(lean_share(std::numeric_limits<double>::quiet_NaN()), 0.0);
+TEST(Materials, OnlyWhatTiltsFartherThanAHandAtRestCounts) {
+  EXPECT_EQ(tilt_share(0.0), 0.0);
+  EXPECT_EQ(tilt_share(kFreeTiltDeg), 0.0);
+  EXPECT_DOUBLE_EQ(tilt_share(0.5 * (kFreeTiltDeg + kFullTiltDeg)), 0.5);
+  EXPECT_EQ(tilt_share(90.0), 1.0);
+  EXPECT_EQ(tilt_share(std::numeric_limits<double>::quiet_NaN()), 0.0);
 }
 
 TEST(Materials, AFirmPushFlattensTheReliefByTheWearAndNoFarther) {

@@ -213,7 +213,7 @@ std::optional<double> ReplayMachine::width_at(const TickReport& report,
   }
   return widths_
       .push({on_sheet(report.sample.position), pressure, report.sample.time_ns,
-             report.sample.lean_deg})
+             report.sample.tilt_deg})
       .width_mm;
 }
 

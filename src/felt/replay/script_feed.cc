@@ -110,7 +110,7 @@ Result<void> ScriptFeed::add_stroke(const RawStroke& stroke) {
   for (const InkSample& sample : stroke.samples) {
     const Point point{options_.mm_per_unit * sample.position.x,
                       options_.mm_per_unit * sample.position.y};
-    path.push_back({point, sample.pressure, sample.time_ns, sample.lean_deg});
+    path.push_back({point, sample.pressure, sample.time_ns, sample.tilt_deg});
     meant.push_back(point);
   }
   if (Result<void> fine = check_length(path); !fine) return fine;
@@ -155,7 +155,7 @@ Result<void> ScriptFeed::put(const TimedAim& aim, std::int64_t start_ns) {
   const Vec shake = tremor_.at(now_ns_);
   return sink_.event({now_ns_, HandEvent{.target = aim.target_mm + Vec3{shake.x, shake.y, 0.0},
                                          .pressure = aim.pressure,
-                                         .lean_deg = aim.lean_deg}});
+                                         .tilt_deg = aim.tilt_deg}});
 }
 
 Result<void> ScriptFeed::rest() {

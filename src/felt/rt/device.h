@@ -57,7 +57,7 @@ class Device {
   virtual std::optional<PenSample> between() noexcept { return std::nullopt; }
   /// Returns a vector along the pen as of the last read(), of any length, in the frame of the
   /// device's positions; nullopt if the device does not sense it. For drivers that know how the pen
-  /// is held but not where the surface is. OpenDevice knows that, and computes PenSample::lean_deg
+  /// is held but not where the surface is. OpenDevice knows that, and computes PenSample::tilt_deg
   /// from the vector. Haptic thread, after read().
   virtual std::optional<Vec3> pen_axis() noexcept { return std::nullopt; }
   /// Requests a force, which the device holds until the next write().
@@ -79,7 +79,7 @@ struct Aim {
   Vec3 target_mm;
   std::optional<double> pressure{};
   std::uint32_t buttons = 0;
-  std::optional<double> lean_deg{};  ///< tilt of the pen from the normal, 0..90; absent if unknown
+  std::optional<double> tilt_deg{};  ///< tilt of the pen from the normal, 0..90; absent if unknown
 
   friend constexpr bool operator==(const Aim&, const Aim&) noexcept = default;
 };

@@ -14,7 +14,7 @@ tl::expected<PenSample, DeviceFault> NullDevice::read(std::int64_t now_ns) noexc
   const double dt_s = last_ns_ ? 1e-9 * static_cast<double>(now_ns - *last_ns_) : 0.0;
   last_ns_ = now_ns;
   return PenSample{now_ns,        pose.target_mm, velocity_.update(pose.target_mm, dt_s),
-                   pose.pressure, pose.buttons,   pose.lean_deg};
+                   pose.pressure, pose.buttons,   pose.tilt_deg};
 }
 
 }  // namespace felt

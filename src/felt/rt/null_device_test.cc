@@ -22,12 +22,12 @@ TEST(NullDevice, R51_ThePenIsWhereTheMouseIsAndForcesDoNothing) {
   }
 }
 
-TEST(NullDevice, ThePenLeansAsTheHandSays) {
+TEST(NullDevice, ThePenTiltsAsTheHandSays) {
   NullDevice device;
   device.aim({{1, 2, -1}, 0.5, 1, 32.5});
-  EXPECT_EQ(device.read(0)->lean_deg, 32.5);
+  EXPECT_EQ(device.read(0)->tilt_deg, 32.5);
   device.aim({1, 2, -1}, 0.5, 1);
-  EXPECT_EQ(device.read(1 * kMs)->lean_deg, std::nullopt);
+  EXPECT_EQ(device.read(1 * kMs)->tilt_deg, std::nullopt);
 }
 
 TEST(NullDevice, R55_HasNoForcesWhateverItIsTold) {

@@ -27,13 +27,13 @@ struct SetOption {
   friend bool operator==(const SetOption&, const SetOption&) = default;
 };
 
-/// A pen sample as read. {"event":"pen","x":..,"y":..,"z":..,"pressure":..,"buttons":0,"lean":32.5}
+/// A pen sample as read. {"event":"pen","x":..,"y":..,"z":..,"pressure":..,"buttons":0,"tilt":32.5}
 /// The text form has no velocity; the player computes it as a device would.
 struct PenEvent {
   Vec3 position;
   std::optional<double> pressure;
   std::uint32_t buttons = 0;
-  std::optional<double> lean_deg{};  ///< tilt of the pen from the normal, 0..90; absent if unknown
+  std::optional<double> tilt_deg{};  ///< tilt of the pen from the normal, 0..90; absent if unknown
   friend bool operator==(const PenEvent&, const PenEvent&) = default;
 };
 
@@ -43,7 +43,7 @@ struct HandEvent {
   Vec3 target;
   std::optional<double> pressure;
   std::uint32_t buttons = 0;
-  std::optional<double> lean_deg{};
+  std::optional<double> tilt_deg{};
   friend bool operator==(const HandEvent&, const HandEvent&) = default;
 };
 

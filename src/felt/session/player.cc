@@ -29,7 +29,7 @@ class ScriptedDevice final : public Device {
   void set(const ScriptPose& pose) noexcept {
     pose_ = pose;
     if (pose_.by_hand)
-      hand_->aim(Aim{pose_.position, pose_.pressure, pose_.buttons, pose_.lean_deg});
+      hand_->aim(Aim{pose_.position, pose_.pressure, pose_.buttons, pose_.tilt_deg});
   }
   [[nodiscard]] bool by_hand() const noexcept { return pose_.by_hand; }
 
@@ -43,7 +43,7 @@ class ScriptedDevice final : public Device {
     last_ns_ = now_ns;
     const Vec3 velocity = velocity_.update(pose_.position, dt_s);
     return PenSample{now_ns,         pose_.position, velocity,
-                     pose_.pressure, pose_.buttons,  pose_.lean_deg};
+                     pose_.pressure, pose_.buttons,  pose_.tilt_deg};
   }
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override {
     if (pose_.by_hand) return below_.write(force);

@@ -37,7 +37,7 @@ class SpringPen final : public Device, public HandInput {
       velocity_ += 0.1 * acceleration;  // N/kg = mm/ms^2 * 1e3; 1e-4 s
       at_ += 1e-4 * velocity_;
     }
-    return PenSample{now_ns, at_, velocity_, aim_.pressure, aim_.buttons, aim_.lean_deg};
+    return PenSample{now_ns, at_, velocity_, aim_.pressure, aim_.buttons, aim_.tilt_deg};
   }
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override {
     force_ = force;
@@ -155,19 +155,19 @@ TEST(Player, DrawsWhatThePenDoes) {
 }
 
 /// Sends the script through the loop and the recorder.
-TEST(Player, ThePenLeansAsTheScriptSays) {
-  const auto lean_at_the_end = [](auto pose) {
-    pose.lean_deg = 41.5;
+TEST(Player, ThePenTiltsAsTheScriptSays) {
+  const auto tilt_at_the_end = [](auto pose) {
+    pose.tilt_deg = 41.5;
     const Played played = play({{0, pose}, {50 * kMs, pose}});
     EXPECT_TRUE(played.report);
     EXPECT_FALSE(played.recorded.empty());
     for (const Event& event : played.recorded) {
-      EXPECT_EQ(std::get<PenEvent>(event.what).lean_deg, 41.5);
+      EXPECT_EQ(std::get<PenEvent>(event.what).tilt_deg, 41.5);
     }
-    return played.samples.back().lean_deg;
+    return played.samples.back().tilt_deg;
   };
-  EXPECT_EQ(lean_at_the_end(PenEvent{{0, 0, 5}, {}, 0}), 41.5);
-  EXPECT_EQ(lean_at_the_end(HandEvent{{0, 0, 5}, {}, 0}), 41.5);
+  EXPECT_EQ(tilt_at_the_end(PenEvent{{0, 0, 5}, {}, 0}), 41.5);
+  EXPECT_EQ(tilt_at_the_end(HandEvent{{0, 0, 5}, {}, 0}), 41.5);
 }
 
 TEST(Player, ForcesMoveAHand) {

@@ -68,10 +68,10 @@ std::optional<double> pressure_between(const ScriptPose& a, const ScriptPose& b,
 }
 
 /// If the tilt of either pose is unknown, it is not interpolated.
-std::optional<double> lean_between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns) {
-  if (!a.lean_deg || !b.lean_deg) return a.lean_deg;
+std::optional<double> tilt_between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns) {
+  if (!a.tilt_deg || !b.tilt_deg) return a.tilt_deg;
   // lerp() returns exactly the same number for a tilt that does not change.
-  return std::lerp(*a.lean_deg, *b.lean_deg, part(now_ns, a.time_ns, b.time_ns));
+  return std::lerp(*a.tilt_deg, *b.tilt_deg, part(now_ns, a.time_ns, b.time_ns));
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ ScriptPose between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns
   pose.time_ns = now_ns;
   pose.position = place_between(a, b, now_ns);
   pose.pressure = pressure_between(a, b, now_ns);
-  pose.lean_deg = lean_between(a, b, now_ns);
+  pose.tilt_deg = tilt_between(a, b, now_ns);
   return pose;
 }
 
@@ -99,11 +99,11 @@ std::optional<ScriptPose> PoseTrack::find_next() {
     const Event& event = events_[searched_++];
     if (const auto* pen = std::get_if<PenEvent>(&event.what)) {
       return ScriptPose{event.time_ns, pen->position, pen->pressure,
-                        pen->buttons,  false,         pen->lean_deg};
+                        pen->buttons,  false,         pen->tilt_deg};
     }
     if (const auto* hand = std::get_if<HandEvent>(&event.what)) {
       return ScriptPose{event.time_ns, hand->target, hand->pressure,
-                        hand->buttons, true,         hand->lean_deg};
+                        hand->buttons, true,         hand->tilt_deg};
     }
   }
   return {};

@@ -17,7 +17,7 @@ struct ScriptPose {
   std::optional<double> pressure{};
   std::uint32_t buttons = 0;
   bool by_hand = false;  ///< a hand aims there; otherwise the pen is there
-  std::optional<double> lean_deg{};
+  std::optional<double> tilt_deg{};
 
   friend constexpr bool operator==(const ScriptPose&, const ScriptPose&) noexcept = default;
 };

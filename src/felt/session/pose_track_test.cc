@@ -51,33 +51,33 @@ TEST(PoseTrack, InterpolatesLinearlyAndIsExactAtTheEvents) {
   for (const ScriptPose& pose : all) EXPECT_FALSE(pose.by_hand);
 }
 
-TEST(PoseTrack, LeanIsInterpolatedAndNotMadeUp) {
-  const auto leans = [](std::optional<double> a, std::optional<double> b) {
+TEST(PoseTrack, TiltIsInterpolatedAndNotMadeUp) {
+  const auto tilts = [](std::optional<double> a, std::optional<double> b) {
     std::vector<Event> events{pen(0, {0, 0, -1}), pen(10, {1, 0, -1})};
-    std::get<PenEvent>(events[0].what).lean_deg = a;
-    std::get<PenEvent>(events[1].what).lean_deg = b;
+    std::get<PenEvent>(events[0].what).tilt_deg = a;
+    std::get<PenEvent>(events[1].what).tilt_deg = b;
     std::vector<std::optional<double>> all;
-    for (const ScriptPose& pose : poses(events, 0, 11)) all.push_back(pose.lean_deg);
+    for (const ScriptPose& pose : poses(events, 0, 11)) all.push_back(pose.tilt_deg);
     return all;
   };
-  const auto both = leans(20.0, 60.0);
+  const auto both = tilts(20.0, 60.0);
   EXPECT_EQ(both[0], 20.0);
   EXPECT_DOUBLE_EQ(both[5].value(), 40.0);
   EXPECT_EQ(both[10], 60.0);
   EXPECT_EQ(both[11], 60.0) << "while it is lifted, too";
-  const auto first = leans(20.0, std::nullopt), second = leans(std::nullopt, 60.0);
+  const auto first = tilts(20.0, std::nullopt), second = tilts(std::nullopt, 60.0);
   EXPECT_EQ(first[9], 20.0);
   EXPECT_EQ(first[10], std::nullopt);
   EXPECT_EQ(second[9], std::nullopt);
   EXPECT_EQ(second[10], 60.0);
-  for (const auto& lean : leans({}, {})) EXPECT_EQ(lean, std::nullopt);
+  for (const auto& tilt : tilts({}, {})) EXPECT_EQ(tilt, std::nullopt);
 }
 
-TEST(PoseTrack, HandsLeanToo) {
+TEST(PoseTrack, HandsTiltToo) {
   Event at = hand(0, {0, 0, 5});
-  std::get<HandEvent>(at.what).lean_deg = 33.0;
+  std::get<HandEvent>(at.what).tilt_deg = 33.0;
   const auto all = poses({at, hand(10, {0, 0, 5})}, 0, 5);
-  EXPECT_EQ(all[5].lean_deg, 33.0);
+  EXPECT_EQ(all[5].tilt_deg, 33.0);
   EXPECT_TRUE(all[5].by_hand);
 }
 

@@ -7,7 +7,7 @@
 #include "felt/base/check.h"
 #include "felt/document/edit_builder.h"
 #include "felt/document/stroke_index.h"
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 #include "felt/material/material_file.h"
 #include "felt/session/layer_edit.h"
 #include "felt/session/old_defaults.h"
@@ -49,7 +49,7 @@ struct Session::Apply {
     return session.set_option(time_ns, e.id, e.value);
   }
   Result<void> operator()(const PenEvent& e) const {
-    return session.sample({time_ns, e.position, {}, e.pressure, e.buttons, e.lean_deg});
+    return session.sample({time_ns, e.position, {}, e.pressure, e.buttons, e.tilt_deg});
   }
   Result<void> operator()(const HandEvent&) const {
     return fail(ErrorCode::kUnsupported, "a hand event is for the player, which moves the device");
@@ -136,13 +136,13 @@ Result<void> Session::sample(const PenSample& told) {
   }
   PenSample sample = told;
   sample.pressure = clean_pressure(told.pressure);
-  sample.lean_deg = clean_lean(told.lean_deg);
+  sample.tilt_deg = checked_tilt(told.tilt_deg);
   const double dt_s = static_cast<double>(sample.time_ns - last_sample_ns_) * 1e-9;
   sample.velocity = parts_->velocity.update(sample.position, dt_s);
   last_sample_ns_ = sample.time_ns;
   if (options_.on_event) {
     record({sample.time_ns,
-            PenEvent{sample.position, sample.pressure, sample.buttons, sample.lean_deg}});
+            PenEvent{sample.position, sample.pressure, sample.buttons, sample.tilt_deg}});
   }
 
   const bool was_down = std::exchange(pen_is_down_, in_contact(sample));

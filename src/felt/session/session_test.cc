@@ -473,20 +473,20 @@ TEST(Session, DropsSamplesThatNoDeviceCanMean) {
   EXPECT_EQ(visible_strokes(desk.session.document())[0]->segment_count(), 1);
 }
 
-TEST(Session, LeansAreHeldToWhatAPenCanDo) {
+TEST(Session, TiltsAreHeldToWhatAPenCanDo) {
   std::vector<Event> recorded;
   SessionOptions options;
   options.on_event = [&](const Event& event) { recorded.push_back(event); };
   Desk desk(std::move(options));
-  const auto lean = [&](std::optional<double> told) {
+  const auto tilt = [&](std::optional<double> told) {
     desk.must(PenEvent{{0, 0, 5}, {}, 0, told});
-    return std::get<PenEvent>(recorded.back().what).lean_deg;
+    return std::get<PenEvent>(recorded.back().what).tilt_deg;
   };
-  EXPECT_EQ(lean({}), std::nullopt);
-  EXPECT_EQ(lean(32.5), 32.5);
-  EXPECT_EQ(lean(-1.0), 0.0);
-  EXPECT_EQ(lean(std::numeric_limits<double>::infinity()), 90.0);
-  EXPECT_EQ(lean(std::numeric_limits<double>::quiet_NaN()), std::nullopt);
+  EXPECT_EQ(tilt({}), std::nullopt);
+  EXPECT_EQ(tilt(32.5), 32.5);
+  EXPECT_EQ(tilt(-1.0), 0.0);
+  EXPECT_EQ(tilt(std::numeric_limits<double>::infinity()), 90.0);
+  EXPECT_EQ(tilt(std::numeric_limits<double>::quiet_NaN()), std::nullopt);
   EXPECT_EQ(desk.session.dropped_samples(), 0U) << "the place is as good as ever";
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "felt/document/drawing.h"
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 #include "felt/store/felt_extras.h"
 #include "felt/store/felt_file.h"
 
@@ -107,9 +107,9 @@ Result<void> check_recording(const FeltRecording& recording) {
     const RecordedSample& s = recording.samples[i];
     const double pressure = s.pen.pressure.value_or(0.0);
     if (s.time_ns < std::exchange(last_ns, s.time_ns)) return bad("time runs back at sample", i);
-    const double lean_deg = s.pen.lean_deg.value_or(0.0);
+    const double tilt_deg = s.pen.tilt_deg.value_or(0.0);
     if (!is_place(s.pen.position) || !(pressure >= 0.0 && pressure <= 1.0) ||
-        !(lean_deg >= 0.0 && lean_deg <= kMaxLeanDeg)) {
+        !(tilt_deg >= 0.0 && tilt_deg <= kMaxTiltDeg)) {
       return bad("impossible numbers in sample", i);
     }
   }

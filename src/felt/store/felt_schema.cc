@@ -59,7 +59,7 @@ constexpr std::array kRecordingTables = {
              13}};
 
 /// Columns that exist only if a pen's tilt was recorded: (table, column).
-constexpr std::array kLeanColumns = {std::pair{"recording", "lean_checksum INTEGER"},
+constexpr std::array kTiltColumns = {std::pair{"recording", "lean_checksum INTEGER"},
                                      std::pair{"recording_sample", "lean_deg REAL"}};
 
 constexpr std::array kRecordingViews = {
@@ -68,7 +68,7 @@ constexpr std::array kRecordingViews = {
     "samples, events, 0.000001 * start_ns AS start_ms, 0.000001 * end_ns AS end_ms FROM recording",
     "CREATE VIEW recorded_samples AS SELECT r.id AS recording, s.id - r.first_sample AS sample, "
     "0.000001 * (r.start_ns + (s.id - r.first_sample) * r.period_ns + s.late_ns) AS t_ms, "
-    "s.x_mm, s.y_mm, s.z_mm, s.pressure, s.buttons, /lean/0.0001 * s.asked_x AS asked_x_n, "
+    "s.x_mm, s.y_mm, s.z_mm, s.pressure, s.buttons, /tilt/0.0001 * s.asked_x AS asked_x_n, "
     "0.0001 * s.asked_y AS asked_y_n, 0.0001 * s.asked_z AS asked_z_n, "
     "0.0001 * (s.asked_x - s.cut_x) AS sent_x_n, 0.0001 * (s.asked_y - s.cut_y) AS sent_y_n, "
     "0.0001 * (s.asked_z - s.cut_z) AS sent_z_n FROM recording AS r JOIN recording_sample AS s "
@@ -79,7 +79,7 @@ constexpr std::array kRecordingViews = {
     "ON e.id >= r.first_event AND e.id < r.first_event + r.events"};
 
 /// Placeholder for the tilt in the text of a view.
-constexpr std::string_view kLeanMark = "/lean/";
+constexpr std::string_view kTiltMark = "/tilt/";
 
 constexpr std::size_t kMaxSchemaRows = 4 * kMaxForeignTables;
 
@@ -235,8 +235,8 @@ Result<void> make_tables(Database& database, const FeltSchema* like) {
   return {};
 }
 
-bool has_lean(const FeltTable& table) {
-  for (const auto& [name, column] : kLeanColumns) {
+bool has_tilt(const FeltTable& table) {
+  for (const auto& [name, column] : kTiltColumns) {
     if (table.name != name) continue;
     const std::string part = std::string(", ") + column;
     return table.sql.ends_with(part + ")") || table.sql.find(part + ", ") != std::string::npos;
@@ -244,22 +244,22 @@ bool has_lean(const FeltTable& table) {
   return false;
 }
 
-Result<void> make_recording_tables(Database& database, const FeltSchema* like, bool with_lean) {
-  bool has_leans = false;
+Result<void> make_recording_tables(Database& database, const FeltSchema* like, bool with_tilt) {
+  bool has_tilts = false;
   for (std::size_t i = 0; i < kRecordingTables.size(); ++i) {
     FeltTable table{
         std::string(kRecordingTables[i].name), std::string(kRecordingTables[i].sql), {}};
     if (like && i < like->recordings.size()) table.sql = like->recordings[i].sql;
-    for (const auto& [name, column] : kLeanColumns) {
-      if (!with_lean || table.name != name || has_lean(table)) continue;
+    for (const auto& [name, column] : kTiltColumns) {
+      if (!with_tilt || table.name != name || has_tilt(table)) continue;
       table.sql.replace(table.sql.size() - 1, 1, std::string(", ") + column + ")");
     }
-    has_leans = has_lean(table);  // of the last one, the table of samples
+    has_tilts = has_tilt(table);  // of the last one, the table of samples
     if (auto ok = database.run(table.sql.c_str()); !ok) return ok;
   }
   for (std::string view : kRecordingViews) {
-    if (const std::size_t at = view.find(kLeanMark); at != std::string::npos) {
-      view.replace(at, kLeanMark.size(), has_leans ? "s.lean_deg, " : "");
+    if (const std::size_t at = view.find(kTiltMark); at != std::string::npos) {
+      view.replace(at, kTiltMark.size(), has_tilts ? "s.lean_deg, " : "");
     }
     if (auto ok = database.run(view.c_str()); !ok) return ok;
   }

@@ -50,10 +50,10 @@ const OwnTable& own_table(std::string_view name);
 /// in `like`.
 Result<void> make_tables(Database& database, const FeltSchema* like);
 /// Creates the tables of recordings, and the views through which other programs read them. They get
-/// columns for the pen's tilt if `like` has them or `with_lean` is true.
-Result<void> make_recording_tables(Database& database, const FeltSchema* like, bool with_lean);
+/// columns for the pen's tilt if `like` has them or `with_tilt` is true.
+Result<void> make_recording_tables(Database& database, const FeltSchema* like, bool with_tilt);
 /// Returns true if a table of recordings has its column for the tilt.
-[[nodiscard]] bool has_lean(const FeltTable& table);
+[[nodiscard]] bool has_tilt(const FeltTable& table);
 
 /// Parses a definition: CREATE TABLE name(column TYPE [PRIMARY KEY] [NOT NULL] [DEFAULT literal],
 /// ...) with exactly these blanks. Names consist of a-z, 0-9 and _; types are INTEGER, REAL, TEXT

@@ -47,10 +47,10 @@ class Checksum {
   }
   /// Adds a tilt. Tilts have a separate checksum, because older programs, which do not know tilt,
   /// must find the other one unchanged.
-  void lean(std::int64_t number, double lean_deg) {
+  void tilt(std::int64_t number, double tilt_deg) {
     ByteWriter out(bytes_);
     out.u64(static_cast<std::uint64_t>(number));
-    out.f64(lean_deg);
+    out.f64(tilt_deg);
     if (bytes_.size() > kPieceBytes) fold();
   }
   void event(std::size_t before_sample, std::string_view line) {
@@ -76,17 +76,17 @@ class Checksum {
 
 /// The checksums of a recording.
 struct Checksums {
-  Checksum all, leans;
+  Checksum all, tilts;
 
   void sample(const RecordedSample& s, std::int64_t number) {
     all.sample(s);
-    if (s.pen.lean_deg) leans.lean(number, *s.pen.lean_deg);
+    if (s.pen.tilt_deg) tilts.tilt(number, *s.pen.tilt_deg);
   }
 };
 
-bool knows_lean(const FeltRecording& recording) {
+bool knows_tilt(const FeltRecording& recording) {
   return std::any_of(recording.samples.begin(), recording.samples.end(),
-                     [](const RecordedSample& s) { return s.pen.lean_deg.has_value(); });
+                     [](const RecordedSample& s) { return s.pen.tilt_deg.has_value(); });
 }
 
 /// A row of the table `recording`.
@@ -94,7 +94,7 @@ struct RecordingHead {
   std::string device;
   std::int64_t start_ns = 0, period_ns = 0, first_sample = 1, samples = 0, first_event = 1,
                events = 0, end_ns = 0, checksum = 0;
-  std::optional<std::int64_t> lean_checksum{};
+  std::optional<std::int64_t> tilt_checksum{};
 
   [[nodiscard]] std::int64_t due_ns(std::int64_t sample) const noexcept {
     return start_ns + sample * period_ns;
@@ -120,11 +120,11 @@ std::string line_of(const Event& event) {
 // --- Writing
 
 Result<void> write_samples(const Database& to, const FeltRecording& recording,
-                           const RecordingHead& head, bool with_lean, Checksums& checksums) {
-  const std::string lean_name = with_lean ? ", lean_deg" : "", lean_mark = with_lean ? ",?" : "";
+                           const RecordingHead& head, bool with_tilt, Checksums& checksums) {
+  const std::string tilt_name = with_tilt ? ", lean_deg" : "", tilt_mark = with_tilt ? ",?" : "";
   const auto row = to.prepare(("INSERT INTO recording_sample(id, late_ns, x_mm, y_mm, z_mm, "
                                "pressure, buttons, asked_x, asked_y, asked_z, cut_x, cut_y, cut_z" +
-                               lean_name + ") VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?" + lean_mark + ")")
+                               tilt_name + ") VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?" + tilt_mark + ")")
                                   .c_str());
   if (!row) return tl::unexpected(row.error());
   std::int64_t n = 0;
@@ -137,8 +137,8 @@ Result<void> write_samples(const Database& to, const FeltRecording& recording,
     row->bind(5, s.pen.position.z);
     s.pen.pressure ? row->bind(6, *s.pen.pressure) : row->bind_null(6);
     row->bind(7, std::int64_t{s.pen.buttons});
-    for (int i = 8; i <= (with_lean ? 14 : 13); ++i) row->bind_null(i);
-    if (s.pen.lean_deg) row->bind(14, *s.pen.lean_deg);
+    for (int i = 8; i <= (with_tilt ? 14 : 13); ++i) row->bind_null(i);
+    if (s.pen.tilt_deg) row->bind(14, *s.pen.tilt_deg);
     if (s.forces) {
       const auto& [asked, sent] = *s.forces;
       const double a[] = {asked.x, asked.y, asked.z}, b[] = {sent.x, sent.y, sent.z};
@@ -175,9 +175,9 @@ Result<void> write_events(const Database& to, const FeltRecording& recording,
 }
 
 Result<void> write_head(const Database& to, const RecordingHead& head) {
-  const bool leans = head.lean_checksum.has_value();
+  const bool tilts = head.tilt_checksum.has_value();
   const auto row = to.prepare(
-      leans ? "INSERT INTO recording(device, start_ns, period_ns, first_sample, samples, "
+      tilts ? "INSERT INTO recording(device, start_ns, period_ns, first_sample, samples, "
               "first_event, events, end_ns, checksum, lean_checksum) VALUES(?,?,?,?,?,?,?,?,?,?)"
             : "INSERT INTO recording(device, start_ns, period_ns, first_sample, samples, "
               "first_event, events, end_ns, checksum) VALUES(?,?,?,?,?,?,?,?,?)");
@@ -188,7 +188,7 @@ Result<void> write_head(const Database& to, const RecordingHead& head) {
                                    head.first_event, head.events, head.end_ns, head.checksum}) {
     row->bind(at++, value);
   }
-  if (leans) row->bind(at, *head.lean_checksum);
+  if (tilts) row->bind(at, *head.tilt_checksum);
   return row->step().map([](bool) {});
 }
 
@@ -218,20 +218,20 @@ Result<void> write_recording(const Database& to, const FeltRecording& recording)
     head.start_ns = recording.samples.front().time_ns;
     head.end_ns = recording.samples.back().time_ns;
   }
-  const bool with_lean = knows_lean(recording);
+  const bool with_tilt = knows_tilt(recording);
   Checksums checksums;
-  if (auto ok = write_samples(to, recording, head, with_lean, checksums); !ok) return ok;
+  if (auto ok = write_samples(to, recording, head, with_tilt, checksums); !ok) return ok;
   if (auto ok = write_events(to, recording, head, checksums.all); !ok) return ok;
   head.checksum = checksums.all.value();
-  if (with_lean) head.lean_checksum = checksums.leans.value();
+  if (with_tilt) head.tilt_checksum = checksums.tilts.value();
   return write_head(to, head);
 }
 
 // --- Reading
 
-Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_lean) {
+Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_tilt) {
   const auto row = db.prepare(
-      with_lean ? "SELECT device, start_ns, period_ns, first_sample, samples, first_event, events, "
+      with_tilt ? "SELECT device, start_ns, period_ns, first_sample, samples, first_event, events, "
                   "end_ns, checksum, lean_checksum FROM recording NOT INDEXED"
                 : "SELECT device, start_ns, period_ns, first_sample, samples, first_event, events, "
                   "end_ns, checksum FROM recording NOT INDEXED");
@@ -248,8 +248,8 @@ Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_lean
     for (int i = 1; i <= 8; ++i) {
       good = good && row->is_integer(i) && row->integer(i) >= 0 && row->integer(i) <= kMaxNumber;
     }
-    const bool has_leans = with_lean && !row->is_null(9);
-    good = good && (!has_leans || row->is_integer(9));
+    const bool has_tilts = with_tilt && !row->is_null(9);
+    good = good && (!has_tilts || row->is_integer(9));
     // Devices have periods of 0.2..4 ms. Much larger values are refused, because the products below
     // would overflow.
     if (!good || row->integer(2) > 1'000'000'000 || row->integer(4) > 1'000'000'000) {
@@ -262,13 +262,13 @@ Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_lean
                                 &head.first_event, &head.events, &head.end_ns, &head.checksum}) {
       *value = row->integer(at++);
     }
-    if (has_leans) head.lean_checksum = row->integer(9);
+    if (has_tilts) head.tilt_checksum = row->integer(9);
     heads.push_back(std::move(head));
   }
 }
 
 /// Column of the tilt in the query of samples.
-constexpr int kLeanColumn = 13;
+constexpr int kTiltColumn = 13;
 
 bool is_sample_row(const Statement& row) {
   bool good = row.is_integer(1) && std::abs(row.integer(1)) <= kMaxNumber;
@@ -282,8 +282,8 @@ bool is_sample_row(const Statement& row) {
                                    : row.is_integer(i) && row.integer(i) <= kMaxSteps &&
                                          row.integer(i) >= -kMaxSteps);
   }
-  if (row.columns() > kLeanColumn) {
-    good = good && (row.is_null(kLeanColumn) || row.is_real(kLeanColumn));
+  if (row.columns() > kTiltColumn) {
+    good = good && (row.is_null(kTiltColumn) || row.is_real(kTiltColumn));
   }
   return good;
 }
@@ -294,8 +294,8 @@ RecordedSample sample_of(const Statement& row, std::int64_t due_ns) {
   s.pen.position = {row.real(2), row.real(3), row.real(4)};
   if (!row.is_null(5)) s.pen.pressure = row.real(5);
   s.pen.buttons = static_cast<std::uint32_t>(row.integer(6));
-  if (row.columns() > kLeanColumn && !row.is_null(kLeanColumn)) {
-    s.pen.lean_deg = row.real(kLeanColumn);
+  if (row.columns() > kTiltColumn && !row.is_null(kTiltColumn)) {
+    s.pen.tilt_deg = row.real(kTiltColumn);
   }
   if (row.is_null(7)) return s;
   const auto force = [&row](int at, bool sent) {
@@ -311,11 +311,11 @@ RecordedSample sample_of(const Statement& row, std::int64_t due_ns) {
 
 Result<void> read_samples(const Database& db, const RecordingHead& head, FeltRecording& recording,
                           Checksums& checksums) {
-  const std::string lean = head.lean_checksum ? ", lean_deg" : "";
+  const std::string tilt = head.tilt_checksum ? ", lean_deg" : "";
   const auto row = db.prepare(
       ("SELECT id, late_ns, x_mm, y_mm, z_mm, pressure, buttons, asked_x, asked_y, asked_z, cut_x, "
        "cut_y, cut_z" +
-       lean + " FROM recording_sample NOT INDEXED WHERE id >= ? AND id < ?")
+       tilt + " FROM recording_sample NOT INDEXED WHERE id >= ? AND id < ?")
           .c_str());
   if (!row) return tl::unexpected(row.error());
   row->bind(1, head.first_sample);
@@ -386,7 +386,7 @@ Result<FeltRecording> read_one(const Database& db, const RecordingHead& head) {
                           .and_then([&] { return check_recording(recording); });
   if (!done) return tl::unexpected(done.error());
   if (checksums.all.value() != head.checksum ||
-      (head.lean_checksum && checksums.leans.value() != *head.lean_checksum)) {
+      (head.tilt_checksum && checksums.tilts.value() != *head.tilt_checksum)) {
     return invalid_data("its checksum is not that of its samples");
   }
   return recording;
@@ -409,7 +409,7 @@ RecordingInfo info_of(const FeltRecording& r) {
 Result<std::vector<RecordingHead>> heads_of(const CarriedFile& file) {
   if (!file.database() || file.schema()->recordings.empty()) return std::vector<RecordingHead>();
   const auto& tables = file.schema()->recordings;
-  return read_heads(*file.database(), std::count_if(tables.begin(), tables.end(), has_lean) == 2);
+  return read_heads(*file.database(), std::count_if(tables.begin(), tables.end(), has_tilt) == 2);
 }
 
 }  // namespace
@@ -418,9 +418,9 @@ Result<void> write_recordings(Database& to, const FeltExtras& extras, const Carr
   const FeltSchema* like = carried.schema();
   const bool has_carried = like && !like->recordings.empty();
   if (!has_carried && extras.added.empty()) return {};
-  const bool with_lean = std::any_of(extras.added.begin(), extras.added.end(),
-                                     [](const auto& added) { return knows_lean(*added); });
-  if (auto ok = make_recording_tables(to, like, with_lean); !ok) return ok;
+  const bool with_tilt = std::any_of(extras.added.begin(), extras.added.end(),
+                                     [](const auto& added) { return knows_tilt(*added); });
+  if (auto ok = make_recording_tables(to, like, with_tilt); !ok) return ok;
   if (has_carried) {
     for (const FeltTable& table : like->recordings) {
       const auto all = [](const Statement&) { return true; };

@@ -9,7 +9,7 @@ namespace {
 /// gamma or tilt.
 bool says_it_all(const WidthMapOptions& widths) {
   const WidthMapOptions usual;
-  return widths.gamma == 1.0 && widths.lean_width == 1.0 && widths.min_mm == usual.min_mm &&
+  return widths.gamma == 1.0 && widths.tilt_width == 1.0 && widths.min_mm == usual.min_mm &&
          widths.max_mm == usual.max_mm;
 }
 
@@ -19,9 +19,9 @@ InkFitOptions drawn_with(const Medium& medium, InkFitOptions ink) {
   const MediumLine& line = medium.line;
   ink.material = medium.id;
   WidthMapOptions& widths = ink.width_map;
-  widths.lean_width = std::max(line.lean_width, 1.0);
-  ink.width.max_mm *= widths.lean_width;
-  const ToneMapOptions tone{line.tone_light, line.tone_heavy, line.tone_gamma, line.lean_tone};
+  widths.tilt_width = std::max(line.tilt_width, 1.0);
+  ink.width.max_mm *= widths.tilt_width;
+  const ToneMapOptions tone{line.tone_light, line.tone_heavy, line.tone_gamma, line.tilt_tone};
   if (tone != ToneMapOptions{} || !says_it_all(widths)) widths.tone = tone;
   return ink;
 }

@@ -42,15 +42,15 @@ TEST(MediumLine, AnotherRangeOrCurveKeepsTheToneOfThePressure) {
   EXPECT_DOUBLE_EQ(tone_of(drawn_with(with_line({}), bent).width_map, 0.5, 0.0), 0.5);
 }
 
-TEST(MediumLine, LeanAndToneComeFromTheMediumAndTheRangeStays) {
+TEST(MediumLine, TiltAndToneComeFromTheMediumAndTheRangeStays) {
   const Medium charcoal = with_line({.min_mm = 2.0,
                                      .max_mm = 9.0,
                                      .gamma = 3.0,
-                                     .lean_width = 4.0,
+                                     .tilt_width = 4.0,
                                      .tone_light = 0.1,
                                      .tone_heavy = 0.9,
                                      .tone_gamma = 2.0,
-                                     .lean_tone = 0.5});
+                                     .tilt_tone = 0.5});
   const InkFitOptions ink = drawn_with(charcoal, kPencilInk);
   const WidthMapOptions& widths = ink.width_map;
   EXPECT_EQ(widths.min_mm, 0.3);

@@ -154,8 +154,9 @@ OptionValues::OptionValues(std::span<const OptionSpec> table) : table_(table) {
 }
 
 Result<std::size_t> OptionValues::find(std::string_view id) const {
-  const auto spec =
-      std::find_if(table_.begin(), table_.end(), [&](const OptionSpec& s) { return s.id == id; });
+  const auto spec = std::find_if(table_.begin(), table_.end(), [&](const OptionSpec& s) {
+    return s.id == id || (!s.former_id.empty() && s.former_id == id);
+  });
   if (spec == table_.end()) {
     return fail(ErrorCode::kNotFound, "there is no option '" + std::string(id) + "'");
   }

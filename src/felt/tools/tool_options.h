@@ -39,6 +39,8 @@ struct OptionSpec {
   OpenChoice open = OpenChoice::kNone;  ///< kChoice
   bool is_seldom = false;               ///< rarely changed: a panel hides it in a collapsed section
   bool is_momentary = false;  ///< meant for the next few gestures: programs do not save it
+  /// The id before a rename, or "". Recordings, settings and scripts that have it are still read.
+  std::string_view former_id = {};
 };
 
 /// Returns the row that every tool has: the strength of its forces. `help` says which forces.
@@ -55,7 +57,8 @@ constexpr OptionSpec strength_option(std::string_view help) noexcept {
           .when = {},
           .open = OpenChoice::kNone,
           .is_seldom = false,
-          .is_momentary = false};
+          .is_momentary = false,
+          .former_id = {}};
 }
 
 /// Returns the allowed values, for messages and help: "it is a number from 0.3 to 20 mm".

@@ -67,7 +67,7 @@ class LeaningDevice final : public Device {
   PlaneCalibration table_;
 };
 
-// The device stands turned by a quarter before a table that leans by 25 degrees, and its frame is
+// The device stands turned by a quarter before a table that tilts by 25 degrees, and its frame is
 // right-handed: the sheet's x is its y, and so on.
 Subject on_a_leaning_table() {
   const double c = std::cos(0.436), s = std::sin(0.436);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 
 namespace felt {
 
@@ -12,7 +12,7 @@ ReplayDevice::ReplayDevice(std::vector<PenSample> recording, const Capabilities&
   std::erase_if(recording_, [](const PenSample& s) {
     return !is_finite(s.position) || (s.pressure && !std::isfinite(*s.pressure));
   });
-  for (PenSample& s : recording_) s.lean_deg = clean_lean(s.lean_deg);
+  for (PenSample& s : recording_) s.tilt_deg = checked_tilt(s.tilt_deg);
   for (std::size_t i = 1; i < recording_.size(); ++i) {
     recording_[i].time_ns = std::max(recording_[i].time_ns, recording_[i - 1].time_ns);
   }
@@ -35,8 +35,8 @@ PenSample ReplayDevice::at(std::int64_t now_ns) const noexcept {
   if (sample.pressure.value_or(0.0) > 0.0 && to.pressure.value_or(0.0) > 0.0) {
     sample.pressure = *sample.pressure + part * (*to.pressure - *sample.pressure);
   }
-  if (sample.lean_deg && to.lean_deg) {
-    sample.lean_deg = std::lerp(*sample.lean_deg, *to.lean_deg, part);
+  if (sample.tilt_deg && to.tilt_deg) {
+    sample.tilt_deg = std::lerp(*sample.tilt_deg, *to.tilt_deg, part);
   }
   return sample;
 }

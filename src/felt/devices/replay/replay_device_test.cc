@@ -34,15 +34,15 @@ TEST(ReplayDevice, InterpolatesAtTheLoopsTimes) {
   EXPECT_TRUE(device.is_over());
 }
 
-TEST(ReplayDevice, LeansAsThePenDid) {
+TEST(ReplayDevice, TiltsAsThePenDid) {
   std::vector<PenSample> recording{sample(10, 0, -1), sample(20, 1, -1), sample(30, 2, -1)};
-  recording[0].lean_deg = 20.0;
-  recording[1].lean_deg = 50.0;
+  recording[0].tilt_deg = 20.0;
+  recording[1].tilt_deg = 50.0;
   ReplayDevice device(recording, {});
-  EXPECT_EQ(device.read(0)->lean_deg, 20.0);
-  EXPECT_NEAR(device.read(15 * kMs)->lean_deg.value(), 35.0, 1e-12);
-  EXPECT_EQ(device.read(25 * kMs)->lean_deg, 50.0) << "what comes next does not say";
-  EXPECT_EQ(device.read(30 * kMs)->lean_deg, std::nullopt);
+  EXPECT_EQ(device.read(0)->tilt_deg, 20.0);
+  EXPECT_NEAR(device.read(15 * kMs)->tilt_deg.value(), 35.0, 1e-12);
+  EXPECT_EQ(device.read(25 * kMs)->tilt_deg, 50.0) << "what comes next does not say";
+  EXPECT_EQ(device.read(30 * kMs)->tilt_deg, std::nullopt);
 }
 
 TEST(ReplayDevice, BeforeItsStartThePenIsInTheAir) {

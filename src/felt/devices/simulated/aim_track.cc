@@ -70,8 +70,8 @@ Aim AimTrack::at(std::int64_t now_ns) noexcept {
   if (pressure_of(passed_) > 0.0 && pressure_of(next.aim) > 0.0) {
     between.pressure = std::lerp(*passed_.pressure, *next.aim.pressure, part);
   }
-  if (passed_.lean_deg && next.aim.lean_deg) {
-    between.lean_deg = std::lerp(*passed_.lean_deg, *next.aim.lean_deg, part);
+  if (passed_.tilt_deg && next.aim.tilt_deg) {
+    between.tilt_deg = std::lerp(*passed_.tilt_deg, *next.aim.tilt_deg, part);
   }
   return between;
 }

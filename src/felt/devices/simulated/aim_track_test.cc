@@ -98,7 +98,7 @@ TEST(AimTrack, NoPlaceIsSkipped) {
 }
 
 // A tablet reports its tilt 133 times a second; in between it moves evenly, as the position does.
-TEST(AimTrack, LeanMovesOnTheWay) {
+TEST(AimTrack, TiltMovesOnTheWay) {
   AimTrack track(true);
   track.push({{{0, 0, 0}, 0.5, 0, 20.0}, 0}, 0);
   track.push({{{8, 0, 0}, 0.5, 0, 60.0}, 8 * kMs}, 8 * kMs);
@@ -108,13 +108,13 @@ TEST(AimTrack, LeanMovesOnTheWay) {
     while (track.due(now_ns)) track.pass();
     const Aim aim = track.at(now_ns);
     if (aim.target_mm.x <= 8.0) {
-      ASSERT_TRUE(aim.lean_deg.has_value());
-      EXPECT_NEAR(*aim.lean_deg, 20.0 + 5.0 * aim.target_mm.x, 1e-9);
+      ASSERT_TRUE(aim.tilt_deg.has_value());
+      EXPECT_NEAR(*aim.tilt_deg, 20.0 + 5.0 * aim.target_mm.x, 1e-9);
       has_moved = has_moved || (aim.target_mm.x > 0.0 && aim.target_mm.x < 8.0);
     }
   }
   EXPECT_TRUE(has_moved);
-  EXPECT_EQ(track.at(40 * kMs).lean_deg, std::nullopt);
+  EXPECT_EQ(track.at(40 * kMs).tilt_deg, std::nullopt);
 }
 
 // After a stall of 1.5 s all waiting aims are played, and the delay is the same as before.

@@ -27,7 +27,7 @@ double press_n(const HandScriptOptions& options, double pressure) noexcept {
 struct PenPlan {
   Vec3 pen;
   double pressure = 0.0;  // 0 in the air
-  std::optional<double> lean_deg{};
+  std::optional<double> tilt_deg{};
 };
 
 // Plans the path of the pen through all strokes, one position per interval.
@@ -38,7 +38,7 @@ class PenPlanner {
 
   void draw(const std::vector<ScriptKnot>& knots) {
     const ScriptKnot first = knots.front(), last = knots.back();
-    lean_deg_ = first.lean_deg;
+    tilt_deg_ = first.tilt_deg;
     travel_above(first.position);
     glide(pressed(first), kLandS, 0.0);
     glide(pressed(first), kSettleS, first.pressure);
@@ -46,9 +46,9 @@ class PenPlanner {
     const auto between = static_cast<int>(std::ceil(last.t_s / interval_s_));
     for (int i = 1; i < between; ++i) {
       const ScriptKnot knot = reader.at(interval_s_ * i);
-      plan_.push_back({pressed(knot), contact_pressure(knot.pressure), knot.lean_deg});
+      plan_.push_back({pressed(knot), contact_pressure(knot.pressure), knot.tilt_deg});
     }
-    lean_deg_ = last.lean_deg;
+    tilt_deg_ = last.tilt_deg;
     glide(pressed(last), std::max(kSettleS, kShortestS - last.t_s), last.pressure);
     glide({last.position.x, last.position.y, options_.hover_mm}, kLiftS, 0.0);
   }
@@ -75,14 +75,14 @@ class PenPlanner {
       const double t = static_cast<double>(i) / steps;
       const bool in_air = pressure == 0.0 && to.z >= 0.0;
       plan_.push_back({lerp(from, to, t * t * t * (10.0 + t * (6.0 * t - 15.0))),
-                       in_air || to != from ? 0.0 : contact_pressure(pressure), lean_deg_});
+                       in_air || to != from ? 0.0 : contact_pressure(pressure), tilt_deg_});
     }
   }
 
   void travel_above(Point start) {
     const Vec3 above{start.x, start.y, options_.hover_mm};
     if (plan_.empty()) {
-      plan_.push_back({above, 0.0, lean_deg_});
+      plan_.push_back({above, 0.0, tilt_deg_});
       glide(above, options_.lead_in_s, 0.0);
     } else {
       glide(above, kTravelS + norm(above - plan_.back().pen) / kAirSpeed, 0.0);
@@ -91,7 +91,7 @@ class PenPlanner {
 
   const HandScriptOptions& options_;
   double interval_s_;
-  std::optional<double> lean_deg_;  // in the air, and while the pen rests
+  std::optional<double> tilt_deg_;  // in the air, and while the pen rests
   std::vector<PenPlan> plan_;
 };
 
@@ -113,7 +113,7 @@ class AimMaker {
     for (std::size_t i = 0; i < plan_.size(); ++i) {
       TimedAim aim{.time_ns = options_.interval_ns * static_cast<std::int64_t>(i),
                    .target_mm = plan_[i].pen,
-                   .lean_deg = plan_[i].lean_deg};
+                   .tilt_deg = plan_[i].tilt_deg};
       if (options_.contact == ContactBy::kPressure) {
         aim.pressure = plan_[i].pressure;
       } else {

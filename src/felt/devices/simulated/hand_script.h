@@ -18,7 +18,7 @@ struct RecordedPoint {
   Point position;
   std::optional<double> pressure{};
   std::optional<std::int64_t> time_ns{};
-  std::optional<double> lean_deg{};  ///< tilt of the pen from the upright, 0..90
+  std::optional<double> tilt_deg{};  ///< tilt of the pen from the upright, 0..90
 };
 using RecordedPath = std::vector<RecordedPoint>;
 
@@ -27,7 +27,7 @@ struct TimedAim {
   std::int64_t time_ns = 0;
   Vec3 target_mm;
   std::optional<double> pressure{};
-  std::optional<double> lean_deg{};
+  std::optional<double> tilt_deg{};
 
   friend constexpr bool operator==(const TimedAim&, const TimedAim&) noexcept = default;
 };

@@ -56,22 +56,22 @@ Drawn play(const std::vector<TimedAim>& script, const StylusPreset& device,
   return drawn;
 }
 
-TEST(HandScript, ThePenLeansAsItDid) {
+TEST(HandScript, ThePenTiltsAsItDid) {
   const RecordedPath leaning{{{10, 10}, 0.5, 0, 20.0}, {{30, 10}, 0.5, 400'000'000, 60.0}};
   const RecordedPath unknown{{{10, 30}, 0.5, 0}, {{30, 30}, 0.5, 400'000'000}};
   const HandScriptOptions options =
       script_options_for(*find_stylus_preset("touch"), typical_hand());
   const auto aims = script_hand(std::vector<RecordedPath>{leaning}, options);
-  EXPECT_EQ(aims.front().lean_deg, 20.0) << "held so before it lands";
-  EXPECT_EQ(aims.back().lean_deg, 60.0);
+  EXPECT_EQ(aims.front().tilt_deg, 20.0) << "held so before it lands";
+  EXPECT_EQ(aims.back().tilt_deg, 60.0);
   double last_deg = 20.0;
   for (const TimedAim& aim : aims) {
-    ASSERT_GE(aim.lean_deg.value(), last_deg);
-    ASSERT_LE(*aim.lean_deg - last_deg, 0.2) << "40 degrees in 400 ms, evenly";
-    last_deg = *aim.lean_deg;
+    ASSERT_GE(aim.tilt_deg.value(), last_deg);
+    ASSERT_LE(*aim.tilt_deg - last_deg, 0.2) << "40 degrees in 400 ms, evenly";
+    last_deg = *aim.tilt_deg;
   }
   for (const TimedAim& aim : script_hand(std::vector<RecordedPath>{unknown}, options)) {
-    ASSERT_EQ(aim.lean_deg, std::nullopt);
+    ASSERT_EQ(aim.tilt_deg, std::nullopt);
   }
 }
 

@@ -39,7 +39,7 @@ void PointerHand::point(const PointerEvent& event) noexcept {
   const double height_mm = event.touching ? 0.0 : options_.hover_mm;
   Aim aim{.target_mm = {event.position.x, event.position.y, height_mm},
           .buttons = event.buttons,
-          .lean_deg = event.lean_deg};
+          .tilt_deg = event.tilt_deg};
   if (options_.contact == ContactBy::kPressure) {
     aim.pressure = pressure_;
   } else if (event.touching) {

@@ -16,7 +16,7 @@ struct PointerEvent {
   bool touching = false;             ///< the button is down, or the pen is on the tablet
   std::optional<double> pressure{};  ///< 0..1, tablets only
   std::uint32_t buttons = 0;
-  std::optional<double> lean_deg{};  ///< tilt from the upright, 0..90; some tablets only
+  std::optional<double> tilt_deg{};  ///< tilt from the upright, 0..90; some tablets only
 };
 
 /// The pressure of a pointer that senses none (R18).

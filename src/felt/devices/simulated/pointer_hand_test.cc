@@ -52,23 +52,23 @@ TEST(PointerHand, R18_TabletPressureMapsToTheSamePress) {
   }
 }
 
-TEST(PointerHand, LeanIsPassedThroughByAllDevices) {
+TEST(PointerHand, TiltIsPassedThroughByAllDevices) {
   for (const char* name : {"tablet", "touch"}) {
     const StylusPreset& device = *find_stylus_preset(name);
     SimulatedStylus stylus(device, typical_hand());
     PointerHand pointer(stylus, script_options_for(device, typical_hand()));
     for (const bool touching : {false, true}) {
-      const double lean_deg = touching ? 41.5 : 12.0;
+      const double tilt_deg = touching ? 41.5 : 12.0;
       const std::int64_t start_ns = touching ? 100 * kMs : 0;
       PenSample s;
       for (std::int64_t ms = 0; ms < 100; ms += 8) {
         pointer.point({.time_ns = start_ns + ms * kMs,
                        .position = {40, 40},
                        .touching = touching,
-                       .lean_deg = lean_deg});
+                       .tilt_deg = tilt_deg});
         for (int i = 0; i < 8; ++i) s = stylus.read(start_ns + (ms + i) * kMs).value();
       }
-      EXPECT_EQ(s.lean_deg, lean_deg) << name;
+      EXPECT_EQ(s.tilt_deg, tilt_deg) << name;
     }
   }
 }

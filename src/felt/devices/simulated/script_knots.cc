@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "felt/devices/simulated/hand_path.h"
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 
 namespace felt {
 namespace {
@@ -67,7 +67,7 @@ std::vector<ScriptKnot> knots_of(const RecordedPath& path, double absent_pressur
     if (paced && i > 0) t_s += seconds_between(usable[i - 1], p);
     const double pressure =
         p.pressure && std::isfinite(*p.pressure) ? *p.pressure : absent_pressure;
-    knots.push_back({p.position, std::clamp(pressure, 0.0, 1.0), t_s, clean_lean(p.lean_deg)});
+    knots.push_back({p.position, std::clamp(pressure, 0.0, 1.0), t_s, checked_tilt(p.tilt_deg)});
   }
   if (!paced) give_pace(knots);
   return knots;

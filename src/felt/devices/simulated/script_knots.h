@@ -15,7 +15,7 @@ struct ScriptKnot {
   Point position;
   double pressure = 0.5;
   double t_s = 0.0;
-  std::optional<double> lean_deg{};
+  std::optional<double> tilt_deg{};
 };
 
 /// Returns the knots of a recording (hand_script.h says how its times are used); empty if none of
@@ -38,7 +38,7 @@ class KnotReader {
     knot.position = lerp(a.position, b.position, part);
     knot.pressure = a.pressure + part * (b.pressure - a.pressure);
     knot.t_s = t_s;
-    if (a.lean_deg && b.lean_deg) knot.lean_deg = std::lerp(*a.lean_deg, *b.lean_deg, part);
+    if (a.tilt_deg && b.tilt_deg) knot.tilt_deg = std::lerp(*a.tilt_deg, *b.tilt_deg, part);
     return knot;
   }
 

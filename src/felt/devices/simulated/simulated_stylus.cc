@@ -7,7 +7,7 @@
 #include "felt/devices/simulated/aim_track.h"
 #include "felt/devices/simulated/held_body.h"
 #include "felt/devices/simulated/moving_aim.h"
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 #include "felt/rt/spsc_ring.h"
 
 namespace felt {
@@ -90,7 +90,7 @@ void SimulatedStylus::push_aim(const StampedAim& stamped) noexcept {
     aim.pressure = std::isnan(*aim.pressure) ? std::nullopt
                                              : std::optional(std::clamp(*aim.pressure, 0.0, 1.0));
   }
-  aim.lean_deg = clean_lean(aim.lean_deg);
+  aim.tilt_deg = checked_tilt(aim.tilt_deg);
   const Capabilities& device = preset_.capabilities;
   constexpr Vec3 kBeyond{kAimBeyondMm, kAimBeyondMm, kAimBeyondMm};
   aim.target_mm =
@@ -181,7 +181,7 @@ PenSample SimulatedStylus::sense(double dt_s) noexcept {
   const Aim& shown = parts_->aim.shown(now_ns_);
   sample.pressure = shown.pressure;
   sample.buttons = shown.buttons;
-  sample.lean_deg = shown.lean_deg;
+  sample.tilt_deg = shown.tilt_deg;
   return sample;
 }
 
@@ -195,7 +195,7 @@ PenSample SimulatedStylus::sample_of(const Aim& aim, std::int64_t time_ns) noexc
   sample.velocity = velocity_.update(sample.position, dt_s);
   sample.pressure = aim.pressure;
   sample.buttons = aim.buttons;
-  sample.lean_deg = aim.lean_deg;
+  sample.tilt_deg = aim.tilt_deg;
   return sample;
 }
 

@@ -338,24 +338,24 @@ TEST(SimulatedStylus, R18_PressureOfTabletsIsPassedThrough) {
 }
 
 // With a body and without, with and without times.
-TEST(SimulatedStylus, ThePenLeansAsTheHandSays) {
+TEST(SimulatedStylus, ThePenTiltsAsTheHandSays) {
   for (const char* name : {"tablet", "touch"}) {
     for (const bool timed : {false, true}) {
       SimulatedStylus stylus(preset(name));
       Loop loop(stylus, kMs);
       std::int64_t now_ns = 0;
-      const auto lean = [&](std::optional<double> lean_deg) {
-        const Aim aim{{10, 10, 4}, 0.0, 0, lean_deg};
+      const auto tilt = [&](std::optional<double> tilt_deg) {
+        const Aim aim{{10, 10, 4}, 0.0, 0, tilt_deg};
         timed ? stylus.aim_at(now_ns, aim) : stylus.aim(aim);
         now_ns += 40 * kMs;
-        return loop.run(40).lean_deg;
+        return loop.run(40).tilt_deg;
       };
-      EXPECT_EQ(lean({}), std::nullopt) << name;
-      EXPECT_EQ(lean(32.5), 32.5) << name;
-      EXPECT_EQ(lean(0.0), 0.0) << name;
-      EXPECT_EQ(lean(-4.0), 0.0) << name;
-      EXPECT_EQ(lean(123.0), 90.0) << name;
-      EXPECT_EQ(lean(kNan), std::nullopt) << name;
+      EXPECT_EQ(tilt({}), std::nullopt) << name;
+      EXPECT_EQ(tilt(32.5), 32.5) << name;
+      EXPECT_EQ(tilt(0.0), 0.0) << name;
+      EXPECT_EQ(tilt(-4.0), 0.0) << name;
+      EXPECT_EQ(tilt(123.0), 90.0) << name;
+      EXPECT_EQ(tilt(kNan), std::nullopt) << name;
     }
   }
 }

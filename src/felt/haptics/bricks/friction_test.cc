@@ -183,9 +183,9 @@ TEST(Friction, R42_LeaningOnItForFourSecondsDoesNotCreep) {
       }
       rig::Bench bench(setup, ForceModel(Compose(Plane(plane), Friction(friction))), {0, 0, 0});
       const double aim_z = rig::aim_z_mm(setup.hand, 1.0, plane.stiffness_n_per_m);
-      const double lean = 0.5 * 0.25 * 1.0;  // N
+      const double tilt = 0.5 * 0.25 * 1.0;  // N
       const double aim_x =
-          1e3 * lean * (1 / setup.hand.stiffness_n_per_m + 1 / friction.stiffness_n_per_m);
+          1e3 * tilt * (1 / setup.hand.stiffness_n_per_m + 1 / friction.stiffness_n_per_m);
       const auto target = [&](double t) -> Vec3 {
         const double x = std::clamp((t - 0.8) / 0.4, 0.0, 1.0);
         return {aim_x * x * x * (3 - 2 * x) + 0.3 * x * std::sin(kTau * 8 * t), 0, aim_z};

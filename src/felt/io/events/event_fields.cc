@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 #include "felt/io/events/event_words.h"
 #include "felt/material/material_file.h"
 
@@ -57,17 +57,17 @@ Result<void> parse_buttons(Value& value, EventFields& out) {
   return {};
 }
 
-Result<void> parse_lean(Value& value, EventFields& out) {
+Result<void> parse_tilt(Value& value, EventFields& out) {
   const std::string_view token = token_of(value);
   if (token == "null") return {};
-  double lean_deg = 0.0;
-  if (Result<void> read = parse_number(value, "lean", kCoordinateLimit, lean_deg); !read) {
+  double tilt_deg = 0.0;
+  if (Result<void> read = parse_number(value, "tilt", kCoordinateLimit, tilt_deg); !read) {
     return read;
   }
-  if (lean_deg < 0.0 || lean_deg > kMaxLeanDeg) {
-    return bad("lean: " + excerpt(token) + " is no angle from 0 to 90 degrees");
+  if (tilt_deg < 0.0 || tilt_deg > kMaxTiltDeg) {
+    return bad("tilt: " + excerpt(token) + " is no angle from 0 to 90 degrees");
   }
-  out.lean_deg = lean_deg;
+  out.tilt_deg = tilt_deg;
   return {};
 }
 
@@ -249,7 +249,8 @@ constexpr std::array kPoseFields = {
                }},
     EventField{"pressure", false, parse_pressure},
     EventField{"buttons", false, parse_buttons},
-    EventField{"lean", false, parse_lean},
+    EventField{"tilt", false, parse_tilt},
+    EventField{"lean", false, parse_tilt},  // "tilt" in older recordings
 };
 
 constexpr std::array kRestyleFields = {

@@ -23,7 +23,7 @@ struct EventFields {
   bool has_z = false;
   std::optional<double> pressure;
   std::uint32_t buttons = 0;
-  std::optional<double> lean_deg;
+  std::optional<double> tilt_deg;
   std::string path;
   bool select = false;
   int defaults = 1;  ///< 1 for recordings that do not name them

@@ -43,10 +43,10 @@ Event event_of(EventName name, EventFields&& fields) {
       event.what = SetOption{std::move(fields.id), std::move(fields.value)};
       break;
     case EventName::kPen:
-      event.what = PenEvent{fields.position, fields.pressure, fields.buttons, fields.lean_deg};
+      event.what = PenEvent{fields.position, fields.pressure, fields.buttons, fields.tilt_deg};
       break;
     case EventName::kHand:
-      event.what = HandEvent{fields.position, fields.pressure, fields.buttons, fields.lean_deg};
+      event.what = HandEvent{fields.position, fields.pressure, fields.buttons, fields.tilt_deg};
       break;
     case EventName::kUndo:
       event.what = UndoEvent{};

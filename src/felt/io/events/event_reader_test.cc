@@ -155,23 +155,26 @@ TEST(EventReader, KeysInAnyOrderAndOthersIgnored) {
             (Event{7'000'000, PenEvent{{1, 2, -1}, {}, 0}}));
 }
 
-TEST(EventReader, APenMayLean) {
-  const auto pen = [](const std::string& lean) {
-    return R"({"event":"pen","x":1,"y":2,"z":-1,"t_ms":0,"lean":)" + lean + "}";
+TEST(EventReader, APenMayTilt) {
+  const auto pen = [](const std::string& tilt) {
+    return R"({"event":"pen","x":1,"y":2,"z":-1,"t_ms":0,"tilt":)" + tilt + "}";
   };
   EXPECT_EQ(event_of(pen("32.5")), (Event{0, PenEvent{{1, 2, -1}, {}, 0, 32.5}}));
   EXPECT_EQ(event_of(pen("0")), (Event{0, PenEvent{{1, 2, -1}, {}, 0, 0.0}}));
   EXPECT_EQ(event_of(pen("90")), (Event{0, PenEvent{{1, 2, -1}, {}, 0, 90.0}}));
   EXPECT_EQ(event_of(pen("null")), (Event{0, PenEvent{{1, 2, -1}, {}, 0}}));
-  EXPECT_EQ(event_of(R"({"event":"hand","x":1,"y":2,"z":-1,"lean":45,"t_ms":0})"),
+  EXPECT_EQ(event_of(R"({"event":"hand","x":1,"y":2,"z":-1,"tilt":45,"t_ms":0})"),
             (Event{0, HandEvent{{1, 2, -1}, {}, 0, 45.0}}));
-  EXPECT_EQ(error_of(pen("-0.5")), "lean: -0.5 is no angle from 0 to 90 degrees");
-  EXPECT_EQ(error_of(pen("90.001")), "lean: 90.001 is no angle from 0 to 90 degrees");
-  EXPECT_EQ(error_of(pen("\"45\"")), "lean: \"45\" is not a number");
-  EXPECT_THAT(error_of(pen("1e99")), HasSubstr("lean: 1e99 is malformed, or larger than"));
+  EXPECT_EQ(event_of(R"({"event":"pen","x":1,"y":2,"z":-1,"lean":32.5,"t_ms":0})"),
+            (Event{0, PenEvent{{1, 2, -1}, {}, 0, 32.5}}))
+      << "the key in older recordings";
+  EXPECT_EQ(error_of(pen("-0.5")), "tilt: -0.5 is no angle from 0 to 90 degrees");
+  EXPECT_EQ(error_of(pen("90.001")), "tilt: 90.001 is no angle from 0 to 90 degrees");
+  EXPECT_EQ(error_of(pen("\"45\"")), "tilt: \"45\" is not a number");
+  EXPECT_THAT(error_of(pen("1e99")), HasSubstr("tilt: 1e99 is malformed, or larger than"));
   EXPECT_THAT(error_of(pen("NaN")), HasSubstr("NaN"));
-  EXPECT_EQ(error_of(pen("[45]")), "lean: [ is not a number");
-  EXPECT_EQ(error_of(pen("true")), "lean: true is not a number");
+  EXPECT_EQ(error_of(pen("[45]")), "tilt: [ is not a number");
+  EXPECT_EQ(error_of(pen("true")), "tilt: true is not a number");
 }
 
 TEST(EventReader, WithoutDepthPressureDecides) {

@@ -16,7 +16,7 @@ void add_pose(JsonObject& out, const Vec3& at, const Pose& pose) {
   out.add_number("z", at.z);
   if (pose.pressure) out.add_number("pressure", *pose.pressure);
   if (pose.buttons != 0) out.add_number("buttons", pose.buttons);
-  if (pose.lean_deg) out.add_number("lean", *pose.lean_deg);
+  if (pose.tilt_deg) out.add_number("tilt", *pose.tilt_deg);
 }
 
 /// Adds the kind of an event and its own keys.

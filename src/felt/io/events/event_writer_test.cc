@@ -31,10 +31,10 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
   EXPECT_EQ(line_of({0, HandEvent{{1, 2, 3}, {}, 0}}),
             "{\"t_ms\":0,\"event\":\"hand\",\"x\":1,\"y\":2,\"z\":3}\n");
   EXPECT_EQ(line_of({0, PenEvent{{1, 2, 3}, {}, 0, 32.5}}),
-            "{\"t_ms\":0,\"event\":\"pen\",\"x\":1,\"y\":2,\"z\":3,\"lean\":32.5}\n");
+            "{\"t_ms\":0,\"event\":\"pen\",\"x\":1,\"y\":2,\"z\":3,\"tilt\":32.5}\n");
   EXPECT_EQ(line_of({0, HandEvent{{1, 2, 3}, 0.5, 1, 0.0}}),
             "{\"t_ms\":0,\"event\":\"hand\",\"x\":1,\"y\":2,\"z\":3,\"pressure\":0.5,\"buttons\":1,"
-            "\"lean\":0}\n");
+            "\"tilt\":0}\n");
   EXPECT_EQ(line_of({0, UndoEvent{}}), "{\"t_ms\":0,\"event\":\"undo\"}\n");
   EXPECT_EQ(line_of({0, RedoEvent{}}), "{\"t_ms\":0,\"event\":\"redo\"}\n");
   EXPECT_EQ(line_of({0, CancelEvent{}}), "{\"t_ms\":0,\"event\":\"cancel\"}\n");
@@ -97,7 +97,7 @@ std::optional<double> any_pressure() {
   return *rc::gen::inRange(0, 1 << 20) / 1048576.0;
 }
 
-std::optional<double> any_lean() {
+std::optional<double> any_tilt() {
   if (!*rc::gen::arbitrary<bool>()) return {};
   return 90.0 * (*rc::gen::inRange(0, (1 << 20) + 1) / 1048576.0);
 }
@@ -142,11 +142,11 @@ Event any_event(std::int64_t time_ns) {
       break;
     case 2:
       event.what =
-          PenEvent{any_place(), any_pressure(), *rc::gen::arbitrary<std::uint32_t>(), any_lean()};
+          PenEvent{any_place(), any_pressure(), *rc::gen::arbitrary<std::uint32_t>(), any_tilt()};
       break;
     case 3:
       event.what =
-          HandEvent{any_place(), any_pressure(), *rc::gen::arbitrary<std::uint32_t>(), any_lean()};
+          HandEvent{any_place(), any_pressure(), *rc::gen::arbitrary<std::uint32_t>(), any_tilt()};
       break;
     case 4:
       event.what = UndoEvent{};

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "felt/document/visible_strokes.h"
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 #include "felt/io/drawing_builder.h"
 #include "felt/io/ink_of_points.h"
 #include "felt/io/inkml/inkml_model.h"
@@ -43,13 +43,13 @@ struct Columns {
 
 /// Returns the tilt of the pen from its elevation above the surface, or from both of its tilt
 /// angles.
-std::optional<double> lean_of(std::span<const double> v, const Columns& c) {
+std::optional<double> tilt_of(std::span<const double> v, const Columns& c) {
   if (c.elevation != Columns::kNone) {
     const double above_deg = std::fabs(v[c.elevation] * c.deg_per_elevation);
-    if (above_deg <= kMaxLeanDeg) return kMaxLeanDeg - above_deg;
+    if (above_deg <= kMaxTiltDeg) return kMaxTiltDeg - above_deg;
   }
   if (c.tilt_x == Columns::kNone || c.tilt_y == Columns::kNone) return std::nullopt;
-  return lean_of_tilt(v[c.tilt_x] * c.deg_per_tilt_x, v[c.tilt_y] * c.deg_per_tilt_y);
+  return tilt_of_xy(v[c.tilt_x] * c.deg_per_tilt_x, v[c.tilt_y] * c.deg_per_tilt_y);
 }
 
 /// The points of a stroke while they are collected.
@@ -265,7 +265,7 @@ class InkmlReader {
       const double ms = v[c.time] * c.ms_per_time;
       if (std::fabs(ms) <= limits::kMaxTimeMs) sample.time_ns = std::llround(ms * 1e6);
     }
-    sample.lean_deg = lean_of(v, c);
+    sample.tilt_deg = tilt_of(v, c);
     if (has(c.width)) points_.line.push_back({sample.position, v[c.width] * c.mm_per_width});
     points_.samples.push_back(sample);
   }

@@ -213,13 +213,13 @@ TEST(InkmlImport, PressureAndTimesMakeThePencilsWidths) {
   }
 }
 
-// With a medium that is twice as wide on its side (lean_width), a pen tilted by 65 degrees or more
+// With a medium that is twice as wide on its side (tilt_width), a pen tilted by 65 degrees or more
 // draws twice as wide, in whatever form the file has the tilt.
-TEST(InkmlImport, TiltAndElevationAreThePensLean) {
+TEST(InkmlImport, TiltAndElevationAreThePensTilt) {
   const auto width = [](const std::string& channels, const std::string& values,
                         const std::string& more = {}) {
     ImportOptions options;
-    options.fit.width_map.lean_width = 2.0;
+    options.fit.width_map.tilt_width = 2.0;
     std::string points;
     for (int i = 0; i < 40; ++i) points += std::to_string(i) + " 0 " + values + ",";
     const std::string format =

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 #include "felt/stroke/color_text.h"
 
 namespace felt::json {
@@ -23,25 +23,23 @@ void set_part(std::size_t part, double number, InkSample& out) {
   if (part == kTimePart) out.time_ns = std::llround(number * 1e6);
 }
 
-Result<void> parse_lean(Value& value, InkSample& out) {
+Result<void> parse_tilt(Value& value, InkSample& out) {
   const std::string_view token = token_of(value);
   if (token == "null") return {};
-  double lean_deg = 0.0;
-  if (!read_number(value, kCoordinateLimit, lean_deg)) {
-    return tl::unexpected(with_context(number_error(token, kCoordinateLimit), "lean"));
+  double tilt_deg = 0.0;
+  if (!read_number(value, kCoordinateLimit, tilt_deg)) {
+    return tl::unexpected(with_context(number_error(token, kCoordinateLimit), "tilt"));
   }
-  if (lean_deg < 0.0 || lean_deg > kMaxLeanDeg) {
-    return bad("lean: " + excerpt(token) + " is no angle from 0 to 90 degrees");
+  if (tilt_deg < 0.0 || tilt_deg > kMaxTiltDeg) {
+    return bad("tilt: " + excerpt(token) + " is no angle from 0 to 90 degrees");
   }
-  out.lean_deg = lean_deg;
+  out.tilt_deg = tilt_deg;
   return {};
 }
 
-/// Reads [x, y] in degrees. Anything else is ignored, like every unknown value.
-Result<void> parse_tilt(Value& value, std::optional<double>& lean_deg) {
+/// Reads [x, y] in degrees. A list of anything else is ignored, like every unknown value.
+Result<void> parse_tilt_xy(Value& value, std::optional<double>& tilt_deg) {
   simdjson::ondemand::json_type type{};
-  if (const auto error = value.type().get(type)) return tl::unexpected(syntax_error(error));
-  if (type != simdjson::ondemand::json_type::array) return check_ignored(value);
   simdjson::ondemand::array elements;
   if (const auto error = value.get_array().get(elements))
     return tl::unexpected(syntax_error(error));
@@ -62,8 +60,17 @@ Result<void> parse_tilt(Value& value, std::optional<double>& lean_deg) {
       return tl::unexpected(with_context(number_error(token, kCoordinateLimit), "tilt"));
     }
   }
-  if (is_pair && count == angles.size()) lean_deg = lean_of_tilt(angles[0], angles[1]);
+  if (is_pair && count == angles.size()) tilt_deg = tilt_of_xy(angles[0], angles[1]);
   return {};
+}
+
+/// Reads a tilt as one angle from the upright, or as a pair, which counts only without the other.
+Result<void> parse_any_tilt(Value& value, InkSample& out, std::optional<double>& xy_tilt_deg) {
+  simdjson::ondemand::json_type type{};
+  if (const auto error = value.type().get(type)) return tl::unexpected(syntax_error(error));
+  if (type == simdjson::ondemand::json_type::array) return parse_tilt_xy(value, xy_tilt_deg);
+  if (type == simdjson::ondemand::json_type::object) return check_ignored(value);
+  return parse_tilt(value, out);
 }
 
 /// Reads the element after the first four: the tilt of the pen, if it is an object that has one.
@@ -74,7 +81,7 @@ Result<void> parse_more(Value& value, InkSample& out) {
   simdjson::ondemand::object members;
   if (const auto error = value.get_object().get(members))
     return tl::unexpected(syntax_error(error));
-  std::optional<double> tilted_deg;
+  std::optional<double> xy_tilt_deg;
   for (auto field : members) {
     simdjson::ondemand::field member;
     if (const auto error = std::move(field).get(member)) return tl::unexpected(syntax_error(error));
@@ -82,12 +89,13 @@ Result<void> parse_more(Value& value, InkSample& out) {
     if (const auto error = member.unescaped_key().get(key))
       return tl::unexpected(syntax_error(error));
     Value item = member.value();
-    Result<void> read = key == "lean"   ? parse_lean(item, out)
-                        : key == "tilt" ? parse_tilt(item, tilted_deg)
+    // "lean" is what older files call a single angle.
+    Result<void> read = key == "tilt"   ? parse_any_tilt(item, out, xy_tilt_deg)
+                        : key == "lean" ? parse_tilt(item, out)
                                         : check_ignored(item);
     if (!read) return read;
   }
-  if (!out.lean_deg) out.lean_deg = tilted_deg;
+  if (!out.tilt_deg) out.tilt_deg = xy_tilt_deg;
   return {};
 }
 

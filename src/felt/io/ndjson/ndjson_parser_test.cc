@@ -73,35 +73,36 @@ TEST(NdjsonRaw, ReadsPointsOfTwoToManyParts) {
   EXPECT_EQ(parsed.stroke.samples, expected);
 }
 
-TEST(NdjsonRaw, APenMayLean) {
+TEST(NdjsonRaw, APenMayTilt) {
   const auto point = [](const std::string& more) {
     return R"({"points":[[1,2,null,null,)" + more + "]]}";
   };
-  const auto lean = [&](const std::string& more) {
+  const auto tilt = [&](const std::string& more) {
     const Parsed parsed = parse_raw(point(more));
     EXPECT_EQ(parsed.error, "") << more;
-    return parsed.stroke.samples.at(0).lean_deg;
+    return parsed.stroke.samples.at(0).tilt_deg;
   };
-  EXPECT_EQ(lean(R"({"lean":32.5})"), 32.5);
-  EXPECT_EQ(lean(R"({"lean":0})"), 0.0);
-  EXPECT_EQ(lean(R"({"note":{"a":[1]},"lean":90},"x")"), 90.0);
-  EXPECT_EQ(lean(R"({"lean":null})"), std::nullopt);
-  EXPECT_EQ(lean(R"({"tilt":[30,0]})"), 30.0);
-  EXPECT_EQ(lean(R"({"tilt":[-45,45]})"), 54.7);
-  EXPECT_EQ(lean(R"({"tilt":[-45,45],"lean":12})"), 12.0) << "what is said outright goes first";
-  EXPECT_EQ(lean(R"({"lean":12,"tilt":[-45,45]})"), 12.0);
+  EXPECT_EQ(tilt(R"({"tilt":32.5})"), 32.5);
+  EXPECT_EQ(tilt(R"({"tilt":0})"), 0.0);
+  EXPECT_EQ(tilt(R"({"note":{"a":[1]},"tilt":90},"x")"), 90.0);
+  EXPECT_EQ(tilt(R"({"tilt":null})"), std::nullopt);
+  EXPECT_EQ(tilt(R"({"tilt":[30,0]})"), 30.0);
+  EXPECT_EQ(tilt(R"({"tilt":[-45,45]})"), 54.7);
+  EXPECT_EQ(tilt(R"({"tilt":[-45,45],"lean":12})"), 12.0) << "one angle goes before a pair";
+  EXPECT_EQ(tilt(R"({"lean":12,"tilt":[-45,45]})"), 12.0);
+  EXPECT_EQ(tilt(R"({"lean":32.5})"), 32.5) << "the key before it was renamed";
   for (const char* none : {"30", "[30,0]", "null", "{}", R"({"tilt":[30]})", R"({"tilt":[30,0,0]})",
                            R"({"tilt":["30",0]})", R"({"tilt":{"x":30}})", R"({"tilt":[91,0]})",
-                           R"("x",{"lean":30})"}) {
-    EXPECT_EQ(lean(none), std::nullopt) << none;
+                           R"("x",{"tilt":30})"}) {
+    EXPECT_EQ(tilt(none), std::nullopt) << none;
   }
-  EXPECT_THAT(raw_error(point(R"({"lean":-1})")),
-              HasSubstr("lean: -1 is no angle from 0 to 90 degrees"));
-  EXPECT_THAT(raw_error(point(R"({"lean":90.5})")), HasSubstr("lean: 90.5 is no angle"));
-  EXPECT_THAT(raw_error(point(R"({"lean":"30"})")), HasSubstr("lean: \"30\" is not a number"));
+  EXPECT_THAT(raw_error(point(R"({"tilt":-1})")),
+              HasSubstr("tilt: -1 is no angle from 0 to 90 degrees"));
+  EXPECT_THAT(raw_error(point(R"({"tilt":90.5})")), HasSubstr("tilt: 90.5 is no angle"));
+  EXPECT_THAT(raw_error(point(R"({"tilt":"30"})")), HasSubstr("tilt: \"30\" is not a number"));
   EXPECT_THAT(raw_error(point(R"({"tilt":[1e99,0]})")), HasSubstr("tilt: "));
   EXPECT_NE(raw_error(point(R"({"tilt":[1,})")), "");
-  EXPECT_NE(raw_error(point(R"({"lean":1)")), "");
+  EXPECT_NE(raw_error(point(R"({"tilt":1)")), "");
 }
 
 TEST(NdjsonRaw, IgnoresOtherKeysAndOrder) {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "felt/document/visible_strokes.h"
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 #include "felt/io/limits.h"
 #include "felt/stroke/color_text.h"
 #include "felt/stroke/width_profile.h"
@@ -100,9 +100,9 @@ void append_sketch_lines(std::string& out, const Document& document) {
 void append_raw_line(std::string& out, std::string_view id, std::span<const InkSample> samples) {
   const auto has_time = [](const InkSample& s) { return s.time_ns.has_value(); };
   const auto has_pressure = [](const InkSample& s) { return s.pressure.has_value(); };
-  const auto lean_of = [](const InkSample& s) { return clean_lean(s.lean_deg); };
-  const bool leans = std::any_of(samples.begin(), samples.end(), lean_of);
-  const bool times = leans || std::any_of(samples.begin(), samples.end(), has_time);
+  const auto tilt_of = [](const InkSample& s) { return checked_tilt(s.tilt_deg); };
+  const bool tilts = std::any_of(samples.begin(), samples.end(), tilt_of);
+  const bool times = tilts || std::any_of(samples.begin(), samples.end(), has_time);
   const bool pressures = times || std::any_of(samples.begin(), samples.end(), has_pressure);
   const auto append_optional = [&out](bool present, double number) {
     out += ',';
@@ -118,9 +118,9 @@ void append_raw_line(std::string& out, std::string_view id, std::span<const InkS
     append_number(out, sample.position.y);
     if (pressures) append_optional(has_pressure(sample), sample.pressure.value_or(0.0));
     if (times) append_optional(has_time(sample), milliseconds(sample.time_ns.value_or(0)));
-    if (const std::optional<double> lean_deg = lean_of(sample)) {
-      out += R"(,{"lean":)";
-      append_number(out, *lean_deg);
+    if (const std::optional<double> tilt_deg = tilt_of(sample)) {
+      out += R"(,{"tilt":)";
+      append_number(out, *tilt_deg);
       out += '}';
     }
     out += ']';

@@ -106,7 +106,7 @@ TEST(NdjsonWriter, LeavesOutPartsThatNoSampleHas) {
             "{\"id\":\"a\",\"points\":[[1,2]]}\n"
             "{\"id\":\"b\",\"points\":[[1,2,null],[3,4,0.5]]}\n"
             "{\"id\":\"c\",\"points\":[[1,2,null,1.5]]}\n"
-            "{\"id\":\"d\",\"points\":[[1,2,null,null,{\"lean\":32.5}],[3,4,0.5,null]]}\n");
+            "{\"id\":\"d\",\"points\":[[1,2,null,null,{\"tilt\":32.5}],[3,4,0.5,null]]}\n");
 }
 
 TEST(NdjsonWriter, IgnoresTheLocale) {
@@ -190,7 +190,7 @@ RC_GTEST_PROP(NdjsonRoundTrip, RawIsLossless, ()) {
     if (*rc::gen::arbitrary<bool>()) sample.pressure = *rc::gen::inRange(0, 1 << 20) / 1048576.0;
     if (*rc::gen::arbitrary<bool>()) sample.time_ns = *rc::gen::inRange(-kMonthNs, kMonthNs);
     if (*rc::gen::arbitrary<bool>())
-      sample.lean_deg = 90.0 * *rc::gen::inRange(0, 1 << 20) / (1 << 20);
+      sample.tilt_deg = 90.0 * *rc::gen::inRange(0, 1 << 20) / (1 << 20);
     samples.push_back(sample);
   }
   std::string line;

@@ -18,7 +18,7 @@ struct InkSample {
   Point position;                       ///< mm, page coordinates
   std::optional<double> pressure;       ///< 0..1; absent if the source reports none
   std::optional<std::int64_t> time_ns;  ///< since the drawing session began; can run backwards
-  std::optional<double> lean_deg{};  ///< tilt from the upright, 0..90 (geometry/lean.h converts it
+  std::optional<double> tilt_deg{};  ///< tilt from the upright, 0..90 (geometry/tilt.h converts it
                                      ///< to 0..1); absent if the source reports none
 
   friend constexpr bool operator==(const InkSample&, const InkSample&) noexcept = default;
@@ -63,18 +63,18 @@ struct PenFilterOptions {
 };
 
 /// How pressure p and tilt l become tone (WidthKnot::tone), for a medium with its own tone:
-///   tone = (light + (heavy - light) p^gamma) (1 + (lean - 1) l)
+///   tone = (light + (heavy - light) p^gamma) (1 + (tilt - 1) l)
 struct ToneMapOptions {
   double light = 0.0;  ///< tone at p = 0; 0..1
   double heavy = 1.0;  ///< at p = 1; 0..1
   double gamma = 1.0;  ///< > 0
-  double lean = 1.0;   ///< tone of a fully tilted pen relative to an upright one; 0..1
+  double tilt = 1.0;   ///< tone of a fully tilted pen relative to an upright one; 0..1
 
   friend bool operator==(const ToneMapOptions&, const ToneMapOptions&) = default;
 };
 
-/// How pressure becomes width: W = (min + (max - min) p^gamma) (1 + (lean_width - 1) l), by
-/// docs/design/strokes.md#width, with the tilt l of geometry/lean.h. The defaults are for the
+/// How pressure becomes width: W = (min + (max - min) p^gamma) (1 + (tilt_width - 1) l), by
+/// docs/design/strokes.md#width, with the tilt l of geometry/tilt.h. The defaults are for the
 /// haptic plane, on which the paper draws broader lines by pressing harder; tilt has no effect.
 struct WidthMapOptions {
   double min_mm = 0.3;             ///< width at p = 0; not below kMinWidthMm
@@ -83,8 +83,8 @@ struct WidthMapOptions {
   double absent_pressure = 0.5;    ///< p if the source reports none (a mouse)
   double time_constant_ms = 20.0;  ///< of the low-pass on p; 0 switches it off
   double interval_ms = 7.5;        ///< between samples without times (a tablet at 133 Hz)
-  double lean_width = 1.0;         ///< width of a fully tilted pen relative to an upright one; >= 1
-  double absent_lean_deg = 0.0;    ///< tilt if the source reports none
+  double tilt_width = 1.0;         ///< width of a fully tilted pen relative to an upright one; >= 1
+  double absent_tilt_deg = 0.0;    ///< tilt if the source reports none
   std::optional<ToneMapOptions> tone{};  ///< if absent, tone_of_width(width)
 
   friend bool operator==(const WidthMapOptions&, const WidthMapOptions&) = default;

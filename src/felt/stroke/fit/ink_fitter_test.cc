@@ -105,7 +105,7 @@ TEST(InkFitter, R15TheWidthsFollowTheFilteredPressure) {
 TEST(InkFitter, AMediumWithAToneOfItsOwnIsFittedInBothChannels) {
   const std::vector<Point> ink = TestInk(17).draw(testing::InkShape::kSmooth, 600);
   InkFitOptions options;
-  options.width_map.lean_width = 2.0;
+  options.width_map.tilt_width = 2.0;
   options.width_map.tone = ToneMapOptions{0.1, 0.9, 1.5, 0.4};
   InkFitter fitter(options);
   WidthMap map(options.width_map);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
@@ -31,7 +31,7 @@ double bent(double p, double gamma) {
 }
 
 /// Returns 1 for an upright pen, `full` for a fully tilted one.
-double by_lean(double full, double l) {
+double by_tilt(double full, double l) {
   return 1.0 + (full - 1.0) * std::clamp(finite_or(l, 0.0), 0.0, 1.0);
 }
 
@@ -43,13 +43,13 @@ WidthMapOptions sane(WidthMapOptions o) {
   o.absent_pressure = std::clamp(finite_or(o.absent_pressure, d.absent_pressure), 0.0, 1.0);
   o.time_constant_ms = std::max(finite_or(o.time_constant_ms, d.time_constant_ms), 0.0);
   o.interval_ms = std::max(finite_or(o.interval_ms, d.interval_ms), kFastestTickMs);
-  o.lean_width = std::max(finite_or(o.lean_width, d.lean_width), 1.0);
-  o.absent_lean_deg = finite_or(o.absent_lean_deg, d.absent_lean_deg);
+  o.tilt_width = std::max(finite_or(o.tilt_width, d.tilt_width), 1.0);
+  o.absent_tilt_deg = finite_or(o.absent_tilt_deg, d.absent_tilt_deg);
   if (o.tone) {
     o.tone->light = sane_share(o.tone->light, 0.0);
     o.tone->heavy = sane_share(o.tone->heavy, 1.0);
     o.tone->gamma = sane_gamma(o.tone->gamma);
-    o.tone->lean = sane_share(o.tone->lean, 1.0);
+    o.tone->tilt = sane_share(o.tone->tilt, 1.0);
   }
   return o;
 }
@@ -64,7 +64,7 @@ double width_of_pressure(const WidthMapOptions& options, double p) noexcept {
 }
 
 double width_of(const WidthMapOptions& options, double p, double l) noexcept {
-  return width_of_pressure(options, p) * by_lean(options.lean_width, l);
+  return width_of_pressure(options, p) * by_tilt(options.tilt_width, l);
 }
 
 double tone_of(const WidthMapOptions& options, double p, double l) noexcept {
@@ -72,7 +72,7 @@ double tone_of(const WidthMapOptions& options, double p, double l) noexcept {
   if (std::isnan(p)) p = options.absent_pressure;
   const ToneMapOptions& t = *options.tone;
   const double upright = std::lerp(t.light, t.heavy, bent(p, t.gamma));
-  return std::clamp(upright * by_lean(t.lean, l), 0.0, 1.0);
+  return std::clamp(upright * by_tilt(t.tilt, l), 0.0, 1.0);
 }
 
 WidthMap::WidthMap(const WidthMapOptions& options) noexcept : options_(sane(options)) {
@@ -83,26 +83,26 @@ void WidthMap::begin() noexcept {
   is_first_ = true;
   last_time_ns_.reset();
   pressure_ = options_.absent_pressure;
-  lean_ = lean_share(options_.absent_lean_deg);
+  tilt_ = tilt_share(options_.absent_tilt_deg);
 }
 
 InkWidth WidthMap::push(const InkSample& sample) noexcept {
   if (sample.pressure && !std::isnan(*sample.pressure)) {
     pressure_ = std::clamp(*sample.pressure, 0.0, 1.0);
   }
-  if (sample.lean_deg && !std::isnan(*sample.lean_deg)) lean_ = lean_share(*sample.lean_deg);
+  if (sample.tilt_deg && !std::isnan(*sample.tilt_deg)) tilt_ = tilt_share(*sample.tilt_deg);
   const double dt_ms = elapsed_ms(sample);
   if (is_first_) {
     filtered_pressure_ = pressure_;
-    filtered_lean_ = lean_;
+    filtered_tilt_ = tilt_;
   } else {
     const double share = dt_ms / (options_.time_constant_ms + dt_ms);
     filtered_pressure_ += (pressure_ - filtered_pressure_) * share;
-    filtered_lean_ += (lean_ - filtered_lean_) * share;
+    filtered_tilt_ += (tilt_ - filtered_tilt_) * share;
   }
   is_first_ = false;
-  const double width_mm = width_of(options_, filtered_pressure_, filtered_lean_);
-  return {width_mm, options_.tone ? tone_of(options_, filtered_pressure_, filtered_lean_)
+  const double width_mm = width_of(options_, filtered_pressure_, filtered_tilt_);
+  return {width_mm, options_.tone ? tone_of(options_, filtered_pressure_, filtered_tilt_)
                                   : tone_of_width(width_mm)};
 }
 

@@ -53,8 +53,8 @@ class WidthMap {
 
   WidthMapOptions options_;
   bool is_first_ = true;
-  double pressure_ = 0.0, lean_ = 0.0;  // the last ones seen, 0..1
-  double filtered_pressure_ = 0.0, filtered_lean_ = 0.0;
+  double pressure_ = 0.0, tilt_ = 0.0;  // the last ones seen, 0..1
+  double filtered_pressure_ = 0.0, filtered_tilt_ = 0.0;
   std::optional<std::int64_t> last_time_ns_;
 };
 

@@ -104,17 +104,17 @@ TEST(WidthMap, ALostPressureHoldsTheLastOne) {
   EXPECT_EQ(map.push({{}, {}, 7'500'000}), before);
 }
 
-InkSample leaning(double time_ms, double pressure, std::optional<double> lean_deg) {
+InkSample leaning(double time_ms, double pressure, std::optional<double> tilt_deg) {
   InkSample sample = at_ms(time_ms, pressure);
-  sample.lean_deg = lean_deg;
+  sample.tilt_deg = tilt_deg;
   return sample;
 }
 
 const WidthMapOptions kCharcoal{
-    .min_mm = 1.0, .max_mm = 3.0, .lean_width = 3.0, .tone = ToneMapOptions{0.2, 0.8, 2.0, 0.5}};
+    .min_mm = 1.0, .max_mm = 3.0, .tilt_width = 3.0, .tone = ToneMapOptions{0.2, 0.8, 2.0, 0.5}};
 
 TEST(WidthMap, InkWithoutAToneOfItsOwnHasThatOfItsWidth) {
-  WidthMap map(WidthMapOptions{.gamma = 1.7, .lean_width = 1.5});
+  WidthMap map(WidthMapOptions{.gamma = 1.7, .tilt_width = 1.5});
   for (int i = 0; i < 40; ++i) {
     const InkWidth ink = map.push(leaning(7.5 * i, 0.025 * i, 2.0 * i));
     EXPECT_EQ(ink.tone, tone_of_width(ink.width_mm));
@@ -132,17 +132,17 @@ TEST(WidthMap, ToneAndWidthFollowTheirFormulas) {
   EXPECT_DOUBLE_EQ(width_of(kCharcoal, 0.5, 7.0), 6.0);
 }
 
-TEST(WidthMap, OnlyWhatLiesBeyondAHandsHabitIsLean) {
-  for (const double lean_deg : {0.0, 20.0, 40.0, -30.0}) {
+TEST(WidthMap, OnlyWhatLiesBeyondAHandsHabitIsTilt) {
+  for (const double tilt_deg : {0.0, 20.0, 40.0, -30.0}) {
     WidthMap map(kCharcoal), upright(kCharcoal);
-    EXPECT_EQ(map.push(leaning(0.0, 0.5, lean_deg)), upright.push(at_ms(0.0, 0.5))) << lean_deg;
+    EXPECT_EQ(map.push(leaning(0.0, 0.5, tilt_deg)), upright.push(at_ms(0.0, 0.5))) << tilt_deg;
   }
   WidthMap flat(kCharcoal);
   EXPECT_EQ(flat.push(leaning(0.0, 0.5, 65.0)),
             (InkWidth{width_of(kCharcoal, 0.5, 1.0), tone_of(kCharcoal, 0.5, 1.0)}));
 }
 
-TEST(WidthMap, LeanPassesTheLowPassAndHoldsWhereItIsLost) {
+TEST(WidthMap, TiltPassesTheLowPassAndHoldsWhereItIsLost) {
   WidthMap map(kCharcoal);
   double width = map.push(leaning(0.0, 0.5, 0.0)).width_mm;
   EXPECT_DOUBLE_EQ(width, 2.0);
@@ -152,9 +152,9 @@ TEST(WidthMap, LeanPassesTheLowPassAndHoldsWhereItIsLost) {
   EXPECT_NEAR(width, 6.0, 1e-6);
 }
 
-TEST(WidthMap, ASourceWithoutLeanLeansAsTheOptionsSay) {
+TEST(WidthMap, ASourceWithoutTiltTiltsAsTheOptionsSay) {
   WidthMapOptions options = kCharcoal;
-  options.absent_lean_deg = 65.0;
+  options.absent_tilt_deg = 65.0;
   WidthMap map(options);
   EXPECT_DOUBLE_EQ(map.push(at_ms(0.0, 0.5)).width_mm, 6.0);
   map.begin();
@@ -175,12 +175,12 @@ RC_GTEST_PROP(WidthMap, ToneIsMonotonicAndInRange, ()) {
 
 TEST(WidthMap, HostileMediaGiveTonesAllTheSame) {
   const WidthMapOptions options{
-      .lean_width = kNan,
-      .absent_lean_deg = kNan,
+      .tilt_width = kNan,
+      .absent_tilt_deg = kNan,
       .tone = ToneMapOptions{kNan, -7.0, -1.0, std::numeric_limits<double>::infinity()}};
   WidthMap map(options);
-  for (const double lean_deg : {kNan, 1e300, -1e300}) {
-    const InkWidth ink = map.push(leaning(0.0, 0.7, lean_deg));
+  for (const double tilt_deg : {kNan, 1e300, -1e300}) {
+    const InkWidth ink = map.push(leaning(0.0, 0.7, tilt_deg));
     EXPECT_TRUE(ink.tone >= 0.0 && ink.tone <= 1.0) << ink.tone;
     EXPECT_TRUE(ink.width_mm >= 0.3 && ink.width_mm <= 6.0) << ink.width_mm;
   }

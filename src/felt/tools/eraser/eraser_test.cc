@@ -450,8 +450,8 @@ TEST(EraserForce, R42_LeaningOnItForFourSecondsDoesNotCreep) {
     desk.device = setup.capabilities();
     rig::Bench bench(setup, make_eraser_force({}, desk.scene()), {0, 0, 0});
     const double aim_z = rig::aim_z_mm(setup.hand, 1.0, 500.0);
-    const double lean = 0.5 * 0.6 * 1.0;  // half of mu Fn
-    const double aim_x = 1e3 * lean * (1 / setup.hand.stiffness_n_per_m + 1 / 600.0);
+    const double tilt = 0.5 * 0.6 * 1.0;  // half of mu Fn
+    const double aim_x = 1e3 * tilt * (1 / setup.hand.stiffness_n_per_m + 1 / 600.0);
     const auto target = [&](double t) -> Vec3 {
       const double x = std::clamp((t - 0.8) / 0.4, 0.0, 1.0);
       return {aim_x * x * x * (3 - 2 * x), 0, aim_z};

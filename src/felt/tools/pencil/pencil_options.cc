@@ -17,7 +17,7 @@ PencilSettings pencil_settings(const OptionValues& values) {
   widths.max_mm = std::max(widths.min_mm, values.number(Row::kMaxWidth));
   widths.gamma = values.number(Row::kGamma);
   widths.absent_pressure = values.number(Row::kMousePressure);
-  widths.absent_lean_deg = values.number(Row::kMouseLean);
+  widths.absent_tilt_deg = values.number(Row::kMouseTilt);
   s.ink.width.min_mm = widths.min_mm;
   s.ink.width.max_mm = widths.max_mm;
   s.ink.curve.tolerance_mm = values.number(Row::kTolerance);

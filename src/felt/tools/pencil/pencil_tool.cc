@@ -78,7 +78,7 @@ void PencilTool::make_fitter(const Scene& scene) {
 ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_sheet(sample.position);
   const Pressing pressing(scene.surface, scene.device);
-  pen_ = {pen_point_, pressing.of(sample), sample.time_ns, sample.lean_deg};
+  pen_ = {pen_point_, pressing.of(sample), sample.time_ns, sample.tilt_deg};
   InkSample ink = pen_;
   ink.position = stabiliser_.update(pen_point_, sample.time_ns);
   fitter_->push(ink);
@@ -92,7 +92,7 @@ ToolResult PencilTool::end(const Scene& scene) {
   std::vector<Stabiliser::Step> rest;
   stabiliser_.finish(rest);
   for (const Stabiliser::Step& step : rest) {
-    fitter_->push({step.nib, pen_.pressure, step.time_ns, pen_.lean_deg});
+    fitter_->push({step.nib, pen_.pressure, step.time_ns, pen_.tilt_deg});
   }
   fitter_->end();
   if (settings_.refine && fitter_->samples().size() <= kMaxRefinedSamples) fitter_->refine();

@@ -205,8 +205,8 @@ void FakeService::add_arm(const PenSample& shown, bool is_calibrated) {
 
 /// The handle points along its own y axis. A hand without a tilt holds it upright.
 void FakeService::add_grip(const PenSample& shown) {
-  const double lean_rad = shown.lean_deg.value_or(0.0) / kDegPerRad;
-  const Vec3 axis = plane_.turn_to_device(Vec3{std::sin(lean_rad), 0.0, std::cos(lean_rad)});
+  const double tilt_rad = shown.tilt_deg.value_or(0.0) / kDegPerRad;
+  const Vec3 axis = plane_.turn_to_device(Vec3{std::sin(tilt_rad), 0.0, std::cos(tilt_rad)});
   const auto turn = turn_of_y_to(axis);
   const auto bit = [&](unsigned i) { return word(((shown.buttons >> i) & 1u) != 0); };
   state_.append(R"({"device_id":")").append(kGripId).append(R"(","state":{"buttons":{"a":)");

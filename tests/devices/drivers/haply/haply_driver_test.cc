@@ -24,7 +24,7 @@
 #include "felt/devices/haply/service_address.h"
 #include "felt/driver/open_device.h"
 #include "felt/driver/testing/fake_system.h"
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 #include "felt/rt/servo.h"
 #include "tests/devices/drivers/haply/fake_service.h"
 #include "tests/devices/drivers/said.h"
@@ -628,7 +628,7 @@ TEST(HaplyDriver, AGripTellsHowItIsHeld) {
     for (int i = 0; i < 60; ++i) table.tick();
     const std::optional<Vec3> axis = table.device->pen_axis();
     ASSERT_TRUE(axis.has_value());
-    EXPECT_EQ(lean_of_axis(desk().turn_to_sheet(*axis)), held_deg);
+    EXPECT_EQ(tilt_of_axis(desk().turn_to_sheet(*axis)), held_deg);
   }
 }
 

@@ -33,9 +33,9 @@ class HdWorld {
     const Vec3 p = world.plane_.to_device(sample->position);
     const Vec3 v = world.plane_.turn_to_device(sample->velocity);
     // A hand without a tilt holds the pen upright.
-    const double lean_rad = sample->lean_deg.value_or(0.0) / kDegPerRad;
+    const double tilt_rad = sample->tilt_deg.value_or(0.0) / kDegPerRad;
     const Vec3 axis =
-        world.plane_.turn_to_device(Vec3{std::sin(lean_rad), 0.0, std::cos(lean_rad)});
+        world.plane_.turn_to_device(Vec3{std::sin(tilt_rad), 0.0, std::cos(tilt_rad)});
     *pen = {{p.x, p.y, p.z}, {v.x, v.y, v.z}, sample->buttons, {axis.x, axis.y, axis.z}};
     return 0;
   }

@@ -16,7 +16,7 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/driver/device_models.h"
 #include "felt/driver/open_device.h"
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 #include "felt/rt/realtime_thread.h"
 #include "felt/rt/servo.h"
 #include "felt/session/session.h"
@@ -227,19 +227,19 @@ TEST_F(OpenHaptics, EachTickIsOneFrameInTheMakersAxes) {
 
 TEST_F(OpenHaptics, TellsHowItsStylusIsHeld) {
   start();
-  const auto lean = [this]() -> std::optional<double> {
+  const auto tilt = [this]() -> std::optional<double> {
     step(60);
     const std::optional<Vec3> axis = device->pen_axis();
     if (!axis) return {};
-    return lean_of_axis(world.plane().turn_to_sheet(*axis));
+    return tilt_of_axis(world.plane().turn_to_sheet(*axis));
   };
   for (const double held_deg : {0.0, 32.5, 60.0, 90.0}) {
     stylus.aim({{40, 30, 7}, {}, 0, held_deg});
-    EXPECT_EQ(lean(), held_deg);
+    EXPECT_EQ(tilt(), held_deg);
   }
 }
 
-TEST_F(OpenHaptics, AStylusThatLiesNowhereHasNoLean) {
+TEST_F(OpenHaptics, AStylusThatLiesNowhereHasNoTilt) {
   start();
   step(2);
   EXPECT_TRUE(device->pen_axis());

@@ -4,21 +4,21 @@
 #include <QTabletEvent>
 #include <optional>
 
-#include "felt/geometry/lean.h"
+#include "felt/geometry/tilt.h"
 
 namespace felt::desktop {
 
 /// Returns the tilt of the pen from the upright, in degrees, to a tenth; nothing if the pen does
 /// not sense it. Qt's angles are those of the pen's shadows, usually -60..60: +x to the right, +y
 /// towards the user. The rotation of the page on the screen does not matter.
-inline std::optional<double> lean_of(const QTabletEvent& event) {
+inline std::optional<double> tilt_of(const QTabletEvent& event) {
   using Capability = QInputDevice::Capability;
   const QPointingDevice* device = event.pointingDevice();
   if (!device || !device->hasCapability(Capability::XTilt) ||
       !device->hasCapability(Capability::YTilt)) {
     return std::nullopt;
   }
-  return lean_of_tilt(event.xTilt(), event.yTilt());
+  return tilt_of_xy(event.xTilt(), event.yTilt());
 }
 
 }  // namespace felt::desktop

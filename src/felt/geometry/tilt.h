@@ -8,34 +8,34 @@
 namespace felt {
 
 /// The largest tilt, at which the pen lies on the surface.
-inline constexpr double kMaxLeanDeg = 90.0;
+inline constexpr double kMaxTiltDeg = 90.0;
 /// People usually write at a tilt of 30 to 40 degrees. So tilt has no effect on a line up to
-/// kFreeLeanDeg, and its full effect from kFullLeanDeg on.
-inline constexpr double kFreeLeanDeg = 40.0;
-inline constexpr double kFullLeanDeg = 65.0;
+/// kFreeTiltDeg, and its full effect from kFullTiltDeg on.
+inline constexpr double kFreeTiltDeg = 40.0;
+inline constexpr double kFullTiltDeg = 65.0;
 
 /// Converts a tilt in degrees to the 0..1 that media use (material/materials.h). NaN counts as
 /// upright. Real-time safe.
-constexpr double lean_share(double lean_deg) noexcept {
-  if (!(lean_deg > kFreeLeanDeg)) return 0.0;
-  const double share = (lean_deg - kFreeLeanDeg) / (kFullLeanDeg - kFreeLeanDeg);
+constexpr double tilt_share(double tilt_deg) noexcept {
+  if (!(tilt_deg > kFreeTiltDeg)) return 0.0;
+  const double share = (tilt_deg - kFreeTiltDeg) / (kFullTiltDeg - kFreeTiltDeg);
   return share < 1.0 ? share : 1.0;
 }
 
 /// Returns the tilt clamped to 0..90 degrees, or nullopt if it is missing or NaN. Real-time safe.
-inline std::optional<double> clean_lean(std::optional<double> lean_deg) noexcept {
-  if (!lean_deg || std::isnan(*lean_deg)) return std::nullopt;
-  return std::fmin(std::fmax(*lean_deg, 0.0), kMaxLeanDeg);
+inline std::optional<double> checked_tilt(std::optional<double> tilt_deg) noexcept {
+  if (!tilt_deg || std::isnan(*tilt_deg)) return std::nullopt;
+  return std::fmin(std::fmax(*tilt_deg, 0.0), kMaxTiltDeg);
 }
 
 /// Returns the tilt of a pen along `axis` (in either direction, of any length): the angle to the z
 /// axis in degrees, 0..90, rounded to tenths, which is finer than any pen measures and short in a
 /// recording. Returns nullopt if the axis has no direction. Real-time safe.
-std::optional<double> lean_of_axis(const Vec3& axis) noexcept;
+std::optional<double> tilt_of_axis(const Vec3& axis) noexcept;
 
 /// Returns the tilt of a pen from its projections on the planes x-z and y-z, in degrees, -90..90
 /// (tiltX and tiltY of a tablet, OTx and OTy of InkML): atan(sqrt(tan^2 tx + tan^2 ty)), rounded to
 /// tenths. Returns nullopt if an angle is not finite or beyond 90.
-std::optional<double> lean_of_tilt(double x_deg, double y_deg) noexcept;
+std::optional<double> tilt_of_xy(double x_deg, double y_deg) noexcept;
 
 }  // namespace felt
