@@ -111,7 +111,7 @@ Result<void> make_folder(const std::string& folder) {
   std::filesystem::create_directories(folder, error);
   if (error) return fail(ErrorCode::kIo, folder + ": " + error.message());
   if (std::filesystem::is_directory(folder, error)) return {};
-  return fail(ErrorCode::kIo, folder + ": is no folder");
+  return fail(ErrorCode::kIo, folder + ": not a folder");
 }
 
 Result<void> write_picture(const std::string& path, const Document& document,

@@ -60,9 +60,9 @@ std::string check_medium(const std::string& id) {
 
 void add_width_options(CLI::App& command, FitArguments& args) {
   command
-      .add_option(
-          "--medium,--material", args.material,
-          "What the lines are drawn with, by its widths, tone and answer to lean: " + media_names())
+      .add_option("--medium,--material", args.material,
+                  "What the lines are drawn with, by its widths, tone and response to tilt: " +
+                      media_names())
       ->check(CLI::Validator(check_medium, "ID"));
   command
       .add_option(
@@ -102,7 +102,7 @@ void add_options(CLI::App& command, FitArguments& args) {
                   "Raw pen strokes: .ndjson, of Quick, Draw! too, .inkml, .xopp; '-' is stdin")
       ->required();
   command.add_option("-o,--output", args.output,
-                     "Where the sketch goes; '-' is stdout. It may be " + writable_names());
+                     "Output file; '-' is stdout. It may be " + writable_names());
   command.add_option("--to", args.to, "Format of the output, instead of by its extension");
   command.add_option("--tolerance", args.tolerance_mm, "Largest distance sample to curve, in mm")
       ->check(number_between(0.0, 1e9))

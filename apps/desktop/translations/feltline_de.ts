@@ -4427,7 +4427,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Eine Linie um das, was ausgewählt wird, oder ein Rechteck von Ecke zu Ecke.</translation>
     </message>
     <message>
-        <source>A line farther from the pen than this is not taken hold of.</source>
+        <source>Lines farther from the pen than this cannot be grabbed.</source>
         <translation>Eine Linie, die weiter weg vom Stift ist, wird nicht gefasst.</translation>
     </message>
     <message>
@@ -4583,7 +4583,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Wie Greifen ein Segment biegt: mit geringster Bewegung (weich), nach den drei Fällen des Artikels (Artikel) oder nach seiner gedruckten Gleichung 7, die den Stift nicht erreicht.</translation>
     </message>
     <message>
-        <source>How near to the end of a line the pen takes hold of it.</source>
+        <source>Distance within which the pen grabs the end of a line.</source>
         <translation>Wie nah am Ende einer Linie der Stift es fasst.</translation>
     </message>
     <message>
@@ -4607,7 +4607,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Linien getrennt lassen</translation>
     </message>
     <message>
-        <source>Largest distance between the pen&apos;s way and the line.</source>
+        <source>Largest distance between the pen&apos;s path and the line.</source>
         <translation>Größter Abstand zwischen dem Weg des Stifts und der Linie.</translation>
     </message>
     <message>
@@ -4615,7 +4615,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Lasso</translation>
     </message>
     <message>
-        <source>Lean of a mouse&apos;s pen</source>
+        <source>Tilt of a mouse&apos;s pen</source>
         <translation>Neigung des Stifts einer Maus</translation>
     </message>
     <message>
@@ -4679,7 +4679,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Druckkurve</translation>
     </message>
     <message>
-        <source>Pressure of a device that knows neither pressure nor depth.</source>
+        <source>Pressure to use if the device reports neither pressure nor depth.</source>
         <translation>Druck eines Geräts, das weder Druck noch Tiefe kennt.</translation>
     </message>
     <message>
@@ -4763,39 +4763,39 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Form</translation>
     </message>
     <message>
-        <source>Share of friction and grain that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of friction and grain. Does not affect surface stiffness.</source>
         <translation>Anteil von Reibung und Körnung, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
     </message>
     <message>
-        <source>Share of friction and roughness that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of friction and roughness. Does not affect surface stiffness.</source>
         <translation>Anteil von Reibung und Rauheit, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
     </message>
     <message>
-        <source>Share of friction, grain, attraction and pull that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of friction, grain, attraction and pull. Does not affect surface stiffness.</source>
         <translation>Anteil von Reibung, Körnung, Anziehung und Zug, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
     </message>
     <message>
-        <source>Share of friction, grain, attraction and stabiliser that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of friction, grain, attraction and stabiliser. Does not affect surface stiffness.</source>
         <translation>Anteil von Reibung, Körnung, Anziehung und Stabilisator, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
     </message>
     <message>
-        <source>Share of friction, stops and pull that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of friction, stops and pull. Does not affect surface stiffness.</source>
         <translation>Anteil von Reibung, Anschlägen und Zug, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
     </message>
     <message>
-        <source>Share of the counter-force, friction and grain that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of the counter-force, friction and grain. Does not affect surface stiffness.</source>
         <translation>Anteil von Gegenkraft, Reibung und Körnung, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
     </message>
     <message>
-        <source>Share of the sheet&apos;s friction and grain that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of the surface&apos;s friction and grain. Does not affect surface stiffness.</source>
         <translation>Anteil von Reibung und Körnung des Blatts, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
     </message>
     <message>
-        <source>Share of the tethers, friction and grain that is felt.</source>
+        <source>Force level of the attached lines, friction and grain.</source>
         <translation>Anteil von Leinen, Reibung und Körnung, der zu fühlen ist.</translation>
     </message>
     <message>
-        <source>Sheet</source>
+        <source>Surface</source>
         <translation>Blatt</translation>
     </message>
     <message>
@@ -4859,11 +4859,11 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Transformieren</translation>
     </message>
     <message>
-        <source>Way along the line, to both sides of the pen, that is ironed; waves up to this long can be taken away.</source>
+        <source>Length of line on both sides of the pen that is smoothed. Waves up to this length can be removed.</source>
         <translation>Weg entlang der Linie, zu beiden Seiten des Stifts, der geglättet wird; so lange Wellen lassen sich wegnehmen.</translation>
     </message>
     <message>
-        <source>Way along the line, to both sides of the pen, within which the width changes.</source>
+        <source>Length of line on both sides of the pen in which the width changes.</source>
         <translation>Weg entlang der Linie, zu beiden Seiten des Stifts, auf dem sich die Breite ändert.</translation>
     </message>
     <message>
@@ -4891,7 +4891,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Woraus der Stift ist: wie er aussieht und wie er gleitet.</translation>
     </message>
     <message>
-        <source>What the sheet is made of: its hardness and its friction.</source>
+        <source>Surface to draw on. Sets hardness, friction and grain.</source>
         <translation>Woraus das Blatt ist: seine Härte und seine Reibung.</translation>
     </message>
     <message>
@@ -4915,7 +4915,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Breite einer nachgezogenen Linie ohne Druck.</translation>
     </message>
     <message>
-        <source>With nothing selected, a touch takes the nearest line within this distance.</source>
+        <source>With nothing selected, a touch selects the nearest line within this distance.</source>
         <translation>Ist nichts ausgewählt, nimmt eine Berührung die nächste Linie in diesem Abstand.</translation>
     </message>
     <message>
@@ -5139,7 +5139,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Colour of the sheet; a page of another keeps its own.</source>
+        <source>Colour of the surface. A page with another colour keeps it.</source>
         <translation>Farbe des Blattes; eine Seite von anderer Farbe behält ihre.</translation>
     </message>
     <message>
@@ -5175,8 +5175,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Zeichnet</translation>
     </message>
     <message>
-        <source>False for what rubs out: it is no choice for drawing.</source>
-        <translation>Aus bei dem, was radiert: Es steht zum Zeichnen nicht zur Wahl.</translation>
+        <source>Can be chosen for drawing (off for erasers).</source>
+        <translation>Kann zum Zeichnen gewählt werden (aus für Radierer).</translation>
     </message>
     <message>
         <source>Friction</source>
@@ -5251,11 +5251,11 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Wie viel es von einem Druck schluckt.</translation>
     </message>
     <message>
-        <source>How much of the sheet&apos;s relief is seen; 0 for what is wet.</source>
+        <source>How much of the surface&apos;s relief shows in the ink; 0 for wet ink.</source>
         <translation>Wie viel vom Relief des Blattes zu sehen ist; 0 für Nasses.</translation>
     </message>
     <message>
-        <source>How much of the sheet&apos;s relief the hand feels through it.</source>
+        <source>How much of the surface&apos;s relief the hand feels through it.</source>
         <translation>Wie viel vom Relief des Blattes die Hand dadurch fühlt.</translation>
     </message>
     <message>

@@ -4427,7 +4427,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Een lijn om wat geselecteerd moet worden, of een rechthoek van hoek tot hoek.</translation>
     </message>
     <message>
-        <source>A line farther from the pen than this is not taken hold of.</source>
+        <source>Lines farther from the pen than this cannot be grabbed.</source>
         <translation>Een lijn die verder van de pen ligt, wordt niet gepakt.</translation>
     </message>
     <message>
@@ -4583,7 +4583,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Hoe pakken een segment buigt: met de minste beweging (zacht), volgens de drie gevallen van het artikel (artikel), of volgens vergelijking 7 zoals gedrukt, die de pen niet bereikt.</translation>
     </message>
     <message>
-        <source>How near to the end of a line the pen takes hold of it.</source>
+        <source>Distance within which the pen grabs the end of a line.</source>
         <translation>Hoe dicht bij het eind van een lijn de pen het pakt.</translation>
     </message>
     <message>
@@ -4607,7 +4607,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Lijnen apart houden</translation>
     </message>
     <message>
-        <source>Largest distance between the pen&apos;s way and the line.</source>
+        <source>Largest distance between the pen&apos;s path and the line.</source>
         <translation>Grootste afstand tussen de weg van de pen en de lijn.</translation>
     </message>
     <message>
@@ -4615,7 +4615,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Lasso</translation>
     </message>
     <message>
-        <source>Lean of a mouse&apos;s pen</source>
+        <source>Tilt of a mouse&apos;s pen</source>
         <translation>Helling van de pen van een muis</translation>
     </message>
     <message>
@@ -4679,7 +4679,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Drukkromme</translation>
     </message>
     <message>
-        <source>Pressure of a device that knows neither pressure nor depth.</source>
+        <source>Pressure to use if the device reports neither pressure nor depth.</source>
         <translation>Druk van een apparaat dat druk noch diepte kent.</translation>
     </message>
     <message>
@@ -4763,39 +4763,39 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Vorm</translation>
     </message>
     <message>
-        <source>Share of friction and grain that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of friction and grain. Does not affect surface stiffness.</source>
         <translation>Aandeel van wrijving en korrel dat je voelt; het vel blijft zo hard als het is.</translation>
     </message>
     <message>
-        <source>Share of friction and roughness that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of friction and roughness. Does not affect surface stiffness.</source>
         <translation>Aandeel van wrijving en ruwheid dat je voelt; het vel blijft zo hard als het is.</translation>
     </message>
     <message>
-        <source>Share of friction, grain, attraction and pull that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of friction, grain, attraction and pull. Does not affect surface stiffness.</source>
         <translation>Aandeel van wrijving, korrel, aantrekking en trek dat je voelt; het vel blijft zo hard als het is.</translation>
     </message>
     <message>
-        <source>Share of friction, grain, attraction and stabiliser that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of friction, grain, attraction and stabiliser. Does not affect surface stiffness.</source>
         <translation>Aandeel van wrijving, korrel, aantrekking en stabilisator dat je voelt; het vel blijft zo hard als het is.</translation>
     </message>
     <message>
-        <source>Share of friction, stops and pull that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of friction, stops and pull. Does not affect surface stiffness.</source>
         <translation>Aandeel van wrijving, aanslagen en trek dat je voelt; het vel blijft zo hard als het is.</translation>
     </message>
     <message>
-        <source>Share of the counter-force, friction and grain that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of the counter-force, friction and grain. Does not affect surface stiffness.</source>
         <translation>Aandeel van tegenkracht, wrijving en korrel dat je voelt; het vel blijft zo hard als het is.</translation>
     </message>
     <message>
-        <source>Share of the sheet&apos;s friction and grain that is felt; the sheet stays as hard as it is.</source>
+        <source>Force level of the surface&apos;s friction and grain. Does not affect surface stiffness.</source>
         <translation>Aandeel van wrijving en korrel van het vel dat je voelt; het vel blijft zo hard als het is.</translation>
     </message>
     <message>
-        <source>Share of the tethers, friction and grain that is felt.</source>
+        <source>Force level of the attached lines, friction and grain.</source>
         <translation>Aandeel van lijnen, wrijving en korrel dat je voelt.</translation>
     </message>
     <message>
-        <source>Sheet</source>
+        <source>Surface</source>
         <translation>Vel</translation>
     </message>
     <message>
@@ -4859,11 +4859,11 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Transformeren</translation>
     </message>
     <message>
-        <source>Way along the line, to both sides of the pen, that is ironed; waves up to this long can be taken away.</source>
+        <source>Length of line on both sides of the pen that is smoothed. Waves up to this length can be removed.</source>
         <translation>Weg langs de lijn, aan beide kanten van de pen, die wordt gladgestreken; golven tot deze lengte kunnen weg.</translation>
     </message>
     <message>
-        <source>Way along the line, to both sides of the pen, within which the width changes.</source>
+        <source>Length of line on both sides of the pen in which the width changes.</source>
         <translation>Weg langs de lijn, aan beide kanten van de pen, waarbinnen de breedte verandert.</translation>
     </message>
     <message>
@@ -4891,7 +4891,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Waar de pen van gemaakt is: hoe hij eruitziet en hoe hij glijdt.</translation>
     </message>
     <message>
-        <source>What the sheet is made of: its hardness and its friction.</source>
+        <source>Surface to draw on. Sets hardness, friction and grain.</source>
         <translation>Waar het vel van gemaakt is: zijn hardheid en wrijving.</translation>
     </message>
     <message>
@@ -4915,7 +4915,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Breedte van een overgetrokken lijn zonder druk.</translation>
     </message>
     <message>
-        <source>With nothing selected, a touch takes the nearest line within this distance.</source>
+        <source>With nothing selected, a touch selects the nearest line within this distance.</source>
         <translation>Is er niets geselecteerd, dan neemt een aanraking de dichtstbijzijnde lijn binnen deze afstand.</translation>
     </message>
     <message>
@@ -5139,7 +5139,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Kleur</translation>
     </message>
     <message>
-        <source>Colour of the sheet; a page of another keeps its own.</source>
+        <source>Colour of the surface. A page with another colour keeps it.</source>
         <translation>Kleur van het vel; een pagina met een andere kleur houdt de hare.</translation>
     </message>
     <message>
@@ -5175,8 +5175,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Tekent</translation>
     </message>
     <message>
-        <source>False for what rubs out: it is no choice for drawing.</source>
-        <translation>Uit bij wat uitgumt: het is geen keuze om mee te tekenen.</translation>
+        <source>Can be chosen for drawing (off for erasers).</source>
+        <translation>Kan worden gekozen om te tekenen (uit voor gummen).</translation>
     </message>
     <message>
         <source>Friction</source>
@@ -5251,11 +5251,11 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Hoeveel het van een duw opslokt.</translation>
     </message>
     <message>
-        <source>How much of the sheet&apos;s relief is seen; 0 for what is wet.</source>
+        <source>How much of the surface&apos;s relief shows in the ink; 0 for wet ink.</source>
         <translation>Hoeveel van het reliëf van het vel te zien is; 0 voor wat nat is.</translation>
     </message>
     <message>
-        <source>How much of the sheet&apos;s relief the hand feels through it.</source>
+        <source>How much of the surface&apos;s relief the hand feels through it.</source>
         <translation>Hoeveel van het reliëf van het vel de hand erdoor voelt.</translation>
     </message>
     <message>

@@ -20,11 +20,11 @@ std::span<const OptionSpec> SheetOptions::table() {
   static const std::vector<std::string_view> materials = material_ids();
   static const std::array<OptionSpec, 1> rows = {{{
       .id = "material",
-      .label = "Sheet",
+      .label = "Surface",
       .unit = "",
       .kind = OptionKind::kChoice,
       .choices = materials,
-      .help = "What the sheet is made of: its hardness and its friction.",
+      .help = "Surface to draw on. Sets hardness, friction and grain.",
       .open = OpenChoice::kSheets,
   }}};
   return rows;

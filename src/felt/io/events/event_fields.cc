@@ -65,7 +65,7 @@ Result<void> parse_lean(Value& value, EventFields& out) {
     return read;
   }
   if (lean_deg < 0.0 || lean_deg > kMaxLeanDeg) {
-    return bad("lean: " + excerpt(token) + " is no angle from 0 to 90 degrees");
+    return bad("lean: " + excerpt(token) + " is not an angle from 0 to 90 degrees");
   }
   out.lean_deg = lean_deg;
   return {};

@@ -165,8 +165,8 @@ TEST(EventReader, APenMayLean) {
   EXPECT_EQ(event_of(pen("null")), (Event{0, PenEvent{{1, 2, -1}, {}, 0}}));
   EXPECT_EQ(event_of(R"({"event":"hand","x":1,"y":2,"z":-1,"lean":45,"t_ms":0})"),
             (Event{0, HandEvent{{1, 2, -1}, {}, 0, 45.0}}));
-  EXPECT_EQ(error_of(pen("-0.5")), "lean: -0.5 is no angle from 0 to 90 degrees");
-  EXPECT_EQ(error_of(pen("90.001")), "lean: 90.001 is no angle from 0 to 90 degrees");
+  EXPECT_EQ(error_of(pen("-0.5")), "lean: -0.5 is not an angle from 0 to 90 degrees");
+  EXPECT_EQ(error_of(pen("90.001")), "lean: 90.001 is not an angle from 0 to 90 degrees");
   EXPECT_EQ(error_of(pen("\"45\"")), "lean: \"45\" is not a number");
   EXPECT_THAT(error_of(pen("1e99")), HasSubstr("lean: 1e99 is malformed, or larger than"));
   EXPECT_THAT(error_of(pen("NaN")), HasSubstr("NaN"));

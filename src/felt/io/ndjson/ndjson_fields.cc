@@ -31,7 +31,7 @@ Result<void> parse_lean(Value& value, InkSample& out) {
     return tl::unexpected(with_context(number_error(token, kCoordinateLimit), "lean"));
   }
   if (lean_deg < 0.0 || lean_deg > kMaxLeanDeg) {
-    return bad("lean: " + excerpt(token) + " is no angle from 0 to 90 degrees");
+    return bad("lean: " + excerpt(token) + " is not an angle from 0 to 90 degrees");
   }
   out.lean_deg = lean_deg;
   return {};

@@ -39,7 +39,7 @@ inline constexpr std::array<OptionSpec, ConnectOption::kCount> kConnectOptions{{
      .min = 0.5,
      .max = 40.0,
      .fallback = 8.0,
-     .help = "How near to the end of a line the pen takes hold of it.",
+     .help = "Distance within which the pen grabs the end of a line.",
      .is_seldom = true},
     {.id = "reach_mm",
      .label = "Reach of the attraction",
@@ -83,8 +83,7 @@ inline constexpr std::array<OptionSpec, ConnectOption::kCount> kConnectOptions{{
      .help = "Lines that meet share the point but stay two lines.",
      .is_seldom = true},
     strength_option(
-        "Share of friction, grain, attraction and pull that is felt; the sheet stays as hard "
-        "as it is."),
+        "Force level of friction, grain, attraction and pull. Does not affect surface stiffness."),
 }};
 
 /// The options in the form that the tool uses.

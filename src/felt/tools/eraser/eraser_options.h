@@ -44,7 +44,7 @@ inline constexpr std::array<OptionSpec, EraserOption::kCount> kEraserOptions = {
      .fallback = 1,
      .help = "Erases the ink that the ring covers. Off: cuts a line where the ring covers its "
              "middle, whatever its width."},
-    strength_option("Share of friction and grain that is felt; the sheet stays as hard as it is."),
+    strength_option("Force level of friction and grain. Does not affect surface stiffness."),
 }};
 
 /// The options in the form that the tool uses.

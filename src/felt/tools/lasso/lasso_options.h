@@ -56,8 +56,7 @@ inline constexpr std::array<OptionSpec, LassoOption::kCount> kLassoOptions = {{
      .help = "A short touch selects the whole nearest line within this distance.",
      .is_seldom = true},
     strength_option(
-        "Share of the sheet's friction and grain that is felt; the sheet stays as hard as it "
-        "is."),
+        "Force level of the surface's friction and grain. Does not affect surface stiffness."),
 }};
 
 /// The options in the form that the tool uses.

@@ -81,10 +81,10 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .min = 0.0,
      .max = 1.0,
      .fallback = 0.5,
-     .help = "Pressure of a device that knows neither pressure nor depth.",
+     .help = "Pressure to use if the device reports neither pressure nor depth.",
      .is_seldom = true},
     {.id = "lean_deg",
-     .label = "Lean of a mouse's pen",
+     .label = "Tilt of a mouse's pen",
      .unit = "°",
      .min = 0.0,
      .max = 80.0,
@@ -98,7 +98,7 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .min = 0.05,
      .max = 3.0,
      .fallback = 0.15,
-     .help = "Largest distance between the pen's way and the line.",
+     .help = "Largest distance between the pen's path and the line.",
      .is_seldom = true},
     {.id = "refine",
      .label = "Refine at pen-up",
@@ -178,9 +178,8 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .help = "Longer draws smoother and trails more; for the stabiliser 'towed'.",
      .when = "stabiliser=towed",
      .is_seldom = true},
-    strength_option(
-        "Share of friction, grain, attraction and stabiliser that is felt; the sheet stays as "
-        "hard as it is."),
+    strength_option("Force level of friction, grain, attraction and stabiliser. Does not affect "
+                    "surface stiffness."),
 }};
 
 /// The options in the form that the tool uses.

@@ -78,7 +78,7 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .min = 0.5,
      .max = 50.0,
      .fallback = 8.0,
-     .help = "A line farther from the pen than this is not taken hold of.",
+     .help = "Lines farther from the pen than this cannot be grabbed.",
      .when = "mode=brush|grab|sweep"},
     {.id = "tolerance_mm",
      .label = "Tolerance",
@@ -126,8 +126,7 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .when = "mode=sweep",
      .is_seldom = true},
     strength_option(
-        "Share of the counter-force, friction and grain that is felt; the sheet stays as hard "
-        "as it is."),
+        "Force level of the counter-force, friction and grain. Does not affect surface stiffness."),
 }};
 
 /// The options in the form that the tool uses.

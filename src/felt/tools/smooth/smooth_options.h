@@ -20,8 +20,8 @@ inline constexpr std::array<OptionSpec, SmoothOption::kCount> kSmoothOptions = {
      .min = 2.0,
      .max = 40.0,
      .fallback = 10.0,
-     .help = "Way along the line, to both sides of the pen, that is ironed; waves up to this long "
-             "can be taken away."},
+     .help = "Length of line on both sides of the pen that is smoothed. Waves up to this length "
+             "can be removed."},
     {.id = "amount",
      .label = "Amount",
      .unit = "",
@@ -43,8 +43,7 @@ inline constexpr std::array<OptionSpec, SmoothOption::kCount> kSmoothOptions = {
      .fallback = 0.05,
      .help = "How far the finished line may be from the ironed one, for fewer segments.",
      .is_seldom = true},
-    strength_option(
-        "Share of friction and roughness that is felt; the sheet stays as hard as it is."),
+    strength_option("Force level of friction and roughness. Does not affect surface stiffness."),
 }};
 
 /// The options in the form that the tool uses.

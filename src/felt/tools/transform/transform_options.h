@@ -64,9 +64,9 @@ inline constexpr std::array<OptionSpec, TransformOption::kCount> kTransformOptio
      .min = 0.5,
      .max = 20.0,
      .fallback = 4.0,
-     .help = "With nothing selected, a touch takes the nearest line within this distance.",
+     .help = "With nothing selected, a touch selects the nearest line within this distance.",
      .is_seldom = true},
-    strength_option("Share of the tethers, friction and grain that is felt."),
+    strength_option("Force level of the attached lines, friction and grain."),
 }};
 
 /// The options in the form that the tool uses.

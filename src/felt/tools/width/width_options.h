@@ -68,7 +68,7 @@ inline constexpr std::array<OptionSpec, WidthOption::kCount> kWidthOptions = {{
      .min = 1.0,
      .max = 100.0,
      .fallback = 10.0,
-     .help = "Way along the line, to both sides of the pen, within which the width changes.",
+     .help = "Length of line on both sides of the pen in which the width changes.",
      .when = "mode=brush"},
     {.id = "min_width_mm",
      .label = "Thinnest retraced line",
@@ -102,11 +102,10 @@ inline constexpr std::array<OptionSpec, WidthOption::kCount> kWidthOptions = {{
      .min = 0.0,
      .max = 1.0,
      .fallback = 0.75,
-     .help = "Pressure of a device that knows neither pressure nor depth.",
+     .help = "Pressure to use if the device reports neither pressure nor depth.",
      .when = "mode=brush|retrace",
      .is_seldom = true},
-    strength_option(
-        "Share of friction, stops and pull that is felt; the sheet stays as hard as it is."),
+    strength_option("Force level of friction, stops and pull. Does not affect surface stiffness."),
 }};
 
 /// The options in the form that the tool uses.
