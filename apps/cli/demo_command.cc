@@ -33,7 +33,7 @@ constexpr double kPlotS = 5.0;
 
 constexpr const char* kLegend =
     "touches: times that the pen came down. strokes: in the drawing, before and after. changed: "
-    "strokes that became others, came or went. N: force sent while the pen is on the sheet. off: "
+    "strokes that became others, came or went. N: force sent while the pen is on the surface. off: "
     "mean distance between the path that the hand meant to draw and the ink. real time: how much "
     "faster than life it was played.";
 

@@ -143,7 +143,7 @@ const char* state_words(SafetyState state) {
     case SafetyState::kOff:
       return "forces off";
     case SafetyState::kWaiting:
-      return "lift the pen: forces come then";
+      return "lift the pen to start the forces";
     case SafetyState::kEngaging:
       return "forces begin";
     case SafetyState::kActive:

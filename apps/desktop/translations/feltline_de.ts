@@ -4519,7 +4519,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Radierer</translation>
     </message>
     <message>
-        <source>Erases what it covers, lines up to their next crossings, or whole lines.</source>
+        <source>Erases the ink under it, lines up to their next crossings, or whole lines.</source>
         <translation>Radiert, was er bedeckt, Linien bis zu ihren nächsten Kreuzungen oder ganze Linien.</translation>
     </message>
     <message>
@@ -4755,7 +4755,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Auswählen</translation>
     </message>
     <message>
-        <source>Selects what a line is drawn round; a short touch takes a line.</source>
+        <source>Selects the lines inside a loop that you draw; a short touch selects one line.</source>
         <translation>Wählt aus, was umfahren wird; eine kurze Berührung nimmt eine Linie.</translation>
     </message>
     <message>
@@ -5467,7 +5467,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Linie reiben, um sie breiter oder dünner zu machen.</translation>
     </message>
     <message>
-        <source>Rub out what the ring touches.</source>
+        <source>Erase the ink that the ring touches.</source>
         <translation>Wegradieren, was der Ring berührt.</translation>
     </message>
     <message>
@@ -5479,7 +5479,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>ganze Linien</translation>
     </message>
     <message>
-        <source>Draw round what you mean, or click a line.</source>
+        <source>Draw a loop around lines, or click one.</source>
         <translation>Umfahren Sie, was gemeint ist, oder klicken Sie eine Linie an.</translation>
     </message>
     <message>

@@ -4519,7 +4519,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Gum</translation>
     </message>
     <message>
-        <source>Erases what it covers, lines up to their next crossings, or whole lines.</source>
+        <source>Erases the ink under it, lines up to their next crossings, or whole lines.</source>
         <translation>Gumt wat hij bedekt, lijnen tot hun volgende kruisingen, of hele lijnen.</translation>
     </message>
     <message>
@@ -4755,7 +4755,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Selecteren</translation>
     </message>
     <message>
-        <source>Selects what a line is drawn round; a short touch takes a line.</source>
+        <source>Selects the lines inside a loop that you draw; a short touch selects one line.</source>
         <translation>Selecteert waar een lijn omheen getekend wordt; een korte aanraking neemt een lijn.</translation>
     </message>
     <message>
@@ -5467,7 +5467,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Wrijf een lijn om hem breder of dunner te maken.</translation>
     </message>
     <message>
-        <source>Rub out what the ring touches.</source>
+        <source>Erase the ink that the ring touches.</source>
         <translation>Gum weg wat de ring raakt.</translation>
     </message>
     <message>
@@ -5479,7 +5479,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>hele lijnen</translation>
     </message>
     <message>
-        <source>Draw round what you mean, or click a line.</source>
+        <source>Draw a loop around lines, or click one.</source>
         <translation>Teken om wat je bedoelt heen, of klik een lijn aan.</translation>
     </message>
     <message>

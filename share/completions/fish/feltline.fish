@@ -25,7 +25,7 @@ complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -s o -l outp
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l to -x -a 'felt svg inkml xopp ndjson pdf png' -d 'Format of the output'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l dpi -x -d 'Resolution of a .png'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l layers -x -a 'visible all' -d 'Only these layers'
-complete -c feltline -n '__fish_seen_subcommand_from render convert' -l salvage -d 'Of a damaged .felt take what can be had'
+complete -c feltline -n '__fish_seen_subcommand_from render convert' -l salvage -d 'Recover what is readable in a damaged .felt'
 complete -c feltline -n '__fish_seen_subcommand_from render convert replay' -l grain -d 'Grain of the surface in dry ink'
 complete -c feltline -n '__fish_seen_subcommand_from render convert replay' -l grain-dpi -x -d 'Resolution of the grain in an .svg or .pdf'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l page -x -a 'fit A3 A4 A5 A4-landscape' -d 'What to show'

@@ -279,7 +279,7 @@ Result<FeltTable> parse_table(std::string_view sql) {
   std::vector<std::string> names = table.columns;
   std::sort(names.begin(), names.end());
   if (std::adjacent_find(names.begin(), names.end()) != names.end())
-    return invalid_data("is no table");
+    return invalid_data("is not a table");
   return table;
 }
 

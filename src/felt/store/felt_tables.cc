@@ -50,10 +50,9 @@ Result<void> check_drawing(const Drawing& d) {
     return fail(ErrorCode::kLimitExceeded, "has used up the numbers of strokes or layers");
   }
   if (!is_side(d.page.width_mm) || !is_side(d.page.height_mm)) {
-    return invalid_data("the sheet is not 10 to 5000 mm on a side");
+    return invalid_data("the page is not 10 to 5000 mm on a side");
   }
-  if (!is_layer_name(d.page.surface))
-    return invalid_data("the material of the sheet has an invalid name");
+  if (!is_layer_name(d.page.surface)) return invalid_data("the surface has an invalid name");
   if (d.layer && !d.document.layer(d.layer)) return invalid_data("the layer in use is not there");
   if (d.document.layers().size() > kMaxLayers) {
     return fail(ErrorCode::kLimitExceeded, "has more than 10000 layers");
@@ -140,7 +139,7 @@ Result<Head> read_drawing_row(const Database& db, Drawing& d) {
   if (!row) return tl::unexpected(row.error());
   const Result<bool> any = row->step();
   if (!any) return tl::unexpected(any.error());
-  if (!*any) return invalid_data("says nothing about its sheet");
+  if (!*any) return invalid_data("says nothing about its page");
   for (const int column : {2, 4, 5, 6, 7, 8, 10}) {
     if (!row->is_integer(column))
       return invalid_data("the table 'drawing' lacks a number where one is required");

@@ -187,7 +187,7 @@ CheckOutcome check_places(CheckContext& context) {
   }
   const Vec3 place = (*trial)->mean_place(0.5);
   return passed("at " + figure(place.x, 1) + ", " + figure(place.y, 1) + ", " + figure(place.z, 1) +
-                " mm of the sheet");
+                " mm on the surface");
 }
 
 CheckOutcome check_noise(CheckContext& context) {

@@ -97,7 +97,7 @@ TEST(NdjsonRaw, APenMayLean) {
   }
   EXPECT_THAT(raw_error(point(R"({"lean":-1})")),
               HasSubstr("lean: -1 is not an angle from 0 to 90 degrees"));
-  EXPECT_THAT(raw_error(point(R"({"lean":90.5})")), HasSubstr("lean: 90.5 is no angle"));
+  EXPECT_THAT(raw_error(point(R"({"lean":90.5})")), HasSubstr("lean: 90.5 is not an angle"));
   EXPECT_THAT(raw_error(point(R"({"lean":"30"})")), HasSubstr("lean: \"30\" is not a number"));
   EXPECT_THAT(raw_error(point(R"({"tilt":[1e99,0]})")), HasSubstr("tilt: "));
   EXPECT_NE(raw_error(point(R"({"tilt":[1,})")), "");

@@ -204,8 +204,8 @@ TEST(XoppImport, TakesEveryPacking) {
 
 TEST(XoppImport, OtherFilesAreErrors) {
   const auto error = [](std::string_view bytes) { return import_xopp(bytes).error().message; };
-  EXPECT_THAT(error("<svg/>"), HasSubstr("is no Xournal++ document: it begins with 'svg'"));
-  EXPECT_THAT(error(""), HasSubstr("is no XML"));
+  EXPECT_THAT(error("<svg/>"), HasSubstr("not a Xournal++ document: it begins with 'svg'"));
+  EXPECT_THAT(error(""), HasSubstr("is not XML"));
   EXPECT_THAT(error("\x1F\x8B"), HasSubstr("is cut off"));
   EXPECT_THAT(error("PK\x03\x04 and so on"), HasSubstr("is a damaged zip archive"));
 }

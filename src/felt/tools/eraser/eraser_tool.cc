@@ -7,7 +7,7 @@
 namespace felt {
 namespace {
 
-constexpr std::array<ToolUse, 1> kEraserUses = {{{.hint = "Rub out what the ring touches.",
+constexpr std::array<ToolUse, 1> kEraserUses = {{{.hint = "Erase the ink that the ring touches.",
                                                   .first_modifier = "up to the crossings",
                                                   .second_modifier = "whole lines",
                                                   .size = "radius_mm",
@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 1> kEraserEdits = {"Erase"};
 constexpr ToolInfo kEraserInfo{
     .id = "eraser",
     .label = "Eraser",
-    .help = "Erases what it covers, lines up to their next crossings, or whole lines.",
+    .help = "Erases the ink under it, lines up to their next crossings, or whole lines.",
     .shortcut = 'e',
     .options = kEraserOptions,
     .kind = ToolKind::kErases,

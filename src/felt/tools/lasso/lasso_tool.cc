@@ -9,16 +9,15 @@
 namespace felt {
 namespace {
 
-constexpr std::array<ToolUse, 1> kLassoUses = {
-    {{.hint = "Draw round what you mean, or click a line.",
-      .first_modifier = "adds",
-      .second_modifier = "takes away",
-      .size = "click_radius_mm",
-      .path = ToolPath::kAround}}};
+constexpr std::array<ToolUse, 1> kLassoUses = {{{.hint = "Draw a loop around lines, or click one.",
+                                                 .first_modifier = "adds",
+                                                 .second_modifier = "takes away",
+                                                 .size = "click_radius_mm",
+                                                 .path = ToolPath::kAround}}};
 constexpr ToolInfo kLassoInfo{
     .id = "lasso",
     .label = "Lasso",
-    .help = "Selects what a line is drawn round; a short touch takes a line.",
+    .help = "Selects the lines inside a loop that you draw; a short touch selects one line.",
     .shortcut = 'v',
     .options = kLassoOptions,
     .kind = ToolKind::kSelects,
