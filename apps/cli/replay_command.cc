@@ -100,7 +100,7 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
       ->allow_extra_args(false);
   command
       .add_option("--until", args.until_ms,
-                  "Stop at this time, in ms, and show the stroke in progress as it is")
+                  "Stop at this time, in ms, and show the gesture in progress as it is")
       ->check(number_between(0.0, limits::kMaxEventTimeMs));
   command.add_flag("--overlay", args.overlay, "Also show the tool's overlay in the .png");
   command.add_flag("--as-recorded", args.as_recorded,
@@ -132,11 +132,10 @@ struct ReplayOutputs {
 void check_recording(const ReplayCommandArguments& args) {
   if (args.output.empty()) throw UsageError("--recording needs -o OUT.felt");
   if (!args.on.empty()) {
-    throw UsageError(
-        "--recording contains a drawing from its beginning: it cannot be used with --on");
+    throw UsageError("--recording saves a drawing from its beginning: it cannot be used with --on");
   }
   if (args.until_ms) {
-    throw UsageError("--recording contains a whole script: it cannot be used with --until");
+    throw UsageError("--recording saves a whole script: it cannot be used with --until");
   }
 }
 

@@ -79,7 +79,7 @@ complete -c feltline -n '__fish_seen_subcommand_from doctor' -l prefix -x -a '(_
 complete -c feltline -n '__fish_seen_subcommand_from doctor device-test record' -l yes -d 'Ask nothing'
 complete -c feltline -n '__fish_seen_subcommand_from device-test' -f -a 'worst touch touch-x premium falcon omega inverse3 mouse tablet'
 complete -c feltline -n '__fish_seen_subcommand_from device-test' -l level -x -a '1 2 3 4 5 6 7 8 9 10' -d 'How far'
-complete -c feltline -n '__fish_seen_subcommand_from device-test' -l seed -x -d 'Seed of the random order of tests'
+complete -c feltline -n '__fish_seen_subcommand_from device-test' -l seed -x -d 'Seed of the order of axes in the checks that push'
 complete -c feltline -n '__fish_seen_subcommand_from device-test' -l report -r -d 'Write the report there, too'
 complete -c feltline -n '__fish_seen_subcommand_from device-test' -l soak -x -d 'Seconds that level 10 takes'
 complete -c feltline -n '__fish_seen_subcommand_from record' -l device -x -d 'The device, by its id'
