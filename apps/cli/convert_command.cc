@@ -36,7 +36,7 @@ void add_options(CLI::App& command, ConvertArguments& args, const char* output_h
                   "('1,3') or the name of one. Without it all, hidden ones hidden")
       ->check(not_empty());
   command.add_flag("--salvage", args.salvage,
-                   "Of a damaged .felt take what can be had, and say what is missing");
+                   "Recover what is readable in a damaged .felt, and say what is missing");
   args.picture.add_to(command);
   args.picture.add_grain_to(command);
 }
@@ -75,7 +75,7 @@ void note_hidden_layers(const Document& document, Format format, const std::stri
   if (strokes == 0) return;
   console.notice(output + ": " + std::to_string(strokes) + " strokes of hidden layers " +
                  (format == Format::kXopp ? "show, because .xopp has no hidden layers"
-                                          : "were left out; --layers all writes them"));
+                                          : "were left out; --layers all includes them"));
 }
 
 void convert_whole(const Input& input, const ConvertArguments& args, Format format,
@@ -121,8 +121,7 @@ Format wanted_format(const ConvertArguments& args) {
 void add_render_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("render", "Make a picture of a sketch");
   const auto args = std::make_shared<ConvertArguments>();
-  add_options(*command, *args,
-              "Where the picture goes: .png, .svg or .pdf; '-' is stdout (with --to)");
+  add_options(*command, *args, "Output file: .png, .svg or .pdf; '-' is stdout (with --to)");
   command->footer(
       examples("feltline render sketch.ndjson -o page.png --page A4 --dpi 300\n"
                "feltline render sketch.ndjson -o ink.png --paper transparent\n"
@@ -140,7 +139,7 @@ void add_render_command(CLI::App& app, Console& console) {
 void add_convert_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("convert", "Write a sketch in another format");
   const auto args = std::make_shared<ConvertArguments>();
-  const std::string where = "Where it goes; '-' is stdout. It may be " + writable_names();
+  const std::string where = "Output file; '-' is stdout. It may be " + writable_names();
   add_options(*command, *args, where.c_str());
   command->footer(
       examples("feltline convert sketch.ndjson -o sketch.svg\n"

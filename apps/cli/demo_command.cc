@@ -33,7 +33,7 @@ constexpr double kPlotS = 5.0;
 
 constexpr const char* kLegend =
     "touches: times that the pen came down. strokes: in the drawing, before and after. changed: "
-    "strokes that became others, came or went. N: force sent while the pen is on the sheet. off: "
+    "strokes that became others, came or went. N: force sent while the pen is on the surface. off: "
     "mean distance between the path that the hand meant to draw and the ink. real time: how much "
     "faster than life it was played.";
 
@@ -111,7 +111,7 @@ Result<void> make_folder(const std::string& folder) {
   std::filesystem::create_directories(folder, error);
   if (error) return fail(ErrorCode::kIo, folder + ": " + error.message());
   if (std::filesystem::is_directory(folder, error)) return {};
-  return fail(ErrorCode::kIo, folder + ": is no folder");
+  return fail(ErrorCode::kIo, folder + ": not a folder");
 }
 
 Result<void> write_picture(const std::string& path, const Document& document,

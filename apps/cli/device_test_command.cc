@@ -151,7 +151,7 @@ void add_device_test_command(CLI::App& app, Console& console) {
                    "7 limits, 8 watchdog, 9 unplugging, 10 soak")
       ->check(CLI::Range(1, 10))
       ->capture_default_str();
-  command->add_option("--seed", args->seed, "Orders what needs no order of its own")
+  command->add_option("--seed", args->seed, "Seed of the order of axes in the checks that push")
       ->check(whole_number())
       ->capture_default_str();
   command->add_option("--report", args->report, "Write the report there, too: text, or .json");

@@ -15,10 +15,10 @@ namespace felt::cli {
 namespace {
 
 constexpr const char* kNothing =
-    "No haptic device is connected. 'feltline doctor' says what one would need here.";
+    "No haptic device is connected. 'feltline doctor' shows what one needs on this computer.";
 constexpr const char* kNote =
     "These are simulated: equations with the figures above, for --device and --hand of 'replay' "
-    "and 'demo', and for 'device-test'; --json tells more of them.";
+    "and 'demo', and for 'device-test'; --json shows more about them.";
 
 std::string number_or_dash(double value) {
   return value > 0.0 ? json_number(value) : "-";
@@ -50,7 +50,7 @@ std::string count_words(const std::vector<DeviceDescriptor>& devices) {
       std::count_if(devices.begin(), devices.end(),
                     [](const DeviceDescriptor& device) { return device.is_connected; });
   if (connected == 0) {
-    return "Whether a haptic device is connected, only opening it tells: feltline device-test "
+    return "To check whether a haptic device is connected, open it: feltline device-test "
            "--level 1 " +
            devices.front().id;
   }

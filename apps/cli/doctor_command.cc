@@ -64,11 +64,11 @@ bool is_agreed(const PlannedFix& fix, bool agreed_to_all, Console& console) {
 }
 
 void say_that_nothing_is_missing() {
-  print("There is nothing that Feltline could write to mend anything.\n");
+  print("There is nothing that Feltline can repair by writing a file.\n");
   if (geteuid() != 0) return;
   print(
-      "Root may do all of it already: run this as the person who draws. It asks for root by itself "
-      "where it needs it.\n");
+      "Root already has every permission: run this as the user who draws. It asks for root itself "
+      "when it needs it.\n");
 }
 
 void fix(const DoctorReport& report, const DoctorArguments& args, Console& console) {
@@ -85,7 +85,8 @@ void fix(const DoctorReport& report, const DoctorArguments& args, Console& conso
   }
   std::fflush(stdout);
   if (!args.yes && !somebody_is_there()) {
-    return console.error("nothing was written: nobody is there to agree; --yes agrees");
+    return console.error(
+        "nothing was written: there is no terminal to ask for consent; use --yes to agree");
   }
   const bool agreed = args.yes || ask("Write this?");
   std::vector<PlannedFix> written;
@@ -109,7 +110,7 @@ void run_doctor(const DoctorArguments& args, Console& console) {
   if ((args.dry_run || args.yes || !args.prefix.empty()) && !args.fix) {
     throw UsageError("--dry-run, --yes and --prefix belong to --fix");
   }
-  if (args.fix && args.json) throw UsageError("--fix does not go with --json");
+  if (args.fix && args.json) throw UsageError("--fix cannot be used with --json");
   const DoctorReport report = examine(args);
   if (args.fix) return fix(report, args, console);
   print("{}", args.json ? doctor_json(report) : doctor_text(report, TextStyle::of_stdout()));

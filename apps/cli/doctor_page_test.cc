@@ -146,10 +146,10 @@ std::string page() {
       "# What the doctor says\n\n"
       "`feltline doctor` looks at this computer and says what a haptic device needs, what is "
       "missing, and the exact\nnext step. It changes nothing; `feltline doctor --fix` writes the "
-      "permissions that it names, after asking.\nBelow is what it says in each of the usual "
+      "permissions that it names, after asking.\nBelow is its output in each of the usual "
       "cases. The marks: **fine**, as it should be; **none**, not here,\nwhich is fine unless you "
-      "own it; **better**, it works and could work better; **MEND**, this hinders.\n\n"
-      "(A test writes this page, on machines that are made up: it is what the program says.)\n";
+      "own it; **better**, it works and could work better; **MEND**, a problem to fix.\n\n"
+      "(A test writes this page from the output of the program on fake machines.)\n";
   for (const Case& which : cases()) {
     text += std::string("\n## ") + which.title + "\n```text\n" + output_of(which) + "```\n";
   }

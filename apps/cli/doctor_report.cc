@@ -75,7 +75,7 @@ std::string finding_text(const Finding& finding, const TextStyle& style) {
   std::string text = marked(mark_of(finding.level), style);
   text += sentence(finding.what, kTextColumn, style);
   if (!finding.details.empty()) {
-    text += std::string(kTextColumn, ' ') + "Word for word:\n";
+    text += std::string(kTextColumn, ' ') + "Details:\n";
     text += verbatim(finding.details, kTextColumn + 2);
   }
   const bool is_numbered = finding.steps.size() > 1;
@@ -110,7 +110,7 @@ std::string section(const std::string& title, const std::vector<Finding>& findin
     text += marked({device.is_connected ? "here" : "ask", "1"}, style);
     text += sentence(device.is_connected
                          ? device_words(device) + "."
-                         : device_words(device) + ": only opening it tells whether it is there.",
+                         : device_words(device) + ": open it to check whether it is connected.",
                      kTextColumn, style);
     if (!device.is_connected) {
       text += verbatim("feltline device-test --level 1 " + device.id, kTextColumn + 2);
@@ -210,8 +210,7 @@ std::string doctor_summary(const DoctorReport& report) {
                                                problems));
   }
   if (ready.empty() && !unknown.empty()) {
-    return "Perhaps connected: " + joined(unknown) +
-           "; only opening it tells. Nothing needs mending.";
+    return "Possibly connected: " + joined(unknown) + " (open it to check). Nothing needs mending.";
   }
   if (!ready.empty()) return text + "Nothing needs mending.";
   if (report.is_named) return "No such device is connected.";

@@ -79,7 +79,7 @@ TEST(DoctorReportTest, AProblemComesWithItsWordsAndCommandsOfTheirOwn) {
             "3D Systems - openhaptics\n"
             "  MEND   The library is there, but it does not load: another one that it needs\n"
             "         is missing.\n"
-            "         Word for word:\n"
+            "         Details:\n"
             "           libncurses.so.5: cannot open shared object file: No such file or "
             "directory\n"
             "         1. Install it:\n"
@@ -100,7 +100,7 @@ TEST(DoctorReportTest, DevicesThatAreReady) {
   perhaps.is_connected = false;
   EXPECT_EQ(doctor_summary(report_with({}, {touch()})),
             "Ready to draw with: 3D Systems Touch. Nothing needs mending.");
-  EXPECT_THAT(doctor_summary(report_with({}, {perhaps})), StartsWith("Perhaps connected: 3D"));
+  EXPECT_THAT(doctor_summary(report_with({}, {perhaps})), StartsWith("Possibly connected: 3D"));
   EXPECT_THAT(doctor_summary(report_with({problem()}, {touch()})), StartsWith("One thing"));
 }
 

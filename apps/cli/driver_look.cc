@@ -152,7 +152,7 @@ Finding trouble(const std::string& what, const Looker& looker) {
           .what = what,
           .details = words,
           .steps = {"The maker's software on this computer is broken or of a version that Feltline "
-                    "does not know. Install it anew, or tell us what you see here."}};
+                    "does not know. Install it again, or report this message to us."}};
 }
 
 DriverLook result_of(const Driver& driver, const Looker& looker, std::chrono::milliseconds most) {

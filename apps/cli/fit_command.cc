@@ -102,7 +102,7 @@ void add_options(CLI::App& command, FitArguments& args) {
                   "Raw pen strokes: .ndjson, of Quick, Draw! too, .inkml, .xopp; '-' is stdin")
       ->required();
   command.add_option("-o,--output", args.output,
-                     "Where the sketch goes; '-' is stdout. It may be " + writable_names());
+                     "Output file; '-' is stdout. It may be " + writable_names());
   command.add_option("--to", args.to, "Format of the output, instead of by its extension");
   command.add_option("--tolerance", args.tolerance_mm, "Largest distance sample to curve, in mm")
       ->check(number_between(0.0, 1e9))

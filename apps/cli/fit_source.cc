@@ -81,7 +81,8 @@ void FitSource::read_whole(FitItem& item) {
   } else if (opened->is_exact) {
     fails(ErrorCode::kUnsupported, "holds curves, which are fitted already; see convert");
   } else if (settings_.measure) {
-    fails(ErrorCode::kUnsupported, "is no raw .ndjson, whose samples alone are measured");
+    fails(ErrorCode::kUnsupported,
+          "is not a raw .ndjson, the only format that --stats can measure");
   } else {
     item.first_record = records_ + 1;
     records_ += static_cast<std::int64_t>(opened->drawing.document.stroke_count());

@@ -89,7 +89,7 @@ Result<Image> ForcePlot::draw(const PlotOptions& options) const {
   plot.note = note_;
   plot.span = span_.value_or(whole());
   plot.shade = contact_;
-  plot.shade_name = "pen on the sheet";
+  plot.shade_name = "pen on the surface";
   if (span_) {
     PlotPanel strip{"The whole of it: force sent", "N", {{"", kSentColor, sent_, 0.8}}};
     strip.height = 40.0;
@@ -97,8 +97,8 @@ Result<Image> ForcePlot::draw(const PlotOptions& options) const {
     strip.span = whole();
     plot.panels.push_back(std::move(strip));
   }
-  PlotPanel position{"Place on the sheet", "mm", {line("x", 0, x_), line("y", 1, y_)}};
-  PlotPanel height{"Height over the sheet (pressing is below 0)", "mm", {line("z", 2, z_)}};
+  PlotPanel position{"Position on the surface", "mm", {line("x", 0, x_), line("y", 1, y_)}};
+  PlotPanel height{"Height above the surface (pressing is below 0)", "mm", {line("z", 2, z_)}};
   PlotPanel width{"Width of the ink", "mm", {line("width", 6, width_)}};
   width.from_zero = true;
   height.height = width.height = 80.0;

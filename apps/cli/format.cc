@@ -11,7 +11,7 @@ Result<Format> named_format(const std::string& path, const std::string& name) {
   const std::string file = path.substr(path.find_last_of('/') + 1);
   const std::size_t dot = file.find_last_of('.');
   if (dot == std::string::npos || dot == 0) {
-    return fail(ErrorCode::kUnsupported, path + ": has no extension to tell the format by; use " +
+    return fail(ErrorCode::kUnsupported, path + ": has no extension that names its format; use " +
                                              "--to " + writable_names());
   }
   Result<Format> format = format_of_path(path);

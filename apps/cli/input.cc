@@ -143,8 +143,9 @@ Result<Imported> Input::read_drawing(const ReadOptions& options) const {
         drawing.error().code != ErrorCode::kInvalidData) {
       return drawing;
     }
-    return fail(drawing.error().code,
-                drawing.error().message + "; `feltline convert --salvage` takes what can be had");
+    return fail(
+        drawing.error().code,
+        drawing.error().message + "; `feltline convert --salvage` recovers what is readable");
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kLimitExceeded, "not enough memory to read it");
   }

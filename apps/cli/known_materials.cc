@@ -27,7 +27,7 @@ Result<SurfaceMaterial> find_sheet(const std::string& text, const Materials& kno
     Result<AnyMaterial> material = read_material_file(text, load_height_picture);
     if (!material) return tl::unexpected(material.error());
     if (auto* sheet = std::get_if<SurfaceMaterial>(&*material)) return std::move(*sheet);
-    return fail(ErrorCode::kInvalidArgument, text + " is a medium, not a sheet");
+    return fail(ErrorCode::kInvalidArgument, text + " is a medium, not a surface");
   }
   std::string names;
   for (const SurfaceMaterial& sheet : known.surfaces()) {

@@ -31,7 +31,7 @@ void add_commands(CLI::App& app, Console& console) {
       "Neither progress nor notices on stderr, errors only");
   app.add_flag_callback(
       "--strict", [&console] { console.set_strict(); },
-      "What a file holds and cannot be taken is an error, not a notice");
+      "Treat unsupported content as an error instead of a warning");
   app.footer(
       examples("feltline fit strokes.ndjson -o sketch.svg\n"
                "feltline render sketch.ndjson -o page.png --page A4\n"

@@ -229,7 +229,7 @@ void add_new(CLI::App& materials, Console& console) {
 
 void add_materials_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand(
-      "materials", "List sheets and media; show, check and begin texts of your own");
+      "materials", "List surfaces and media; show, check and create custom ones");
   const auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "A line of JSON for each");
   command->footer(

@@ -72,7 +72,7 @@ void PictureArguments::add_to(CLI::App& command) {
   command
       .add_option(
           "--surface", surface,
-          "Sheet whose grain shows in dry ink of a .png, the same that the hand feels:\n" +
+          "Surface whose grain shows in dry ink of a .png, the same that the hand feels:\n" +
               surface_names() +
               "\n(smooth), one of your own, or a grey NAME.png: white is high, as wide as it says\n"
               "or 40 mm; without it, ink is solid. Ink pen and felt-tip, which are wet, show "
@@ -83,10 +83,11 @@ void PictureArguments::add_to(CLI::App& command) {
 
 void PictureArguments::add_grain_to(CLI::App& command) {
   command
-      .add_flag("--grain,--grain-mask", grain,
-                "Show the grain of the sheet in dry ink: that of --surface, else of the drawing's\n"
-                "own sheet, else of paper. An .svg or .pdf shows it with this option alone: its\n"
-                "strokes stay outlines, seen through a picture of the grain")
+      .add_flag(
+          "--grain,--grain-mask", grain,
+          "Show the grain of the surface in dry ink: that of --surface, else of the drawing's\n"
+          "own surface, else of paper. An .svg or .pdf shows it with this option alone: its\n"
+          "strokes stay outlines, seen through a picture of the grain")
       ->group("Pictures (.svg, .pdf, .png)");
   command
       .add_option("--grain-dpi", grain_dpi,
@@ -133,7 +134,7 @@ Result<SheetPage> sheet_page(const Rect& sheet, Rgba paper) {
     return SheetPage{sheet.width(), sheet.height(), paper};
   }
   return fail(ErrorCode::kInvalidArgument,
-              "--page: the sheet of a drawing is 10 to 5000 mm wide and high");
+              "--page: the page of a drawing is 10 to 5000 mm wide and high");
 }
 
 Result<Rgba> parse_paper(const std::string& text) {

@@ -144,7 +144,7 @@ const char* state_words(SafetyState state) {
     case SafetyState::kOff:
       return "forces off";
     case SafetyState::kWaiting:
-      return "lift the pen: forces come then";
+      return "lift the pen to start the forces";
     case SafetyState::kEngaging:
       return "forces begin";
     case SafetyState::kActive:
@@ -202,7 +202,7 @@ void run_record(const RecordArguments& args, Console& console) {
   check_given_files({}, {{"-o", args.output}, {"--events", args.events}, {"--forces", args.forces}},
                     console);
   const Result<std::optional<Rect>> page = parse_page(args.page);
-  if (!page || !*page) throw UsageError("--page: '" + args.page + "' is no size of a page");
+  if (!page || !*page) throw UsageError("--page: '" + args.page + "' is not a page size");
   const std::vector<std::unique_ptr<Driver>> drivers = make_drivers();
   const Result<RealDevice> device = find_real_device(drivers, args.device);
   if (!device) return console.error(device.error().message);
@@ -217,7 +217,7 @@ void run_record(const RecordArguments& args, Console& console) {
                                  .on_edit = [&copy](const Edit&) { copy.note_edit(); }});
   set_options(args, session);
   if (args.forces_on && !agrees_to_forces(args)) {
-    return console.error("nobody agreed to forces; without --forces-on it draws without them");
+    return console.error("nobody agreed to forces; leave out --forces-on to draw without them");
   }
   const Interrupt interrupt(OnSuspend::kPause);
   RecordRun run(*device, session, record_options(args, **page, console, *outputs, copy));
@@ -239,16 +239,16 @@ void add_options(CLI::App& command, RecordArguments& args) {
       ->required();
   command
       .add_option("-o,--output", args.output,
-                  "Where the sketch goes: .felt, .ndjson, .svg, .pdf, .png; '-' is stdout")
+                  "Output file: .felt, .ndjson, .svg, .pdf, .png; '-' is stdout")
       ->required();
   command.add_option("--to", args.to, "Format of the output, instead of by its extension");
   command.add_option("--events", args.events,
-                     "All that was done, for 'feltline replay --as-recorded', .ndjson");
+                     "Save all events, for 'feltline replay --as-recorded', .ndjson");
   command.add_option("--forces", args.forces,
                      "Pose and forces, some 250 rows a second, .csv as of 'replay --forces'");
-  command.add_option("--seconds", args.seconds, "End by itself after so long")
+  command.add_option("--seconds", args.seconds, "Stop after this time")
       ->check(number_between(0.1, 86'400.0));
-  command.add_option("--tool", args.tool, "The tool in hand (see 'feltline tools')");
+  command.add_option("--tool", args.tool, "The tool to use (see 'feltline tools')");
   command.add_option("--set", args.options, "TOOL.OPTION=VALUE")->allow_extra_args(false);
   command
       .add_option("--page", args.page,
@@ -257,7 +257,7 @@ void add_options(CLI::App& command, RecordArguments& args) {
       ->capture_default_str();
   command.add_flag("--forces-on", args.forces_on,
                    "Forces from the start, after you agreed; without it the pen is free");
-  command.add_option("--limit", args.limit_n, "The most force, N; never more than the device's")
+  command.add_option("--limit", args.limit_n, "Largest force, N; never more than the device's")
       ->check(number_between(0.1, 3.0))
       ->capture_default_str();
   command.add_flag("--yes", args.yes,

@@ -35,9 +35,11 @@ void ReplayArguments::add_pen_to(CLI::App& command) {
 void ReplayArguments::add_loop_to(CLI::App& command) {
   command.add_option("--rate", rate_hz, "Ticks of the loop a second (default: the device's)")
       ->check(number_between(250.0, 5000.0));
-  command.add_option("--delay", delay_ticks, "Ticks from a position to its force, likewise")
+  command
+      .add_option("--delay", delay_ticks,
+                  "Ticks from a position to its force (default: the device's)")
       ->check(CLI::Range(0, 7));
-  command.add_flag("--no-force", no_force, "The pen pushes back with nothing");
+  command.add_flag("--no-force", no_force, "Send no force to the pen");
 }
 
 ReplaySettings ReplayArguments::settings() const {

@@ -68,14 +68,15 @@ void add_output_options(CLI::App& command, ReplayCommandArguments& args) {
                   "Event scripts, raw pen strokes, or both in one, .ndjson; '-' is stdin")
       ->required();
   command.add_option("-o,--output", args.output,
-                     "Where the sketch goes: .ndjson, .felt, .svg, .pdf, .png; '-' is stdout");
+                     "Output file: .ndjson, .felt, .svg, .pdf, .png; '-' is stdout");
   command.add_option("--to", args.to, "Format of the output, instead of by its extension");
-  command.add_option("--on", args.on,
-                     "A drawing to begin with, on its own sheet: .felt, .ndjson, .svg of Feltline");
+  command.add_option(
+      "--on", args.on,
+      "A drawing to start from, on its own surface: .felt, .ndjson, .svg of Feltline");
   command.add_option("--forces", args.forces,
                      "Pose, force asked, force sent and each force term, a row a tick, .csv");
   command.add_option("--plot", args.plot, "The same over time as a picture, .png");
-  command.add_option("--sound", args.sound, "What the pen sounds like on the sheet, .wav");
+  command.add_option("--sound", args.sound, "Sound of the pen on the surface, .wav");
   command
       .add_option("--stats", args.stats, "Print counts, forces and how close the ink is, on stdout")
       ->check(CLI::IsMember({"json"}));
@@ -99,10 +100,9 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
       ->allow_extra_args(false);
   command
       .add_option("--until", args.until_ms,
-                  "Stop at this time, in ms, and show what is in work then as it is")
+                  "Stop at this time, in ms, and show the gesture in progress as it is")
       ->check(number_between(0.0, limits::kMaxEventTimeMs));
-  command.add_flag("--overlay", args.overlay,
-                   "Show in the .png what the tool shows besides the ink, too");
+  command.add_flag("--overlay", args.overlay, "Also show the tool's overlay in the .png");
   command.add_flag("--as-recorded", args.as_recorded,
                    "The script is a recording: its samples are drawn as they are, without device, "
                    "hand and forces");
@@ -132,10 +132,10 @@ struct ReplayOutputs {
 void check_recording(const ReplayCommandArguments& args) {
   if (args.output.empty()) throw UsageError("--recording needs -o OUT.felt");
   if (!args.on.empty()) {
-    throw UsageError("--recording tells a drawing from its beginning: it does not go with --on");
+    throw UsageError("--recording saves a drawing from its beginning: it cannot be used with --on");
   }
   if (args.until_ms) {
-    throw UsageError("--recording tells all of a script: it does not go with --until");
+    throw UsageError("--recording saves a whole script: it cannot be used with --until");
   }
 }
 
@@ -358,7 +358,7 @@ void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& comma
                              "--until", "--overlay", "--mm-per-unit", "--recording"}) {
     if (command.count(option) == 0) continue;
     throw UsageError(std::string(option) +
-                     " does not go with --as-recorded: a recording is drawn as it is, without "
+                     " cannot be used with --as-recorded: a recording is drawn as it is, without "
                      "device, hand and forces");
   }
   if (args.scripts.size() > 1) throw UsageError("--as-recorded plays one recording at a time");

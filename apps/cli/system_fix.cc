@@ -61,11 +61,11 @@ std::vector<SystemFix> fixes_of(const DoctorReport& report) {
 Result<void> check(const SystemFix& fix) {
   if (!is_allowed(fix.path)) {
     return fail(ErrorCode::kInvalidArgument,
-                fix.path + ": is no place that Feltline writes to; nothing was done");
+                fix.path + ": Feltline does not write to this location; nothing was done");
   }
   if (!fix.activate.empty() && fix.activate != kReloadUdev) {
     return fail(ErrorCode::kInvalidArgument,
-                fix.path + ": '" + fix.activate + "' is no command that Feltline runs as root");
+                fix.path + ": '" + fix.activate + "' is not a command that Feltline runs as root");
   }
   return {};
 }

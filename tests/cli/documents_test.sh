@@ -74,7 +74,7 @@ printf '%s\n' '{"t_ms":0,"event":"layer","do":"add"}' '{"t_ms":0,"event":"layer"
   >hide.ndjson
 run 0 "$feltline" replay hide.ndjson --on a.felt -o hidden.felt
 run 0 "$feltline" convert hidden.felt -o seen.ndjson
-has err "seen.ndjson: 20 strokes of hidden layers were left out; --layers all writes them"
+has err "seen.ndjson: 20 strokes of hidden layers were left out; --layers all includes them"
 lines err 1
 lines seen.ndjson 1
 run 0 "$feltline" convert hidden.felt -o seen.xopp
@@ -106,7 +106,7 @@ run 1 "$feltline" convert cut.felt -o f.ndjson
 has err "feltline: cut.felt: is damaged or cut off"
 echo nonsense >no.felt
 run 1 "$feltline" info no.felt
-has err "feltline: no.felt: is no Feltline drawing"
+has err "feltline: no.felt: is not a Feltline drawing"
 run 1 "$feltline" render none.felt -o f.png
 has err "feltline: none.felt: "
 [ ! -e f.ndjson ] && [ ! -e f.png ] || fail "written from nothing"

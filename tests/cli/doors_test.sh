@@ -88,7 +88,7 @@ strokes 400 >many.ndjson
 run 0 "$feltline" fit many.ndjson -o whole.felt
 head -c $(($(stat -c %s whole.felt) * 3 / 4)) whole.felt >cut.felt
 run 1 "$feltline" convert cut.felt -o had.ndjson
-has err '`feltline convert --salvage` takes what can be had'
+has err '`feltline convert --salvage` recovers what is readable'
 run 0 "$feltline" convert cut.felt -o had.ndjson --salvage
 [ -s err ] || fail "nothing said about the damage"
 [ "$(wc -l <had.ndjson)" -gt 0 ] || fail "nothing was had"

@@ -42,7 +42,7 @@ for name in picture.png picture.ndjson; do
 done
 echo 'Dear all,' >letter.doc
 run 1 "$feltline" convert letter.doc -o x.svg
-has err "feltline: letter.doc: is no drawing that Feltline knows; it reads felt, svg,"
+has err "feltline: letter.doc: is not a drawing that Feltline can read; it reads felt, svg,"
 echo '{"t_ms":0,"event":"undo"}' >script.ndjson
 for command in "fit script.ndjson -o x.ndjson" "info script.ndjson" "convert script.ndjson -o x.svg"; do
   # shellcheck disable=SC2086  # words on purpose

@@ -70,7 +70,7 @@ run 0 "$feltline" render rough.felt -o rough3.png --dpi 50 --grain
 same rough3.png rough1.png
 sed 's/felt:page="/felt:surface="moon dust" &/' solid.svg >on_moon.svg
 run 1 "$feltline" render on_moon.svg -o r.png --grain
-has err "the drawing's sheet 'moon dust' is not known here; say which with --surface"
+has err "the drawing's surface 'moon dust' is not known here; say which with --surface"
 run 0 "$feltline" convert on_moon.svg -o moon_back.svg
 has moon_back.svg 'felt:surface="moon dust"'
 

@@ -202,7 +202,7 @@ has err "has no recording"
 run 2 "$feltline" replay events.ndjson --recording -o x.svg
 has err "--recording needs -o OUT.felt"
 run 2 "$feltline" replay events.ndjson --recording --on s1.ndjson -o x.felt
-has err "does not go with --on"
+has err "cannot be used with --on"
 
 # A recording is told to a session as it is: pen events draw without a loop between them.
 cat >recorded.ndjson <<'END'
@@ -231,7 +231,7 @@ lines recorded.on.ndjson 7
 for option in "--forces f.csv" "--plot p.png" "--device touch" "--until 5" "--set pencil.snap=off"; do
   # shellcheck disable=SC2086  # an option and its value
   run 2 "$feltline" replay recorded.ndjson --as-recorded -o x.ndjson $option
-  has err "${option%% *} does not go with --as-recorded"
+  has err "${option%% *} cannot be used with --as-recorded"
 done
 run 2 "$feltline" replay recorded.ndjson recorded.ndjson --as-recorded -o x.ndjson
 has err "one recording at a time"

@@ -4519,7 +4519,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Radierer</translation>
     </message>
     <message>
-        <source>Erases what it covers, lines up to their next crossings, or whole lines.</source>
+        <source>Erases the ink under it, lines up to their next crossings, or whole lines.</source>
         <translation>Radiert, was er bedeckt, Linien bis zu ihren nächsten Kreuzungen oder ganze Linien.</translation>
     </message>
     <message>
@@ -5175,8 +5175,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Zeichnet</translation>
     </message>
     <message>
-        <source>False for what rubs out: it is no choice for drawing.</source>
-        <translation>Aus bei dem, was radiert: Es steht zum Zeichnen nicht zur Wahl.</translation>
+        <source>Can be chosen for drawing (off for erasers).</source>
+        <translation>Kann zum Zeichnen gewählt werden (aus für Radierer).</translation>
     </message>
     <message>
         <source>Friction</source>

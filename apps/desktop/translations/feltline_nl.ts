@@ -4519,7 +4519,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Gum</translation>
     </message>
     <message>
-        <source>Erases what it covers, lines up to their next crossings, or whole lines.</source>
+        <source>Erases the ink under it, lines up to their next crossings, or whole lines.</source>
         <translation>Gumt wat hij bedekt, lijnen tot hun volgende kruisingen, of hele lijnen.</translation>
     </message>
     <message>
@@ -5175,8 +5175,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Tekent</translation>
     </message>
     <message>
-        <source>False for what rubs out: it is no choice for drawing.</source>
-        <translation>Uit bij wat uitgumt: het is geen keuze om mee te tekenen.</translation>
+        <source>Can be chosen for drawing (off for erasers).</source>
+        <translation>Kan worden gekozen om te tekenen (uit voor gummen).</translation>
     </message>
     <message>
         <source>Friction</source>

@@ -170,7 +170,7 @@ Result<void> AutosaveDatabase::open(const std::string& name, const char* vfs) {
   const auto mode = Statement::of(db_, "PRAGMA journal_mode");
   if (!mode) return error();
   if (const Result<bool> row = mode->step(); !row || !*row) return error();
-  if (mode->text(0) != "wal") return fail(ErrorCode::kIo, folder_ + ": does not take a journal");
+  if (mode->text(0) != "wal") return fail(ErrorCode::kIo, folder_ + ": does not support a journal");
   if (name != kAutosaveDatabaseFile) return {};
   const auto prepare = [this](Statement& statement, const char* sql) {
     Result<Statement> made = Statement::of(db_, sql);

@@ -74,8 +74,8 @@ Result<void> make_private_folder(const std::string& path) {
   if (S_ISLNK(info.st_mode) && info.st_uid == ::getuid() && ::stat(path.c_str(), &info) != 0) {
     return lock_error(path, "cannot be looked at");
   }
-  if (!S_ISDIR(info.st_mode)) return fail(ErrorCode::kIo, path + ": is no folder");
-  if (info.st_uid != ::geteuid()) return fail(ErrorCode::kIo, path + ": belongs to somebody else");
+  if (!S_ISDIR(info.st_mode)) return fail(ErrorCode::kIo, path + ": not a folder");
+  if (info.st_uid != ::geteuid()) return fail(ErrorCode::kIo, path + ": belongs to another user");
   if ((info.st_mode & 077) != 0 && ::chmod(path.c_str(), 0700) != 0) {
     return lock_error(path, "is open to others, and stays so");
   }

@@ -179,8 +179,9 @@ Result<void> AtomicFile::replace_target(const std::string_view* expected) {
   if (temporary_.empty()) return error("cannot create");
   if (!expected) return put_in_place();
   if (!holds(temporary_, *expected)) {
-    if (errno != 0) return error("cannot read back what was written");
-    return fail(ErrorCode::kIo, shown_name_ + ": the disk does not keep what is written to it");
+    if (errno != 0) return error("cannot read the written data back");
+    return fail(ErrorCode::kIo,
+                shown_name_ + ": the disk does not keep the data that is written to it");
   }
   // The second name is an extra: rename() itself is atomic. If it cannot be created, save without
   // it.
@@ -215,7 +216,7 @@ Result<void> AtomicFile::check_in_place(std::string_view expected) {
     if (!previous_.empty()) ::unlink(previous_.c_str());
     return fail(ErrorCode::kIo, shown_name_ + ": was replaced by another program just now");
   }
-  std::string message = shown_name_ + ": the disk does not keep what is written to it";
+  std::string message = shown_name_ + ": the disk does not keep the data that is written to it";
   if (errno != 0) message += std::string(": ") + std::strerror(errno);
   const bool is_back = !previous_.empty() && ::rename(previous_.c_str(), target_.c_str()) == 0 &&
                        sync_folder(folder_of(target_));

@@ -220,7 +220,7 @@ Result<std::unique_ptr<ByteStream>> SerialStream::open(const std::string& path) 
   if (error == EWOULDBLOCK || error == EBUSY) {
     return fail(ErrorCode::kIo, path + ": another program has it open");
   }
-  if (error == ENOTTY) return fail(ErrorCode::kInvalidArgument, path + ": is no serial port");
+  if (error == ENOTTY) return fail(ErrorCode::kInvalidArgument, path + ": not a serial port");
   return fail(error == ENOENT ? ErrorCode::kNotFound : ErrorCode::kIo,
               path + ": " + std::strerror(error));
 }

@@ -111,7 +111,7 @@ Result<void> set_area(PlaneParts& parts, std::string_view text) {
   const auto read = numbers<2>(text);
   if (!read) return tl::unexpected(read.error());
   for (const double side : *read) {
-    if (!(side > 0.0 && side <= kLargestAreaMm)) return invalid_data("is no width and height");
+    if (!(side > 0.0 && side <= kLargestAreaMm)) return invalid_data("is not a width and a height");
   }
   parts.area = Point{(*read)[0], (*read)[1]};
   return {};

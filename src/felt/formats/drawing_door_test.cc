@@ -114,7 +114,8 @@ TEST_F(Door, RawSamplesBecomeInkAndBadLinesNotices) {
 TEST_F(Door, WhatCannotBeReadSaysWhy) {
   EXPECT_THAT(message(read_drawing(at("none.felt"))), StartsWith(at("none.felt") + ": "));
   EXPECT_THAT(message(read_drawing(at(""))), HasSubstr("folder"));
-  EXPECT_THAT(message(read_drawing(put("a", "hello"))), HasSubstr("is no drawing that Feltline"));
+  EXPECT_THAT(message(read_drawing(put("a", "hello"))),
+              HasSubstr("is not a drawing that Feltline"));
   EXPECT_THAT(message(read_drawing(put("b", ""))), HasSubstr("is empty"));
   EXPECT_THAT(message(read_drawing(put("a.pdf", "%PDF-1.4"))), HasSubstr("written but not read"));
   EXPECT_THAT(message(read_drawing(put("a.felt", "%PDF-1.4"))), HasSubstr("PDF"));

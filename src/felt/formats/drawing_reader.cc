@@ -97,7 +97,7 @@ Result<FileFormat> readable_format(std::string_view head, const std::string& pat
   if (!found && !named) {
     if (head.empty()) return fail(ErrorCode::kInvalidData, "is empty");
     return fail(ErrorCode::kUnsupported,
-                "is no drawing that Feltline knows; it reads " + readable_names());
+                "is not a drawing that Feltline can read; it reads " + readable_names());
   }
   const FileFormat format = found ? *found : *named;
   const FormatTraits& traits = traits_of(format);

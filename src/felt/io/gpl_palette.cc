@@ -78,7 +78,7 @@ class GplReader {
  public:
   std::string_view first(std::string_view line) {
     if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
-    return trimmed(line) == kMagic ? "" : "this is no GIMP palette: its first line is another";
+    return trimmed(line) == kMagic ? "" : "not a GIMP palette: the first line does not match";
   }
 
   std::string_view next(std::string_view line) {

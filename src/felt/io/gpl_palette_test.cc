@@ -41,9 +41,9 @@ TEST(Palette, ReadsTheOldFormWithoutAHeadAndAByteOrderMark) {
 
 TEST(Palette, SaysWhichLineIsWrongAndWhy) {
   const std::string head = "GIMP Palette\n";
-  EXPECT_EQ(error_of(""), "p.gpl:1: this is no GIMP palette: its first line is another");
+  EXPECT_EQ(error_of(""), "p.gpl:1: not a GIMP palette: the first line does not match");
   EXPECT_EQ(error_of("gimp palette\n"),
-            "p.gpl:1: this is no GIMP palette: its first line is another");
+            "p.gpl:1: not a GIMP palette: the first line does not match");
   const std::string no_color = ": a colour is three numbers from 0 to 255 and a name";
   for (const char* line : {"1 2", "1 2 256", "-1 2 3", "1 2 3x", "1.5 2 3", "name", "1,2,3",
                            "99999999999999999999 1 1"}) {

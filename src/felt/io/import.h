@@ -44,7 +44,7 @@ class ImportReport {
 /// kind are equal.
 std::string notice_kind(std::string_view text);
 
-/// Returns "line 12: text 'title' is no ink and was left out (and 3 more like it)".
+/// Returns "line 12: text 'title' is not a stroke and was left out (and 3 more like it)".
 std::string notice_text(const ImportNotice& notice);
 
 enum class FileFormat;

@@ -57,7 +57,7 @@ using Sheet = SurfaceMaterial;
 
 constexpr std::array<SheetField, 10> kSheetFields = {{
     row<Sheet, &Sheet::color_rgb>("color", "Colour", "", Kind::kColor, 0, 0,
-                                  "Colour of the sheet; a page of another keeps its own."),
+                                  "Colour of the surface. A page with another colour keeps it."),
     sheet<&Sheet::stiffness_n_per_m>("feel.stiffness_n_per_m", "Hardness", "N/m", 50, 2000,
                                      "How hard it pushes back, where the device bears as much."),
     sheet<&Sheet::damping_n_s_per_m>("feel.damping_n_s_per_m", "Damping", "N s/m", 0, 10,
@@ -82,7 +82,7 @@ constexpr std::array<SheetField, 10> kSheetFields = {{
 constexpr std::array<MediumField, 29> kMediumFields = {{
     row<Medium, &Medium::color_rgb>("color", "Colour", "", Kind::kColor, 0, 0, "Its usual colour."),
     row<Medium, &Medium::draws>("draws", "Draws", "", Kind::kSwitch, 0, 1,
-                                "False for what rubs out: it is no choice for drawing."),
+                                "Can be chosen for drawing (off for erasers)."),
     medium<&Medium::friction>("feel.friction", "Friction", "", 0, kMaxFriction,
                               "Coefficient of friction on paper; pairs may say otherwise."),
     medium<&Medium::bristle_n_per_m>("feel.bristle_n_per_m", "Hold", "N/m", 50, 2000,
@@ -90,7 +90,7 @@ constexpr std::array<MediumField, 29> kMediumFields = {{
     medium<&Medium::bristle_n_s_per_m>("feel.bristle_n_s_per_m", "Damping of the hold", "N s/m", 0,
                                        10, "Damping of that."),
     medium<&Medium::grain>("feel.grain", "Grain in the hand", "", 0, 2,
-                           "How much of the sheet's relief the hand feels through it."),
+                           "How much of the surface's relief the hand feels through it."),
     medium<&Medium::wear>("feel.wear", "Wear of the grain", "", 0, 1,
                           "Share of the relief that a firm push flattens, for hand and eye."),
     medium<&Medium::line, &MediumLine::min_mm>("line.min_mm", "Thinnest line", "mm", 0.05, 20,
@@ -117,7 +117,7 @@ constexpr std::array<MediumField, 29> kMediumFields = {{
                                                       1, "Of what is inked, at tone 1."),
     medium<&Medium::look, &MediumLook::grain>(
         "look.grain", "Grain in the eye", "", 0, 1,
-        "How much of the sheet's relief is seen; 0 for what is wet."),
+        "How much of the surface's relief shows in the ink; 0 for wet ink."),
     medium<&Medium::look, &MediumLook::cut_light>(
         "look.cut_light", "Depth, light", "RMS", -6, 6,
         "What lies below so many heights of the grain stays bare, at tone 0."),

@@ -165,7 +165,7 @@ Result<Bytes> bytes_of(std::string_view text) {
   for (const char c : text) {
     if (c == '\n' || c == '\r' || c == ' ' || c == '\t' || c == '=') continue;
     const std::size_t letter = kLetters.find(c);
-    if (letter == std::string_view::npos) return bad("are no base64");
+    if (letter == std::string_view::npos) return bad("are not base64");
     bits = (bits << 6 | static_cast<std::uint32_t>(letter)) & 0xFFFFFF;
     bit_count += 6;
     if (bit_count < 8) continue;

@@ -22,7 +22,7 @@ const char* fault_words(SafetyFault fault) {
     case SafetyFault::kEditSilent:
       return "the program did not answer for a while";
     case SafetyFault::kNotFinite:
-      return "the device said something that is no number";
+      return "the device reported something that is not a number";
     case SafetyFault::kDeviceError:
       return "the device refused";
     case SafetyFault::kPositionJump:
@@ -93,7 +93,7 @@ Result<void> RecordRun::draw() {
   if (!finished || !hangs_) return finished;
   return fail(ErrorCode::kIo, device_.found.label +
                                   " hangs in its maker's software and was given up; the ink is "
-                                  "kept. Disconnect it, connect it anew, and record again");
+                                  "kept. Disconnect it, connect it again, and record again");
 }
 
 /// Stops the device, because the program and its loop are suspended and no force may remain. Forces
@@ -176,7 +176,7 @@ void RecordRun::report_faults(const TickReport& report) {
   if (faults == reported_faults_) return;
   reported_faults_ = faults;
   const bool is_off = safety.state == SafetyState::kLatched;
-  notice(std::string(is_off ? "forces off: " : "forces fall and begin anew: ") +
+  notice(std::string(is_off ? "forces off: " : "forces fall and start again: ") +
          fault_words(safety.fault) + "." + (is_off ? " Enter allows them again." : ""));
 }
 
@@ -244,7 +244,7 @@ bool RecordRun::tries_again(std::optional<Error>& refusal) {
   refusal = begun.error();
   if (!is_reported) {
     notice(refusal->message + (waits(*refusal)
-                                   ? ". Enter, or the device plugged in anew, tries again."
+                                   ? ". Press Enter or plug the device in again to retry."
                                    : ". It is tried again."));
   }
   return false;

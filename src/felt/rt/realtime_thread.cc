@@ -69,7 +69,7 @@ std::string describe(const RealtimeStatus& status) {
   std::string text;
   if (status.is_silent) {
     return "The haptic loop stands still: the device, or its maker's software, does not answer; "
-           "close it, connect it anew and open it again.";
+           "close it, connect it again and open it again.";
   }
   switch (status.scheduling) {
     case LoopScheduling::kNotRunning:
@@ -267,7 +267,7 @@ Result<void> RealtimeThread::start_hosted() {
   static_cast<void>(stop());  // no tick was ever under way
   return fail(ErrorCode::kIo,
               "the device's own software has started its haptic loop, but does not run it: "
-              "disconnect the device, connect it again and open it anew");
+              "disconnect the device, connect it again and open it again");
 }
 
 bool RealtimeThread::stop_hosted() noexcept {

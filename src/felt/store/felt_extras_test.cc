@@ -141,7 +141,7 @@ TEST(FeltExtras, PlacesOfLayersHaveNoGapsAndAreNotTakenTwice) {
   for (const char* place : {"0", "2", "5", "4294967297", "1.5", "'one'"}) {
     const Result<Drawing> refused = read(place);
     ASSERT_FALSE(refused) << place;
-    EXPECT_THAT(refused.error().message, HasSubstr("layer 2 holds an impossible value")) << place;
+    EXPECT_THAT(refused.error().message, HasSubstr("layer 2 contains an invalid value")) << place;
   }
 }
 

@@ -41,7 +41,7 @@ Result<void> check_header(std::string_view bytes) {
   if (bytes.empty()) return invalid_data("is empty");
   const std::size_t known = std::min(bytes.size(), kMagic.size());
   if (bytes.substr(0, known) != kMagic.substr(0, known)) {
-    return invalid_data("is no Feltline drawing");
+    return invalid_data("is not a Feltline drawing");
   }
   if (bytes.size() < kHeaderBytes) return invalid_data("is cut off within its header");
   if (big_endian(bytes, kApplicationIdAt) != kFeltApplicationId) {

@@ -101,7 +101,7 @@ TEST_F(FeltFileTest, ErrorsNameTheFileAndTheReason) {
   };
   EXPECT_THAT(read_felt(path("none")).error().message, StartsWith(path("none") + ": "));
   EXPECT_THAT(message(""), StartsWith(path("x.felt") + ": is empty"));
-  EXPECT_THAT(message("<svg/>"), HasSubstr("is no Feltline drawing"));
+  EXPECT_THAT(message("<svg/>"), HasSubstr("is not a Feltline drawing"));
   std::string bytes = felt_bytes(random_drawing(5)).value();
   EXPECT_THAT(message(bytes.substr(0, 50)), HasSubstr("cut off"));
   bytes[63] = 2;
@@ -189,7 +189,7 @@ TEST_F(FeltFileTest, AFileThatIsTooLargeIsNotLookedAt) {
   if (pages == MAP_FAILED) GTEST_SKIP() << "this system does not promise 2 GiB of addresses";
   const std::string_view bytes(static_cast<const char*>(pages), size);
   EXPECT_EQ(parse_felt(bytes).error().code, ErrorCode::kLimitExceeded);
-  EXPECT_THAT(parse_felt(bytes.substr(1)).error().message, HasSubstr("is no Feltline drawing"));
+  EXPECT_THAT(parse_felt(bytes.substr(1)).error().message, HasSubstr("is not a Feltline drawing"));
   ::munmap(pages, size);
 }
 

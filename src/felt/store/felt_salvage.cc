@@ -187,7 +187,7 @@ class Assembly {
       return;
     }
     out_.problems.emplace_back(
-        "The size of the sheet, its paper and material, and the colour of new ink are lost; they "
+        "The page size, the paper colour, the surface and the colour of new ink are lost; they "
         "are those of a new drawing.");
   }
 

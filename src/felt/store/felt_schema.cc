@@ -275,11 +275,11 @@ Result<FeltTable> parse_table(std::string_view sql) {
   good = good && !table.name.empty() && in.take("(");
   do good = good && parse_column(in, table);
   while (good && in.take(", "));
-  if (!good || !in.take(")") || !in.is_done()) return invalid_data("is no plain table");
+  if (!good || !in.take(")") || !in.is_done()) return invalid_data("is not a plain table");
   std::vector<std::string> names = table.columns;
   std::sort(names.begin(), names.end());
   if (std::adjacent_find(names.begin(), names.end()) != names.end())
-    return invalid_data("is no table");
+    return invalid_data("is not a table");
   return table;
 }
 

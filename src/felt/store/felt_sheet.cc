@@ -35,7 +35,7 @@ Result<void> read_palette(const Database& db, Palette& palette) {
     }
     if (row->integer(0) != std::int64_t(palette.colors.size()) + 1 || !row->is_integer(1) ||
         !is_color_number(row->integer(1)) || !row->is_text(2)) {
-      return invalid_data("the palette holds an impossible value");
+      return invalid_data("the palette contains an invalid value");
     }
     palette.colors.push_back({color_of(row->integer(1)), std::string(row->text(2))});
   }
@@ -50,10 +50,10 @@ Result<void> read_view(const Database& db, std::optional<Viewport>& view) {
   if (!*any) return {};
   for (const int column : {0, 1, 2, 3}) {
     if (!row->is_real(column))
-      return invalid_data("the table 'shown' holds no number where it must");
+      return invalid_data("the table 'shown' lacks a number where one is required");
   }
   if (!row->is_integer(4) || (row->integer(4) | 1) != 1) {
-    return invalid_data("the table 'shown' holds an impossible value");
+    return invalid_data("the table 'shown' contains an invalid value");
   }
   view = Viewport{{row->real(0), row->real(1)}, row->real(2), row->real(3), row->integer(4) != 0};
   const Result<bool> more = row->step();
@@ -106,17 +106,16 @@ Result<void> read_sheet(const Database& db, Drawing& drawing) {
 Result<void> check_sheet(const Drawing& drawing) {
   const Palette& palette = drawing.palette;
   if (!is_palette_text(palette.name) || palette.columns > PaletteLimits::kMaxColumns) {
-    return invalid_data("the palette has an impossible name or number of columns");
+    return invalid_data("the palette has an invalid name or number of columns");
   }
   if (palette.colors.size() > PaletteLimits::kMaxColors) {
     return fail(ErrorCode::kLimitExceeded, "has more than 10000 colours in its palette");
   }
   for (const NamedColor& entry : palette.colors) {
     if (!is_palette_text(entry.name))
-      return invalid_data("a colour of the palette has an impossible name");
+      return invalid_data("a colour of the palette has an invalid name");
   }
-  if (drawing.view && !is_view(*drawing.view))
-    return invalid_data("what was seen of it is impossible");
+  if (drawing.view && !is_view(*drawing.view)) return invalid_data("its view is invalid");
   return {};
 }
 

@@ -50,10 +50,9 @@ Result<void> check_drawing(const Drawing& d) {
     return fail(ErrorCode::kLimitExceeded, "has used up the numbers of strokes or layers");
   }
   if (!is_side(d.page.width_mm) || !is_side(d.page.height_mm)) {
-    return invalid_data("the sheet is not 10 to 5000 mm on a side");
+    return invalid_data("the page is not 10 to 5000 mm on a side");
   }
-  if (!is_layer_name(d.page.surface))
-    return invalid_data("the material of the sheet has an impossible name");
+  if (!is_layer_name(d.page.surface)) return invalid_data("the surface has an invalid name");
   if (d.layer && !d.document.layer(d.layer)) return invalid_data("the layer in use is not there");
   if (d.document.layers().size() > kMaxLayers) {
     return fail(ErrorCode::kLimitExceeded, "has more than 10000 layers");
@@ -88,7 +87,7 @@ Result<void> write_layers(const Database& db, const Document& document) {
   if (!row) return tl::unexpected(row.error());
   std::int64_t place = 0;
   for (const Layer& layer : document.layers()) {
-    if (!is_layer_name(layer.name)) return invalid_data("a layer has an impossible name");
+    if (!is_layer_name(layer.name)) return invalid_data("a layer has an invalid name");
     row->bind(1, static_cast<std::int64_t>(layer.id.value));
     row->bind(2, place++);
     row->bind_text(3, layer.name);
@@ -140,16 +139,16 @@ Result<Head> read_drawing_row(const Database& db, Drawing& d) {
   if (!row) return tl::unexpected(row.error());
   const Result<bool> any = row->step();
   if (!any) return tl::unexpected(any.error());
-  if (!*any) return invalid_data("says nothing about its sheet");
+  if (!*any) return invalid_data("says nothing about its page");
   for (const int column : {2, 4, 5, 6, 7, 8, 10}) {
     if (!row->is_integer(column))
-      return invalid_data("the table 'drawing' holds no number where it must");
+      return invalid_data("the table 'drawing' lacks a number where one is required");
   }
   if (!row->is_real(0) || !row->is_real(1) || !row->is_text(3) ||
       !is_color_number(row->integer(2)) || !is_color_number(row->integer(4)) ||
       !is_counter(row->integer(5)) || !is_counter(row->integer(6)) ||
       !is_counter(row->integer(7)) || !row->is_text(9) || !is_counter(row->integer(10))) {
-    return invalid_data("the table 'drawing' holds an impossible value");
+    return invalid_data("the table 'drawing' contains an invalid value");
   }
   d.page = {row->real(0), row->real(1), color_of(row->integer(2)), std::string(row->text(3))};
   d.color = color_of(row->integer(4));
@@ -184,7 +183,7 @@ Result<void> read_layers(const Database& db, const Document& empty, Edit& edit) 
         !is_switch(2) || !is_switch(3) || !row->is_integer(4) ||
         row->integer(4) != static_cast<std::int64_t>(place)) {
       return invalid_data("layer " + std::to_string(row->integer(0)) +
-                          " holds an impossible value");
+                          " contains an invalid value");
     }
     LayerChange change{
         {static_cast<std::uint64_t>(row->integer(0))},
@@ -213,7 +212,7 @@ Result<void> read_strokes(const Database& db, Edit& edit) {
     const std::string name = "stroke " + std::to_string(row->integer(0));
     if (!is_id(row->integer(0)) || !row->is_integer(1) || !is_id(row->integer(1)) ||
         !row->is_integer(2) || !is_counter(row->integer(2)) || !row->is_blob(3)) {
-      return invalid_data(name + " holds an impossible value");
+      return invalid_data(name + " contains an invalid value");
     }
     Result<Stroke> stroke = read_stroke_blob(row->blob(3));
     if (!stroke) return tl::unexpected(with_context(stroke.error(), name));

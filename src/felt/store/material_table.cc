@@ -10,7 +10,7 @@ namespace felt {
 namespace {
 
 tl::unexpected<Error> impossible() {
-  return fail(ErrorCode::kInvalidData, "the table 'material' holds an impossible value");
+  return fail(ErrorCode::kInvalidData, "the table 'material' contains an invalid value");
 }
 
 tl::unexpected<Error> too_many() {

@@ -161,7 +161,7 @@ Result<void> write_events(const Database& to, const FeltRecording& recording,
   std::int64_t n = 0;
   for (const RecordedEvent& e : recording.events) {
     const std::string line = line_of(e.event);
-    if (!is_utf8(line)) return invalid_data("an event of the recording is no text");
+    if (!is_utf8(line)) return invalid_data("an event of the recording is not text");
     checksum.event(e.before_sample, line);
     row->bind(1, head.first_event + n++);
     row->bind(2, head.first_sample + static_cast<std::int64_t>(e.before_sample));
@@ -206,7 +206,7 @@ Result<void> write_recording(const Database& to, const FeltRecording& recording)
   const Result<std::int64_t> event = next_id(to, "recording_event");
   if (!sample || !event) return tl::unexpected(sample ? event.error() : sample.error());
   if (recording.device.size() > kMaxDeviceBytes || !is_utf8(recording.device)) {
-    return invalid_data("the device of the recording has an impossible name");
+    return invalid_data("the device of the recording has an invalid name");
   }
   RecordingHead head{recording.device};
   head.period_ns = recording.period_ns;
@@ -254,7 +254,7 @@ Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_tilt
     // would overflow.
     if (!good || row->integer(2) > 1'000'000'000 || row->integer(4) > 1'000'000'000) {
       return invalid_data("recording " + std::to_string(heads.size()) +
-                          " holds an impossible value");
+                          " contains an invalid value");
     }
     RecordingHead head{std::string(row->text(0))};
     int at = 1;
@@ -326,7 +326,7 @@ Result<void> read_samples(const Database& db, const RecordingHead& head, FeltRec
     if (!*more)
       return n == head.samples ? Result<void>() : invalid_data("has fewer samples than it says");
     if (row->integer(0) != head.first_sample + n || !is_sample_row(*row)) {
-      return invalid_data("sample " + std::to_string(n) + " holds an impossible value");
+      return invalid_data("sample " + std::to_string(n) + " contains an invalid value");
     }
     recording.samples.push_back(sample_of(*row, head.due_ns(n)));
     checksums.sample(recording.samples.back(), n);
@@ -365,7 +365,7 @@ Result<void> read_events(const Database& db, const RecordingHead& head, FeltReco
     if (row->integer(0) != head.first_event + n || !row->is_integer(1) || !row->is_integer(2) ||
         !row->is_text(3) || row->integer(1) < head.first_sample ||
         row->integer(1) > head.first_sample + head.samples) {
-      return invalid_data(name + " holds an impossible value");
+      return invalid_data(name + " contains an invalid value");
     }
     Result<Event> event = event_of(row->text(3));
     if (!event) return tl::unexpected(with_context(event.error(), name));

@@ -20,8 +20,7 @@ constexpr double kMaxEnergyMj = 1.0;
 constexpr const char* kUnplug =
     "Let the pen go. Then pull the device's cable out of the computer; you have half a minute.";
 constexpr const char* kReplug = "Plug it in again; you have half a minute.";
-constexpr const char* kDraw =
-    "Draw on the sheet as you like, pressing and lifting, until this is over.";
+constexpr const char* kDraw = "Draw as you like, pressing and lifting, until this check ends.";
 
 /// Waits until the device is connected again; returns false after kPatienceS or if cancelled.
 bool wait_for_device(CheckContext& context) {
@@ -65,7 +64,7 @@ Gone watch_it_go(Trial& trial) {
 
 CheckOutcome check_unplugging(CheckContext& context) {
   if (!context.person.does(PersonTask::kUnplug, kUnplug)) {
-    return not_possible("nobody pulls its cable");
+    return not_possible("nobody unplugged its cable");
   }
   Gone gone;
   {
@@ -144,7 +143,7 @@ CheckOutcome check_soak(CheckContext& context) {
     return failed(measured, "the wall gives back more energy than it took: it would hum");
   }
   if (with_force && largest_n <= kEpsilonN) {
-    return not_possible("nobody pressed onto the sheet", measured);
+    return not_possible("nobody pressed on the surface", measured);
   }
   return passed(measured);
 }

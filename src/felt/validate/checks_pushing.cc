@@ -163,8 +163,9 @@ CheckOutcome check_force_sign(CheckContext& context) {
     }
   }
   if (wrong.empty()) {
-    return passed(pushed_axes(context) < 3 ? "x, y of the sheet: right, down"
-                                           : "x, y, z of the sheet: right, down, towards the hand");
+    return passed(pushed_axes(context) < 3
+                      ? "x, y of the surface: right, down"
+                      : "x, y, z of the surface: right, down, towards the hand");
   }
   return failed(moved_words(context),
                 wrong +

@@ -174,7 +174,7 @@ CheckOutcome check_places(CheckContext& context) {
     const Vec3& p = tick.sample.position;
     const Vec3& v = tick.sample.velocity;
     if (!std::isfinite(p.x + p.y + p.z + v.x + v.y + v.z)) {
-      return failed({}, "it says places or velocities that are no numbers");
+      return failed({}, "it reports positions or velocities that are not numbers");
     }
     for (int axis = 0; axis < 3; ++axis) {
       const double low = component(can.workspace_min - room, axis);
@@ -187,7 +187,7 @@ CheckOutcome check_places(CheckContext& context) {
   }
   const Vec3 place = (*trial)->mean_place(0.5);
   return passed("at " + figure(place.x, 1) + ", " + figure(place.y, 1) + ", " + figure(place.z, 1) +
-                " mm of the sheet");
+                " mm on the surface");
 }
 
 CheckOutcome check_noise(CheckContext& context) {

@@ -49,7 +49,7 @@ Result<std::unique_ptr<Trial>> CheckContext::begin() {
   if (OpenDevice& device = *subject.device(); device.homing() != Homing::kNone) {
     if (!person.does(PersonTask::kFindHome, device.homing_words())) {
       return fail(ErrorCode::kUnsupported,
-                  "it must find its home first, and nobody agreed to that");
+                  "it must find its home first, and nobody agreed to this");
     }
     if (Result<void> home = device.find_home(); !home) return tl::unexpected(home.error());
   }

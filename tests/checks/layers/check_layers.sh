@@ -2,7 +2,7 @@
 # check_layers.sh [ROOT]: do the sources keep to the layers of rules.txt?
 #
 # Says each broken rule as FILE:LINE: reason, and fails when there is one. Checked:
-#   - a layer includes only what its line allows; rooms (folders in a layer) never include rooms;
+#   - a layer includes only what its line allows; subfolders of a layer never include each other;
 #   - foreign libraries stay in their folders;
 #   - project headers are included by their full name ("felt/...");
 #   - no header includes itself over others;
@@ -10,7 +10,7 @@
 #   - the programs include the library and themselves, never each other;
 #   - a test lies in a namespace with the name of its file, because several compile as one;
 #   - limits are called kMax... and kMin... (docs/glossary.md);
-#   - every layer and room has a README.md, and every public header a comment.
+#   - every layer and subfolder has a README.md, and every public header a comment.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 cd "${1:-.}"
@@ -22,8 +22,8 @@ mapfile -t files < <(find src apps bench tests -type f \( -name '*.h' -o -name '
 LC_ALL=C awk '
   function complain(text) { print FILENAME ":" FNR ": " text; broken = 1 }
 
-  # The layer and the room of a path below src/felt; rooms are folders inside a layer. Of the
-  # desktop program every folder is a layer.
+  # The layer and the subfolder of a path below src/felt. In the desktop program every folder is
+  # a layer.
   function split_place(path,    part, n) {
     layer_of = room_of = ""
     n = split(path, part, "/")
@@ -72,9 +72,9 @@ LC_ALL=C awk '
       if (layer_of == layer && !((room, room_of) in allowed))
         complain((room == "" ? layer : room) " must not include " room_of " (" name ")")
     }
-    # The one file that lists the rooms of a layer may see them.
+    # Only the file that lists the subfolders of a layer may include them.
     else if (FILENAME !~ /\/rooms(_test)?\.cc$/)
-      complain((room == "" ? layer : room) " must not include the room " room_of " (" name \
+      complain((room == "" ? layer : room) " must not include the subfolder " room_of " (" name \
         "); it is private as long as rules.txt has no line \"folder " room_of ":\"")
   }
 

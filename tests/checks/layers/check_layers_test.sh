@@ -61,9 +61,9 @@ expect "a test in the namespace of all" "put the test into a namespace felt::bad
 printf '/// x\n#include "felt/stroke/ink.h"\n' | file src/felt/devices/simulated/bad.h
 expect "a layer includes one beside it" "devices must not include stroke"
 printf '/// x\n#include "felt/tools/pull/pull.h"\n' | file src/felt/tools/pencil/bad.h
-expect "a room includes a room" "tools/pencil must not include the room tools/pull"
+expect "a subfolder includes a subfolder" "tools/pencil must not include the subfolder tools/pull"
 printf '/// x\n#include <felt/tools/pull/pull.h>\n' | file src/felt/tools/bad.h
-expect "a layer includes its room, in angle brackets" "tools must not include the room tools/pull"
+expect "a layer includes its subfolder, in angle brackets" "tools must not include the subfolder tools/pull"
 printf '/// x\n#include <QWidget>\n' | file apps/cli/bad.h
 expect "Qt outside the desktop program" "<QWidget> belongs in apps/desktop only"
 printf '/// x\n#  include <sqlite3.h>\n' | file src/felt/stroke/bad.h

@@ -77,49 +77,42 @@ std::string loop_of(const StabilityCell& cell) {
 }
 
 constexpr const char* kIntroduction = R"(# Stability
-What hands feel where nothing should be felt. Written by `./dev bench stability`; a test runs a part
-of it and wants the same cells to fail as are listed here.
+The forces that a hand feels when it should feel none. Written by `./dev bench stability`; a test
+runs a part of it and requires that the same cells fail as are listed here.
 
 Every cell is a trial: the simulated stylus in a simulated hand, the loop with its safety chain and
-the tools' force bricks, in virtual time. *rest*: land, press 0.8 N, hold still. *slow*: press and
+the tools' force terms, in virtual time. *rest*: land, press 0.8 N, hold still. *slow*: press and
 move at 20 mm/s (smooth surface: grain is meant to be felt). *tap*: eight taps. *well*: rest 1 mm
 beside a snap target, then out to its plateau and back. *edit*: an edit spring, 20 mm out and back.
-*let go*: a typical hand lands lightly and lets go; measured where the pen has come to rest, tapping
-where it has fallen and bounced.
+*let go*: a typical hand lands lightly and lets go; measured after the pen has come to rest; for
+*tap*, after it has fallen and bounced.
 
 Pencil and eraser in every loop; all other media at 1 kHz with a delay of one tick.
 
 Two figures. **HF**: rms of the device's force above 30 Hz over all axes, clean below 0.03 N (the
-least that is perceived is 0.04 N). **Energy**: what the device's force did for the hand, net, over
-a contact or a closed movement; at most 1 mJ. A trial also fails when the safety chain finds a
-fault.
+smallest force that is perceived is 0.04 N). **Energy**: the net work of the device's force on the
+hand over a contact or a closed movement; at most 1 mJ. A trial also fails when the safety chain
+finds a fault.
 
-Entries below: the worst HF and the worst energy of all cells of that kind, and how many fail.
+Each entry is the worst HF and the worst energy of all cells of that kind, and the number of cells
+that fail.
 
 )";
 
 constexpr const char* kWhatFails = R"(
 Why, by kind:
 
-* **worst, well or edit, 1 kHz: 0.03 to 0.07 N.** A pen without any friction of its own between two
-  springs in the sheet, the friction's bristle and the target or the edit, that together use the whole
-  budget of [the design](design/limits.md#stiffness-budget) (900 N/m, or 600 N/m with 2 ticks of delay). Dampers in the sheet leave
-  speeds below 6 mm/s alone, since one step of this sensor looks like 12 mm/s; so a swing of about 0.1
-  mm at about 25 Hz is not damped, and with a light hand or none nothing else damps it. It does not
-  grow. The real device with the least friction (premium, 0.04 N) is clean. Media with a softer
-  bristle (soft pencil, charcoal, crayon, eraser) fail less; under a hard tip we keep the crisp one.
-* **worst and inverse3, light hand, well, media that hardly rub (mu 0.05 to 0.07: hard pencil, ink pen
-  and brush pen on glass, brush pen on wood): 1.1 to 2.0 mJ.** Nothing hums; but what a target gives
-  to a pen that swings in it on its way back is more than so little friction and so light a hand take
-  within the trial.
-* **falcon, slow, eraser on rough paper, watercolour, canvas and blackboard.** Friction is 0.7 to 1.1
-  times the push here, so what one step of the coarsest sensor of all does to the push shows in the
-  sheet as well: 0.030 to 0.033 N. In each axis alone it is below the bound.
-* **touch, edit, blackboard, eraser.** 0.030 N: the same, just above the bound of 0.03 N and below what
-  is perceived.
+* **worst, well or edit, 1 kHz with 1 or 2 ticks of delay, light hand or none: 0.03 to 0.07 N.**
+  This simulated device has no friction. The pen is held by two springs in the surface, the
+  friction's bristle and the target or the edit, which together use the whole budget of [the
+  design](design/limits.md#stiffness-budget) (900 N/m, or 600 N/m with 2 ticks of delay). Dampers in
+  the surface do not act below 6 mm/s, because one step of this sensor looks like 12 mm/s. A swing
+  of about 0.1 mm at about 25 Hz is therefore not damped by the loop, and a light hand or no hand
+  does not damp it either. It does not grow.
 
-What had failed and does not any more: planes and bristles on coarse sensors (touch, falcon) hummed
-at 0.03 to 0.06 N between two steps; there both have become softer (`drawing_feel.h`).
+No other device fails. Earlier versions failed on others: planes and bristles hummed at 0.03 to 0.06
+N between two steps of coarse sensors (touch, falcon), until both were made softer there
+(`drawing_feel.h`).
 
 )";
 

@@ -121,7 +121,7 @@ class Reader {
         globals_.size = data;
         return {};
       case 8:
-        if (data == 0 || data > 0xFF) return wrong("a report's number is none");
+        if (data == 0 || data > 0xFF) return wrong("the number of a report is invalid");
         globals_.report = static_cast<std::uint8_t>(data);
         descriptor_.is_numbered = true;
         return {};
@@ -210,7 +210,7 @@ class Reader {
   }
 
   Result<void> close() {
-    if (collections_.empty()) return wrong("a collection ends that has not begun");
+    if (collections_.empty()) return wrong("a collection ends that has not started");
     collections_.pop_back();
     return {};
   }

@@ -54,7 +54,7 @@ tl::expected<PenSample, DeviceFault> DhdDevice::ask_sample() noexcept {
   sample.time_ns = now_ns_;
   sample.position = kMmPerM * p;
   if (!is_sane(sample.position)) {
-    return tl::unexpected(note(DeviceFault::kBadData, 0, "it says a place that cannot be"));
+    return tl::unexpected(note(DeviceFault::kBadData, 0, "it reported an impossible position"));
   }
   // "Too soon" (kTimeGuard) repeats the last position. That is no error, but it does not mean that
   // the arm stood still, so the velocity is kept.

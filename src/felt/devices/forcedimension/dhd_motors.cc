@@ -67,7 +67,8 @@ tl::expected<void, DeviceFault> DhdDevice::write(const Force& force) noexcept {
   }
   if (auto sent = send(passed.force); !sent) return write_failed(sent.error());
   if (!passed.was_finite) {
-    return write_failed(note(DeviceFault::kBadData, 0, "asked for a force that is no number"));
+    return write_failed(
+        note(DeviceFault::kBadData, 0, "was asked for a force that is not a number"));
   }
   write_fault_.reset();
   return {};

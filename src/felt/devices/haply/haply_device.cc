@@ -321,7 +321,7 @@ tl::expected<void, DeviceFault> HaplyDevice::write(const Force& force) noexcept 
   put(is_number && !no_force ? pace_.share() * force : Force{});
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
   if (!is_number) {
-    return failed(DeviceFault::kBadData, ShortText("A force was asked for that is no number."));
+    return failed(DeviceFault::kBadData, ShortText("A force was requested that is not a number."));
   }
   if (!no_force) return {};
   force_stopped_.reset();

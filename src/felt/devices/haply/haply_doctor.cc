@@ -28,7 +28,7 @@ bool has_unit(const SystemView& system) {
 
 Finding not_installed(const ServiceAddress& address) {
   return {.level = FindingLevel::kAbsent,
-          .what = "Haply's Inverse Service is not installed: nobody listens at " +
+          .what = "Haply's Inverse Service is not installed: nothing listens at " +
                   address.control.text() + ".",
           .steps = {"Only for an Inverse3 or Minverse: get the Inverse Service for Linux from "
                     "haply.co (Haply Hub brings it, too).",
@@ -40,7 +40,7 @@ Finding not_running(const ServiceAddress& address) {
       address.source.empty() ? std::string() : " (a port from " + address.source + ")";
   Finding finding{
       .level = FindingLevel::kProblem,
-      .what = "Haply's Inverse Service does not run: nobody listens at " + address.control.text() +
+      .what = "Haply's Inverse Service does not run: nothing listens at " + address.control.text() +
               source + ".",
       .steps = {
           "Start it, now and whenever the computer starts:\nsudo systemctl enable --now "

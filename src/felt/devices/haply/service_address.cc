@@ -76,7 +76,7 @@ void from_variable(const SystemView& system, const char* name, Address& address,
     address = *found;
     whole.source = name;
   } else {
-    whole.wrong = std::string(name) + " is \"" + *url + "\", which is no address.";
+    whole.wrong = std::string(name) + " is \"" + *url + "\", which is not a valid address.";
   }
 }
 
@@ -121,7 +121,7 @@ Result<std::string> http_get(const TcpConnect& connect, const Address& address,
   // The body is one object, however it is divided into chunks.
   const std::size_t begin = answer.find('{'), end = answer.rfind('}');
   if (begin == std::string::npos || end == std::string::npos || end < begin) {
-    return fail(ErrorCode::kInvalidData, where + ": the answer is no JSON");
+    return fail(ErrorCode::kInvalidData, where + ": the answer is not JSON");
   }
   return answer.substr(begin, end - begin + 1);
 }

@@ -91,7 +91,7 @@ Result<void> WebSocket::shake_hands(const std::string& host, std::int64_t within
   const std::string first(answer.substr(0, answer.find("\r\n")));
   if (!first.starts_with("HTTP/1.1 101")) {
     return fail(ErrorCode::kInvalidData,
-                host + ": speaks no WebSocket, but says \"" + first + "\"");
+                host + ": does not use WebSocket, but answered \"" + first + "\"");
   }
   const auto upgrade = header_of(answer, "Upgrade"),
              accept = header_of(answer, "Sec-WebSocket-Accept");

@@ -78,7 +78,7 @@ tl::expected<PenSample, DeviceFault> OpenHapticsDevice::sense(std::int64_t now_n
                       {way[0], way[1], way[2]},
                       {},
                       static_cast<unsigned>(buttons) & kButtonBits};
-  if (!is_believable(pen)) return refuse(DeviceFault::kBadData, "a place that is no place");
+  if (!is_believable(pen)) return refuse(DeviceFault::kBadData, "an impossible position");
   return pen;
 }
 
@@ -157,7 +157,7 @@ tl::expected<void, DeviceFault> OpenHapticsDevice::write(const Force& asked) noe
   }
   if (fault == DeviceFault::kDisconnected) die();
   if (!was_finite && !is_gone_) {
-    return refuse(DeviceFault::kBadData, "a force that is no number was asked for");
+    return refuse(DeviceFault::kBadData, "the force requested is not a number");
   }
   if (fault) return tl::unexpected(*fault);
   if (last_ && status_.fault) {

@@ -160,8 +160,8 @@ Finding missing_library(const LibraryLook& look, bool owns_one) {
                       : "OpenHaptics, the library for devices of 3D Systems, is not installed.",
           .details = look.tried,
           .steps = {"Get \"OpenHaptics for Linux\" and the Touch device driver from 3D Systems "
-                    "(support.3dsystems.com), and install both as they say",
-                    "If it is in a place of its own, say where:\n"
+                    "(support.3dsystems.com), and follow their instructions to install both",
+                    "If it is in another folder, set its path:\n"
                     "export FELT_OPENHAPTICS_LIBRARY=/path/to/libHD.so"}};
 }
 
@@ -215,8 +215,8 @@ Finding no_permission(const SystemView& system, const std::string& words, bool i
   const std::string group = is_tty ? "dialout" : "plugdev";
   if (std::find(groups.begin(), groups.end(), group) == groups.end()) {
     finding.steps.push_back(
-        "Or, over a network where nobody sits at this computer, join the group "
-        "that may, and log out and in again:\nsudo usermod -aG " +
+        "Or, for remote use, join the group that has access, then log out and in again:\nsudo "
+        "usermod -aG " +
         group + " " + system.user());
   }
   return finding;

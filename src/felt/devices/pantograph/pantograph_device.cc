@@ -234,9 +234,9 @@ tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noex
   if (went) sent_ = pushes;
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
   if (!passed.was_finite) {
-    return failed(DeviceFault::kBadData, "A force was asked for that is no number.");
+    return failed(DeviceFault::kBadData, "A force was requested that is not a number.");
   }
-  if (!went) return failed(DeviceFault::kOther, "The board takes no bytes.");
+  if (!went) return failed(DeviceFault::kOther, "The board does not accept data.");
   if (!is_guarded) return failed(DeviceFault::kForcesOff, kUnguarded);
   return {};
 }
@@ -285,7 +285,7 @@ Result<void> PantographDevice::set_up() {
   is_set_up_ = false;
   sent_ = {};
   if (!port_->send(reset_frame(), kSetUpNs)) {
-    return fail(ErrorCode::kIo, "The board takes no bytes.");
+    return fail(ErrorCode::kIo, "The board does not accept data.");
   }
   // The board may send something while it restarts, or nothing.
   const StreamDeadline pause(kResetPauseNs);
@@ -293,7 +293,7 @@ Result<void> PantographDevice::set_up() {
   }
   throw_away();
   if (!port_->send(setup_frame(model_), kSetUpNs)) {
-    return fail(ErrorCode::kIo, "The board takes no bytes.");
+    return fail(ErrorCode::kIo, "The board does not accept data.");
   }
   is_set_up_ = true;
   for (int i = 0; i < kSetUpTries && !is_gone_; ++i) {

@@ -57,8 +57,7 @@ Finding port_finding(const SystemView& system, const Port& port) {
   const Result<void> usable = system.may_use(port.path);
   if (usable) {
     return {.what =
-                "The port " + port.path +
-                " may be a 2DIY, and you may use it. Whether it is one, only opening it tells."};
+                "The port " + port.path + " may be a 2DIY, and you may use it. Open it to check."};
   }
   Finding finding{.level = FindingLevel::kProblem,
                   .what = "The port " + port.path + " may be a 2DIY, but you may not use it.",

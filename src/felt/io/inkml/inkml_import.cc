@@ -74,14 +74,13 @@ class InkmlReader {
     const pugi::xml_node root = input_.root();
     if (xml_local_name(root.name()) != "ink") {
       return fail(ErrorCode::kInvalidData, "line " + std::to_string(input_.line_of(root)) +
-                                               ": is no InkML: it begins with '" + root.name() +
-                                               "'");
+                                               ": not InkML: it begins with '" + root.name() + "'");
     }
     const std::string_view name = root.name();
     prefix_ = name.substr(0, name.size() - 3);
     felt_ = xml_prefix_of(root, inkml::kFeltNamespace);
     if (!felt_.empty() && !inkml::read_sheet(root, felt_, builder_.drawing())) {
-      notice(root, "carries a material that is none or too long; it was left out");
+      notice(root, "carries an invalid or too long material, which was left out");
     }
     find_traces(root);
     groups_.push_back({});

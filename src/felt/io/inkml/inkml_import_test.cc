@@ -349,9 +349,8 @@ TEST(InkmlImport, DeepGroupsAndManyTracesAreNoTrouble) {
 }
 
 TEST(InkmlImport, OtherFilesAreErrors) {
-  EXPECT_THAT(import_inkml("<svg/>").error().message,
-              HasSubstr("is no InkML: it begins with 'svg'"));
-  EXPECT_THAT(import_inkml("").error().message, HasSubstr("is no XML"));
+  EXPECT_THAT(import_inkml("<svg/>").error().message, HasSubstr("not InkML: it begins with 'svg'"));
+  EXPECT_THAT(import_inkml("").error().message, HasSubstr("is not XML"));
 }
 
 }  // namespace

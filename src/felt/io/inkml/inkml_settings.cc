@@ -176,7 +176,7 @@ void Settings::read_property(const pugi::xml_node& node, Brush& brush) {
     const auto unit = mm_of_unit(node.attribute("units").value());
     const auto number = number_of(value);
     if (!number) {
-      notice(node, "is no width and was left out");
+      notice(node, "is not a valid width and was left out");
       return;
     }
     if (!unit) notice(node, "has no unit of length; it was taken as mm");
@@ -201,7 +201,7 @@ void Settings::read_color(const pugi::xml_node& node, Brush& brush) {
   const std::optional<Rgba> color =
       named != kInkmlColors.end() ? std::optional(named->color) : color_from_text(text);
   if (!color) {
-    notice(node, "is no colour that is known; it was taken as black");
+    notice(node, "is not a known colour; it was read as black");
     return;
   }
   const std::uint8_t alpha = text.size() == 9 ? color->a : brush.color.a;

@@ -32,7 +32,7 @@ class QuickdrawReader {
     QuickdrawRecord record;
     if (const Result<void> done = parser_.parse(line, record); !done) {
       if (first_error_.empty()) first_error_ = done.error().message;
-      report_.add(line.number(), "", "is no drawing and was left out: " + done.error().message);
+      report_.add(line.number(), "", "is not a drawing and was left out: " + done.error().message);
       return;
     }
     records_.push_back(std::move(record));

@@ -150,7 +150,7 @@ TEST(QuickdrawImport, AContactSheet) {
   EXPECT_NEAR(testing::strokes_in(d.drawing.document, 4)[0].position(0).y, 64.5, 1e-6);
   ASSERT_EQ(d.report.notices().size(), 1u);
   EXPECT_THAT(notice_text(d.report.notices()[0]),
-              HasSubstr("line 6: is no drawing and was left out"));
+              HasSubstr("line 6: is not a drawing and was left out"));
 }
 
 TEST(QuickdrawImport, TheNumberOfDrawingsIsLimited) {

@@ -161,7 +161,7 @@ Result<std::string> svg_with_entities(std::string_view text) {
   Definitions definitions(text, find_definitions(text, begin));
   const std::size_t end = definitions.read();
   if (end == std::string_view::npos) {
-    return fail(ErrorCode::kInvalidData, "is no XML: its document type does not end");
+    return fail(ErrorCode::kInvalidData, "is not XML: its document type does not end");
   }
   std::string result(text.substr(0, begin));
   const std::string_view doctype = text.substr(begin, end - begin);
@@ -230,7 +230,7 @@ Result<std::unique_ptr<SvgDocument>> SvgDocument::parse(std::string_view text) {
   const std::string_view name = input->root().name();
   if (xml_local_name(name) != "svg") {
     return fail(ErrorCode::kInvalidData,
-                "is no SVG: its first element is '" + std::string(name.substr(0, 100)) + "'");
+                "is not an SVG: its first element is '" + std::string(name.substr(0, 100)) + "'");
   }
   std::unique_ptr<SvgDocument> document(new SvgDocument(*std::move(input)));
   document->names_outer_style_ =

@@ -135,7 +135,7 @@ TEST(SvgForeign, SaysWhatItLeavesOut) {
       "<path stroke='red' d='M1 1h9x'/>"));
   const std::string text = notice_lines(drawing);
   for (const char* expected :
-       {"line 2: text 'title' is no ink and was left out (and 3 more like it)",
+       {"line 2: text 'title' is not a stroke and was left out (and 3 more like it)",
         "line 5: script was left out: nothing moves", "line 6: g has a filter",
         "line 6: g has a mask", "line 6: g is cut to a clip path", "line 7: path has markers",
         "it is in another file", "what it repeats is not in the file", "is hidden in the file",

@@ -86,7 +86,7 @@ void SvgInk::root(const SvgRoot& root) {
   Drawing& drawing = builder_.drawing();
   for (const std::string_view text : root.materials) {
     if (add_material_text(drawing.materials, text)) continue;
-    notice(0, "svg", "carries a material that is none or too long; it was left out");
+    notice(0, "svg", "carries an invalid or too long material, which was left out");
   }
   const auto set_page = [&drawing](const std::optional<SheetPage>& page) {
     drawing.has_page = page.has_value();

@@ -38,7 +38,7 @@ class Lengths {
     const std::string_view text = said.empty() ? svg_trimmed(node_.attribute(name).value()) : said;
     if (text.empty() || svg_same_word(text, "auto")) return std::nullopt;
     const std::optional<double> length = svg_length(text, axis, units_);
-    if (!length) problem_ = std::string(name) + " is no length";
+    if (!length) problem_ = std::string(name) + " is not a length";
     return length;
   }
 

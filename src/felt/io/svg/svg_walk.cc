@@ -241,7 +241,7 @@ void SvgWalker::dispatch(Element& e, const Frame& from) {
   if (e.name == "svg") return visit_svg(e, from);
   if (e.name == "symbol") return visit_symbol(e, from);
   if (e.name == "switch") return visit_switch(e, from);
-  notice(e.node, "is no ink and was left out");
+  notice(e.node, "is not a stroke and was left out");
 }
 
 void SvgWalker::push(const Element& e, const Frame& from) {

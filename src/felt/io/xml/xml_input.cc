@@ -177,9 +177,9 @@ Result<XmlInput> XmlInput::parse(std::string_view bytes, const XmlLimits& limits
   if (!parsed) {
     const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0));
     return invalid_data("line " + std::to_string(line_at(input.text_, at)) +
-                        ": is no XML: " + parsed.description());
+                        ": is not XML: " + parsed.description());
   }
-  if (!input.root()) return invalid_data("is no XML: it has no element");
+  if (!input.root()) return invalid_data("is not XML: it has no element");
   std::uint32_t lines = 0;
   for (std::size_t at = 0; at < input.text_.size(); at += kLineBlock) {
     input.lines_before_.push_back(lines);

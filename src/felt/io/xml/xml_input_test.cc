@@ -77,9 +77,9 @@ TEST(XmlInput, RefusesDefinitionsOfEntities) {
 }
 
 TEST(XmlInput, SaysWhereItIsNoXml) {
-  EXPECT_THAT(error_of("<a>\n<b>\n</a>"), HasSubstr("line 3: is no XML"));
-  EXPECT_THAT(error_of(""), HasSubstr("is no XML"));
-  EXPECT_THAT(error_of("hello"), HasSubstr("is no XML"));
+  EXPECT_THAT(error_of("<a>\n<b>\n</a>"), HasSubstr("line 3: is not XML"));
+  EXPECT_THAT(error_of(""), HasSubstr("is not XML"));
+  EXPECT_THAT(error_of("hello"), HasSubstr("is not XML"));
   EXPECT_THAT(error_of("<a>\xff</a>"), HasSubstr("is not UTF-8"));
 }
 

@@ -63,7 +63,7 @@ class XoppReader {
     const pugi::xml_node root = input_.root();
     if (std::string_view(root.name()) != "xournal") {
       return fail(ErrorCode::kInvalidData, "line " + std::to_string(input_.line_of(root)) +
-                                               ": is no Xournal++ document: it begins with '" +
+                                               ": not a Xournal++ document: it begins with '" +
                                                root.name() + "'");
     }
     double version = 0.0;
@@ -161,7 +161,7 @@ class XoppReader {
       if (name == "stroke") {
         read_stroke(child, strokes);
       } else if (name == "text" || name == "link") {
-        notice(child, "is text, no ink, and was left out");
+        notice(child, "is text, not a stroke, and was left out");
       } else if (name == "image" || name == "teximage") {
         notice(child, "is a picture and was left out");
       } else {
@@ -242,7 +242,7 @@ class XoppReader {
       line_.push_back({{x * kMmPerPoint, top_mm_ + y * kMmPerPoint}, 0.0});
     }
     if (x_is == Next::kBad || y_is == Next::kBad) {
-      notice(node, "holds something that is no number; only the points before it were taken");
+      notice(node, "contains something that is not a number; only the points before it were read");
     } else if (x_is == Next::kNumber) {
       notice(node, "has a last point without y, which was left out");
     }
@@ -270,7 +270,7 @@ class XoppReader {
       NumberList pressures(node.attribute("pressures").value());
       while ((next = pressures.next(width_pt)) == Next::kNumber) pieces_.push_back(width_pt);
     }
-    if (next == Next::kBad) notice(node, "has a width that is no number");
+    if (next == Next::kBad) notice(node, "has a width that is not a number");
     if (pieces_.size() + 1 < line_.size()) {
       if (!pieces_.empty()) notice(node, "has too few widths; it was drawn with one width");
       pieces_.clear();

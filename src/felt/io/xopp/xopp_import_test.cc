@@ -115,7 +115,7 @@ TEST(XoppImport, WhatIsNoInkIsNamedWithItsLine) {
                 "<image left=\"0\" top=\"0\">AAAA</image>\n<teximage text=\"x\"/>\n<wobble/>\n"));
   EXPECT_THAT(
       texts(d.report),
-      ::testing::ElementsAre("line 6: text is text, no ink, and was left out",
+      ::testing::ElementsAre("line 6: text is text, not a stroke, and was left out",
                              "line 7: image is a picture and was left out (and 1 more like it)",
                              "line 9: wobble is unknown and was left out"));
 }
@@ -166,9 +166,9 @@ TEST(XoppImport, DotsAreDabs) {
 TEST(XoppImport, BadNumbersAreNoticedAndTheRestIsKept) {
   const auto notes = [](const std::string& strokes) { return texts(read(page(strokes)).report); };
   EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1\">0 0 9 9 x 7</stroke>"),
-              Contains(HasSubstr("is no number; only the points before it were taken")));
+              Contains(HasSubstr("is not a number; only the points before it were read")));
   EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1\">0 0 9 9 1e10 0</stroke>"),
-              Contains(HasSubstr("is no number; only the points before it were taken")));
+              Contains(HasSubstr("is not a number; only the points before it were read")));
   EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1\">0 0 9</stroke>"),
               Contains(HasSubstr("a last point without y")));
   EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1\"></stroke>"),
@@ -178,7 +178,7 @@ TEST(XoppImport, BadNumbersAreNoticedAndTheRestIsKept) {
   EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1 2\">0 0 9 9 8 8</stroke>"),
               Contains(HasSubstr("has too few widths")));
   EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1 nan 2\">0 0 9 9 8 8</stroke>"),
-              Contains(HasSubstr("has a width that is no number")));
+              Contains(HasSubstr("has a width that is not a number")));
 }
 
 TEST(XoppImport, NumbersAtTheirLimits) {
@@ -204,8 +204,8 @@ TEST(XoppImport, TakesEveryPacking) {
 
 TEST(XoppImport, OtherFilesAreErrors) {
   const auto error = [](std::string_view bytes) { return import_xopp(bytes).error().message; };
-  EXPECT_THAT(error("<svg/>"), HasSubstr("is no Xournal++ document: it begins with 'svg'"));
-  EXPECT_THAT(error(""), HasSubstr("is no XML"));
+  EXPECT_THAT(error("<svg/>"), HasSubstr("not a Xournal++ document: it begins with 'svg'"));
+  EXPECT_THAT(error(""), HasSubstr("is not XML"));
   EXPECT_THAT(error("\x1F\x8B"), HasSubstr("is cut off"));
   EXPECT_THAT(error("PK\x03\x04 and so on"), HasSubstr("is a damaged zip archive"));
 }

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 1> kEraserEdits = {"Erase"};
 constexpr ToolInfo kEraserInfo{
     .id = "eraser",
     .label = "Eraser",
-    .help = "Erases what it covers, lines up to their next crossings, or whole lines.",
+    .help = "Erases the ink under it, lines up to their next crossings, or whole lines.",
     .shortcut = 'e',
     .options = kEraserOptions,
     .kind = ToolKind::kErases,
