@@ -62,7 +62,7 @@ void add_width_options(CLI::App& command, FitArguments& args) {
   command
       .add_option(
           "--medium,--material", args.material,
-          "What the lines are drawn with, by its widths, tone and answer to tilt: " + media_names())
+          "What the lines are drawn with, by its widths, tone and response to tilt: " + media_names())
       ->check(CLI::Validator(check_medium, "ID"));
   command
       .add_option(

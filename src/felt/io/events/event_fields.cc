@@ -65,7 +65,7 @@ Result<void> parse_tilt(Value& value, EventFields& out) {
     return read;
   }
   if (tilt_deg < 0.0 || tilt_deg > kMaxTiltDeg) {
-    return bad("tilt: " + excerpt(token) + " is no angle from 0 to 90 degrees");
+    return bad("tilt: " + excerpt(token) + " is not an angle from 0 to 90 degrees");
   }
   out.tilt_deg = tilt_deg;
   return {};

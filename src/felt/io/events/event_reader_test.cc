@@ -168,8 +168,8 @@ TEST(EventReader, APenMayTilt) {
   EXPECT_EQ(event_of(R"({"event":"pen","x":1,"y":2,"z":-1,"lean":32.5,"t_ms":0})"),
             (Event{0, PenEvent{{1, 2, -1}, {}, 0, 32.5}}))
       << "the key in older recordings";
-  EXPECT_EQ(error_of(pen("-0.5")), "tilt: -0.5 is no angle from 0 to 90 degrees");
-  EXPECT_EQ(error_of(pen("90.001")), "tilt: 90.001 is no angle from 0 to 90 degrees");
+  EXPECT_EQ(error_of(pen("-0.5")), "tilt: -0.5 is not an angle from 0 to 90 degrees");
+  EXPECT_EQ(error_of(pen("90.001")), "tilt: 90.001 is not an angle from 0 to 90 degrees");
   EXPECT_EQ(error_of(pen("\"45\"")), "tilt: \"45\" is not a number");
   EXPECT_THAT(error_of(pen("1e99")), HasSubstr("tilt: 1e99 is malformed, or larger than"));
   EXPECT_THAT(error_of(pen("NaN")), HasSubstr("NaN"));

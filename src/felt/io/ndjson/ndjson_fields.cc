@@ -31,7 +31,7 @@ Result<void> parse_tilt(Value& value, InkSample& out) {
     return tl::unexpected(with_context(number_error(token, kCoordinateLimit), "tilt"));
   }
   if (tilt_deg < 0.0 || tilt_deg > kMaxTiltDeg) {
-    return bad("tilt: " + excerpt(token) + " is no angle from 0 to 90 degrees");
+    return bad("tilt: " + excerpt(token) + " is not an angle from 0 to 90 degrees");
   }
   out.tilt_deg = tilt_deg;
   return {};

@@ -97,8 +97,8 @@ TEST(NdjsonRaw, APenMayTilt) {
     EXPECT_EQ(tilt(none), std::nullopt) << none;
   }
   EXPECT_THAT(raw_error(point(R"({"tilt":-1})")),
-              HasSubstr("tilt: -1 is no angle from 0 to 90 degrees"));
-  EXPECT_THAT(raw_error(point(R"({"tilt":90.5})")), HasSubstr("tilt: 90.5 is no angle"));
+              HasSubstr("tilt: -1 is not an angle from 0 to 90 degrees"));
+  EXPECT_THAT(raw_error(point(R"({"tilt":90.5})")), HasSubstr("tilt: 90.5 is not an angle"));
   EXPECT_THAT(raw_error(point(R"({"tilt":"30"})")), HasSubstr("tilt: \"30\" is not a number"));
   EXPECT_THAT(raw_error(point(R"({"tilt":[1e99,0]})")), HasSubstr("tilt: "));
   EXPECT_NE(raw_error(point(R"({"tilt":[1,})")), "");

@@ -708,7 +708,7 @@ TEST(HaplyDoctor, AnotherComputersServiceIsLookedForThere) {
   Table table;
   table.system.set_environment(kUrlVariable, "ws://10.0.0.7:10001");
   table.system.add_listener(10001);  // a listener on this computer, which is another program
-  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("nobody listens at 10.0.0.7"));
+  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("nothing listens at 10.0.0.7"));
   table.system.add_listener(10001, "10.0.0.7");
   EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("version 3.4.2.0"));
 }
