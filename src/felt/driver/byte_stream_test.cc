@@ -18,7 +18,7 @@ namespace felt::byte_stream_test {
 namespace {
 
 constexpr std::int64_t kSoonNs = 5'000'000;
-constexpr std::int64_t kLongNs = 5'000'000'000;  // an upper bound that no test waits for
+constexpr std::int64_t kLongNs = 5'000'000'000;  // an upper bound; no test waits that long
 
 std::span<const std::byte> bytes_of(std::string_view text) {
   return std::as_bytes(std::span(text.data(), text.size()));
@@ -91,8 +91,9 @@ TEST(TcpStream, SendsAndReceivesAndSaysWhenTheOtherSideLeft) {
   EXPECT_EQ((*stream)->send(bytes_of("x"), kLongNs).error(), StreamFault::kClosed);
 }
 
-// The other side does not read. Sends fill the buffers, then send() times out. After half a message
-// the stream is over, because the other side could not find the start of the next one.
+// The peer does not read. The sent messages fill the buffers until send() times out. If only part
+// of a message was sent, the stream is closed, because the peer could not find the start of the
+// next message.
 TEST(TcpStream, HalfAMessageEndsTheStream) {
   Listener listener;
   auto stream = TcpStream::connect("127.0.0.1", listener.port(), kLongNs);
@@ -193,7 +194,8 @@ TEST(SerialStream, AGuardSpeaksAtTheEndAndFreesThePort) {
   EXPECT_TRUE(SerialStream::open(pty.path()).has_value());
 }
 
-// Only sent bytes count as a sign of life.
+// The guard sends its message if the program has sent no bytes for a while. Received bytes do not
+// count.
 TEST(SerialStream, AGuardSpeaksAfterASilence) {
   Pty pty;
   auto port = SerialStream::open(pty.path());

@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 using Names = std::vector<std::string>;
 
-// Both come with every glibc; nothing in this program uses the second.
+// Both are part of every glibc. This program does not link against kUnused.
 const std::string kPresent = "libm.so.6";
 const std::string kUnused = "libanl.so.1";
 

@@ -95,7 +95,8 @@ TEST(EvdevPort, SaysWhatTheSystemSays) {
   ASSERT_FALSE(open_hidraw("/dev/no-such-node"));
 }
 
-/// A named pipe instead of the node: events as the kernel writes them, but no ioctls.
+/// Uses a named pipe instead of the device node. It delivers events in the kernel's format, but
+/// ioctls fail.
 TEST(EvdevPort, ReadsWhatTheKernelWrites) {
   std::string folder = ::testing::TempDir() + "evdev-XXXXXX";
   ASSERT_NE(mkdtemp(folder.data()), nullptr);
@@ -136,7 +137,7 @@ TEST(HidrawPort, ReadsAndWritesReports) {
   std::array<std::uint8_t, 8> room{};
   EXPECT_EQ((*port)->read(room, 0), 0u);
   const std::array<std::uint8_t, 3> report{0x11, 2, 3};
-  EXPECT_TRUE((*port)->write(report));  // into the pipe that it also reads
+  EXPECT_TRUE((*port)->write(report));  // the port also reads from this pipe
   EXPECT_EQ((*port)->read(room, 1'000'000'000), 3u);
   EXPECT_EQ(room[2], 3);
   EXPECT_EQ((*port)->feature(room).error(), ENOTTY);

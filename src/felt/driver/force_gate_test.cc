@@ -19,7 +19,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double any_double() {
-  // Any bit pattern: denormals, NaN, infinities.
+  // Every bit pattern can occur: also denormals, NaN and infinities.
   const auto bits = *rc::gen::arbitrary<std::uint64_t>();
   double value = 0.0;
   std::memcpy(&value, &bits, sizeof value);
@@ -182,7 +182,7 @@ TEST(ForceGate, WhatWasLetGoHeatsNoMotor) {
   EXPECT_NEAR(norm(pass_long(let_go, {2.5, 0, 0}, 60'000 * kMs).force), 2.5, 1e-9);
 }
 
-// docs/safety.md, "rise": for any requested force and any rate of calls.
+// docs/safety.md, "rise". It holds for any requested force and any rate of calls.
 TEST(ForceGate, TheForceRisesByThreeTenthsOfANewtonAMillisecond) {
   for (const std::int64_t tick_ns : {kMs / 5, kMs, 2 * kMs, 7 * kMs, 500 * kMs}) {
     ForceGate gate(find_device_model("inverse3")->capabilities);

@@ -29,13 +29,13 @@ struct DeviceSetup {
   std::shared_ptr<std::timed_mutex> driver_lock = {};
 };
 
-/// A device in use, as window, command line and device test see it: in the frame of the page and
-/// within the limits that its user has set. There is one between the servo and each device.
+/// An open device as the window, the command line and the device test use it: in the frame of the
+/// surface and within the user's limits. One OpenDevice is between the servo and each device.
 ///
-/// Positions and velocities are mapped into the page's frame, forces out of it by the inverse
-/// rotation, so that +z lifts the pen off the page however the plane is tilted. Pressure, buttons,
-/// times and faults pass unchanged. The tilt of a pen whose axis the device reports is measured
-/// against this plane; a tilt that the device reports by itself is kept otherwise.
+/// Positions and velocities are mapped into the frame of the surface, and forces out of it by the
+/// inverse rotation. So +z lifts the pen off the surface however the plane is tilted. Pressure,
+/// buttons, times and faults pass unchanged. If the device reports the axis of the pen, its tilt is
+/// measured against this plane. Otherwise the tilt that the device reports is kept.
 ///
 /// Threads: read(), between(), write(), held_force() and stop() as in Device, and as real-time safe
 /// as the device's own; set_pen_down() any; the rest on the edit thread.
@@ -56,7 +56,7 @@ class OpenDevice final : public Device {
   ~OpenDevice() override;
 
   [[nodiscard]] std::string_view name() const noexcept override { return device_.name(); }
-  /// Returns the capabilities in the page's frame, within the user's limits.
+  /// Returns the device's capabilities in the frame of the surface, within the user's limits.
   [[nodiscard]] const Capabilities& capabilities() const noexcept override { return capabilities_; }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
   std::optional<PenSample> between() noexcept override;

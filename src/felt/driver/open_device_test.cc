@@ -15,7 +15,8 @@
 namespace felt::open_device_test {
 namespace {
 
-// A table tilted by 30 degrees, mirrored as for a page in front of a right-handed device.
+// Returns the plane of a table tilted by 30 degrees. It mirrors, because the device's frame is
+// right-handed.
 PlaneCalibration leaning() {
   const double c = std::cos(0.5235987755982988), s = std::sin(0.5235987755982988);
   return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -c, s}, Vec3{0, s, c}}, {40, 30, -5});
@@ -41,18 +42,19 @@ TEST(OpenDevice, MapsPlacesInAndForcesOut) {
   EXPECT_GT(inner.force.z, 0.0);
 }
 
-// The tilt of the same pen in the same hand depends on how the board is tilted.
-TEST(OpenDevice, ThePenTiltsAgainstTheSheetNotTheDevice) {
+// The tilt of the pen is measured against the surface. So it changes with the tilt of the board,
+// even if the pen does not move.
+TEST(OpenDevice, ThePenLeansAgainstTheSheetNotTheDevice) {
   ScriptedDevice inner;
   OpenDevice device(inner, leaning());
   EXPECT_EQ(device.read(1)->tilt_deg, std::nullopt) << "no device, no tilt";
   const PlaneCalibration map = leaning();
-  inner.axis = map.rows()[2];  // normal to the page
-  EXPECT_EQ(device.read(2)->tilt_deg, 0.0);
-  inner.axis = Vec3{0, 0, 1};  // the device's own upright: the table is tilted by 30 degrees
-  EXPECT_EQ(device.read(3)->tilt_deg, 30.0);
-  inner.axis = 7.5 * map.rows()[0];  // of any length, within the page
-  EXPECT_EQ(device.read(4)->tilt_deg, 90.0);
+  inner.axis = map.rows()[2];  // normal to the surface
+  EXPECT_EQ(device.read(2)->lean_deg, 0.0);
+  inner.axis = Vec3{0, 0, 1};  // the device's z axis, because the table is tilted by 30 degrees
+  EXPECT_EQ(device.read(3)->lean_deg, 30.0);
+  inner.axis = 7.5 * map.rows()[0];  // parallel to the surface, not of length 1
+  EXPECT_EQ(device.read(4)->lean_deg, 90.0);
   inner.axis = map.rows()[2] - map.rows()[1];
   EXPECT_EQ(device.read(5)->tilt_deg, 45.0);
 }
@@ -79,7 +81,7 @@ TEST(OpenDevice, AnAxisWithoutDirectionIsNoTilt) {
   }
 }
 
-// A device with a sample between two ticks, in its own frame.
+// A device that reports a sample between two ticks, in its own frame.
 class BetweenTicks final : public Device {
  public:
   [[nodiscard]] std::string_view name() const noexcept override { return "between"; }

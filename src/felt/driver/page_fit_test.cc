@@ -52,7 +52,7 @@ TEST(PageFit, TheMiddleLiesOnTheMiddleOfThePageAndTheSheetStaysWhereItIs) {
     // Points on the page stay on the page.
     const Vec3 on_sheet = plane.to_device(Vec3{any.between(0, 300), any.between(0, 200), 0});
     EXPECT_NEAR(fit.to_sheet(on_sheet).z, 0.0, 1e-9);
-    // A distance of the hand is multiplied by the scale on the page.
+    // A distance that the hand moves is multiplied by the scale on the page.
     const Vec3 a = any.place(60), b = any.place(60);
     EXPECT_NEAR(norm(fit.to_sheet(a) - fit.to_sheet(b)), wanted * norm(a - b), 1e-9);
     EXPECT_NEAR(norm(fit.to_device(fit.to_sheet(a)) - a), 0.0, 1e-9);
@@ -97,7 +97,7 @@ TEST(PageFit, ReachIsWhatAStraightWayThroughTheMiddleHas) {
   }
 }
 
-// The relations in plane_calibration.h, measured at the device through OpenDevice.
+// Measures the relations in plane_calibration.h at the device, through OpenDevice.
 TEST(ScaledSheet, ForceStiffnessDampingAndWorkAreWhatTheHeaderSays) {
   for (std::uint32_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -134,7 +134,7 @@ TEST(ScaledSheet, NoCapOfTheDeviceIsExceededAtTheHand) {
   touch.max_force_n = 3.3;
   touch.continuous_force_n = 0.88;
   touch.advised_force_n = 2.5;
-  touch.max_stiffness_n_per_m = 1e9;  // so that the budget is the limit
+  touch.max_stiffness_n_per_m = 1e9;  // so high that the stiffness budget is the limit
   touch.max_damping_n_s_per_m = 4;
   touch.position_step_mm = 0.055;
   const SafetyLimits plain = limits_for(touch);

@@ -197,7 +197,7 @@ Result<PlaneFit> fit_plane(std::span<const PlaneTouch> touches, Handedness devic
   const bool flip = mirrored.gain > plain.gain;
   const Turn& turn = flip ? mirrored : plain;
   const Vec3 w = flip ? -v : v;
-  // The page's frame is left-handed, so a right-handed device must come out mirrored.
+  // The frame of the surface is left-handed, so the map of a right-handed device must mirror.
   const double wanted = device == Handedness::kRight ? -1.0 : 1.0;
   const std::array<Vec3, 3> rows{turn.a * u - turn.b * w, turn.b * u + turn.a * w,
                                  (flip ? -wanted : wanted) * normal};

@@ -12,10 +12,10 @@
 
 namespace felt {
 
-/// Where the drawing plane lies in front of a device: the map from the device's frame to the page's
-/// (R55: "a driver maps into it"), made of a rotation, an offset, and one scale for all directions.
-/// The page's frame (x right, y down, z towards the hand) is left-handed; most devices' frames are
-/// not, so the map usually mirrors.
+/// Position of the drawing plane in front of a device: the map from the device's frame to the frame
+/// of the surface (R55: "a driver maps into it"). It has a rotation, an offset and one scale for
+/// all directions. The frame of the surface (x right, y down, z towards the hand) is left-handed.
+/// Most devices' frames are right-handed, so the map usually mirrors.
 ///
 /// With the rotation R and the scale s (mm on the page per mm of the hand, 0.5..2, usually 1):
 ///
@@ -66,11 +66,11 @@ class PlaneCalibration {
     const Vec3 v{f.x, f.y, f.z};
     return {dot(v, rows_[0]), dot(v, rows_[1]), dot(v, rows_[2])};
   }
-  /// Returns the device's capabilities in the page's frame: the box around its workspace, its
-  /// maximum stiffness and damping divided by the scale, its resolution multiplied by it.
+  /// Returns the device's capabilities in the frame of the surface: the box around its workspace,
+  /// its maximum stiffness and damping divided by the scale, its resolution multiplied by it.
   [[nodiscard]] Capabilities to_sheet(const Capabilities& device) const noexcept;
 
-  /// Returns the page's axes in the device's frame, each of length 1.
+  /// Returns the axes of the surface in the device's frame, each of length 1.
   [[nodiscard]] constexpr const std::array<Vec3, 3>& rows() const noexcept { return rows_; }
   /// Returns millimetres on the page per millimetre of the hand.
   [[nodiscard]] constexpr double scale() const noexcept { return scale_; }

@@ -10,7 +10,7 @@
 namespace felt::plane_calibration_test {
 namespace {
 
-// A rotation around any axis by any angle, mirrored or not, and an offset: any rigid map.
+// A random rigid map: a rotation around any axis by any angle, an offset, and maybe a mirroring.
 struct AnyMap {
   explicit AnyMap(std::uint32_t seed) : random(seed) {}
 
@@ -48,7 +48,7 @@ TEST(PlaneCalibration, ThereAndBackIsTheSamePlaceAndPowerIsKept) {
     expect_near(map.to_device(map.to_sheet(p)), p, 1e-9);
     expect_near(map.turn_to_device(map.turn_to_sheet(v)), v, 1e-9);
     EXPECT_NEAR(norm(map.turn_to_sheet(v)), norm(v), 1e-9);
-    // Work in the page's frame equals work in the device's.
+    // Work in the frame of the surface equals work in the frame of the device.
     const Force sheet_force{f.x, f.y, f.z};
     EXPECT_NEAR(work_mj(sheet_force, map.turn_to_sheet(v)),
                 work_mj(map.turn_to_device(sheet_force), v), 1e-9);
@@ -137,8 +137,8 @@ TEST(PlaneCalibration, TouchesThatMeanNoPlaneAreRefused) {
   const std::vector<std::vector<PlaneTouch>> bad{
       {},
       {touch(0, 0, 0), touch(100, 0, 0)},
-      {touch(0, 0, 0), touch(100, 0, 0), touch(50, 1, 0)},    // on a line
-      {touch(0, 0, 0), touch(100, 0, 0), touch(100, 10, 0)},  // two too close
+      {touch(0, 0, 0), touch(100, 0, 0), touch(50, 1, 0)},    // all nearly on a line
+      {touch(0, 0, 0), touch(100, 0, 0), touch(100, 10, 0)},  // two are too close
       {touch(0, 0, 0), touch(100, 0, 0), touch(0, nan, 0)},
       {touch(0, 0, 0), touch(inf, 0, 0), touch(0, 80, 0)},
       {touch(0, 0, 0), touch(2e6, 0, 0), touch(0, 80, 0)},

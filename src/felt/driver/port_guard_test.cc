@@ -26,10 +26,10 @@ namespace felt::port_guard_test {
 namespace {
 
 constexpr std::int64_t kNeverNs = 3'600'000 * kMs;
-constexpr int kLongMs = 8000;  // an upper bound that no test waits for
+constexpr int kLongMs = 8000;  // an upper bound; no test waits that long
 constexpr std::string_view kWords("\x02\x05\0\0\0\0\0\0\0\0", 10);
 
-// A terminal: the board's end, and the port as a program opens it.
+// A pseudo-terminal: the board's end, and the port that a program opens.
 class Port {
  public:
   Port() {
@@ -54,7 +54,7 @@ class Port {
   std::unique_ptr<PortGuard> guard(std::int64_t patience_ns) const {
     return PortGuard::start(port_, std::as_bytes(std::span(kWords)), patience_ns);
   }
-  // Returns the next bytes that the board receives, as many as the last words have.
+  // Returns the next bytes that the board receives, as many as kWords has.
   std::string hear() const {
     std::string heard;
     while (heard.size() < kWords.size()) {
@@ -100,7 +100,7 @@ TEST(PortGuard, SpeaksOnceForEachSilenceAfterABeat) {
   }
 }
 
-// A separate program that beats each millisecond until it is disturbed.
+// A separate program that calls beat() every millisecond until a test kills or stops it.
 class Program {
  public:
   Program(const Port& port, std::int64_t patience_ns) {
@@ -117,7 +117,7 @@ class Program {
     }
     char one = 0;
     for (int i = 0; i < 5; ++i) EXPECT_EQ(::read(ready[0], &one, 1), 1);
-    fcntl(ready[1], F_SETFL, O_NONBLOCK);  // shared with it: it goes on if nobody reads
+    fcntl(ready[1], F_SETFL, O_NONBLOCK);  // the program must not block if nobody reads
     ::close(ready[1]);
     ready_ = ready[0];
   }
@@ -150,7 +150,7 @@ TEST(PortGuard, SpeaksForAProgramThatWasStopped) {
   EXPECT_EQ(port.hear(), kWords);
 }
 
-// Otherwise the guard of another port would keep this one's connection open.
+// The guard must close all other files. Otherwise it would keep another port's connection open.
 TEST(PortGuard, HoldsNothingElseOpen) {
   std::array<int, 2> ends{};
   ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
@@ -165,8 +165,8 @@ TEST(PortGuard, HoldsNothingElseOpen) {
   ::close(ends[0]);
 }
 
-// Threads that allocate all the time, so that one of them holds the allocator's lock during some
-// fork.
+// Some threads allocate all the time, so that during some of the forks one of them holds the lock
+// of the allocator.
 TEST(PortGuard, StartsFromAProgramWithThreads) {
   const Port port;
   std::atomic<bool> is_over{false};
@@ -184,7 +184,7 @@ TEST(PortGuard, StartsFromAProgramWithThreads) {
   other.join();
 }
 
-// Returns a child process of ours (proc_pid_stat(5): its fourth field); 0 if there is none.
+// Returns a child process of this program (proc_pid_stat(5), field 4), or 0 if it has no child.
 pid_t child_of_ours() {
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
     std::ifstream stat(entry.path() / "stat");
@@ -221,7 +221,7 @@ TEST(PortGuard, BeatsNeverWait) {
   const Port port;
   const auto guard = port.guard(kNeverNs);
   ASSERT_NE(guard, nullptr);
-  for (int i = 0; i < 200'000; ++i) guard->beat();  // more than it can read: must not wait
+  for (int i = 0; i < 200'000; ++i) guard->beat();  // more than the guard can read; must not block
   EXPECT_TRUE(port.is_quiet());
   EXPECT_EQ(PortGuard::start(-1, {}, kMs), nullptr);
 }

@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// A driver's device under test, in the frame of the page.
+/// A driver's device under test, in the frame of the surface.
 class DriverSubject final : public TestSubject {
  public:
   /// `driver` must outlive this. Uses the profile's plane if it was set with this same unit,

@@ -7,9 +7,9 @@
 
 namespace felt {
 
-/// The device that a bench has opened, as the haptic loop sees it: in the frame of the page. Each
-/// read() belongs to the tick of its time. Reads as kDisconnected if no device is open because a
-/// reconnect failed.
+/// The device that a bench has opened, in the frame of the surface, as the haptic loop uses it.
+/// Each read() belongs to the tick of its time. It fails with kDisconnected if no device is open
+/// because a reconnect failed.
 class BenchDevice final : public Device {
  public:
   /// Requires that the bench outlives this object and that its device is open.

@@ -14,16 +14,17 @@
 
 namespace felt {
 
-/// A driver with a fake of its other side, on a virtual clock: whole drawing sessions run through
-/// the driver's real code. One per driver, in tests/devices/drivers/NAME_bench.cc;
-/// tests/devices/drivers/README.md says how to add it, and what the suites ask of it.
+/// A driver that is connected to fake hardware or a fake vendor library, on a virtual clock. Whole
+/// drawing sessions run through the driver's real code. Each driver has one bench, in
+/// tests/devices/drivers/NAME_bench.cc. tests/devices/drivers/README.md says how to add a bench and
+/// what the suites require of it.
 ///
 ///   auto bench = make_driver_bench("haply", {});
-///   OpenDevice device(*bench->device(), bench->plane());    // in the sheet's frame
+///   OpenDevice device(*bench->device(), bench->plane());    // in the frame of the surface
 ///   ...  bench->hand().aim(...);  bench->before_tick(now_ns);  servo.step(now_ns);
 ///
-/// One thread calls all of it. Two benches may live at the same time. The same calls give the same
-/// bytes. No wall clock, no sleep.
+/// Call all functions from one thread. Two benches may exist at the same time. The same calls give
+/// the same bytes. A bench uses no wall clock and never sleeps.
 class DriverBench {
  public:
   DriverBench() = default;
@@ -54,8 +55,8 @@ class DriverBench {
   virtual Result<void> reconnect() = 0;
   /// Returns the largest force, in N, that the driver ever requested from the fake, in any
   /// direction and before any limit of the fake; infinity if a request was not a number.
-  /// broken_rule() returns the first broken rule of the vendor, or an empty string.
   [[nodiscard]] virtual double largest_asked_n() const noexcept = 0;
+  /// Returns the first rule of the vendor that the driver broke, or an empty string.
   [[nodiscard]] virtual std::string_view broken_rule() const noexcept = 0;
   /// Returns the largest accepted distance, in mm, between ink drawn through the driver and ink
   /// drawn with the plain simulated device. Each bench explains why it is not zero.
@@ -63,9 +64,9 @@ class DriverBench {
 
   // Only some devices need these functions.
 
-  /// Returns the sample that this device would report for a pen with the sample `pen`, both in the
-  /// frame of the page: a planar device omits z and reports contact by a button or a key. The plain
-  /// simulated device that the ink is compared with reports the same.
+  /// Returns the sample that this device would report for a pen with the sample `pen`. Both are in
+  /// the frame of the surface. A planar device omits z and reports contact by a button or key. The
+  /// plain simulated device that the ink is compared with reports the same.
   [[nodiscard]] virtual PenSample as_said(const PenSample& pen) const noexcept { return pen; }
   /// Returns the longest delay between a fault and its report by read() or write(), because the
   /// driver receives messages only once a period. If the fault takes the motors' force away, the
@@ -73,8 +74,8 @@ class DriverBench {
   [[nodiscard]] virtual std::int64_t notice_ns() const noexcept { return 0; }
   /// Returns the time without a message after which the device releases the motors; 0 means never.
   [[nodiscard]] virtual std::int64_t watchdog_ns() const noexcept { return 0; }
-  /// Returns the force of the newest message to the device, in the frame of the page, or nullopt if
-  /// the fake does not record it. Exact to 10^-5 N.
+  /// Returns the force of the newest message to the device, in the frame of the surface, or nullopt
+  /// if the fake does not record it. Exact to 10^-5 N.
   [[nodiscard]] virtual std::optional<Force> last_asked() const { return std::nullopt; }
   /// Returns how long a device still refuses forces after this fault is over, even though it can be
   /// read again.

@@ -43,8 +43,8 @@ class MotorWatch final : public Device {
 };
 
 /// The world behind a fake: a simulated stylus in a simulated hand, which may fail on schedule. The
-/// fake reads the pen from it (in the frame of the page), converts the sample into the frame, units
-/// and messages of the vendor's library, service or board, and returns the requested force.
+/// fake reads the pen from it in the frame of the surface. It converts the sample into the frame,
+/// units and messages of the vendor's library, service or board, and returns the requested force.
 ///
 /// A fake forwards every command that releases the motors (a force of zero, a stop command, the
 /// brakes, a watchdog, a frame without a force, closing) as a write of zero or a stop() here.
@@ -58,9 +58,9 @@ class FakeWorld {
   [[nodiscard]] SimulatedStylus& stylus() noexcept { return stylus_; }
   /// Returns the device that the fake reads and writes.
   [[nodiscard]] FaultyDevice& device() noexcept { return faulty_; }
-  /// Returns the force that the motors hold now, in the frame of the page, in N. The next function
-  /// returns the largest so far.
+  /// Returns the force that the motors hold now, in the frame of the surface, in N.
   [[nodiscard]] const Force& held_force() const noexcept { return motors_.held(); }
+  /// Returns the largest force that the motors have held so far, in N.
   [[nodiscard]] double largest_held_n() const noexcept { return motors_.largest_n(); }
 
  private:

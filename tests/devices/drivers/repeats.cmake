@@ -1,4 +1,5 @@
-# The same seeds twice: the printed lines carry a digest of every pose, force and drawing.
+# Runs the same seeds twice and compares the printed lines, which contain a digest of every pose,
+# force and drawing.
 foreach(run first second)
   execute_process(COMMAND ${PROGRAM} --bench ${BENCH} --seeds 40 --seed 7 OUTPUT_VARIABLE ${run}
     COMMAND_ERROR_IS_FATAL ANY)

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
-# check_tick_symbols.sh ROOTS OBJECT...: what could run at a tick, and does it call anything that may
-# block, allocate or throw?
+# check_tick_symbols.sh ROOTS OBJECT...: finds all functions that could run at a tick, and checks
+# that none of them calls anything that may block, allocate or throw.
 #
-# The objects are built with -ffunction-sections, so that relocations say which function refers to
-# which. Starting from the functions whose C++ name matches the extended regular expression ROOTS,
-# everything that they reach must be in the objects or in the list below. Not seen: calls through
-# pointers; therefore the force functors are roots themselves, and rt_proof runs them.
+# The objects are built with -ffunction-sections. Therefore the relocations show which function
+# refers to which. The search starts from the functions with a C++ name that matches the extended
+# regular expression ROOTS. Every function that they reach must be in the objects or in the list
+# below. The search cannot see calls through pointers. Therefore the force functors are roots too,
+# and rt_proof runs them.
 set -euo pipefail
 
-# Pure functions of libc and libm, bounded and without a lock.
+# Allowed functions of libc and libm: they are pure, take bounded time and use no lock.
 allowed='sqrt|fabs|floor|ceil|trunc|round|rint|nearbyint|fmod|remainder|hypot|exp|exp2|expm1|log'
 allowed+='|log1p|log2|pow|sin|cos|sincos|tan|atan|atan2|acos|asin|tanh|fmin|fmax'
 allowed+='|memcpy|memmove|memset|memcmp|strlen|_GLOBAL_OFFSET_TABLE_'
@@ -17,7 +18,8 @@ allowed+='|memcpy|memmove|memset|memcmp|strlen|_GLOBAL_OFFSET_TABLE_'
 roots=$1
 shift
 
-# OBJECT, UNDEFINED name, DEFINED name its C++ name, CALL section symbol
+# Prints one fact per line: BROKEN object, DEFINED name C++-name, UNDEFINED name, or CALL section
+# symbol.
 facts() {
   local object names
   for object in "$@"; do
@@ -33,7 +35,7 @@ facts() {
 }
 
 facts "$@" | awk -v roots="$roots" -v allowed="^($allowed)\$" '
-  # .text.unlikely.NAME, .text.NAME and NAME.cold are all NAME.
+  # Returns NAME for .text.unlikely.NAME, .text.NAME and NAME.cold.
   function plain(name) {
     sub(/[+-]0x[0-9a-f]+$/, "", name)
     sub(/^\.text(\.unlikely|\.startup|\.hot|\.exit)?\./, "", name)

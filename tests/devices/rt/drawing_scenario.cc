@@ -13,8 +13,8 @@
 namespace felt::rt_test {
 namespace {
 
-constexpr int kTurnTicks = 4;       // of the edit side
-constexpr int kOptionTicks = 3000;  // from one choice to the next
+constexpr int kTurnTicks = 4;       // the edit side runs at every fourth tick
+constexpr int kOptionTicks = 3000;  // between two changes of an option
 
 using Choice = std::pair<const char*, const char*>;
 constexpr std::array<Choice, 8> kChoices = {{{"pencil.material", "chalk"},

@@ -6,9 +6,9 @@
 
 namespace felt::rt_test {
 
-/// A whole drawing session beside the loop: a hand that draws stroke after stroke with the pencil,
-/// a session that gets each sample, publishes what its tool wants the hand to feel every 4 ms, and
-/// changes materials, snapping and stabiliser on the way.
+/// Returns a complete drawing session that runs next to the haptic loop. The simulated hand draws
+/// one stroke after the other with the pencil. The session receives each sample, publishes its
+/// tool's force model every 4 ms, and from time to time changes materials, snapping and stabiliser.
 std::unique_ptr<Session> make_drawing_session();
 
 }  // namespace felt::rt_test

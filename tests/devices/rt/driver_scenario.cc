@@ -13,7 +13,7 @@
 namespace felt::rt_test {
 namespace {
 
-// By then the first forces have been written.
+// The driver has written its first forces by this time.
 constexpr std::int64_t kWarmUpNs = 1500 * kMs;
 constexpr std::int64_t kFirstFaultNs = 1600 * kMs, kFaultNs = 50 * kMs, kNextFaultNs = 1100 * kMs;
 
@@ -29,7 +29,7 @@ std::vector<FaultWindow> one_after_the_other(const BenchMaker& make) {
   return faults;
 }
 
-// The device in the sheet's frame; notes when it is gone.
+// The device in the frame of the surface. Records whether the device is disconnected.
 class DriverInTick final : public Device {
  public:
   DriverInTick(DriverDevice& device, const PlaneCalibration& plane) : device_(device, plane) {}
@@ -82,7 +82,7 @@ class DriverSession final : public Session {
   }
   void edit(int tick, std::int64_t now_ns) override {
     const double t_s = 1e-9 * static_cast<double>(now_ns);
-    // Gone: some time after the fault it can be opened again.
+    // A disconnected device can be opened again some time after the fault.
     if (device_->is_gone() && (now_ns - kFirstFaultNs) % kNextFaultNs > 2 * kFaultNs &&
         bench_->reconnect()) {
       connect();
@@ -91,7 +91,7 @@ class DriverSession final : public Session {
                         middle_.y + radius_mm_ * std::cos(7.0 * t_s), -3.0 * std::sin(6.0 * t_s)},
                        {}, tick % 512 == 0 ? 1 : 0);
     servo_->heartbeat(now_ns);
-    if (tick % 300 == 0) servo_->arm();  // again, after a fault
+    if (tick % 300 == 0) servo_->arm();  // re-arms after a fault
     PenSample sample;
     while (servo_->for_edit().pop(sample)) {
     }
@@ -106,13 +106,13 @@ class DriverSession final : public Session {
     const Capabilities& can = device_->capabilities();
     servo_ = std::make_unique<Servo>(
         *device_, ServoOptions{.period_ns = can.period_ns, .limits = limits_for(can)});
-    // Something that attracts, too: planar devices feel nothing of the sheet.
+    // Adds an attracting well, because planar devices cannot render the surface.
     servo_->publish(ForceModel(Compose(make_sheet_force(surface_materials()[0], media()[0], can),
                                        Wells(Point{middle_.x, middle_.y}))));
     servo_->arm();
   }
 
-  std::int64_t ends_ns_ = 0;  // of the last fault, and some time more
+  std::int64_t ends_ns_ = 0;  // some time after the end of the last fault
   std::unique_ptr<DriverBench> bench_;
   Vec3 middle_;
   double radius_mm_ = 15.0;

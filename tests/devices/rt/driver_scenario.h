@@ -8,11 +8,11 @@
 
 namespace felt::rt_test {
 
-/// Runs a driver's own read(), write() and stop() in the tick, with its fake
-/// (tests/devices/drivers) and a hand that scribbles: without faults, or with one fault after the
-/// other that the fake simulates. A device that is gone is reopened and armed.
+/// Returns a session that runs the driver's own read(), write() and stop() in the tick. The driver
+/// talks to its fake (tests/devices/drivers), and a simulated hand scribbles. If `with_faults`, the
+/// fake simulates all its faults, one after the other. A disconnected device is reopened and armed.
 std::unique_ptr<Session> make_driver_session(std::string_view bench, bool with_faults);
-/// The same for any bench.
+/// Same as above, for a bench that `make` creates.
 std::unique_ptr<Session> make_driver_session(const BenchMaker& make, bool with_faults);
 
 }  // namespace felt::rt_test

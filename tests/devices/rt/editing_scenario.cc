@@ -13,14 +13,15 @@
 namespace felt::rt_test {
 namespace {
 
-constexpr int kEditTicks = 4;  // of the edit side
+constexpr int kEditTicks = 4;  // the edit side runs at every fourth tick
 
-// A gesture: the hand hovers above the first place, presses, goes along the others, lifts.
+// One gesture: the hand hovers above the first point of `way`, presses, moves along the other
+// points and lifts.
 struct Task {
   std::string tool;
   std::array<Point, 4> way;
-  const char* option = nullptr;  // of the tool, set before
-  const char* choice = nullptr;
+  const char* option = nullptr;  // of the tool, set before the gesture; null: none
+  const char* choice = nullptr;  // value of `option`
 };
 constexpr int kHoverTicks = 150, kLandTicks = 100, kWayTicks = 600, kLiftTicks = 200;
 constexpr int kTaskTicks = kHoverTicks + kLandTicks + kWayTicks + kLiftTicks;
@@ -32,7 +33,7 @@ constexpr std::array<Point, 4> kRound{{{15, 24}, {46, 24}, {46, 56}, {15, 56}}};
 
 constexpr std::array<Point, 4> kFromEnd{{{80, 30}, {81, 35}, {81, 41}, {80, 46}}};
 
-/// A typical gesture of a tool.
+/// Returns the points of a typical gesture for this kind of path.
 std::array<Point, 4> way_of(ToolPath path) {
   switch (path) {
     case ToolPath::kAlong:
@@ -50,7 +51,7 @@ std::array<Point, 4> way_of(ToolPath path) {
   return kOut;
 }
 
-/// Every mode that has a force of its own, then the tools that are not listed.
+/// Returns a task for every mode that has its own force, then one task for each other tool.
 std::vector<Task> all_tasks() {
   std::vector<Task> tasks = {{"pull", kOut, "mode", "brush"},
                              {"pull", kOut, "mode", "grab"},
@@ -76,7 +77,7 @@ std::vector<Task> all_tasks() {
   return tasks;
 }
 
-// A wavy line of eight segments at this height.
+// Returns a wavy horizontal line of eight segments at y = `y_mm`.
 StrokePtr line_at(double y_mm) {
   constexpr int kSegments = 8;
   constexpr double kStepMm = 7.5;

@@ -6,9 +6,9 @@
 
 namespace felt::rt_test {
 
-/// A drawing session in which every editing tool makes its gestures on a small drawing, in each of
-/// its modes, while the force that it wants is published: hovering, landing, on the way, lifting.
-/// Each gesture is taken back afterwards.
+/// Returns a drawing session in which every editing tool makes its gestures on a small drawing, in
+/// each of its modes. The tool's force model is published during the whole gesture: while the pen
+/// hovers, lands, moves and lifts. Each gesture is undone afterwards.
 std::unique_ptr<Session> make_editing_session();
 
 }  // namespace felt::rt_test

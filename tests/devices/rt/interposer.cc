@@ -1,9 +1,9 @@
-// Stands in front of what must not be called at a tick. Linked into rt_proof, so that the whole
-// program, shared libraries included, goes through here. Each function looks whether the calling
-// thread is in a RealtimeScope, and goes on to the real one otherwise.
+// Replaces the functions that must not be called at a tick. This file is linked into rt_proof, so
+// that the whole program and its shared libraries call these functions. Each function reports a
+// violation if the calling thread is in a RealtimeScope; otherwise it calls the real function.
 //
-// Declared by hand, without the headers: their exception specifications and attributes differ from
-// one libc to the next, and only the ABI counts here.
+// The functions are declared here and not with the system headers, because the exception
+// specifications and attributes in those headers differ between libcs. Only the ABI matters here.
 #include <cstdarg>
 #include <cstddef>
 #include <new>
@@ -40,7 +40,7 @@ Function* next(Function*& real, const char* name) noexcept {
 
 }  // namespace
 
-// --- memory: glibc keeps its own names for these, so that no look-up allocates ------------------
+// --- memory: calls glibc's internal names, because a look-up by name could allocate -------------
 
 FELT_EXPORT void* malloc(std::size_t size) {
   look("malloc");
@@ -95,7 +95,7 @@ __attribute__((visibility("default"))) void operator delete[](void* pointer, std
   operator delete(pointer);
 }
 
-// --- everything else: the next definition in the order of loading -------------------------------
+// --- everything else: calls the next definition in loading order (RTLD_NEXT) --------------------
 
 #define FELT_GUARD(result, name, parameters, arguments) \
   FELT_EXPORT result name parameters {                  \

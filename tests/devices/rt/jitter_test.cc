@@ -1,5 +1,5 @@
-// Scheduler jitter as measured, replayed on the virtual clock against a hand in contact (R49;
-// docs/design/loop.md#what-is-proven): the force stays limited, and comes back without a kick.
+// Replays measured scheduler jitter on the virtual clock while a simulated hand is in contact
+// (R49; docs/design/loop.md#what-is-proven). The force stays limited and returns without a kick.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace {
 constexpr double kRiseNPerMs = 0.3;
 constexpr double kTiny = 1e-9;
 
-// A stylus of 45 g in a hand of 100 g, 300 N/m and 3 N s/m, in z only. The last force holds until
-// the next, however long that takes: that is what a stalled loop does to a real hand.
+// A stylus of 45 g, held by a hand of 100 g, 300 N/m and 3 N s/m. It moves in z only. The last
+// force acts until the next one is written, because a stalled loop does that to a real hand.
 class HeldPen final : public Device {
  public:
   HeldPen() {
@@ -52,7 +52,7 @@ class HeldPen final : public Device {
   }
   void stop() noexcept override { force_ = {}; }
 
-  /// Where it wants to be, mm: taps, or `resting_mm` if set.
+  /// Returns the height that the hand aims for, in mm: `resting_mm` if set, otherwise tapping.
   [[nodiscard]] double target_mm(double t_s) const noexcept {
     return resting_mm.value_or(2.0 - 3.5 * (1.0 - std::cos(6.28318 * taps_hz * t_s)));
   }
@@ -69,7 +69,7 @@ class HeldPen final : public Device {
   double vz_mm_per_s_ = 0.0;
 };
 
-// A loop with a plane of 500 N/m, and a user who arms again 50 ms after it latched.
+// A loop with a plane of 500 N/m, and a user who re-arms it 50 ms after it has latched.
 class ContactLoop {
  public:
   ContactLoop(double rate_hz, const std::vector<std::int64_t>& lateness) {
@@ -82,12 +82,13 @@ class ContactLoop {
     servo->arm();
   }
 
-  // Runs, and checks each tick.
+  // Runs the loop until `until_ns` and checks each tick.
   void run(std::int64_t until_ns) {
     while (clock->next_ns() <= until_ns) {
       const std::int64_t last_ns = std::max<std::int64_t>(clock->now_ns(), 0);
       if (changes_stiffness && ++ticks_ % 97 == 0) {
-        // The same feel, so at once: only the limit of the rise stands before the hand.
+        // The fade id is unchanged, so that the model is replaced without a cross-fade and only the
+        // limit of the rise protects the hand.
         servo->publish(ForceModel(Plane({.stiffness_n_per_m = ticks_ % 2 == 0 ? 500.0 : 100.0})));
       }
       const TickReport& report = clock->tick();
@@ -107,7 +108,7 @@ class ContactLoop {
   std::optional<VirtualClock> clock;
   bool changes_stiffness = false;
   int touching_ticks = 0;  ///< with a force on the hand
-  int limited_ticks = 0;   ///< whose rise was limited
+  int limited_ticks = 0;   ///< with a limited rise
   std::uint32_t faults = 0;
 
  private:
@@ -133,7 +134,7 @@ class ContactLoop {
   std::int64_t latched_at_ns_ = -1;
 };
 
-// From the air into contact: the force must be there again, and steady.
+// Moves the pen from the air into contact. The force must return and be steady.
 void expect_recovery(ContactLoop& loop) {
   const std::int64_t now_ns = loop.clock->now_ns();
   loop.pen.resting_mm = 3.0;
@@ -141,8 +142,8 @@ void expect_recovery(ContactLoop& loop) {
   loop.pen.resting_mm = -3.0;
   loop.run(now_ns + 4000 * kMs);
   if (::testing::Test::HasFailure()) return;
-  // The hand's spring and the plane's in a row, 3 mm apart. A slow loop may use less of the plane
-  // (R56): 900 N/m up to 2 ms of delay, 225 N/m at the 8 ms of 250 Hz.
+  // The springs of hand and plane act in series over 3 mm. R56 limits the plane's stiffness if the
+  // loop is slow: 900 N/m up to 2 ms of delay, 225 N/m for the 8 ms of delay at 250 Hz.
   const double plane = loop.servo->options().period_ns > 2 * kMs ? 225.0 : 500.0;
   EXPECT_NEAR(loop.servo->latest().sent.z, 0.003 * 300.0 * plane / (300.0 + plane), 0.01);
   EXPECT_EQ(loop.servo->latest().safety.state, SafetyState::kActive);
@@ -191,7 +192,7 @@ TEST(Jitter, R49_RecordedSchedulersNeitherExceedLimitsNorKick) {
       }
     }
   }
-  EXPECT_GT(touching_ticks, 100'000);  // it was about something
+  EXPECT_GT(touching_ticks, 100'000);  // forces were in fact sent
   EXPECT_GT(limited_ticks, 100);
 }
 

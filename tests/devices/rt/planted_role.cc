@@ -1,4 +1,5 @@
-// Compiled by clang only, with and without FELT_PLANT: calls that the thread roles forbid.
+// Clang compiles this file with and without FELT_PLANT. With FELT_PLANT, tick() makes a call that
+// the thread roles forbid.
 #include "felt/rt/realtime_scope.h"
 #include "felt/rt/servo.h"
 

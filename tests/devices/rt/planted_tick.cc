@@ -1,4 +1,4 @@
-// A force functor that allocates, two calls down, for check_tick_symbols.sh to find.
+// A force functor that allocates two calls down. check_tick_symbols.sh must find it.
 #include <memory>
 
 #include "felt/haptics/force_model.h"

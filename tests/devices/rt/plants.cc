@@ -16,7 +16,7 @@
 namespace felt::rt_test {
 namespace {
 
-// Volatile, so that the compiler cannot leave out an allocation that nobody looks at.
+// Volatile, because otherwise the compiler could remove an allocation that is never used.
 void* volatile block = nullptr;
 volatile int number = 0;
 pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;

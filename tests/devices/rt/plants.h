@@ -5,13 +5,14 @@
 
 namespace felt::rt_test {
 
-/// A forbidden action that is planted in a tick, to test that it is caught.
+/// A forbidden action that a test plants in a tick to check that it is detected.
 struct Plant {
   std::string_view name;
-  void (*prepare)();  ///< before any tick, or null
-  void (*commit)() noexcept;
+  void (*prepare)();          ///< runs before the first tick; may be null
+  void (*commit)() noexcept;  ///< runs in the tick and does the forbidden action
 };
 
+/// Returns all plants.
 std::span<const Plant> plants() noexcept;
 
 }  // namespace felt::rt_test

@@ -10,7 +10,7 @@ namespace felt::rt_test {
 namespace {
 
 constexpr std::array kRows{
-    // docs/design/loop.md#wake-up-lateness, light
+    // docs/design/loop.md#wake-up-lateness, machine under light load
     RecordedLateness{"other, light, 1 kHz", 1000, 70, 827, 5118, 6149},
     RecordedLateness{"other, light, 4 kHz", 4000, 59, 148, 1252, 3951},
     RecordedLateness{"other, light, 5 kHz", 5000, 57, 153, 1216, 5292},
@@ -26,7 +26,7 @@ constexpr std::array kRows{
     RecordedLateness{"spin, light, 1 kHz", 1000, 0, 148, 3930, 3953},
     RecordedLateness{"spin, light, 4 kHz", 4000, 0, 10, 3200, 5179},
     RecordedLateness{"spin, light, 5 kHz", 5000, 0, 1643, 4445, 8060},
-    // loaded
+    // the same, machine under heavy load
     RecordedLateness{"other, loaded, 1 kHz", 1000, 63, 5482, 10497, 19504},
     RecordedLateness{"other, loaded, 4 kHz", 4000, 59, 3799, 11816, 20538},
     RecordedLateness{"slack 1, loaded, 1 kHz", 1000, 11, 3933, 5414, 6930},
@@ -44,7 +44,7 @@ constexpr std::array kRows{
     RecordedLateness{"fifo, stress", 1000, 10, 24, 440, 3411},
 };
 
-// Lateness in us by rank from the end: 1 is the smallest, 0 the largest.
+// Returns the lateness in us at a rank. Rank 1 is the smallest lateness, rank 0 the largest.
 double lateness_us(const RecordedLateness& row, double rank) {
   struct Known {
     double rank;
@@ -74,7 +74,7 @@ std::span<const RecordedLateness> recorded_lateness() noexcept {
 std::vector<std::int64_t> draw_lateness(const RecordedLateness& row, std::size_t count,
                                         std::uint64_t seed, std::size_t burst) {
   std::mt19937_64 random(seed);
-  // One of each rank, in a random order: the percentiles are those of the row whatever the seed.
+  // One value of each rank, in random order, so that the percentiles do not depend on the seed.
   std::vector<std::int64_t> made(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double rank = i == 0 ? 0.0 : (static_cast<double>(i) + 0.5) / static_cast<double>(count);
@@ -82,7 +82,7 @@ std::vector<std::int64_t> draw_lateness(const RecordedLateness& row, std::size_t
   }
   const std::size_t group = std::max<std::size_t>(burst, 1);
   const std::size_t groups = count / group;
-  for (std::size_t i = groups; i > 1; --i) {  // Fisher and Yates, a group at a time
+  for (std::size_t i = groups; i > 1; --i) {  // Fisher-Yates shuffle of whole groups
     const std::size_t j = random() % i;
     if (j == i - 1) continue;
     for (std::size_t k = 0; k < group; ++k)

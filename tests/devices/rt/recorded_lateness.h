@@ -8,8 +8,8 @@
 
 namespace felt::rt_test {
 
-/// How late a loop's ticks came on a real machine: one row of docs/design/loop.md#wake-up-lateness,
-/// in us.
+/// Measured lateness of a loop's ticks on a real machine, in us. This is one row of
+/// docs/design/loop.md#wake-up-lateness.
 struct RecordedLateness {
   std::string_view name;
   double rate_hz = 1000.0;
@@ -19,13 +19,14 @@ struct RecordedLateness {
   double max_us = 0.0;
 };
 
-/// All rows: four policies and a spinning one, machine light and loaded, 1, 4 and 5 kHz.
+/// Returns all rows: four scheduling policies and a spinning loop, under light and heavy load, at
+/// 1, 4 and 5 kHz.
 std::span<const RecordedLateness> recorded_lateness() noexcept;
 
-/// `count` latenesses in ns, drawn at random (seeded) so that their percentiles are those of the
-/// row: between the known ones the logarithm of the lateness is linear in that of the rank from the
-/// end. The maximum occurs once at least. In bursts of `burst` ticks each, the late ones come
-/// together, as they do where something else keeps the processor: 1 is independent.
+/// Returns `count` random latenesses in ns with the percentiles of `row`. Deterministic for a
+/// `seed`. Between the known percentiles, the logarithm of the lateness is linear in the logarithm
+/// of the rank, counted from the largest value. The maximum occurs at least once. Late ticks come
+/// in bursts of `burst` ticks, as if another program occupies the processor; 1 means independent.
 std::vector<std::int64_t> draw_lateness(const RecordedLateness& row, std::size_t count,
                                         std::uint64_t seed, std::size_t burst = 1);
 

@@ -1,8 +1,9 @@
 // Proves that a tick of the haptic loop allocates nothing, locks nothing, makes no system call,
-// touches no new page and does not give the processor away (docs/design/loop.md#what-is-proven).
-//   rt_proof [--ticks N] [SCENARIO...]     runs them all, or those named; exit 3 on a violation
-//   rt_proof --plant NAME                  plants a violation, which must be caught; 77: cannot be
-//   rt_proof --list | --list-plants
+// touches no new page and does not yield the processor (docs/design/loop.md#what-is-proven).
+//   rt_proof [--ticks N] [SCENARIO...]   runs all scenarios, or those named; exit 3 on a violation
+//   rt_proof --plant NAME                plants a violation that must be detected: exit 3; exit 77
+//                                        if this system cannot detect it
+//   rt_proof --list | --list-plants      prints the names of the scenarios or plants
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -30,8 +31,8 @@ struct Planted {
 };
 
 struct Ran {
-  int ticks = 0;    // watched
-  int pushing = 0;  // that sent a force
+  int ticks = 0;    // watched ticks
+  int pushing = 0;  // watched ticks that sent a force
 };
 
 Ran run_ticks(Session& session, int ticks_wanted) {
@@ -42,7 +43,7 @@ Ran run_ticks(Session& session, int ticks_wanted) {
   for (int tick = 0; tick < warm_up + ticks; ++tick) {
     const std::int64_t now_ns = tick * period_ns;
     session.edit(tick, now_ns);
-    Servo& servo = session.servo();  // another one, where a device was opened anew
+    Servo& servo = session.servo();  // a new servo if a device was reopened
     const bool watched = tick >= warm_up;
     if (tick == warm_up) touch_code();
     if (watched) begin_watch();
@@ -60,7 +61,7 @@ int run_scenarios(const std::vector<std::string_view>& names, int ticks) {
       continue;
     }
     ++found;
-    std::fprintf(stderr, "%s\n", scenario.name.c_str());  // first, to know where a violation is
+    std::fprintf(stderr, "%s\n", scenario.name.c_str());  // shows where a violation is
     const auto session = scenario.make();
     const Ran ran = run_ticks(*session, ticks);
     std::printf("%-30s %7d ticks, %6d with force: nothing forbidden\n", scenario.name.c_str(),

@@ -23,7 +23,7 @@
 namespace felt::rt_test {
 namespace {
 
-// A simulated stylus in a hand that scribbles, in and out of the sheet.
+// A simulated stylus in a hand that scribbles and moves into the surface and out of it.
 class Scribble : public Session {
  public:
   explicit Scribble(const char* preset = "touch", std::vector<FaultWindow> faults = {})
@@ -45,7 +45,7 @@ class Scribble : public Session {
         {middle_.x + 20.0 * std::sin(5.0 * t_s), middle_.y + 15.0 * std::cos(7.0 * t_s), -depth_mm},
         {}, tick % 512 == 0 ? 1 : 0);
     servo_->heartbeat(now_ns);
-    if (tick % 700 == 0) servo_->arm();  // again, after a fault
+    if (tick % 700 == 0) servo_->arm();  // re-arms after a fault
     feel(tick);
     if (drains_) {
       PenSample sample;
@@ -76,7 +76,7 @@ class Scribble : public Session {
   std::unique_ptr<Servo> servo_;
 };
 
-// Every surface with every tool material, by turns, each cross-faded into the next.
+// Publishes every surface with every medium in turn. Each model is cross-faded into the next.
 class AllMaterials final : public Scribble {
  public:
   using Scribble::Scribble;
@@ -94,7 +94,8 @@ class AllMaterials final : public Scribble {
   }
 };
 
-// Every kind of brick, together and by turns; a change comes while the last one still fades.
+// Publishes every kind of brick in turn, several of them together. Each change comes while the
+// previous one is still fading.
 class AllBricks final : public Scribble {
  private:
   void feel(int tick) override {
@@ -120,7 +121,7 @@ class AllBricks final : public Scribble {
   }
 };
 
-// The sheet alone, published once.
+// Publishes the force of the surface once, without other bricks.
 class Paper : public Scribble {
  public:
   using Scribble::Scribble;
@@ -137,7 +138,7 @@ class HungEditSide final : public Paper {
   HungEditSide() { drains_ = false; }
 };
 
-// One fault after the other, with a pause to engage again between them.
+// Simulates one fault after the other. The pauses between them let the forces engage again.
 std::unique_ptr<Session> make_faulty() {
   std::vector<FaultWindow> faults;
   std::int64_t at_ms = 1000;

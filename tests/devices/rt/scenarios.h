@@ -10,7 +10,7 @@
 
 namespace felt::rt_test {
 
-/// A haptic loop with everything that it needs, and the edit side that feeds it.
+/// A haptic loop with everything it needs, and the edit side that supplies its force models.
 class Session {
  public:
   Session() = default;
@@ -19,24 +19,26 @@ class Session {
   virtual ~Session() = default;
 
   virtual Servo& servo() = 0;
-  /// What the edit side does before tick `tick`, which will happen at `now_ns`: aims the hand,
-  /// publishes force models, drains rings. May do what it likes: it is not watched.
+  /// Does the work of the edit side before tick `tick`, which will happen at `now_ns`: aims the
+  /// hand, publishes force models and drains rings. May block and allocate, because it is not
+  /// watched.
   virtual void edit(int tick, std::int64_t now_ns) = 0;
-  /// So many first ticks are not watched: what a program touches first, its code included, comes
-  /// with a page fault. (A real loop locks its memory.)
+  /// Returns the number of first ticks that are not watched, because a program's first access to
+  /// its memory and code causes page faults. (A real loop locks its memory.)
   [[nodiscard]] virtual int warm_up_ticks() const { return 200; }
-  /// It has not shown all before so many.
+  /// Returns the number of ticks, warm-up included, that the session needs to show everything.
   [[nodiscard]] virtual int least_ticks() const { return 0; }
 };
 
-/// One line of the list in scenarios.cc: a name, and how to make it.
+/// One line of the list in scenarios.cc: the name of a session and a function that creates it.
 struct Scenario {
   std::string name;
-  bool pushes = true;  ///< forces must have been sent, or the run proves nothing
+  bool pushes = true;  ///< the run must send forces, because otherwise it proves nothing
   std::function<std::unique_ptr<Session>()> make;
 };
 
-/// To add one: a class that is a Session, in a file of its own or in scenarios.cc, and a line here.
+/// Returns all scenarios. To add a scenario, derive a class from Session and add a line to the list
+/// in scenarios.cc.
 std::span<const Scenario> scenarios();
 
 }  // namespace felt::rt_test

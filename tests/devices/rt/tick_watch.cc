@@ -41,7 +41,7 @@ void install_watch() {
     std::fprintf(stderr, "rt_proof: this kernel cannot watch system calls; libc's are watched\n");
   }
   void* frame = nullptr;
-  backtrace(&frame, 1);  // loads what it needs, now rather than in a violation
+  backtrace(&frame, 1);  // makes it load its library now and not during a violation
 }
 
 void touch_code() {

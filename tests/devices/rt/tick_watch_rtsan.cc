@@ -1,5 +1,5 @@
-// In rt_proof_rtsan RealtimeSanitizer watches, through RealtimeScope; it ends the program by
-// itself, with a message of its own.
+// The program rt_proof_rtsan is watched by RealtimeSanitizer, which RealtimeScope switches on and
+// off. The sanitizer prints its own message and ends the program itself.
 #include <cstdio>
 #include <cstdlib>
 

@@ -68,7 +68,7 @@ std::int64_t FuzzWorld::next_time() {
     return chance(0.5) ? std::numeric_limits<std::int64_t>::max()
                        : std::numeric_limits<std::int64_t>::min();
   }
-  // Stay where the next step cannot overflow.
+  // Resets the time to 0 if the next step could overflow.
   constexpr std::int64_t kFar = std::numeric_limits<std::int64_t>::max() / 2;
   if (now_ns_ > kFar || now_ns_ < -kFar) return 0;
   return now_ns_ + static_cast<std::int64_t>(step_ns);
@@ -92,7 +92,8 @@ void FuzzWorld::orders(const SafetyReport& report, TickInput& in) {
     in.heartbeat_ns = static_cast<std::int64_t>(random_.bits()) / 4;
   }
 
-  // Calm at first and whenever forces wait, so that they engage; then the model is let loose.
+  // The model requests no force at first and from time to time while the chain waits, so that the
+  // chain can engage. After that, the model requests any force.
   const bool waits = report.state == SafetyState::kWaiting;
   if (tick_ > calm_until_ && (chance(0.0005) || (waits && chance(0.05)))) {
     calm_until_ = tick_ + 8;
@@ -115,7 +116,7 @@ void FuzzWorld::move_hand(const Force& sent, double dt_s) {
     case Hand::kSweep:
       if (chance(0.002)) velocity_ = any_way(random_.between(100.0, 2600.0));
       break;
-    case Hand::kFree:  // a body of 45 g on a weak spring, moved by the force
+    case Hand::kFree:  // the force moves a body of 45 g on a weak spring
       velocity_ +=
           dt_s * (1e3 / 0.045 * Vec3{sent.x, sent.y, sent.z} - 700.0 * position_ - 7.0 * velocity_);
       break;
@@ -144,7 +145,7 @@ PenSample FuzzWorld::sense(double dt_s) {
   return sample;
 }
 
-/// Faults of the sensor.
+/// Adds a random sensor fault: an invalid number, a jump, a frozen position or a wrong velocity.
 void FuzzWorld::spoil(PenSample& sample) {
   const double odds = mood_ == Mood::kWild ? 0.004 : mood_ == Mood::kRough ? 0.001 : 0.0;
   if (!chance(odds)) return;

@@ -7,21 +7,23 @@
 
 namespace felt::safety {
 
-/// A random device, hand, edit side and force model, meant badly: one seed, one episode. It sees
-/// what the chain sends and says, so that it can lie in wait: calm until forces are engaged.
+/// A random device, hand, edit side and force model that try to make the chain fail. Each seed
+/// gives one episode. The world sees the forces and reports of the chain. So it can stay calm until
+/// forces are engaged, and cause faults then.
 class FuzzWorld {
  public:
   explicit FuzzWorld(std::uint64_t seed);
 
   [[nodiscard]] const SafetyLimits& limits() const { return limits_; }
-  /// Ticks in this episode.
+  /// Returns the number of ticks of this episode.
   [[nodiscard]] int ticks() const { return ticks_; }
-  /// True when time passes evenly.
+  /// Returns true if all ticks of this episode have the same length.
   [[nodiscard]] bool is_regular() const { return mood_ == Mood::kClean; }
 
-  /// What happens at the next tick.
+  /// Advances by one tick and returns its inputs. `report` and `sent` are the chain's report and
+  /// force of the tick before.
   TickInput next(const SafetyReport& report, const Force& sent);
-  /// What the model asks for. Often too much.
+  /// Returns the force that the model requests, which is often too large.
   Force asked(const PenSample& sample, const StiffnessScale& scale);
 
  private:

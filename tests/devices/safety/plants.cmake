@@ -1,4 +1,4 @@
-# One bug each: a stage of the chain removed or a watch asleep.
+# Each plant is one bug: a stage of the chain is removed, or a check is disabled.
 felt_plant(no_finite_force safety_chain.cc "!is_finite(asked) || " "")
 felt_plant(no_finite_sample safety_chain.cc
   "if (!is_finite(sample)) {" "if (false) {" " || !is_finite(sample)" "")

@@ -1,4 +1,4 @@
-# The same seed twice: the printed line carries a digest of every force.
+# Runs the same seed twice and compares the printed lines, which contain a digest of every force.
 foreach(run first second)
   execute_process(COMMAND ${PROGRAM} --ticks 300000 --seed 5 OUTPUT_VARIABLE ${run}
     COMMAND_ERROR_IS_FATAL ANY)

@@ -1,8 +1,8 @@
 // safety_fuzz [--ticks N] [--seed S] [--episode E] [--trace]
 //
-// Drives the safety chain with random and hostile worlds and asks an oracle that shares no code
-// with it about every tick. Prints what was tried, or the broken rule with the line that repeats
-// it, and then exits with 1.
+// Runs the safety chain in random and hostile worlds. An oracle that shares no code with the chain
+// checks every tick. Prints a summary if no rule was broken. Otherwise prints the broken rule and
+// the command that repeats the case, and exits with 1.
 #include <bit>
 #include <cstdint>
 #include <cstdio>
@@ -69,7 +69,7 @@ void print_tick(int i, const TickInput& in, const TickOutput& out) {
       out.asked.z, out.sent.x, out.sent.y, out.sent.z);
 }
 
-/// True when no rule was broken.
+/// Runs one episode. Returns true if no rule was broken.
 bool run_episode(const Options& options, std::uint64_t episode, Totals& totals) {
   FuzzWorld world(options.seed * 0x9e3779b97f4a7c15ULL + episode);
   SafetyChain chain(world.limits());
@@ -115,7 +115,7 @@ int run(const Options& options) {
     for (std::uint64_t e = 0; totals.ticks < options.ticks; ++e) {
       if (!run_episode(options, e, totals)) return 1;
     }
-    // A chain that never pushes keeps every rule and is worth nothing.
+    // A chain that never sends a force breaks no other rule, but it is useless.
     if (totals.ticks >= 1'000'000 && totals.pushed < totals.ticks / 10) {
       std::printf("broken rule: forces flow when all is well\n");
       return 1;

@@ -7,7 +7,8 @@
 namespace felt::safety {
 namespace {
 
-// The promises, written down a second time on purpose.
+// The limits of the chain. They repeat its constants on purpose, because the oracle must not share
+// code with the chain.
 constexpr double kRiseNPerS = 300.0;
 constexpr double kEngageNPerS = 10.0;
 constexpr double kFallNPerS = 60.0;
@@ -49,7 +50,7 @@ bool is_none(const Force& f) {
   return f.x == 0.0 && f.y == 0.0 && f.z == 0.0;
 }
 
-/// How much `next` adds to what lies between nothing and `last`.
+/// Returns the distance of `next` from the line between zero force and `last`, in N.
 double added(const Force& last, const Force& next) {
   const double ll = last.x * last.x + last.y * last.y + last.z * last.z;
   double t = 0.0;
@@ -81,7 +82,7 @@ const char* SafetyOracle::check(const TickInput& in, const TickOutput& out) {
   }
   if (!broken) broken = check_brake(in, out);
   if (!broken) broken = check_heat(out);
-  // A tick whose write failed reached nobody; the force is off from then.
+  // After a failed read or write, the device holds no force.
   last_ = in.write_fails || in.read_fails ? Force{} : out.sent;
   if (in.write_fails && armed_) hard_ = true;
   return broken;
@@ -92,7 +93,8 @@ void SafetyOracle::take_orders(const TickInput& in, SafetyState before) {
     armed_ = false;
     last_ = {};
   }
-  // The chain may be latched by a fault of which this is not certain; then it starts anew, too.
+  // The chain may have latched because of a fault that the oracle cannot be certain of. In that
+  // case, too, arm() starts a new engagement.
   const bool was_off = !armed_ || hard_ || in.disarm || before == SafetyState::kOff ||
                        before == SafetyState::kLatched;
   if (in.arm) {
@@ -146,7 +148,7 @@ const char* SafetyOracle::check_numbers(const TickOutput& out) const {
 }
 
 const char* SafetyOracle::check_budget(const TickInput& in, const TickOutput& out) const {
-  if (in.read_fails) return nullptr;  // no model was asked
+  if (in.read_fails) return nullptr;  // the model was not evaluated
   const StiffnessScale& s = out.scale;
   for (double share : {s.normal, s.friction, s.lateral}) {
     if (!(share >= 0.0 && share <= 1.0)) return "shares are 0 to 1";
@@ -166,7 +168,9 @@ const char* SafetyOracle::check_budget(const TickInput& in, const TickOutput& ou
   return nullptr;
 }
 
-/// Jumps, judged from the positions alone.
+/// Checks how the chain handles positions that jumped. The oracle detects a jump from the positions
+/// and times alone: the distance from the last accepted position is more than kReachMmPerS allows
+/// for the time since the last new sample.
 const char* SafetyOracle::check_jump(const TickInput& in, const TickOutput& out) {
   const SafetyState s = out.before.state;
   const bool chain_is_off = s == SafetyState::kOff || s == SafetyState::kLatched;
@@ -197,7 +201,7 @@ const char* SafetyOracle::check_jump(const TickInput& in, const TickOutput& out)
   }
   held_s_ = held_ ? held_s_ + std::max(dt_s_, 0.0002) : 0.0;
   held_ = true;
-  // Latched in this very tick, for another reason, the chain need not doubt positions.
+  // A chain that latched in this tick for another reason need not reject the position.
   if (out.after.state == SafetyState::kLatched) return nullptr;
   if (out.admitted) return "a position that jumped is not believed";
   if (added(last_, out.sent) > kEps) return "while in doubt no force is added";
@@ -216,7 +220,8 @@ const char* SafetyOracle::check_hard(const TickInput& in, const TickOutput& out)
   return nullptr;
 }
 
-/// By the device's word, or by positions a full tick apart.
+/// Returns true if the pen is above the speed limits: 2 m/s, or 1 m/s for four ticks. The speed is
+/// the reported one or the one from positions a full tick apart, whichever is larger.
 bool SafetyOracle::is_too_fast(const TickInput& in, const TickOutput& out) {
   const double period_s = static_cast<double>(limits_.period_ns) * 1e-9;
   const bool is_full = out.admitted && !held_ && dt_s_ >= 0.95 * period_s && dt_s_ <= kLateS;
@@ -236,7 +241,7 @@ bool SafetyOracle::is_too_fast(const TickInput& in, const TickOutput& out) {
   return speed > 2.0 + 1e-6 || fast_ticks_ >= 4;
 }
 
-/// Soft faults of which this is certain.
+/// Counts the soft faults that the oracle is certain of. Three within 10 s are a hard fault.
 void SafetyOracle::watch_soft(const TickInput& in, const TickOutput& out) {
   const bool too_fast = is_too_fast(in, out);
   const bool very_late = std::abs(dt_s_) > kVeryLateS;
@@ -248,7 +253,7 @@ void SafetyOracle::watch_soft(const TickInput& in, const TickOutput& out) {
     while (clock_s_ - soft_at_s_.front() > 10.0) soft_at_s_.pop_front();
     if (soft_at_s_.size() >= 3) hard_ = true;
   }
-  if (very_late) last_ = {};  // so that anything counts as added
+  if (very_late) last_ = {};  // the whole next force counts as added
   falling_ = true;
 }
 
@@ -260,7 +265,8 @@ const char* SafetyOracle::check_rise(const TickOutput& out) {
   if (phase_ == Phase::kCalm && !falling_ && !is_none(out.sent)) {
     return "no force before it was calm for four ticks";
   }
-  // The chain may know of a fault of which this is not certain; then the force must not grow.
+  // The chain may know of a fault that the oracle cannot be certain of. In that case the force must
+  // not grow.
   const SafetyState state = out.after.state;
   if (state == SafetyState::kFalling && length(out.sent) > length(last_) + kEps) {
     return "a falling force does not grow";
@@ -332,7 +338,7 @@ const char* SafetyOracle::check_silence(const TickInput& in, const TickOutput& o
   return nullptr;
 }
 
-/// A pen in steady fast motion under no other force is braked.
+/// Checks that the chain brakes a pen that moves fast and steadily without another force.
 const char* SafetyOracle::check_brake(const TickInput& in, const TickOutput& out) {
   const Vec3& v = in.sample.velocity;
   const double speed = length(v) * 1e-3;
@@ -347,7 +353,7 @@ const char* SafetyOracle::check_brake(const TickInput& in, const TickOutput& out
 
 const char* SafetyOracle::check_heat(const TickOutput&) {
   if (!regular_ || limits_.continuous_force_n <= 0.0) return nullptr;
-  // The last force was held for dt.
+  // The device held the last force for `dt_s_`.
   heat_.push_back({clock_s_, dt_s_ * (last_.x * last_.x + last_.y * last_.y + last_.z * last_.z)});
   heat_sum_ += heat_.back().joule_like;
   while (clock_s_ - heat_[heat_from_].at_s >= 10.0) heat_sum_ -= heat_[heat_from_++].joule_like;

@@ -8,16 +8,17 @@
 
 namespace felt::safety {
 
-/// Says whether what reached the device was allowed (docs/design/limits.md), from the inputs
-/// alone. It shares no code with the chain and knows less than the chain does: it demands only what
-/// is certain, so what it calls broken is broken. The chain's own word (its report) counts only
-/// where it claims to send nothing.
+/// Checks whether the forces that reached the device were allowed (docs/design/limits.md). The
+/// oracle shares no code with the chain and keeps less state. It checks only rules that certainly
+/// apply. Therefore a rule that it reports as broken is really broken. It uses the chain's report
+/// only to decide which rules apply to a tick.
 class SafetyOracle {
  public:
-  /// `regular`: the clock of this episode never stalls or jumps; the heat rule needs that.
+  /// `regular`: true if the clock of this episode never stalls or jumps. The heat rule is checked
+  /// only then.
   SafetyOracle(const SafetyLimits& limits, bool regular);
 
-  /// Returns null, or the rule that this tick broke.
+  /// Checks one tick. Returns the rule that it broke, or null.
   const char* check(const TickInput& in, const TickOutput& out);
 
  private:
@@ -42,18 +43,18 @@ class SafetyOracle {
   bool regular_;
 
   bool armed_ = false;
-  bool hard_ = false;  // since the last arm()
+  bool hard_ = false;  // a hard fault happened since the last arm()
   bool has_time_ = false;
   std::int64_t last_ns_ = 0;
-  double dt_s_ = 0.0;  // signed
+  double dt_s_ = 0.0;  // since the tick before; negative if the clock ran backwards
   double clock_s_ = 0.0;
   Force last_;
 
   bool has_place_ = false;
   Vec3 place_;
-  std::int64_t told_ns_ = 0;  // the last sample's own time
-  Vec3 told_velocity_;        // and velocity
-  double unheard_s_ = 0.0;    // since the last new sample
+  std::int64_t told_ns_ = 0;  // time stamp of the last sample
+  Vec3 told_velocity_;        // velocity of the last sample
+  double unheard_s_ = 0.0;    // time since the last new sample
   bool held_ = false;
   double held_s_ = 0.0;
   Vec3 before_;  // position of the tick before
@@ -68,11 +69,11 @@ class SafetyOracle {
   std::deque<double> soft_at_s_;
 
   bool has_beat_ = false;
-  bool is_heard_ = false;  // at this tick
+  bool is_heard_ = false;  // a heartbeat came at this tick
   std::int64_t beat_ns_ = 0;
   double silence_s_ = 0.0;
-  double quiet_fastest_ = 0.0;  // largest speed since the silence became certain
-  double quiet_s_ = 0.0;        // credited time since then
+  double quiet_fastest_ = 0.0;  // largest speed since the silence became certain, m/s
+  double quiet_s_ = 0.0;        // time since the silence became certain
   int braked_ticks_ = 0;
 
   struct Heat {

@@ -7,7 +7,7 @@
 
 namespace felt::safety {
 
-/// What the world did at one tick, in the order of a tick.
+/// The inputs of the chain at one tick, in the sequence of a tick.
 struct TickInput {
   bool arm = false;
   bool disarm = false;
@@ -19,15 +19,15 @@ struct TickInput {
   Slopes slopes;
 };
 
-/// What the chain, or what stands for it, did with that.
+/// The outputs of the chain at one tick.
 struct TickOutput {
   double model_dt_s = 0.0;
   bool admitted = false;
-  Force asked;  ///< what the model said; only where the sample was admitted
+  Force asked;  ///< requested by the model; zero if the sample was not admitted
   StiffnessScale scale;
-  Force sent;           ///< as limit() returned it; none where reading failed
-  SafetyReport before;  ///< of the tick before
-  SafetyReport after;   ///< of this one, before a failing write is told
+  Force sent;           ///< returned by limit(); zero if the read failed
+  SafetyReport before;  ///< report of the tick before
+  SafetyReport after;   ///< report of this tick, before a failed write is reported to the chain
 };
 
 }  // namespace felt::safety

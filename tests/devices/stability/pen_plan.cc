@@ -11,12 +11,12 @@ namespace {
 constexpr double kHoverMm = 3.0;
 constexpr double kArmedS = 0.8;  // the safety chain has engaged by then
 constexpr double kLandedS = 1.2;
-constexpr double kMoveS = 1.6;  // whatever moves begins here
+constexpr double kMoveS = 1.6;  // every movement along the surface begins here
 constexpr double kSlowMmPerS = 20.0;
 constexpr double kTapS = 0.333;
 constexpr double kTapHeightMm = 2.0;
 
-// Minimum jerk from 0 to 1.
+// Rises from 0 at `from_s` to 1 at `until_s` with minimum jerk.
 double smooth(double from_s, double until_s, double t_s) noexcept {
   const double t = std::clamp((t_s - from_s) / (until_s - from_s), 0.0, 1.0);
   return t * t * t * (10.0 + t * (6.0 * t - 15.0));
@@ -33,11 +33,11 @@ double height_mm(Trial trial, double depth_mm, double t_s) noexcept {
   return top - (top + depth_mm) * press;
 }
 
-// Distance from the trial's place along x, mm, and what pulls back there, N.
+// The planned movement along x and the forces against it.
 struct Side {
-  double way_mm = 0.0;
-  double pull_n = 0.0;
-  double slides = 0.0;  // -1..1: friction that the movement meets
+  double way_mm = 0.0;  // distance from kTrialPlace
+  double pull_n = 0.0;  // force towards kTrialPlace
+  double slides = 0.0;  // -1..1: direction of the movement and share of the friction against it
 };
 
 Side side_of(Trial trial, double t_s) noexcept {

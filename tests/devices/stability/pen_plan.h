@@ -6,32 +6,34 @@
 
 namespace felt {
 
-/// Where the trials happen: over every device's workspace.
+/// Position of the trials, mm. The workspace of each device is centred near it.
 inline constexpr Point kTrialPlace{30.0, 30.0};
 
-/// Course of a trial, s since its start.
+/// Times of the phases of a trial, in s since its start.
 struct TrialTimes {
-  double measure_from_s = 0.0;  ///< HF is measured here
+  double measure_from_s = 0.0;  ///< start of the measurement of the high-frequency force
   double measure_until_s = 0.0;
-  double energy_from_s = 0.0;  ///< energy counts from here: past the fall into a well
-  double let_go_s = 0.0;       ///< when a hand that lets go does so
+  double energy_from_s = 0.0;  ///< start of the energy measurement: after the pen is in the well
+  double let_go_s = 0.0;       ///< when the hand releases the pen; only if `lets_go`
   double end_s = 0.0;
 };
+/// Returns the times of a trial. `lets_go`: the hand releases the pen during the trial.
 TrialTimes times_of(Trial trial, bool lets_go) noexcept;
 
-/// Where the pen is meant to be at a time, and what the sheet and the springs will push it with
-/// there: a hand aims ahead by that much of its own spring.
+/// The planned position of the pen at a time, and the force of surface and springs expected there.
+/// A hand aims past the planned position, so that its own spring balances this force.
 struct PlannedPen {
   Vec3 pen;
   Force load;
 };
 
-/// The plane and the friction that a plan reckons with.
+/// The stiffness, friction and pressing force that a plan assumes.
 struct PlanGround {
   double plane_n_per_m = 500.0;
   double friction = 0.25;
   double press_n = 0.8;
 };
+/// Returns the planned position and load at time `t_s`, s since the start of the trial.
 PlannedPen planned_pen(Trial trial, const PlanGround& ground, double t_s) noexcept;
 
 }  // namespace felt

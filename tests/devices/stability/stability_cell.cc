@@ -18,7 +18,8 @@ namespace felt {
 namespace {
 
 constexpr double kHighFromHz = 30.0;
-// Pressing, N: what the chain lets a Touch do for as long as a trial takes, other forces included.
+// Pressing force, N. Small enough for the safety chain to allow it with a Touch during a whole
+// trial, with the other forces.
 constexpr double kPressN = 0.8;
 constexpr double kPressBesidesN = 0.4;
 constexpr double kPressBeforeLettingGoN = 0.15;
@@ -38,7 +39,7 @@ StylusPreset device_of(const StabilityCell& cell) {
 }
 
 ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
-  // Grain is meant to be felt in motion; at rest it must be silent.
+  // Grain is tested at rest only: there it must add no force. It may be felt while the pen moves.
   const HeightField* grain = cell.trial == Trial::kRest ? surface_grain(*cell.surface) : nullptr;
   const SheetForce sheet = make_sheet_force(*cell.surface, *cell.tool, device, grain);
   switch (cell.trial) {
@@ -54,7 +55,7 @@ ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
   return ForceModel(sheet);
 }
 
-// Adds up what a trial shows.
+// Accumulates the measurements of a trial.
 class Meter {
  public:
   Meter(const TrialTimes& times, bool per_contact, double period_s)
@@ -64,7 +65,7 @@ class Meter {
         y_(kHighFromHz, period_s),
         z_(kHighFromHz, period_s) {}
 
-  // `acted` is the force while the pen went from its last place to this one.
+  // Adds one tick. `acted` is the force while the pen moved from its last position to `pen`.
   void add(double t_s, const Vec3& pen, const Force& acted) {
     const Force high{x_(acted.x), y_(acted.y), z_(acted.z)};
     if (t_s > times_.measure_from_s && t_s <= times_.measure_until_s) {
@@ -104,8 +105,8 @@ class Meter {
   bool has_last_ = false;
 };
 
-// A hand that knows what it moves: it aims ahead of the planned pen by what load, mass and friction
-// take of its spring, b e' + k e = m x'' - load  (as hand_script.h).
+// A hand that knows the load on its pen. It aims past the planned position by e, so that its spring
+// and damper balance load, mass and friction: b e' + k e = m x'' - load (as in hand_script.h).
 class KnowingHand {
  public:
   KnowingHand(const StabilityCell& cell, const SimulatedHand& hand, const PlanGround& ground)

@@ -14,7 +14,8 @@ constexpr std::array kDevices{"worst",   "touch", "premium", "falcon",
                               "touch-x", "omega", "inverse3"};
 constexpr std::array<std::int64_t, 3> kPeriodsNs{1'000'000, 250'000, 200'000};
 
-// The pencil, and the strongest friction; all other media are softer or drag less.
+// Returns true for the pencil and for the eraser, which has the strongest friction. All other media
+// are softer or have less friction.
 bool is_extreme(const Medium& tool) {
   return tool.id == "pencil" || tool.id == "eraser";
 }
@@ -23,7 +24,7 @@ bool is_usual_loop(const StabilityCell& c) {
   return c.period_ns == 1'000'000 && c.delay_ticks == 1;
 }
 
-// All loops, surfaces and tools of one trial, hand and device.
+// Adds the cells of one trial, hand and device with all loops, surfaces and media.
 void add_loops(StabilityCell cell, std::vector<StabilityCell>& cells) {
   for (const std::int64_t period_ns : kPeriodsNs) {
     for (const int delay : {0, 1, 2}) {
@@ -73,12 +74,12 @@ std::vector<StabilityCell> representative_cells(const std::vector<StabilityCell>
     const bool hand = c.hand == nullptr || c.hand->name == "light" || c.hand->name == "typical";
     const bool loop =
         c.period_ns == 1'000'000 ? c.delay_ticks > 0 : c.period_ns == 200'000 && c.delay_ticks == 1;
-    // As most people will feel them, and in the hand and device that damp the least.
+    // The most common hand and device, and the hand and device with the least damping.
     const bool as_usual = c.device->name == "touch" && c.hand != nullptr &&
                           c.hand->name == "typical" && is_usual_loop(c);
     const bool at_worst = c.device->name == "worst" && c.hand != nullptr &&
                           c.hand->name == "light" && is_usual_loop(c);
-    // The one with the finest friction and one of the hardest with the strongest.
+    // The surface with the least friction, and one of the hardest with the strongest friction.
     const bool ends = c.surface->id == "paper" || c.surface->id == "blackboard";
     const bool surface = as_usual || (ends && (is_extreme(*c.tool) || at_worst));
     return has(kOf, c.device->name) && hand && loop && surface;
@@ -87,7 +88,7 @@ std::vector<StabilityCell> representative_cells(const std::vector<StabilityCell>
 }
 
 std::vector<StabilityResult> run_cells(const std::vector<StabilityCell>& cells, unsigned threads) {
-  for (const SurfaceMaterial& surface : surface_materials()) surface_grain(surface);  // once
+  for (const SurfaceMaterial& surface : surface_materials()) surface_grain(surface);  // loads it
   std::vector<StabilityResult> results(cells.size());
   std::atomic<std::size_t> next{0};
   const auto work = [&] {

@@ -16,7 +16,7 @@ std::string fixed(double value, int digits) {
   return text;
 }
 
-// What a block of cells shows.
+// Summary of a block of cells: the number of failures and the largest values.
 struct Summary {
   int cells = 0;
   int failing = 0;
@@ -31,7 +31,7 @@ struct Summary {
   }
 };
 
-// Summaries by two names; rows and columns in the order of their first cell.
+// Summaries by row and column name. Rows and columns appear in the sequence of their first cell.
 class Table {
  public:
   void add(std::string_view row, std::string_view column, const StabilityResult& result) {

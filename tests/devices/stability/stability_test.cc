@@ -9,7 +9,8 @@
 namespace felt::stability_test {
 namespace {
 
-// Near the bounds the last bits of another compiler may decide.
+// Returns true if the result is not near the limits. Near them, rounding differences between
+// compilers may change the verdict.
 bool is_clear(const StabilityResult& r) {
   const auto far = [](double value, double bound) {
     return value < 0.9 * bound || value > 1.1 * bound;
@@ -19,8 +20,8 @@ bool is_clear(const StabilityResult& r) {
 
 class StabilityMatrix : public ::testing::TestWithParam<Trial> {};
 
-// R12, R30, R41, R43 and R56 in the whole loop: what is not listed in docs/stability.md is clean
-// and passive, and what is listed there does fail.
+// R12, R30, R41, R43 and R56 in the whole loop: cells that docs/stability.md does not list as
+// failing are clean and passive; cells that it lists do fail.
 TEST_P(StabilityMatrix, R12_FailsNowhereButWhereTheReportSays) {
   std::ifstream in("docs/stability.md");
   const std::string report{std::istreambuf_iterator<char>(in), {}};
@@ -52,7 +53,7 @@ TEST_P(StabilityMatrix, R12_FailsNowhereButWhereTheReportSays) {
 INSTANTIATE_TEST_SUITE_P(, StabilityMatrix, ::testing::ValuesIn(kTrials),
                          [](const auto& trial) { return std::string(name_of(trial.param)); });
 
-// The measuring instruments notice what they are there for: a plane far too stiff for its delay.
+// The measurements detect an unstable loop: a plane that is far too stiff for its delay.
 TEST(StabilityTrial, NoticesAnUnstableLoop) {
   StylusPreset hard = *find_stylus_preset("worst");
   hard.capabilities.max_stiffness_n_per_m = 1e6;

@@ -1,5 +1,5 @@
-// R55: every device keeps the contract of felt/rt/device.h, whatever it is; drivers of real devices
-// before fakes of their other side (tests/devices/drivers).
+// R55: every device fulfils the contract of felt/rt/device.h. Drivers of real devices are connected
+// to fake hardware (tests/devices/drivers).
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -26,23 +26,24 @@
 namespace felt::device_suite_test {
 namespace {
 
-// A device under test, and what moves it: called before each read.
+// A device under test, and the function that moves its pen.
 struct Subject {
   std::unique_ptr<Device> device;
-  std::function<void(std::int64_t now_ns)> feed;
-  std::string name{};  // its own, where that is not the subject's
-  Vec shift{};         // of the pen, on a device that cannot reach everywhere
+  std::function<void(std::int64_t now_ns)> feed;  // call before each read
+  std::string name{};  // the device's name, if it differs from the test parameter
+  Vec shift{};         // added to the pen's positions, if the device cannot reach them
   bool is_driver = false;
 };
 
-// The pen that every subject is fed with: above the sheet, then on it, drawing a line.
+// Returns the pen position for every subject. The pen is first above the surface, then draws a line
+// on it.
 Vec3 pen_at(std::int64_t now_ns) {
   const double t_s = 1e-9 * static_cast<double>(now_ns);
   const double height = std::clamp(4.0 - 12.0 * (t_s - 0.8), -0.8, 4.0);
   return {20.0 + 10.0 * std::max(0.0, t_s - 1.2), 30.0, height};
 }
 
-// A stylus with its hand, whose frame is not that of the sheet.
+// A stylus with its hand. The frame of the stylus differs from the frame of the surface.
 class LeaningDevice final : public Device {
  public:
   explicit LeaningDevice(const PlaneCalibration& table)
@@ -67,8 +68,8 @@ class LeaningDevice final : public Device {
   PlaneCalibration table_;
 };
 
-// The device stands turned by a quarter before a table that tilts by 25 degrees, and its frame is
-// right-handed: the sheet's x is its y, and so on.
+// Returns a device that is turned by 90 degrees in front of a table tilted by 25 degrees. The frame
+// of the device is right-handed; its y axis is the x axis of the surface.
 Subject on_a_leaning_table() {
   const double c = std::cos(0.436), s = std::sin(0.436);
   const PlaneCalibration table =
@@ -103,7 +104,8 @@ class DrivenDevice final : public Device {
   BenchDevice device_;
 };
 
-// Its pen is put where it begins, and moved to where the device reaches.
+// Returns the device of a bench. Its pen starts at pen_at(0); all positions are shifted into the
+// workspace if the device cannot reach them.
 Subject on_a_bench(std::string_view bench) {
   auto device = std::make_unique<DrivenDevice>(bench);
   DrivenDevice* driven = device.get();
@@ -200,7 +202,7 @@ TEST_P(DeviceSuite, R55_GapsAndClocksThatRunBackwardsAreSurvived) {
     now_ns += gap * kMs;
     const PenSample s = read(now_ns);
     EXPECT_TRUE(is_finite(s.position) && is_finite(s.velocity)) << "after " << gap << " ms";
-    // A real one may have let go meanwhile (a watchdog of its own), and says so.
+    // A real device's watchdog may have released the motors in the gap; then write() may fail.
     ASSERT_TRUE(device_.write({}).has_value() || subject_.is_driver);
   }
 }
@@ -210,7 +212,7 @@ TEST_P(DeviceSuite, R55_TakesAnyForceWithoutHarm) {
   std::int64_t now_ns = 0;
   for (const double f : {0.0, 1.0, -1.0, 1e9, -1e300, kNan, std::numeric_limits<double>::infinity(),
                          std::numeric_limits<double>::denorm_min()}) {
-    (void)device_.write({f, -f, f});  // may refuse, must not break
+    (void)device_.write({f, -f, f});  // may fail, but must not harm the device
     now_ns += kMs;
     const PenSample s = read(now_ns);
     EXPECT_TRUE(is_finite(s.position) && is_finite(s.velocity)) << f;
@@ -232,7 +234,8 @@ TEST_P(DeviceSuite, R55_TheSameCallsGiveTheSameSamples) {
   }
 }
 
-// Forces with everything on, through the loop: bounded by device and user, K by 0.9 of the cap.
+// Surface, well and spring together, through the loop. The force stays within the limits of device
+// and user, and the stiffness within 0.9 of the device's maximum.
 TEST_P(DeviceSuite, R55_TheLoopKeepsToItsCapabilities) {
   const Capabilities& can = device_.capabilities();
   const auto servo = std::make_unique<Servo>(
@@ -255,7 +258,7 @@ TEST_P(DeviceSuite, R55_TheLoopKeepsToItsCapabilities) {
     }
   }
   EXPECT_LE(most_n, std::min(3.0, 0.9 * can.max_force_n) + 1e-9);
-  // A planar device feels nothing of the sheet, and its depth is but a word for "touches".
+  // A planar device cannot render the surface, and its depth only says whether the pen touches.
   if (can.max_stiffness_n_per_m > 0.0 && can.actuated_axes > 2) {
     EXPECT_LE(steepest, 0.9 * can.max_stiffness_n_per_m * 1.05 + 5.0);
   }
@@ -267,7 +270,7 @@ TEST_P(DeviceSuite, R55_TheLoopKeepsToItsCapabilities) {
   }
 }
 
-// Whatever it is, its failing is noticed, and no force stays.
+// Any failure of a device is detected, and no force remains.
 TEST_P(DeviceSuite, R49_FailingTakesTheForceAway) {
   for (const InjectedFault fault : {InjectedFault::kReadError, InjectedFault::kUnplugged,
                                     InjectedFault::kNotFinite, InjectedFault::kInfinite}) {
@@ -284,7 +287,7 @@ TEST_P(DeviceSuite, R49_FailingTakesTheForceAway) {
       const TickReport& tick = clock.tick();
       if (clock.now_ns() < 1800 * kMs) continue;
       ASSERT_EQ(tick.sent, Force{}) << "fault " << static_cast<int>(fault);
-      // Where nothing can be felt the chain has not even been armed.
+      // The chain is never armed if the device has no force.
       ASSERT_EQ(tick.safety.state, can.has_force() ? SafetyState::kLatched : SafetyState::kOff);
     }
   }

@@ -26,7 +26,7 @@ std::string words(const char* what, std::size_t axis, double is, double should) 
          std::to_string(should);
 }
 
-// A bench with its pen above the middle of its workspace, and time that goes on.
+// A bench with its pen above the middle of the workspace, and a running virtual time.
 class Rig {
  public:
   explicit Rig(const BenchMaker& make) : bench(make({})), device(*bench) {
@@ -37,7 +37,7 @@ class Rig {
     aim = middle;
   }
 
-  /// Some ticks with a force in the sheet's frame. The last sample.
+  /// Writes a force in the frame of the surface for `ms` ms of ticks. Returns the last sample.
   PenSample hold(const Force& force, std::int64_t ms) {
     const std::int64_t period_ns = device.capabilities().period_ns;
     for (const std::int64_t end_ns = now_ns + ms * kMs; now_ns < end_ns; now_ns += period_ns) {

@@ -6,20 +6,23 @@
 
 namespace felt {
 
-/// What the maker's axes become: where the hand goes, samples go, along each axis of the sheet (in
-/// the plane alone on a planar device). Empty, or what is wrong.
+// Each function checks one property of a bench's driver. It returns an empty string if the driver
+// is correct, otherwise a description of the error.
+
+/// Checks that the vendor's axes are converted correctly: samples follow the hand along each axis
+/// of the surface. On a planar device only x and y are checked.
 std::string check_axes(const BenchMaker& make);
 
-/// Where a force in the sheet's frame is felt: along the same axis, the same way, as strong; one
-/// that lifts off the sheet moves the pen up, and so on. Empty, or what is wrong.
+/// Checks that the motors render a force in the frame of the surface along the same axis, in the
+/// same direction and with the same strength. For example, a force in +z moves the pen up.
 std::string check_force_signs(const BenchMaker& make);
 
-/// A pen that presses into the sheet is pushed out by the loop with the sheet's own force (not on a
-/// planar device, which cannot). Empty, or what is wrong.
+/// Checks that the haptic loop pushes a pen out of the surface if the pen presses into it. Does
+/// nothing for a planar device.
 std::string check_pressing(const BenchMaker& make);
 
-/// What a driver says of itself: identity, capabilities no larger than its model's row, the status
-/// of a healthy device. Empty, or what is wrong.
+/// Checks the data that a driver reports: the identity of the device, forces within the row of its
+/// model, and the status of a healthy device.
 std::string check_words(const BenchMaker& make);
 
 }  // namespace felt

@@ -1,4 +1,5 @@
-// What a driver promises beyond a device's contract (R55), for each bench of tests/devices/drivers.
+// Tests the requirements on drivers beyond the contract of a device (R55), for each bench of
+// tests/devices/drivers.
 #include "tests/devices/suite/driver_suite.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The device test through the real code of every driver, before its fake.
+// Runs the device test through the real code of every driver, which is connected to its fake.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,7 +39,8 @@ TEST_P(BenchValidatorTest, WhatItSaysIsSoundInEveryModel) {
   }
 }
 
-/// A stick renders springs by itself: what it is told are effects, which no force of a tick is.
+/// Returns all benches except evdev. A stick receives effects and renders springs itself, so that
+/// the test cannot compare it with the force of a single tick.
 std::vector<std::string_view> names_of_force_benches() {
   std::vector<std::string_view> names = driver_bench_names();
   std::erase(names, "evdev");

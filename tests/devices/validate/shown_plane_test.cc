@@ -7,7 +7,7 @@
 namespace felt::shown_plane_test {
 namespace {
 
-// Some libraries know the serial number of an open device only.
+// Some libraries report the serial number only after the device is open.
 TEST(ShownPlane, OfAnotherUnitIsNotUsed) {
   ZigzagWorld world;
   world.gone_after_reads = 1 << 30;

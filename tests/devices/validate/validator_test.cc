@@ -75,7 +75,7 @@ class BadDevice final : public Device {
 };
 
 struct Setting {
-  const char* preset = "premium";  // hardly any friction
+  const char* preset = "premium";  // has hardly any friction
   std::vector<FaultWindow> faults = {};
   std::function<void(BadDevice&)> plant = {};
   SimulatedSubjectOptions subject = {};
@@ -217,7 +217,7 @@ TEST(ValidatorTest, FiguresThatMakeNoSenseAreFound) {
       << report_text(report);
 }
 
-/// A person who does only some things.
+/// A user who refuses some of the requested tasks.
 class ShyPerson final : public TestPerson {
  public:
   ShyPerson(TestPerson& other, std::vector<PersonTask> refuses)
@@ -233,7 +233,8 @@ class ShyPerson final : public TestPerson {
   std::vector<PersonTask> refuses_;
 };
 
-/// Notes the largest force that ever reached the device.
+/// Runs the test with a user who refuses the tasks in `refuses`. Stores the largest force that ever
+/// reached the device in `largest_n`, in N.
 ValidationReport test_with(std::vector<PersonTask> refuses, double& largest_n,
                            const ValidationOptions& options = quick()) {
   const StylusPreset& preset = *find_stylus_preset("premium");
@@ -296,7 +297,7 @@ TEST(ValidatorTest, InterruptedAtAnyMomentTheForceIsGone) {
 TEST(ValidatorTest, APenThatRunsAwayLosesItsForce) {
   double largest_n = 0.0;
   const StylusPreset& preset = *find_stylus_preset("premium");
-  SimulatedStylus stylus(preset, std::nullopt);  // nobody holds it
+  SimulatedStylus stylus(preset, std::nullopt);  // no hand holds it
   BadDevice device(stylus);
   Vec3 start{}, farthest{};
   bool pushed = false;
@@ -306,7 +307,7 @@ TEST(ValidatorTest, APenThatRunsAwayLosesItsForce) {
     return force;
   };
   device.bend_sample = [&](PenSample& sample) {
-    sample.position.z = 30.0;  // it does not fall
+    sample.position.z = 30.0;  // as if the pen did not fall
     if (!pushed) start = sample.position;
     if (norm(sample.position - start) > norm(farthest - start)) farthest = sample.position;
   };

@@ -105,14 +105,14 @@ class FakeSystem final : public SystemView {
   }
 
  private:
-  static constexpr int kMaxLinks = 16;  // for loops of links
+  static constexpr int kMaxLinks = 16;  // stops at cycles of links
 
   static std::string parent(std::string_view path) {
     return std::string(path.substr(0, path.rfind('/')));
   }
-  /// Removes "." and "..", doubled and trailing slashes.
+  /// Returns `path` without ".", "..", double slashes and a trailing slash.
   static std::string tidy(std::string_view path);
-  /// Resolves all links.
+  /// Returns `path` with all links resolved.
   [[nodiscard]] std::string followed(std::string_view path) const;
 
   std::map<std::string, std::string> files_;
@@ -189,7 +189,7 @@ inline std::string FakeSystem::resolve(std::string_view path) const {
   const std::string tidied = tidy(path);
   if (tidied.empty()) return {};
   if (links_.contains(tidied)) return followed(tidied);
-  // Its folder may contain links, too.
+  // The path of the parent folder may contain links, too.
   const std::string real = followed(parent(tidied)) + tidied.substr(tidied.rfind('/'));
   return links_.contains(real) ? followed(real) : std::string();
 }

@@ -26,11 +26,11 @@ struct ScriptedArm {
   DeviceDescriptor descriptor;
   std::atomic<bool> is_plugged_in{true};
   Homing homing = Homing::kNone;
-  bool home_is_found = true;  ///< by find_home()
+  bool home_is_found = true;  ///< find_home() succeeds
   std::string open_error = {};
   PenSample at = {};  ///< in the device's frame
   std::optional<DeviceFault> read_fault = {};
-  std::optional<DeviceFault> write_fault = {};  ///< for forces that are not zero
+  std::optional<DeviceFault> write_fault = {};  ///< only for forces that are not zero
   std::string vendor_words = {};
   std::string notice = {};
   int opened = 0, closed = 0, homed = 0;
@@ -40,7 +40,7 @@ struct ScriptedArm {
   std::vector<Finding> findings = {};
 };
 
-/// A driver with one such arm.
+/// A driver whose only device is a ScriptedArm.
 class ScriptedDriver final : public Driver {
  public:
   explicit ScriptedDriver(std::shared_ptr<ScriptedArm> arm) : arm_(std::move(arm)) {}

@@ -67,7 +67,8 @@ class FakeService {
   [[nodiscard]] FakeServiceOptions& options() noexcept { return options_; }
   [[nodiscard]] double largest_asked_n() const noexcept { return largest_n_; }
   [[nodiscard]] std::string_view broken_rule() const noexcept { return rule_; }
-  /// Returns the force of the last accepted message, in the service's axes, in N.
+  /// Returns the requested force of the newest handled message, in the service's axes, in N. If
+  /// waiting messages were handled together, returns the sum of their forces.
   [[nodiscard]] const Force& asked() const noexcept { return asked_; }
   [[nodiscard]] int messages() const noexcept { return messages_; }
   [[nodiscard]] int ignored_forces() const noexcept { return ignored_; }
@@ -94,7 +95,7 @@ class FakeService {
   friend class Port;
   std::string inventory();
   std::string answer_to(std::string_view path);
-  /// Computes the state that answers a message. Returns false if it sends none.
+  /// Handles a message. Returns false if no answer follows yet.
   bool take_message(Port& port, std::string_view text);
   void take_setup(std::string_view text);
   void take_force(const Force& force);

@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// A simulated device as the world of the fake library: poses are rotated from the page's frame
-/// into the vendor's axes (x right, y up, z to the user), and forces are rotated back.
+/// The simulated device behind the fake library. Poses are rotated from the frame of the surface
+/// into the vendor's axes (x right, y up, z towards the user), and forces are rotated back.
 class HdWorld {
  public:
   /// Requires that `device` outlives this object.

@@ -67,7 +67,7 @@ class OpenHaptics : public ::testing::Test {
     said = device->read(now_ns);
     done = device->write(force);
   }
-  // Returns the held force in the page's frame.
+  // Returns the held force in the frame of the surface.
   [[nodiscard]] const Force& held() const { return motors.held_force(); }
   void TearDown() override {
     device.reset();
