@@ -44,17 +44,17 @@ TEST(OpenDevice, MapsPlacesInAndForcesOut) {
 
 // The tilt of the pen is measured against the surface. So it changes with the tilt of the board,
 // even if the pen does not move.
-TEST(OpenDevice, ThePenLeansAgainstTheSheetNotTheDevice) {
+TEST(OpenDevice, ThePenTiltsAgainstTheSheetNotTheDevice) {
   ScriptedDevice inner;
   OpenDevice device(inner, leaning());
   EXPECT_EQ(device.read(1)->tilt_deg, std::nullopt) << "no device, no tilt";
   const PlaneCalibration map = leaning();
   inner.axis = map.rows()[2];  // normal to the surface
-  EXPECT_EQ(device.read(2)->lean_deg, 0.0);
+  EXPECT_EQ(device.read(2)->tilt_deg, 0.0);
   inner.axis = Vec3{0, 0, 1};  // the device's z axis, because the table is tilted by 30 degrees
-  EXPECT_EQ(device.read(3)->lean_deg, 30.0);
+  EXPECT_EQ(device.read(3)->tilt_deg, 30.0);
   inner.axis = 7.5 * map.rows()[0];  // parallel to the surface, not of length 1
-  EXPECT_EQ(device.read(4)->lean_deg, 90.0);
+  EXPECT_EQ(device.read(4)->tilt_deg, 90.0);
   inner.axis = map.rows()[2] - map.rows()[1];
   EXPECT_EQ(device.read(5)->tilt_deg, 45.0);
 }
