@@ -1,6 +1,6 @@
-// Files that were damaged on the way: whatever the reader makes of one, it does not crash or hang,
-// stays within memory, and says what is wrong or gives a drawing that is a drawing. Of a .felt,
-// every stroke whose pages are whole can be had back.
+// Reads damaged and malicious files. The reader must not crash, hang or use too much memory. It
+// must either fail with a reason or return a valid drawing. From a .felt file, every stroke with
+// intact database pages must be recoverable.
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMaxSeconds = 5.0;  // of CPU, for one small file; sanitizers need the room
+constexpr double kMaxSeconds = 5.0;  // CPU time for one small file; sanitizers need this much
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
 std::string folder_for_test() {
@@ -39,7 +39,7 @@ struct Counts {
   double slowest_s = 0.0;
 };
 
-/// Reads it as a person's file of that name, and checks what comes of it.
+/// Reads the damaged bytes as a user's file called `name`, and checks the result.
 void read_damaged(const Damage& damage, const std::string& name, const Drawing& original,
                   Counts& counts) {
   const double start = cpu_seconds();
@@ -55,7 +55,7 @@ void read_damaged(const Damage& damage, const std::string& name, const Drawing& 
   }
   ++counts.read;
   counts.same += opened->drawing == original;
-  // What was read can be kept and comes back: no invariant of a drawing is broken.
+  // The drawing can be saved and read again, so it violates no invariant.
   Drawing kept = opened->drawing;
   const Result<std::string> again = felt_bytes(kept);
   ASSERT_TRUE(again) << name << ": " << damage.name << ": " << again.error().message;
@@ -98,7 +98,7 @@ std::vector<FileFormat> formats_in_both_directions() {
 INSTANTIATE_TEST_SUITE_P(EveryFormat, Damaged, ::testing::ValuesIn(formats_in_both_directions()),
                          [](const auto& test) { return std::string(traits_of(test.param).name); });
 
-/// A file whose strokes lie on many pages, each within one.
+/// Returns a drawing with strokes on many database pages, each stroke within one page.
 Drawing many_strokes() {
   Drawing drawing;
   Edit edit{"Draw", {}};
@@ -120,7 +120,7 @@ TEST(DamagedFelt, GivesBackEveryStrokeOnWholePages) {
   const std::size_t page = static_cast<std::size_t>(static_cast<unsigned char>(whole[16])) << 8 |
                            static_cast<unsigned char>(whole[17]);
   ASSERT_GE(page, 512u);
-  // Where each stroke lies; those that go on over several pages are not looked for.
+  // The position of each stroke in the file. Strokes that span several pages are left out.
   std::vector<std::pair<std::size_t, const Stroke*>> places;
   for (const StrokeId id : drawing.document.layers().front().strokes) {
     std::string blob;
@@ -184,7 +184,7 @@ TEST(DamagedFelt, SideFilesOfOthersAreIgnoredAndLeftAlone) {
   fs::remove_all(folder);
 }
 
-/// An autosave as a killed process leaves it; its files are then damaged.
+/// Creates an autosave as a killed process leaves it. The tests then damage its files.
 class DamagedStore : public ::testing::Test {
  protected:
   DamagedStore() : root_(folder_for_test()), drawing_(many_strokes()) {
@@ -214,10 +214,10 @@ TEST_F(DamagedStore, GarbageBesideItIsNoHarm) {
   EXPECT_TRUE(recovered->problems.empty());
 }
 
-/// It may be a disk that fails for a moment.
+/// An unreadable autosave must not be deleted, because the disk may fail only for a moment.
 TEST_F(DamagedStore, WhatCannotBeLookedAtIsNotCleared) {
   fs::rename(database_, database_ + ".away");
-  fs::create_symlink(database_, database_);  // leads to itself: nobody can look at it
+  fs::create_symlink(database_, database_);  // links to itself, so it cannot be opened
   EXPECT_TRUE(find_abandoned_autosaves({root_}).empty());
   EXPECT_TRUE(fs::exists(database_ + "-wal"));
   fs::remove(database_);
@@ -246,7 +246,7 @@ TEST(DamagedFelt, ANameThatLeadsNowhereIsNotReplaced) {
   fs::remove_all(folder);
 }
 
-/// Never a crash, never a part of the drawing without a word.
+/// The recovery must never crash, and must never return a part of the drawing without a problem.
 TEST_F(DamagedStore, GivesAllOrSaysWhatIsMissing) {
   const std::string wal = read_file(database_ + "-wal", kMaxBytes).value();
   int damages = 0, whole = 0, told = 0, refused = 0;
@@ -265,7 +265,7 @@ TEST_F(DamagedStore, GivesAllOrSaysWhatIsMissing) {
   };
   int number = 0;
   for_each_damage(wal, [&](const Damage& damage) {
-    if (number++ % 8 != 0) return;  // each is a copy on disk and a recovery
+    if (number++ % 8 != 0) return;  // because each damage costs a copy on disk and a recovery
     ASSERT_TRUE(write_file(database_ + "-wal", damage.bytes));
     look(damage);
   });
@@ -275,7 +275,7 @@ TEST_F(DamagedStore, GivesAllOrSaysWhatIsMissing) {
 
 // --- bombs --------------------------------------------------------------------------------------
 
-/// `size` zeros, or the text again and again, in gzip.
+/// Returns a gzip stream of `head`, then `part` repeated up to `size` bytes, then `tail`.
 std::string gzip_of(const std::string& head, const std::string& part, std::size_t size,
                     const std::string& tail) {
   z_stream stream{};
@@ -309,15 +309,15 @@ std::string repeated(const std::string& part, std::size_t count) {
   return text;
 }
 
-/// Refused or read, soon and in bounded memory. 20 times the file and 64 MiB,
-/// docs/design/limits.md#foreign-files, where the file is what it is once unpacked, at most 100
-/// times as large.
+/// Checks that `bytes` are refused or read in bounded time and memory. The memory limit is 20 times
+/// the size of the unpacked file plus 64 MiB (docs/design/limits.md#foreign-files). The unpacked
+/// file is at most 100 times as large as the file.
 void expect_bounded(const std::string& what, const std::string& bytes, const std::string& name,
                     bool is_refused) {
   const double start = cpu_seconds();
   const Result<Imported> opened = parse_drawing(bytes, name);
   const double took = cpu_seconds() - start;
-  EXPECT_LT(took, 20.0) << what;  // sanitizers need the room
+  EXPECT_LT(took, 20.0) << what;  // sanitizers need this much
   EXPECT_LT(peak_bytes(), std::size_t{3} << 30) << what;
   if (is_refused) {
     EXPECT_FALSE(opened) << what;
@@ -352,7 +352,7 @@ TEST(Bombs, EntitiesThatMultiply) {
                                                           : "a.xopp";
     const std::string text = "<?xml version=\"1.0\"?><!DOCTYPE " + std::string(root) + " [" +
                              entities + "]><" + root + ">&a29;</" + root + ">";
-    // Programs that write SVG name their namespaces by entities, so those are no reason to refuse.
+    // Some programs define SVG namespaces with entities, so the reader must accept entities in SVG.
     expect_bounded("entities in " + name, text, name, name != "a.svg");
   }
   expect_bounded("entities in a path, .svg",

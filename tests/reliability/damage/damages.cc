@@ -18,7 +18,7 @@ std::size_t most() {
   return text != nullptr ? std::strtoull(text, nullptr, 10) : kMax;
 }
 
-/// 0, step, 2 step ... below `size`, `most` of them.
+/// Calls `use` with about most() evenly spaced positions from 0 to below `size`.
 template <class Use>
 void spread(std::size_t size, Use use) {
   const std::size_t step = std::max<std::size_t>(1, size / std::max<std::size_t>(1, most()));
@@ -40,7 +40,7 @@ void for_each_damage(std::string_view whole, const std::function<void(const Dama
     use({"flip " + std::to_string(bit) + " of byte " + std::to_string(at), at, at + 1, true,
          std::move(bytes)});
   });
-  // Pages of a database tell in their first bytes where all else is.
+  // The first bytes of a database page hold the positions of its content, so damage them too.
   constexpr std::size_t kPage = 4096, kHead = 32, kPages = 16;
   for (std::size_t i = 0; i < std::min(kPages, file.size() / kPage) * kHead; ++i) {
     const std::size_t at = i / kHead * kPage + i % kHead;

@@ -8,21 +8,21 @@
 
 namespace felt::damage {
 
-/// What befell a file. Bytes before `first` are as they were, and those from `last` on where the
-/// file did not change its length.
+/// One damage of a file. The bytes before `first` are unchanged. The bytes from `last` on are
+/// unchanged too if the file kept its length.
 struct Damage {
-  std::string name;  ///< "flip 7 of byte 1024": repeats it
+  std::string name;  ///< description that identifies the damage, like "flip 7 of byte 1024"
   std::size_t first = 0, last = 0;
-  bool keeps_places = true;  ///< what lies behind the damage is where it was
+  bool keeps_places = true;  ///< the bytes after the damage keep their positions
   std::string bytes;
 };
 
-/// All kinds, evenly over the file: cut off, one bit flipped, a sector of zeros, a sector of 0xff,
-/// a sector that is there twice, a sector missing, two sectors exchanged. FELT_DAMAGES says how
-/// many of each kind at most (400 without it).
+/// Calls `use` for damages of each kind, spread evenly over the file: truncated, one bit flipped, a
+/// sector of zeros, a sector of 0xff, a sector repeated, a sector missing, two sectors exchanged.
+/// The environment variable FELT_DAMAGES sets the approximate number of each kind (default: 400).
 void for_each_damage(std::string_view whole, const std::function<void(const Damage&)>& use);
 
-/// CPU time of this process, and the most memory it had.
+/// Return the CPU time of this process in s and its peak memory in bytes.
 double cpu_seconds();
 std::size_t peak_bytes();
 

@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kEdits = 4;
-constexpr double kFirstWidthMm = 100.0;  // tells the generation: its width is so much more
+// Page width of generation 0. Each generation is 1 mm wider, so the width identifies it.
+constexpr double kFirstWidthMm = 100.0;
 
 struct Generation {
   Drawing drawing;

@@ -9,17 +9,19 @@
 
 namespace felt::faults {
 
-/// Drawings that are all different, the same in each process.
+/// Returns the drawing of a generation. Each generation has a different drawing, and every process
+/// computes the same ones.
 const Drawing& drawing_of(std::uint32_t generation);
 
-/// The edits that lead from the generation before to this one; its page and material change too.
+/// Returns the edits that change the document of the previous generation into this one. The page
+/// differs too, but no edit describes that.
 const std::vector<Edit>& edits_to(std::uint32_t generation);
 
-/// The generation that this drawing is; -1 where it is none.
+/// Returns the generation of `drawing`, or -1 if it equals no drawing_of().
 int generation_of(const Drawing& drawing);
 
-/// The generation of the drawing that lies at `path`; -1 where there is no file, -2 where it is not
-/// one of drawing_of(0..most): damaged, or something that nobody drew. `why` says more.
+/// Returns the generation of the drawing in the file `path`. Returns -1 if the file is missing, and
+/// -2 if it is damaged or is none of drawing_of(0..most); `why` then holds the reason.
 int generation_at(const std::string& path, std::uint32_t most, std::string& why);
 
 }  // namespace felt::faults

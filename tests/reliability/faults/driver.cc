@@ -35,7 +35,7 @@ void* map_shared(const std::string& path, std::size_t size) {
   return memory;
 }
 
-/// Runs `work` in a process of its own and waits for its end: the status of waitpid.
+/// Runs `work` in a child process, waits until it ends and returns its waitpid() status.
 template <class Work>
 int in_child(Work work) {
   std::fflush(nullptr);
@@ -53,7 +53,8 @@ int in_child(Work work) {
   return status;
 }
 
-/// std::bad_alloc where nothing may throw: the process ends, and says so.
+/// Terminate handler: records that an exception left a noexcept function (usually std::bad_alloc),
+/// and ends the process.
 [[noreturn]] void on_terminate() {
   state->armed = false;
   state->outcome = Outcome::kTerminated;
@@ -97,7 +98,7 @@ void Driver::prepare(const Scenario& scenario) {
   reset_state(scenario, {});
   fs::remove_all(template_);
   fs::remove_all(folder_);
-  // Made where the runs are, because stores remember paths.
+  // Prepared in the folder of the runs, because autosaves contain absolute paths.
   fs::create_directory(folder_);
   const int status = in_child([&] { scenario.prepare(folder_); });
   if (status != 0) die(scenario.name + " cannot be prepared");
@@ -129,7 +130,7 @@ void Driver::play(const Scenario& scenario) {
   if (state->outcome == Outcome::kRunning) state->outcome = Outcome::kOk;
 }
 
-/// The program's exit code and its stderr become outcome and message.
+/// Runs the command. Its exit code becomes the outcome and its stderr the message.
 void Driver::exec(const Scenario& scenario) {
   const std::string log = base_ + "/stderr";
   const int status = in_child([&] {
@@ -149,7 +150,7 @@ void Driver::exec(const Scenario& scenario) {
     std::_Exit(127);
   });
   state->armed = false;
-  if (WIFSIGNALED(status)) ::raise(WTERMSIG(status));  // as if it had happened here
+  if (WIFSIGNALED(status)) ::raise(WTERMSIG(status));  // end this process by the same signal
   if (WEXITSTATUS(status) == 0) {
     state->outcome = Outcome::kOk;
     return;

@@ -7,7 +7,7 @@
 
 namespace felt::faults {
 
-/// What is disturbed, and how.
+/// The fault of one run: which call fails, and how.
 struct Fault {
   Mode mode = Mode::kNone;
   std::uint32_t at = 0;
@@ -15,7 +15,7 @@ struct Fault {
   bool memory = false;
 };
 
-/// How one run ended. `problem` is empty where all is well.
+/// Result of one run. `problem` is empty if the run passed.
 struct RunResult {
   std::string problem;
   std::uint32_t seen = 0, hits = 0;
@@ -24,27 +24,27 @@ struct RunResult {
   std::string hit_name, message;
 };
 
-/// Counts over many runs.
+/// Sums over many runs.
 struct Tally {
   std::uint64_t runs = 0, hits = 0, killed = 0, errors = 0, completed = 0, out_of_memory = 0,
                 terminated = 0, problems = 0, damaged = 0;
   void add(const RunResult& run);
 };
 
-/// Runs scenarios in processes of their own, in folders of its own below `base`.
+/// Runs each scenario in a separate process, in folders below `base`.
 class Driver {
  public:
-  /// `preload`: the interposer as a library, for scenarios with a command.
+  /// `preload` is the path of the interposer library, for scenarios that run a command.
   Driver(std::string base, std::string preload);
   ~Driver();
   Driver(const Driver&) = delete;
   Driver& operator=(const Driver&) = delete;
 
-  /// Makes the folder that each run of the scenario starts from.
+  /// Creates the folder from which each run of the scenario starts.
   void prepare(const Scenario& scenario);
-  /// One run, from prepared.
+  /// Runs the scenario once with `fault`. Requires prepare().
   RunResult run(const Scenario& scenario, const Fault& fault);
-  /// Where the runs are.
+  /// Returns the folder in which the runs take place.
   [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
 
  private:
@@ -54,7 +54,7 @@ class Driver {
 
   std::string base_, template_, folder_, preload_, shared_path_;
   FaultState* state_ = nullptr;
-  char* answer_ = nullptr;  ///< of the checking process
+  char* answer_ = nullptr;  ///< result of the checking process, in shared memory
 };
 
 }  // namespace felt::faults

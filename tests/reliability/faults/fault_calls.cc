@@ -1,10 +1,11 @@
-// Stands in front of every call by which a process changes files, and of reading. Linked into the
-// driver, or preloaded into a program (fault_preload.cc): both ways shared libraries (SQLite) go
-// through here too. Calls on files below FaultState::folder are counted, and the chosen one fails.
+// Replaces the C library functions that read or change files. Counts the calls on files below
+// FaultState::folder and lets the chosen call fail. It is linked into the driver or preloaded into
+// a program (fault_preload.cc). In both cases the calls of shared libraries, such as SQLite, pass
+// through it too.
 //
-// System calls are made directly: no look-up of the real functions is needed, and nothing between
-// here and the kernel can repeat or hide a call. Files mapped into memory (SQLite's -shm) are not
-// seen; they hold nothing that a later process relies on.
+// The replacements make system calls directly. They need no look-up of the real functions, and no
+// library between them and the kernel can repeat or hide a call. Writes to memory-mapped files
+// (SQLite's -shm) are not intercepted, but no later process relies on these files.
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -29,11 +30,12 @@ using felt::faults::Mode;
 using felt::faults::state;
 
 constexpr int kDescriptors = 4096;
-/// Which descriptors are files of the watched folder, and which of them.
+// For each descriptor: true if its file lies in the watched folder, and the path of that file.
 bool watched[kDescriptors];
 char names[kDescriptors][256];
 
-/// The path as it is below the folder, or null where it is elsewhere.
+/// Returns the absolute path if it lies in the watched folder, otherwise null. The result is valid
+/// until the next call on this thread.
 const char* inside(int folder_fd, const char* path) noexcept {
   thread_local char whole[1024];
   if (state == nullptr || state->memory || path == nullptr) return nullptr;
@@ -64,7 +66,8 @@ bool fails_on(int fd, Call call, const char* name) noexcept {
   return is_watched(fd) && felt::faults::fails(call, name, names[fd]);
 }
 
-/// A write of which the half is done: then the process dies, or the caller is told.
+/// Reads or writes half of the bytes. Then kills the process if the mode is kHalfKill; otherwise
+/// returns the number of bytes transferred.
 ssize_t half_of(long (*call)(int, const void*, size_t, off64_t), int fd, const void* bytes,
                 size_t size, off64_t offset) noexcept {
   const ssize_t done = call(fd, bytes, size > 1 ? size / 2 : size, offset);
@@ -115,7 +118,8 @@ int open_file(int folder_fd, const char* path, int flags, mode_t mode) noexcept 
   return static_cast<int>(fd);
 }
 
-/// A change of the names in a folder.
+/// Counts a call that changes an entry of a folder, such as rename or unlink. Returns true and sets
+/// errno if the call must fail.
 bool name_fails(Call call, const char* name, int folder_fd, const char* path) noexcept {
   const char* place = inside(folder_fd, path);
   if (place == nullptr) return false;
@@ -162,7 +166,8 @@ FELT_EXPORT int creat64(const char* path, mode_t mode) {
   return creat(path, mode);
 }
 
-/// A failed close has closed, as on Linux: it only says that something written before was lost.
+/// Closes the descriptor even if the call fails, as Linux does. A failed close only reports that an
+/// earlier write was lost.
 FELT_EXPORT int close(int fd) {
   const bool failed = fails_on(fd, Call::kClose, "close");
   const int reason = errno;
@@ -193,7 +198,7 @@ FELT_EXPORT ssize_t pread64(int fd, void* bytes, size_t size, off64_t offset) {
   return transfer(placed_read, Call::kRead, "pread", fd, bytes, size, offset);
 }
 
-/// Half of a gathered write is its first piece.
+/// A half write transfers half of the first piece only.
 FELT_EXPORT ssize_t writev(int fd, const struct iovec* pieces, int count) {
   if (fails_on(fd, Call::kWrite, "writev")) {
     return is_half() ? half_of(plain_write, fd, pieces->iov_base, pieces->iov_len, 0) : -1;
@@ -250,7 +255,7 @@ FELT_EXPORT int fallocate(int fd, int mode, off_t offset, off_t size) {
 FELT_EXPORT int fallocate64(int fd, int mode, off64_t offset, off64_t size) {
   return fallocate(fd, mode, offset, size);
 }
-/// Gives the reason as its result.
+/// Returns the error number instead of setting errno, as POSIX specifies.
 FELT_EXPORT int posix_fallocate(int fd, off_t offset, off_t size) {
   return fallocate(fd, 0, offset, size) == 0 ? 0 : errno;
 }
@@ -306,7 +311,7 @@ FELT_EXPORT int mkdir(const char* path, mode_t mode) noexcept {
   return mkdirat(AT_FDCWD, path, mode);
 }
 
-// --- looking -------------------------------------------------------------------------------------
+// --- queries -------------------------------------------------------------------------------------
 
 namespace {
 
@@ -344,11 +349,11 @@ FELT_EXPORT int access(const char* path, int how) noexcept {
   if (look_fails(AT_FDCWD, path, "access")) return -1;
   return static_cast<int>(syscall(SYS_faccessat, AT_FDCWD, path, how));
 }
-/// The library's own open and close are not ours to see, so a descriptor is opened here.
+/// Opens the descriptor itself, because the C library's internal open and close bypass this file.
 FELT_EXPORT DIR* opendir(const char* path) {
   const int fd = open_file(AT_FDCWD, path, O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0);
   if (fd < 0) return nullptr;
-  if (fd < kDescriptors) watched[fd] = false;  // closed by closedir, unseen
+  if (fd < kDescriptors) watched[fd] = false;  // closedir() closes it without calling close() here
   return fdopendir(fd);
 }
 

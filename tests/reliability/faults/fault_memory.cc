@@ -1,6 +1,6 @@
-// Stands in front of every allocation of the driver and of its shared libraries. glibc keeps its
-// own names for the real ones, so that no look-up allocates. Declared by hand: headers differ in
-// their exception specifications, and only the ABI counts here.
+// Replaces the allocation functions for the driver and its shared libraries. The real functions are
+// called by glibc's internal names, because looking them up would allocate. They are declared by
+// hand because headers differ in their exception specifications, while only the ABI matters here.
 #include <cstddef>
 
 #include "tests/reliability/faults/fault_state.h"

@@ -1,4 +1,5 @@
-// LD_PRELOAD: the interposer in a program of its own. FELT_FAULTS names the shared FaultState.
+// The interposer as a library for LD_PRELOAD, to test an unmodified program. The environment
+// variable FELT_FAULTS names the file with the shared FaultState.
 #include <fcntl.h>
 #include <stdlib.h>
 #include <sys/mman.h>

@@ -39,8 +39,8 @@ void FaultState::say_error(const std::string& text) noexcept {
 
 namespace {
 
-/// What a kernel can do to a call: a full disk does not keep anyone from removing a file, and no
-/// rename is ever interrupted.
+/// Returns true if a kernel can let the call fail in this way. For example, a full disk does not
+/// prevent the removal of a file, and a signal never interrupts a rename.
 bool can_befall(Mode mode, Call call) noexcept {
   switch (mode) {
     case Mode::kNone:
@@ -70,7 +70,7 @@ int error_number(Mode mode) noexcept {
                                  : EIO;
 }
 
-/// Counts; true where this call is the one, or one after it.
+/// Counts the call. Returns true if it is the chosen call, or a later call of a persistent fault.
 bool is_chosen() noexcept {
   const std::uint32_t number = state->seen.fetch_add(1) + 1;
   if (state->at == 0) return false;

@@ -6,24 +6,24 @@
 
 namespace felt::faults {
 
-/// What befalls the chosen call.
+/// What happens to the chosen call.
 enum class Mode : std::uint32_t {
-  kNone,      ///< calls are counted only
-  kEio,       ///< fails by EIO: the disk is failing
-  kEnospc,    ///< fails by ENOSPC: the disk is full
-  kEdquot,    ///< fails by EDQUOT: the person's share of it is full
-  kEintr,     ///< fails by EINTR: a signal came
-  kShort,     ///< writes or reads half of what was asked for, and says so
-  kHalfKill,  ///< writes half, and the process dies by SIGKILL
+  kNone,      ///< nothing; calls are only counted
+  kEio,       ///< fails with EIO: the disk is failing
+  kEnospc,    ///< fails with ENOSPC: the disk is full
+  kEdquot,    ///< fails with EDQUOT: the user's disk quota is exhausted
+  kEintr,     ///< fails with EINTR: a signal interrupted the call
+  kShort,     ///< writes or reads half of the bytes, and returns that number
+  kHalfKill,  ///< writes half of the bytes, then the process dies by SIGKILL
   kKill,      ///< the process dies by SIGKILL before the call
 };
 inline constexpr std::uint32_t kModeCount = 8;
 const char* mode_name(Mode mode) noexcept;
 
-/// What can fail.
+/// Kinds of system calls that can fail.
 enum class Call : std::uint32_t {
-  kOpen,    ///< of a file that is there
-  kCreate,  ///< open that makes one
+  kOpen,    ///< open without O_CREAT or O_TMPFILE
+  kCreate,  ///< open that may create a file
   kRead,
   kLook,  ///< stat, access, opendir
   kWrite,
@@ -38,43 +38,43 @@ enum class Call : std::uint32_t {
   kClose,
 };
 
-/// What the watched process says of itself; survives its death.
+/// State that the watched process reports. It stays readable after the process died.
 enum class Outcome : std::uint32_t { kRunning, kOk, kError, kOutOfMemory, kTerminated };
 
-/// One run: the order to the interposer, and what comes back. Lies in memory shared between the
-/// driver and the watched process.
+/// One run: the settings of the interposer and its results. Lies in memory that the driver and the
+/// watched process share.
 struct FaultState {
-  // The order.
-  char folder[256] = {};  ///< only files below it are watched
+  // Settings, written by the driver.
+  char folder[256] = {};  ///< only files below this folder are watched
   Mode mode = Mode::kNone;
-  std::uint32_t at = 0;     ///< number of the call that fails, from 1; 0: none
-  bool persistent = false;  ///< all later ones fail too
-  bool memory = false;      ///< allocations are what is counted and fails, not files
-  bool no_unnamed = false;  ///< the file system has no O_TMPFILE
-  bool read_only = false;   ///< nothing can be made or removed in the folder
+  std::uint32_t at = 0;     ///< number of the call that fails, counted from 1; 0: no call fails
+  bool persistent = false;  ///< all later calls fail too
+  bool memory = false;      ///< count and fail allocations instead of calls on files
+  bool no_unnamed = false;  ///< the file system does not support O_TMPFILE
+  bool read_only = false;   ///< nothing can be created or removed in the folder
 
-  // What the interposer saw.
+  // Results of the interposer.
   std::atomic<bool> armed{false};
   std::atomic<std::uint32_t> seen{0};  ///< calls on watched files so far
-  std::atomic<std::uint32_t> hits{0};  ///< of those, made to fail
-  char hit_name[320] = {};             ///< the first that failed: "fsync /tmp/x/a.felt"
+  std::atomic<std::uint32_t> hits{0};  ///< number of these calls that were made to fail
+  char hit_name[320] = {};             ///< the first failed call, like "fsync /tmp/x/a.felt"
 
-  // What the scenario says.
-  std::atomic<std::uint32_t> started{0};       ///< last generation whose saving began
-  std::atomic<std::uint32_t> acknowledged{0};  ///< last generation that was said to be saved
+  // Results of the scenario.
+  std::atomic<std::uint32_t> started{0};       ///< last generation that it began to save
+  std::atomic<std::uint32_t> acknowledged{0};  ///< last generation that it reported as saved
   Outcome outcome = Outcome::kRunning;
   char message[1024] = {};  ///< the first error
 
   void say_error(const std::string& text) noexcept;
 };
 
-/// What the interposer obeys; null: it does nothing but pass calls on.
+/// State that controls the interposer. If null, the interposer only passes calls on.
 extern FaultState* state;
 
-/// Counts a call on a watched file and says whether it fails. Kills the process where asked to.
-/// Sets errno when it says so.
+/// Counts a call on a watched file. Returns true and sets errno if the call must fail. Kills the
+/// process if the mode is kKill and this is the chosen call.
 bool fails(Call call, const char* name, const char* path) noexcept;
-/// Likewise for an allocation.
+/// Counts an allocation. Returns true and sets errno if the allocation must fail.
 bool allocation_fails() noexcept;
 
 }  // namespace felt::faults

@@ -1,5 +1,5 @@
-// felt_faults: disturbs what a person does with a document at every call to the system that it
-// makes, in every way, and looks at the document afterwards. README.md tells how to use it.
+// felt_faults: runs scenarios, such as saving a document, again and again. Each run lets one system
+// call fail in one way, and then checks the document. README.md explains the use.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -26,7 +26,7 @@ constexpr std::pair<Mode, bool> kVariants[] = {
     {Mode::kEdquot, false},   {Mode::kEdquot, true}, {Mode::kEintr, false},  {Mode::kShort, false},
     {Mode::kHalfKill, false}, {Mode::kKill, false}};
 
-/// The line that repeats a run.
+/// Prints the problem and the command line that repeats the run.
 void print_problem(const Scenario& scenario, const Fault& fault, const RunResult& run) {
   std::printf("%s\n  at %s\n  felt_faults --scenario %s --at %u%s%s%s%s\n", run.problem.c_str(),
               run.hit_name.c_str(), scenario.name.c_str(), fault.at,
@@ -45,8 +45,8 @@ class Suite {
  public:
   Suite(Driver& driver, const Options& options) : driver_(driver), options_(options) {}
 
-  /// Every call, every variant. The number of calls differs from run to run where threads work, so
-  /// it is counted up until a run ends before its call comes.
+  /// Runs the scenario with a fault at every call, in every variant. The number of calls varies if
+  /// the scenario uses threads. So the call number increases until a run ends before that call.
   void run_all(const Scenario& scenario) {
     const auto start = std::chrono::steady_clock::now();
     driver_.prepare(scenario);
@@ -109,8 +109,8 @@ class Suite {
   int shown_ = 0;
 };
 
-/// A folder in memory where there is one: what is tested is what the program does, and a hundred
-/// thousand flushes of a disk prove nothing more.
+/// Returns a new folder, in memory if possible. The test checks the behaviour of the program, for
+/// which the many thousand flushes need no real disk.
 std::string work_folder() {
   const char* named = std::getenv("FELT_FAULTS_FOLDER");
   const std::string parent = named != nullptr                  ? named

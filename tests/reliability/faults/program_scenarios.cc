@@ -1,6 +1,6 @@
-// `feltline convert` into every format, over a file that is there: the program from outside, with
-// the interposer preloaded. The output is the old bytes or the new ones, and the exit code tells
-// which.
+// Runs `feltline convert` for every format with an existing output file and the interposer
+// preloaded. Afterwards the output must hold either the old bytes or the new bytes, as the exit
+// code reports.
 #include <filesystem>
 
 #include "felt/base/atomic_file.h"
@@ -23,7 +23,7 @@ Scenario convert_to(const std::string& program, const std::string& extension) {
       "convert_" + extension,
       [=](const std::string& folder) {
         if (!write_felt(folder + "/in.felt", drawing_of(0))) std::abort();
-        // What an undisturbed run makes, to compare with: writers give equal bytes each time.
+        // The output of a run without faults, to compare with. The writers are deterministic.
         const std::string output = folder + "/wanted." + extension;
         const std::string line =
             program + " convert " + folder + "/in.felt -o " + output + " >/dev/null";
@@ -45,7 +45,7 @@ Scenario convert_to(const std::string& program, const std::string& extension) {
         const std::string left = others_in(folder, {"in.felt", name, "wanted." + extension});
         const bool could_remove =
             !after.persistent && std::string(after.hit_name).rfind("unlink", 0) != 0;
-        // A document keeps the one before it where the save failed late.
+        // If a save fails late, the previous document remains as a hidden file.
         const bool is_kept = after.outcome == Outcome::kError && left.ends_with(".old");
         return lived && could_remove && !left.empty() && !is_kept ? "left behind: " + left : "";
       }};

@@ -1,4 +1,5 @@
-// Saving a .felt: over itself, new, through a link, where the system is poor in features.
+// Saves a .felt file: over an existing file, as a new file, through a link, and on file systems
+// that lack features.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -24,7 +25,7 @@ void prepare_document(const std::string& folder) {
   }
 }
 
-/// What a person does: saves again and again. The first error ends it.
+/// Saves the generations `first` to `last` to the same file. Stops at the first error.
 void save_generations(const std::string& path, std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t generation = first; generation <= last; ++generation) {
     state->started = generation;
@@ -35,7 +36,7 @@ void save_generations(const std::string& path, std::uint32_t first, std::uint32_
   }
 }
 
-/// An error names the file, and gives a reason after it.
+/// Checks that an error names the file and then gives a reason.
 std::string check_message(const std::string& path, const FaultState& after) {
   if (after.outcome != Outcome::kError) return "";
   const std::string message = after.message;
@@ -43,15 +44,16 @@ std::string check_message(const std::string& path, const FaultState& after) {
   return message.size() < path.size() + 10 ? "an error without a reason: " + message : "";
 }
 
-/// Nothing may lie about: at once where the program lived on and could remove it, after the next
-/// save at the latest.
+/// Checks that no temporary files remain. If the program survived and could remove them, they must
+/// be gone immediately, otherwise after the next save.
 std::string check_folder(const std::string& folder, const std::string& path,
                          const std::vector<std::string>& known, const FaultState& after) {
   const bool lived = after.outcome == Outcome::kOk || after.outcome == Outcome::kError;
   const bool could_remove =
       !after.persistent && std::string(after.hit_name).rfind("unlink", 0) != 0;
   const std::string left = others_in(folder, known);
-  // The file before keeps a hidden name where the save failed so late that it may be needed.
+  // If the save failed late, the previous file remains under a hidden name because the user may
+  // need it.
   const bool is_kept = after.outcome == Outcome::kError && left.ends_with(".old") &&
                        left.find(' ') == std::string::npos;
   if (lived && could_remove && !left.empty() && !is_kept) return "left behind: " + left;
@@ -78,7 +80,7 @@ Scenario save_over() {
           check_save};
 }
 
-/// Generation 0 is that there is no file.
+/// Saves a file that does not exist before. A missing file counts as generation 0.
 Scenario save_new() {
   return {"save_new", [](const std::string&) {},
           [](const std::string& folder) { save_generations(document_in(folder), 1, 1); },
@@ -108,14 +110,14 @@ Scenario save_through_link() {
             if (problem.empty()) {
               problem = check_folder(folder + "/real", path, {"kept.felt"}, after);
             }
-            // Where they cannot be set, fewer people may look into it, never more.
+            // If the permissions cannot be restored, fewer users may have access, never more.
             const auto beyond = fs::status(path).permissions() & ~fs::perms(0640);
             if (problem.empty() && beyond != fs::perms::none) problem = "open to others";
             return problem.empty() ? others_in(folder, {"drawing.felt", "real"}) : problem;
           }};
 }
 
-/// A folder in which nothing can be made: the document is as it was, or the new one.
+/// Saves in a folder in which no file can be created. The document must be the old or the new one.
 Scenario save_in_read_only_folder() {
   Scenario scenario{"save_in_read_only_folder", prepare_document,
                     [](const std::string& folder) { save_generations(document_in(folder), 1, 1); },
@@ -124,7 +126,7 @@ Scenario save_in_read_only_folder() {
   return scenario;
 }
 
-/// A saver as too many programs have one. The driver must call it damaging.
+/// A bad saver that truncates the file before it writes. The driver must report damage.
 Scenario truncating_saver() {
   Scenario scenario = save_over();
   scenario.name = "plant_truncate";
@@ -145,7 +147,7 @@ Scenario truncating_saver() {
   return scenario;
 }
 
-/// Says "Saved" whatever came of it.
+/// A bad saver that reports "Saved" even if the save failed. The driver must report a loss.
 Scenario careless_saver() {
   Scenario scenario = save_over();
   scenario.name = "plant_careless";

@@ -11,42 +11,46 @@
 
 namespace felt::faults {
 
-/// Something a person does with a document, to be disturbed at every call it makes.
+/// One use of a document, repeated with a fault at each of its system calls.
 ///
-/// Each function runs in a process of its own that knows nothing of the others. `act` runs under
-/// the interposer and says in `state` what it told the person: `started` before it saves
-/// generation n, `acknowledged` when it would show "Saved", or the error.
+/// Each function runs in a separate process. `act` runs under the interposer and reports to `state`
+/// what a user would see: it sets `started` before it saves a generation, and `acknowledged` when
+/// it would show "Saved", or it reports the error.
 struct Scenario {
   std::string name;
-  /// Makes the folder as it is before, undisturbed.
+  /// Creates the initial content of the folder. Runs without faults.
   std::function<void(const std::string& folder)> prepare;
   std::function<void(const std::string& folder)> act;
-  /// Looks at the folder afterwards: "" where all is well, else what is wrong.
+  /// Checks the folder after `act`. Returns "" if all is well, otherwise the problem.
   std::function<std::string(const std::string& folder, const FaultState& after)> check;
 
   bool no_unnamed = false;  ///< FaultState::no_unnamed
   bool read_only = false;
-  /// A program to run instead of `act`, interposer preloaded; "@" stands for the folder.
+  /// Command to run instead of `act`, with the interposer preloaded. "@" stands for the folder.
   std::vector<std::string> command = {};
-  /// Shows that the driver can find damage; not part of the suite.
+  /// True for a deliberately bad saver, which proves that the driver finds damage. Not part of the
+  /// suite.
   bool is_plant = false;
-  /// Every so many calls only, unless all are asked for: the rest takes long.
+  /// Only every `stride`-th call fails, because all calls would take too long. The user can
+  /// override this.
   std::uint32_t stride = 1;
-  /// Allocations can be made to fail in it.
+  /// True if the scenario also runs with failing allocations.
   bool has_memory = false;
 };
 
-/// What must hold of a document that was saved generation after generation: it is whole, not older
-/// than the last that was called saved, not newer than the last that was begun.
+/// Checks a document that was saved generation after generation. It must be intact, not older than
+/// `acknowledged` and not newer than `started`. Returns "" or the problem.
 std::string check_generations(const std::string& path, const FaultState& after);
 
-/// The names of the files in `folder` that are none of `known`; sorted, with spaces between.
+/// Returns the names of the files in `folder` that are not in `known`, sorted and separated by
+/// spaces.
 std::string others_in(const std::string& folder, const std::vector<std::string>& known);
 
-/// Notes an error of the library in `state`.
+/// Stores an error of the library in `state`.
 void say(const Error& error);
 
-/// All of them. `program` is the feltline to run, or "": no scenarios of the program then.
+/// Returns all scenarios. `program` is the path of the program feltline. If it is empty, the
+/// scenarios that run the program are left out.
 std::vector<Scenario> all_scenarios(const std::string& program);
 void add_save_scenarios(std::vector<Scenario>& to);
 void add_store_scenarios(std::vector<Scenario>& to);

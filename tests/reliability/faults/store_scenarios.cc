@@ -1,5 +1,5 @@
-// The autosave database behind a drawing that is being made: created, committed to, renewed, taken
-// up again after a crash; and the autosave, which uses another folder when one fails.
+// Tests the autosave database: creation, commits, a new base, checkpoints and recovery after a
+// crash. Also tests that the autosave uses another folder if one fails.
 #include <cstdlib>
 #include <filesystem>
 
@@ -16,7 +16,8 @@ std::string root_in(const std::string& folder) {
   return folder + "/state";
 }
 
-/// Commits until one fails. An error ends the use of the store, as its header says.
+/// Commits the generations `first` to `last`. Stops at the first error, because its header forbids
+/// the use of a database after an error.
 void commit_generations(AutosaveDatabase& store, std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t generation = first; generation <= last; ++generation) {
     state->started = generation;
@@ -25,7 +26,8 @@ void commit_generations(AutosaveDatabase& store, std::uint32_t first, std::uint3
   }
 }
 
-/// What is recovered is whole and has all that was committed; and nothing is left once it is saved.
+/// Checks that the recovered drawing is intact and contains everything that was committed, and that
+/// nothing remains once the autosaves are removed.
 std::string check_stores(const std::string& root, const FaultState& after) {
   std::string why;
   const int found = generation_in_stores(root, why);
@@ -46,7 +48,7 @@ std::string check_store(const std::string& folder, const FaultState& after) {
   return names_it ? "" : "an error without folder or reason: " + message;
 }
 
-/// Creating is generation 1.
+/// Creates a database. Its first content is generation 1.
 Scenario store_create() {
   return {"store_create", [](const std::string&) {},
           [](const std::string& folder) {
@@ -71,7 +73,7 @@ Scenario store_commit() {
           check_store};
 }
 
-/// A new base, written while the edits go on, and what it makes useless removed.
+/// Writes a new base while edits continue, then removes the records that the new base replaces.
 Scenario store_renew() {
   return {"store_renew", [](const std::string&) {},
           [](const std::string& folder) {
@@ -99,7 +101,7 @@ Scenario store_renew() {
           check_store};
 }
 
-/// Enough commits that what they wrote is moved from the journal into the database.
+/// Makes so many commits that SQLite moves their pages from the journal into the database.
 Scenario store_checkpoint() {
   Scenario scenario = store_commit();
   scenario.name = "store_checkpoint";
@@ -108,8 +110,8 @@ Scenario store_checkpoint() {
     state->armed = false;
     auto store = new_store(root_in(folder), 1);
     if (!store) std::abort();
-    // A long line in work fills the journal to just below the mark: once as it
-    // comes, once as it goes, for SQLite clears what it lets go.
+    // A long line in progress fills the journal to just below the checkpoint limit. It is written
+    // twice: when it is added, and when it is cleared, because SQLite overwrites freed pages.
     constexpr std::size_t kLineBytes = std::size_t{460} * 4096;
     if (!store->add_live(LiveKind::kSamples, std::string(kLineBytes, '\0')) || !store->commit() ||
         !store->clear_live() || !store->commit()) {
@@ -121,8 +123,8 @@ Scenario store_checkpoint() {
   return scenario;
 }
 
-/// After a crash: everything is recovered, saved, and only then removed. What a person sees as
-/// "recovered, saved" is generation 6.
+/// Recovers all autosaves after a crash, saves them, and only then removes them. The drawing that
+/// is recovered and saved is generation 6.
 Scenario store_recover() {
   return {"store_recover",
           [](const std::string& folder) {
@@ -138,7 +140,7 @@ Scenario store_recover() {
             for (AbandonedAutosave& store : find_abandoned_autosaves({root_in(folder)})) {
               const auto recovered = recover_autosave(store.folder);
               if (!recovered) return say(recovered.error());
-              // A person who is told of problems keeps the store.
+              // If the recovery reports problems, the user keeps the autosave.
               if (!recovered->problems.empty()) return state->say_error(store.folder + ": told of");
               if (const auto saved = write_felt(path, recovered->drawing); !saved) {
                 return say(saved.error());
@@ -159,8 +161,8 @@ Scenario store_recover() {
           }};
 }
 
-/// The autosave with two folders, of which only the first fails: nothing that it reports as kept is
-/// lost, and it leaves a folder that fails for the other.
+/// Runs the autosave with two folders. Only the first folder fails. The autosave must lose nothing
+/// that it reported as committed, and must switch to the second folder.
 Scenario autosave_elsewhere() {
   return {"autosave_elsewhere", [](const std::string&) {},
           [](const std::string& folder) {

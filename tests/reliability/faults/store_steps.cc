@@ -17,7 +17,8 @@ AutosaveInfo about_of(std::uint32_t generation) {
   return about;
 }
 
-/// A store whose first commit never came: nobody was told that anything is in it.
+/// Returns true if the process died before the first commit. The user was never told that this
+/// autosave holds a drawing, so it may be empty.
 bool is_begun(const Recovered& recovered) {
   return recovered.problems.size() == 1 && recovered.drawing == Drawing{} &&
          recovered.problems.front().find("not copied wholly yet") != std::string::npos;
@@ -36,7 +37,7 @@ Result<AutosaveDatabase> new_store(const std::string& root, std::uint32_t first)
 }
 
 Result<void> commit_generation(AutosaveDatabase& store, std::uint32_t generation) {
-  // A line's beginning: no script, nothing selected.
+  // The beginning of a line, with no script and an empty selection.
   Result<void> done = store.add_live(LiveKind::kContext, std::string(8, '\0'));
   if (done) done = store.commit();
   for (const Edit& edit : edits_to(generation)) {

@@ -8,17 +8,19 @@
 
 namespace felt::faults {
 
-/// A new store that holds generation `first`, committed.
+/// Creates an autosave database below `root` with generation `first`, committed.
 Result<AutosaveDatabase> new_store(const std::string& root, std::uint32_t first);
 
-/// Adds what leads to this generation and commits, with a piece of a line in work committed before,
-/// as it is while a person draws.
+/// Adds the edits of `generation` and commits them. Before that, commits the beginning of a line in
+/// progress, as happens while a user draws.
 Result<void> commit_generation(AutosaveDatabase& store, std::uint32_t generation);
 
-/// The newest generation that the stores below `root`, left by dead processes, give back; 0 where
-/// there is none; -1 with `why` where one gives none, or gives one with problems.
+/// Recovers all autosaves that dead processes left below `root` and returns the newest generation
+/// found, or 0 if no autosave exists. Returns -1 and sets `why` if one of them cannot be recovered
+/// without problems.
 int generation_in_stores(const std::string& root, std::string& why);
-/// Removes them, as when a person saved what was in them. What still lies below `root` then: "".
+/// Removes these autosaves, as the program does after the user saved the recovered drawing. Returns
+/// an empty string if nothing is left below `root`, otherwise the problem.
 std::string remove_stores(const std::string& root);
 
 }  // namespace felt::faults

@@ -1,5 +1,5 @@
-// The process that is killed: session, haptic loop, autosave, each on a thread of its own, in real
-// time.
+// The process that is killed. It runs a session, a haptic loop and an autosave in real time, each
+// on its own thread.
 #include <time.h>
 #include <unistd.h>
 
@@ -30,7 +30,7 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
   return x ^ x >> 29;
 }
 
-/// Writes down what a device says before anybody else sees it.
+/// Records each sample of a device in shared memory before the haptic loop receives it.
 class WitnessedDevice final : public Device {
  public:
   WitnessedDevice(Device& device, Testimony& testimony) : device_(device), testimony_(testimony) {}
@@ -58,7 +58,8 @@ class WitnessedDevice final : public Device {
   Testimony& testimony_;
 };
 
-/// Everything on the edit thread.
+/// Draws: owns the session, the haptic loop and the autosave. Runs on the edit thread, except
+/// tick().
 class Artist {
  public:
   Artist(const Picture& picture, Testimony& testimony)
@@ -96,7 +97,7 @@ class Artist {
   AutosaveOptions autosave_options(Testimony& testimony) const {
     AutosaveOptions options;
     options.roots = {picture_.root};
-    options.max_log_bytes = 3'000;  // a new base every few strokes
+    options.max_log_bytes = 3'000;  // so that a new base is written every few strokes
     options.on_commit = [&testimony](std::int64_t until_ns) {
       testimony.committed_ns.store(until_ns, std::memory_order_release);
       testimony.has_store.store(true, std::memory_order_release);
@@ -113,7 +114,7 @@ class Artist {
     return drawing;
   }
 
-  /// The haptic thread.
+  /// Runs the haptic loop. Called on the haptic thread.
   void tick(Testimony& testimony) {
     timespec due{};
     ::clock_gettime(CLOCK_MONOTONIC, &due);
@@ -130,7 +131,7 @@ class Artist {
       }
       ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
     }
-    ::_exit(3);  // it should have been killed by now
+    ::_exit(3);  // the test should have killed this process by now
   }
 
   void turn() {
@@ -198,7 +199,7 @@ Target target_at(std::uint64_t seed, std::uint32_t tick) {
 }
 
 std::vector<decltype(Event::what)> events_at(std::uint64_t seed, std::uint32_t sample) {
-  // Every 50 samples or so: most while the pen is up, some in the middle of a line.
+  // Returns an event about every 50 samples. Some events come in the middle of a line.
   if (sample % 23 != 7) return {};
   static constexpr const char* kTools[] = {"pencil", "pencil", "pencil", "pull",
                                            "eraser", "width",  "smooth", "transform"};

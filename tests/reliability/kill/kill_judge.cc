@@ -1,5 +1,6 @@
-// The process that looks afterwards: a reference session hears what the dead one's loop had
-// measured, and at some time in its last 50 ms it must have had what was recovered.
+// The process that checks the result. It replays the samples that the killed process measured in a
+// reference session. The recovered document must equal the document of that session at some moment
+// in the last 50 ms.
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,7 +18,8 @@ namespace {
 
 constexpr std::uint32_t kMaxLag = 500;  // samples
 
-/// All samples that the loop handed over. The last one may have been read and not handed over.
+/// All samples that the haptic loop passed on to the edit thread. It may have read the last one
+/// without passing it on.
 struct Ink {
   std::vector<PenSample> samples;
   std::vector<std::int64_t> made_ns;
@@ -36,7 +38,7 @@ Ink ink_of(const Testimony& testimony) {
   return ink;
 }
 
-/// Of the oldest sample that is lost where so many are kept.
+/// Returns the age, in ns, of the oldest lost sample if the first `kept` samples were recovered.
 std::int64_t age_of(const Ink& ink, std::uint32_t kept) {
   return kept == ink.samples.size() ? 0 : ink.made_ns.back() - ink.made_ns[kept];
 }
@@ -50,8 +52,8 @@ class Reference {
     session_.emplace(make_tools(), std::move(options));
   }
 
-  /// What the person does before the sample that comes next, unless the edit thread did no more by
-  /// then: before the sample of the number `until`.
+  /// Applies the user's events that precede the next sample, and returns true if any exist. Does
+  /// nothing if the next sample is number `until` or later, because the edit thread had stopped.
   bool do_events(std::uint32_t until = UINT32_MAX) {
     if (next_ >= std::min(picture_.hangs_at, until)) return false;
     bool any = false;
@@ -63,7 +65,7 @@ class Reference {
     return any;
   }
   void sample() { static_cast<void>(session_->sample(ink_.samples[next_++])); }
-  /// How many samples it was told.
+  /// Returns the number of samples processed so far.
   [[nodiscard]] std::uint32_t told() const { return next_; }
   [[nodiscard]] bool is_over() const { return next_ == ink_.samples.size(); }
   [[nodiscard]] Session& session() { return *session_; }
@@ -75,8 +77,8 @@ class Reference {
   std::uint32_t next_ = 0;
 };
 
-/// The document once what is in work after `told` samples is ended, where the person's last doings
-/// were those before the sample of the number `until`.
+/// Returns the document after `told` samples with the active gesture finished. Applies only the
+/// user's events that precede sample number `until`.
 Document ended_after(const Picture& picture, const Ink& ink, std::uint32_t told,
                      std::uint32_t until) {
   Reference reference(picture, ink);
@@ -89,7 +91,8 @@ Document ended_after(const Picture& picture, const Ink& ink, std::uint32_t told,
   return reference.session().document();
 }
 
-/// The last moment, as a number of samples, at which this was the document and nothing in work.
+/// Returns the last moment, as a number of samples, at which the session had this document and no
+/// active gesture, or nullopt if it never had.
 std::optional<std::uint32_t> last_time_of(const Document& document, const Picture& picture,
                                           const Ink& ink) {
   Reference reference(picture, ink);
@@ -112,7 +115,8 @@ std::optional<std::uint32_t> last_time_of(const Document& document, const Pictur
   }
 }
 
-/// For a person: what was going on at the end.
+/// Describes the last tool and the events, gestures and edits by sample number, for a failure
+/// message: e = event, g = start or end of a gesture, E = edit.
 std::string scene_of(const Picture& picture, const Ink& ink) {
   Reference reference(picture, ink);
   std::string events;
@@ -145,13 +149,15 @@ Verdict bad(std::string reason) {
   return {false, std::move(reason), 0};
 }
 
-/// When the recovered drawing is from, as a number of samples.
+/// Returns the moment, as a number of samples, at which the session had the recovered drawing, or
+/// nullopt if it never had.
 std::optional<std::uint32_t> moment_of(const Recovered& recovered, const Picture& picture,
                                        const Ink& ink) {
   const Document& document = recovered.drawing.document;
   if (recovered.last_sample_ns >= 0) {
     const std::uint32_t told = told_until(ink, recovered.last_sample_ns);
-    // What the loop measured may be ahead of the edit thread, and so of what the person did there.
+    // The haptic loop may be ahead of the edit thread, which then has not yet applied the latest
+    // events. So try without them, up to kMaxLag samples back.
     for (std::uint32_t until = told + 1;;) {
       if (ended_after(picture, ink, told, until) == document) return told;
       do {
@@ -164,14 +170,15 @@ std::optional<std::uint32_t> moment_of(const Recovered& recovered, const Picture
 
 Verdict compare(const Recovered& recovered, const Picture& picture, const Testimony& testimony) {
   for (const std::string& problem : recovered.problems) {
-    // A large file that had just been opened is not in the store yet; it stands for itself.
+    // A large file that was just opened may not be in the autosave yet. The file itself still holds
+    // the drawing.
     const bool is_young = problem.find("not copied wholly") != std::string::npos;
     if (!is_young) return bad("problem: " + problem);
   }
   const Ink ink = ink_of(testimony);
   const bool is_empty = recovered.edits == 0 && !recovered.has_changes;
   if (is_empty && !testimony.has_store)
-    return {true, {}, age_of(ink, 0)};  // killed in its first commit
+    return {true, {}, age_of(ink, 0)};  // killed during its first commit
   const std::optional<std::uint32_t> moment = moment_of(recovered, picture, ink);
   if (!moment) {
     return bad("there was never such a drawing (" +
@@ -188,13 +195,13 @@ Verdict compare(const Recovered& recovered, const Picture& picture, const Testim
   return {true, {}, age_of(ink, *moment)};
 }
 
-/// The person's file, where one was saved: whole, and at some time it was the drawing.
+/// Checks the saved file if it exists: it must be readable and equal the document at some moment.
 Verdict look_at_file(const Picture& picture, const Testimony& testimony) {
   if (::access(picture.save_path.c_str(), F_OK) != 0) return {true, {}, 0};
   const Result<Drawing> saved = read_felt(picture.save_path);
   if (!saved) return bad("the saved file: " + saved.error().message);
   if (saved->document == base_document(picture)) return {true, {}, 0};
-  // It may have been copied in the middle of a gesture.
+  // The document may have been copied for the save in the middle of a gesture.
   const Ink ink = ink_of(testimony);
   Reference reference(picture, ink);
   while (!reference.is_over()) {

@@ -1,9 +1,10 @@
 // kill_loop --kills N --seed S [--jobs J] [--folder DIR] [--longest MS] [--strict]
 //
-// N times: a process draws in real time and is killed at a random moment; another one, which is
-// sometimes killed too, recovers what it left; a third looks whether nothing is lost that is older
-// than 50 ms (kill_judge.cc). One in six has an edit thread that hangs before it is killed; one in
-// eight shares its folder with a second instance that draws on. Exit 0: all of them were good.
+// Does this N times: A process draws in real time and is killed at a random moment. In one run of
+// four, processes that recover the drawing are killed too. A last process recovers the drawing and
+// checks that nothing older than 50 ms is lost (kill_judge.cc). In one run of six the edit thread
+// hangs before the kill. In one run of eight a second instance shares the folder and continues to
+// draw. Exits with 0 if no run is bad and few samples older than 50 ms are lost (none if --strict).
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -59,7 +60,7 @@ pid_t start(Run&& run) {
   ::_exit(0);
 }
 
-/// How it ended.
+/// Waits until the process ends and returns its waitpid() status.
 int wait_for(pid_t process) {
   int status = 0;
   while (::waitpid(process, &status, 0) < 0) {
@@ -116,7 +117,7 @@ class Worker {
     if (is_shared) second_.picture = picture_of(seed + 77, folder, "second");
     first_.begin();
     if (is_shared) second_.begin();
-    // Early: while the first base is written.
+    // One kill in five comes early, while the autosave still writes its first base.
     const int wait_us = any(0, 4) == 0 ? any(0, 80'000) : any(0, arguments_.longest_ms * 1000);
     ::usleep(static_cast<useconds_t>(wait_us));
     kill(first_);
@@ -145,7 +146,7 @@ class Worker {
     const auto recover = [&instance] {
       judge(instance.picture, instance.process, *instance.testimony);
     };
-    // Killed while it recovers, some times, which must change nothing.
+    // Sometimes kill processes during the recovery. That must not change the result.
     for (int tries = any(0, 3) == 0 ? any(1, 3) : 0; tries > 0; --tries) {
       const pid_t process = start(recover);
       ::usleep(static_cast<useconds_t>(any(0, 30'000)));
@@ -206,8 +207,8 @@ int report(const Tally& tally, const Arguments& arguments) {
   }
   std::printf("\nthe oldest: %.1f ms; older than 50 ms: %d\n",
               static_cast<double>(tally.oldest_ns.load()) * 1e-6, late);
-  // On a machine that stands still for a while, so does the autosave: no fault of its own, as long
-  // as it is seldom. An autosave that is slow by itself is late nearly always.
+  // If the machine stalls for a moment, the autosave stalls too. A few late runs are therefore
+  // allowed. An autosave that is itself too slow would be late in nearly every run.
   const int judged = tally.good + tally.bad;
   const bool is_late = late > (arguments.strict ? 0 : std::max(2, judged / 10));
   return tally.bad == 0 && !is_late ? 0 : 1;
@@ -245,7 +246,8 @@ bool parse(int argc, char** argv, Arguments& out) {
   return out.kills > 0 && out.jobs > 0 && out.longest_ms > 0 && out.longest_ms < 8000;
 }
 
-/// kill_loop --leave DIR: draws for 0.7 s, is killed, and leaves its store in DIR.
+/// Implements `kill_loop --leave DIR`: a process draws for 0.7 s, is killed, and leaves its
+/// autosave in DIR.
 int leave(const std::string& folder) {
   Instance artist;
   artist.picture.seed = 5;

@@ -14,24 +14,25 @@
 namespace felt::kill {
 
 constexpr std::int64_t kTickNs = 1'000'000;
-constexpr std::int64_t kOffsetNs = 5'000'000'000;  ///< the session's clock less the loop's
+constexpr std::int64_t kOffsetNs = 5'000'000'000;  ///< session clock minus haptic loop clock
 constexpr std::size_t kMaxTicks = 8192;
 
 struct Tick {
   PenSample sample;
   std::int64_t made_ns = 0;  ///< CLOCK_MONOTONIC
-  bool is_ink = false;       ///< the loop handed it over
+  bool is_ink = false;       ///< the haptic loop passed the sample on to the edit thread
 };
 
-/// What the process that is killed says while it lives, in memory that outlives it.
+/// Record that the killed process writes while it runs. Lies in shared memory, so it survives the
+/// process.
 struct Testimony {
-  std::atomic<std::uint32_t> read{0};       ///< ticks whose sample is written
-  std::atomic<std::uint32_t> confirmed{0};  ///< ticks that are over
+  std::atomic<std::uint32_t> read{0};       ///< number of ticks with a recorded sample
+  std::atomic<std::uint32_t> confirmed{0};  ///< number of completed ticks
   std::atomic<std::int64_t> committed_ns{INT64_MIN};
   std::atomic<bool> has_store{false};
   std::array<Tick, kMaxTicks> ticks;
 
-  // What the process that judges says.
+  // Written by the process that checks the result.
   std::atomic<bool> is_judged{false};
   bool is_good = false;
   std::int64_t age_ns = 0;
@@ -39,25 +40,25 @@ struct Testimony {
   std::array<char, 2048> reason{};
 };
 
-/// What is to be drawn; all else follows from the seed.
+/// Parameters of one run. Everything else is computed from the seed.
 struct Picture {
   std::uint64_t seed = 0;
   int base_strokes = 0;
   bool with_forces = false;
-  std::uint32_t hangs_at = UINT32_MAX;  ///< the session's sample at which the edit thread hangs
-  std::string root;                     ///< of the autosaves
+  std::uint32_t hangs_at = UINT32_MAX;  ///< number of the sample at which the edit thread hangs
+  std::string root;                     ///< folder of the autosaves
   std::string base_path;                ///< the file that was opened, "" for a new drawing
-  std::string save_path;                ///< where it is saved now and then
+  std::string save_path;                ///< the file to which the drawing is saved periodically
 };
 
-/// Where the hand wants the pen at a tick.
+/// Position that the simulated hand wants at a tick.
 struct Target {
   Vec3 place;
   bool down = false;
 };
 Target target_at(std::uint64_t seed, std::uint32_t tick);
 
-/// What the person does before the session's sample of this number; as a rule nothing.
+/// Returns the user's events before sample number `sample` of the session. Usually empty.
 std::vector<decltype(Event::what)> events_at(std::uint64_t seed, std::uint32_t sample);
 
 const StylusPreset& device_of(const Picture& picture);
@@ -65,10 +66,10 @@ Document base_document(const Picture& picture);
 
 std::int64_t monotonic_ns();
 
-/// Draws until it is killed, or kMaxTicks are over.
+/// Draws until the process is killed or kMaxTicks have passed.
 [[noreturn]] void draw(const Picture& picture, Testimony& testimony);
 
-/// Recovers the store of that process and compares it with what the testimony says.
+/// Recovers the autosave of `process`, compares it with `testimony` and writes the result there.
 void judge(const Picture& picture, std::int64_t process, Testimony& testimony);
 
 }  // namespace felt::kill

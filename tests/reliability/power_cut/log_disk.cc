@@ -16,7 +16,7 @@
 namespace felt::power_cut {
 namespace {
 
-// Of the serving process.
+// State of the process that serves the file system.
 std::vector<char> content;
 WriteLog* served_log = nullptr;
 

@@ -9,12 +9,12 @@
 
 namespace felt::power_cut {
 
-/// A disk that remembers every write and flush: a FUSE file system of one file, `disk`, below
-/// `folder`, for a loop device to stand on. A process of its own serves it, until it is unmounted
-/// or this process dies.
+/// A disk that records every write and flush. It is a FUSE file system with one file, `disk`, below
+/// `folder`; a loop device can use that file. A separate process serves the file system until it is
+/// unmounted or this process dies.
 class LogDisk {
  public:
-  /// `base`: what is on the disk at first. `error` is empty where all went well.
+  /// `base` is the initial content of the disk. Sets `error`, which is empty on success.
   LogDisk(std::string folder, const std::vector<char>& base, WriteLog& log, std::string& error);
   ~LogDisk();
   LogDisk(const LogDisk&) = delete;

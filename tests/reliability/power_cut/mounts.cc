@@ -27,12 +27,13 @@ bool has_command(const std::string& name) {
   return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// A loop device for the image that clears itself once nobody has it open any more. -1 with errno.
+/// Attaches a loop device to the image. The kernel detaches it once no process has it open. Returns
+/// its descriptor, or -1 and sets errno.
 int attach(const std::string& image, std::string& device) {
   const int control = ::open("/dev/loop-control", O_RDWR | O_CLOEXEC);
   const int file = ::open(image.c_str(), O_RDWR | O_CLOEXEC);
   int loop = -1;
-  // Between finding a free one and taking it, others may.
+  // Another process may take the free device before this one attaches it, so try again.
   for (int attempt = 0; control >= 0 && file >= 0 && loop < 0 && attempt < 64; ++attempt) {
     const int number = ::ioctl(control, LOOP_CTL_GET_FREE);
     if (number < 0) break;
@@ -83,7 +84,7 @@ std::string why_not(const FileSystem& system) {
   std::ifstream known("/proc/filesystems");
   const std::string text{std::istreambuf_iterator<char>(known), {}};
   if (text.find(std::string("\t") + system.name + "\n") != std::string::npos) return "";
-  // It may be a module that the first mount loads; nothing tells before.
+  // The file system may be a kernel module that the first mount would load.
   return has_command("modprobe") &&
                  std::system((std::string("modprobe ") + system.name + " 2>/dev/null").c_str()) == 0
              ? ""
@@ -134,7 +135,7 @@ Mount::Mount(const FileSystem& system, const std::string& image, std::string fol
   is_mounted_ =
       ::mount(device.c_str(), folder_.c_str(), system.name, MS_NOATIME, system.options) == 0;
   if (!is_mounted_) error = std::string("mount of ") + system.name + ": " + reason();
-  ::close(loop);  // from here on the mount holds it
+  ::close(loop);  // the mount now keeps the loop device open
 }
 
 Mount::~Mount() {

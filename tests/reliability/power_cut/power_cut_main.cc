@@ -1,6 +1,6 @@
-// felt_power_cut: does something to documents on a file system whose disk remembers every write,
-// and then, many times over, cuts the power at a random moment: makes the disk as it may be then,
-// mounts it, and looks at the documents in a fresh process. README.md tells how to use it.
+// felt_power_cut: changes documents on a file system with a disk that records every write. Then it
+// simulates many power cuts at random moments: it builds a possible state of the disk at that
+// moment, mounts it, and checks the documents in a new process. README.md explains the use.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/mount.h>
@@ -39,7 +39,7 @@ struct Tally {
                 by_kind[kCutKinds] = {};
 };
 
-/// Runs `work` in a process of its own; its exit code, or 128 and the signal.
+/// Runs `work` in a child process. Returns its exit code, or 128 plus the signal that killed it.
 template <class Work>
 int in_child(Work work) {
   std::fflush(nullptr);
@@ -54,7 +54,7 @@ int in_child(Work work) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// Other programs of the machine, which make the file system write when they like.
+/// Starts a process that simulates other programs: it makes the file system write at random times.
 pid_t start_neighbour(const std::string& folder, std::uint64_t seed) {
   const pid_t child = ::fork();
   if (child != 0) return child;
@@ -75,7 +75,8 @@ class Rig {
     fs::create_directory(work_ + "/mount");
   }
 
-  /// Recordings, and states of each, until there are enough. "" or why it cannot go on.
+  /// Records the workload and tests states of the disk until options_.states are tested. Returns ""
+  /// or the reason why it cannot continue.
   std::string run(const FileSystem& system, const Workload& workload) {
     const auto start = std::chrono::steady_clock::now();
     tally_ = {};
@@ -85,7 +86,7 @@ class Rig {
     std::uint64_t recordings = 0;
     std::mt19937_64 random(options_.seed);
     while (error.empty() && tally_.states < options_.states) {
-      // From time to time from the beginning, so that the first creation is met too.
+      // Every third recording starts from an empty file system, to test the first creation too.
       if (recordings % 3 == 0 && recordings > 0) base = make_base(system, image(), error);
       if (recordings % 3 == 0) floor = 0;
       ++recordings;
@@ -95,7 +96,7 @@ class Rig {
         const Cut cut{random() % (log_.count() + 1), static_cast<CutKind>(i % kCutKinds), random()};
         error = try_cut(system, workload, base, floor, cut);
       }
-      // The next recording goes on from the last state: a power cut after a power cut.
+      // The next recording continues from the last state, to test repeated power cuts.
       if (error.empty() && last_found_ >= 0) {
         base = read_image();
         floor = static_cast<std::uint32_t>(last_found_);
@@ -174,7 +175,7 @@ class Rig {
       mount = std::make_unique<Mount>(system, image(), mount_point(), error);
     }
     if (!error.empty()) {
-      // The file system itself is gone, with all that was on it: nothing of ours to judge.
+      // The file system itself is destroyed, so the documents on it cannot be checked.
       if (++tally_.unmountable > kMaxUnmountable) return error + describe(cut);
       ::close(answer[0]);
       ::close(answer[1]);
@@ -238,7 +239,8 @@ int skip(const std::string& why) {
   return kSkipped;
 }
 
-/// Is the name among these, separated by commas, each perhaps a beginning and '*'?
+/// Returns true if `name` matches one of the comma-separated patterns. A pattern is a name, or the
+/// beginning of a name and '*'.
 bool matches(const std::string& name, const std::string& patterns, bool by_default) {
   if (patterns.empty()) return by_default;
   std::stringstream list(patterns);

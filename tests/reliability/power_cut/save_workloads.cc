@@ -1,4 +1,4 @@
-// A .felt that is saved over itself, and savers that do it wrong.
+// Workloads that save a .felt file over itself, correctly and with deliberately bad savers.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The drawings are those of the faults: all different, the same in each process.
+// The drawings of the fault tests: each generation differs, and every process computes the same.
 using faults::drawing_of;
 
 constexpr std::uint32_t kSaves = 30;

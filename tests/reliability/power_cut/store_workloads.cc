@@ -1,5 +1,5 @@
-// The autosave database while the power goes: commits, new bases, checkpoints, its first creation,
-// the recovery after a crash, and saves of the person's file meanwhile.
+// Workloads of the autosave database: first creation, commits, new bases, checkpoints, recovery
+// after a crash, and commits while the user's file is saved.
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using faults::commit_generation;
 using faults::drawing_of;
 
-constexpr unsigned kPauseUs = 20'000;  // the autosave's
+constexpr unsigned kPauseUs = 20'000;  // pause between commits, as in the autosave
 
 std::string root_in(const std::string& folder) {
   return folder + "/state";
@@ -33,8 +33,8 @@ int find_in_stores(const std::string& folder, std::uint32_t most, std::string& w
   return -1;
 }
 
-/// Takes up what a power cut left, as a program does when it starts: a new store is whole before
-/// the one it came from goes.
+/// Creates an autosave database with generation `from` and then removes the autosaves that a power
+/// cut left, as the program does at its start. The new one is complete before the old ones go.
 Result<AutosaveDatabase> take_up(const std::string& folder, std::uint32_t from) {
   std::vector<AbandonedAutosave> left = find_abandoned_autosaves({root_in(folder)});
   Result<AutosaveDatabase> store = faults::new_store(root_in(folder), from);
@@ -71,7 +71,7 @@ Result<void> nothing(AutosaveDatabase&, std::uint32_t) {
   return {};
 }
 
-/// Every fifth time a new base, and what is of no more use goes in the commits after it.
+/// Starts a new base at every fifth generation. The commits after it remove the obsolete records.
 Result<void> renew(AutosaveDatabase& store, std::uint32_t generation) {
   Result<void> done;
   if (generation % 5 == 0) {
@@ -85,7 +85,8 @@ Result<void> renew(AutosaveDatabase& store, std::uint32_t generation) {
   return done ? store.commit() : done;
 }
 
-/// After a crash of the program: recovered again and again, saved, and the store removed.
+/// Recovers and saves the same drawing eight times, as if the program crashed each time before it
+/// removed the autosave. Removes the autosave in the last round.
 Workload recover() {
   return {"recover",
           [](const std::string& folder, std::uint32_t from, Diary& diary) {
@@ -123,7 +124,8 @@ Workload recover() {
           }};
 }
 
-/// A person draws, and saves at every sixth commit: the file is never older than the last save.
+/// Commits, and saves the file at every sixth commit. The file must never be older than the last
+/// save.
 Workload save_while_committing() {
   Workload workload = commit_loop("save_and_commit", 40, kPauseUs, nothing);
   workload.run = [](const std::string& folder, std::uint32_t from, Diary& diary) {
@@ -131,7 +133,7 @@ Workload save_while_committing() {
       if (generation % 6 != 0) return {};
       const std::string mark = folder + "/saved";
       auto saved = write_felt(document_in(folder), drawing_of(generation));
-      // Says on the same disk what was acknowledged, synchronised, after it was.
+      // Record the saved generation in a second file on the same disk after the save succeeded.
       if (saved) saved = write_felt(mark, drawing_of(generation));
       return saved;
     };
@@ -151,7 +153,7 @@ Workload save_while_committing() {
   return workload;
 }
 
-/// All of it as the desktop program has it: the autosave with its thread.
+/// Runs the complete autosave with its thread, as the desktop program does.
 Workload autosave() {
   return {"autosave",
           [](const std::string& folder, std::uint32_t from, Diary& diary) {
@@ -159,10 +161,10 @@ Workload autosave() {
             std::vector<AbandonedAutosave> left = find_abandoned_autosaves({root_in(folder)});
             AutosaveOptions options;
             options.roots = {root_in(folder)};
-            options.max_log_bytes = 20'000;  // new bases, now and then
-            // flush() does not wait for it, and nothing is committed between.
+            options.max_log_bytes = 20'000;  // so that new bases are written
+            // Long, so that only flush() commits. flush() does not wait for this time.
             options.gather = std::chrono::seconds(5);
-            // Never ended, as when the machine stops.
+            // Never deleted, because a power cut does not end the autosave properly either.
             auto* autosave = new Autosave(std::move(options));
             diary.start(first);
             autosave->post({.drawing = std::make_unique<Drawing>(drawing_of(first)),

@@ -10,7 +10,8 @@
 
 namespace felt::power_cut {
 
-/// What a workload said and when, in shared memory. Generations only grow.
+/// Record of the generations that a workload began and acknowledged, and when. Lies in shared
+/// memory. Generations only increase.
 class Diary {
  public:
   explicit Diary(const WriteLog& log);
@@ -19,15 +20,16 @@ class Diary {
   Diary& operator=(const Diary&) = delete;
 
   void clear() noexcept;
-  /// It begins to save this generation.
+  /// Records that the workload begins to save this generation.
   void start(std::uint32_t generation) noexcept;
-  /// It would show "Saved", or rely on the commit.
+  /// Records that the workload would show "Saved" or rely on the commit.
   void acknowledge(std::uint32_t generation) noexcept;
-  /// Something failed that must not.
+  /// Records a failure that must not happen.
   void fail(const std::string& why) noexcept;
   [[nodiscard]] std::string failure() const;
 
-  /// The last of each when so many records were on the disk; `floor` where none was.
+  /// Return the last generation that was begun or acknowledged when the disk log held `record`
+  /// records, or `floor` if none was.
   [[nodiscard]] std::uint32_t started_at(std::uint64_t record, std::uint32_t floor) const noexcept;
   [[nodiscard]] std::uint32_t acknowledged_at(std::uint64_t record,
                                               std::uint32_t floor) const noexcept;
@@ -45,16 +47,17 @@ class Diary {
   Pages* pages_;
 };
 
-/// Something that is done to a document while the power may go at any moment.
+/// A series of changes to a document, during which the power may fail at any moment.
 struct Workload {
   std::string name;
-  /// Goes on from what it finds in the folder (nothing at first, later what a power cut left), and
-  /// from this generation, which is there. A process of its own; returns after some seconds.
+  /// Continues from the content of the folder, which is empty at first and later the result of a
+  /// power cut. `from` is the generation in the folder. Runs in a separate process and returns
+  /// after some seconds.
   std::function<void(const std::string& folder, std::uint32_t from, Diary& diary)> run;
-  /// The generation that the folder holds (0: nothing yet, where nothing may be there), or -1 with
-  /// what is wrong. A fresh process; `most`: the last that was begun.
+  /// Returns the generation in the folder, 0 if the folder is still empty and may be, or -1 and
+  /// sets `why`. `most` is the last generation that was begun. Runs in a new process.
   std::function<int(const std::string& folder, std::uint32_t most, std::string& why)> find;
-  /// Loses or damages documents: shows that the rig notices.
+  /// True for a workload that loses or damages documents, which proves that the test notices.
   bool is_plant = false;
 };
 

@@ -34,7 +34,7 @@ bool put(int fd, const char* bytes, std::size_t size, std::uint64_t offset) noex
   return ::pwrite(fd, bytes, size, static_cast<off_t>(offset)) == static_cast<ssize_t>(size);
 }
 
-/// All but zeros, which a new file has anyway.
+/// Writes `base` to the file. Skips blocks of zeros, because a new file reads as zeros anyway.
 bool put_base(int fd, const std::vector<char>& base) noexcept {
   for (std::size_t at = 0; at < base.size(); at += kChunkBytes) {
     const std::size_t size = std::min(kChunkBytes, base.size() - at);
@@ -64,7 +64,7 @@ bool WriteLog::add(const Record& record) {
   const std::uint64_t count = header_->records;
   if (count >= kMaxRecords) return false;
   records_[count] = record;
-  header_->records = count + 1;  // after the record: readers see whole ones
+  header_->records = count + 1;  // after the record, so that readers see complete records only
   return true;
 }
 
