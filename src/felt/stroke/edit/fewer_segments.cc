@@ -2,9 +2,9 @@
 //
 // From each joint, `longest` tries ever longer runs, then finds the limit by bisection. RunFit fits
 // one cubic to points of a run: the end points and tangents are given. Two steps alternate: least
-// squares finds the two handle lengths, then each point gets the parameter of the nearest point of
-// the curve. A fit is accepted only if the curve is within the tolerance everywhere, not just at
-// the points (is_within).
+// squares finds the two handle lengths, then the parameter of each point moves towards the nearest
+// point of the curve. A fit is accepted only if the curve is within the tolerance everywhere, not
+// just at the points (is_within).
 
 #include <algorithm>
 #include <array>

@@ -153,8 +153,8 @@ void keep_smooth(const StrokeData& before, const SmoothJoint& j,
   const std::size_t in = in_arm(before, j), out = out_arm(before, j);
   const Point joint = points[j.point];
   if (marks[j.point]) {
-    // Small angles need no correction, unless the scaling is non-uniform, which magnifies them by
-    // up to 20 : 0.05.
+    // A map that keeps angles also keeps the joint smooth. A non-uniform scaling magnifies the
+    // small angle between the handles, by 20 : 0.05 at most.
     if (keeps_angles) return;
     const double turn = angle_between(joint - points[in], points[out] - joint);
     if (turn <= 0.1 * kSmoothJointMaxDeg * std::numbers::pi / 180.0) return;
