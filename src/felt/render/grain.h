@@ -22,9 +22,9 @@ struct InkLook;
 /// The smoothstep of h - h_cut(p) is the one of docs/design/rendering.md#grain-in-ink; the choice
 /// of all its terms is ours:
 /// s  the same height h that the hand feels at x, plus a *tooth*: the same map, finer and (except
-///    for wood) rotated. The tooth can only be seen, not felt: grain shorter than 1 mm cannot be
-///    both stable and strong enough to be felt at 1 kHz (docs/design/forces.md#texture), but a
-///    picture without fine grain does not look like dry ink. s is in units of its own RMS;
+///    for wood) rotated. The tooth is drawn, but not felt, because grain shorter than 1 mm cannot
+///    be both stable and strong enough to be felt at 1 kHz (docs/design/forces.md#texture). s is in
+///    units of its own RMS;
 /// d  = R / (R + 2 um) for the relief's RMS height R: fine paper is less grainy than canvas;
 /// c  the medium's own dust: a separate map, as coarse as crumb_mm, fixed to the page;
 /// b  hairs, by the position n across the line: the single hairs of a dry brush are visible.
