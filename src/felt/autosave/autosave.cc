@@ -279,19 +279,10 @@ void Autosave::apply(AutosaveMessage& message) {
   }
 }
 
-/// Closes the present database. It is removed when the base of the next one is complete. If its own
-/// base is not complete and there is an older database, it is removed immediately, because it is
-/// useless and repeated attempts must not fill the disk.
-void Autosave::retire_database() {
-  if (!database_) return;
-  AutosaveDatabase database = *std::exchange(database_, {});
-  if (database.base_in_progress() && !old_.empty()) {
-    static_cast<void>(std::move(database).remove());
-  } else {
-    old_.push_back(std::move(database));
-  }
-}
-
+/// Starts to save another drawing. The previous database is removed when the base of the next one
+/// is complete. If the base of the previous database is not complete and an older database exists,
+/// the previous one is removed immediately, because it is useless and repeated attempts must not
+/// fill the disk.
 void Autosave::replace_drawing(Drawing drawing) {
   drawing_ = std::move(drawing);
   info_ = {};
@@ -381,7 +372,8 @@ void Autosave::fail_over(const Error& error) {
   next_try_first_ = Clock::now() + options_.retry_first;
 }
 
-/// The base of a new database is the replica, so it does not need the edits so far.
+/// Creates a database. Its base is the replica of the drawing, so it does not need the edits so
+/// far.
 Result<void> Autosave::create_database(std::size_t root) {
   const std::string name =
       process_ + '.' + std::to_string(drawing_number_) + '.' + std::to_string(++database_number_);
@@ -421,8 +413,8 @@ Result<void> Autosave::write() {
   return {};
 }
 
-/// Writes some parts of a new base. If no base is in progress, deletes some rows that are no longer
-/// needed by any base.
+/// Writes some parts of the new base. If no base is in progress, deletes some rows that are no
+/// longer needed by any base.
 Result<void> Autosave::write_base() {
   if (is_idle() && database_->edit_bytes() > options_.max_log_bytes) {
     auto begun = database_->begin_base(std::make_shared<const Drawing>(drawing_));

@@ -36,7 +36,8 @@ tl::unexpected<Error> database_error(const std::string& path, const char* doing)
 
 }  // namespace
 
-/// On the heap, because SQLite keeps a pointer to it when the database object moves.
+/// The prepared statements. They are on the heap, because SQLite keeps a pointer to it when the
+/// database object moves.
 struct AutosaveDatabase::Statements {
   Statement base, generation, edit, about, live;
   int wal_frames = 0;
@@ -109,7 +110,8 @@ Result<AutosaveDatabase> AutosaveDatabase::create(const std::string& root, const
     }
     Result<FolderLock> lock = FolderLock::take(folder);
     if (!lock) {
-      // A process that searches for abandoned autosaves has just locked it, and will remove it.
+      // A process that searches for abandoned autosaves has just locked the folder and will remove
+      // it.
       if (lock.error().code != ErrorCode::kIo) continue;
       return tl::unexpected(lock.error());
     }
@@ -152,7 +154,8 @@ Result<void> AutosaveDatabase::open(const std::string& name, const char* vfs) {
   const int flags =
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_PRIVATECACHE;
   if (sqlite3_open_v2(path.c_str(), &db_, flags, vfs) != SQLITE_OK) return error();
-  // No checkpoint on closing: the WAL is sufficient, and a file that failed must not be used again.
+  // Makes no checkpoint on closing, because the WAL is sufficient and a file that failed must not
+  // be used again.
   sqlite3_db_config(db_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
   sqlite3_extended_result_codes(db_, 1);
   int grow = kGrowBytes;

@@ -47,7 +47,8 @@ void damage(const std::string& path, std::mt19937& random) {
   std::fclose(file);
 }
 
-/// A damaged database gives what is intact, nothing that never existed, and reports the damage.
+/// Recovery from a damaged database returns the intact data, no data that never existed, and
+/// reports the damage.
 TEST(AutosaveDatabase, DamageCostsWhatWasDamaged) {
   constexpr int kBase = 9000, kEdits = 60, kRounds = 40;
   const std::string root = folder_for_test();

@@ -67,7 +67,7 @@ TEST_F(AutosaveFault, AStalledDiskHoldsNobodyUp) {
   EXPECT_GT(recovered->drawing.document.stroke_count(), 190u);
 }
 
-/// A disk that stalls while the edit thread hangs does not lose the loop's samples either.
+/// If a disk stalls while the edit thread hangs, the samples of the loop are not lost either.
 TEST_F(AutosaveFault, AStalledDiskAndAHungEditThreadLoseNothing) {
   AutosaveFixture desk({.roots = {folder_.at("unused")}});
   Autosave autosave(options());
@@ -93,8 +93,8 @@ TEST_F(AutosaveFault, AStalledDiskAndAHungEditThreadLoseNothing) {
   EXPECT_TRUE(recovered->drawing.document == desk.ended());
 }
 
-/// Each call of a kind fails once: the database is never used again, another one replaces it, and
-/// nothing is lost.
+/// Each call of a kind fails once. After that the database is never used again, another one
+/// replaces it, and nothing is lost.
 TEST_F(AutosaveFault, WhateverFailsIsNeverTriedAgainInTheSameFile) {
   for (const DiskCall kind : {DiskCall::kOpen, DiskCall::kWrite, DiskCall::kSync}) {
     for (const int code : {SQLITE_IOERR_WRITE, SQLITE_FULL, SQLITE_IOERR_FSYNC}) {

@@ -140,7 +140,7 @@ TEST(Autosave, TheRestOfALineIsNoOtherGesture) {
   }
 }
 
-/// The edit thread wakes up again: its late events are the samples that the loop had already
+/// The edit thread resumes after it hung. Its late events are the samples that the loop had already
 /// reported.
 TEST(Autosave, WhatIsToldLateIsNoInkTwice) {
   for (int told = 44; told <= 120; told += 4) {

@@ -237,7 +237,7 @@ TEST_F(Queries, ASampleTakesFewBytes) {
   Drawing drawing;
   drawing.document = recorded_.document;
   const auto all = static_cast<double>(bytes_.size() - felt_bytes(drawing).value().size());
-  EXPECT_LT(all / 903.0, 80.0);  // of 112 as plain doubles; four tables and views weigh in, too
+  EXPECT_LT(all / 903.0, 80.0);  // 112 as plain doubles; includes four tables and views
 }
 
 TEST(FeltRecording, WhatIsOutOfOrderOrDamagedIsAnError) {

@@ -120,7 +120,7 @@ void LiveInk::add_loop_sample(const PenSample& sample) {
   if (sample.time_ns > session_ns_ && overhang_.size() < kMaxOverhang) overhang_.push_back(sample);
 }
 
-/// Returns true if some option names the material of this key.
+/// Returns true if an option has selected the material of this key.
 bool LiveInk::is_chosen(std::string_view key) const {
   const std::string_view id = key.substr(key.find(' ') + 1);
   return std::any_of(options_.begin(), options_.end(), [&](const auto& option) {

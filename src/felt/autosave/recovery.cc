@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns when a file was last written, seconds since 1970; 0 if it does not exist.
+/// Returns the time when a file was last written, in seconds since 1970, or 0 if it does not exist.
 std::int64_t changed_at(const std::string& path) {
   struct stat info {};
   return ::stat(path.c_str(), &info) == 0 ? std::int64_t{info.st_mtime} : 0;
@@ -160,7 +160,7 @@ class Assembly {
       first_serial_ = generation->serial;
       return read_parts(generation->id, generation->parts);
     }
-    // The process died before the base of a drawing that it had just opened was complete.
+    // The process died before it completed the base of a drawing that it had just opened.
     if (!out_.path.empty()) {
       if (Result<Drawing> file = read_felt(out_.path)) {
         out_.drawing = *std::move(file);

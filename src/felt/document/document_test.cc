@@ -85,7 +85,7 @@ TEST(Document, RefusesWhatDoesNotFitAndSaysWhy) {
               HasSubstr("stroke 9 changes twice"));
   EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, nullptr, {}, {}}}}), HasSubstr("neither"));
   EXPECT_THAT(error_of(d, {"", {{{0}, nullptr, s, {}, {{1}, 3}}}}), HasSubstr("without an id"));
-  // The last change is the one that does not fit: the first ones must not stay.
+  // Only the last change is invalid. The changes before it must not remain.
   EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, s, {}, {{1}, 3}}, {{7}, s, nullptr, {{1}, 0}, {}}}}),
               HasSubstr("stroke 7 is not there"));
 }
@@ -126,7 +126,7 @@ TEST(Document, R52_AnyEditsAreUndoneByTheirInversesBackwards) {
       ASSERT_TRUE(ok) << ok.error().message;
       ASSERT_EQ(d, states[k]);
       for (const Layer& layer : d.layers()) {
-        // The very same objects: undo restores every bit.
+        // Undo restores the same objects, and therefore every bit.
         for (StrokeId id : layer.strokes) ASSERT_EQ(d.find(id), states[k].find(id));
       }
     }

@@ -41,7 +41,7 @@ Edit StrokeReplacement::with(StrokePtr after, std::string label) const {
 void EditBuilder::find_places() {
   std::map<StrokeId, StrokeChange*> present;
   std::map<LayerId, std::vector<StrokeChange*>> made;
-  std::map<LayerId, std::size_t> sizes;  // of each layer that changes, after the edit
+  std::map<LayerId, std::size_t> sizes;  // strokes in each changed layer after the edit
   for (StrokeChange& c : changes_) {
     if (c.before) {
       present[c.id] = &c;

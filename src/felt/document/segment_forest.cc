@@ -9,10 +9,10 @@ namespace {
 
 /// Limit of the coordinates in the tree of boxes; SegmentBvh clamps its own in the same way.
 constexpr double kFarthest = 1e18;
-/// Largest segment of the first size class; each further class is four times as large.
+/// Largest size of a segment of the first size class. Each further class is four times as large.
 constexpr double kSmallMm = 16.0;
 constexpr int kLargestClass = 20;
-/// Segments of a leaf after a full build: leaves room for more.
+/// Number of segments in a leaf after a full build. It leaves space for more.
 constexpr std::size_t kFreshSegments = SegmentForest::kLeafSegments * 3 / 4;
 
 /// Relative margin in comparisons of distances, so that no segment at the same distance is lost.
@@ -39,7 +39,8 @@ bool is_inside(const Rect& inner, const Rect& outer) {
   return joined(outer, inner) == outer;
 }
 
-/// Halves the coordinates first, because the sum of huge ones would be infinite.
+/// Returns the middle of a box. Halves the coordinates first, because the sum of huge ones would be
+/// infinite.
 Point middle_of(const Rect& box) {
   return {0.5 * box.x0 + 0.5 * box.x1, 0.5 * box.y0 + 0.5 * box.y1};
 }
@@ -53,7 +54,7 @@ int class_of(const Rect& box) {
   return size_class;
 }
 
-/// A straight curve with this box.
+/// Returns a straight curve with the bounding box `box`.
 Cubic diagonal(const Rect& box) {
   if (box.empty()) return kNothing.curve;
   const auto held = [](double v) { return std::clamp(v, -kFarthest, kFarthest); };
@@ -353,10 +354,10 @@ void SegmentForest::build(std::vector<BvhSegment> segments) {
   sort_leaves();
 }
 
-/// Holds the nearest so far.
+/// Searches leaves for the nearest segment. Holds the nearest one so far.
 struct SegmentForest::Search {
   const Point place;
-  double reach_mm;  // nothing farther matters
+  double reach_mm;  // segments farther away are ignored
   BvhWorkCap left{};
   std::optional<Hit> best{};
   int leaves = 0;
@@ -376,7 +377,8 @@ struct SegmentForest::Search {
       if (d > known || (d == known && ref > other)) return;
     }
     best = Hit{StrokeId{ref.stroke}, static_cast<int>(ref.segment), hit.nearest};
-    // Slightly more, so that others at the same distance are visited.
+    // The reach is slightly larger than the distance, so that other segments at the same distance
+    // are visited.
     reach_mm = std::min(reach_mm, std::sqrt(hit.nearest.distance_squared) * (1.0 + kSlack));
   }
 };
@@ -385,7 +387,8 @@ std::optional<SegmentForest::Hit> SegmentForest::nearest(Point place, double rad
                                                          Work* work) const {
   if (!(radius_mm >= 0.0)) return std::nullopt;
   Search search{place, radius_mm};
-  // First the leaves around the place, because a segment found there rules out most others.
+  // Searches the leaves around the place first, because a segment found there rules out most
+  // others.
   Rect area{place.x, place.y, place.x, place.y};
   leaf_boxes_.for_each_in(area, [&](std::uint32_t i) {
     if (leaves_[i].box.contains(place)) search.ask(leaves_[i]);

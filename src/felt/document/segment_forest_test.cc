@@ -24,7 +24,7 @@ StrokePtr moved(const Stroke& stroke, Vec by, double scale = 1.0) {
   return std::make_shared<const Stroke>(Stroke::create(std::move(data)).value());
 }
 
-/// A stroke of about 10 segments of a few mm.
+/// Returns a stroke of about 10 segments of a few mm.
 StrokePtr scribble(RandomStroke& random, Point start) {
   StrokeData data;
   data.points.push_back(start);
@@ -271,7 +271,7 @@ TEST(SegmentForest, WhatAnEditSortsIsAFewLeavesHoweverLargeTheSheet) {
   }
   EXPECT_LT(worst, 8 * SegmentForest::kLeafSegments);
   EXPECT_LT(static_cast<double>(before - start) / kEdits, 200.0);
-  // The leaves' boxes: hardly ever.
+  // The boxes of leaves are hardly ever sorted.
   const std::uint64_t boxes = sheet.forest.sorted_leaf_count() - boxes_before;
   EXPECT_LT(static_cast<double>(boxes) / kEdits, 20.0);
   EXPECT_LT(mean_nodes(sheet), 60.0);

@@ -60,7 +60,7 @@ Edit StrokeDivisions::build(const Document& document, std::string label) const {
   edit.changes.reserve(divided_.size() + parts_);
   std::uint64_t made = 0;
   LayerId layer;
-  std::size_t added = 0, removed = 0;  // parts and strokes below, in this layer
+  std::size_t added = 0, removed = 0;  // parts and strokes below in the layer
   for (const auto& [place, division] : divided_) {
     if (place.first != layer) {
       layer = place.first;

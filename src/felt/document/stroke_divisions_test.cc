@@ -43,7 +43,7 @@ RC_GTEST_PROP(StrokeDivisions, PartsStandWhereTheStrokeStood, ()) {
         expected[layer.id].push_back(document.find(id));
         continue;
       }
-      divisions.set(document, id, {some_stroke(-1), some_stroke(-2)});  // and then otherwise
+      divisions.set(document, id, {some_stroke(-1), some_stroke(-2)});  // and then in another way
       if (random() % 8 == 0) {
         divisions.unset(id);
         expected[layer.id].push_back(document.find(id));

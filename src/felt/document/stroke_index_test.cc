@@ -224,7 +224,8 @@ TEST(StrokeIndex, StrokesThatAreSortedLaterAreFoundAsIfTheyWereSortedAtOnce) {
 }
 
 TEST(StrokeIndex, OpeningALargeDocumentSortsOnlyWhatIsAskedFor) {
-  // One short stroke in each square of 20 mm, and one that is longer than the page is wide.
+  // One short stroke in each square of 20 mm, and one stroke that is longer than the width of the
+  // page.
   constexpr int kSide = 150;
   constexpr double kPitchMm = 20.0;
   Document d;

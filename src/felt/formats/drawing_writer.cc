@@ -96,7 +96,7 @@ Result<void> write_drawing(const std::string& path, const Drawing& drawing, File
   if (format == FileFormat::kSvg && is_compressed_name(path)) parts = gzip_parts(*std::move(parts));
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return tl::unexpected(file.error());
-  bool is_disk = false;  // errors of the disk name the file already
+  bool is_disk = false;  // errors of the disk already name the file
   const Result<void> done = write_parts(**parts, [&](std::string_view bytes) {
     Result<void> written = file->write(bytes);
     is_disk = !written;

@@ -15,7 +15,7 @@ bool ends_with(std::string_view text, std::string_view ending) noexcept {
                     [](char a, char b) { return ascii_lower(a) == b; });
 }
 
-/// Returns the name without its folders, because ".felt" in a folder has no ending.
+/// Returns the name without its folders. A file ".felt" in a folder has no ending.
 std::string_view file_name(std::string_view path) noexcept {
   return path.substr(path.find_last_of('/') + 1);
 }

@@ -37,7 +37,7 @@ TEST(FormatTraits, NamesAreUnderstoodInEitherCaseAndWithADot) {
   }
 }
 
-// Reading and writing do what the table says.
+// Reading and writing agree with the table.
 TEST(FormatTraits, WhatIsWrittenAndReadIsWhatTheTableSays) {
   for (const FormatTraits& row : format_table()) {
     const auto bytes = drawing_bytes(Drawing{}, row.format, {.dpi = 10.0});

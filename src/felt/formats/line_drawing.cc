@@ -89,7 +89,7 @@ Result<Imported> import_lines(std::string_view text, const ImportOptions& option
 
 namespace {
 
-/// Part 0 is the header.
+/// Part 0 is the header. The other parts are the strokes.
 class LineParts final : public DrawingParts {
  public:
   LineParts(const Document& document, LineHeader header)

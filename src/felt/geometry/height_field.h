@@ -60,8 +60,8 @@ class HeightField {
   /// if a value is not finite or not > 0.
   [[nodiscard]] HeightField scaled(double wavelength_mm, double rms_um) const;
 
-  /// Returns the height and slope at a point. Returns zeros for points that are not finite or
-  /// beyond 1e6 mm. Real-time safe.
+  /// Returns the height and slope at a point. Both are 0 if the relief is flat, or if a coordinate
+  /// is not finite or its magnitude is above 1e6 mm. Real-time safe.
   [[nodiscard]] Sample at(Point p) const noexcept;
 
   [[nodiscard]] const HeightFieldSpec& spec() const noexcept { return spec_; }
@@ -69,7 +69,7 @@ class HeightField {
   [[nodiscard]] double shortest_wavelength_mm() const noexcept {
     return spec_.wavelength_mm / kBand;
   }
-  // Returns an upper bound of the height over the whole tile.
+  /// Returns an upper bound of the magnitude of the height anywhere.
   [[nodiscard]] double max_height_mm() const noexcept { return max_height_mm_; }
   [[nodiscard]] double max_slope() const noexcept { return max_slope_; }
   /// Returns an upper bound of the second derivative in any direction, 1/mm.

@@ -42,7 +42,7 @@ std::optional<unsigned> take_number(std::string_view& line, unsigned most) {
 }
 
 /// Returns the number of bytes of the UTF-8 character at the start of the text, or 0 if the text
-/// starts with none or with a control character.
+/// does not start with a valid character or starts with a control character.
 std::size_t character(std::string_view text) {
   const auto byte = [&text](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -62,7 +62,7 @@ std::size_t character(std::string_view text) {
   return code < kMin[length] || code > 0x10ffff || is_surrogate || is_control ? 0 : length;
 }
 
-/// Returns why this is not a valid name, or "" if it is.
+/// Returns the reason why this is not a valid name, or "" if it is valid.
 std::string_view fault_of(std::string_view name) {
   if (name.size() > PaletteLimits::kMaxNameBytes) return "the name is longer than 200 bytes";
   while (!name.empty()) {
@@ -83,7 +83,7 @@ class GplReader {
 
   std::string_view next(std::string_view line) {
     if (trimmed(line).empty() || line.front() == '#') return {};
-    // No colour looks like these lines, so they are accepted anywhere.
+    // These lines are accepted anywhere, because no line with a colour looks like them.
     if (line.starts_with(kName)) return name(trimmed(line.substr(kName.size())));
     if (line.starts_with(kColumns)) return columns(line.substr(kColumns.size()));
     return color(line);

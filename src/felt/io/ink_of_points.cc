@@ -13,7 +13,7 @@ namespace felt {
 namespace {
 
 /// Distance between the points at which the fit checks a drawn line: near its ends, and the largest
-/// one in between.
+/// distance in between.
 constexpr double kFirstStepMm = 0.15, kMaxStepMm = 1.0;
 /// Largest number of points inserted between others in one file. After that, the pieces of a line
 /// stay straight segments, so that a small file with long lines cannot keep us busy.
@@ -66,7 +66,8 @@ class InkOfPoints::Pieces {
       const Cubic line = straight(data_.points[last - 3], run.points.front());
       std::copy(line.p.begin(), line.p.end(), data_.points.end() - 4);
     }
-    // If a run precedes it, the new one begins where that one ended, which is within the tolerance.
+    // If another run precedes this one, this one begins at the end of the other, which is within
+    // the tolerance.
     if (!empty() && !after_straight_) run.points.front() = data_.points.back();
     const double offset = segments();
     begin_part(run.points.front(), run.widths.front().width_mm);

@@ -132,7 +132,8 @@ std::string packed_by(z_stream& stream, std::string_view text) {
 std::string gzip(std::string_view text) {
   z_stream stream{};
   FELT_CHECK(deflateInit2(&stream, 9, Z_DEFLATED, kGzipWindow, 9, Z_DEFAULT_STRATEGY) == Z_OK);
-  // No time and no name. 255 means an unknown system, so that all machines write the same bytes.
+  // The header has no time and no name. 255 means an unknown system, so that all machines write the
+  // same bytes.
   gz_header header{};
   header.os = 255;
   FELT_CHECK(deflateSetHeader(&stream, &header) == Z_OK);
@@ -146,7 +147,7 @@ std::string zlib_packed(std::string_view bytes) {
 }
 
 std::string gzip_head() {
-  // Deflate, no flags, no time, no extra flags; 255 means an unknown system.
+  // A gzip header: deflate, no flags, no time, no extra flags; 255 means an unknown system.
   return std::string("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10);
 }
 

@@ -212,7 +212,7 @@ TEST(Grain, R47_ThePictureIsTheSameFromRunToRun) {
   EXPECT_EQ(picture(), picture());
 }
 
-/// Strokes of all media in tiles of any division, each with its own view, as in a display.
+/// Draws strokes of all media in tiles of different sizes, each with its own view, as on a display.
 TEST(Grain, TilesGiveTheSamePixelsAsOnePicture) {
   constexpr int kWide = 300, kHigh = 220;
   const HeightField rough({.wavelength_mm = 1.3, .rms_um = 11.0, .seed = 4});

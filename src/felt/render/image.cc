@@ -8,7 +8,7 @@
 namespace felt {
 namespace {
 
-/// Returns c * a / 255, rounded.
+/// Returns c * a / 255, rounded to the nearest number.
 std::uint8_t scaled(std::uint8_t c, std::uint8_t a) noexcept {
   return static_cast<std::uint8_t>((c * a + 127) / 255);
 }

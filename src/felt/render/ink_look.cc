@@ -18,7 +18,7 @@ double smoothstep(double x) noexcept {
   return y * y * (3.0 - 2.0 * y);
 }
 
-/// Returns -1..1, the same on every machine.
+/// Returns a pseudo-random number in -1..1 that is the same on every machine.
 double noise(std::uint32_t n) noexcept {
   n = (n ^ (n >> 16U)) * 0x7FEB352DU;
   n = (n ^ (n >> 15U)) * 0x846CA68BU;

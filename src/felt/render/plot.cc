@@ -180,8 +180,8 @@ void PlotPanelDrawing::draw_signals() {
 
 void PlotPanelDrawing::draw_line(const PlotLine& line) {
   const PlotTrace& trace = line.trace;
-  // Merges intervals to at least half a unit. Each becomes a vertical line from its smallest to its
-  // largest value.
+  // Merges intervals until each is at least half a unit wide. Each merged interval becomes a
+  // vertical line from its smallest to its largest value.
   const double column_s = 0.5 * (span_.end_s - span_.start_s) / (x1_ - x0_);
   const auto merged = static_cast<std::size_t>(std::max(1.0, column_s / trace.stretch_s()));
   std::vector<Vec> points;
@@ -199,7 +199,7 @@ void PlotPanelDrawing::draw_line(const PlotLine& line) {
   canvas_.polyline(points, {.width = line.width, .color = line.color});
 }
 
-/// Begins at the end that is closer to the last point of the line.
+/// Adds a vertical line. It begins at the end that is closer to the last point of the line.
 void PlotPanelDrawing::add_column(double x, const PlotTrace::Stretch& column,
                                   std::vector<Vec>& points) const {
   Vec near{x, y_of(column.low)}, far{x, y_of(column.high)};
@@ -232,7 +232,7 @@ void PlotPanelDrawing::draw_times(bool with_name) {
 
 constexpr Rgba kShadeKey{226, 205, 160, 150};
 
-// Units.
+// Lengths in units of the plot.
 constexpr double kLeft = 58.0;
 constexpr double kRight = 18.0;
 constexpr double kTop = 20.0;

@@ -27,7 +27,8 @@ using Format = agg::pixfmt_rgba32_pre;
 
 /// Line width of a letter, as a fraction of the height of a capital.
 constexpr double kTextWeight = 0.125;
-/// Width of a letter relative to the font's own proportion. Slightly narrower reads better.
+/// Width of a letter relative to the font's own proportion. Letters that are slightly narrower are
+/// easier to read.
 constexpr double kTextNarrowing = 0.92;
 
 agg::rgba8 to_agg(Rgba color) {
@@ -66,7 +67,7 @@ struct PlotCanvas::State {
     blend(outline, color);
   }
 
-  /// `turn` is applied to the text before it is moved to `at`.
+  /// Draws text. `turn` is applied to the text before it is moved to `at`.
   void text(Vec at, std::string_view string, const PlotFont& font, agg::trans_affine turn) {
     agg::gsv_text letters;
     letters.size(font.size * scale, font.size * scale * kTextNarrowing);

@@ -32,7 +32,8 @@ int count_pixels(const Image& image, PixelRect area, Rgba color) {
   return count;
 }
 
-/// Returns the mean height in pixels of that colour in a column; NaN if there is none.
+/// Returns the mean height of the pixels of a colour in a column, or NaN if the column has no such
+/// pixel.
 double height_in_column(const Image& image, int x, Rgba color) {
   double sum = 0.0;
   int count = 0;
@@ -45,7 +46,8 @@ double height_in_column(const Image& image, int x, Rgba color) {
 }
 
 TEST(Plot, TheLineIsWhereTheSignalIs) {
-  // A ramp is a straight line: the heights in three columns are evenly spaced, the last highest.
+  // A ramp is a straight line: the heights in three columns are evenly spaced, the last one is the
+  // highest.
   const Image image = draw_plot(plot_of([](double t) { return 3.0 * t; })).value();
   const int third = image.width() / 4;
   const double a = height_in_column(image, third, kBlue);

@@ -28,7 +28,7 @@ TEST(PlotTrace, NoPeakIsLostAndMemoryIsBounded) {
       EXPECT_GE(trace.time_s(trace.size()), 0.001 * count - 1e-9);
       EXPECT_LT(trace.time_s(trace.size() - 1), 0.001 * count);
       EXPECT_EQ(trace.range(0.0, 100.0).high, 7.0) << count << " values, peak at " << at;
-      // It is at the same time as before, to the width of an interval.
+      // The peak is at the same time as before, up to the width of an interval.
       const double around = trace.stretch_s();
       EXPECT_EQ(trace.range(0.001 * at - around, 0.001 * at + around).high, 7.0);
     }

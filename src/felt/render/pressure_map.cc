@@ -8,13 +8,14 @@
 namespace felt {
 namespace {
 
-/// Pixels that are processed at once. Rows have room for this many more.
+/// Number of pixels that are processed together. Each row has space for kLanes more pixels.
 constexpr int kLanes = 8;
 
 /// Fraction of the tone that is lost at the edge of the tip.
 constexpr float kLessAtEdge = 0.45F;
 
-/// The outermost pixels of a line are covered only in part.
+/// A line reaches this far beyond its radius, because its outermost pixels are covered only in
+/// part.
 constexpr double kRimPx = 1.0;
 /// The tip counts as this much wider than its ink, so that on a hairline the pixels next to the
 /// middle are not the rim.
@@ -26,13 +27,13 @@ constexpr auto kBesidePx = static_cast<float>(kRimPx - kSoftPx);
 
 constexpr float kMaxKey = 4095.0F, kMaxRim = 1023.0F, kMaxAcross = 511.0F;
 
-/// Two separate choices, because compilers do not vectorize nested ones.
+/// Clamps in two separate steps, because compilers do not vectorize nested conditions.
 inline float clamped(float x, float low, float high) noexcept {
   const float least = x < low ? low : x;
   return least > high ? high : least;
 }
 
-/// Returns a vector of length 1, or 0.
+/// Returns the direction as a vector of length 1, or 0 if the points are equal.
 Vec direction(Vec from, Vec to) noexcept {
   const double length = norm(to - from);
   return length > 0.0 ? (to - from) / length : Vec{};
@@ -55,7 +56,7 @@ struct Walk {
   double from, to, cut_x, per_row, reach;  // in x: of the strip; of its width at row 0
   bool is_steep = false;
   int y0, y1, x_end;
-  // The map: its first pixel.
+  // The first pixel of the map.
   int map_x0, map_y0;
   std::size_t stride;
   std::int32_t* values;
@@ -63,9 +64,9 @@ struct Walk {
 
 // Writes the push of one strip into the map. For each pixel: project it onto the strip's middle
 // line, find the dab there, compute rho^2 and from it the push, and keep the larger of the new and
-// the old value. Eight pixels are processed at a time in plain numbers, so that a compiler
-// vectorizes it. Positions are relative to the strip's start: the numbers do not depend on where
-// the picture begins.
+// the old value. Eight pixels are processed at a time in plain loops over numbers, so that a
+// compiler vectorizes them. Positions are relative to the strip's start: the numbers do not depend
+// on where the picture begins.
 template <bool kTapers>
 [[gnu::always_inline]] inline void walk(const Walk& walk) noexcept {
   const Walk w = walk;

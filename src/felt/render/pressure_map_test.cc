@@ -41,8 +41,8 @@ std::vector<TipAt> random_way(Chance& chance, PixelRect area, bool has_changing_
   return way;
 }
 
-// A golden value: all processors, with wide vectors (wide_vectors.h) or without, and all compilers
-// must compute it. Otherwise a picture would depend on the machine (R47).
+// Compares with a known value, which all processors, with or without wide vectors (wide_vectors.h),
+// and all compilers must compute. Otherwise a picture would depend on the machine (R47).
 TEST(PressureMap, R47_IsTheSameOnEveryProcessor) {
   Chance chance;
   PressureMap map;

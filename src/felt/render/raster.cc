@@ -35,7 +35,8 @@ constexpr double kTraceShare = 0.5;
 /// Largest distance between the path of a tip and its approximation; the look of a medium is soft.
 constexpr double kWayTolerancePx = 0.25;
 
-/// Clips in floating point, so that no coordinate overflows AGG's integers.
+/// The rasterizer of AGG. It clips in floating point, so that no coordinate overflows AGG's
+/// integers.
 using Cells = agg::rasterizer_scanline_aa<agg::rasterizer_sl_clip_dbl>;
 
 template <class Format>
@@ -93,7 +94,7 @@ constexpr std::uint32_t over_two(std::uint32_t ink, std::uint32_t alpha,
   return ((sum + ((sum >> 8U) & kEveryOther)) >> 8U) & kEveryOther;
 }
 
-/// Blends ink with these alphas over premultiplied pixels. `ink` is one pixel of it.
+/// Blends ink with these alphas over premultiplied pixels. `ink` is one pixel of the ink.
 FELT_WIDE_VECTORS void blend_row(std::uint8_t* __restrict pixels, std::uint32_t ink,
                                  unsigned opacity, const std::uint8_t* __restrict alphas,
                                  int count) noexcept {
@@ -231,7 +232,7 @@ void Rasterizer::load(const Outline& outline, const View& view, PixelRect part) 
   }
 }
 
-/// Returns the outline of a stroke's ink in `shown`; the complete outline if all of it is there.
+/// Returns the outline of a stroke's ink in `shown`, or its complete outline if all of it is there.
 const Outline& Rasterizer::trace_near(const Stroke& stroke, const View& view, const Rect& shown) {
   State& s = *state_;
   const double tolerance_mm = kRasterTolerancePx / view.px_per_mm;
@@ -275,7 +276,7 @@ void Rasterizer::draw_center_line(const Stroke& stroke, const View& view, PixelR
        {color.r, color.g, color.b, 255}, target);
 }
 
-/// Returns the look; usually it is the same as last time.
+/// Returns the look of the stroke's medium. It is usually the same as for the stroke before.
 const InkLook* Rasterizer::look_of(const Stroke& stroke, const View& view, const Grain& grain) {
   State& s = *state_;
   if (!(grain == s.grain) || view.px_per_mm != s.looks_px_per_mm) {

@@ -6,7 +6,7 @@
 namespace felt {
 namespace {
 
-/// The whole screen, with all outlines traced again.
+/// Draws the whole screen and traces all outlines again.
 void FullScreen(benchmark::State& state) {
   const std::vector<Stroke> strokes = testing::screen_of_strokes(static_cast<int>(state.range(0)));
   Image image = Image::create(1920, 1080).value();
@@ -21,7 +21,8 @@ void FullScreen(benchmark::State& state) {
 }
 BENCHMARK(FullScreen)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
-/// Same, with the look of a medium on a relief: 0 is plain, then those of media() in order.
+/// Does the same with the look of a medium on a relief. The range is 0 for plain ink, or the number
+/// of a medium in media() from 1.
 void FullScreenOfMedium(benchmark::State& state) {
   const auto n = static_cast<std::size_t>(state.range(0));
   static const HeightField relief(
@@ -47,7 +48,7 @@ void FullScreenOfMedium(benchmark::State& state) {
 }
 BENCHMARK(FullScreenOfMedium)->DenseRange(0, 9)->Unit(benchmark::kMillisecond);
 
-/// A dirty patch of 64 x 64 pixels; each stroke is checked against it.
+/// Draws a dirty patch of 64 x 64 pixels. Checks for each stroke if it touches the patch.
 void DirtyPatch(benchmark::State& state) {
   const std::vector<Stroke> strokes = testing::screen_of_strokes(static_cast<int>(state.range(0)));
   Image image = Image::create(1920, 1080).value();

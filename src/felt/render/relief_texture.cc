@@ -7,7 +7,7 @@
 namespace felt {
 namespace {
 
-constexpr int kFraction = 40;  // bits of a texel: no rounding is visible at any size
+constexpr int kFraction = 40;  // bits of a texel: so many that rounding is never visible
 
 /// Rotation and scale: x -> (a x - b y, b x + a y) + shift, in tiles.
 struct Turning {
@@ -54,8 +54,8 @@ Square base_of(const HeightField& field) {
   return base;
 }
 
-/// Doubles the resolution. New heights are interpolated by a cubic through four. A wave has at
-/// least 13 heights.
+/// Doubles the resolution. New heights are interpolated by a cubic through four. This is accurate,
+/// because a wave has at least 13 heights.
 Square doubled(const Square& from) {
   const int side = 2 * from.side;
   Square wide{side,

@@ -7,7 +7,7 @@
 namespace felt {
 namespace {
 
-/// With fewer strokes than this around those of a preview, drawing is as fast as copying a picture.
+/// If fewer strokes than this would be kept as a picture, drawing them is as fast as copying it.
 constexpr std::size_t kWorthKeeping = 4;
 
 /// Up to this many strokes above those of a preview are drawn one after another, which is exact.
@@ -112,7 +112,8 @@ bool TilePainter::is_valid(const InkScene& scene, const View& view, const TileSp
   });
 }
 
-/// Returns true if it covers `part`, and the strokes of the preview in `found_` lie in its gap.
+/// Returns true if the split covers `part`, and the strokes of the preview in `found_` lie in its
+/// gap.
 bool TilePainter::fits(const InkScene& scene, const TileSplit& split, PixelRect part) const {
   if (!contains(split.valid, part)) return false;
   const Gap gap = gap_of(scene, split);

@@ -31,8 +31,8 @@ int worst_difference(const Bytes& a, const Bytes& b) {
   return worst;
 }
 
-/// Strokes of a preview anywhere in a pile of transparent ones: the tile composed of the strokes
-/// below, between and above them equals the one that is drawn directly.
+/// Puts strokes of a preview anywhere in a pile of transparent strokes. The tile composed of the
+/// strokes below, between and above them must equal the tile that is drawn directly.
 void compare_splits(int strokes, std::uint64_t seeds, int bound) {
   int splits = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {

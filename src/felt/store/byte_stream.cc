@@ -59,7 +59,7 @@ std::uint64_t ByteReader::count() {
     if (!ok_) return 0;
     v |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
     if ((byte & 0x80) != 0) continue;
-    if ((byte == 0 && shift > 0) || (shift == 63 && byte > 1)) break;  // padded, or too large
+    if ((byte == 0 && shift > 0) || (shift == 63 && byte > 1)) break;  // padded or too large
     return v;
   }
   ok_ = false;

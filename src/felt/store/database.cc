@@ -20,7 +20,7 @@ tl::unexpected<Error> error_of(sqlite3* db) {
               sqlite3_errmsg(db));
 }
 
-/// Allows only what statements on an untrusted file may do.
+/// Tells SQLite which actions are allowed: only those that statements on an untrusted file need.
 int authorize(void*, int action, const char* what, const char*, const char*, const char* within) {
   if (within) return SQLITE_DENY;  // on behalf of a view or trigger
   switch (action) {

@@ -1,4 +1,4 @@
-// Files that our writer does not make: from a newer Feltline, and hostile ones.
+// Tests files that our writer does not make: files from a newer Feltline, and hostile files.
 #include "felt/store/felt_extras.h"
 
 #include <gmock/gmock.h>
@@ -37,7 +37,7 @@ class Sqlite {
     EXPECT_EQ(sqlite3_exec(db_, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
         << sql << ": " << sqlite3_errmsg(db_);
   }
-  /// Rows as text: "1|a;2|b".
+  /// Returns rows as text: "1|a;2|b".
   std::string all(const std::string& sql) {
     std::string text;
     const auto row = [](void* out, int columns, char** values, char**) {
@@ -106,7 +106,7 @@ TEST(FeltExtras, WhatANewerOneKeepsIsCarried) {
             "5|2|two|0001|blob;6|3|three||null;9|NULL||37|integer");
   EXPECT_EQ(db.all("SELECT x_mm, on_layer FROM guide"), "3.5|-1;0.1|-1");
   EXPECT_EQ(db.all("SELECT name FROM sqlite_schema WHERE type <> 'table'"), "");
-  // Repeated saves give the same.
+  // Saving again gives the same bytes.
   const Drawing again = parse_felt(written).value();
   EXPECT_TRUE(again == drawing);
   EXPECT_EQ(felt_bytes(again).value(), written);

@@ -35,7 +35,7 @@ tl::unexpected<Error> too_large() {
               "is larger than " + std::to_string(kMaxFeltBytes) + " bytes");
 }
 
-/// Checks the first bytes before SQLite gets any.
+/// Checks the first bytes of a file before SQLite reads it.
 Result<void> check_header(std::string_view bytes) {
   if (bytes.size() > kMaxFeltBytes) return too_large();
   if (bytes.empty()) return invalid_data("is empty");
@@ -60,8 +60,8 @@ Result<void> check_header(std::string_view bytes) {
   return {};
 }
 
-/// Parses a file. `keep` owns the same bytes, for extras. If it is null, the bytes are copied if
-/// the file has extras.
+/// Parses a file. `keep` owns the same bytes, and the extras keep it. If it is null, the bytes are
+/// copied if the file has extras.
 Result<Drawing> parse(std::string_view bytes, std::shared_ptr<const std::string> keep) {
   if (auto ok = check_header(bytes); !ok) return tl::unexpected(ok.error());
   const Result<Database> database = Database::open(bytes);

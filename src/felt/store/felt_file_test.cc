@@ -114,7 +114,7 @@ TEST_F(FeltFileTest, ErrorsNameTheFileAndTheReason) {
   EXPECT_THAT(message(bytes), HasSubstr("left it open"));
 }
 
-/// The purpose of the checksums: damage is an error, unless it is in unused bytes.
+/// This is the purpose of the checksums: damage is an error, unless it is in unused bytes.
 TEST_F(FeltFileTest, NoDamagePassesForADrawing) {
   const Drawing drawing = random_drawing(11);
   const std::string bytes = felt_bytes(drawing).value();
@@ -130,7 +130,7 @@ TEST_F(FeltFileTest, NoDamagePassesForADrawing) {
   for (std::size_t size = 0; size < bytes.size(); size += 1 + random() % 97) {
     EXPECT_FALSE(parse_felt(std::string_view(bytes).substr(0, size))) << size;
   }
-  for (int run = 0; run < 200; ++run) {  // a page that never reached the disk, or another's
+  for (int run = 0; run < 200; ++run) {  // a page of zeros, or of other bytes
     std::string changed = bytes;
     const std::size_t page = random() % (bytes.size() / 4096) * 4096;
     changed.replace(page, 4096,
@@ -157,7 +157,7 @@ TEST_F(FeltFileTest, WhatNoFileMayHoldIsNotWritten) {
   EXPECT_TRUE(read_felt(path("a.felt")).value() == random_drawing(1));
 }
 
-/// At a limit, a drawing is written and read; above it, it is an error.
+/// A drawing at a limit is written and read. A drawing above the limit is an error.
 TEST_F(FeltFileTest, LimitsAreKeptExactly) {
   Drawing drawing;
   drawing.palette.colors.assign(PaletteLimits::kMaxColors, {{1, 2, 3, 255}, "c"});
@@ -181,7 +181,7 @@ TEST_F(FeltFileTest, LimitsAreKeptExactly) {
   EXPECT_FALSE(felt_bytes(named));
 }
 
-/// A test does not have so much memory: the pages are reserved and never accessed.
+/// The pages are reserved but never accessed, because a test does not have so much memory.
 TEST_F(FeltFileTest, AFileThatIsTooLargeIsNotLookedAt) {
   const std::size_t size = kMaxFeltBytes + 1;
   void* pages =

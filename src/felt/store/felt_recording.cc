@@ -50,8 +50,8 @@ void FeltRecorder::forces(std::int64_t time_ns, const Force& asked, const Force&
   match();
 }
 
-/// Gives samples the forces of the tick with the same time. Samples and ticks each arrive in the
-/// order of their times, either first.
+/// Gives samples the forces of the tick with the same time. Samples arrive in the order of their
+/// times, and so do ticks; either may arrive first.
 void FeltRecorder::match() {
   while (unmatched_ < recording_.samples.size() && next_tick_ < ticks_.size()) {
     RecordedSample& sample = recording_.samples[unmatched_];

@@ -86,7 +86,7 @@ class Findings {
     std::int64_t id = row.id;
     if (const auto there = strokes.find(id); there != strokes.end()) {
       if (*there->second.stroke == *stroke) return true;
-      // One of the two ids is damaged, and both strokes are intact: this one gets a new id.
+      // One of the two ids is damaged, but both strokes are intact, so this one gets a new id.
       while (strokes.contains(next_stray_)) ++next_stray_;
       id = next_stray_++;
     }
@@ -233,8 +233,8 @@ class Assembly {
     return document.apply(edit);
   }
 
-  /// Places in a layer are consecutive, so gaps below the highest place show how many strokes are
-  /// missing at least.
+  /// Places in a layer are consecutive, so gaps below the highest place show the minimum number of
+  /// strokes that are missing.
   void place_strokes(Edit& edit) {
     std::map<std::int64_t, std::vector<std::int64_t>> by_layer;
     for (const auto& [id, stroke] : found_.strokes) by_layer[stroke.layer].push_back(id);

@@ -18,7 +18,7 @@ using ::testing::IsEmpty;
 
 constexpr std::size_t kPage = 4096;
 
-/// Several pages of strokes in three layers, one of them larger than a page.
+/// Returns several pages of strokes in three layers. One of the strokes is larger than a page.
 Drawing some_drawing() {
   Drawing drawing;
   testing::RandomEdits edits(3);
@@ -52,7 +52,7 @@ Drawing some_drawing() {
   return drawing;
 }
 
-/// Returns true if all strokes but the lost ones were recovered, in their layers.
+/// Returns true if all strokes except the lost ones were recovered, in their layers.
 bool keeps_all_of(const Drawing& got, const Drawing& drawing, const std::set<std::uint64_t>& lost) {
   for (const Layer& layer : drawing.document.layers()) {
     for (const StrokeId id : layer.strokes) {
@@ -65,8 +65,8 @@ bool keeps_all_of(const Drawing& got, const Drawing& drawing, const std::set<std
   return true;
 }
 
-/// Returns true if all ink but the lost one was recovered. A flipped bit may give a stroke the id
-/// of another one: then both are intact, and one of them got a new id.
+/// Returns true if all ink except the lost strokes was recovered. A flipped bit may give a stroke
+/// the id of another stroke. Both are then intact, and one of them gets a new id.
 bool keeps_ink_of(const Drawing& got, const Drawing& drawing, const std::set<std::uint64_t>& lost) {
   std::vector<StrokePtr> all;
   for (const Layer& layer : got.document.layers()) {
@@ -138,7 +138,7 @@ TEST(FeltSalvage, EveryStrokeOnWholePagesIsThere) {
       EXPECT_TRUE(felt_bytes(salvaged->drawing)) << page;
     }
   }
-  EXPECT_GE(together, 151u);  // each was in some page; the large one in several
+  EXPECT_GE(together, 151u);  // each stroke was in some page, the large one in several
   EXPECT_LT(together, 151u + 10u);
 }
 

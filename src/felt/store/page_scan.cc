@@ -144,8 +144,8 @@ class Scan {
     return is_there && read_record(record, row.values);
   }
 
-  /// Counts what was really read, because the size that a damaged row claims could use up the
-  /// budget and end the scan for all others.
+  /// Counts what was really read, because a damaged row may claim a size that would use up the
+  /// budget and end the scan for all other rows.
   void spend(std::size_t read) noexcept { budget_ -= std::min(budget_, read); }
 
   /// Appends the rest of a row from its overflow pages. Their number is bounded by the row's size.

@@ -46,8 +46,8 @@ class Checksum {
     if (bytes_.size() > kPieceBytes) fold();
   }
   /// Adds a tilt. Tilts have a separate checksum, because older programs, which do not know tilt,
-  /// must find the other one unchanged.
-  void tilt(std::int64_t number, double tilt_deg) {
+  /// must find the checksum of the rest unchanged.
+  void lean(std::int64_t number, double lean_deg) {
     ByteWriter out(bytes_);
     out.u64(static_cast<std::uint64_t>(number));
     out.f64(tilt_deg);

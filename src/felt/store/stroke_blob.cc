@@ -61,7 +61,7 @@ double of_rank(std::uint64_t rank) noexcept {
   return std::bit_cast<double>((rank & kSign) != 0 ? rank ^ kSign : ~rank);
 }
 
-/// Maps 0, -1, 1, -2, ... to 0, 1, 2, 3, ...
+/// Maps small differences of either sign to small numbers: 0, -1, 1, -2, ... to 0, 1, 2, 3, ...
 std::uint64_t folded(std::uint64_t difference) noexcept {
   return (difference << 1) ^ ((difference & kSign) != 0 ? ~std::uint64_t{0} : 0);
 }
@@ -185,8 +185,8 @@ void read_points(NumberUnpacker& in, StrokeData& d) {
   if (d.closed) d.points.back() = d.points.front();
 }
 
-/// Writes the widths. The u of the first and last knot are not written, because these are at the
-/// ends.
+/// Writes the widths. The u of the first and last knot are not written, because these knots are at
+/// the ends of the stroke.
 void write_widths(NumberPacker& out, const std::vector<WidthKnot>& widths) {
   for (std::size_t i = 1; i + 1 < widths.size(); ++i) out.put(widths[i].u, widths[i - 1].u);
   double before = 0.0;

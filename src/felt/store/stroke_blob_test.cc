@@ -69,7 +69,7 @@ TEST(StrokeBlob, WhatIsCutOffOrChangedIsNoStroke) {
   }
 }
 
-/// Damage with a correct checksum, as an attacker makes it.
+/// Tests damage with a correct checksum, as an attacker would make it.
 TEST(StrokeBlob, HostileBytesAreAnErrorOrAStroke) {
   std::mt19937 random(2);
   for (int run = 0; run < 20'000; ++run) {
@@ -85,7 +85,7 @@ TEST(StrokeBlob, HostileBytesAreAnErrorOrAStroke) {
   }
 }
 
-/// Counts are checked before memory is allocated: the bytes for them do not exist.
+/// Counts are checked before memory is allocated, because the file may not have so many bytes.
 TEST(StrokeBlob, LimitsAreKeptExactly) {
   const auto read = [](std::uint64_t segments, std::uint64_t knots) {
     std::string bytes("\1\0\0\0\0\xff\0", 7);
@@ -139,7 +139,7 @@ TEST(StrokeBlob, TonesMakeItVersion2) {
   EXPECT_TRUE(read_stroke_blob(bytes).value().data() == data);
 }
 
-/// Hostile bytes with a correct checksum.
+/// Tests hostile bytes with a correct checksum.
 TEST(StrokeBlob, TonesThatAreNoneAreAnErrorThatNamesThePlace) {
   StrokeData data = felt::testing::straight_stroke({0, 0}, {3, 0}, 0.5, 1.0).data();
   data.widths[0].tone = 0.75;

@@ -56,8 +56,8 @@ void ProfileBuilder::stretch(double u0, double u1, double v0, double v1) {
 }
 
 void ProfileBuilder::follow(std::span<const Match> matches, double tolerance_mm) {
-  // Width and tone at the matches and at the breakpoints between them, by v. Douglas-Peucker then
-  // selects the ones that are needed.
+  // Collects width and tone at the matches and at the breakpoints between them, in the order of v.
+  // The algorithm of Douglas and Peucker then selects those that are needed.
   std::vector<WidthKnot> places;
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const Match& m = matches[i];

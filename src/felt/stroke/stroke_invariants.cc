@@ -52,8 +52,8 @@ Vec direction_in(const StrokeData& d, std::size_t i) {
   return {};
 }
 
-/// Returns the angle by atan2. Scales first, so that squares of tiny or huge handles do not under-
-/// or overflow.
+/// Returns the angle between two vectors, computed with atan2. Scales them first, so that squares
+/// of tiny or huge handles do not under- or overflow.
 double angle_deg(Vec a, Vec b) {
   return angle_between(normalized(a), normalized(b)) * (180.0 / std::numbers::pi);
 }

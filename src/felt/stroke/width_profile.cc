@@ -9,12 +9,13 @@ bool follows_width(const WidthKnot& knot) noexcept {
   return knot.tone == tone_of_width(knot.width_mm);
 }
 
-/// Returns true if tone_of_width() is not clamped, and so linear, at this tone.
+/// Returns true if tone_of_width() is linear at this tone, that is, not clamped.
 bool is_tone(double tone) noexcept {
   return tone > 0.0 && tone < 1.0;
 }
 
-/// Two neighbouring knots, and a position between them, 0..1. Beyond the ends both are the same.
+/// Two neighbouring knots, and a position between them, 0..1. Beyond an end of the profile, both
+/// are the knot at that end.
 struct Between {
   const WidthKnot &a, &b;
   double share;
@@ -26,7 +27,7 @@ struct Between {
   [[nodiscard]] double tone() const noexcept { return std::min(of(a.tone, b.tone), 1.0); }
 };
 
-/// Requires a profile that is not empty.
+/// Returns the position of u between the knots. Requires a profile that is not empty.
 Between place(std::span<const WidthKnot> profile, double u) noexcept {
   const WidthKnot &front = profile.front(), &back = profile.back();
   if (!(u > front.u)) return {front, front, 0.0};

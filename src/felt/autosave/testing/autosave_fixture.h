@@ -34,7 +34,7 @@ struct TestFolder {
   std::string path;
 };
 
-/// A session with a pen that writes by script, saved by an autosave without a thread.
+/// A session with a simulated pen, saved by an autosave without a thread.
 class AutosaveFixture {
  public:
   static constexpr std::int64_t kStepNs = 4'000'000;

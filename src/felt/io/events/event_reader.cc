@@ -16,13 +16,13 @@ using json::Value;
 /// Number of bytes of lines that read_script keeps in memory at a time.
 constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
 
-/// What a first look at the keys tells about a line.
+/// The information from a first look at the keys of a line.
 struct Glance {
   std::optional<EventName> event;
   bool is_other = false;  ///< a stroke or a header, which NdjsonParser reads
 };
 
-/// Copies only the fields that its action uses.
+/// Copies only the fields that the action of the event uses.
 LayerEvent layer_event(EventFields&& fields) {
   using Do = LayerEvent::Do;
   LayerEvent event{fields.action, fields.layer};

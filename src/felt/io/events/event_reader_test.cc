@@ -291,7 +291,8 @@ TEST(ReadScript, GivesLinesInOrderAndPlacesTheErrorsOfTheSink) {
 }
 
 TEST(ReadScript, HoldsAScriptOfAnyLengthALineAtATime) {
-  // 40 MiB that are never in memory together: the source generates them while they are read.
+  // Reads 40 MiB that are never in memory together, because the source generates them while they
+  // are read.
   constexpr int kEvents = 1'000'000;
   int made = 0, seen = 0;
   std::string left;

@@ -60,7 +60,7 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
             "{\"t_ms\":0,\"event\":\"layer\",\"do\":\"hide\",\"id\":12}\n");
 }
 
-/// Any number that a script may contain, many of them with all 17 digits.
+/// Generates any number that a script may contain, many of them with all 17 digits.
 rc::Gen<double> numbers() {
   return rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), [](std::uint64_t bits) {
     double number = 0.0;
@@ -112,7 +112,7 @@ LayerEvent any_layer_event() {
   return event;
 }
 
-/// Any device, except for its workspace, which is not written.
+/// Generates any device, except for its workspace, which is not written.
 UseDevice any_device() {
   const auto quantity = [] { return std::fabs(*numbers()); };
   Capabilities can;

@@ -30,7 +30,7 @@ constexpr double kLightest = 0.25, kHardest = 1.75;
 /// Full pressure of integer channels if no maximum is stated.
 constexpr double kUsualFullPressure = 32767.0;
 
-/// The positions in a point of the values that become ink, and their scales.
+/// The indices of the values that become ink among the values of a point, and their scales.
 struct Columns {
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   std::size_t x = kNone, y = kNone, force = kNone, time = kNone, width = kNone, tip = kNone,
@@ -55,7 +55,7 @@ std::optional<double> tilt_of(std::span<const double> v, const Columns& c) {
 /// The points of a stroke while they are collected.
 struct Points {
   std::vector<InkSample> samples;
-  std::vector<WidePoint> line;  // same, with widths, if the trace has them
+  std::vector<WidePoint> line;  // the same points with widths, if the trace has them
   bool has_force = false, is_erased = false;
 
   void clear() {
@@ -94,7 +94,7 @@ class InkmlReader {
   struct Group {
     Context context;
     bool only_defines = false;              // inside definitions
-    std::optional<std::size_t> layer = {};  // of its ink; none: the layer for the rest
+    std::optional<std::size_t> layer = {};  // of its ink, if it is in a layer
   };
 
   void notice(const pugi::xml_node& node, std::string what) {

@@ -69,7 +69,7 @@ TEST(InkmlImport, TheSubsetOfOffice) {
 </inkml:traceGroup></inkml:ink>)");
   EXPECT_THAT(texts(d.report), IsEmpty());
   const Stroke s = only_stroke(d);
-  // 1000 per cm: X 1000, 2000 (explicit 1000? no: the prefix comes behind), see the points.
+  // 1000 units are 1 cm. Prefixes in the trace apply to the numbers after them.
   EXPECT_EQ(s.color(), (Rgba{0xed, 0x1c, 0x24, 200}));
   EXPECT_NEAR(s.position(0.0).x, 10.0, 1e-6);
   EXPECT_NEAR(s.position(0.0).y, 20.0, 1e-6);

@@ -29,7 +29,7 @@ std::string hex(std::uint64_t value) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value, 16).ptr};
 }
 
-/// x y x y ...
+/// Reads points: "x y x y ...".
 bool read_points(std::string_view text, std::vector<Point>& points) {
   NumberList numbers(text);
   for (;;) {
@@ -41,7 +41,7 @@ bool read_points(std::string_view text, std::vector<Point>& points) {
   }
 }
 
-/// u W u W ...
+/// Reads breakpoints, positions and widths: "u W u W ...".
 bool read_width_list(std::string_view text, std::vector<WidthKnot>& widths) {
   NumberList numbers(text);
   for (;;) {
@@ -53,7 +53,7 @@ bool read_width_list(std::string_view text, std::vector<WidthKnot>& widths) {
   }
 }
 
-/// t t ...: one for each breakpoint.
+/// Reads one tone for each breakpoint: "t t ...".
 bool read_tone_list(std::string_view text, std::vector<WidthKnot>& widths) {
   NumberList numbers(text);
   for (WidthKnot& knot : widths) {
@@ -64,7 +64,7 @@ bool read_tone_list(std::string_view text, std::vector<WidthKnot>& widths) {
   return numbers.next(more) == Next::kEnd;
 }
 
-/// "scs": smooth, corner, smooth.
+/// Reads the kinds of the joints: "scs" is smooth, corner, smooth.
 bool read_joint_kinds(std::string_view text, std::vector<JointKind>& joints) {
   for (const char c : text) {
     if (c != 's' && c != 'c') return false;

@@ -19,7 +19,7 @@ struct NamedColor {
   std::string_view name;
   Rgba color;
 };
-/// The sixteen names of CSS 1 and orange.
+/// The sixteen colour names of CSS 1, and orange.
 constexpr std::array kInkmlColors = {
     NamedColor{"black", {0, 0, 0, 255}},      NamedColor{"silver", {192, 192, 192, 255}},
     NamedColor{"gray", {128, 128, 128, 255}}, NamedColor{"white", {255, 255, 255, 255}},
@@ -116,7 +116,7 @@ void Settings::remember(const pugi::xml_node& node, Ids& ids, int index) {
 }
 
 Context Settings::read_context(const pugi::xml_node& node) {
-  // A format in the context overrides that of its device, in any order.
+  // A format in the context overrides that of its device, whichever comes first.
   Context device, own;
   for (const pugi::xml_node& child : node.children()) {
     if (child.type() != pugi::node_element) continue;
@@ -247,7 +247,7 @@ int Settings::read_canvas(const pugi::xml_node& node) {
   return static_cast<int>(canvases_.size()) - 1;
 }
 
-// The first mapping goes from the device to the canvas, a second one back.
+// The first mapping converts from the device to the canvas, a second one back.
 int Settings::read_transform(const pugi::xml_node& node) {
   std::optional<Affine> map;
   int number = 0;

@@ -26,8 +26,8 @@ void append_step(std::string& out, double mm) {
   out.append(text.data(), end);
 }
 
-/// Part 0 is the head with the definitions. Then the strokes; the tags of a layer are written with
-/// its first and last part.
+/// Part 0 is the head with the definitions. The other parts are the strokes. The tags of a layer
+/// are written with its first and last part.
 class InkmlParts final : public DrawingParts {
  public:
   explicit InkmlParts(const Document& document)

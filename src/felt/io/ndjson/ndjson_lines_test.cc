@@ -11,7 +11,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Returns lines as "number:text"; a line that was too long as "number!".
+/// Returns lines as "number:text", or "number!" for a line that was too long.
 std::vector<std::string> lines_of(LineReader& reader, std::size_t enough_bytes) {
   std::vector<std::string> lines;
   LineBatch batch;

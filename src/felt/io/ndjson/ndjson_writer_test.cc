@@ -126,7 +126,7 @@ TEST(NdjsonWriter, ZeroKeepsItsSign) {
   EXPECT_TRUE(std::signbit(read_sketch(line).data.points[1].x)) << line;
 }
 
-/// Any double that a file may contain, many of them with all 17 digits.
+/// Generates any double that a file may contain, many of them with all 17 digits.
 rc::Gen<double> coordinates() {
   return rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), [](std::uint64_t bits) {
     double number = 0.0;
@@ -145,7 +145,7 @@ rc::Gen<double> shares() {
   return rc::gen::map(rc::gen::inRange(0, (1 << 20) + 1), [](int n) { return n / 1048576.0; });
 }
 
-/// Names with quotes, control and multi-byte characters.
+/// Generates names with quotes, control characters and multi-byte characters.
 rc::Gen<std::string> names() {
   return rc::gen::map(rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
                           "a", "\"", "\\", "\n", "\x01", "\xC3\xA9", "\xF0\x9F\x96\x8B", "/")),

@@ -13,10 +13,10 @@ namespace {
 
 /// Rows that are drawn at a time.
 constexpr int kBandRows = 256;
-/// Of 255. Below this coverage, at the edge of a stroke, the visible share of the ink is taken from
-/// the neighbouring pixels, because it cannot be measured reliably.
+/// If the coverage of a pixel (0..255) is below this, as at the edge of a stroke, its visible share
+/// of the ink cannot be measured reliably and is taken from the neighbouring pixels.
 constexpr std::uint8_t kSure = 48;
-/// Smallest value that rounding leaves of fully visible ink.
+/// Smallest value (0..255) that rounding can give to fully visible ink.
 constexpr std::uint8_t kWhole = 253;
 
 /// Returns the pixels that both the stroke and the area may touch, with a border of one pixel for

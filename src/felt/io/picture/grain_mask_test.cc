@@ -82,8 +82,8 @@ Image through(const GrainMask& mask, const Stroke& stroke) {
   return image;
 }
 
-// Outline and mask in another program look the same as the ink on screen, for all media and
-// surfaces.
+// For all media and surfaces, outline and mask look the same in another program as the ink on the
+// screen.
 TEST(GrainMask, OutlineThroughItIsTheInkOnTheScreen) {
   int masks_made = 0;
   for (const SurfaceMaterial& surface : surface_materials()) {
@@ -120,7 +120,7 @@ TEST(GrainMask, WhatLiesBesideTheSheetNeedsNone) {
   EXPECT_FALSE(masks.of(Stroke::create(data).value()).value());
   for (Point& p : data.points) p.x += 1e9;
   EXPECT_FALSE(masks.of(Stroke::create(data).value()).value());
-  for (Point& p : data.points) p.x -= 1e9 + 400.0;  // half of it lies there
+  for (Point& p : data.points) p.x -= 1e9 + 400.0;  // half of the line is there
   const auto mask = masks.of(Stroke::create(data).value()).value();
   ASSERT_TRUE(mask);
   EXPECT_LE(mask->area.x1, kSheet.x1 + 1.0);
@@ -141,7 +141,7 @@ TEST(GrainMask, IsBounded) {
   EXPECT_THAT(mask.error().message, HasSubstr("200 million pixels at 1200 dots per inch"));
 }
 
-// All strokes of a file share the finest grain that is possible for all of them.
+// All strokes of a file share the same grain, the finest that is possible for all of them.
 TEST(GrainMask, ForAllStrokesIsAsFineAsTheyFit) {
   const Rect page{0, 0, 297, 210};
   StrokeData data = wavy("pencil", 3.0).data();

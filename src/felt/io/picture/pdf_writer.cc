@@ -69,7 +69,7 @@ class Content {
     out_ += "re f\n";
   }
 
-  /// `mask` counts from 1; 0: all of the ink is visible.
+  /// Appends a stroke. `mask` is the number of its mask, from 1, or 0 if all of the ink is visible.
   void stroke(const Stroke& stroke, double tolerance_mm, std::size_t mask) {
     set_color(stroke.color());
     if (mask > 0) out_ += "q /G" + std::to_string(mask) + " gs\n";
@@ -133,7 +133,7 @@ std::size_t picture_of(std::size_t mask) {
   return kFirstMaskObject + 2 * (mask - 1);
 }
 
-/// Collects picture and group of each mask as bodies of objects.
+/// Collects the picture and the group of each mask as bodies of PDF objects.
 class Masks {
  public:
   [[nodiscard]] std::size_t count() const noexcept { return bodies_.size() / 2; }
@@ -177,8 +177,8 @@ std::string page_object(const Rect& area, const std::set<std::uint8_t>& alphas,
   std::string out = "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 ";
   append_pdf_number(out, area.width() * kPointsPerMm);
   append_pdf_number(out, area.height() * kPointsPerMm);
-  // A group makes transparency blend in device colours, which are close to sRGB, as everywhere else
-  // here.
+  // A group makes transparency blend in device colours, which are close to sRGB, the colours that
+  // Feltline uses everywhere else.
   out +=
       "] /Contents 4 0 R /Group << /S /Transparency /CS /DeviceRGB >> "
       "/Resources << /ExtGState <<";
@@ -218,8 +218,9 @@ Result<void> check(const Document& document, const PdfOptions& options, const Re
   return {};
 }
 
-/// Catalogue (1), pages (2) and the packed content of the page (4) come first. The length of the
-/// content (5), the page (3) and the masks follow when they are known.
+/// Makes a PDF file. Its objects catalogue (1), pages (2) and the packed content of the page (4)
+/// come first. The length of the content (5), the page (3) and the masks follow when they are
+/// known.
 class PdfParts final : public DrawingParts {
  public:
   PdfParts(const Document& document, const PdfOptions& options, const Rect& area)
@@ -236,7 +237,7 @@ class PdfParts final : public DrawingParts {
   }
 
   [[nodiscard]] std::size_t count() const override { return ranges_.size() + 1; }
-  // Masks are numbered in the order in which parts are made.
+  // Parts with masks must be made in order, because masks are numbered in that order.
   [[nodiscard]] bool any_order() const override { return !grain_; }
 
   Result<void> make(std::size_t i, DrawingPart& out) const override {
@@ -332,7 +333,7 @@ class PdfParts final : public DrawingParts {
   std::set<std::uint8_t> alphas_;
   std::uint64_t bytes_ = 0;
   std::uint32_t checksum_ = adler32_of({});
-  // Used by one thread only: any_order().
+  // Used by one thread only, because any_order() is false if this is set.
   mutable std::optional<GrainMasks> grain_;
   mutable Masks masks_;
 };

@@ -61,7 +61,7 @@ TEST(PdfWriter, WhatCannotBeAPageIsAnError) {
   EXPECT_FALSE(pdf_text({}, {.tolerance_mm = 0.0}));
 }
 
-/// Another program's picture of the file equals ours.
+/// The picture that another program makes of the file equals ours.
 TEST(PdfWriter, AnotherProgramSeesTheSameInk) {
   if (std::system("pdftoppm -v >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "pdftoppm is not installed (package poppler-utils)";

@@ -128,7 +128,7 @@ bool decode(png_structp png, png_infop info, Session& session) {
   return true;
 }
 
-/// Same, but decodes to one channel of 16 bits, high byte first.
+/// Decodes like decode(), but to one channel of 16 bits, high byte first.
 bool decode_grey(png_structp png, png_infop info, Session& session) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_read_fn(png, &session, on_read);

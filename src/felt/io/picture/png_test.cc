@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A picture with a different colour in every column; the right half is partly transparent.
+/// Returns a picture with a different colour in every column; the right half is partly transparent.
 Image sample(bool transparent) {
   Image image = Image::create(32, 8).value();
   for (int x = 0; x < 32; ++x) {
@@ -128,7 +128,8 @@ TEST(Png, AReliefThatIsDamagedOrNotThereIsAnErrorWithItsName) {
   EXPECT_THAT(bad.error().message, HasSubstr(path));
 }
 
-// The path may come from a material of somebody else, so reading must neither block nor be endless.
+// The path may come from a material that somebody else made, so reading must neither block nor go
+// on forever.
 TEST(Png, AReliefIsReadFromAFileOnly) {
   const std::string pipe = scratch_path("relief-pipe.png"), link = scratch_path("relief-link.png");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

@@ -45,7 +45,7 @@ class Joiner {
     }
     if (control_length(contour_.segment(i)) >= kMinSegmentMm &&
         control_length(c) >= kMinSegmentMm) {
-      set_places(waiting_from_, i, made());  // everything that was joined lies at its start
+      set_places(waiting_from_, i, made());  // joined parts have the position of its start
       append(c);
       waiting_ = false;
     } else if (const Point end = c.p[3]; waiting_ && distance(start_, end) >= kMinSegmentMm) {

@@ -182,7 +182,7 @@ std::optional<Rgba> hex_color(std::string_view text) {
   return color_from_text(doubled);
 }
 
-/// A number of a colour function and whether it was a percentage.
+/// An argument of a colour function: a number, or a percentage.
 struct Argument {
   double value = 0.0;
   bool percent = false;
@@ -220,7 +220,7 @@ std::optional<Rgba> rgb_color(const std::array<Argument, 4>& v, std::size_t n) {
               channel(alpha_of(v, n))};
 }
 
-/// CSS Color 3, 4.2.4.
+/// Converts HSL as in CSS Color 3, section 4.2.4.
 std::optional<Rgba> hsl_color(const std::array<Argument, 4>& v, std::size_t n) {
   if (!v[1].percent || !v[2].percent) return std::nullopt;
   double hue = std::fmod(v[0].value, 360.0);
@@ -272,7 +272,8 @@ std::optional<std::string_view> take_reference(SvgScan& scan) {
   return id.substr(1);
 }
 
-/// Reads a colour that may be followed only by another form of the same colour, for printing.
+/// Reads a whole text as a colour. The only thing that may follow it is icc-color(...), which is
+/// the same colour for printing.
 std::optional<Rgba> whole_color(std::string_view text) {
   SvgScan scan(svg_trimmed(text));
   const std::optional<Rgba> color = take_color(scan);

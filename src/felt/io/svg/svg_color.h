@@ -29,7 +29,8 @@ struct SvgPaint {
   Rgba fallback_color{0, 0, 0, 255};
 };
 
-/// Parses a paint. Returns nullopt if the property has an error; it is then treated as missing.
+/// Parses a paint. Returns nullopt if the property has an error. The property is then treated as
+/// missing.
 std::optional<SvgPaint> svg_paint(std::string_view text);
 
 /// Returns the id of "url(#id)", with or without quotes; empty if the text is not such a reference.

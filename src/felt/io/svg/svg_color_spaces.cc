@@ -106,7 +106,8 @@ Rgba from_hwb(const Triple& hwb, double alpha) noexcept {
   return from_srgb({part(0.0), part(8.0), part(4.0)}, alpha);
 }
 
-/// Reads three components, then "/ alpha". A percentage is a fraction of `full` of its component.
+/// Reads three components, then "/ alpha". A percentage refers to the value of the component in
+/// `full`.
 bool components(SvgScan& scan, const Triple& full, Triple& v, double& alpha) {
   for (std::size_t i = 0; i < 3; ++i) {
     scan.skip_comma();
@@ -154,7 +155,7 @@ std::size_t comma_of(std::string_view text) noexcept {
   return text.size();
 }
 
-/// "red 30%" or "30% red".
+/// A colour of color-mix() with its percentage: "red 30%" or "30% red".
 struct Mixed {
   Rgba color;
   std::optional<double> share;
@@ -206,7 +207,7 @@ std::optional<Rgba> color_mix(std::string_view text) {
       alpha / 255.0 * faded);
 }
 
-/// CSS Color 4, section 10, with the values of a light theme.
+/// Returns a system colour (CSS Color 4, section 10) with its value in a light theme.
 std::optional<Rgba> system_color(std::string_view name) {
   constexpr std::array<std::string_view, 4> kWhite{"Canvas", "Field", "HighlightText",
                                                    "AccentColorText"};

@@ -163,7 +163,8 @@ class SvgStyleSheet::Parser {
   }
 
  private:
-  /// Returns the declarations before the first nested rule. Those after it are ignored too.
+  /// Returns the declarations before the first nested rule. Nested rules and all declarations after
+  /// the first one are ignored.
   std::string_view without_nested_rules(std::string_view block) {
     const std::size_t brace = block.find('{');
     if (brace == std::string_view::npos) return block;

@@ -43,10 +43,10 @@ class SvgStyleSheet {
   /// Appends the text of a style element.
   void add(std::string_view css);
 
-  /// Calls back with every declaration that applies to an element. If two declarations set the same
-  /// property, the one with the greater `precedence` wins; the order of declarations with equal
-  /// precedence is unspecified. Returns false if the matching steps of this file are used up; rules
-  /// then no longer apply.
+  /// Calls back with every declaration that applies to an element. If several declarations set the
+  /// same property, the one with the greatest `precedence` wins; the order of declarations with
+  /// equal precedence is unspecified. Returns false if the matching steps of this file are used up;
+  /// rules then no longer apply.
   bool match(const pugi::xml_node& node,
              const std::function<void(const SvgDeclaration&, std::uint64_t precedence)>& found);
 

@@ -52,7 +52,7 @@ class Dasher {
     left_ = pattern_[index_];
   }
 
-  /// Starts a dash. One without length becomes a dot.
+  /// Starts a dash. A dash without length becomes a dot.
   void begin_dash(const Cubic& c, double at) {
     is_fresh_ = false;
     if (left_ > 0.0 || !is_drawn() || !keep_dots_) return;
@@ -76,7 +76,7 @@ class Dasher {
   std::size_t index_ = 0;
   double left_ = 0.0;
   bool is_fresh_ = true;  ///< no part of the current pattern length was used yet
-  bool open_ = false;     ///< the last dash continues
+  bool open_ = false;     ///< the last dash has not ended yet
 };
 
 }  // namespace

@@ -40,7 +40,7 @@ std::size_t find_doctype(std::string_view text) noexcept {
   return at;
 }
 
-/// Returns the start of its definitions, or npos if it has none.
+/// Returns the start of the definitions of the document type, or npos if it has none.
 std::size_t find_definitions(std::string_view text, std::size_t doctype) noexcept {
   if (doctype == std::string_view::npos) return doctype;
   char quote = 0;
@@ -85,14 +85,14 @@ class Definitions {
   }
 
  private:
-  /// Skips markup that begins with `start` here and ends with `end`. The two share no character
-  /// ("<!-->").
+  /// Skips markup that begins with `start` here and ends with `end`. The end must not overlap the
+  /// start, so "<!-->" does not end.
   void skip(std::string_view start, std::string_view end) {
     const std::size_t found = text_.find(end, at_ + start.size());
     at_ = found == std::string_view::npos ? text_.size() : found + end.size();
   }
 
-  /// <!ENTITY name "text">
+  /// Reads <!ENTITY name "text">.
   void definition() {
     const std::size_t begin = at_;
     char quote = 0;

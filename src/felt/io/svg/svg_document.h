@@ -19,8 +19,8 @@ inline constexpr std::string_view kSvgElementNamespace = "http://www.w3.org/2000
 /// A parsed file with all information about the whole file that the walk needs.
 class SvgDocument {
  public:
-  /// Parses a file. Fails if it is not XML, not SVG, or beyond a limit. The message has line and
-  /// reason.
+  /// Parses a file. Fails if it is not XML, not SVG, or beyond a limit. The message states the line
+  /// and the reason.
   static Result<std::unique_ptr<SvgDocument>> parse(std::string_view text);
 
   [[nodiscard]] pugi::xml_node root() const { return root_; }

@@ -60,7 +60,7 @@ TEST(SvgForeign, CurvesAreTakenAsTheyAre) {
 }
 
 TEST(SvgForeign, ShortSegmentsGoIntoTheirNeighbours) {
-  // A circle of 400 pieces of 0.03 mm, a dot, and a curve with a zero-length part.
+  // The path is a circle of 400 pieces of 0.03 mm, a dot, and a curve with a zero-length part.
   std::string d = "M12 10";
   for (int i = 1; i < 400; ++i) {
     const double a = 6.283185307179586 * i / 400.0;
@@ -261,7 +261,7 @@ TEST(SvgForeign, EntitiesAddLittle) {
   EXPECT_TRUE(with(kMax / 8 - 1, 8));
   EXPECT_TRUE(with(kMax / 8, 8));
   EXPECT_FALSE(with(kMax / 8, 9));
-  // Entities inside of entities; a billion laughs are refused.
+  // Entities inside entities are replaced; the "billion laughs" attack is refused.
   const Imported nested = imported(
       "<!DOCTYPE svg [<!ENTITY c 'red'><!ENTITY st 'stroke:&c;'>]>\n<svg "
       "xmlns='http://www.w3.org/2000/svg'><path style='&st;' d='M1 1h9'/></svg>");
@@ -310,7 +310,8 @@ TEST(SvgForeign, RepeatingElementsEnds) {
   EXPECT_THAT(notice_lines(many), HasSubstr("more curves than are taken"));
 }
 
-/// Work that is not a repeated element: each of these would take minutes without a limit.
+/// Tests work that is not repeated elements. Each of these files would take minutes without a
+/// limit.
 TEST(SvgForeign, HiddenWorkIsCounted) {
   const auto times = [](const std::string& text, int count) {
     std::string all;

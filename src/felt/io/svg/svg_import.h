@@ -17,7 +17,7 @@ namespace felt {
 ///
 /// `bytes` is the whole file and untrusted: time and memory are bounded by its size, and no other
 /// file is opened. Fails if it is not XML or SVG, was written by a newer Feltline, or exceeds a
-/// limit of limits.h. The message has line and reason.
+/// limit of limits.h. The message states the line and the reason.
 Result<Imported> import_svg(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace felt

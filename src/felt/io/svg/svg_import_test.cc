@@ -168,7 +168,7 @@ TEST(SvgImport, TonesComeBackAndDamagedOnesAreToldOf) {
   EXPECT_EQ(widths_in(text), data.widths);
   const std::string tones_attribute = "felt:tones=\"" + attribute_in(text, "felt:tones") + "\"";
   EXPECT_EQ(widths_in(changed(text, tones_attribute, ""))[0].tone, tone_of_width(1));
-  // Too few, too many, beyond 1, not a digit, missing.
+  // The tones are too few, too many, above 1, not digits, or missing.
   for (const char* tones : {"BA", "BAAA", "JAAAAAAAAAAAAAAAAQQ", "B!!", "x", "A"}) {
     SCOPED_TRACE(tones);
     const Imported back =
@@ -190,7 +190,7 @@ TEST(SvgImport, TonesAreInterpolatedWhereWidthsWereChanged) {
   EXPECT_EQ(widths, (std::vector<WidthKnot>{{0, 1, 0.0}, {0.25, 4, 0.25}, {1, 2, 1.0}}));
 }
 
-/// Our file, with a transform added by another program.
+/// Tests our file with a transform that another program added.
 TEST(SvgImport, OursIsMovedExactly) {
   const std::vector<Stroke> strokes = strokes_of_media(5, 4);
   const std::string text = svg_of_strokes(strokes);
@@ -232,7 +232,7 @@ TEST(SvgImport, OursIsMovedExactly) {
   }
 }
 
-/// Another program moved one joint: everything else is unchanged, to the last bit.
+/// If another program moved one joint, everything else is unchanged, to the last bit.
 TEST(SvgImport, WhatAnotherProgramMovedIsTakenAndTheRestStays) {
   StrokeData data = felt::testing::straight_stroke({0, 0}, {1.0 / 3.0, 2.0 / 7.0}, 1, 2).data();
   data.points.insert(data.points.end(), {{2, 1}, {3, 1}, {4.0 / 3.0, 1}});

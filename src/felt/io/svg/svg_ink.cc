@@ -19,7 +19,7 @@ namespace {
 
 /// Layer for ink that is in no layer of the file.
 constexpr const char* kLayerName = "Ink";
-/// Files can be written up to this distance.
+/// Notice for ink at a greater distance than files can hold.
 constexpr const char* kFar = "reaches farther than 1e9 mm and was left out";
 
 Rect bounds_mm(const SvgShape& shape) {
@@ -206,7 +206,7 @@ RoundDashes round_dashes(const SvgLine& line) {
   const auto inset = [&](std::size_t i) { return 0.5 * std::min(line.width, line.dashes[i]); };
   const std::size_t count = line.dashes.size();
   for (std::size_t i = 0; i < count; i += 2) {
-    if (line.dashes[i] == 0.0) return {line.dashes, line.dash_offset};  // they show nothing
+    if (line.dashes[i] == 0.0) return {line.dashes, line.dash_offset};  // dashes show nothing
     result.pattern[i] -= 2.0 * inset(i);
     result.pattern[i + 1] += inset(i) + inset((i + 2) % count);
     result.has_dots = result.has_dots || line.dashes[i] < line.width;

@@ -69,7 +69,7 @@ bool transform_argument(SvgScan& scan, double& value) {
   return true;
 }
 
-/// Rotation by degrees; quarter turns are exact.
+/// Returns the rotation about `center` by an angle in degrees. Quarter turns are exact.
 Affine turned(double deg, Point center) {
   const double quarter = std::fmod(deg, 360.0) / 90.0;
   if (quarter != std::floor(quarter)) {

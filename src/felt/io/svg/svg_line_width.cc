@@ -10,9 +10,9 @@
 namespace felt {
 namespace {
 
-/// Samples of a curved segment. A straight one has a single width.
+/// Number of samples of a curved segment. A straight segment has a single width.
 constexpr int kSamples = 8;
-/// How far before a corner the width begins to change to the one after it, in u.
+/// Distance of a knot from a corner, in u. The width changes between the knots on both sides.
 constexpr double kCornerU = 1e-3;
 
 class Stretched {
@@ -40,7 +40,8 @@ class Stretched {
     return size_ * norm(apply(back_, tangent(c, t)));
   }
 
-  /// At a corner the width jumps: two knots next to each other.
+  /// Adds a knot. At a corner the width jumps, so a knot there is moved by kCornerU, away from the
+  /// knot on the other side of the corner.
   void add(std::vector<WidthKnot>& knots, double u, double width, std::size_t joint,
            bool begins) const {
     const double end = static_cast<double>(line_.segment_count());

@@ -15,8 +15,8 @@ struct SvgLineWidths {
 };
 
 /// Returns the widths of a line that is `width` user units wide along `line` (in mm). `to_mm`
-/// transformed the line to the page. A stretched pen of width w is w |det| / |to_mm d| wide where
-/// it moves in the user direction d of length 1.
+/// transformed the line to the page. A pen of width w draws a line that is w |det| / |to_mm d| wide
+/// when it moves in the direction d, a vector of length 1 in user units.
 SvgLineWidths svg_line_widths(const SvgCenterLine& line, const Affine& to_mm, double width);
 
 }  // namespace felt

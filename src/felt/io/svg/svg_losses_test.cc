@@ -78,7 +78,7 @@ TEST(SvgLosses, AColourThatIsNotReadBecomesBlackAndIsTold) {
   ASSERT_EQ(read.strokes.size(), 1U);
   EXPECT_EQ(read.strokes[0].color(), kBlack);
   EXPECT_THAT(read.notices, HasSubstr("has a stroke that is not read, and became black"));
-  // CSS intends this: an older form before the new one is the fallback.
+  // This is how CSS is meant to work: an older form before the new one is the fallback.
   const ReadBack older(line("style='stroke:red;stroke:rgb(from blue r g b)'"));
   ASSERT_EQ(older.strokes.size(), 1U);
   EXPECT_EQ(older.strokes[0].color(), kRed);

@@ -25,7 +25,7 @@ struct CenterArc {
   }
 };
 
-/// SVG 1.1 F.6.5 and F.6.6. Requires radii above 0 and different ends.
+/// Computes an arc as in SVG 1.1, F.6.5 and F.6.6. Requires radii above 0 and different ends.
 CenterArc center_arc(Point from, Point to, Vec radii, double turn_rad, bool large, bool sweep) {
   const double cosine = std::cos(turn_rad), sine = std::sin(turn_rad);
   const Vec half = 0.5 * (from - to);
@@ -49,8 +49,8 @@ CenterArc center_arc(Point from, Point to, Vec radii, double turn_rad, bool larg
   return arc;
 }
 
-/// Decides whether the current point is the start. Relative commands in decimals return to it only
-/// up to rounding.
+/// Returns true if the current point is the start of the contour. Allows for rounding, because
+/// relative commands in decimals do not return to the start exactly.
 bool is_back(Point here, Point begin) noexcept {
   const double size = std::max({1.0, std::fabs(begin.x), std::fabs(begin.y)});
   return distance(here, begin) <= 1e-9 * size;
@@ -114,7 +114,7 @@ void SvgPathBuilder::arc(double rx, double ry, double turn_deg, bool large, bool
 
 void SvgPathBuilder::close() {
   if (!open_ && !moved_) return;  // already closed
-  // A move that is closed immediately is a dot, if caps make one.
+  // A move that is closed immediately becomes a dot if the line has caps.
   if (open_ && is_back(here_, begin_)) {
     contours_.back().points.back() = begin_;
   } else {

@@ -107,8 +107,8 @@ TEST(SvgPathData, ArcsLieOnTheirEllipse) {
     const SvgContour arc = builder.take().at(0);
     ASSERT_EQ(arc.points.front(), from);
     ASSERT_EQ(arc.points.back(), to);
-    // In units of the ellipse it is a part of a circle of radius 1, or larger if the radii were too
-    // small.
+    // In units of the ellipse, the arc is a part of a circle. Its radius is 1, or larger if the
+    // radii were too small.
     const Affine round =
         then(rotation(-turn * 3.14159265358979323846 / 180.0), scaling(1.0 / rx, 1.0 / ry));
     std::vector<Point> on;

@@ -16,8 +16,8 @@ class SvgScan {
   void skip_spaces() noexcept;
   /// Skips spaces with at most one comma among them.
   void skip_comma() noexcept;
-  /// Reads a number of SVG: sign, digits, point, exponent; "1e" is read as 1 followed by "e". At
-  /// most 64 characters.
+  /// Reads a number of SVG: sign, digits, point, exponent; "1e" is read as 1 followed by "e".
+  /// Accepts at most 64 characters.
   bool number(double& value) noexcept;
   /// Reads 0 or 1. No separator needs to follow.
   bool flag(bool& value) noexcept;

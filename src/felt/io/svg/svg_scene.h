@@ -96,7 +96,7 @@ class SvgSceneSink {
 
 /// Walks a file, without recursion. The views passed to the sink are valid until this returns.
 /// Fails if the file is not XML or SVG, was written by a newer Feltline, or exceeds a limit. The
-/// message has line and reason.
+/// message states the line and the reason.
 Result<void> read_svg_scene(std::string_view text, SvgSceneSink& sink);
 
 /// Returns "path 'leaf'", or "path" without an id.

@@ -24,8 +24,8 @@ struct SvgOutline {
 /// Returns true for path, rect, circle, ellipse, line, polyline, polygon.
 bool is_svg_shape(std::string_view name) noexcept;
 
-/// Returns the outline of an element with such a name, with at most `most_segments` curves. It is
-/// empty if sizes are zero, negative or missing, as the standard requires.
+/// Returns the outline of an element for which is_svg_shape() is true, with at most `most_segments`
+/// curves. It is empty if sizes are zero, negative or missing, as the standard requires.
 SvgOutline svg_outline(std::string_view name, const pugi::xml_node& node,
                        const SvgDeclared& declared, const SvgUnits& units,
                        std::size_t most_segments);

@@ -84,8 +84,8 @@ bool is_initial(std::string_view value) noexcept {
 
 std::optional<std::vector<double>> dash_list(std::string_view text, const SvgUnits& units);
 
-/// Returns true if a paint, colour, opacity or width can be read. If not, an earlier declaration
-/// stays. Values with variables are checked after the variables are replaced.
+/// Returns true if a paint, colour, opacity or width can be read. If it cannot be read, an earlier
+/// declaration stays valid. Values with variables are checked after the variables are replaced.
 bool is_readable(SvgProperty p, std::string_view value) {
   if (is_inherit(value) || is_initial(value)) return true;
   if (value.find("var(") != std::string_view::npos) return true;
@@ -189,7 +189,8 @@ std::optional<std::vector<double>> dash_list(std::string_view text, const SvgUni
   return dashes;
 }
 
-/// Keywords of CSS 2.1, 15.7, and lengths. A percentage is relative to the parent's size.
+/// Reads a font size: a keyword of CSS 2.1, section 15.7, or a length. A percentage is relative to
+/// the parent's size.
 std::optional<double> font_size(std::string_view value, double parent, const SvgUnits& units) {
   struct Word {
     std::string_view name;

@@ -80,7 +80,7 @@ class SvgDeclared {
   [[nodiscard]] std::string_view value_of(std::string_view name) const noexcept;
   /// The custom properties ("--name") that apply here. If null, those of the root apply.
   std::shared_ptr<const SvgVariables> variables;
-  /// A property that was declared only with unreadable values; empty if it does not exist.
+  /// A property that was declared only with unreadable values, or "" if all can be read.
   std::string_view unread;
 
   [[nodiscard]] std::string_view operator[](SvgProperty p) const noexcept {
@@ -96,9 +96,9 @@ class SvgDeclared {
 
 /// Collects the declarations of an element in CSS order: presentation attributes, then rules, then
 /// its style attribute, then `!important` ones. If the style attribute has comments, its text
-/// without them is stored in `clean_style`, which must live as long as the result.
-/// `declared.variables` is that of the parent before the call, and the element's own after it. An
-/// unreadable colour becomes black. Returns false if SvgStyleSheet::match does.
+/// without them is stored in `clean_style`, which must outlive the result. `declared.variables` are
+/// those of the parent before the call, and those of the element after it. An unreadable colour
+/// becomes black. Returns false if SvgStyleSheet::match returns false.
 bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string& clean_style,
                   SvgDeclared& declared);
 
@@ -107,7 +107,7 @@ enum class SvgJoin : std::uint8_t { kMiter, kRound, kBevel };
 
 /// The computed style of an element. Lengths are in its user units.
 struct SvgStyle {
-  // Inherited.
+  // Inherited properties.
   Rgba color{0, 0, 0, 255};
   SvgPaint fill{.kind = SvgPaint::Kind::kColor};
   SvgPaint stroke{};
@@ -124,7 +124,7 @@ struct SvgStyle {
   bool has_marker = false;
   bool reorders_paint = false;
   double font_size = 16.0;
-  // Not inherited.
+  // Properties that are not inherited.
   bool displayed = true;
   double opacity = 1.0;
   bool overflows = false;

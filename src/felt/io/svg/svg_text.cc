@@ -80,8 +80,8 @@ class PathText {
     here_ = relative(p[2]);
   }
 
-  /// Appends a curve of an outline. Skips it if it is shorter than a step or two, and draws a line
-  /// if its handles are that close to one.
+  /// Appends a curve of an outline. Skips it if all its points are within a step of the current
+  /// point. Draws a line instead if the handles are within kFlatSteps of that line.
   void edge(const Point* p) {
     const GridPoint h0 = on_grid(p[0]), h1 = on_grid(p[1]), end = on_grid(p[2]);
     const auto length = std::hypot(end.x - here_.x, end.y - here_.y);
@@ -104,9 +104,10 @@ class PathText {
   }
 
  private:
-  /// The distance between curve and line is then at most three quarters of this.
+  /// Largest distance of a handle from the line that replaces a curve. The distance between curve
+  /// and line is then at most three quarters of this distance.
   static constexpr double kFlatSteps = 2.0;
-  /// Limit that keeps products of differences exact.
+  /// Maximum length of a line that replaces a curve. It keeps products of differences exact.
   static constexpr double kLongestSteps = 1e7;
 
   [[nodiscard]] bool is_near(GridPoint g, std::int64_t steps) const noexcept {
@@ -157,7 +158,8 @@ void append_power_knots(std::string& out, const StrokeData& d) {
   }
 }
 
-/// Attributes that are omitted here have the value that Inkscape uses by default.
+/// Appends the PowerStroke. Attributes that are omitted have the value that Inkscape uses by
+/// default.
 void append_path_effect(std::string& out, const StrokeData& d, const std::string& number) {
   out += "<defs><inkscape:path-effect id=\"w" + number +
          "\" effect=\"powerstroke\" lpeversion=\"1.3\" "

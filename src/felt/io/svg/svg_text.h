@@ -36,7 +36,7 @@ inline constexpr double kSvgStepsPerMm = 1e3;
 /// The medium of strokes that specify none.
 inline constexpr std::string_view kSvgUsualMaterial = "pencil";
 
-/// The exact numbers of widths and tones are stored as differences from this.
+/// The exact numbers of widths and tones are stored as differences from this value.
 inline constexpr double kSvgWidthGuess = 1.0;
 
 /// Appends the XML declaration and the start of the root element, which shows `area` in mm at its
@@ -60,8 +60,8 @@ void append_svg_group_end(std::string& out);
 
 /// Appends one stroke: a filled path that any viewer shows correctly, with Inkscape's PowerStroke
 /// and our attributes. `number` makes the element ids unique. `tolerance_mm` applies to the
-/// outline; the model is written exactly. With a `mask` the path is seen through it; the path
-/// itself does not change. Call it inside a layer or group. Fails, and appends nothing, if XML
+/// outline; the model is written exactly. If `mask` is set, viewers show the path through it; the
+/// path itself does not change. Call it inside a layer or group. Fails, and appends nothing, if XML
 /// cannot hold the id or medium, or if a coordinate is beyond 1e9 mm.
 Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stroke& stroke,
                                std::size_t number, double tolerance_mm,

@@ -40,7 +40,7 @@ Result<SvgPowerKnots> svg_power_knots(const SvgVariableWidth& attributes, std::s
 constexpr std::size_t kMaxKnots = 1'000'000;
 constexpr int kSamplesBetweenKnots = 16;
 
-/// "t,w | t,w": w is half the width.
+/// Reads knots: "t,w | t,w". w is half the width.
 std::vector<WidthKnot> read_knots(std::string_view text, double scale) {
   std::vector<WidthKnot> knots;
   SvgScan scan(text, limits::kMaxSketchNumber);
@@ -180,7 +180,7 @@ bool read_tones(std::string_view text, std::vector<WidthKnot>& widths) {
   return true;
 }
 
-/// "scs": smooth, corner, smooth.
+/// Reads the kinds of the joints: "scs" is smooth, corner, smooth.
 bool read_joint_letters(std::string_view text, std::vector<JointKind>& joints) {
   for (const char c : text) {
     if (c != 's' && c != 'c') return false;
@@ -191,7 +191,7 @@ bool read_joint_letters(std::string_view text, std::vector<JointKind>& joints) {
 
 /// Reads the exact control points of a centre line that was rounded to steps.
 bool read_exact_points(std::string_view text, const SvgContour& line, std::vector<Point>& points) {
-  // Half a step, and some rounding.
+  // Half a step, and a margin for rounding.
   constexpr double kNearMm = 0.501 / kSvgStepsPerMm;
   // Adding zero turns -0 into 0, which is a different guess.
   const auto guess = [](double mm) {
@@ -278,7 +278,8 @@ bool same_widths(const std::vector<WidthKnot>& ours, const std::vector<WidthKnot
   return true;
 }
 
-/// Makes joints smooth again if they were bent by rounding, or makes them corners.
+/// Makes joints smooth again if rounding bent them. If another program bent a smooth joint, makes
+/// it a corner.
 void mend_joints(StrokeData& d, std::vector<std::string>& notices) {
   if (mend_rounding(d).corners == 0) return;
   notices.emplace_back("has a smooth joint that another program bent; it became a corner");

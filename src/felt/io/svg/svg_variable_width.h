@@ -13,13 +13,14 @@ namespace felt {
 /// A stroke that was stored in the attributes of a path, with notices of changes to it.
 struct SvgWideStroke {
   StrokeData data;
-  std::string id;  ///< ours; empty if it has none
+  std::string id;  ///< the id that Feltline gave it; empty if it has none
   std::vector<std::string> notices;
 };
 
-/// Reads the stroke: exactly, if it is ours and no other program changed the path; a PowerStroke of
-/// Inkscape from its knots. `to_mm` transforms it; if that is not a similarity, widths are scaled
-/// by the mean. Fails if the attributes do not make a stroke; the caller then uses the outline.
+/// Reads the stroke. If Feltline wrote it and no other program changed the path, it is exact. A
+/// PowerStroke of Inkscape is built from its knots. `to_mm` transforms it; if that is not a
+/// similarity, widths are scaled by the mean. Fails if the attributes do not make a stroke; the
+/// caller then uses the outline.
 Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& attributes, const Affine& to_mm);
 
 /// Returns true if a transform is a similarity: it rotates, mirrors, moves, and scales all

@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kMaxVariableNesting = 8;
 constexpr std::size_t kMaxBytes = 4096;
-/// Limit for one value. Each replacement counts as kReplacementBytes more than the text it reads.
+/// Maximum number of bytes that one value may read. Each replacement counts kReplacementBytes in
+/// addition to the text that it reads.
 constexpr std::size_t kMaxReadBytes = std::size_t{64} << 10, kReplacementBytes = 16;
 constexpr std::string_view kVar = "var(";
 
@@ -31,8 +32,9 @@ std::size_t closing(std::string_view text) noexcept {
   return std::string_view::npos;
 }
 
-/// Limits of nesting and length do not bound the work: with empty fallbacks, a few values of 30
-/// variables each need 10^10 replacements by nothing. `bytes_left` bounds it.
+/// Returns the value with its variables replaced. `bytes_left` bounds the work. Limits of nesting
+/// and length would not: with empty fallbacks, a few values of 30 variables each need 10^10
+/// replacements by nothing.
 std::optional<std::string> replaced(std::string_view value, const SvgVariables& variables,
                                     int nesting, std::size_t& bytes_left) {
   if (nesting > kMaxVariableNesting || !spend(kReplacementBytes + value.size(), bytes_left)) {

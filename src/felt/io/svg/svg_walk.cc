@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 9> kAnimations{
     "animate", "animateColor", "animateMotion", "animateTransform", "discard",
     "handler", "script",       "set",           "listener"};
 
-/// Bytes that each node and attribute counts in the budget for `use`.
+/// Bytes that each node and each attribute costs in the budget for `use`.
 constexpr std::int64_t kNodeBytes = 16;
 /// Largest number of children that are examined: of a switch, and of a shape, to find animations.
 constexpr int kMaxChoices = 1000;
@@ -59,8 +59,8 @@ bool is_given(std::string_view reference) noexcept {
          !svg_same_word(reference, "inherit") && !svg_same_word(reference, "initial");
 }
 
-/// Returns the size of a viewport: that of the `use` that repeats it, else its own, else that of
-/// the outer one.
+/// Returns the size of a viewport: the size of the `use` that repeats it, or its own size, or that
+/// of the outer viewport, whichever is given first.
 double viewport_size(const pugi::xml_node& node, const pugi::xml_node& use, const char* name,
                      SvgAxis axis, const SvgUnits& units) {
   if (use) {

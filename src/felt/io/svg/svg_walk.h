@@ -36,7 +36,7 @@ class SvgWalker {
     std::shared_ptr<const SvgVariables> variables;
     SvgLayer layer;
   };
-  /// An element that has its children visited.
+  /// An element while its children are visited.
   struct Frame {
     pugi::xml_node node, next;
     bool only_one = false;  ///< only `next` itself is visited, not its siblings: for use and switch

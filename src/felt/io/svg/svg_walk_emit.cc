@@ -19,8 +19,8 @@ namespace felt {
 namespace {
 
 /// The single colour that replaces a gradient or pattern: the mean of a gradient from 0 to 1, grey
-/// for patterns. There is no colour if no such element paints, or if a gradient has no stops and so
-/// paints nothing. `current` is the value of currentColor.
+/// for patterns. The colour is missing if the element does not paint, or if it is a gradient
+/// without stops. `current` is the value of currentColor.
 struct SvgServerColor {
   bool paints = false;  ///< the id is that of a gradient, pattern or similar
   std::optional<Rgba> color;
@@ -30,7 +30,8 @@ struct SvgServerColor {
 SvgServerColor svg_server_color(SvgDocument& document, std::string_view id, Rgba current);
 
 constexpr int kMaxLinks = 16;
-/// Stops are searched among this many children, because every shape may repeat the search.
+/// Maximum number of children that are searched for stops. It is limited because every shape may
+/// repeat the search.
 constexpr int kMaxChildren = 100;
 
 /// Computes the mean of a gradient from stop to stop. Colours are weighted by their alpha.
@@ -228,7 +229,7 @@ void SvgWalker::draw_line(const Element& e, SvgShape& shape) {
     line.dashes = *style.dashes;
     dash_scale = path_length_scale(e.node.attribute("pathLength").value(), shape.contours);
   }
-  // As wide as on a page without any transform: 1 px is 1/96 inch.
+  // Makes the line as wide as on a page without a transform: 1 px is 1/96 inch.
   const double scale = std::sqrt(std::fabs(determinant(shape.to_mm))) / kSvgMmPerPx;
   if (!style.scales_line && scale > 0.0) {
     line.width /= scale;

@@ -12,8 +12,8 @@ constexpr Rgba kNoPaper{255, 255, 255, 0};
 
 enum class SvgLayers { kWritten, kLeftOut };
 
-/// Part 0 is the head. Then the strokes; the tags of a layer are written with its first and last
-/// part.
+/// Part 0 is the head. The other parts are the strokes. The tags of a layer are written with its
+/// first and last part.
 class SvgParts final : public DrawingParts {
  public:
   SvgParts(const Document& document, const SvgOptions& options, const Rect& area, std::string head,
@@ -84,7 +84,7 @@ class SvgParts final : public DrawingParts {
   double tolerance_mm_;
   std::string head_;
   SvgLayers layers_;
-  mutable std::optional<GrainMasks> masks_;  // used by one thread only: any_order()
+  mutable std::optional<GrainMasks> masks_;  // one thread only, because any_order() is false
 };
 
 }  // namespace

@@ -74,7 +74,7 @@ class ExactText {
   std::string text_;
 };
 
-/// Control points in steps of 0.001 mm, from relative commands in mm.
+/// Returns the control points in steps of 0.001 mm, from relative commands in mm.
 std::vector<Point> steps_of(std::string text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (std::string_view("MCcz").find(text[i]) != std::string_view::npos) text[i] = ' ';
@@ -201,7 +201,7 @@ TEST(SvgWriter, R53_TheWrittenPathIsWithinAHundredthOfAMillimetre) {
   EXPECT_EQ(i, strokes.size());
 }
 
-/// It was 6.6 kB per stroke before steps and exact numbers were introduced.
+/// A stroke took 6.6 kB before steps and exact numbers were introduced.
 TEST(SvgWriter, R53_AStrokeTakesFewBytes) {
   const std::vector<Stroke> strokes = strokes_in_rows(100, 60);
   EXPECT_LE(stream_text(strokes).size() / strokes.size(), kMaxBytesAStroke);

@@ -101,8 +101,8 @@ class TagCounter {
   [[nodiscard]] bool starts(std::string_view word) const {
     return text_.substr(at_, word.size()) == word;
   }
-  /// Skips markup that begins with `start` here and ends with `end`. The two share no character
-  /// ("<!-->").
+  /// Skips markup that begins with `start` here and ends with `end`. The end must not overlap the
+  /// start, so "<!-->" does not end.
   void skip(std::string_view start, std::string_view end) {
     const std::size_t found = text_.find(end, at_ + start.size());
     at_ = found == std::string_view::npos ? text_.size() : found + end.size();
@@ -112,7 +112,7 @@ class TagCounter {
   }
 
   // Refuses a document type with an internal subset, because that could define entities that
-  // expand. Without one it only names the kind of document.
+  // expand. Without an internal subset, a document type only names the kind of document.
   Result<void> document_type() {
     const std::size_t end = text_.find_first_of("[>", at_);
     if (end != std::string_view::npos && text_[end] == '[') {

@@ -22,11 +22,11 @@ struct XmlLimits {
 
 /// An untrusted XML document, read within limits: no internal DTD (hence no entities except the
 /// five of XML), bounded size, depth and number of elements, all checked before the tree is built.
-/// Encodings: UTF-8, UTF-16, and ISO-8859-1 if the declaration says so. Private to this layer,
+/// Accepts UTF-8, UTF-16, and ISO-8859-1 if the declaration names it. Private to this layer,
 /// because it exposes the XML library.
 class XmlInput {
  public:
-  /// Parses a document. Fails if it is not well-formed or beyond the limits; the message has the
+  /// Parses a document. Fails if it is not well-formed or beyond the limits; the message states the
   /// line.
   static Result<XmlInput> parse(std::string_view bytes, const XmlLimits& limits = {});
 
@@ -48,7 +48,8 @@ class XmlInput {
 /// Returns the name of an element or attribute without its prefix.
 std::string_view xml_local_name(std::string_view name) noexcept;
 
-/// Returns the prefix, with its colon, that `root` gives to a namespace ("felt:"); empty if none.
+/// Returns the prefix, with its colon, that `root` gives to a namespace ("felt:"), or "" if it has
+/// none.
 std::string xml_prefix_of(const pugi::xml_node& root, std::string_view space);
 
 /// Returns all text directly inside an element, without comments.

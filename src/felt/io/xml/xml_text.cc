@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-/// The production Char of XML 1.0.
+/// Returns true if the character is a Char of XML 1.0.
 bool allowed_in_xml(std::uint32_t code) noexcept {
   return code == 0x9 || code == 0xa || code == 0xd ||
          (code >= 0x20 && code != 0xfffe && code != 0xffff);
@@ -47,7 +47,7 @@ Result<void> append_xml_attribute(std::string& out, std::string_view text) {
       case '"':
         escaped += "&quot;";
         break;
-      // Written as themselves, parsers would turn these into spaces.
+      // Parsers would turn these characters into spaces if they were not escaped.
       case '\t':
         escaped += "&#9;";
         break;

@@ -29,7 +29,7 @@ struct ColorName {
   std::string_view name;
   Rgba color;
 };
-/// Names of colours in Xournal's files; the last five are of paper.
+/// Names of colours in files of Xournal. The last five are colours of paper.
 constexpr std::array kXoppColors = {ColorName{"black", {0x00, 0x00, 0x00, 255}},
                                     ColorName{"blue", {0x33, 0x33, 0xcc, 255}},
                                     ColorName{"red", {0xff, 0x00, 0x00, 255}},
@@ -168,7 +168,7 @@ class XoppReader {
         notice(child, "is unknown and was left out");
       }
     }
-    // A page without ink gets no layer.
+    // If there are several pages, a page without ink gets no layer.
     if (several_pages_ && strokes.empty()) return;
     const std::size_t layer = builder_.add_layer({std::move(label)});
     for (Stroke& stroke : strokes) builder_.add(layer, std::move(stroke));
@@ -266,7 +266,7 @@ class XoppReader {
     while (next == Next::kNumber && (next = numbers.next(width_pt)) == Next::kNumber) {
       pieces_.push_back(width_pt);
     }
-    if (pieces_.empty() && next == Next::kEnd) {  // MrWriter stores them there
+    if (pieces_.empty() && next == Next::kEnd) {  // MrWriter stores widths as pressures
       NumberList pressures(node.attribute("pressures").value());
       while ((next = pressures.next(width_pt)) == Next::kNumber) pieces_.push_back(width_pt);
     }

@@ -70,8 +70,8 @@ class WideLine {
   std::vector<WidePoint> line_;
 };
 
-/// Part 0 is the head. Then the strokes; the tags of a layer are written with its first and last
-/// part.
+/// Part 0 is the head. The other parts are the strokes. The tags of a layer are written with its
+/// first and last part.
 class XoppParts final : public DrawingParts {
  public:
   XoppParts(const Drawing& drawing, const std::optional<Rgba>& paper)

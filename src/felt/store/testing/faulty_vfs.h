@@ -14,8 +14,8 @@ namespace felt::testing {
 /// Kinds of calls that SQLite makes on a file.
 enum class DiskCall { kOpen, kWrite, kSync };
 
-/// A file system for tests: that of the system, with faults on request. Registered as "faulty" once
-/// for the whole program.
+/// A file system for tests: the real file system, with faults on request. Registered as "faulty"
+/// once for the whole program.
 class FaultyVfs {
  public:
   static FaultyVfs& the() {
@@ -25,7 +25,7 @@ class FaultyVfs {
   static constexpr const char* kName = "faulty";
 
   /// Called before each call is carried out: SQLITE_OK lets it through, anything else is its
-  /// result. On the caller's thread.
+  /// result. Runs on the caller's thread.
   std::function<int(DiskCall, const std::string& path)> judge;
   /// While a test holds this lock, the disk stalls.
   std::mutex stall;
@@ -41,7 +41,7 @@ class FaultyVfs {
   struct File {
     sqlite3_file base;
     std::string* path;
-    sqlite3_file* real;  // behind this
+    sqlite3_file* real;  // the file in the real file system
   };
 
   FaultyVfs() {
@@ -88,7 +88,7 @@ class FaultyVfs {
   static int write(sqlite3_file* f, const void* bytes, int count, sqlite3_int64 at) {
     const int code = ask(DiskCall::kWrite, *of(f)->path);
     if (code == SQLITE_OK) return real(f)->xWrite(of(f)->real, bytes, count, at);
-    // A failing disk may have written half of it.
+    // A failing disk may have written half of the bytes.
     if (count > 1) real(f)->xWrite(of(f)->real, bytes, count / 2, at);
     return code;
   }
@@ -97,7 +97,8 @@ class FaultyVfs {
     return code == SQLITE_OK ? real(f)->xSync(of(f)->real, flags) : code;
   }
 
-  /// Version 1: no shared memory and no mapping, because an exclusive lock does not need them.
+  /// Returns methods of version 1, without shared memory and mapping, because an exclusive lock
+  /// does not need them.
   static const sqlite3_io_methods& methods() {
     static const sqlite3_io_methods table = [] {
       sqlite3_io_methods m{};

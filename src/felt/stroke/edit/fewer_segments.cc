@@ -1,9 +1,10 @@
-// The second half of subdivide.h: replaces runs of segments by one cubic each.
+// Implements the second half of subdivide.h: replaces runs of segments by one cubic each.
 //
 // From each joint, `longest` tries ever longer runs, then finds the limit by bisection. RunFit fits
-// one cubic to points of a run: the end points and tangents are given, least squares finds the two
-// handle lengths, the parameters move to the feet of the points, and so on. A fit is accepted only
-// if the curve is within the tolerance everywhere, not just at the points (is_within).
+// one cubic to points of a run: the end points and tangents are given. Two steps alternate: least
+// squares finds the two handle lengths, then the parameter of each point moves towards the nearest
+// point of the curve. A fit is accepted only if the curve is within the tolerance everywhere, not
+// just at the points (is_within).
 
 #include <algorithm>
 #include <array>
@@ -22,25 +23,28 @@ using Match = ProfileBuilder::Match;
 
 /// The tolerance of the widths along a merged run.
 constexpr double kWidthToleranceMm = 0.005;
-/// The longest run, in segments, and the number of points taken on each segment of it.
+/// The maximum length of a run, in segments, and the number of points on each of its segments.
 constexpr int kMaxRun = 96;
 constexpr int kPlaces = 4;
-/// The most least-squares rounds of a fit.
+/// The maximum number of least-squares rounds of a fit.
 constexpr int kSearchRounds = 16;
-/// A fit is given up if it is still kHopeless tolerances away after kPatience rounds.
+/// A fit is abandoned if it is still kHopeless tolerances away after kPatience rounds.
 constexpr int kPatience = 4;
 constexpr double kHopeless = 3.0;
 /// The weight of a distance along the curve, compared with the distance from its tangent line.
 constexpr double kTangentWeight = 0.01;
-/// The limits of the handle lengths, as shares of the length of the run: neither zero nor crossing.
+/// The limits of the handle lengths, as shares of the length of the run, so that handles are not
+/// zero and do not cross.
 constexpr double kMinHandle = 0.04;
 constexpr double kMaxHandle = 1.0;
 /// The accuracy with which the curve goes through the point `through`, mm.
 constexpr double kMeetMm = 1e-11;
-/// The most steps to get there, for the handles and for the parameter of the point.
+/// The maximum number of steps until the curve goes through that point, for the handles and for the
+/// parameter of the point.
 constexpr int kMeetRounds = 8;
 constexpr int kFootRounds = 4;
-/// Each run tried is longer by 1/kGrowth, until kFailures runs in a row did not fit.
+/// Each run that is tried is about 1/kGrowth longer than the one before. The search stops when
+/// kFailures runs in a row do not fit.
 constexpr int kGrowth = 3;
 constexpr int kFailures = 3;
 
@@ -69,7 +73,8 @@ class RunFit {
     set_handles(length_ / 3.0, length_ / 3.0);
   }
 
-  /// Fits the curve. Returns true if it is within the tolerance of the run, and vice versa.
+  /// Fits the curve. Returns true if the curve and the run are within the tolerance of each other,
+  /// and the curve is long enough for a segment.
   bool fit(double tolerance_mm) {
     if (!(length_ > 0.0)) return false;
     for (int round = 0; round < kSearchRounds; ++round) {
@@ -164,7 +169,8 @@ class RunFit {
     return false;
   }
 
-  /// Moves each parameter one step towards the foot of its point, and keeps them in order.
+  /// Moves each parameter one step towards the nearest point of the curve, and keeps the parameters
+  /// in order.
   void place() {
     for (std::size_t k = 1; k + 1 < places_.size(); ++k) {
       const Vec d = derivative(curve_, t_[k]);

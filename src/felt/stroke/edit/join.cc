@@ -13,15 +13,15 @@ namespace {
 /// The accuracy of lengths along a stroke, mm: finer than the eye can see.
 constexpr double kLengthAccuracy = 1e-3;
 
-/// A zero handle at a smooth joint gets this length, so that it has a direction and does not depend
-/// on control points that move elsewhere. The curve moves by less than a micrometre.
+/// A zero handle at a smooth joint gets this length, so that it has a direction of its own, which
+/// does not change if control points elsewhere move. The curve moves by less than a micrometre.
 constexpr double kStandingHandleMm = 1e-3;
 
 tl::unexpected<Error> refuse(const char* why) {
   return fail(ErrorCode::kInvalidArgument, why);
 }
 
-/// Returns 1 at x = 0 and 0 from x = 1 on, with zero slope at both.
+/// Returns 1 at x = 0 and 0 from x = 1 on, with slope 0 at both.
 double fade(double x) noexcept {
   return x < 1.0 ? 1.0 - x * x * (3.0 - 2.0 * x) : 0.0;
 }
@@ -93,7 +93,7 @@ std::size_t cut_at(const Stroke& stroke, StrokeTip tip, double u, StrokeData& da
 /// Returns the u at arc length `length` from the tip; `lengths` are those at the n + 1 joints.
 double parameter_at(const Stroke& stroke, StrokeTip tip, const std::vector<double>& lengths,
                     double length) {
-  std::size_t i = 0;  // the segment with one end nearer than `length`, and the other not
+  std::size_t i = 0;  // the segment that contains arc length `length`
   const auto beyond = [&](std::size_t k) { return lengths[k] > length; };
   while (i + 2 < lengths.size() && beyond(i) == beyond(i + 1)) ++i;
   const Cubic c = stroke.segment(static_cast<int>(i));
@@ -146,7 +146,7 @@ class TipZone {
     return is_smooth(j) ? tangent(segment_of(data_, j - 1), 1.0) : Vec{};
   }
 
-  /// Moves a joint with its handles; a smooth one keeps its tangent.
+  /// Moves a joint with its handles. A smooth joint keeps its tangent.
   void move(std::size_t j, Vec by, Vec direction) {
     const std::size_t k = 3 * j;
     data_.points[k] += by;

@@ -43,7 +43,8 @@ Point end_of(const Stroke& s) {
   return tip_point(s, StrokeTip::kEnd);
 }
 
-/// Return a straight stroke of 40 mm to the origin, or from it at an angle.
+/// These return a straight stroke of 40 mm that ends in the origin, or that starts there at an
+/// angle.
 Stroke arriving() {
   return testing::straight_stroke({-40, 0}, {0, 0}, 1.0, 2.0);
 }
@@ -151,7 +152,7 @@ TEST(Joined, R45_SmoothBelowThirtyDegreesElseCorner) {
       const double turn = angle_between(in, out) * kRadian;
       if (kind == JointKind::kSmooth) {
         EXPECT_LE(turn, kSmoothJointMaxDeg);
-        // Has the average direction.
+        // The tangent has the average direction.
         EXPECT_NEAR(std::atan2(in.y, in.x) * kRadian, sign * deg / 2, 1e-9);
       } else {
         EXPECT_NEAR(turn, deg, 1e-9);
@@ -192,7 +193,7 @@ TEST(Joined, AnyTwoStrokesMakeOneWithTheInvariantsAndTheirWidths) {
   for (std::size_t i = 1; i < strokes.size(); ++i) {
     SCOPED_TRACE(i);
     const Stroke& a = strokes[i - 1];
-    // Moves the second one to the end of the first.
+    // Moves the second stroke to the end of the first.
     StrokeData moved = strokes[i].data();
     const Vec by = end_of(a) - moved.points.front();
     for (Point& p : moved.points) p += by;

@@ -67,7 +67,8 @@ bool out_arm_is_free(const StrokeData& d, const SmoothJoint& j, std::size_t arm)
          !(d.points[start + 2] == d.points[start + 3] && is_smooth(d, start + 3));
 }
 
-/// Marks, in which both copies of the seam of a closed stroke are one point.
+/// Sets marks of the points of a stroke. The first and the last point of a closed stroke are the
+/// same point, so they are marked together.
 class Marker {
  public:
   Marker(const StrokeData& d, std::span<std::uint8_t> marks) : d_(d), marks_(marks) {}
@@ -81,7 +82,7 @@ class Marker {
     if (d_.closed && i == 0) marks_[last] = 1;
     if (d_.closed && i == last) marks_[0] = 1;
   }
-  /// Applies the rules of one joint.
+  /// Marks the points at one joint that must move if the marked points do.
   void settle(const SmoothJoint& j) {
     const std::size_t in = in_arm(d_, j), out = out_arm(d_, j);
     if (!is_set(j.point) && must_be_set(j, in, out)) set(j.point);
@@ -111,8 +112,8 @@ class Marker {
   bool changed_ = false;
 };
 
-/// Returns `handle` rotated about `joint` to point away from `arm`, with the same length. Unchanged
-/// if the arm has no length.
+/// Returns `handle` rotated about `joint` to point away from `arm`, with the same length. Returns
+/// it unchanged if the arm has no length.
 Point turned(Point joint, Point handle, Point arm) {
   const Vec way = normalized(joint - arm);
   return way == Vec{} ? handle : joint + distance(joint, handle) * way;
@@ -144,14 +145,16 @@ void move_points(const StrokeData& before, std::span<const std::uint8_t> marks, 
   }
 }
 
-/// Rotates a handle if that is necessary to keep the joint smooth. `points` are the mapped ones.
+/// Rotates a handle if that is necessary to keep the joint smooth. `points` are the points after
+/// the mapping.
 void keep_smooth(const StrokeData& before, const SmoothJoint& j,
                  std::span<const std::uint8_t> marks, bool keeps_angles,
                  std::vector<Point>& points) {
   const std::size_t in = in_arm(before, j), out = out_arm(before, j);
   const Point joint = points[j.point];
   if (marks[j.point]) {
-    // A non-uniform scaling magnifies the remaining angle, by 20 : 0.05 at most.
+    // A map that keeps angles also keeps the joint smooth. A non-uniform scaling magnifies the
+    // small angle between the handles, by 20 : 0.05 at most.
     if (keeps_angles) return;
     const double turn = angle_between(joint - points[in], points[out] - joint);
     if (turn <= 0.1 * kSmoothJointMaxDeg * std::numbers::pi / 180.0) return;
@@ -179,7 +182,7 @@ double scaled_width(double width_mm, double factor) {
 }
 
 /// Returns the profile with its breakpoints scaled, and a new breakpoint at every joint where the
-/// factor starts or ends to fade.
+/// factor starts or stops changing.
 std::vector<WidthKnot> scaled_widths(const StrokeData& d, std::span<const std::uint8_t> marks,
                                      double factor) {
   std::vector<WidthKnot> knots = d.widths;
@@ -242,7 +245,8 @@ std::vector<std::size_t> anchors(const Stroke& stroke, std::span<const std::uint
   const std::size_t size = stroke.data().points.size();
   if (marks.size() != size) return {};
   const std::size_t m = closed ? size - 1 : size;  // counts the seam once
-  // For each point the next and the last unmarked on-curve point. Goes round a closed stroke twice.
+  // For each point, the next and the previous unmarked on-curve point. The loops go round a closed
+  // stroke twice.
   std::vector<std::size_t> next(m, kNone), last(m, kNone);
   const std::size_t rounds = closed ? 2 * m : m;
   std::size_t seen = kNone;

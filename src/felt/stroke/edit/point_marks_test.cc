@@ -54,7 +54,7 @@ Stroke chain(int n, bool closed, JointKind kind) {
   return Stroke::create(std::move(d)).value();
 }
 
-/// Random strokes; every other closed one is also smooth at its seam.
+/// Returns a random stroke. Every other closed stroke is also smooth at its seam.
 Stroke any_stroke(std::uint64_t seed) {
   StrokeData d = testing::RandomStroke(seed).make();
   const std::size_t last = d.points.size() - 1;
@@ -152,7 +152,7 @@ TEST(PointMarks, R32_AnyLassoAndAnySimilarityKeepTheInvariants) {
                              const Marks& marks) {
     const auto result = with_marked_moved(stroke, marks, any_similarity(random));
     if (!result) {
-      // It fails only with I5: a segment became too short.
+      // It fails only because of I5, if a segment became too short.
       EXPECT_EQ(result.error().message.substr(0, 2), "I5") << "seed " << seed;
       return;
     }

@@ -40,7 +40,7 @@ struct Span {
   [[nodiscard]] bool cut(int i) const noexcept { return end_t(i) - begin_t(i) < 1.0; }
 };
 
-/// Appends the breakpoints of segment i of the span, except that at its end.
+/// Appends the breakpoints of segment i of the span, except the breakpoint at its end.
 void append_widths(const Stroke& stroke, const Span& span, int i, std::vector<WidthKnot>& out) {
   const auto knots = stroke.widths();
   const int segment = i % stroke.segment_count();
@@ -61,7 +61,7 @@ void append_widths(const Stroke& stroke, const Span& span, int i, std::vector<Wi
 }
 
 /// At the seam of a closed stroke the profile may step from its last to its first width or tone.
-/// Keeps the step, one unit in the last place wide.
+/// Appends the step as two breakpoints that are one unit in the last place apart.
 void append_seam(const Stroke& stroke, double u, std::vector<WidthKnot>& out) {
   const WidthKnot& before = stroke.widths().back();
   const WidthKnot& after = stroke.widths().front();

@@ -10,7 +10,7 @@
 namespace felt {
 namespace {
 
-/// The accuracy of lengths that decide about slivers, mm.
+/// The accuracy of the lengths that decide if a part is too short (a sliver), mm.
 constexpr double kExactLength = 1e-9;
 
 /// Returns both parts of c. Zero handles are kept exactly zero, because rounding would give them a

@@ -104,7 +104,7 @@ TEST(Subdivided, NeverMakesSlivers) {
   fine = subdivided(s, std::array{0.0, 1.0}, &joints);
   EXPECT_EQ(*fine, s);
   EXPECT_EQ(joints, (std::vector{0, 1}));
-  // Shorter than two slivers: there is no room for a joint.
+  // The stroke is shorter than two slivers, so a joint does not fit.
   const Stroke dot = testing::straight_stroke({0, 0}, {0.06, 0}, 1, 1);
   EXPECT_EQ(*subdivided(dot, std::array{0.5}), dot);
 }

@@ -27,8 +27,9 @@ double distance_to_segment(Point p, Point a, Point b) noexcept {
   return distance(p, a + t * along);
 }
 
-// Returns the number of steps from sample k to the first sample that is `reach` away from it. 0 if
-// the path to it is a detour; kOpen if the samples end before either is known.
+// Returns the number of steps from sample k to the first sample that is `reach` away from it.
+// Returns 0 if the path to that sample is a detour, and kOpen if the samples end before this is
+// known.
 std::size_t steps_to(const KeptSamples& w, std::size_t k, Way way, double reach) noexcept {
   const Point p = w.point(k);
   const double squared = reach * reach, longest = CornerDetector::kCornerDetour * reach;
@@ -88,8 +89,9 @@ Vec half_chord(const KeptSamples& w, std::size_t k, Way way, const Arm& arm) noe
 
 // Returns the turn of the ink at sample k in radians if it may be a corner, else 0.
 double corner_turn(const KeptSamples& w, std::size_t k) noexcept {
-  // Tests in order of cost: the turn of the chords, then without the part that the arms can cause,
-  // then with arms of half the length (see the header).
+  // Makes three tests, the cheapest first: of the turn between the chords, of this turn without the
+  // part that bent arms can cause, and of the turn between arms of half the length (see the
+  // header).
   const Arm back = find_arm(w, k, Way::kBack);
   if (back.steps == 0) return 0.0;
   const Arm on = find_arm(w, k, Way::kOn);
@@ -105,8 +107,8 @@ double corner_turn(const KeptSamples& w, std::size_t k) noexcept {
   return near_turn < CornerDetector::kCornerPersistence * turn ? 0.0 : turn;
 }
 
-// Returns true if no other turn within one arm is larger; of equal ones the first counts. Requires
-// a turn at sample k, and therefore arms.
+// Returns true if no other turn within one arm is larger. If two turns are equal, the first one
+// counts. Requires that sample k has a turn, and therefore arms.
 bool is_largest(const KeptSamples& w, std::size_t k) noexcept {
   const std::size_t back = steps_to(w, k, Way::kBack, corner_reach(w));
   for (std::size_t step = 1; step < back; ++step) {

@@ -91,7 +91,7 @@ TEST(CornerDetector, R5RoundShapesHaveNone) {
   }
 }
 
-// The noise of the sensor turns by any angle, but below the scale of a corner.
+// The noise of the sensor turns by any angle, but its steps are smaller than the scale of a corner.
 TEST(CornerDetector, R5ARestingPenHasNone) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const auto ink = TestInk(seed).draw(InkShape::kResting, 3000);

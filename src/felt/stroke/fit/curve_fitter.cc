@@ -8,7 +8,7 @@
 namespace felt {
 namespace {
 
-// Samples looked at for corners, or placed, in one step.
+// Number of samples that one step checks for corners, or places on a curve.
 constexpr std::size_t kStepSamples = 128;
 // If the proven part of a run has at least this many samples, it becomes a segment; otherwise the
 // search is repeated with every sample in the window.
@@ -20,7 +20,7 @@ constexpr double kDotMm = (1.0 - CurveFitter::kMaxSpacing - KeptSamples::kReserv
 // well determined.
 constexpr double kJointSpeed = 0.6;
 
-// Work of a step besides its fit: gate updates, solving, a commit.
+// Work of a step in addition to its fit: gate updates, solving, a commit.
 constexpr long kStepWork = 64;
 constexpr long kAllWork = std::numeric_limits<long>::max();
 
@@ -146,8 +146,8 @@ bool CurveFitter::start_search() {
   return true;
 }
 
-// Advances `scanned_`. The open run may use the samples before it, and ends there if they end at a
-// corner.
+// Advances `scanned_`. The open run may use the samples before `scanned_`. It ends there if they
+// end at a corner.
 void CurveFitter::scan_for_corner() noexcept {
   const std::size_t end = std::min(corners_.decided(), scanned_ + kStepSamples);
   while (!at_corner_ && scanned_ < end) {

@@ -14,7 +14,7 @@ Point place_at(const FittedCurve& curve, double u) {
   return evaluate(curve.segment(i), u - i);
 }
 
-/// Returns true if the line comes this close to p. Tests the likely piece first.
+/// Returns true if the line comes within the limit of p. Tests the piece `likely` first.
 bool comes_near(std::span<const Point> line, std::size_t likely, Point p, double limit_squared) {
   const std::size_t pieces = line.empty() ? 0 : line.size() - 1;
   if (pieces == 0) return !line.empty() && distance_squared(line[0], p) <= limit_squared;
@@ -29,8 +29,8 @@ bool comes_near(std::span<const Point> line, std::size_t likely, Point p, double
   return false;
 }
 
-/// Returns true if the line comes this close to each of the points. The points are expected to
-/// advance along the line in step with its vertices.
+/// Returns true if the line comes within the limit of each of the points. The points are expected
+/// to advance along the line in step with its vertices.
 bool comes_near_all(std::span<const Point> line, std::span<const Point> points,
                     double limit_squared) {
   for (std::size_t k = 0; k < points.size(); ++k) {

@@ -115,8 +115,8 @@ void PaperFitter::place_merged() {
   curve_.sample_u = std::move(u);
 }
 
-// Tries every joint up to the sample `to`. After a failure the segment ends at the last good one,
-// and the samples since are tried again as the start of the next segment.
+// Tries every joint up to the sample `to`. If a fit fails, the segment ends at the last joint that
+// succeeded, and the samples after it are tried again as the start of the next segment.
 void PaperFitter::grow_to(std::size_t to) {
   while (trial_.to < to) {
     trial_.from = good_.from;
@@ -133,7 +133,8 @@ void PaperFitter::grow_to(std::size_t to) {
 
 bool PaperFitter::fit_within(Run& run) const {
   if (!long_enough(points_[run.from], points_[run.to])) return false;
-  // Something must be accepted: usually the chord of two neighbours, which meets both exactly.
+  // The first run of a segment is always accepted. It is usually the chord between two neighbours,
+  // which meets both exactly.
   const bool first_try = good_.to == good_.from;
   if (run.to - run.from > kMaxRun && !first_try) return false;
   return fit(run) <= tolerance_mm_ || first_try;
@@ -161,7 +162,7 @@ double PaperFitter::fit(Run& run) const {
   run.cubic = straight(b1, b4);
   const double det = s22 * s33 - s23 * s23;
   if (det > 1e-9 * s22 * s33) {
-    // Relative to B1 the basis of B2 and B3 is w2 and w3 alone.
+    // Relative to B1, only the weights w2 of B2 and w3 of B3 remain.
     const Point b2 = b1 + (s33 * r2 - s23 * r3) / det, b3 = b1 + (s22 * r3 - s23 * r2) / det;
     if (is_finite(b2) && is_finite(b3)) run.cubic = {{b1, b2, b3, b4}};
   }

@@ -11,7 +11,7 @@
 namespace felt::paper_fitter_test {
 namespace {
 
-// Every sample is a data point unless said otherwise.
+// Fits a curve to the points. Every sample is a data point unless the caller requests otherwise.
 FittedCurve fit(const std::vector<Point>& points, int shared, double tolerance_mm = 0.25,
                 double data_point_mm = 0.0) {
   PaperFitter fitter({.tolerance_mm = tolerance_mm}, shared, data_point_mm);
@@ -21,7 +21,7 @@ FittedCurve fit(const std::vector<Point>& points, int shared, double tolerance_m
   return fitter.curve();
 }
 
-// A wavy spiral with steps of about a quarter of a millimetre.
+// Returns a wavy spiral with steps of about a quarter of a millimetre.
 std::vector<Point> loops(int count) {
   std::vector<Point> points;
   for (int i = 0; i < count; ++i) {
@@ -135,7 +135,8 @@ TEST(PaperFitter, AStraightLineIsOneSegment) {
   EXPECT_EQ(curve.segment_count(), 1);
 }
 
-// The same line took 10 segments with samples 0.25 mm apart, 25 at 0.03 mm and 75 at 0.01 mm.
+// An earlier fit of the same line had 10 segments with samples 0.25 mm apart, 25 at 0.03 mm and 75
+// at 0.01 mm.
 TEST(PaperFitter, R6_SlowDrawingCostsNoSegments) {
   const auto wave = [](double spacing_mm) {
     std::vector<Point> points;
@@ -174,7 +175,7 @@ TEST(PaperFitter, ShortStrokesAreStrokes) {
   }
 }
 
-// Dense, quantised, repeated, with jumps: anything that is finite.
+// The fitter accepts all finite points: dense, quantised, repeated, or with jumps.
 RC_GTEST_PROP(PaperFitter, TakesAnyPoints, ()) {
   const int shared = *rc::gen::inRange(0, 9);
   const double unit = *rc::gen::element(0.01, 0.03, 0.25, 5.0);
@@ -224,8 +225,8 @@ TEST(PaperFitter, R7ReusedOrNotTheBytesAreTheSame) {
 }
 
 TEST(PaperFitter, SharingLeavesKinks) {
-  // docs/design/errata.md#e8, the reason why this scheme is not the default: the median kink is
-  // degrees, not zero.
+  // The median kink is not zero, which is the reason why this scheme is not the default
+  // (docs/design/errata.md#e8).
   const FittedCurve curve = fit(loops(600), 4);
   std::vector<double> kinks;
   for (int k = 1; k < curve.segment_count(); ++k) {

@@ -82,8 +82,8 @@ void PenFilter::drop_stray() {
   held_ms_.erase(held_ms_.end() - 2);
 }
 
-// Corrects late pressure and a blob at pen-down. `level_is_known`: the stroke is longer than the
-// window, so its newest pressure is the normal level.
+// Corrects late pressure and a blob at pen-down. `level_is_known` means that the stroke is longer
+// than the window, so its newest pressure is the normal level.
 void PenFilter::mend_start(bool level_is_known) {
   const auto first_real = std::find_if(held_.begin(), held_.end(),
                                        [](const InkSample& s) { return is_real(s.pressure); });
@@ -96,8 +96,8 @@ void PenFilter::mend_start(bool level_is_known) {
 }
 
 // Returns true if sample i may belong to a blob at the sample `end`, an end of the stroke. Callers
-// stop at the first sample that is not: pressure that rises first and then falls comes from the
-// hand.
+// stop at the first sample that does not belong to a blob, because pressure that rises first and
+// then falls comes from the hand.
 bool PenFilter::is_blob(std::size_t i, std::size_t end, double level) const noexcept {
   return held_[i].pressure.value_or(0.0) > options_.blob_ratio * level &&
          std::fabs(held_ms_[i] - held_ms_[end]) <= options_.blob_ms &&

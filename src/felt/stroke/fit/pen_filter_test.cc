@@ -25,7 +25,7 @@ Ink filtered(const Ink& stroke, const PenFilterOptions& options = {}) {
   return out;
 }
 
-// A line to the right at 100 mm/s and 200 Hz, pressure 0.5.
+// Returns a line to the right at 100 mm/s and 200 Hz, pressure 0.5.
 Ink line(int count, double interval_ms = 5.0) {
   Ink stroke;
   for (int i = 0; i < count; ++i) {
@@ -129,7 +129,7 @@ TEST(PenFilter, HoldsNoLongerThanItSays) {
   }
 }
 
-// A smooth stroke with tapered ends, at any rate and speed, with or without times.
+// A smooth stroke with tapered ends is not changed, at any rate and speed, with or without times.
 RC_GTEST_PROP(PenFilter, InkWithoutArtefactsPassesUnchanged, ()) {
   const double rate_hz = *rc::gen::element(60.0, 133.0, 200.0, 1000.0);
   const double radius = *rc::gen::inRange(2, 40), mm_per_s = *rc::gen::inRange(10, 500);
@@ -145,7 +145,8 @@ RC_GTEST_PROP(PenFilter, InkWithoutArtefactsPassesUnchanged, ()) {
   RC_ASSERT(filtered(stroke) == stroke);
 }
 
-// For any input the order and the start stay the same, and the end loses no more than allowed.
+// For any input, the order and the start stay the same, and the filter removes no more of the end
+// than allowed.
 RC_GTEST_PROP(PenFilter, LosesNoMoreThanItSays, ()) {
   const auto steps = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::array<int, 4>>>(
       rc::gen::container<std::array<int, 4>>(rc::gen::inRange(-10, 11))));

@@ -21,7 +21,7 @@ struct SampleRun {
   std::vector<double> path;
 };
 
-// A noisy arc of a circle.
+// Returns a noisy arc of a circle.
 SampleRun noisy_arc(std::uint64_t seed, int count, double sigma, Vec offset = {}) {
   TestInk random(seed);
   const double radius = random.uniform(5.0, 50.0), sweep = random.uniform(0.2, 1.5);
@@ -46,7 +46,7 @@ RunMoments moments_of(const SampleRun& run, std::optional<Vec> tangent) {
 
 // Errors of the least-squares cubic, found sample by sample in long double.
 struct Direct {
-  long double sum = 0.0L, largest = 0.0L;  // of squared distances
+  long double sum = 0.0L, largest = 0.0L;  // sum and largest of the squared distances
 };
 
 Direct direct_fit(const SampleRun& run, std::optional<Vec> tangent) {
@@ -96,7 +96,8 @@ TEST(RunMoments, AgreeWithDirectLeastSquaresOnANoisyArc) {
          {std::optional<Vec>{}, std::optional<Vec>{{1.0, 0.0}}}) {
       const double residual = moments_of(run, tangent).residual();
       const auto direct = static_cast<double>(direct_fit(run, tangent).sum);
-      // 1e-9 of the residual, plus the rounding error of subtracting from the sum of |P|^2.
+      // The tolerance is 1e-9 of the residual, plus the rounding error of subtracting from the sum
+      // of |P|^2.
       EXPECT_NEAR(residual, direct, 1e-9 * direct + 1e-13 * 300 * 2500);
     }
   }
@@ -136,7 +137,7 @@ TEST(RunMoments, AreInfiniteWhereTheyDoNotDetermineACubic) {
   moments.add({2.0, 2.0}, 1.0);
   EXPECT_EQ(moments.residual(), kInfinity) << "two places";
 
-  // Samples that go in the opposite direction of the tangent.
+  // The samples go in the direction opposite to the tangent.
   moments.begin({0.0, 0.0}, {-1.0, 0.0});
   for (int i = 0; i < 10; ++i) moments.add({1.0 * i, 0.0}, 1.0 * i);
   EXPECT_EQ(moments.residual(), kInfinity);

@@ -8,9 +8,9 @@
 namespace felt {
 namespace {
 
-// Gate updates in one step: about as much work as a small exact fit.
+// Number of gate updates in one step. They take about as long as a small exact fit.
 constexpr std::size_t kGateStep = 32;
-// The gate tests runs of at least this many samples; a cubic fits any fewer.
+// The gate tests only runs of at least this many samples, because a cubic fits any smaller number.
 constexpr std::size_t kGateLeast = 4;
 
 std::size_t longer(std::size_t count) {
@@ -36,7 +36,8 @@ void RunSearch::begin(const SampleWindow& window, const RunStart& start,
   phase_ = Phase::kGate;
 }
 
-// Returns the least number of samples of a run. From a free start two are needed to define a curve.
+// Returns the least number of samples of a run. A run with a free start needs two samples to define
+// a curve.
 std::size_t RunSearch::least_count() const noexcept {
   return start_.kind == RunStart::Kind::kFree ? 2 : 1;
 }
@@ -139,8 +140,8 @@ void RunSearch::keep_fit(std::size_t count) noexcept {
   std::copy(fit_.parameters().begin(), fit_.parameters().end(), t_.begin());
 }
 
-// Used if not even the shortest run is accepted, for example a hairpin inside the tolerance band:
-// goes straight to the first sample that is far enough for a segment.
+// Called if not even the shortest run is accepted, for example at a hairpin inside the tolerance
+// band. Goes straight to the first sample that is far enough for a segment.
 void RunSearch::bridge(const SampleWindow& window) noexcept {
   std::size_t count = least_count();
   const auto is_at_start = [&](std::size_t i) {

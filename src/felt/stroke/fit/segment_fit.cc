@@ -14,7 +14,7 @@ namespace {
 // From this round on, a fit that does not converge fast enough is abandoned.
 constexpr int kGiveUpRound = 2;
 // Fraction of the tolerance by which a curve may leave its guide at the points compared; the rest
-// is for the curve between them.
+// of the tolerance is left for the curve between these points.
 constexpr double kGuideShare = 0.95;
 // Weight of a pinned end sample, relative to the mean of all.
 constexpr double kPinWeight = 1e6;
@@ -31,9 +31,9 @@ detail::RunView view(const SampleWindow& w, std::size_t first, std::size_t count
           w.weight() + first, count,         origin};
 }
 
-// Returns true if the error would still get within its limit by shrinking in each round as it did
-// in the last one. Convergence slows down over time, so hardly any fit is abandoned that would have
-// succeeded.
+// Returns true if the error would reach its limit by shrinking in each remaining round by the same
+// factor as in the last one. Convergence slows down over time, so hardly any fit is abandoned that
+// would have succeeded.
 bool may_arrive(double worst, double before, int rounds_left) noexcept {
   const double factor = worst / before;
   if (factor >= 1.0) return false;
@@ -68,8 +68,8 @@ bool SegmentFit::fit(const SampleWindow& window, const RunStart& start, std::siz
   }
 }
 
-// Sets chord-length parameters, or the known ones. Returns false if all samples coincide with the
-// start.
+// Sets the parameters by chord lengths, or those that are known. Returns false if all samples
+// coincide with the start.
 bool SegmentFit::initialise(const SampleWindow& window, std::span<const double> known) noexcept {
   const double begin = window.path_mm(first_);
   const double lead = distance(start_.point, window.point(first_));
@@ -97,8 +97,8 @@ bool SegmentFit::solve(const SampleWindow& window, double tangent_weight, End en
   const double* weights = run.weight;
   double weight = 0.0;
   for (std::size_t i = 0; i < count_; ++i) weight += weights[i];
-  // Samples hold the curve mainly across its direction; along it the end sample must, so its weight
-  // grows with the number of samples.
+  // Samples fix the curve mainly across its direction. Along its direction only the end sample
+  // does, so the weight of the end sample grows with the number of samples.
   const double least = kEndShare * weight;
   const double end_weight = end == End::kPinned ? kPinWeight * weight / static_cast<double>(count_)
                                                 : std::max(least, weights[count_ - 1]);

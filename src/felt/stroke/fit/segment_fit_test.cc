@@ -18,7 +18,8 @@ using testing::TestInk;
 using testing::window_of;
 using Kind = RunStart::Kind;
 
-// A cubic without cusp or loop, as segments of ink are: about 10 mm, bending gently.
+// Returns a cubic like the segments of ink: without a cusp or loop, about 10 mm long, with a gentle
+// bend.
 Cubic random_cubic(TestInk& random) {
   const Point start{random.uniform(0.0, 100.0), random.uniform(0.0, 100.0)};
   const Vec along = random.direction(10.0);

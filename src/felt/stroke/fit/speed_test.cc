@@ -1,4 +1,4 @@
-// The speed of the pen affects the number of a line's samples, but not of its segments.
+// The speed of the pen affects the number of samples of a line, but not the number of its segments.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ constexpr double kFastMmPerS = 250.0;
 enum class Line { kStraight, kSpiral, kWave, kWriting };
 enum class Sensor { kExact, kGrid, kNoisy };
 
-// A line as a function of its own parameter.
+// Returns the point of a line at its parameter a.
 Point point_of(Line line, double a) {
   switch (line) {
     case Line::kStraight:
@@ -109,7 +109,7 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
 
 class AtAnySpeed : public ::testing::TestWithParam<Case> {};
 
-// 300 mm at 10 mm/s took 61 segments once, and 9 at 250 mm/s.
+// An earlier fit needed 61 segments for 300 mm at 10 mm/s, and 9 at 250 mm/s.
 TEST_P(AtAnySpeed, R3_SlowLinesTakeAtMostHalfAsManySegmentsMore) {
   const Case& c = GetParam();
   const Counts fast = fitted(drawn(c.line, c.sensor, c.length_mm, kFastMmPerS, 1));
@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Lines, AtAnySpeed,
                                            Case{Line::kWriting, Sensor::kNoisy, 120.0, 10.0}),
                          ::testing::PrintToStringParamName());
 
-// Which samples the fit keeps of much denser ink; visible in places().
+// Tests which samples of much denser ink the fit keeps. places() shows them.
 TEST(CurveFitter, R3_ADataPointIsKeptOnlyAfterTheThreshold) {
   for (const double tolerance : {0.05, 0.15, 0.5, 3.0}) {
     SCOPED_TRACE(tolerance);
@@ -164,21 +164,21 @@ TEST(CurveFitter, R3_ADataPointIsKeptOnlyAfterTheThreshold) {
 }
 
 TEST(CurveFitter, R3_TheThresholdIsThatOfTheDeviceOrTheSpecification) {
-  // PHANToM: 0.03 mm; docs/design/errata.md#e18: 0.25 mm.
+  // The threshold is 0.03 mm for the PHANToM, and 0.25 mm in docs/design/errata.md#e18.
   EXPECT_EQ(CurveFitter::spacing_mm(kDefaultToleranceMm), 0.03);
   EXPECT_EQ(CurveFitter::spacing_mm(0.2), 0.03);
   EXPECT_EQ(CurveFitter::spacing_mm(2.0), 0.25);
   EXPECT_EQ(CurveFitter::spacing_mm(3.0), 0.25);
-  // Between the two it grows with the tolerance. At most a fifth of the tolerance is subtracted for
-  // merged samples.
+  // Between these two values it grows with the tolerance. At most a fifth of the tolerance is
+  // subtracted for merged samples.
   for (double tolerance = kMinSegmentMm; tolerance < 3.0; tolerance *= 1.1) {
     EXPECT_LE(CurveFitter::spacing_mm(tolerance), 0.2 * tolerance + 1e-15);
     EXPECT_LE(CurveFitter::spacing_mm(tolerance), CurveFitter::spacing_mm(1.1 * tolerance));
   }
 }
 
-// Upper bound of the work of a push, in samples x rounds of exact fits and samples placed: about
-// 0.1 ms.
+// Upper bound of the work of a push: the sum of samples x rounds of exact fits, and of samples
+// placed. It takes about 0.1 ms.
 constexpr long kMaxWork = 10'300;
 
 // Returns the largest work of one push.
@@ -202,7 +202,7 @@ TEST(CurveFitter, R9_WorkOfAPushIsBoundedWhateverCameBefore) {
     const double tolerance = random.tolerance();
     EXPECT_LE(largest_work(random.draw_any(4000), tolerance), kMaxWork);
   }
-  // Runs of ten thousands of samples, with and without noise.
+  // Tests runs of tens of thousands of samples, with and without noise.
   for (const Sensor sensor : {Sensor::kExact, Sensor::kGrid, Sensor::kNoisy}) {
     for (const Line line : {Line::kStraight, Line::kWave}) {
       EXPECT_LE(largest_work(drawn(line, sensor, 150.0, 5.0, 3), kDefaultToleranceMm), kMaxWork);

@@ -130,7 +130,7 @@ void WidthFitter::finish(double u_end) {
 }
 
 // Adds the samples collected at one position. If no slope of the open segment reaches them, it ends
-// at the position before, and the next one starts there.
+// at the previous position, and the next one starts there.
 void WidthFitter::take_place() {
   if (knots_.empty()) start_segment(knot(0.0, width_.first(count_), tone_.first(count_)));
   double du = place_u_ - knots_.back().u;
@@ -148,8 +148,8 @@ void WidthFitter::take_place() {
   reach_ = place_u_;
 }
 
-// If samples at or beyond `u` were added: removes the knots there, and restarts the segment before
-// without its samples.
+// If samples at or beyond `u` were added, removes the knots there, and restarts the segment before
+// them without its samples.
 void WidthFitter::forget_from(double u) {
   if (knots_.empty() || reach_ < u) return;
   while (knots_.size() > 1 && knots_.back().u >= u) knots_.pop_back();

@@ -41,7 +41,7 @@ bool is_profile(const std::vector<WidthKnot>& knots, double u_end) {
                      [](auto k) { return k.width_mm >= kMinWidthMm && k.width_mm <= 6.0; });
 }
 
-// Widths sampled on [0, u_end] from a function of u.
+// Returns widths that are sampled on [0, u_end] from a function of u.
 template <class Function>
 std::vector<WidthKnot> sampled(double u_end, int count, Function width) {
   std::vector<WidthKnot> samples;
@@ -98,7 +98,8 @@ TEST(WidthFitter, E11EndsAtTheLastWidthWhereTheToleranceAllows) {
   EXPECT_DOUBLE_EQ(knots.back().width_mm, samples.back().width_mm);
 }
 
-// Random walks with steps that are often large, samples that share a place, uneven spacing.
+// Returns a random walk with steps that are often large, samples at the same position, and uneven
+// spacing.
 std::vector<WidthKnot> random_walk(double u_end) {
   const auto steps = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::pair<int, int>>>(
       rc::gen::pair(rc::gen::inRange(-3, 40), rc::gen::inRange(-100, 101))));

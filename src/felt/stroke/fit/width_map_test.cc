@@ -55,7 +55,7 @@ TEST(WidthMap, FirstSampleSetsTheFilter) {
   EXPECT_DOUBLE_EQ(map.push(at_ms(0.0, 0.75)).width_mm, 1.75);
 }
 
-// A step reaches 1 - 1/e after one time constant, at any rate and with uneven times alike.
+// A step reaches 1 - 1/e after one time constant, at any rate, even if the times are uneven.
 TEST(WidthMap, LowPassFollowsTheTimesOfTheSamples) {
   for (const double uneven : {0.0, 0.9}) {
     WidthMap map(WidthMapOptions{.min_mm = 1.0, .max_mm = 2.0});

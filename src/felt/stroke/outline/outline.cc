@@ -12,7 +12,8 @@ namespace {
 /// The share of the tolerance for the centre line; the rest is for the arcs around it.
 constexpr double kShare = 0.5;
 
-/// Returns the largest angle of an edge of a polygon within the tolerance of a circle of radius r.
+/// Returns the largest angle that an edge of a polygon may span if the polygon is to stay within
+/// the tolerance of a circle of radius r.
 double arc_step(double r, double tolerance) noexcept {
   constexpr double kCoarsest = std::numbers::pi / 4;
   return tolerance < 0.1 * r ? std::min(kCoarsest, 2.0 * std::acos(1.0 - tolerance / r))

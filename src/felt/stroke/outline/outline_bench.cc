@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPxPerMm = 4.0;
 
-/// Polygons at a tolerance of 1 / range px.
+/// Measures outlines as polygons, at a tolerance of 1 / range px.
 void OutlinePolygon(benchmark::State& state) {
   const std::vector<Stroke> strokes = testing::screen_of_strokes(1000);
   const double tolerance_mm = 1.0 / (kPxPerMm * static_cast<double>(state.range(0)));
@@ -25,7 +25,7 @@ void OutlinePolygon(benchmark::State& state) {
 }
 BENCHMARK(OutlinePolygon)->Arg(10)->Arg(20)->Unit(benchmark::kMicrosecond);
 
-/// Curves as they are written to an SVG file.
+/// Measures outlines as curves, as they are written to an SVG file.
 void OutlineCurves(benchmark::State& state) {
   const std::vector<Stroke> strokes = testing::screen_of_strokes(1000);
   std::size_t points = 0;

@@ -51,7 +51,7 @@ class PathBuilder {
  public:
   PathBuilder(double tolerance_mm, OutlinePath& path) : tolerance_mm_(tolerance_mm), path_(path) {}
 
-  /// Appends one side; that of an open stroke ends with a round cap.
+  /// Appends one side. The side of an open stroke ends with a round cap.
   void side(const std::vector<SideStretch>& side, bool closed, int direction) {
     for (std::size_t i = 0; i < side.size(); ++i) {
       const SideStretch& now = side[i];

@@ -55,7 +55,7 @@ TEST(OutlinePath, IsTheInkOfRandomStrokes) {
   }
 }
 
-/// As in files: rounded to 0.001 mm, the outline is within 0.01 mm (R53).
+/// If the outline is rounded to 0.001 mm, as in files, it is within 0.01 mm (R53).
 TEST(OutlinePath, R53_IsWithinAHundredthOfAMillimetre) {
   for (std::uint64_t seed = 250; seed < 450; ++seed) {
     SCOPED_TRACE(seed);

@@ -11,11 +11,12 @@ namespace felt {
 namespace {
 
 // How it works: each piece is sampled at kSamples points of its edge.
-//  1. If all samples are on a smooth edge and one cubic fits them, it is collected. Later,
+//  1. If all samples are on a smooth edge and one cubic fits them, the cubic is collected. Later,
 //     flush_curves replaces as many neighbouring curves as possible by one.
 //  2. If the bend is tighter than the radius everywhere, the edge follows the centres of the bend
 //     with straight lines.
-//  3. Otherwise the piece is halved. The last resort are strips along the flattened centre line.
+//  3. Otherwise the piece is halved. If that does not help, strips along the flattened centre line
+//     replace it.
 
 /// Fits one cubic to points along a smooth edge.
 ///
@@ -39,9 +40,9 @@ class EdgeFit {
   std::vector<double> t_;
 };
 
-/// The most rounds of fitting the curve and moving the parameters of the points along it.
+/// Maximum number of rounds of fitting the curve and moving the parameters of the points along it.
 constexpr int kRounds = 4;
-/// Maximum error in tolerances at which a fit is continued.
+/// Maximum error, in multiples of the tolerance, at which a fit is continued.
 constexpr double kHopelessStretch = 8.0;
 /// The share of the tolerance allowed at the points, because the error is a little larger between
 /// them.
@@ -115,10 +116,10 @@ bool EdgeFit::fit(Vec begin, Vec end, double tolerance_mm, Cubic& c) {
 constexpr int kMaxHalvings = 6;
 /// The number of samples of an edge, including its ends.
 constexpr std::size_t kSamples = 9;
-/// The cosine of the largest angle between neighbouring samples; a larger one may hide a cusp.
+/// The cosine of the largest angle between neighbouring samples; a larger angle may hide a cusp.
 constexpr double kSlowTurn = 0.5;
-/// The cosine of the largest kink, and the largest gap in tolerances, across which two curves of
-/// the edge may be merged.
+/// The cosine of the largest kink, and the largest gap in multiples of the tolerance, across which
+/// two curves of the edge may be merged.
 constexpr double kSmallKink = 0.97, kSmallGap = 2.0;
 /// The tolerance of the lines inside tight bends, as a share of the whole tolerance.
 constexpr double kInsideShare = 0.4;
@@ -217,8 +218,8 @@ class LeftEdge {
     append(piece, middle, t1, halvings - 1);
   }
 
-  /// Fits one cubic to the samples of one or more neighbours. If there are several, each of which
-  /// is smooth, every second or fourth sample is enough.
+  /// Fits one cubic to the samples of one or more neighbours. If there are several neighbours,
+  /// every second or fourth sample is enough, because each neighbour is smooth.
   bool fit(std::span<const EdgePoint> samples, Cubic& c) {
     const std::size_t count = samples.size() / kSamples;
     if (count > 1 && dot(samples.front().frame.normal(), samples.back().frame.normal()) < 0.0) {
@@ -237,7 +238,7 @@ class LeftEdge {
   // --- Curves
 
   /// Returns true if a line from sample `a` to the next one, `b`, may replace the edge. If one of
-  /// them is on the true edge, it may bulge between them, by r (1 - cos(turn / 2)).
+  /// them is on the true edge, the edge may bulge between them, by r (1 - cos(turn / 2)).
   [[nodiscard]] bool lines_will_do(const EdgePoint& a, const EdgePoint& b) const noexcept {
     if (!is_simple(a, b)) return false;
     if (a.share < 1.0 && b.share < 1.0) return true;
@@ -245,7 +246,8 @@ class LeftEdge {
            4.0 * tolerance_mm_;
   }
 
-  /// Returns true if one curve may continue from `a` to `b`, the end and the start of neighbours.
+  /// Returns true if one curve may continue from `a`, the end of a curve, to `b`, the start of its
+  /// neighbour.
   [[nodiscard]] bool runs_on(const EdgePoint& a, const EdgePoint& b) const noexcept {
     return distance(a.place, b.place) <= kSmallGap * tolerance_mm_ &&
            dot(a.frame.normal(), b.frame.normal()) > kSmallKink;

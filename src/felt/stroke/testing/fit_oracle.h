@@ -11,7 +11,7 @@
 
 namespace felt::testing {
 
-/// Returns the curve that the online fit makes of some samples.
+/// Returns the curve that the online fit makes from the samples.
 inline FittedCurve fit_online(std::span<const Point> ink, double tolerance_mm) {
   CurveFitter fitter({.tolerance_mm = tolerance_mm});
   fitter.begin();
@@ -20,7 +20,7 @@ inline FittedCurve fit_online(std::span<const Point> ink, double tolerance_mm) {
   return fitter.curve();
 }
 
-/// Returns the samples of some ink that a fit keeps.
+/// Returns the samples of the ink that a fit keeps.
 inline SampleWindow window_of(const std::vector<Point>& ink, double tolerance_mm) {
   KeptSamples kept(tolerance_mm, 0.125 * tolerance_mm);
   for (const Point p : ink) kept.add(p);
@@ -35,7 +35,8 @@ inline Point place_at(const FittedCurve& curve, double u) {
   return evaluate(curve.segment(i), u - i);
 }
 
-/// Returns the largest distance of a sample from its point on the curve. Requires one for each.
+/// Returns the largest distance of a sample from its point on the curve. Requires such a point for
+/// each sample.
 inline double worst_error(const FittedCurve& curve, std::span<const Point> ink) {
   double worst = 0.0;
   for (std::size_t i = 0; i < ink.size(); ++i) {

@@ -59,8 +59,8 @@ inline double distance_outside(const std::vector<Dab>& dabs, Point q) {
 }
 
 /// Checks `count` points, half of them near an edge. The outline must contain every point that is
-/// deeper than the margin inside the ink and none that is farther than it outside, and no winding
-/// number may have the wrong sign.
+/// inside the ink by more than the margin, and must not contain a point that is outside by more
+/// than the margin. No winding number may have the wrong sign.
 inline void expect_outline_is_the_ink(const Outline& outline, const Stroke& s, double margin,
                                       std::uint64_t seed, int count) {
   std::vector<Dab> dense;

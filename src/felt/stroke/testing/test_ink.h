@@ -12,7 +12,7 @@
 
 namespace felt::testing {
 
-/// Kinds of ink, from ordinary handwriting to what no hand would draw.
+/// Kinds of ink, from ordinary handwriting to ink that no hand would draw.
 enum class InkShape {
   kSmooth,      ///< gentle bends, a sample every 0.5 mm
   kDense,       ///< 1 kHz: a sample every 0.1 mm, with tremor, quantised to 0.03 mm
