@@ -9,9 +9,9 @@
 
 namespace felt {
 
-/// A histogram of durations: eight buckets for each doubling, from 1 ns to 18 min, so that a
-/// percentile is at most 1/8 too large and never too small. Constant size; adding is real-time
-/// safe.
+/// A histogram of durations with eight buckets for each doubling, from 1 ns to 18 min. So a
+/// percentile is at most 1/8 too large and never too small. The size is constant, and adding is
+/// real-time safe.
 class TimeHistogram {
  public:
   /// Adds a duration. A negative one counts as 0.
@@ -67,11 +67,13 @@ class TimeHistogram {
   std::uint64_t max_ns_ = 0;
 };
 
-/// How a haptic loop kept its deadlines. Constant size and trivially copyable, so that it is passed
-/// between threads as a value: the haptic thread adds, the edit thread merges and prints.
+/// Statistics of how a haptic loop kept its deadlines. The object has constant size and is
+/// trivially copyable, so that it can be passed between threads as a value: the haptic thread adds
+/// ticks, the edit thread merges and prints.
 ///
-/// The code that runs the loop defines "late": RealtimeThread measures against the deadline that it
-/// slept for; Servo, which only sees when it is called, against one period after the previous call.
+/// The code that runs the loop defines "late". RealtimeThread measures from the deadline until
+/// which it slept. Servo knows only the times of its calls, so it measures from one period after
+/// the previous call.
 class LoopStats {
  public:
   /// Adds a tick at `now_ns` that was `late_ns` late. Real-time safe.
@@ -87,9 +89,10 @@ class LoopStats {
   constexpr void leave_out(std::int64_t ns) noexcept {
     if (lateness_.count() > 0) first_ns_ += ns;
   }
-  /// Adds the CPU time of one tick, if it is measured. Real-time safe.
+  /// Adds the CPU time of one tick. Real-time safe.
   constexpr void add_cpu(std::int64_t ns) noexcept { cpu_.add(ns); }
-  /// Adds the statistics of another run or loop. Rates are over the sum of the times.
+  /// Adds the statistics of another run or loop. The rate is then computed over the sum of both
+  /// durations.
   constexpr void merge(const LoopStats& other) noexcept {
     const std::int64_t together = duration_ns() + other.duration_ns();
     last_ns_ = first_ns_ + together;
@@ -122,7 +125,7 @@ class LoopStats {
   TimeHistogram cpu_;
 };
 
-/// Returns one line for the user: rate, lateness, missed ticks, CPU time. Edit thread.
+/// Returns one line for the user with rate, lateness, missed ticks and CPU time. Edit thread only.
 std::string describe(const LoopStats& stats);
 
 }  // namespace felt

@@ -11,17 +11,16 @@ void __rtsan_realtime_exit();
 
 namespace felt {
 
-/// The number of RealtimeScopes that this thread is in, read by the interposer of tests/devices/rt.
-/// The TLS model is initial-exec so that reading it calls no function, even if the library is part
-/// of a plug-in.
+/// The number of RealtimeScopes that this thread is in. The interposer of tests/devices/rt reads
+/// it. The TLS model is initial-exec so that reading it does not call a function, even if the
+/// library is part of a plug-in.
 #if defined(__GNUC__)
 __attribute__((tls_model("initial-exec")))
 #endif
 inline constinit thread_local int realtime_depth = 0;
 
-/// Marks a block in which nothing may block: one tick of the haptic loop. Costs two additions. The
-/// block is checked by an interposer in tests/devices/rt and, with FELT_RTSAN, by
-/// RealtimeSanitizer.
+/// Marks a scope, one tick of the haptic loop, in which no call may block. Costs two additions. An
+/// interposer in tests/devices/rt checks this and, with FELT_RTSAN, RealtimeSanitizer.
 class FELT_ROLE_ATTRIBUTE(scoped_lockable) RealtimeScope {
  public:
   RealtimeScope() noexcept FELT_ROLE_ATTRIBUTE(exclusive_lock_function(kHapticRole)) {

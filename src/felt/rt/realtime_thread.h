@@ -19,41 +19,42 @@ enum class LoopScheduling : std::uint8_t {
   kFifo,      ///< SCHED_FIFO: runs before all ordinary threads
   kNice,      ///< ordinary, no timer slack, nice -20: usually on time
   kOrdinary,  ///< ordinary, no timer slack: late when the machine is busy
-  kHost,      ///< called by the device's own servo loop (LoopHost), which decides its scheduling
+  kHost,      ///< called by the device's own servo loop (LoopHost), which decides the scheduling
 };
 
 struct RealtimeStatus {
   LoopScheduling scheduling = LoopScheduling::kNotRunning;
   bool memory_locked = false;  ///< no page of the program is swapped out
-  /// There has been no tick for half a second although the loop runs: the device or its vendor's
-  /// loop is unresponsive. What the device then does with the last force is not under our control.
+  /// The loop runs, but its last tick was more than half a second ago: the device or the vendor's
+  /// loop is unresponsive. Feltline cannot control what the device then does with the last force.
   /// Tell the user, stop, and open the device again.
   bool is_silent = false;
 };
 
-/// Returns one sentence for the user; if something was refused, it says what would help.
+/// Returns one sentence for the user. If the system refused something, the sentence says what would
+/// help.
 std::string describe(const RealtimeStatus& status);
 
 struct RealtimeOptions {
-  /// Request SCHED_FIFO with this priority, 1..99; 0 requests nothing.
+  /// Request SCHED_FIFO with this priority, 1..99; 0 leaves the scheduling as it is.
   int fifo_priority = 80;
-  /// Request to lock the whole program in memory. It stays locked after stop(), until the program
-  /// ends.
+  /// Request to lock the whole program in memory. The memory stays locked until the program ends,
+  /// even after stop().
   bool lock_memory = true;
   /// Measure the CPU time of each tick, which costs two more system calls per tick.
   bool measure_cpu = false;
-  /// How long start() waits for a host's first tick, and stop() for its last.
+  /// Time that start() waits for a host's first tick, and stop() for its last tick.
   std::int64_t host_patience_ns = 2'000'000'000;
-  /// How long stop() waits for our own thread to end, which may be blocked forever in a call of the
-  /// vendor's driver.
+  /// Time that stop() waits for the loop's own thread to end, which may be blocked forever in a
+  /// call of the vendor's driver.
   std::int64_t stop_patience_ns = 2'000'000'000;
 };
 
-/// Runs a servo at its period on its own thread, as close to real time as the system permits
-/// (docs/design/loop.md#wake-up-lateness); if it is given a host, on the host's thread whenever the
-/// host calls. It sleeps until absolute deadlines and never spins, because the kernel stops a
-/// spinning SCHED_FIFO thread for 50 ms in each second. Periods that passed while the thread was
-/// not scheduled are counted as missed and skipped, not caught up.
+/// Runs a servo at its period on a thread of its own, as close to real time as the system permits
+/// (docs/design/loop.md#wake-up-lateness). If the device has a host, runs on the host's thread
+/// whenever the host calls. The thread sleeps until absolute deadlines and never spins, because the
+/// kernel stops a spinning SCHED_FIFO thread for 50 ms in each second. Periods that passed while
+/// the thread was not scheduled are counted as missed and skipped, not caught up.
 ///
 ///   RealtimeThread loop(servo, {});
 ///   if (auto started = loop.start(); !started) ...   // fails only if no thread can be started
@@ -61,16 +62,16 @@ struct RealtimeOptions {
 ///   servo.heartbeat(loop.now_ns()); ...
 ///   if (!loop.stop()) ...                            // zero force; false: the device hangs
 ///
-/// With a host there is neither a thread nor a deadline here: lateness is relative to one period
+/// With a host, this object has neither a thread nor deadlines: lateness is relative to one period
 /// after the previous tick. The servo is then stopped on the host's thread, in a last tick, so that
-/// the device's last call comes from where the vendor allows it. Only if the host no longer calls
-/// is it stopped on the edit thread, after the host's loop has been stopped.
+/// the device's last call comes from the thread that the vendor requires. If the host no longer
+/// calls, the servo is stopped on the edit thread, after the host's loop has been stopped.
 ///
-/// All functions: edit thread, except now_ns().
+/// Call all functions on the edit thread, except now_ns().
 class RealtimeThread {
  public:
-  /// Makes a loop that does not run yet. The servo, and the host if there is one
-  /// (DriverDevice::loop_host()), must outlive it.
+  /// Makes a loop that does not run yet. The servo, and the host if the device has one
+  /// (DriverDevice::loop_host()), must outlive the loop.
   RealtimeThread(Servo& servo, const RealtimeOptions& options, LoopHost* host = nullptr);
   RealtimeThread(const RealtimeThread&) = delete;
   RealtimeThread& operator=(const RealtimeThread&) = delete;
@@ -79,28 +80,28 @@ class RealtimeThread {
   /// everything if it returns false.
   ~RealtimeThread();
 
-  /// Starts the loop. Returns once it is set up; with a host, after its first tick. Refused
+  /// Starts the loop. Returns when the loop is set up; with a host, after its first tick. Refused
   /// permissions are not an error; see status(). Fails if no thread can be started, if the host
-  /// refuses (with the vendor's message), or if it does not call within `host_patience_ns`. Nothing
-  /// runs then.
+  /// refuses (with the vendor's message), or if the host does not call within `host_patience_ns`.
+  /// After a failure the loop does not run.
   Result<void> start();
-  /// Ends the loop: zero force, Device::stop(). Returns within a period and a tick, or when the
-  /// device's own transfer ends; with a host that no longer calls, after `host_patience_ns`. No
-  /// effect if the loop does not run.
+  /// Ends the loop: sets the force to zero and calls Device::stop(). Returns within a period and a
+  /// tick, or when the device's current transfer ends; with a host that no longer calls, after
+  /// `host_patience_ns`. Has no effect if the loop does not run.
   ///
   /// Returns false if a tick still hangs in a call of the vendor's driver after `stop_patience_ns`
   /// (with a host: `host_patience_ns`). The request to end remains: if that call ever returns, the
-  /// loop sets the force to zero and ends by itself. Until then it uses this object, the servo, the
-  /// device and the host, none of which may be destroyed: either abandon() them
+  /// loop sets the force to zero and ends by itself. Until then the loop uses this object, the
+  /// servo, the device and the host, so do not destroy them: either abandon() them
   /// (felt/rt/abandon.h), or call stop() again later.
   [[nodiscard]] bool stop() noexcept;
 
-  /// Lets the loop sleep, without ticks or wake-ups, until resume(), because there is nothing to
-  /// read while no pointer moves. Only for a device without motors, because nothing monitors the
-  /// forces meanwhile. No effect with a host. Stopping the loop ends the pause.
+  /// Lets the loop sleep, without ticks or wake-ups, until resume(). Use it while no pointer moves,
+  /// and only for a device without motors, because nothing monitors the forces during the pause.
+  /// Has no effect with a host. Stopping the loop ends the pause.
   void pause() noexcept;
-  /// Ends the pause. The next tick comes within a period, at a time at which it would have come
-  /// without the pause. Call Servo::heartbeat() first; otherwise the edit thread seems to have been
+  /// Ends the pause. The next tick comes within a period, at a time when it would have come without
+  /// the pause. Call Servo::heartbeat() before; otherwise the edit thread seems to have been
   /// silent.
   void resume() noexcept;
   [[nodiscard]] bool is_paused() const noexcept {
@@ -111,15 +112,16 @@ class RealtimeThread {
     return thread_.joinable() || is_detached_ || is_hosted_;
   }
   [[nodiscard]] RealtimeStatus status() const noexcept;
-  /// Returns the time of the loop's clock: ns since this object was made, monotonic. Any thread.
+  /// Returns the time of the loop's clock: ns since this object was made, monotonic. Safe to call
+  /// from any thread.
   [[nodiscard]] std::int64_t now_ns() const noexcept;
-  /// Returns when the first tick of the last start() was due, on that clock. The others are due
-  /// whole periods later; with a host: when its first tick came, and about whole periods later.
-  /// Code that waits for the sample of a tick sets a timer by it, because the loop itself wakes no
-  /// other thread.
+  /// Returns the time, on the loop's clock, at which the first tick after the last start() was due.
+  /// All other ticks are due whole periods later. With a host, returns the time of its first tick;
+  /// the others come about whole periods later. Code that waits for the sample of a tick sets a
+  /// timer from this time, because the loop itself does not wake any other thread.
   [[nodiscard]] std::int64_t first_due_ns() const noexcept { return first_due_ns_; }
-  /// Returns how the loop kept its deadlines since the last start(); while it runs, at most 0.2 s
-  /// old.
+  /// Returns the statistics of how the loop kept its deadlines since the last start(). While the
+  /// loop runs, they are at most 0.2 s old.
   [[nodiscard]] const LoopStats& stats() noexcept;
 
  private:
@@ -147,17 +149,17 @@ class RealtimeThread {
   std::int64_t first_due_ns_ = 0;
   RealtimeStatus status_;
   bool is_hosted_ = false;
-  bool is_detached_ = false;  // its tick hangs; has_ended_ says if it has ended since
+  bool is_detached_ = false;  // its tick hangs; has_ended_ says if the thread has ended since
   std::atomic<bool> is_set_up_{false};
   std::atomic<bool> stop_asked_{false};
   std::atomic<bool> pause_asked_{false};
-  std::atomic<bool> has_ended_{false};   // our own thread will not access anything any more
+  std::atomic<bool> has_ended_{false};   // the loop's own thread will not access anything any more
   std::atomic<bool> is_in_tick_{false};  // the host's
   std::atomic<Hosted> hosted_{Hosted::kDone};
   std::atomic<std::int64_t> ticked_ns_{kNever};  // when the last tick began
   std::atomic<std::int64_t> resumed_ns_{kNever};
   LatestValue<LoopStats> stats_;
-  // Used by the loop only.
+  // The loop alone uses these.
   LoopStats own_stats_;
   std::int64_t next_stats_ns_ = 0;
   std::thread thread_;

@@ -18,14 +18,15 @@ namespace felt {
 
 class LeapFilter;
 
-/// The report of one tick of the haptic loop: what `--forces` writes and the force panel plots.
+/// The report of one tick of the haptic loop. `--forces` writes it to a file, and the force panel
+/// plots it.
 struct TickReport {
-  PenSample sample;        ///< as read; the last good one if reading failed
-  bool sample_ok = false;  ///< it was read, and the safety chain accepted it
+  PenSample sample;        ///< as read; the last good sample if reading failed
+  bool sample_ok = false;  ///< the sample was read, and the safety chain accepted it
   double dt_s = 0.0;
   Force asked;            ///< sum of the model's terms after the cross-fade, times the strength
-  Force sent;             ///< what the device holds after the safety chain and the driver
-  ForceTerms terms;       ///< of the current model, before the cross-fade and without the strength
+  Force sent;             ///< force that the device holds after the safety chain and the driver
+  ForceTerms terms;       ///< of the current model, before cross-fade and strength
   double strength = 1.0;  ///< master strength on this tick, 0..1 (Servo::set_strength)
   SafetyReport safety;
   std::uint32_t ink_cuts = 0;  ///< strokes ended by jumps of the arm since the start (LeapFilter)
@@ -37,71 +38,77 @@ struct ServoOptions {
   /// Duration of the cross-fade between models of different fade_id
   /// (docs/design/limits.md#cross-fade). Clamped to 0..1 s.
   double cross_fade_s = 0.020;
-  /// Usually limits_for(the device). The period inside is replaced by the one above.
+  /// Usually limits_for(the device). Its period is replaced by `period_ns`.
   SafetyLimits limits;
 };
 
-/// The body of the haptic loop (docs/design/loop.md#data-flow): read, evaluate, limit, write, queue
-/// the sample.
+/// The body of the haptic loop (docs/design/loop.md#data-flow): reads a sample from the device,
+/// evaluates the force model, limits the force, writes it to the device and queues the sample.
 ///
 /// step(now) is called by a real-time thread (`RealtimeThread`), by a vendor's servo callback, or
-/// with a virtual clock by replay and tests (`VirtualClock`); it works the same for all. step() is
-/// real-time safe: no allocation, lock, I/O or exception. Denormals are treated as zero inside.
+/// with a virtual clock by replay and tests (`VirtualClock`). It works the same for all callers.
+/// step() is real-time safe: it does not allocate, lock, do I/O or throw. It treats denormal
+/// numbers as zero.
 ///
-/// A vendor's callback only needs to call step(now), with a monotonic clock that was 0 when the
-/// session began, always on the vendor's one thread, and stop() at the end. `RealtimeThread` with a
-/// `LoopHost` does that. Clang checks which threads may call what (thread_roles.h). The object is
-/// large (tens of KiB), so allocate it on the heap.
+/// A vendor's callback only needs to call step(now), always on the same thread and with a monotonic
+/// clock that was 0 when the session began, and stop() at the end. `RealtimeThread` with a
+/// `LoopHost` does that. Clang checks on which thread each function is called (thread_roles.h). The
+/// object is large (tens of KiB), so allocate it on the heap.
 class Servo {
  public:
   static constexpr std::size_t kRingSamples = 16384;  ///< 16 s at 1 kHz
   using Ring = SpscRing<PenSample, kRingSamples>;
   static constexpr int kMaxBetween = 32;           ///< samples between two ticks (Device::between)
-  static constexpr double kStrengthRampS = 0.050;  ///< for a change from 0 to 1
+  static constexpr double kStrengthRampS = 0.050;  ///< time for a change from 0 to 1
 
   /// Makes a servo for a device, which must outlive it. Forces are off until arm().
   Servo(Device& device, const ServoOptions& options);
   ~Servo();
 
-  /// Runs one tick. Haptic thread.
+  /// Runs one tick. Haptic thread only.
   const TickReport& step(std::int64_t now_ns) noexcept FELT_NONBLOCKING FELT_NOT_EDIT;
-  /// Ends the loop: forces off, in the device too. Haptic thread, or any thread if no loop runs.
-  /// Afterwards the servo can be armed and stepped again.
+  /// Ends the loop: switches the forces off, in the device, too. Call it on the haptic thread, or
+  /// on any thread if no loop runs. Afterwards the servo can be armed and stepped again.
   void stop() noexcept FELT_NOT_EDIT;
 
-  // Edit thread.
-  /// Sets the force model from the next tick on. If its fade_id differs while two other models are
-  /// still being cross-faded, it waits for the end of that, 20 ms at most. Wait-free.
+  // Call the following functions on the edit thread unless they say otherwise.
+  /// Sets the force model, which is used from the next tick on. If its fade_id differs while two
+  /// other models are still being cross-faded, the new model is used after the end of that
+  /// cross-fade, at most `cross_fade_s` later. Wait-free.
   void publish(const ForceModel& model) noexcept FELT_NOT_HAPTIC;
   /// Reports that the edit thread is alive. Call it at least every 100 ms with the loop's clock.
   void heartbeat(std::int64_t now_ns) noexcept FELT_NOT_HAPTIC;
-  /// Enables forces on behalf of the user. Any thread.
+  /// Enables forces on behalf of the user. Safe to call from any thread.
   void arm() noexcept;
-  /// Disables forces, for the user's force-off key. Any thread; takes effect on the next tick and
-  /// is never lost: an arm() after it engages from zero.
+  /// Disables forces, for the user's force-off key. Safe to call from any thread. It takes effect
+  /// on the next tick and is never lost: if arm() is called after it, the force rises again from
+  /// zero.
   void disarm() noexcept;
-  /// Sets the master strength, the share of the model's force that is requested from the device,
-  /// 0..1 (clamped; NaN is ignored). The loop changes to it linearly, at a rate of kStrengthRampS
-  /// for the whole range, so that the force stays continuous. Initially 1. Any thread.
+  /// Sets the master strength: the fraction of the model's force that is requested from the device,
+  /// 0..1 (clamped; NaN is ignored; initially 1). The strength changes linearly, by the whole range
+  /// in kStrengthRampS, so that the force stays continuous. Safe to call from any thread.
   void set_strength(double share) noexcept;
-  /// Sets session time minus loop time, ns; initially 0. Force models are evaluated in session
-  /// time, which is the time of the samples that tools make them from, so that a model can compute
-  /// its age (R30). Set it before publish() if the session began before this loop. Any thread.
+  /// Sets the offset, session time minus loop time, ns; initially 0. Force models are evaluated in
+  /// session time, which is also the time of the pen samples from which tools make the models. So a
+  /// model can compute its age (R30). If the session began before this loop, set the offset before
+  /// publish(). Safe to call from any thread.
   void set_session_offset(std::int64_t offset_ns) noexcept;
   [[nodiscard]] std::int64_t session_offset_ns() const noexcept {
     return session_offset_ns_.load(std::memory_order_relaxed);
   }
-  /// Return the queues of all accepted samples in order, for the session and for the autosave.
-  /// Samples of a device without forces are always accepted if they are finite, because a mouse may
-  /// jump. A jump of an arm is not accepted, and ends its stroke (LeapFilter).
+  /// Return the queues of all accepted samples in order, for the session and for the autosave. If
+  /// the device has no forces, all finite samples are accepted, because a mouse may jump. A jump of
+  /// an arm is not accepted and ends the stroke (LeapFilter).
   [[nodiscard]] Ring& for_edit() noexcept FELT_NOT_HAPTIC { return edit_ring_; }
   [[nodiscard]] Ring& for_autosave() noexcept FELT_NOT_HAPTIC { return autosave_ring_; }
-  /// Returns the report of the newest tick, for display; valid until the next call. Edit thread.
+  /// Returns the report of the newest tick, for display. It is valid until the next call of
+  /// latest(). Edit thread only.
   [[nodiscard]] const TickReport& latest() noexcept FELT_NOT_HAPTIC;
 
-  /// Returns when step() was called. Haptic thread, or any thread if no loop runs.
+  /// Returns the statistics of the times at which step() was called. Call it on the haptic thread,
+  /// or on any thread if no loop runs.
   [[nodiscard]] const LoopStats& stats() const noexcept { return stats_; }
-  /// Returns the options after clamping. Any thread.
+  /// Returns the options after clamping. Safe to call from any thread.
   [[nodiscard]] const ServoOptions& options() const noexcept { return options_; }
 
  private:
@@ -133,7 +140,7 @@ class Servo {
   std::atomic<std::int64_t> session_offset_ns_{0};
   static_assert(std::atomic<double>::is_always_lock_free);
 
-  // Used by the haptic thread only.
+  // The haptic thread alone uses these.
   SafetyChain chain_;
   std::unique_ptr<LeapFilter> leaps_;
   ForceModel current_;

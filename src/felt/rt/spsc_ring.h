@@ -11,16 +11,15 @@
 namespace felt {
 
 /// A queue from one producer thread to one consumer thread that delivers every element in order.
-/// Both sides are wait-free. If the consumer falls N elements behind, new elements are dropped and
-/// counted; the producer never waits. N is a power of two.
+/// Producer and consumer are wait-free. If the consumer falls N elements behind, new elements are
+/// dropped and counted; the producer never waits. N is a power of two.
 ///
 /// The constructor allocates and touches all memory, so that a push causes neither an allocation
 /// nor a page fault.
 ///
-/// We don't use the usual library (moodycamel's ReaderWriterQueue) because it orders by stand-alone
-/// fences, which the ThreadSanitizer of g++ does not model, so that it could not check this queue;
-/// because it does not count overflows; and because every user of the installed headers would need
-/// its package.
+/// We don't use the usual library (moodycamel's ReaderWriterQueue), for three reasons. It orders by
+/// stand-alone fences, which the ThreadSanitizer of g++ does not model and so cannot check. It does
+/// not count overflows. Every user of the installed headers would need its package.
 template <class T, std::size_t N>
 class SpscRing {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -33,7 +32,8 @@ class SpscRing {
 
   static constexpr std::size_t capacity() noexcept { return N; }
 
-  /// Producer. Adds an element. If the ring is full, drops it, counts it and returns false.
+  /// Adds an element. If the ring is full, drops and counts the element and returns false. Producer
+  /// thread only.
   bool push(const T& value) noexcept {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
     if (tail - head_seen_ == N) {
@@ -48,10 +48,11 @@ class SpscRing {
     return true;
   }
 
-  /// Consumer. Removes the oldest element; returns false if there is none.
+  /// Removes the oldest element. Returns false if the ring is empty. Consumer thread only.
   bool pop(T& value) noexcept { return pop(std::span<T>(&value, 1)) == 1; }
 
-  /// Consumer. Fills `out` from its front with the oldest elements and returns how many there were.
+  /// Removes the oldest elements, at most out.size(), and writes them to the front of `out`.
+  /// Returns their number. Consumer thread only.
   std::size_t pop(std::span<T> out) noexcept {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     const std::size_t count = std::min(tail_.load(std::memory_order_acquire) - head, out.size());
@@ -60,20 +61,21 @@ class SpscRing {
     return count;
   }
 
-  /// Returns the number of queued elements. On the consumer's thread at least that many can be
-  /// popped; on other threads it is an estimate.
+  /// Returns the number of queued elements. The consumer can pop at least that many; on other
+  /// threads the number is an estimate.
   [[nodiscard]] std::size_t size() const noexcept {
     const std::size_t head = head_.load(std::memory_order_acquire);
     return std::min(tail_.load(std::memory_order_acquire) - head, N);
   }
 
-  /// Returns the number of elements dropped because the consumer was too slow. Any thread.
+  /// Returns the number of elements dropped because the consumer was too slow. Safe to call from
+  /// any thread.
   [[nodiscard]] std::uint64_t dropped() const noexcept {
     return dropped_.load(std::memory_order_relaxed);
   }
 
  private:
-  static constexpr std::size_t kCacheLine = 64;  // separates the counters of the two sides
+  static constexpr std::size_t kCacheLine = 64;  // separates the counters of producer and consumer
 
   std::unique_ptr<T[]> slots_;
   alignas(kCacheLine) std::atomic<std::size_t> tail_{0};  // written by the producer

@@ -9,12 +9,13 @@
 
 namespace felt {
 
-/// Steps a servo in virtual time: as fast as the processor can, and identically on each run. For
-/// replay, tests and the demonstration; it does not use the real time.
+/// Steps a servo in virtual time: as fast as the processor can, and identically on each run. It
+/// never reads the real time. Replay, tests and the demonstration use it.
 ///
-/// With a sequence of latenesses, tick k, due at k periods, happens lateness_ns[k mod n] later, and
-/// periods that pass meanwhile are skipped, as in RealtimeThread. So recorded scheduler jitter can
-/// be replayed (docs/design/loop.md#what-is-proven).
+/// If a sequence of n delays (`lateness_ns`) is given, tick k, due after k periods, happens
+/// lateness_ns[k mod n] later. Periods that pass during the delay are skipped, as in
+/// RealtimeThread. So recorded scheduler jitter can be replayed
+/// (docs/design/loop.md#what-is-proven).
 ///
 ///   VirtualClock clock(servo);
 ///   for (...) { feed the device; const TickReport& report = clock.tick(); drain the rings; }
@@ -24,13 +25,13 @@ class VirtualClock {
   explicit VirtualClock(Servo& servo, std::span<const std::int64_t> lateness_ns = {}) noexcept
       : servo_(servo), lateness_ns_(lateness_ns) {}
 
-  /// Returns when the next tick will happen, which is the time that a simulated device will advance
-  /// to.
+  /// Returns the time of the next tick. A simulated device advances to this time.
   [[nodiscard]] std::int64_t next_ns() const noexcept { return due_ns_ + next_lateness(); }
-  /// Returns when the last tick happened; -1 before the first.
+  /// Returns the time of the last tick; -1 before the first tick.
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
-  /// Sets whether tick() sends the heartbeat of the edit thread, which here is the same thread
-  /// (default true). Tests of a silent edit thread switch it off.
+  /// Sets whether tick() sends the heartbeat of the edit thread (default true). With a virtual
+  /// clock, edit thread and haptic thread are the same. Tests of a silent edit thread switch the
+  /// heartbeat off.
   void set_heartbeat(bool on) noexcept { heartbeat_ = on; }
 
   /// Runs the next tick.

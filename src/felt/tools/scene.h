@@ -12,26 +12,26 @@ namespace felt {
 class StrokeIndex;
 
 /// What a tool can read besides the pen samples: the document, the surface under the pen, and the
-/// device that renders forces. Constant while a sample is handled.
+/// device that renders forces. Does not change while a sample is handled.
 struct Scene {
   const Document& document;
   const StrokeIndex& index;        ///< of this document, up to date
   const Selection& selection;      ///< of this document, up to date
   LayerId layer;                   ///< layer that receives new ink
-  const SurfaceMaterial& surface;  ///< the surface that is drawn on
+  const SurfaceMaterial& surface;  ///< the surface that the user draws on
   const Capabilities& device;
   Rgba color{};  ///< of new ink
   /// All materials of the session, by id. The first medium is the pencil.
   const Materials& materials = Materials::built_in();
 };
 
-/// Returns the medium with this id, or the pencil if there is none.
+/// Returns the medium with this id, or the pencil if no medium has it.
 inline const Medium& medium_of(const Scene& scene, std::string_view id) noexcept {
   const Medium* medium = scene.materials.find_medium(id);
   return medium ? *medium : scene.materials.media().front();
 }
 
-/// Returns the medium with its friction, on every surface, and its grain multiplied by these
+/// Returns the medium with its friction (on every surface) and its grain multiplied by these
 /// factors. Tools use it for their strength option and to glide more easily than the medium does.
 inline Medium felt_with(Medium medium, double friction, double grain) {
   medium.friction *= friction;

@@ -13,15 +13,16 @@
 namespace felt {
 
 /// The selection as the lasso and the transform tool show it: a box around the selected control
-/// points, and marks on the selected ink. It is updated incrementally: each sample reads a part of
-/// the selection, so a selection of 10^5 strokes costs no more per sample than one of fifteen. A
-/// selection of up to kPointsPerLook points is up to date after every look().
+/// points, and marks on the selected ink. The view is updated incrementally: each sample reads a
+/// part of the selection, so a selection of 10^5 strokes costs no more per sample than a selection
+/// of fifteen. If the selection has at most kPointsPerLook points, the view is up to date after
+/// every look().
 ///
 ///   view.look(scene.document, scene.selection);   // each sample
 ///   view.draw(overlay);
 ///
-/// Strokes on hidden or locked layers are ignored, because tools must not change them. Edit thread
-/// only.
+/// Strokes on hidden or locked layers are ignored, because tools must not change them. Use it on
+/// the edit thread only.
 class SelectionView {
  public:
   /// Control points read by one look(): 30 us at most, even for strokes that are scattered in
@@ -34,23 +35,23 @@ class SelectionView {
 
   /// Reads the next part of the selection, continuing where the last call ended.
   void look(const Document& document, const Selection& selection);
-  /// Reads the whole selection. Linear in its size.
+  /// Reads the whole selection, in time linear in its size.
   void look_at_all(const Document& document, const Selection& selection);
-  /// Discards the pass in progress, because its data is out of date; the next look() starts a new
-  /// one.
+  /// Discards the pass in progress after its data became out of date. The next look() starts a new
+  /// pass.
   void start_over() noexcept { looked_at_ = {}; }
 
   [[nodiscard]] bool empty() const noexcept { return seen_.strokes == 0; }
-  /// Returns the box around the selected control points; empty if there are none.
+  /// Returns the box around the selected control points; empty if no point is selected.
   [[nodiscard]] const Rect& box() const noexcept { return seen_.box; }
-  /// Returns box() extended by the marked segments and by the part of their half width beyond
-  /// kBesideMm.
+  /// Returns box() extended to contain the marked segments, with a margin of half their width minus
+  /// kBesideMm, if that is positive.
   [[nodiscard]] const Rect& ink_box() const noexcept { return seen_.ink_box; }
-  /// Returns a hash of the ids, marks and box: it changes whenever other points are selected or
-  /// they move.
+  /// Returns a hash of the ids, marks and box. It changes if other points are selected or the
+  /// selected points move.
   [[nodiscard]] std::uint64_t fingerprint() const noexcept { return seen_.fingerprint; }
-  /// Returns the hash without the box: equal for the same marks on the same strokes, wherever they
-  /// lie.
+  /// Returns the hash without the box. It stays the same if the same points of the same strokes are
+  /// selected, even if they have moved.
   [[nodiscard]] std::uint64_t marks_fingerprint() const noexcept { return seen_.marks; }
   [[nodiscard]] std::size_t stroke_count() const noexcept { return seen_.strokes; }
   /// Returns the number of strokes that are only partly selected.

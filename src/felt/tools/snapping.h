@@ -10,8 +10,8 @@
 
 namespace felt {
 
-/// What ends of strokes do when the pen comes near (paper, eq. 11; R43). With kForce you can draw
-/// near an end without connecting to it.
+/// What ends of strokes do when the pen comes near (paper, eq. 11; R43): attract the pen, snap, or
+/// both. With kForce the user can draw near an end without connecting to it.
 enum class SnapMode { kOff, kForce, kSnap, kBoth };
 /// The option names of SnapMode, in order.
 inline constexpr std::array<std::string_view, 4> kSnapModes = {"off", "force", "snap", "both"};
@@ -25,24 +25,24 @@ constexpr bool snaps(SnapMode mode) noexcept {
 
 struct SnapOptions {
   SnapMode mode = SnapMode::kBoth;
-  double reach_mm = 8.0;   ///< M: range of the force
+  double reach_mm = 8.0;   ///< M: the force acts within this distance
   double radius_mm = 2.0;  ///< r_snap: within this the end snaps
-  double force_n = 0.6;    ///< Fp: greatest attraction
+  double force_n = 0.6;    ///< Fp: maximum attraction
 };
 
-/// Greatest stiffness of an attraction, N/mm. Together with the 60 N/m of a dragged end it stays
+/// Maximum stiffness of an attraction, N/mm. Together with the 60 N/m of a dragged end, it stays
 /// within the limit of 300 N/m for edits.
 inline constexpr double kWellSlopeNPerMm = 0.24;
 
-/// Returns the shape of the attraction. Core and rim are a quarter of the reach each. A larger
-/// force widens the core, so that the stiffness stays below kWellSlopeNPerMm; if the reach is too
+/// Returns the shape of the attraction. Core and rim are each a quarter of the reach wide. A larger
+/// force widens the core, so that the stiffness stays below kWellSlopeNPerMm. If the reach is too
 /// small for that, the force is reduced. `strength` scales force and damping.
 WellShape well_of(const SnapOptions& options, double strength = 1.0) noexcept;
 
-/// A point that attracts: an end of a stroke of the document, a point on a stroke, or the start of
-/// the stroke being drawn.
+/// A point that attracts the pen: an end of a stroke of the document, a point on a stroke, or the
+/// start of the stroke being drawn.
 struct SnapTarget {
-  TipId tip;  ///< without a stroke id: the start of the stroke being drawn
+  TipId tip;  ///< no stroke id means the start of the stroke being drawn
   Point point;
   bool on_curve = false;  ///< a point on the stroke; `tip.tip` is unused
 
@@ -50,9 +50,10 @@ struct SnapTarget {
   friend bool operator==(const SnapTarget&, const SnapTarget&) noexcept = default;
 };
 
-/// Chooses the end that attracts an end being dragged: the nearest within reach, kept until another
-/// is nearer by 1 mm, so that the force does not alternate between two. The other end of the same
-/// stroke is a target immediately, because an end is dragged to be connected. Not thread-safe.
+/// Chooses the end that attracts an end being dragged. This is the nearest end within reach. It
+/// stays chosen until another is nearer by 1 mm, so that the force does not alternate between two
+/// ends. The other end of the same stroke is a target immediately, because an end is dragged to be
+/// connected. Not thread-safe.
 class SnapFinder {
  public:
   static constexpr double kHysteresisMm = 1.0;
@@ -61,7 +62,8 @@ class SnapFinder {
   void reset() noexcept;
   /// Starts dragging this end, without a target yet.
   void drag(TipId tip) noexcept;
-  /// Updates the target for an end moved to `end`. Returns it, or nullopt if there is none.
+  /// Updates the target for the dragged end, which is now at `end`. Returns the target, or nullopt
+  /// if no end is within reach.
   const std::optional<SnapTarget>& update(Point end, const SnapOptions& options,
                                           const Document& document, const StrokeIndex& index);
   [[nodiscard]] const std::optional<SnapTarget>& target() const noexcept { return target_; }
@@ -71,8 +73,8 @@ class SnapFinder {
   std::optional<TipId> dragged_;
 };
 
-/// Returns true if the target has not moved and is on a visible layer; always true for the start of
-/// the stroke being drawn.
+/// Returns true if the target has not moved and is on a visible layer. Always returns true for the
+/// start of the stroke being drawn.
 bool is_still_there(const SnapTarget& target, const Document& document);
 
 }  // namespace felt

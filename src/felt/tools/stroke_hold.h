@@ -9,14 +9,14 @@
 namespace felt {
 
 /// Tracks the point of a stroke under the pen, for tools that work along a stroke
-/// (docs/design/editing.md#nearest-point). The stroke is searched among all strokes once; then the
-/// point is followed along the arc, so that where a stroke crosses itself the pen stays on the
-/// branch it started on.
+/// (docs/design/editing.md#nearest-point). All strokes are searched once. After that the point is
+/// tracked along the arc, so that if a stroke crosses itself, the pen stays on the branch it
+/// started on.
 ///
 ///   hold.take(scene, pen);        // hover, touch
 ///   hold.follow(scene, pen);      // each further sample of the gesture
 ///
-/// Edit thread only.
+/// Use it on the edit thread only.
 class StrokeHold {
  public:
   /// A pen farther from the stroke than this has no effect (R20).
@@ -32,8 +32,9 @@ class StrokeHold {
     Point point;
   };
 
-  /// Holds the editable stroke nearest to the pen within kReachMm, or releases if there is none.
-  /// Returns true if it holds one. Linear in its segments if it is not the stroke held before.
+  /// Holds the editable stroke nearest to the pen, or none if no stroke is within kReachMm. Returns
+  /// true if it holds a stroke. If that is another stroke than before, takes time linear in its
+  /// segments.
   bool take(const Scene& scene, Point pen);
   /// Follows the pen along the held stroke. Returns false, and keeps the point, while the pen is
   /// too far away. If the pen comes back elsewhere on the stroke, tracking continues there.
@@ -42,7 +43,7 @@ class StrokeHold {
   void release() noexcept;
 
   [[nodiscard]] bool holds() const noexcept { return stroke_ != nullptr; }
-  /// This and all below require holds().
+  /// This and all following functions require holds().
   [[nodiscard]] StrokeId id() const noexcept { return id_; }
   [[nodiscard]] const StrokePtr& stroke() const noexcept { return stroke_; }
   [[nodiscard]] const ArcMap& map() const noexcept { return *map_; }

@@ -18,16 +18,16 @@
 
 namespace felt {
 
-/// Pen buttons that modify a gesture; ToolUse says how. A desktop program maps keys (Shift, Ctrl)
-/// to them, too.
+/// Pen buttons that modify a gesture; ToolUse says how. A desktop program also maps keys (Shift,
+/// Ctrl) to them.
 inline constexpr std::uint32_t kFirstModifier = 1U << 0;
 inline constexpr std::uint32_t kSecondModifier = 1U << 1;
 
-/// What a tool does to a drawing. Other modules and the programs branch on this, never on a tool's
-/// id.
+/// What a tool does to a drawing. Other modules and the programs branch on ToolKind, never on a
+/// tool's id.
 enum class ToolKind : std::uint8_t {
   kDraws,  ///< adds strokes in the medium of its option "material"; a session starts with this tool
-  kEdits,  ///< changes strokes under the pen; a gesture that hits none missed its target
+  kEdits,  ///< changes strokes under the pen; a gesture that hits no stroke missed
   kErases,      ///< removes ink; feels like the medium "eraser"
   kSelects,     ///< changes the selection, which it also draws
   kTransforms,  ///< changes the strokes that are selected when the gesture begins; draws the
@@ -50,14 +50,14 @@ struct ToolUse {
   std::string_view hint = {};             ///< one line of text, shown while the pen hovers
   std::string_view first_modifier = {};   ///< effect of kFirstModifier: "thinner"; "" for none
   std::string_view second_modifier = {};  ///< same for kSecondModifier
-  std::string_view size = {};  ///< id of the number option that sets its size; "" for none
+  std::string_view size = {};  ///< id of the number option that sets the tool's size; "" for none
   ToolPath path = ToolPath::kAway;
 };
 
 /// The part of the demonstration that shows a tool. Its script is the file N-ID.ndjson in the
 /// tool's folder; N is its position in the demonstration.
 struct ToolAct {
-  std::string_view title = {};    ///< "Pull and push"; "" if there is no act
+  std::string_view title = {};    ///< "Pull and push"; "" if the tool has no act
   std::string_view caption = {};  ///< one or two sentences
   double seconds = 0.0;           ///< longest duration on screen
 };
@@ -84,11 +84,11 @@ struct ToolSize {
 
 /// The result of handling one sample.
 struct ToolResult {
-  /// Shown applied to the document; replaces the previous preview.
+  /// The preview: an edit to show applied to the document. It replaces the previous preview.
   std::optional<Edit> preview = {};
-  /// Set when the gesture is over and has changed the document: one undo step.
+  /// The edit to commit, one undo step. Set if the gesture is over and has changed the document.
   std::optional<Edit> commit = {};
-  /// The new selection; applied after `commit`.
+  /// The new selection, applied after `commit`.
   std::optional<Selection> selection = {};
   /// If true, a missing `preview` keeps the previous one instead of removing it, for example
   /// because nothing visible has changed.
@@ -97,37 +97,37 @@ struct ToolResult {
 
 /// A tool: a state machine over pen samples, without threads, clock, files or widgets. It changes
 /// the document by edits, returns a force model for the hand, and draws previews and hints into an
-/// overlay. One folder per tool; ARCHITECTURE.md and `./dev new tool` describe its contents. Edit
-/// thread only.
+/// overlay. One folder per tool; ARCHITECTURE.md and `./dev new tool` describe its contents. Use it
+/// on the edit thread only.
 class Tool {
  public:
   virtual ~Tool() = default;
 
   [[nodiscard]] virtual const ToolInfo& info() const noexcept = 0;
-  /// Handles one sample, including hover samples. `contact` is the result of the session's Contact
-  /// for it. Requires is_pen_position().
+  /// Handles one sample, which may be a hover sample. `contact` is the result of the session's
+  /// Contact for this sample. Requires is_pen_position().
   virtual ToolResult sample(const PenSample& sample, Contact::Change contact,
                             const Scene& scene) = 0;
   /// Called when the sample stream stops: the user chose another tool, the device was disconnected,
   /// or the script or program ends. Commits the gesture as if the pen had been lifted, so that no
   /// ink is lost.
   virtual ToolResult finish(const Scene& scene) = 0;
-  /// Discards the gesture. The pen must be lifted before another begins.
+  /// Discards the gesture. The pen must be lifted before another gesture begins.
   virtual void cancel() = 0;
   /// Returns the force model to render until the next call.
   [[nodiscard]] virtual ForceModel force(const Scene& scene) const = 0;
-  /// Adds everything the tool shows on top of the document: wet ink, rings, tethers.
+  /// Adds everything that the tool shows on top of the document: wet ink, rings, tethers.
   virtual void draw(Overlay& overlay) const = 0;
 
-  /// Sets or returns an option. Unless a tool says otherwise, a change takes effect with the next
-  /// gesture.
+  /// Sets or returns an option. A change takes effect with the next gesture unless a tool says
+  /// otherwise.
   virtual Result<void> set_option(std::string_view id, const OptionValue& value) = 0;
   [[nodiscard]] virtual Result<OptionValue> option(std::string_view id) const = 0;
 
-  /// Returns the value of the option that the ToolUse names as the tool's size, or nullopt if it
-  /// names none.
+  /// Returns the value of the option that the current ToolUse names as the tool's size, or nullopt
+  /// if it does not name any.
   [[nodiscard]] virtual std::optional<ToolSize> size() const;
-  /// Returns the options to set, by id, to make the size `mm`, clamped to its range.
+  /// Returns the options to set, by id, so that the size becomes `mm`, clamped to its range.
   [[nodiscard]] virtual std::vector<std::pair<std::string_view, double>> options_for_size(
       double mm) const;
 

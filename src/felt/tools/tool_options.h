@@ -17,14 +17,15 @@ using OptionValue = std::variant<double, bool, std::string>;
 /// The type of an option.
 enum class OptionKind { kNumber, kSwitch, kChoice };
 
-/// Which materials a choice may name besides the listed ones: `choices` lists the built-in ones,
-/// and a session may have more (Session::materials). A tool on its own accepts any id.
+/// Which materials a choice may name besides the listed ones. `choices` lists the built-in
+/// materials, and a session may have more (Session::materials). A tool without a session accepts
+/// any id.
 enum class OpenChoice { kNone, kSheets, kMedia };
 
 /// One row of a tool's option table, which is constexpr in the tool's folder. The desktop's panel,
 /// `--set pencil.snap_radius_mm=3`, `feltline tools` and the range tests are all generated from it.
 struct OptionSpec {
-  std::string_view id;     ///< "snap_radius_mm": unique within the tool, unit in the name
+  std::string_view id;     ///< "snap_radius_mm": unique within the tool, with its unit
   std::string_view label;  ///< shown to the user: "Snap radius"
   std::string_view unit;   ///< "mm", "N", "" for none
   OptionKind kind = OptionKind::kNumber;
@@ -33,8 +34,9 @@ struct OptionSpec {
   double fallback = 0.0;  ///< default: a number, 0 or 1 for a switch, or the index of a choice
   std::span<const std::string_view> choices = {};  ///< kChoice
   std::string_view help;                           ///< one sentence
-  /// "mode=brush" or "snap=force|both": another choice of the same table, and its values for which
-  /// this row has an effect. A panel shows the row only then. "" for always.
+  /// Another choice of the same table and those of its values for which this row has an effect:
+  /// "mode=brush" or "snap=force|both". A panel shows the row only for these values. "" means
+  /// always.
   std::string_view when = {};
   OpenChoice open = OpenChoice::kNone;  ///< kChoice
   bool is_seldom = false;               ///< rarely changed: a panel hides it in a collapsed section
@@ -61,35 +63,37 @@ constexpr OptionSpec strength_option(std::string_view help) noexcept {
           .former_id = {}};
 }
 
-/// Returns the allowed values, for messages and help: "it is a number from 0.3 to 20 mm".
+/// Returns a text with the allowed values, for messages and help: "it is a number from 0.3 to 20
+/// mm".
 std::string allowed_text(const OptionSpec& spec);
 /// Returns the values that a choice may have, given these materials: the listed ones, then the
 /// user-defined ones. Media that do not draw are left out.
 std::vector<std::string> choices_with(const OptionSpec& spec, const Materials& materials);
-/// Fails if an open choice has none of the values of choices_with(); the message lists them. Always
-/// succeeds for other rows.
+/// Fails if an open choice does not have one of the values of choices_with(); the message lists
+/// them. Always succeeds for other rows.
 Result<void> check_choice(const OptionSpec& spec, const OptionValue& value,
                           const Materials& materials);
-/// Returns true if the row has an effect while the choice that its `when` names has this value.
+/// Returns true if the row has an effect when the option that its `when` names has the value
+/// `choice`.
 bool matters_with(const OptionSpec& spec, std::string_view choice) noexcept;
 /// Returns the id of the option that `when` names, or "" if the row always has an effect.
 std::string_view decider_of(const OptionSpec& spec) noexcept;
 /// Returns the default of the option.
 OptionValue default_value(const OptionSpec& spec);
 
-/// The values of one option table, by index, checked against the table.
+/// The values of the options of one table, by index. Every value is checked against the table.
 class OptionValues {
  public:
   /// Sets all options to their defaults. The table must outlive this object. Requires defaults
   /// within their ranges.
   explicit OptionValues(std::span<const OptionSpec> table);
 
-  /// Sets an option. Fails without a change if there is no such option, or the value is of the
+  /// Sets an option. Fails without a change if no option has this id, or if the value is of the
   /// wrong kind or out of range. The message names the option, the value and the allowed values.
   Result<void> set(std::string_view id, const OptionValue& value);
   [[nodiscard]] Result<OptionValue> get(std::string_view id) const;
 
-  /// Return a value by index in the table, for the tool itself.
+  /// Return the value of a number or a switch by its index in the table, for the tool itself.
   [[nodiscard]] double number(std::size_t i) const noexcept { return values_[i]; }
   [[nodiscard]] bool is_on(std::size_t i) const noexcept { return values_[i] != 0.0; }
   /// Returns the index of a choice. Requires a choice that is not open.

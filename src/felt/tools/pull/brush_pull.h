@@ -18,31 +18,33 @@ namespace felt {
 ///   g(t) = f(t) + V w(s(t)),   g' = f' + V w' |f'|
 ///
 /// The stroke is cut once: where the influence begins and ends, at the grab, and where one cubic
-/// cannot approximate w(s(t)). Then each piece is the Hermite interpolant of g: it has the position
-/// and derivative of g at both ends. This is linear in V: every control point moves by V times a
-/// weight that is computed at the touch. So a sample costs one multiplication per control point,
-/// and the result depends on V only, not on the path or the sample rate. Derivatives on both sides
-/// of a smooth joint stay parallel because both become f'(1 + V w' ...) of the same direction.
+/// cannot approximate w(s(t)). After that, each piece is the Hermite interpolant of g: it has the
+/// position and derivative of g at both ends. The result is linear in V: every control point moves
+/// by V times a weight that is computed at the touch. So a sample costs one multiplication per
+/// control point, and the result depends on V only, not on the path or the sample rate. Derivatives
+/// on both sides of a smooth joint stay parallel because both are multiplied by the same expression
+/// (1 + V w' ...).
 ///
-/// If it is pulled along itself by more than radius/1.5, the ink folds back like a rope that is
-/// pushed. It still follows the pen, and all invariants hold. Widths stay with the ink.
+/// If the stroke is pulled along itself by more than radius/1.5, the ink folds back like a rope
+/// that is pushed. The ink still follows the pen, and all invariants hold. Each piece of ink keeps
+/// its width.
 class BrushPull {
  public:
-  /// Prepares a pull at u0, clamped to the stroke. Linear in the segments of the stroke.
+  /// Prepares a pull at u0, clamped to the stroke. Takes time linear in the segments of the stroke.
   BrushPull(StrokePtr snapshot, double u0, const BrushOptions& options = {});
 
-  /// Returns the stroke with the grab displaced by this vector, mm; exactly the snapshot for 0. Ink
-  /// that is compressed below the length that I5 requires keeps handles of at least 0.03 mm. Fails
-  /// if the displacement is not finite.
+  /// Returns the stroke with the grabbed point displaced by this vector, in mm, or exactly the
+  /// snapshot for 0. Ink that is compressed below the length that I5 requires keeps handles of at
+  /// least 0.03 mm. Fails if the displacement is not finite.
   [[nodiscard]] Result<Stroke> at(Vec displacement) const;
-  /// Returns the same stroke with as few segments as the tolerance allows, to be committed. The
-  /// curve still passes exactly through the pen, whether there is a joint or not.
+  /// Returns the stroke to commit: the same stroke with as few segments as the tolerance allows.
+  /// The curve still passes exactly through the pen.
   [[nodiscard]] Result<Stroke> finished(Vec displacement) const;
 
-  /// Returns the point of the grab, in the snapshot.
+  /// Returns the grabbed point, in the snapshot.
   [[nodiscard]] Point origin() const noexcept { return origin_; }
   /// Return the part of the snapshot that moves: all of it if the whole stroke moves. On a closed
-  /// stroke, last <= first means through the seam.
+  /// stroke, last <= first means that the part crosses the seam.
   [[nodiscard]] double first_u() const noexcept { return first_u_; }
   [[nodiscard]] double last_u() const noexcept { return last_u_; }
   /// Return the same part on strokes made by at(), as joint numbers.
@@ -58,7 +60,7 @@ class BrushPull {
   struct Run {
     int segment = 0;
     double sign = 1.0;                       ///< +1 if the distance from the grab grows with t
-    double start_mm = 0.0, radius_mm = 0.0;  ///< arc length to the near end, and at which w is 0
+    double start_mm = 0.0, radius_mm = 0.0;  ///< arc length to the near end; arc length where w = 0
     std::array<double, 4> weights{};         ///< from the near end to the far end
   };
 

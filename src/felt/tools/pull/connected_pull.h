@@ -19,22 +19,23 @@ namespace felt {
 /// Keeps strokes that share a point (junctions.h) together while one of them is pulled or pushed,
 /// in any mode (R33): adds the changes of the other strokes to the gesture's edit.
 ///
-/// If its shared point moves, a stroke is pulled there by a brush, so its other end and its corners
-/// stay; strokes connected to it follow in turn. An end that lies on a stroke of a locked layer is
-/// pulled back to it by a brush instead. The result depends only on the edit and the document at
-/// the touch, as long as at most kMaxFollowers are needed, so moving back undoes it.
+/// If a shared point moves, a brush pulls the other stroke to its new position, so the other end
+/// and the corners of that stroke stay. Strokes connected to it follow in turn. If an end lies on a
+/// stroke of a locked layer, a brush pulls it back to that stroke instead. If at most kMaxFollowers
+/// strokes follow, the result depends only on the edit and the document at the touch, so moving
+/// back undoes it.
 ///
-/// A stroke that has not changed since the last edit costs a look-up, a changed one the search for
-/// its shared points, and each of its followers one multiplication per control point. One object
-/// per gesture.
+/// A stroke that has not changed since the last edit costs a look-up. A changed stroke costs the
+/// search for its shared points, and each of its followers costs one multiplication per control
+/// point. Make one object per gesture.
 class ConnectedPull {
  public:
   static constexpr int kMaxRounds = 4;
-  /// Maximum number of strokes that follow in one gesture; further ones are not moved. Strokes that
-  /// the gesture itself pulls or pushes do not count.
+  /// Maximum number of strokes that follow in one gesture; further strokes do not move. Strokes
+  /// that the gesture itself pulls or pushes do not count.
   static constexpr std::size_t kMaxFollowers = 256;
 
-  /// Counts the preparations so far, for tests.
+  /// Number of preparations so far, for tests.
   struct Work {
     int maps = 0;     ///< arc length maps
     int brushes = 0;  ///< brush pulls of one stroke at one point

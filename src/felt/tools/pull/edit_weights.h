@@ -19,18 +19,19 @@ struct EditWeights {
 };
 
 enum class WeightKind {
-  /// The least motion of joints and handles that reaches the pen: alpha = L (b1 + b2), c2 = L b2,
-  /// ...
+  /// The least motion of joints and handles that brings the curve to the pen: alpha = L (b1 + b2),
+  /// c2 = L b2, ...
   kSoft,
   /// The paper's three cases, blended within tau = .25 of the joints (docs/design/errata.md#e4,
   /// #e5).
   kPaper,
-  /// Eq. 7 as printed, including t V for B4 (docs/design/errata.md#e1). For study only, because it
-  /// does not reach the pen (docs/design/errata.md#e2: 0.34 to 1.00 of the displacement).
+  /// Eq. 7 as printed, including t V for B4 (docs/design/errata.md#e1). For study only, because the
+  /// curve does not reach the pen: it moves by only 0.34 to 1.00 of the displacement
+  /// (docs/design/errata.md#e2).
   kPrinted,
 };
 
-/// How freely the parts of a segment may move: 1 freely, 0 not at all.
+/// How freely the parts of a segment may move: 1 means freely, 0 not at all.
 struct Compliance {
   double left_joint = 1.0;
   double left_handle = 1.0;
@@ -42,19 +43,19 @@ struct Compliance {
 inline constexpr double kBlendTau = 0.25;
 
 /// Returns the weights of least motion: they minimise the sum of the squares of alpha, c2, c3,
-/// beta, each divided by its compliance. If all are 1 these are the weights `soft` of
-/// docs/design/editing.md#pull-weights: at t = 0 the paper's case 1, at t = 1 case 2, at .5 (.64,
-/// 1.12, 1.12, .64). The weights are all zero if no movable part moves the point at t. Requires t
-/// in [0, 1].
+/// beta, each divided by its compliance. If all compliances are 1, these are the weights `soft` of
+/// docs/design/editing.md#pull-weights: the paper's case 1 at t = 0, case 2 at t = 1, and (.64,
+/// 1.12, 1.12, .64) at t = .5. The weights are all zero if no movable part moves the point at t.
+/// Requires t in [0, 1].
 EditWeights soft_weights(double t, const Compliance& compliance = {}) noexcept;
 /// Returns the paper's case 3 on [tau, 1 - tau], case 1 at 0, case 2 at 1, and a C1 blend in
 /// between.
 EditWeights paper_weights(double t, double tau = kBlendTau) noexcept;
-/// (1-t)^3, 3t(1-t)^2, 3t^2(1-t), t.
+/// Returns (1-t)^3, 3t(1-t)^2, 3t^2(1-t), t.
 EditWeights printed_weights(double t) noexcept;
 
-/// Returns the compliance of a pinned joint at the parameter distance t from the grab: 1 at t = 0,
-/// because then the joint itself is grabbed, 0 from kBlendTau on, smooth in between.
+/// Returns the compliance of a pinned joint at the parameter distance t from the grab: 1 at t = 0
+/// (the joint itself is grabbed), 0 if t >= kBlendTau, and a smooth transition in between.
 double pinned_compliance(double t) noexcept;
 
 }  // namespace felt

@@ -10,39 +10,41 @@ namespace felt {
 /// Options of the grab mode.
 struct GrabOptions {
   WeightKind weights = WeightKind::kSoft;
-  /// Whether ends and corners stay in place unless they are grabbed themselves; the handles then
-  /// take over their share (docs/design/editing.md#pull-weights).
+  /// Whether ends and corners stay in place unless they are grabbed themselves. If they stay, the
+  /// handles move more instead (docs/design/editing.md#pull-weights).
   bool pins_joints = true;
-  /// The stroke is divided around the grab so that at most this length changes, mm; 0 leaves the
+  /// Maximum length of ink that changes, mm: the stroke is divided around the grab. 0 leaves the
   /// segments undivided (docs/design/editing.md#grab: 30).
   double affected_mm = 0.0;
 };
 
 /// Bends one segment of a stroke so that its point at u0 moves exactly as far as the pen (R21). Its
 /// neighbours stay G1-continuous with it; nothing else changes
-/// (docs/design/editing.md#smooth-joints). Computed from the stroke at the touch and the total
-/// displacement, never from sample to sample (docs/design/editing.md#snapshot, R23).
+/// (docs/design/editing.md#smooth-joints). The result is computed from the stroke at the touch and
+/// the total displacement, never from sample to sample (docs/design/editing.md#snapshot, R23).
 ///
-/// Closed strokes wrap around. A closed stroke of one segment is divided at .5 first; in one of two
-/// segments the other segment is both neighbours, so both its ends are adapted (R26).
+/// Closed strokes wrap around. A closed stroke of one segment is divided at .5 first. In a closed
+/// stroke of two segments, the other segment is the neighbour on both sides, so both its ends are
+/// adapted (R26).
 class GrabPull {
  public:
   /// Prepares everything that does not depend on the displacement. u0 is clamped to the stroke.
   GrabPull(StrokePtr snapshot, double u0, const GrabOptions& options);
 
-  /// Returns the stroke with the grabbed point displaced by this vector, mm; exactly the snapshot
-  /// for 0. Fails if the displacement is not finite, the shape would break an invariant, or no
-  /// movable part moves the point.
+  /// Returns the stroke with the grabbed point displaced by this vector, in mm, or exactly the
+  /// snapshot for 0. Fails if the displacement is not finite, the shape would break an invariant,
+  /// or no movable part moves the point.
   [[nodiscard]] Result<Stroke> at(Vec displacement) const;
-  /// Returns the same stroke with badly shaped segments refitted (refit.h), to be committed.
+  /// Returns the stroke to commit: the same stroke with badly shaped segments refitted (refit.h).
   [[nodiscard]] Result<Stroke> finished(Vec displacement) const;
 
   /// Returns the grabbed point, in the snapshot.
   [[nodiscard]] Point origin() const noexcept { return origin_; }
-  /// Returns its parameter on strokes made by at(), other than the snapshot.
+  /// Returns the parameter of the grabbed point on strokes made by at(), which may differ from its
+  /// parameter in the snapshot.
   [[nodiscard]] double u() const noexcept { return place_.segment + place_.t; }
-  /// Return the part of strokes made by at() that may differ from the snapshot, as joint numbers;
-  /// on a closed stroke, last <= first means through the seam.
+  /// Return the part of strokes made by at() that may differ from the snapshot, as joint numbers.
+  /// On a closed stroke, last <= first means that the part crosses the seam.
   [[nodiscard]] int first_joint() const noexcept;
   [[nodiscard]] int last_joint() const noexcept;
 

@@ -13,28 +13,29 @@
 namespace felt {
 
 /// One stroke that a round nib pushes aside (R27; docs/design/editing.md#push). The nib moves in
-/// steps of at most half its radius. After each step, while the point f of the stroke nearest to
-/// the pen p is nearer than the radius, f is moved to p - r n, n = (p - f)/|p - f|. So the stroke
-/// is pushed away from outside and never dragged along. Because it is never closer to the pen than
-/// half a radius, the nib cannot pass through it.
+/// steps of at most half its radius r. Let f be the point of the stroke nearest to the pen p. After
+/// each step, f is moved to p - r n, n = (p - f)/|p - f|, until its distance is at least r. So the
+/// stroke is pushed from outside and never dragged along. Because the stroke is never closer to the
+/// pen than half a radius, the nib cannot pass through it.
 ///
-/// The neighbourhood of f moves with it: with s the arc length in the stroke at the touch, a point
-/// moves by w(s) = 1 - 3x^2 + 2x^3, x = |s - s_f|/R, times the displacement of f, and the tangents
-/// turn with the slope of w. R is kReachRadii radii, plus kReachPerDepth times the total
-/// displacement of f, so that a deep push makes a wide dent that the nib can glide out of, not a
-/// narrow slot that catches it. Arc lengths are those of the original ink, before it is stretched.
-/// Within the reach the stroke is divided into pieces of kPieceRadii radii.
+/// The neighbourhood of f moves with it: a point moves by w(s) times the displacement of f, with
+/// w(s) = 1 - 3x^2 + 2x^3, x = |s - s_f|/R, and s the arc length in the stroke at the touch. The
+/// tangents turn with the slope of w. R is kReachRadii radii plus kReachPerDepth times the total
+/// displacement of f. So a deep push makes a wide dent that the nib can glide out of, not a narrow
+/// slot that catches it. Arc lengths are those of the original ink, before it is stretched. Within
+/// the reach the stroke is divided into pieces of kPieceRadii radii.
 class NibPush {
  public:
   static constexpr double kReachRadii = 3.0;
   static constexpr double kReachPerDepth = 1.25;
   static constexpr double kPieceRadii = 2.0;
   static constexpr int kReachTrials = 6;
-  /// Maximum number of steps of one motion. If a motion is longer than this many half radii, its
-  /// steps are longer, and ink that they jump over is caught separately.
+  /// Maximum number of steps of one motion. If a motion is longer than kMaxSteps half radii, its
+  /// steps are longer, and ink that they jump over is found separately.
   static constexpr int kMaxSteps = 64;
-  /// Corrections after each step (docs/design/editing.md#push: up to 6), and the maximum if ink
-  /// lies all around the nib; the additional ones leave some micrometres more than the radius.
+  /// Usual and maximum number of corrections after each step (docs/design/editing.md#push: up to
+  /// 6). The additional ones are needed if ink lies all around the nib; they leave a distance some
+  /// micrometres greater than the radius.
   static constexpr int kExactCorrections = 6;
   static constexpr int kCorrections = 24;
   /// Maximum number of segments into which a stroke is divided.
@@ -46,7 +47,7 @@ class NibPush {
 
   /// Moves the nib straight from `from` to `to`. `came_from` is the unit direction from the stroke
   /// towards the pen, used if the pen lies exactly on the stroke; zero if unknown. Returns true if
-  /// the stroke moved. A motion that would break an invariant is not applied.
+  /// the stroke moved. Ignores a motion that would break an invariant.
   bool move(Point from, Point to, Vec came_from = {});
   /// Returns the stroke as pushed so far.
   [[nodiscard]] const StrokePtr& stroke() const noexcept { return stroke_; }
@@ -56,7 +57,7 @@ class NibPush {
     double displacement_mm = 0.0;
   };
   [[nodiscard]] std::optional<Under> under(Point p, double within_mm) const;
-  /// Returns the point where the last move touched the stroke, if it did.
+  /// Returns the point at which the last move touched the stroke; nullopt if it did not.
   [[nodiscard]] const std::optional<Point>& contact() const noexcept { return contact_; }
   /// Returns the final stroke: changed segments are refitted (refit.h), but the nib at `pen` stays
   /// as clear of the stroke as it is now.

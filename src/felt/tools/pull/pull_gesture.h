@@ -13,11 +13,11 @@
 
 namespace felt {
 
-/// The kind and the parameters of the force during a pull gesture; pull_force.h makes the force
+/// The kind and the parameters of the force during a pull gesture. pull_force.h makes the force
 /// model from them.
 struct PullFeel {
   enum class Kind : std::uint8_t {
-    kNone,    ///< the surface alone: nothing is grabbed
+    kNone,    ///< the force of the surface only, because nothing is grabbed
     kSpring,  ///< EditSpring: back to the point of the grab
     kSweep,   ///< SweepSpring: towards a curve that yields with a time constant
     kPush,    ///< PushSpring: against the lines that the nib pushes
@@ -38,8 +38,8 @@ class PullGesture {
   /// Handles the next pen sample. Returns the changes so far, to be shown, or nullopt if nothing
   /// changed since the last call.
   virtual std::optional<Edit> move(const PenSample& pen, const Scene& scene) = 0;
-  /// Called when the pen is lifted. Returns the edit to commit, refitted within the tolerance;
-  /// empty if nothing changed.
+  /// Called when the pen is lifted. Returns the edit to commit, refitted within the tolerance, or
+  /// an empty edit if nothing changed.
   virtual Edit end(const Scene& scene) = 0;
   [[nodiscard]] virtual PullFeel feel() const = 0;
   virtual void draw(Overlay& overlay) const = 0;

@@ -12,7 +12,7 @@
 namespace felt {
 
 /// Corrects lines by pulling and pushing them (paper, "local modifications"; pull.md). A touch
-/// within the grab radius of a line grabs it; each mode has its own PullGesture.
+/// within the grab radius of a line grabs it; Each mode has its own PullGesture.
 class PullTool final : public GestureTool {
  public:
   PullTool();

@@ -12,7 +12,7 @@ struct SegmentShape {
   double most_winding = 1.9;   ///< arc length divided by the chord
 };
 
-/// How far the refit may move the ink, mm: less than pen and eye resolve.
+/// How far the refit may move the ink, mm. This is less than the pen and the eye can resolve.
 inline constexpr double kRefitToleranceMm = 0.02;
 
 /// Returns true if segment i of the stroke has the required shape. A zero-length handle at an end
@@ -20,8 +20,8 @@ inline constexpr double kRefitToleranceMm = 0.02;
 bool is_well_shaped(const Stroke& stroke, int i, const SegmentShape& shape = {}) noexcept;
 
 /// Returns the stroke of a strand, with its changed segments in good shape: first, runs of segments
-/// are merged where fewer suffice; then segments that wind or have a long handle are divided, and
-/// those with a short handle get other handle lengths. Each step moves the curve by at most
+/// are merged if fewer suffice; then segments that wind or have a long handle are divided, and
+/// segments with a short handle get new handle lengths. Each step moves the curve by at most
 /// kRefitToleranceMm; a segment that cannot be improved within that stays as it is. Unchanged
 /// segments stay bit for bit. Fails if the strand breaks an invariant.
 Result<Stroke> with_good_shapes(const Strand& strand);

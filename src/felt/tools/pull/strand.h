@@ -18,12 +18,12 @@ struct StrandPlace {
 };
 
 /// A mutable stroke: control points can be moved and segments divided without checking and copying
-/// the whole stroke at each step. Shared by grab, push and sweep. A value.
+/// the whole stroke at each step. The modes grab, push and sweep use it. A value type.
 ///
 /// Smooth joints stay smooth: `bend` turns the neighbours' handles
-/// (docs/design/editing.md#smooth-joints). A zero-length handle at a smooth joint gets the length
-/// kStandingMm before anything next to it moves, because otherwise its direction would depend on a
-/// control point elsewhere (R28).
+/// (docs/design/editing.md#smooth-joints). Before anything next to a zero-length handle at a smooth
+/// joint moves, the handle gets the length kStandingMm, because otherwise its direction would
+/// depend on a control point elsewhere (R28).
 class Strand {
  public:
   static constexpr double kStandingMm = 1e-3;
@@ -52,38 +52,39 @@ class Strand {
   [[nodiscard]] double snapshot_u(int joint) const noexcept {
     return origins_[static_cast<std::size_t>(joint)];
   }
-  /// Returns the position that corresponds to a parameter of the snapshot; for an inner joint, t =
-  /// 0 of the segment after it.
+  /// Returns the position that corresponds to a parameter of the snapshot. For an inner joint it is
+  /// t = 0 of the segment after the joint.
   [[nodiscard]] StrandPlace locate(double snapshot_u) const noexcept;
 
   /// Divides segment i at t with a smooth joint into segments i and i + 1, which trace the same
   /// curve. Returns false without a change if one would be shorter than I5 allows or t is a cusp.
   bool divide(int i, double t);
-  /// Divides segment i into pieces of equal arc length: as few as possible, each at most
-  /// `longest_mm` long, but no more than `most`. Returns their number.
+  /// Divides segment i into as few pieces of equal arc length as possible, each at most
+  /// `longest_mm` long, but into at most `most` pieces. Returns the number of pieces.
   int divide_evenly(int i, double longest_mm, int most);
-  /// Gives zero-length handles at the smooth joints of segment i and its neighbours a length.
+  /// Gives a length (kStandingMm) to zero-length handles at the smooth joints of segment i and its
+  /// neighbours.
   void prepare(int i);
-  /// Returns what may move if segment i is pulled at t: pinned ends and corners yield only if t is
-  /// near them; zero-length handles at smooth joints do not turn.
+  /// Returns how freely the parts of segment i may move if it is pulled at t. Pinned ends and
+  /// corners yield only if t is near them; zero-length handles at smooth joints do not turn.
   [[nodiscard]] Compliance compliance(int i, double t, bool pins_joints) const noexcept;
   /// Bends segment i: B_i' = B_i + w_i V. The neighbours' handles move with the joints; at smooth
-  /// joints they keep their lengths and turn to stay collinear. Requires prepare(i). The point at t
-  /// moves by gain(t) V, up to rounding. Returns false without a change if a segment would be
-  /// shorter than I5 allows or not finite.
+  /// joints they keep their lengths and turn to stay collinear. Requires an earlier prepare(i). The
+  /// point at t moves by gain(t) V, up to rounding. Returns false without a change if a segment
+  /// would be shorter than I5 allows or not finite.
   bool bend(int i, double t, const EditWeights& weights, Vec pull);
   /// Moves the control points of segments [first, first + (n - 1) / 3), n = weights.size(),
   /// wrapping around on a closed stroke, each by its weight times the pull. The weights must keep
   /// joints smooth. Returns false without a change if a segment would be shorter than I5 allows or
-  /// not finite. If all of a closed stroke is moved, the last weight is unused, because it is the
-  /// first point again.
+  /// not finite. If the whole of a closed stroke is moved, the last weight is unused, because the
+  /// last control point is the first one again.
   bool shift(int first, std::span<const double> weights, Vec pull);
-  /// Shortens handles of segment i that are longer than `longest` times its arc length; keeps their
+  /// Shortens handles of segment i that are longer than `longest` times its arc length. Keeps their
   /// directions.
   void limit_handles(int i, double longest) noexcept;
 
-  /// Returns true if segment i may differ from the snapshot, even if only in where it begins and
-  /// ends.
+  /// Returns true if segment i may differ from the snapshot in shape, or only in where it begins
+  /// and ends.
   [[nodiscard]] bool is_changed(int i) const noexcept {
     return changed_[static_cast<std::size_t>(i)] != 0;
   }

@@ -15,9 +15,10 @@ namespace felt {
 /// depends on the step length.
 ///
 /// The nearest point is searched only next to the last one, so that it moves along the stroke and
-/// does not leap where the stroke comes near itself. Pieces near the pen are kept short (kPieceMm),
-/// up to kMaxSegments; handles are kept below kLongestHandle times their segments' length (R24).
-/// Ends and corners stay unless they are nearest themselves.
+/// does not leap to another part of the stroke that is near. Pieces near the pen are kept short
+/// (kPieceMm) as long as the stroke has fewer than kMaxSegments. Handles are kept below
+/// kLongestHandle times the length of their segments (R24). Ends and corners stay unless they are
+/// themselves nearest to the pen.
 class SweepPull {
  public:
   static constexpr double kPieceMm = 8.0;
@@ -28,13 +29,14 @@ class SweepPull {
   /// Grabs the stroke at u0, clamped to the stroke.
   SweepPull(StrokePtr snapshot, double u0);
 
-  /// Moves the nearest point by the fraction `part`, 0..1, of the distance to the pen. Returns
+  /// Moves the nearest point by the fraction `part`, 0..1, of its distance to the pen. Returns
   /// false if nothing moved.
   bool step(Point pen, double part);
   /// Returns the point that follows the pen.
   [[nodiscard]] Point point() const noexcept;
   [[nodiscard]] StrandPlace place() const noexcept { return place_; }
-  /// Returns that point with the normal of the curve and whether it is an end or a corner.
+  /// Returns the point that follows the pen with the normal of the curve, and whether it is an end
+  /// or a corner.
   [[nodiscard]] CurveNear near() const noexcept;
   /// Returns how often the nearest point has leapt by more than kLeapMm, which happens on a folded
   /// stroke.

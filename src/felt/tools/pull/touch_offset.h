@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// How the distance between pen and curve at the touch is treated.
+/// Says what happens to the distance between pen and curve at the touch.
 enum class TouchOffset : std::uint8_t {
   kBlendedOut,  ///< the curve moves to the pen gradually (paper, eq. 6)
   kKept,        ///< the curve keeps its distance from the pen
@@ -22,10 +22,10 @@ inline double blend_length_mm(Vec offset) noexcept {
 
 /// Returns the displacement of the curve if the pen has moved by `pen` since the touch.
 ///
-///   V = D + S(|D|/L) o,   S(x) = 3x^2 - 2x^3, 1 from x = 1 on
+///   V = D + S(|D|/L) o,   S(x) = 3x^2 - 2x^3, 1 for x >= 1
 ///
 /// with D the displacement of the pen, o the offset from the curve to the pen at the touch and L
-/// its blend length. The curve does not jump at the touch and is at the pen from |D| = L on. V
+/// its blend length. The curve does not jump at the touch, and it is at the pen if |D| >= L. V
 /// depends on D alone, so moving back undoes a pull exactly (R21, R23).
 inline Vec curve_displacement(Vec pen, Vec offset, TouchOffset mode) noexcept {
   if (mode == TouchOffset::kKept) return pen;

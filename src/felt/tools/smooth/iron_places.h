@@ -12,27 +12,28 @@ namespace felt {
 /// place 0, the seam. Points are computed on first use.
 ///
 /// The smoothed path ("way") is the ink with its jitter averaged out. Jittery ink is up to twice as
-/// long as its path, and would be ironed only half as much if doses were measured along its own
-/// arc. For smooth ink both lengths are the same.
+/// long as its path. If doses were measured along its own arc, it would be ironed only half as
+/// much. For smooth ink both lengths are the same.
 class IronPlaces {
  public:
   static constexpr double kSpacingMm = 0.25;
-  /// A corner is kept if the ink turns by more than this angle, measured with arms of both lengths
-  /// along it. Corners made by tremor do not pass.
+  /// A corner is kept if the ink turns by more than kCornerDeg, measured over kCornerArmMm and over
+  /// kLongArmMm of ink to each side. Corners made by tremor do not pass this test.
   static constexpr double kCornerDeg = 30.0;
   static constexpr double kCornerArmMm = 3.0;
   static constexpr double kLongArmMm = 4.5;
-  /// Corners that turn left and right in alternation come from a shaky hand and are not kept, if
-  /// each is within this length along the ink of the next one and within this distance of the line
-  /// between its neighbours.
+  /// Corners that alternately turn left and right come from a shaky hand and are not kept. The
+  /// condition is that each corner is within kShakeLengthMm of ink of the next one, and within
+  /// kShakeHeightMm of the line between its neighbours.
   static constexpr double kShakeLengthMm = 8.0;
   static constexpr double kShakeHeightMm = 2.0;
   /// Length of ink over which the smoothed path is averaged.
   static constexpr double kGuideMm = 3.0;
-  /// Upper limit of the ratio of ink length to path length, because small loops are not jitter.
+  /// Upper limit of the ratio of ink length to path length. A greater ratio comes from small loops,
+  /// which are not jitter.
   static constexpr double kMaxInflation = 2.5;
 
-  /// `stroke` and `map` must outlive this object. Without `keep_corners` no corner is kept.
+  /// `stroke` and `map` must outlive this object. If `keep_corners` is false, no corner is kept.
   IronPlaces(const Stroke& stroke, const ArcMap& map, bool keep_corners);
 
   [[nodiscard]] int count() const noexcept { return static_cast<int>(lengths_.size()) - 1; }
@@ -53,8 +54,8 @@ class IronPlaces {
   [[nodiscard]] bool is_fixed(int k) const noexcept { return fixed_[static_cast<std::size_t>(k)]; }
   /// Returns the arc length to the nearest fixed place, at most most_mm.
   [[nodiscard]] double from_fixed_mm(int k, double most_mm) const noexcept;
-  /// Returns the mean curvature within half of `window_mm` to both sides of a place, 1/mm: the
-  /// total turn, so that tremor, which turns left and right, cancels out.
+  /// Returns the mean curvature within half of `window_mm` to both sides of a place, 1/mm. It is
+  /// computed from the total turn, so that tremor, which turns left and right, cancels out.
   [[nodiscard]] double mean_curvature(int k, double window_mm) const;
 
  private:

@@ -33,16 +33,16 @@ class IronedBlocks {
   std::vector<Block> blocks_;
 };
 
-/// Builds a stroke from the ironed points of its stretches and, between them, the old stroke: whole
-/// segments are copied bit for bit, those at the ends of a stretch are cut. All joints are smooth
-/// except kept corners; each place keeps its width.
+/// Builds a stroke from the ironed points of some stretches and, between the stretches, from the
+/// old stroke: whole segments are copied bit for bit, segments at the ends of a stretch are cut.
+/// All joints are smooth except kept corners. Each place keeps its width.
 class IronedStroke {
  public:
-  /// Largest distance of the curve from the points, mm.
+  /// Maximum distance of the curve from the points, mm.
   static constexpr double kCurveMm = 0.01;
   /// Maximum number of places per segment.
   static constexpr int kLongest = IronedBlocks::kPlaces;
-  /// kShown: widths are exact only at joints.
+  /// With kShown, widths are exact only at joints.
   enum class Detail { kShown, kExact };
 
   /// Joint numbers in the new stroke.
@@ -58,8 +58,8 @@ class IronedStroke {
   IronedStroke(const Stroke& stroke, const ArcMap& map, const IronPlaces& places,
                const Ironed& ironed, IronedBlocks& blocks, Detail detail);
 
-  /// Adds the ironed stretch between two places. Call in order along the stroke. `turns_seam`: the
-  /// seam of a closed stroke is ironed, too.
+  /// Adds the ironed stretch between two places. Add the stretches in order along the stroke.
+  /// `turns_seam` says that the seam of a closed stroke is ironed, too.
   Joints add(int first, int last, bool turns_seam);
   [[nodiscard]] Result<Stroke> finish() &&;
 
@@ -67,7 +67,7 @@ class IronedStroke {
   struct Border {
     double u = 0.0;  // parameter on the old stroke
     bool is_joint = false;
-    bool turns = false;  // the ironed seam of a closed stroke: no old ink remains here
+    bool turns = false;  // at the ironed seam of a closed stroke: no old ink remains here
     [[nodiscard]] int joint() const { return static_cast<int>(u); }
   };
   /// The stretch being built.

@@ -19,40 +19,41 @@ struct IronOptions {
   double tolerance_mm = 0.05;
 };
 
-/// A stroke being ironed: a pure function of the stroke at the touch and of the total dose at each
-/// place. The order and the number of portions of a dose do not matter.
+/// A stroke being ironed. The result is a pure function of the stroke at the touch and of the total
+/// dose at each place. It does not matter in which order or in how many portions a dose is added.
 ///
 /// A dose d removes waves shorter than wave_mm sqrt(1 - exp(-d)) (JerkFilter): first the fine
 /// jitter, then longer and longer waves. A bend of mean curvature c is itself a wave of length 2
-/// pi/c, so waves longer than kBendShare of that are never removed; therefore a circle of any
-/// radius keeps it within 0.02 % each time. Kept corners and ends do not move; without a dose
-/// nothing moves.
+/// pi/c, so waves longer than kBendShare of that are never removed. Therefore the radius of a
+/// circle changes by at most 0.02 % each time. Kept corners and ends do not move. Places without a
+/// dose do not move.
 class Ironing {
  public:
   static constexpr double kBendShare = 0.24;
-  /// Same at ends and kept corners, where the filter is one-sided and less flat.
+  /// The same share at ends and kept corners, where the filter is one-sided and less flat.
   static constexpr double kEndBendShare = 0.05;
-  /// Smaller changes are not an edit, mm, because a pen does not resolve them and repeated fits on
-  /// smooth ink would add up.
+  /// Minimum change that makes an edit, mm. A pen does not resolve smaller changes, and repeated
+  /// fits on smooth ink would add up.
   static constexpr double kMinMm = 0.02;
 
   /// `stroke` and `map` must outlive this object.
   Ironing(const Stroke& stroke, const ArcMap& map, const IronOptions& options);
 
-  /// Irons at an arc length of the stroke: places at a distance below `reach_mm` along it get dose
-  /// S(distance/reach), times their inflation. Linear in the reach.
+  /// Irons at an arc length of the stroke: places nearer than `reach_mm` along the stroke get dose
+  /// S(distance/reach), multiplied by their inflation. Takes time linear in the reach.
   void add(double length_mm, double reach_mm, double dose);
   /// Returns the roughness of the ink around an arc length, mm: the rms distance still to be ironed
-  /// out within `reach_mm`, less kSmoothMm, at least 0. Linear in the reach plus wave_mm.
+  /// out within `reach_mm`, minus kSmoothMm, at least 0. Takes time linear in reach_mm + wave_mm.
   [[nodiscard]] double roughness_mm(double length_mm, double reach_mm);
   /// Filters the places that got a dose since the last call, with a margin of kMarginWaves to both
-  /// sides, beyond which the effect is invisible. Linear in those places, plus a quick scan.
+  /// sides, beyond which the effect is invisible. Takes time linear in those places, plus a quick
+  /// scan.
   void catch_up();
-  /// Returns the stroke as of the last catch_up() for display: in many segments, within 0.01 mm;
-  /// only changed parts are refitted. Nullopt if nothing has moved.
+  /// Returns the stroke as of the last catch_up() for display, or nullopt if nothing has moved. It
+  /// has many segments and is exact within 0.01 mm; only changed parts are refitted.
   [[nodiscard]] std::optional<Stroke> shown();
-  /// Returns the final stroke from all doses, in as few segments as are found within the tolerance.
-  /// Nullopt if nothing has moved.
+  /// Returns the final stroke from all doses, or nullopt if nothing has moved. It has as few
+  /// segments as the fit finds within the tolerance.
   [[nodiscard]] std::optional<Stroke> finished();
 
   static constexpr double kSmoothMm = 0.01;

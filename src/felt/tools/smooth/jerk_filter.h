@@ -14,16 +14,17 @@ struct FilterPlace {
   bool is_fixed = false;  ///< does not move, and the row may have a corner here
 };
 
-/// A low-pass along a row of evenly spaced points that keeps round shapes: minimises
+/// A low-pass filter along a row of evenly spaced points that preserves round shapes. It minimises
 ///
 ///   sum |Q_k - P_k|^2 + sum w_j |Q_j - 3 Q_{j+1} + 3 Q_{j+2} - Q_{j+3}|^2
 ///
 /// The third difference is zero on parabolas. A wave of length L is scaled by 1/(1 + w (2 pi
-/// h/L)^6): nearly flat below the cutoff (a Butterworth filter of the sixth order), whereas a mean,
-/// or the second difference, shrinks every circle. w_j is the smallest weight of its four points,
-/// so that a point with weight 0 neither moves nor moves others; no third difference reaches across
-/// a fixed point. Fixed points and both ends stay bit for bit. Writes to `out`, which must have the
-/// size of `row`. Linear; one banded Cholesky factorisation.
+/// h/L)^6), h being the spacing: nearly flat below the cutoff (a Butterworth filter of the sixth
+/// order). A moving average, or a filter with the second difference, would shrink every circle. w_j
+/// is the smallest weight of its four points, so that a point with weight 0 neither moves nor moves
+/// others; no third difference reaches across a fixed point. Fixed points and both ends stay bit
+/// for bit. Writes to `out`, which must have the size of `row`. Takes linear time (one banded
+/// Cholesky factorisation).
 class JerkFilter {
  public:
   void apply(std::span<const FilterPlace> row, std::span<Point> out);

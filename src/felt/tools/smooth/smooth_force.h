@@ -14,17 +14,17 @@ namespace felt {
 ///
 ///   mu = mu0 + min(kMaxN/Fn, kMaxFactor rho/(rho + kHalfMm))      rho: roughness, mm
 ///
-/// Friction instead of a texture, because it only dissipates energy, is silent at rest, and uses
-/// the spring that the friction of the surface has already. Must come between Texture and Friction
-/// in the chain; Fn is the plane's force in this tick.
+/// The force is friction and not a texture because friction only dissipates energy, is silent at
+/// rest, and uses the spring that the friction of the surface already has. RoughFeel must come
+/// between Texture and Friction in the chain. Fn is the plane's force in this tick.
 class RoughFeel {
  public:
-  static constexpr double kMaxN = 0.4;  ///< greatest additional friction at any push, N
+  static constexpr double kMaxN = 0.4;  ///< maximum additional friction at any push, N
   static constexpr double kMaxFactor =
-      0.4;  ///< greatest addition to the coefficient, for infinite roughness
+      0.4;  ///< maximum addition to the coefficient, for infinite roughness
   static constexpr double kHalfMm = 0.1;
 
-  /// `friction` is mu0; if it is 0 nothing is added. `share` scales the effect.
+  /// `friction` is mu0. If it is 0, nothing is added. `share` scales the effect.
   RoughFeel(double roughness_mm, double friction, double share) noexcept
       : more_(share * kMaxFactor * roughness_mm / (roughness_mm + kHalfMm)),
         most_n_(share * kMaxN),
@@ -37,7 +37,7 @@ class RoughFeel {
     }
     return {};
   }
-  /// None of its own: the spring is that of Friction.
+  /// Returns zero slopes, because the spring belongs to Friction.
   [[nodiscard]] Slopes slopes() const noexcept { return {}; }
 
  private:

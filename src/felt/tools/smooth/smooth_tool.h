@@ -12,16 +12,17 @@
 
 namespace felt {
 
-/// Irons the jitter out of a line under the pen without shrinking it (smooth.md). More rubbing
-/// irons more. A gesture acts on the first line that the pen comes within 8 mm of.
+/// Irons the jitter out of a line under the pen without shrinking it (smooth.md). The more the user
+/// rubs, the more it irons. A gesture acts on the first line that the pen comes within 8 mm of.
 class SmoothTool final : public GestureTool {
  public:
   static constexpr double kLongestStepS = 0.050;
-  /// Dose per second of the resting iron, at full amount and pressure p: kDoseRate (0.2 + 1.6 p).
+  /// With the pen at rest, full amount and pressure p, the dose per second is kDoseRate (0.2 + 1.6
+  /// p).
   static constexpr double kDoseRate = 6.0;
   static constexpr double kMousePressure = 0.5;
-  /// Minimum time between two updates of the felt roughness. Between previews it is at least this
-  /// and kPreviewNsPerPoint per control point of the line.
+  /// Minimum time between two updates of the felt roughness, and between two previews. Between
+  /// previews it is also at least kPreviewNsPerPoint per control point of the line.
   static constexpr std::int64_t kPreviewNs = 12'000'000;
   static constexpr std::int64_t kPreviewNsPerPoint = 10'000;
 

@@ -12,24 +12,24 @@ namespace felt {
 
 /// The part of one stroke that a transform moves.
 struct MovedLine {
-  /// A point on an earlier line of the list.
+  /// A point on a line that comes earlier in the list.
   struct Leader {
     std::size_t line = 0;
     double u = 0.0;
   };
 
   StrokeId id;
-  StrokePtr stroke;        ///< as in the document, or with added joints
+  StrokePtr stroke;        ///< as in the document, possibly with added joints
   Selection::Marks marks;  ///< closed (point_marks.h)
   /// If set, the marked end is shifted by the displacement of this point instead of being mapped.
   std::optional<Leader> leader;
 };
 
-/// Returns the lines that move with `selected` (R33, R34): those first, then the editable strokes
-/// that share a point with ink that moves:
-///   - an end on a point that is mapped is marked; one on a part that bends gets a leader;
+/// Returns the lines that move if `selected` moves (R33, R34): first `selected`, then the editable
+/// strokes that share a point with ink that moves:
+///   - an end on a point that is mapped is marked; an end on a part that bends gets a leader;
 ///   - a stroke on which a mapped end lies gets a joint there, which is marked;
-///   - and so on, recursively.
+///   - strokes that share a point with these follow in the same manner, recursively.
 /// Strokes of the selection keep their marks. Exception: if a stroke moves only in part, an end
 /// that shares a point with a stroke of a locked layer is unmarked, so that it stays and holds. A
 /// stroke that moves as a whole separates from the locked one.

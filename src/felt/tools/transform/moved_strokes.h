@@ -17,42 +17,43 @@ namespace felt {
 /// The selected strokes as they were at the touch, prepared for mapping (R33): strokes, marks and
 /// positions in the layers are looked up once, in time linear in the selection and its layers.
 ///
-/// The preview of a selection of up to kMaxPreviewPoints is made in portions of kPointsPerStep,
-/// one per sample, so that the cost of a sample does not depend on the selection: 40 strokes of ten
-/// segments are updated with every sample, 1,000 strokes 40 times a second. For larger selections
-/// there is no preview: the frame and 2,000 marked segments follow the pen, and the lines follow at
-/// the lift.
+/// The preview of a selection of up to kMaxPreviewPoints is made in portions of kPointsPerStep, one
+/// per sample, so that the cost of a sample does not depend on the selection: 40 strokes of ten
+/// segments are updated with every sample, 1,000 strokes 40 times a second. Larger selections have
+/// no preview: the frame and 2,000 marked segments follow the pen, and the lines move when the pen
+/// is lifted.
 class MovedStrokes {
  public:
   static constexpr std::size_t kPointsPerStep = 1'200;
   static constexpr std::size_t kMaxPreviewPoints = 100'000;
-  /// If more strokes are selected, connected strokes are not searched: they stay in place and do
-  /// not hold the selection.
+  /// Maximum number of selected strokes for which connected strokes are searched. If more are
+  /// selected, connected strokes stay in place and do not hold the selection.
   static constexpr std::size_t kMaxConnected = 5'000;
 
   MovedStrokes() = default;
-  /// Prepares the strokes, without those on hidden or locked layers. With `duplicates`, copies on
-  /// top of the layers are mapped instead. Of a partly selected stroke each run of selected
-  /// segments is copied as a separate line.
+  /// Prepares the strokes, except those on hidden or locked layers. If `duplicates` is true, copies
+  /// are mapped instead, which are added on top of the layers. If a stroke is selected only in
+  /// part, each run of selected segments is copied as a separate line.
   ///
   /// Strokes that are not selected but share a point (junctions.h) with moving ink follow at that
-  /// point: an end moves with the point, a line on which an end lies gets a joint there, and the
-  /// rest of them holds like the rest of a partly selected line. Strokes on locked layers stay, and
-  /// so does the end of a line that lies on one, unless that line is selected as a whole.
+  /// point: an end moves with the point, and a line on which an end lies gets a joint at that
+  /// point. The remaining parts of these strokes hold like the unselected part of a partly selected
+  /// line. Strokes on locked layers stay, and so does the end of a line that lies on one, unless
+  /// that line is selected as a whole.
   MovedStrokes(const Document& document, const StrokeIndex& index, const Selection& selection,
                bool duplicates);
 
   [[nodiscard]] bool empty() const noexcept { return items_.empty(); }
-  /// Returns the fixed points that hold the selection (R34); none for copies.
+  /// Returns the fixed points that hold the selection (R34); empty for copies.
   [[nodiscard]] const std::vector<Point>& anchors() const noexcept { return anchors_; }
   /// Returns the factor below which a segment would become too short (I5); at most 1.
   [[nodiscard]] double least_scale() const noexcept { return least_scale_; }
-  /// Returns the selection of all copies as a whole; nullopt without duplicates.
+  /// Returns a selection of all copies, whole; nullopt without duplicates.
   [[nodiscard]] const std::optional<Selection>& copies() const noexcept { return copies_; }
 
-  /// Continues the preview in progress, or starts one of this map. Returns a preview once it is
-  /// complete; it may be of an earlier map. Nullopt if not complete or if a stroke cannot be
-  /// mapped.
+  /// Continues the preview in progress, or starts a preview of this map. Returns the preview if it
+  /// is now complete; it may be of an earlier map. Returns nullopt if the preview is not complete
+  /// or a stroke cannot be mapped.
   std::optional<Edit> step(const Affine& map, double width_factor);
   /// Returns the whole edit. If a stroke cannot be mapped, returns the edit of the last preview
   /// instead, or an empty one.

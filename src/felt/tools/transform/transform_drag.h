@@ -9,19 +9,20 @@ namespace felt {
 
 enum class TransformKind : std::uint8_t {
   kMove,      ///< by the displacement of the pen
-  kRotate,    ///< around the centre, beyond full turns
+  kRotate,    ///< around the centre, by any number of turns
   kScale,     ///< both axes equally, by the distance from the centre
   kStretch,   ///< each axis independently
   kStretchX,  ///< along x only
   kStretchY,  ///< along y only
 };
 
-/// The map, relative to the state at the touch, for a pen that grabbed at one point and is now at
-/// another (docs/design/editing.md#transform). Turns and factors are those of haptics/tether.h, so
-/// that the user feels what they see.
+/// Computes the map, relative to the state at the touch, from the point that the pen grabbed and
+/// its current position (docs/design/editing.md#transform). Turns and factors are those of
+/// haptics/tether.h, so that the user feels what they see.
 ///
-/// Factors stay within 0.05..20. Scaling depends on the distance from the centre, on either side.
-/// An axis that is stretched through the centre stays at the smallest factor; nothing is mirrored.
+/// Factors stay within 0.05..20. Scaling depends only on the distance from the centre, not on the
+/// side. An axis that is stretched through the centre stays at the smallest factor; nothing is
+/// mirrored.
 class TransformDrag {
  public:
   static constexpr double kMinScale = 0.05;
@@ -31,25 +32,26 @@ class TransformDrag {
   TransformDrag(TransformKind kind, Point centre, Point grab,
                 double least_scale = kMinScale) noexcept;
 
-  /// Updates the map. If constrained, moves along one axis and turns in steps of kTurnStepRad;
-  /// kScale stretches both axes, kStretch only the axis along which the grab is farther from the
-  /// centre.
+  /// Updates the map. If constrained, kMove moves along one axis and kRotate turns in steps of
+  /// kTurnStepRad. kScale then stretches both axes independently, and kStretch only the axis along
+  /// which the grab is farther from the centre.
   void update(Point pen, bool constrained) noexcept;
 
   [[nodiscard]] const Affine& map() const noexcept { return map_; }
   [[nodiscard]] bool is_identity() const noexcept { return map_ == Affine{}; }
-  /// Returns the factor of the widths: the square root of the area factor.
+  /// Returns the factor by which widths change: the square root of the area factor.
   [[nodiscard]] double width_factor() const noexcept;
-  /// Returns the kind after the constraint: for the force, the label and the name of the edit.
+  /// Returns the kind after the constraint is applied. The force, the label and the name of the
+  /// edit use it.
   [[nodiscard]] TransformKind kind() const noexcept { return now_; }
   [[nodiscard]] Point centre() const noexcept { return centre_; }
   [[nodiscard]] Point grab() const noexcept { return grab_; }
   /// Returns true if the last update was constrained.
   [[nodiscard]] bool is_constrained() const noexcept { return constrained_; }
   [[nodiscard]] double least_scale() const noexcept { return least_scale_; }
-  /// "12.5, -3.0 mm", "37 deg", "x 1.25", "x 1.25, 0.80".
+  /// Returns the amount as a text: "12.5, -3.0 mm", "37 deg", "x 1.25", "x 1.25, 0.80".
   [[nodiscard]] std::string text() const;
-  /// "Move", "Rotate", "Scale", "Stretch".
+  /// Returns the name of the edit: "Move", "Rotate", "Scale" or "Stretch".
   [[nodiscard]] std::string label() const;
 
  private:
@@ -69,10 +71,11 @@ class TransformDrag {
   double factor_x_ = 1.0, factor_y_ = 1.0;
 };
 
-/// An axis is not stretched if the grab is nearer than this to the centre along it.
+/// Minimum distance between grab and centre along an axis, mm. If it is less, that axis is not
+/// stretched.
 inline constexpr double kNoAxisMm = 0.5;
 
-/// Return whether a stretch of this kind, grabbed there, acts along x or y.
+/// Return true if a stretch of this kind that is grabbed at `grab` acts along x or y.
 bool stretches_x(TransformKind kind, Point centre, Point grab) noexcept;
 bool stretches_y(TransformKind kind, Point centre, Point grab) noexcept;
 

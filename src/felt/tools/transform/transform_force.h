@@ -16,9 +16,9 @@
 namespace felt {
 
 /// The tether of a stretch: a scale tether for each axis, with the pen projected onto the axis, S =
-/// sum |x_i - c| |ln s_x| and the same for y. If both act, each has 1/sqrt 2 of the force, so that
-/// together they stay within 1 N and Kcap. An axis that is stretched through the centre exerts no
-/// force there, because its factor is constant.
+/// sum |x_i - c| |ln s_x| and the same for y. If both axes act, each has 1/sqrt 2 of the force, so
+/// that together they stay within 1 N and Kcap. If the pen has crossed the centre along an axis,
+/// that axis exerts no force, because its factor is constant.
 class StretchTether {
  public:
   StretchTether() noexcept = default;
@@ -59,7 +59,8 @@ class StretchTether {
   }
 
  private:
-  /// Returns the coordinate of the pen if it is on the grab's side of the centre, else 0.
+  /// Returns the coordinate of the pen relative to the centre if the pen is on the same side as the
+  /// grab, else 0.
   [[nodiscard]] static double forward(double grab, double pen) noexcept {
     const double side = std::copysign(1.0, grab);
     return side * std::fmax(0.0, side * pen);
@@ -69,10 +70,11 @@ class StretchTether {
   Point centre_{}, grab_{};
 };
 
-/// The tool leaves no ink, so it has two fifths of the pencil's friction and grain.
+/// Factor on the pencil's friction and grain. It is small because the tool leaves no ink.
 inline constexpr double kTransformGlide = 0.4;
 
-/// The tethers that hold a selection while it is transformed (R35-R38); none without anchors.
+/// The tethers that hold a selection while it is transformed (R35-R38). Without anchors no tether
+/// acts.
 struct TransformHold {
   TransformKind kind = TransformKind::kMove;
   Point centre, grab;

@@ -30,7 +30,7 @@ class TransformFrame {
   /// An empty box has no frame.
   explicit TransformFrame(const Rect& box, std::optional<Point> centre = {}) noexcept
       : TransformFrame(box, box, centre) {}
-  /// Makes the frame around `ink`, with the centre of `box` as default.
+  /// Makes the frame around `ink`. The default centre is that of `box`.
   TransformFrame(const Rect& ink, const Rect& box, std::optional<Point> centre) noexcept;
 
   [[nodiscard]] bool empty() const noexcept { return frame_.empty(); }
@@ -41,10 +41,11 @@ class TransformFrame {
   struct Grip {
     Part part = Part::kNone;
     TransformKind kind =
-        TransformKind::kMove;  ///< the transform that it begins, except for kNone and kCentre
+        TransformKind::kMove;  ///< the transform that a touch begins; unused for kNone and kCentre
     Point at;                  ///< position of the handle
   };
-  /// Returns the part of the frame at a point; of several handles the nearest.
+  /// Returns the part of the frame at a point. If several handles are in reach, returns the
+  /// nearest.
   [[nodiscard]] Grip grip_at(Point p) const noexcept;
   /// Returns true if the point is on the dot of the centre.
   [[nodiscard]] bool is_centre(Point p) const noexcept;

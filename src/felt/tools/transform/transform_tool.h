@@ -14,13 +14,15 @@
 namespace felt {
 
 /// Moves, turns, scales and stretches the selection. Lines that connect it to the rest stay
-/// attached and resist (paper, "Transformations", eq. 10; transform.md; R33-R38). Always computed
-/// from the state at the touch, so moving back undoes it, at any sample rate.
+/// attached and resist (paper, "Transformations", eq. 10; transform.md; R33-R38). The result is
+/// always computed from the state at the touch, so moving back undoes it and the sample rate has no
+/// effect.
 ///
 /// A gesture is one of
 ///   - a transform, one edit: "Move", "Rotate", "Scale", "Stretch", or "Duplicate";
-///   - a drag of the centre of turning and scaling; a click on it resets it: no edit;
-///   - a click outside the frame: selects another stroke, or nothing.
+///   - a drag of the centre of turning and scaling, or a click on the centre, which resets it;
+///     neither makes an edit;
+///   - a click outside the frame, which selects another stroke, or nothing.
 class TransformTool final : public GestureTool {
  public:
   /// A touch that stays within this distance of its start is a click.

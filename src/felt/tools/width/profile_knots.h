@@ -13,16 +13,16 @@ struct ProfileKnot {
   bool stays = false;  ///< must be a knot of the result
 };
 
-/// Returns the profile with as few of the given knots as a greedy search finds. No omitted knot is
-/// farther from it than tolerance_mm, or kFollowedTone in tone. From each knot the search goes to
-/// the farthest one that it can reach: the slopes that pass within the tolerance of all knots so
-/// far form an interval (as in WidthFitter), and the slope to the next knot must lie in it. The
-/// first and the last knot stay. Requires strictly increasing u. Linear, because the length of runs
-/// is bounded.
+/// Returns the profile with as few of the given knots as a greedy search finds. No omitted knot
+/// differs from the result by more than tolerance_mm in width or kFollowedTone in tone. From each
+/// knot the search goes to the farthest knot that it can reach: the slopes that pass within the
+/// tolerance of all knots so far form an interval (as in WidthFitter), and the slope to the next
+/// knot must lie in that interval. The first and the last knot stay. Requires strictly increasing
+/// u. Takes linear time, because the length of runs is bounded.
 std::vector<WidthKnot> thinned(std::span<const ProfileKnot> knots, double tolerance_mm);
 
 /// Returns the profile scaled by a factor, clamped to kMinWidthMm..max_width_mm; tones do not
-/// change. A knot that was already broader than that keeps its width as its limit.
+/// change. If a knot was already broader than max_width_mm, its own width is its limit.
 std::vector<WidthKnot> scaled(std::span<const WidthKnot> knots, double factor, double max_width_mm);
 
 }  // namespace felt

@@ -8,15 +8,15 @@
 
 namespace felt {
 
-/// Broadens and narrows a stroke around a point: a pure function of the stroke at the touch and the
-/// amounts added since. Changes only breakpoints of the width, never the curve
+/// Broadens and narrows a stroke around a point. The result is a pure function of the stroke at the
+/// touch and the amounts added since. Changes only breakpoints of the width, never the curve
 /// (docs/design/editing.md#width-brush; paper, "Change curve width"; R46).
 ///
 /// An amount dW at u adds dW S(s/reach) / S_u to the profile, s being the arc length from u, linear
 /// between places 0.5 mm apart; this replaces the paper's splitting of width segments. S_u is the
-/// interpolated value of S at u itself, so that W(u) changes by exactly dW, as division by (1-tw)^2
-/// + tw^2 would do. Beyond the reach nothing changes. Widths stay between kMinWidthMm and
-/// max_width_mm, but ink that was broader before may stay so.
+/// interpolated value of S at u itself, so that W(u) changes by exactly dW; the paper's division by
+/// (1-tw)^2 + tw^2 has the same effect. Beyond the reach nothing changes. Widths stay between
+/// kMinWidthMm and max_width_mm, but ink that was already broader may keep its width.
 class WidthBrush {
  public:
   static constexpr double kSpacingMm = 0.5;
@@ -27,15 +27,15 @@ class WidthBrush {
   /// `stroke` and `map` must outlive this object. Requires reach_mm > 0.
   WidthBrush(const Stroke& stroke, const ArcMap& map, double reach_mm, double max_width_mm);
 
-  /// Changes W(u) by amount_mm, as far as the limits allow. length_mm is the arc length at u.
-  /// Linear in the reach.
+  /// Changes W(u) by amount_mm, as far as the limits allow. length_mm is the arc length at u. Takes
+  /// time linear in the reach.
   void add(double u, double length_mm, double amount_mm);
   /// Returns the current W(u).
   [[nodiscard]] double width_mm(double u, double length_mm) const;
   [[nodiscard]] double max_width_mm() const noexcept { return max_width_mm_; }
-  /// Returns the current profile: exact at the parameters `pinned` (ascending) and where nothing
-  /// was added, elsewhere within kToleranceMm. Linear in the breakpoints and the length of the
-  /// stroke.
+  /// Returns the current profile. It is exact at the parameters `pinned` (ascending) and in parts
+  /// where nothing was added, and within kToleranceMm elsewhere. Takes time linear in the
+  /// breakpoints and the length of the stroke.
   [[nodiscard]] std::vector<WidthKnot> profile(std::span<const double> pinned) const;
 
  private:

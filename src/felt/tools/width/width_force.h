@@ -14,23 +14,23 @@
 
 namespace felt {
 
-/// How near the width under the pen is to a limit of the brush: 0 far, 1 at the limit.
+/// How near the width under the pen is to a limit of the brush: 0 means far, 1 at the limit.
 struct WidthStops {
   double harder = 0.0;   ///< the limit reached by pressing harder
   double lighter = 0.0;  ///< the limit reached by pressing less
 };
 
 /// The spring and damper that resist the pressure when the width has reached a limit (paper,
-/// "Change curve width"; docs/design/errata.md#e20). They are added to the plane of the surface. d
-/// is the depth, and d0 the depth at which the width does not change:
+/// "Change curve width"; docs/design/errata.md#e20). Their force is added to that of the plane of
+/// the surface. With d the depth, and d0 the depth at which the width does not change:
 ///
 ///   F = K (harder max(0, d - d0) + lighter min(d, d0)) - B vz,   |B vz| at most the spring
 ///
 /// So at the broadest width the surface stiffens against pressing harder, and at the thinnest it
 /// takes more force to leave: a detent. The force is zero at the surface, never pulls inwards, and
-/// is continuous. Both springs depend on the depth alone, so they are passive. Must come after the
-/// plane, because it reads the plane's speed. K is the part of the device's stiffness that the
-/// plane does not use, see width_stop_stiffness.
+/// is continuous. Both springs depend on the depth alone, so they are passive. WidthStop must come
+/// after the plane in the chain, because it reads the plane's speed. K is the part of the device's
+/// stiffness that the plane does not use (see width_stop_stiffness).
 class WidthStop {
  public:
   WidthStop(const WidthStops& stops, double neutral_mm, double stiffness_n_per_m) noexcept
@@ -61,8 +61,8 @@ class WidthStop {
 
 /// Returns the stiffness that is left for a stop in addition to the plane of a surface, N/m: the
 /// minimum of the budget (R56), 0.9 of the device's cap (R55) and the limit from its sensor
-/// resolution, minus the stiffness of the plane; at most 400. 0 if the plane uses all of it: then
-/// the only effect of a stop is the higher friction.
+/// resolution, minus the stiffness of the plane; at most 400. Returns 0 if the plane uses all of
+/// the stiffness; then a stop can be felt only as higher friction.
 inline double width_stop_stiffness(const SurfaceMaterial& surface, const Capabilities& device) {
   constexpr double kMax = 400.0, kMaxPerStepN = 0.025;
   double room = stiffness_budget_n_per_m(device);
@@ -107,8 +107,8 @@ struct WidthFeel {
 };
 
 /// Returns the force model of the width tool: the surface, more friction near a stop, the stop
-/// itself and, while a line is scaled, the pull back to where that began. The stops change smoothly
-/// and do not change the fade_id.
+/// itself and, while a line is scaled, the pull back to the point where the scaling began. The
+/// stops change smoothly and do not change the fade_id.
 inline ForceModel make_width_force(const WidthSettings& settings, const Scene& scene,
                                    const WidthFeel& feel) {
   const double near = std::max(feel.stops.harder, feel.stops.lighter);
@@ -124,8 +124,8 @@ inline ForceModel make_width_force(const WidthSettings& settings, const Scene& s
     id.with("scale").with(*feel.origin_y_mm);
     model = ForceModel(Compose(sheet, HeightSpring(*feel.origin_y_mm, settings.strength)));
   } else {
-    // The push at which the width does not change: half the pressure, or none if the direction is
-    // fixed.
+    // The push at which the width does not change: that of half pressure, or the minimum push if
+    // the direction is fixed.
     const Pressing pressing(scene.surface, scene.device);
     const bool by_pressure = feel.direction == WidthDirection::kPressure;
     const double neutral_n =

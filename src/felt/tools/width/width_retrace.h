@@ -7,38 +7,40 @@
 
 namespace felt {
 
-/// Replaces the width of a stroke where a pen has drawn along it (docs/design/editing.md#retrace):
-/// a pure function of the stroke at the touch and the pen's path.
+/// Replaces the width of the parts of a stroke that a pen has drawn along
+/// (docs/design/editing.md#retrace). The result is a pure function of the stroke at the touch and
+/// the pen's path.
 ///
-/// Between the first and the last point reached, the width is the one drawn there last, linear
-/// between places 0.25 mm apart. Over 2 mm at both ends it blends into the old width by S(x),
-/// except at an end of the stroke. Around the pen, where newer ink meets older ink of the same
-/// trace, the width is the mean over 2 mm. Elsewhere the profile stays bit for bit.
+/// Between the first and the last point that the pen reached, the width is the newest one drawn
+/// there, linear between places 0.25 mm apart. Over 2 mm at both ends of that part the width blends
+/// into the old width by S(x), except at an end of the stroke. Around the pen, newer ink meets
+/// older ink of the same trace; there the width is the mean over 2 mm. Elsewhere the profile stays
+/// bit for bit.
 class WidthRetrace {
  public:
   static constexpr double kSpacingMm = 0.25;
   static constexpr double kToleranceMm = 0.05;
   static constexpr double kBlendMm = 2.0;
-  /// A trace that comes this near to the end of an open stroke extends to the end.
+  /// If a trace comes within kEndMm of the end of an open stroke, it extends to the end.
   static constexpr double kEndMm = 1.0;
-  /// Shorter steps are ignored, so that a pen that is lifted leaves no thin spot.
+  /// Steps shorter than kStepMm are ignored, so that the lift of the pen leaves no thin spot.
   static constexpr double kStepMm = 0.1;
 
   /// `stroke` and `map` must outlive this object.
   WidthRetrace(const Stroke& stroke, const ArcMap& map);
 
-  /// Moves the pen here without drawing.
+  /// Moves the pen to this arc length without drawing.
   void jump(double length_mm, double width_mm);
-  /// Draws on by a signed arc length along the stroke.
+  /// Continues to draw by a signed arc length along the stroke.
   void go(double way_mm, double width_mm);
 
-  /// Returns true once something was drawn.
+  /// Returns true if something was drawn.
   [[nodiscard]] bool has_drawn() const noexcept { return has_drawn_; }
-  /// Return the arc lengths between which it was drawn; on a closed stroke the first may lie before
-  /// the seam and the second beyond it.
+  /// Return the arc lengths at which the drawn part begins and ends. On a closed stroke the first
+  /// may lie before the seam and the second beyond it.
   [[nodiscard]] double first_mm() const noexcept { return first_mm_; }
   [[nodiscard]] double last_mm() const noexcept { return last_mm_; }
-  /// Returns the new profile. Linear in the breakpoints and the length of the stroke.
+  /// Returns the new profile, in time linear in the breakpoints and the length of the stroke.
   [[nodiscard]] std::vector<WidthKnot> profile() const;
 
  private:

@@ -17,20 +17,20 @@ namespace felt {
 
 /// Changes the width of lines but never their shape (paper, "Change curve width";
 /// docs/design/editing.md#width-brush, R46; width.md): with a brush, by drawing along a line again,
-/// or for whole lines at once.
+/// or for whole lines.
 ///
-/// A gesture acts on the first line that the pen comes within 8 mm of; in the mode `scale`, if that
-/// line is selected, on all selected lines.
+/// A gesture acts on the first line that the pen comes within 8 mm of. In the mode `scale`, if that
+/// line is selected, it acts on all selected lines.
 class WidthTool final : public GestureTool {
  public:
-  /// Dragging up by this much doubles the width.
+  /// Distance by which the user drags up to double the width.
   static constexpr double kDoublingMm = 20.0;
-  /// Longer time steps are clamped, so that a clock that jumps does not change ink.
+  /// Maximum time step, s. Longer ones are clamped, so that a clock that jumps does not change ink.
   static constexpr double kLongestStepS = 0.050;
-  /// The stop is felt within this distance of a limit.
+  /// The user feels the stop if the width is within this distance of a limit.
   static constexpr double kStopMm = 1.0;
-  /// Minimum time between previews, and at least kPreviewNsPerPoint per control point, because the
-  /// eye sees no more and a long line should not be copied a thousand times a second.
+  /// Minimum time between previews; it is also at least kPreviewNsPerPoint per control point. More
+  /// previews would not be visible, and a long line should not be copied a thousand times a second.
   static constexpr std::int64_t kPreviewNs = 4'000'000;
   static constexpr std::int64_t kPreviewNsPerPoint = 2'000;
 
