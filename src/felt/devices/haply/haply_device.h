@@ -19,41 +19,42 @@ namespace felt::haply {
 /// The result of Driver::open: the connections to the service, our device and its description.
 struct Connection {
   std::unique_ptr<WebSocket> control;
-  std::unique_ptr<WebSocket> events;  ///< null: the events channel does not answer
+  std::unique_ptr<WebSocket> events;  ///< null if the events channel does not answer
   DeviceDescriptor descriptor;
   InventoryDevice device;
-  std::string grip_id;  ///< empty: none
+  std::string grip_id;  ///< empty if the device has no grip
   int version = 0;      ///< version_number()
 };
 
 /// An Inverse3 or Minverse, used through the Inverse Service.
 ///
-/// A tick is one message each way: write() sends the force, and the next read() receives the state
-/// that answers it. Such a state is one period old, so its position is extrapolated with its own
-/// velocity to the time of the read; forces still arrive late (see Capabilities::delay_ticks). Two
-/// messages per tick would give fresh states, but forces that arrive within one tick of the service
-/// add up (maker's page "Control Commands"). Therefore a force is sent only if the service has
-/// answered all earlier messages, and only a message without force may follow an unanswered one
-/// (RequestWindow).
+/// In each tick, one message is sent and one received: write() sends the force, and the next read()
+/// receives the state that answers it. That state is one period old, so read() extrapolates its
+/// position to the current time with the velocity in the state; forces still arrive late (see
+/// Capabilities::delay_ticks). Two messages per tick would give fresh states, but the service adds
+/// up the forces that arrive within one of its ticks (maker's page "Control Commands"). Therefore a
+/// force is sent only if the service has answered all earlier messages, and only a message without
+/// force may follow an unanswered one (RequestWindow).
 ///
 /// read() waits kWaitNs for a state. While states are late, read() repeats the last sample and the
 /// service keeps the last force for a bounded time; then the force falls to zero (ServicePace).
-/// Once it is zero, write() returns kForcesOff until the service is prompt again. After kMaxHeldNs
-/// without a state read() fails with kOther, and after kMaxSilentNs with kDisconnected.
+/// Once it is zero, write() returns kForcesOff until the service answers promptly again. After
+/// kMaxHeldNs without a state read() fails with kOther, and after kMaxSilentNs with kDisconnected.
 ///
-/// Each tick checks the events channel, without waiting: after a brake, a stall or the stability
-/// ceiling, write() returns kForcesOff with the service's message, and the force is zero
-/// immediately. The same happens if a state says that the device has no power.
+/// Each tick also polls the events channel, without waiting. If the service reports a brake, a
+/// stall or that its limit for stability was reached, the force is zero immediately, and write()
+/// returns kForcesOff with the service's message. The same happens if a state says that the device
+/// has no power.
 ///
 /// DeviceStatus::faults counts each fault once, however many ticks it lasts.
 class HaplyDevice final : public DriverDevice {
  public:
-  static constexpr std::int64_t kWaitNs = 300'000;          ///< for a state
-  static constexpr std::int64_t kFirstWaitNs = 50'000'000;  ///< for the first, before any force
+  static constexpr std::int64_t kWaitNs = 300'000;          ///< wait for a state
+  static constexpr std::int64_t kFirstWaitNs = 50'000'000;  ///< wait for the first state
   static constexpr std::int64_t kSendNs = 100'000;
   static constexpr std::int64_t kMaxHeldNs = 20'000'000;
   static constexpr std::int64_t kMaxSilentNs = 1'000'000'000;
-  /// Number of states that show no force although one was sent, before the other spelling of the
+  /// Number of states without force, after a force was sent, until the other spelling of the
   /// command is tried (ForceKey).
   static constexpr int kDeafStates = 200;
   static constexpr double kHeardN = 0.3;  ///< smallest sent force that a state must show
@@ -109,7 +110,7 @@ class HaplyDevice final : public DriverDevice {
   RequestWindow window_;
   ServicePace pace_;
 
-  // Used by the haptic thread; while no loop runs, by the edit thread.
+  // These are used by the haptic thread, or by the edit thread while no loop runs.
   State state_;
   PenSample sample_;
   std::optional<Vec3> axis_;  // of the grip, at the time of sample_
@@ -126,7 +127,7 @@ class HaplyDevice final : public DriverDevice {
   int deaf_states_ = 0;
   int keys_tried_ = 1;
   std::int64_t now_ns_ = 0;
-  std::int64_t tick_ns_ = 0;  // from the read before
+  std::int64_t tick_ns_ = 0;  // time since the previous read
   bool has_ticked_ = false;
   std::int64_t sent_ns_ = 0;  // time of the newest message
   std::int64_t rate_since_ns_ = 0;

@@ -5,7 +5,7 @@
 
 namespace felt::haply {
 
-/// The next item of a JSON text.
+/// The kinds of token in a JSON text.
 enum class JsonToken : std::uint8_t {
   kBeginObject,
   kEndObject,
@@ -66,7 +66,7 @@ class JsonScanner {
   std::string_view text_;
   double number_ = 0.0;
   int depth_ = 0;
-  std::uint32_t objects_ = 0;  // bit i: the i-th open one is an object
+  std::uint32_t objects_ = 0;  // bit i: the container at depth i is an object, not an array
   Expect expect_ = Expect::kValue;
   bool is_bad_ = false;
 };

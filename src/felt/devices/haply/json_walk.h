@@ -17,14 +17,14 @@ bool walk_entered_object(JsonScanner& json, Read read) {
   }
 }
 
-/// The same for an object that is the next value.
+/// Enters the object that is the next value, then does the same as walk_entered_object().
 template <class Read>
 bool walk_object(JsonScanner& json, Read read) {
   return json.next() == JsonToken::kBeginObject && walk_entered_object(json, read);
 }
 
-/// Calls `read()` for each object of the array that is the next value. The object has been entered;
-/// `read` must walk it to its end.
+/// Calls `read()` for each object of the array that is the next value. walk_objects() has entered
+/// the object; `read` must walk it to its end. Returns false if the text is bad.
 template <class Read>
 bool walk_objects(JsonScanner& json, Read read) {
   if (json.next() != JsonToken::kBeginArray) return false;
@@ -35,7 +35,8 @@ bool walk_objects(JsonScanner& json, Read read) {
   }
 }
 
-/// Reads the next value if it is true or false; skips any other.
+/// Reads the next value into `flag` if it is true or false, and skips any other value. Returns
+/// false if the text is bad.
 inline bool read_flag(JsonScanner& json, std::optional<bool>& flag) noexcept {
   const JsonToken token = json.next();
   if (token == JsonToken::kTrue || token == JsonToken::kFalse) {

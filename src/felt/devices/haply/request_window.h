@@ -7,22 +7,22 @@ namespace felt::haply {
 /// Counts the messages that the service has not answered, so that they do not pile up in front of
 /// it, however slow it is.
 ///
-/// A message may be sent when all earlier ones are answered. There is one exception: while a
-/// message with a force is unanswered, one without may follow it immediately, to release the force.
-/// So at most one message with a force is unanswered, at most kMaxUnanswered in total, and the
-/// newer of two never carries a force.
+/// A message may be sent when all earlier ones are answered, with one exception: while a message
+/// with a force is unanswered, a message without force may follow it immediately, to release the
+/// force. So at most one message with a force is unanswered, at most kMaxUnanswered in total, and
+/// if two are unanswered, the newer one never carries a force.
 ///
 ///   window.wait(time since the last tick)
-///   if (window.is_clear()) ...                     any message may be sent
-///   else if (window.may_let_go()) ...              one without force may be sent
-///   if (window.is_overdue()) ...                   one without force should be sent, to ask again
+///   if (window.is_clear()) ...            any message may be sent
+///   else if (window.may_let_go()) ...     a message without force may be sent
+///   if (window.is_overdue()) ...          a message without force should be sent, to ask again
 ///
 /// TCP loses nothing, but a service may answer several messages with one state. After kPatienceNs
-/// without an answer one message without force asks again. If an answer has arrived since the
+/// without an answer, a message without force asks again. If an answer has arrived since the
 /// newest message, the missing answers then count as included in it. The patience doubles each
-/// time, so that a service that is merely slower than the patience is miscounted only a few times:
-/// up to four messages can then wait in front of it. None of them carries a force, because forces
-/// are off by then (ServicePace::kHoldNs is shorter than the patience).
+/// time, so a service that is merely slower than the patience is miscounted only a few times; up to
+/// four messages can then wait at the service. They carry no force, because forces are off by then
+/// (ServicePace::kHoldNs is shorter than the patience).
 ///
 /// Used on the haptic thread; real-time safe.
 class RequestWindow {

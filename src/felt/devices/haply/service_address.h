@@ -24,8 +24,10 @@ struct Address {
 struct ServiceAddress {
   Address control{.port = 10001};
   Address events{.port = 10020};
-  std::string source;  ///< "FELT_HAPLY_URL", the configuration file, or empty: the default ports
-  std::string wrong;   ///< a sentence, if the configuration cannot be read; then the rest holds
+  std::string source;  ///< "FELT_HAPLY_URL", the configuration file; empty for the default ports
+  /// A sentence that says why the configuration cannot be read; empty if it can. The other members
+  /// are valid in both cases.
+  std::string wrong;
 };
 
 /// Returns the address from the environment, or from the service's configuration file
@@ -34,7 +36,7 @@ struct ServiceAddress {
 ServiceAddress service_address(const SystemView& system);
 
 /// Sends GET for a path. Returns the JSON text of the answer (from its first to its last brace).
-/// Fails if nothing listens, if there is no answer in time, or if the status is not 200.
+/// Fails if nothing listens, if no answer comes in time, or if the status is not 200.
 Result<std::string> http_get(const TcpConnect& connect, const Address& address,
                              const std::string& path, std::int64_t within_ns);
 

@@ -15,7 +15,7 @@
 /// value that should be a number is not one, the whole message is bad.
 namespace felt::haply {
 
-/// The newest state of our device in a state message. In the service's units (m, m/s, N) and its
+/// The newest state of our device in a state message, in the service's units (m, m/s, N) and its
 /// application space.
 struct State {
   bool has_device = false;  ///< our device is in the message, with a position
@@ -29,16 +29,17 @@ struct State {
       grip_axis;  ///< direction of our grip, if it reports its orientation; length 1
 };
 
-/// Reads a state message. `grip_id` empty: no grip. Returns false if it is bad; `state` is then
-/// undefined. Haptic thread; no allocation.
+/// Reads a state message. `grip_id` is empty if the device has no grip. Returns false if the
+/// message is bad; `state` is then undefined. Used on the haptic thread; does not allocate.
 bool read_state(std::string_view message, std::string_view device_id, std::string_view grip_id,
                 State& state) noexcept;
 
-/// A device of the inventory, which is the service's first message and the answer to GET /devices.
+/// A device of the inventory. The service sends the inventory as its first message and as its
+/// answer to GET /devices.
 struct InventoryDevice {
-  std::string id;        ///< only letters, digits, '-' and '_': devices with other ids are left out
-  std::string type;      ///< "inverse3", "inverse3x", "minverse"
-  std::string firmware;  ///< "7.4"; empty: unknown
+  std::string id;          ///< letters, digits, '-', '_'; devices with other ids are left out
+  std::string type;        ///< "inverse3", "inverse3x", "minverse"
+  std::string firmware;    ///< "7.4"; empty: unknown
   std::string handedness;  ///< the side its arm is built for: "right", "left"; empty: unknown
   std::string preset;      ///< empty: unknown
   std::optional<bool> calibrated, has_power, in_use;
@@ -50,12 +51,12 @@ struct Inventory {
   std::vector<InventoryDevice> devices;
   std::vector<std::string> grips;  ///< ids, wired ones first
 };
-/// Reads an inventory: the whole message, or inside {"ok": true, "data": ...}. Returns nullopt if
-/// it is not one. Used on the edit thread.
+/// Reads an inventory, either bare or inside {"ok": true, "data": ...}. Returns nullopt if the
+/// message is not an inventory. Used on the edit thread.
 std::optional<Inventory> read_inventory(std::string_view message);
 
-/// Returns the newest "project_version" or "git_tag" in an answer to GET /version; empty if there
-/// is none.
+/// Returns the newest "project_version" or "git_tag" in an answer to GET /version, or an empty
+/// string if the answer contains neither.
 std::string read_version(std::string_view answer);
 /// Returns major and minor version as one number for comparisons, 3005 for "3.5.0-2-gce34c39e"; 0
 /// if unreadable.
@@ -72,17 +73,17 @@ enum class EventKind : std::uint8_t {
 };
 struct Event {
   EventKind kind = EventKind::kNone;
-  ShortText words;  ///< the service's own
+  ShortText words;  ///< the service's own text
 };
-/// Reads an event. One of another device is kNone, unless it is about a grip's battery. Returns
-/// nullopt if it is bad. Haptic thread; no allocation.
+/// Reads an event. Returns kNone for an event of another device, unless it is about a grip's
+/// battery. Returns nullopt if the message is bad. Used on the haptic thread; does not allocate.
 std::optional<Event> read_event(std::string_view message, std::string_view device_id) noexcept;
 
-/// The service's name for the vector of set_cursor_force, which differs between its own pages
-/// (docs/design/devices.md#haply-service).
+/// The key of the force vector in the command set_cursor_force. The maker's pages disagree about
+/// its name (docs/design/devices.md#haply-service).
 enum class ForceKey : std::uint8_t {
-  kValues,  ///< all examples up to 3.4; also used if the version is unknown
-  kVector,  ///< reference pages of 3.5
+  kValues,  ///< used in all examples up to 3.4, and by us if the version is unknown
+  kVector,  ///< used in the reference pages of 3.5
 };
 constexpr ForceKey force_key_of(int version) noexcept {
   return version >= 3005 ? ForceKey::kVector : ForceKey::kValues;
@@ -92,11 +93,12 @@ constexpr ForceKey other(ForceKey key) noexcept {
 }
 
 /// Writes the command of one tick into `room` (at least kMaxCommand bytes) and returns the text in
-/// it. Forces that are not finite are written as 0. Haptic thread.
+/// it. Forces that are not finite are written as 0. Used on the haptic thread.
 inline constexpr std::size_t kMaxCommand = 512;
 std::string_view write_command(std::string_view device_id, ForceKey key, const Force& force,
                                char* room) noexcept;
-/// Returns the first message: our name, and the wanted origin (the centre of the workspace).
+/// Returns the first message to the service, which contains our name and the origin that we want
+/// (the centre of the workspace).
 std::string first_command(std::string_view device_id);
 
 }  // namespace felt::haply

@@ -4,14 +4,15 @@
 
 namespace felt::haply {
 
-/// Measures how quickly the service answers, and limits the force while it does not.
+/// Measures how quickly the service answers, and limits the force while it is slow.
 ///
-/// While states are late, the last force holds, for at most kHoldNs; then it is zero. An answer
-/// before that changes nothing. (A ramp would not reach the device, because only a message without
-/// force may follow an unanswered one, see RequestWindow.) If states come regularly but too rarely
-/// (kSlowPeriods between them, on average), the force falls to zero within kSlowRampNs, because the
-/// stiffness was chosen for one state per tick. Once it is zero the pace is off, and stays off
-/// until states have come in time for kTimelyNs: one fault, however long it lasts.
+/// While states are late, the last force holds for at most kHoldNs; then it is zero. If an answer
+/// comes before that, the force is not changed. (A ramp would not reach the device, because only a
+/// message without force may follow an unanswered one, see RequestWindow.) If states come regularly
+/// but too rarely (on average more than kSlowPeriods apart), the force falls to zero within
+/// kSlowRampNs, because the stiffness was chosen for one state per tick. Once it is zero the pace
+/// is off, and stays off until states have come in time for kTimelyNs. That counts as one fault,
+/// however long it lasts.
 ///
 /// Used on the haptic thread; real-time safe.
 class ServicePace {
@@ -21,13 +22,14 @@ class ServicePace {
   static constexpr std::int64_t kTimelyNs = 1'000'000'000;
   static constexpr double kSlowPeriods = 1.7;
   static constexpr double kTimelyPeriods = 1.3;
-  /// Longest time that one tick counts for, because a pause of our loop says nothing about the
+  /// Maximum time that one tick counts as, because a pause of our own loop says nothing about the
   /// service.
   static constexpr std::int64_t kMaxTickNs = 5'000'000;
 
   explicit ServicePace(std::int64_t period_ns) noexcept;
 
-  /// Handles one tick of the loop, `ns` after the last one, with a new state or without.
+  /// Handles one tick of the loop, `ns` after the last one. `has_state` is true if a new state
+  /// came.
   void tick(std::int64_t ns, bool has_state) noexcept;
 
   /// Returns the factor for the force that is asked for, 0..1.

@@ -15,34 +15,37 @@ namespace felt::haply {
 
 /// Why a message was not received or sent.
 enum class SocketFault : std::uint8_t {
-  kTimedOut,  ///< no whole message within the time; may be retried
-  kClosed,    ///< the peer closed it, or is gone
+  kTimedOut,  ///< the time was too short for a whole message; may be retried
+  kClosed,    ///< the peer closed the connection or has disappeared
   kBadData,   ///< not a WebSocket frame, or too long; the connection is unusable from then on
 };
 
-/// The client's end of a WebSocket (RFC 6455), text messages only, for one message each way per
-/// millisecond: fixed memory, no allocation after open(), and no call blocks beyond its time. Joins
-/// fragments, answers pings, and rejects lengths beyond kMaxBytes before using them. After kClosed
-/// or kBadData it returns the same fault again.
+/// The client's end of a WebSocket (RFC 6455), for text messages only. It is made to send and
+/// receive one message per millisecond: it does not allocate after open(), and no call blocks
+/// longer than the time that it is given. It joins fragments, answers pings, and rejects lengths
+/// beyond kMaxBytes before using them. After kClosed or kBadData every call returns that fault
+/// again.
 ///
-/// Large (two buffers of 64 KiB): allocate it on the heap. One thread at a time.
+/// The object is large (two buffers of 64 KiB), so allocate it on the heap. For use by one thread
+/// at a time.
 class WebSocket {
  public:
-  static constexpr std::size_t kMaxBytes = std::size_t{1} << 16;  ///< of a message
+  static constexpr std::size_t kMaxBytes = std::size_t{1} << 16;  ///< longest received message
   static constexpr std::size_t kMaxSent = 1024;
-  static constexpr int kMaxFrames = 64;  ///< read in one receive()
+  static constexpr int kMaxFrames = 64;  ///< frames read by one receive()
 
-  /// Performs the opening handshake over `stream`. `host` as in the address. `seed` generates the
-  /// key and the masks, which RFC 6455 requires to be unpredictable, to protect proxies.
+  /// Performs the opening handshake over `stream`. `host` is the host of the address. `seed`
+  /// generates the key and the masks, which RFC 6455 requires to be unpredictable, to protect
+  /// proxies.
   static Result<std::unique_ptr<WebSocket>> open(std::unique_ptr<ByteStream> stream,
                                                  const std::string& host, std::uint64_t seed,
                                                  std::int64_t within_ns);
-  /// Uses a stream after its handshake: for tests.
+  /// Uses a stream on which the handshake is already done. For tests.
   WebSocket(std::unique_ptr<ByteStream> stream, std::uint64_t seed) noexcept;
 
   /// Sends a text message of at most kMaxSent bytes.
   tl::expected<void, SocketFault> send(std::string_view text, std::int64_t within_ns) noexcept;
-  /// Receives the next whole message; valid until the next call.
+  /// Receives the next whole message. The returned text is valid until the next call.
   tl::expected<std::string_view, SocketFault> receive(std::int64_t within_ns) noexcept;
   /// Sends a close frame, once. Does not wait for the answer.
   void close() noexcept;
@@ -73,7 +76,7 @@ class WebSocket {
   std::uint64_t random_;
   bool is_over_ = false;
   bool said_goodbye_ = false;
-  SocketFault fault_ = SocketFault::kClosed;  // if is_over_
+  SocketFault fault_ = SocketFault::kClosed;  // valid if is_over_
   std::size_t begin_ = 0, end_ = 0;           // range of unread bytes in received_
   std::size_t assembled_ = 0;                 // bytes of a fragmented message
   bool in_fragments_ = false;

@@ -8,10 +8,11 @@
 namespace felt::haply {
 
 /// Returns a WebSocket server's answer to a client's key, which proves that both speak the protocol
-/// (RFC 6455, section 4.2.2): base64 of SHA-1 of the key and a fixed text. Not a security feature.
+/// (RFC 6455, section 4.2.2): the base64 of the SHA-1 of the key and a fixed text. This is not a
+/// security feature.
 std::string accept_for(std::string_view key);
 
-/// Encodes as in RFC 4648, section 4, with padding.
+/// Returns the base64 encoding of `bytes` (RFC 4648, section 4) with padding.
 std::string base64(std::span<const std::byte> bytes);
 
 }  // namespace felt::haply

@@ -12,7 +12,7 @@ using Handle = unsigned;
 using Callback = unsigned (*)(void*);
 using CallbackHandle = unsigned long;
 
-/// Returned by value.
+/// An error of the library; get_error() returns it by value.
 struct ErrorInfo {
   unsigned code;
   int internal_code;
@@ -21,13 +21,13 @@ struct ErrorInfo {
 static_assert(sizeof(ErrorInfo) == 12);
 
 inline constexpr Handle kNoHandle = 0xFFFFFFFF;
-inline constexpr unsigned kCallbackDone = 0;      // what a callback returns
-inline constexpr unsigned kCallbackContinue = 1;  // the same
-inline constexpr unsigned short kFirst = 65535;   // priority of a callback
+inline constexpr unsigned kCallbackDone = 0;      // return value of a callback
+inline constexpr unsigned kCallbackContinue = 1;  // return value of a callback
+inline constexpr unsigned short kFirst = 65535;   // priority of a callback; highest
 inline constexpr unsigned char kFalse = 0;
 inline constexpr unsigned char kTrue = 1;
 
-/// Results of get_error(). The first digit is the kind.
+/// Results of get_error(). The first hexadecimal digit is the kind of error.
 namespace error {
 inline constexpr Enum kNone = 0;
 inline constexpr Enum kInvalidEnum = 0x100;
@@ -53,7 +53,7 @@ inline constexpr Enum kSchedulerFull = 0x501;
 inline constexpr Enum kInvalidLicence = 0x600;
 }  // namespace error
 
-/// Parameters of a device that can be read or set, with the type of their values.
+/// Parameters of a device that can be read or set, with the number and type of their values.
 namespace parameter {
 inline constexpr Enum kButtons = 0x2000;       // int; bits 0..3
 inline constexpr Enum kSafetySwitch = 0x2001;  // boolean
@@ -61,14 +61,14 @@ inline constexpr Enum kInkwell = 0x2002;       // boolean
 inline constexpr Enum kEncoders = 0x2010;      // 6 long
 inline constexpr Enum kPosition = 0x2050;      // 3 double or float, mm
 inline constexpr Enum kVelocity = 0x2051;      // 3, mm/s
-inline constexpr Enum kTransform = 0x2052;     // 16, by columns, place at 12..14
-inline constexpr Enum kVersion = 0x2500;       // string, as the next four
+inline constexpr Enum kTransform = 0x2052;     // 16, by columns; position at 12..14
+inline constexpr Enum kVersion = 0x2500;       // string, also the next four
 inline constexpr Enum kModelType = 0x2501;
 inline constexpr Enum kDriverVersion = 0x2502;
 inline constexpr Enum kVendor = 0x2503;
 inline constexpr Enum kSerialNumber = 0x2504;
 inline constexpr Enum kFirmwareVersion = 0x2505;        // double
-inline constexpr Enum kLargestWorkspace = 0x2550;       // 6, mm: least x y z, most x y z
+inline constexpr Enum kLargestWorkspace = 0x2550;       // 6, mm: minimum x y z, maximum x y z
 inline constexpr Enum kUsableWorkspace = 0x2551;        // the same
 inline constexpr Enum kTabletopOffset = 0x2552;         // float, mm
 inline constexpr Enum kInputDof = 0x2553;               // int
@@ -84,7 +84,7 @@ inline constexpr Enum kSoftwareVelocityLimit = 0x2606;  // mm/s; also a capabili
 inline constexpr Enum kSoftwareImpulseLimit = 0x2607;   // N/ms; also a capability
 inline constexpr Enum kForceRampingRate = 0x2608;       // N/s
 inline constexpr Enum kMaxDamping = 0x2609;             // N s/mm
-inline constexpr Enum kForce = 0x2700;                  // 3, N; zero at the begin of each frame
+inline constexpr Enum kForce = 0x2700;                  // 3, N; zero at the start of each frame
 }  // namespace parameter
 
 /// Capabilities that can be switched on and off.
@@ -100,7 +100,7 @@ namespace calibration {
 inline constexpr Enum kOk = 0x5000;
 inline constexpr Enum kNeedsUpdate = 0x5001;
 inline constexpr Enum kNeedsPerson = 0x5002;
-inline constexpr Enum kEncoderReset = 1;  // styles: bits
+inline constexpr Enum kEncoderReset = 1;  // calibration styles; can be combined as bits
 inline constexpr Enum kAuto = 2;
 inline constexpr Enum kInkwell = 4;
 }  // namespace calibration

@@ -7,9 +7,9 @@
 
 namespace felt {
 
-/// Returns our fault for an error of the library. Force errors are temporary (the motors are off
-/// for a while, reading goes on), errors of the device, its cable or the timer are permanent, and
-/// the rest (0x100, 0x400 and beyond) means that the library rejected a call of ours.
+/// Returns our fault for an error of the library. Force errors are temporary: the motors are off
+/// for a while, but reading goes on. Errors of the device, its cable or the timer are permanent.
+/// All others (0x100, and from 0x400 on) mean that the library rejected one of our calls.
 constexpr DeviceFault fault_of(hd::Enum error) noexcept {
   switch (error >> 8) {
     case 2:
@@ -21,7 +21,7 @@ constexpr DeviceFault fault_of(hd::Enum error) noexcept {
   }
 }
 
-/// Returns the more serious of two faults, which is reported when both occur in one tick.
+/// Returns the more serious of two faults. It is the one to report if both occur in one tick.
 constexpr std::optional<DeviceFault> graver(std::optional<DeviceFault> a,
                                             std::optional<DeviceFault> b) noexcept {
   constexpr auto weight = [](std::optional<DeviceFault> fault) {

@@ -36,13 +36,14 @@ struct HdFunctions {
   void (*unschedule)(hd::CallbackHandle);
 };
 
-/// libHD, loaded. Its state belongs to the process (one scheduler, one current device), so this
-/// object does, too: loading the same file again returns the same object, and only one of its
-/// devices is open at a time. It is never unloaded, because its threads may outlive our use of it.
-/// Edit thread, except call().
+/// The loaded libHD. The library has one scheduler and one current device per process. Therefore
+/// loading the same file again returns the same object, and only one of its devices can be open at
+/// a time. The library is never unloaded, because its threads may outlive our use of it.
+///
+/// Used on the edit thread, except call().
 class HdLibrary {
  public:
-  /// Loads the first of `names` that loads and has all functions.
+  /// Loads the first of `names` that can be loaded and has all functions.
   static Result<std::shared_ptr<HdLibrary>> load(std::span<const std::string> names);
 
   HdLibrary(const HdLibrary&) = delete;
@@ -51,8 +52,8 @@ class HdLibrary {
   [[nodiscard]] const HdFunctions& call() const noexcept { return functions_; }
   [[nodiscard]] std::string path() const { return library_.path(); }
 
-  /// Reserves the library for the one device that may be open; returns false if it is reserved.
-  /// give_back() ends that.
+  /// Reserves the library for the one device that may be open, until give_back(). Returns false if
+  /// it is already reserved.
   bool take() noexcept;
   void give_back() noexcept { is_taken_ = false; }
   [[nodiscard]] bool is_taken() const noexcept { return is_taken_; }
@@ -66,8 +67,8 @@ class HdLibrary {
   bool is_taken_ = false;
 };
 
-/// Removes up to `most` errors from the library's stack, newest first. Calls `each(info)` for each,
-/// and returns how many there were. Any thread that may call the library.
+/// Removes up to `most` errors from the library's stack, newest first. Calls `each(info)` for each
+/// of them and returns their number. May be called on every thread that may call the library.
 template <class Each>
 std::size_t drain_errors(const HdFunctions& call, std::size_t most, Each&& each) {
   std::size_t count = 0;
@@ -79,22 +80,24 @@ std::size_t drain_errors(const HdFunctions& call, std::size_t most, Each&& each)
   return count;
 }
 
-/// Removes all of the library's errors and returns them, oldest first, with its own text:
-/// "communication error (0x302, internal 7)". Empty if there were none.
+/// Removes all of the library's errors and returns them, oldest first, with the library's text:
+/// "communication error (0x302, internal 7)". Returns an empty string if there were no errors.
 std::string drained_words(const HdFunctions& call);
 
 /// Sets the "C" locale for numbers on this thread for the duration of a block. The library reads
-/// numbers from its configuration files with the decimal point of the calling thread's locale, and
-/// with a comma gets joint angles wrong.
+/// its configuration files with the decimal separator of the calling thread's locale; if that is a
+/// comma, the joint angles are wrong.
 class PlainNumbers {
  public:
   PlainNumbers() noexcept;
   ~PlainNumbers() noexcept;
   PlainNumbers(const PlainNumbers&) = delete;
   PlainNumbers& operator=(const PlainNumbers&) = delete;
-  /// Sets it permanently on this thread, which belongs to the library. Real-time safe.
+  /// Sets the "C" locale permanently on the calling thread, which must belong to the library.
+  /// Real-time safe.
   static void keep() noexcept;
-  /// Allocates what keep() and the block need; call it first, on the edit thread.
+  /// Allocates the memory for keep() and for objects of this class. Call it first, on the edit
+  /// thread.
   static void prepare() noexcept;
 
  private:

@@ -16,12 +16,12 @@
 
 namespace felt {
 
-/// A device that libHD has open. The library's scheduler is its loop. Each tick has exactly one
-/// frame, from read() to write(), and the servo reads and writes nothing outside of it. The
-/// library's errors are read twice per tick, after reading and after writing.
+/// A device that is open in libHD. The library's scheduler runs its loop. Each tick has exactly one
+/// frame of the library, from read() to write(), and the servo reads and writes only within it. The
+/// library's errors are checked twice per tick, after reading and after writing.
 class OpenHapticsDevice final : public DriverDevice, private LoopHost {
  public:
-  /// Takes ownership of the device `handle`; the destructor gives the reserved library back.
+  /// Takes ownership of the device `handle`. The destructor closes it and releases the library.
   OpenHapticsDevice(std::shared_ptr<HdLibrary> library, hd::Handle handle,
                     DeviceDescriptor descriptor);
   ~OpenHapticsDevice() override;
@@ -45,9 +45,9 @@ class OpenHapticsDevice final : public DriverDevice, private LoopHost {
   [[nodiscard]] std::string homing_words() override;
   Result<void> find_home() override;
 
-  /// Called before and after the work of one call of the scheduler, on its thread: by the callback,
-  /// or by a test that acts as the scheduler. end_tick() ends a frame in which nothing was written,
-  /// without force.
+  /// Called before and after the work of one tick, on the scheduler's thread: by the callback, or
+  /// by a test that acts as the scheduler. If nothing was written in the frame, end_tick() ends it
+  /// with zero force.
   void begin_tick() noexcept;
   void end_tick() noexcept;
 
@@ -88,7 +88,7 @@ class OpenHapticsDevice final : public DriverDevice, private LoopHost {
   DeviceDescriptor descriptor_;
   Senses senses_;
 
-  // Used by the scheduler's thread, or by the thread that acts as it.
+  // These are used by the scheduler's thread, or by the thread that acts as the scheduler.
   ForceGate gate_;
   TemperatureGuard warmth_;
   bool tick_is_open_ = false;
@@ -100,7 +100,7 @@ class OpenHapticsDevice final : public DriverDevice, private LoopHost {
   std::optional<DeviceFault> force_fault_;  // found while reading; reported by write()
   bool is_gone_ = false;
   bool is_output_on_ = false;
-  bool has_safety_switch_ = false;  // it was seen closed once
+  bool has_safety_switch_ = false;  // the switch was closed at least once
   bool is_held_ = true;             // according to the safety switch
   bool is_in_inkwell_ = false;
   bool is_home_ = true;
@@ -114,7 +114,7 @@ class OpenHapticsDevice final : public DriverDevice, private LoopHost {
   bool loop_runs_ = false;  // edit thread
   std::atomic<bool> is_serving_{false};
   std::atomic<bool> is_in_callback_{false};
-  bool is_greeted_ = false;  // the scheduler's thread has its locale
+  bool is_greeted_ = false;  // the locale of the scheduler's thread is set
 };
 
 }  // namespace felt

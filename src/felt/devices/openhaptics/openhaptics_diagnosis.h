@@ -8,7 +8,8 @@
 
 namespace felt {
 
-/// The folder in which the maker's set-up program stores its devices: one file NAME.config each.
+/// The folder in which the maker's set-up program stores one file NAME.config per device:
+/// kHdConfigVariable is the environment variable, kHdConfigHome the default.
 inline constexpr std::string_view kHdConfigVariable = "GTDD_HOME";
 inline constexpr std::string_view kHdConfigHome = "/usr/share/3DSystems";
 inline constexpr std::string_view kHdUdevRules = "/etc/udev/rules.d/70-feltline-3dsystems.rules";
@@ -16,11 +17,12 @@ inline constexpr std::string_view kHdUdevRules = "/etc/udev/rules.d/70-feltline-
 /// Returns the names of the devices that were set up on this machine, sorted.
 std::vector<std::string> configured_devices(const SystemView& system);
 
-/// Returns true if a Touch is on USB. (The makers' older ones use FireWire or the printer port.)
+/// Returns true if a Touch is connected by USB. (Older models use FireWire or the printer port.)
 bool touch_is_on_usb(const SystemView& system);
 
 /// Checks the library, its dependencies, the maker's set-up, the device, and the permission to use
-/// it. `refusal`: why the driver rejected the library that loads (it lacks functions), or empty.
+/// it. `refusal` says why the driver rejected a library that can be loaded (functions are missing);
+/// empty if it did not.
 std::vector<Finding> diagnose_openhaptics(const SystemView& system,
                                           std::span<const std::string> libraries,
                                           const std::string& refusal = {});

@@ -9,11 +9,12 @@
 namespace felt {
 
 struct OpenHapticsOptions {
-  /// File of libHD; empty: the environment variable FELT_OPENHAPTICS_LIBRARY, or else the usual
-  /// names. If a file is named, only that is tried.
+  /// The file of libHD. If empty, the environment variable FELT_OPENHAPTICS_LIBRARY is used, or
+  /// else the usual names. If a file is named here or in the variable, only that file is tried.
   std::string library;
-  /// Name that the maker's set-up program gave to the device, tried if the usual names do not open
-  /// it; empty: the environment variable FELT_OPENHAPTICS_DEVICE, or none.
+  /// The name that the maker's set-up program gave to the device. It is tried if the usual names do
+  /// not open the device. If empty, the environment variable FELT_OPENHAPTICS_DEVICE is used if
+  /// set.
   std::string device;
 };
 
@@ -22,7 +23,7 @@ struct OpenHapticsOptions {
 /// run through loop_host(), because read() fails outside of it.
 std::unique_ptr<Driver> make_openhaptics_driver(OpenHapticsOptions options = {});
 
-/// Returns the names under which libHD is searched, in this order.
+/// Returns the file names under which libHD is searched, in this order.
 std::vector<std::string> openhaptics_library_names();
 
 }  // namespace felt

@@ -8,10 +8,11 @@
 namespace felt {
 
 /// Returns the row of device_models() for the model name that a device reports ("PHANToM Omni",
-/// "Touch X"): by words, in any case. An unknown name gives the generic row, the weakest of all.
+/// "Touch X"). Compares single words and ignores case. Returns the generic row, which has the
+/// lowest limits, if the name is unknown.
 const DeviceModel& openhaptics_model(std::string_view model_type) noexcept;
 
-/// Limits that a device reports, in the maker's units; 0 or invalid if unknown.
+/// The limits that a device reports, in the maker's units. An unknown limit is 0 or invalid.
 struct HdLimits {
   double max_force_n = 0.0;
   double continuous_force_n = 0.0;
@@ -21,13 +22,13 @@ struct HdLimits {
   int update_rate_hz = 0;
 };
 
-/// Returns the lower of each limit in the row and in the report, if the latter is valid. The
-/// workspace is the reported one, or the row's.
+/// Returns for each limit the lower of the values in `row` and in the device's report, or the row's
+/// value if the report's is invalid. The workspace is the reported one if valid, else the row's.
 Capabilities openhaptics_capabilities(const Capabilities& row, const HdLimits& said) noexcept;
 
-/// Returns the desk-parallel plane: the page's x is the device's (to the right), down the page is
-/// towards the user (z), and up from the page is up (y). The centre of the workspace is the page's
-/// (0, 0), at half of its height.
+/// Returns the plane that is parallel to the desk: the page's x is the device's x (to the right),
+/// down the page is towards the user (z), and up from the page is up (y). The page's (0, 0) is the
+/// centre of the workspace, at half of its height.
 PlaneCalibration openhaptics_plane(const Capabilities& device) noexcept;
 
 }  // namespace felt

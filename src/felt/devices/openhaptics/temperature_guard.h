@@ -6,10 +6,10 @@
 namespace felt {
 
 /// Limits the force while motors are warm, according to their own thermometers (0 cold .. 1 too
-/// warm). From 0.7 on the limit falls by a thousandth per tick, down to the continuous force; below
-/// 0.5 it rises again at the same rate. Rule and numbers are those of the maker's own sample for
-/// motor temperature (docs/design/devices.md#motor-temperature); at 1 kHz the limit halves in 0.7
-/// s.
+/// warm). Above 0.7 the limit falls by a thousandth per tick, down to the continuous force; below
+/// 0.5 it rises again at the same rate. The rule and the numbers come from the maker's own sample
+/// for motor temperature (docs/design/devices.md#motor-temperature). At 1 kHz the limit halves in
+/// 0.7 s.
 ///
 /// Used on the haptic thread; real-time safe.
 class TemperatureGuard {
@@ -19,12 +19,13 @@ class TemperatureGuard {
   static constexpr double kDown = 0.999;  ///< per tick
   static constexpr double kUp = 1.001;
 
-  /// In N: the largest limit, and the smallest, which is reduced to the largest if it exceeds it.
+  /// Takes the largest and the smallest limit, in N. If `continuous_n` exceeds `most_n`, both are
+  /// `most_n`.
   TemperatureGuard(double most_n, double continuous_n) noexcept
       : most_n_(most_n), least_n_(std::min(most_n, continuous_n)), allowed_n_(most_n) {}
 
-  /// Handles one tick at this temperature of the warmest motor; NaN counts as too warm. Returns the
-  /// limit.
+  /// Handles one tick in which the warmest motor has this temperature, and returns the limit in N.
+  /// NaN counts as too warm.
   double allow(double temperature) noexcept {
     if (!(temperature <= kWarm)) is_warm_ = true;
     if (temperature < kCool) is_warm_ = false;

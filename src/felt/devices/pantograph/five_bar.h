@@ -16,37 +16,38 @@ struct FiveBarSize {
   double base_mm = 0.0;
 };
 
-/// The position of the handle for the angles of both arms, and the map from forces there to torques
-/// at the motors.
+/// Computes the position of the handle from the angles of both arms, and the motor torques for a
+/// force at the handle.
 ///
-/// With A and B the elbows, E the handle and u = E - A, w = E - B, the forearms' lengths are
-/// constant: u . E' = u . A' and w . E' = w . B', hence
+/// Let A and B be the elbows, E the handle, u = E - A and w = E - B. The forearms' lengths are
+/// constant, so u . E' = u . A' and w . E' = w . B'. Therefore
 ///   J = 1/(u x w) [ w_y (u.a)  -u_y (w.b) ; -w_x (u.a)  u_x (w.b) ],   a = dA/dth1, b = dB/dth2
-/// and torques are J^T F, so that F . v = tau . omega whatever the angles are.
+/// is the Jacobian dE/dth. The torques are J^T F, so F . v = tau . omega at all angles.
 ///
 /// u x w = L^2 sin(angle between the forearms). If the forearms are nearly in line, or the elbows
-/// nearly meet, small torques cause huge forces: authority() falls to 0 before that.
+/// nearly meet, small torques cause huge forces. authority() falls to 0 before that happens.
 class FiveBar {
  public:
-  static constexpr double kNoAuthority = 0.10;   ///< sine of the forearms' angle: no force below it
-  static constexpr double kAllAuthority = 0.30;  ///< full force above it
+  static constexpr double kNoAuthority = 0.10;   ///< sine of the forearms' angle; no force below
+  static constexpr double kAllAuthority = 0.30;  ///< sine of the forearms' angle; full force above
 
-  /// Returns the linkage for angles in rad, counter-clockwise from +x; nullopt if the arms cannot
-  /// have these angles (elbows too far apart, or at the same point). Of the two possible positions
-  /// of the handle, chooses the one on the left of the line from A to B: in front of the motors if
-  /// arm 1 points to the left.
+  /// Returns the linkage for angles in rad, counter-clockwise from +x. Returns nullopt if the arms
+  /// cannot have these angles (elbows too far apart, or at the same point). Two positions of the
+  /// handle are possible; this chooses the one to the left of the line from A to B, which is in
+  /// front of the motors if arm 1 points to the left.
   static std::optional<FiveBar> at(const FiveBarSize& size,
                                    const std::array<double, 2>& angles_rad) noexcept;
 
   /// Returns the position of the handle, mm; z is 0.
   [[nodiscard]] Vec3 place() const noexcept { return place_; }
-  /// Returns the handle's velocity, mm/s, from those of the motors, rad/s.
+  /// Returns the handle's velocity, mm/s, from the motors' angular velocities, rad/s.
   [[nodiscard]] Vec3 velocity(const std::array<double, 2>& omega_rad_s) const noexcept;
-  /// Returns the torques of the motors, N m, for this force at the handle (its x and y).
+  /// Returns the motors' torques, N m, for this force at the handle. Uses the force's x and y only.
   [[nodiscard]] std::array<double, 2> torques(const Force& force) const noexcept;
-  /// Returns the part of a force that may be asked for here, 0..1: 0 near a singular position.
+  /// Returns the factor, 0..1, by which a force at this position must be reduced. It is 0 near a
+  /// singular position.
   [[nodiscard]] double authority() const noexcept { return authority_; }
-  /// Returns dE/dth, mm/rad: row x, row y.
+  /// Returns dE/dth, mm/rad; the rows are x and y.
   [[nodiscard]] const std::array<std::array<double, 2>, 2>& jacobian() const noexcept {
     return jacobian_;
   }
@@ -57,8 +58,8 @@ class FiveBar {
   double authority_ = 0.0;
 };
 
-/// Returns the angles for a position of the handle, with both elbows outside; nullopt if it is out
-/// of reach. For tests and fakes.
+/// Returns the angles for a position of the handle, with both elbows pointing outwards. Returns
+/// nullopt if the position is out of reach. For tests and fakes.
 std::optional<std::array<double, 2>> angles_for(const FiveBarSize& size,
                                                 const Vec3& place) noexcept;
 

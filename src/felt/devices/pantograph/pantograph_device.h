@@ -15,35 +15,36 @@ namespace felt::pantograph {
 
 /// A 2DIY on a serial port.
 ///
-/// A tick is one frame each way: write() sends torques, and the next read() receives the angles
-/// that answer them, extrapolated to the time of the read with the velocity that the driver
-/// estimates from them. A frame has neither checksum nor start mark. A reply of the wrong form (not
-/// the device's id and two possible angles) is a fault; then all waiting bytes are discarded, and
-/// the next frame starts again. If angles are late, the last sample is repeated for kMaxMissed
-/// ticks; then read() fails with kOther (or kBadData, if half an answer came), and after
-/// kMaxSilentTicks with kDisconnected.
+/// In each tick, one frame is sent and one received: write() sends torques, and the next read()
+/// receives the angles that answer them. The driver estimates the velocity from the angles and
+/// extrapolates the position to the time of the read with it. A frame has neither checksum nor
+/// start mark. A reply of the wrong form (not the device's id and two possible angles) is a fault;
+/// then all waiting bytes are discarded, and the next frame starts again. If angles are late, the
+/// last sample is repeated for kMaxMissed ticks; then read() fails with kOther (or with kBadData if
+/// half an answer came), and after kMaxSilentTicks with kDisconnected.
 ///
-/// The board has no known watchdog: torques hold until the next frame. Every end (stop(), a fault,
-/// the destructor) sends zero torques, repeatedly if necessary; a frame that was not sent is a
-/// fault of write() (kOther). A separate process (ByteStream's keep_guard) sends them if this
-/// program was killed or stopped, or is silent for kGuardNs. Without it there is no force:
-/// find_home() fails if it does not start, and write() returns kForcesOff after it has ended. A
-/// board that hangs keeps its torques, whatever we do: only unplugging USB, or their own switch,
-/// turns the motors off.
+/// The board has no known watchdog: torques hold until the next frame. Therefore stop(), every
+/// fault and the destructor send zero torques, repeatedly if necessary; if a frame cannot be sent,
+/// write() fails with kOther. A separate process (ByteStream's keep_guard) sends zero torques if
+/// this program was killed or stopped, or is silent for kGuardNs. Without that process no force is
+/// possible: find_home() fails if it does not start, and write() returns kForcesOff after it has
+/// ended. If the board itself hangs, it keeps its torques, and only unplugging USB or the motors'
+/// own switch turns the motors off.
 ///
-/// The encoders count from the position at power-on, so the arms must be in their rest pose then:
-/// homing() is kRestPose until find_home().
+/// The encoders count from the position at power-on, so the arms must be in their rest pose at that
+/// time: homing() is kRestPose until find_home().
 class PantographDevice final : public DriverDevice {
  public:
   static constexpr std::int64_t kWaitNs = 400'000;
   static constexpr std::int64_t kSendNs = 100'000;
-  /// Number of attempts of stop(), and of the destructor, which has more time.
+  /// Number of times that stop() tries to send zero torques, and that the destructor does, which
+  /// has more time.
   static constexpr int kStopTries = 4, kEndTries = 500;
-  static constexpr std::int64_t kGuardNs = 50'000'000;  ///< of silence, for the guard
+  static constexpr std::int64_t kGuardNs = 50'000'000;  ///< silence until the guard acts
   static constexpr int kMaxMissed = 4;
   static constexpr int kMaxSilentTicks = 500;
-  /// z of a pen that touches, and of one that does not. The step is small enough that the safety
-  /// chain neither treats it as a jump nor damps its speed.
+  /// The z of a pen that touches, and of a pen that does not. The step is small enough that the
+  /// safety chain neither treats it as a jump nor damps its speed.
   static constexpr double kDownMm = -0.25, kUpMm = 0.25;
 
   PantographDevice(std::unique_ptr<ByteStream> port, const BoardModel& model,
@@ -70,8 +71,8 @@ class PantographDevice final : public DriverDevice {
   [[nodiscard]] std::string homing_words() override;
   Result<void> find_home() override;
 
-  /// Resets the board, sets it up, and waits for its first answer. Also used by the driver to check
-  /// that there is a board at all. Used on the edit thread.
+  /// Resets the board, sets it up, and waits for its first answer. The driver also uses it to check
+  /// that a board is connected. Used on the edit thread.
   Result<void> set_up();
 
  private:
@@ -96,13 +97,13 @@ class PantographDevice final : public DriverDevice {
   Force sent_;  // the force of the newest frame's torques
   std::atomic<bool> is_down_;
   bool is_home_ = false;
-  bool is_set_up_ = false;  // it received its set-up after the last reset
+  bool is_set_up_ = false;  // the board was set up after the last reset
 
-  // Used by the haptic thread; while no loop runs, by the edit thread.
+  // These are used by the haptic thread, or by the edit thread while no loop runs.
   std::array<std::byte, 64> in_{};
   std::size_t filled_ = 0;
   std::array<double, 2> angles_rad_{};
-  std::optional<FiveBar> bar_;  // of the newest angles
+  std::optional<FiveBar> bar_;  // linkage at the newest angles
   Vec3 place_, velocity_;       // filtered, mm and mm/s
   bool has_place_ = false;
   PenSample sample_;

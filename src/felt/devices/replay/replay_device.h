@@ -11,19 +11,21 @@ namespace felt {
 
 /// A device that plays recorded samples (R55), such as the `pen` events of a script.
 ///
-/// At a time between two samples the position is interpolated linearly; pressure too, if both
-/// touch, and tilt, if both have it; otherwise these and the buttons are those of the earlier
-/// sample. Before the first sample the pen is at its position, but in the air; after the last it
-/// stays. The velocity is low-passed from the positions as in a driver. A touch that begins and
-/// ends between two reads shows in the second of them, and so does a short lift, so that a slow
-/// loop neither loses a dot nor joins two strokes.
+/// At a time between two samples the position is interpolated linearly. Pressure is interpolated if
+/// both samples touch, and tilt if both have it; otherwise they are those of the earlier sample,
+/// and so are the buttons. Before the time of the first sample the pen is at the first position,
+/// but in the air; after the last sample it stays there. The velocity is computed from the
+/// positions with a low-pass filter, as in a driver. If a touch begins and ends between two reads,
+/// the second read still shows it, and the same is true of a short lift. So a slow loop neither
+/// loses a dot nor joins two strokes.
 ///
-/// Times never go back: a sample that would is moved to its predecessor's time; samples that are
-/// not finite are left out. Forces have no effect; the last one is stored.
-/// read() on the haptic thread: real-time safe, O(samples passed).
+/// If the time of a sample is before its predecessor's, it is set to its predecessor's. Samples
+/// that are not finite are left out. Forces have no effect; the last one is stored.
+///
+/// read() is used on the haptic thread. It is real-time safe and takes O(samples passed).
 class ReplayDevice final : public Device {
  public:
-  /// `capabilities` are those that it reports, for the forces of a session.
+  /// The device reports `capabilities`, so that a session computes the forces for them.
   ReplayDevice(std::vector<PenSample> recording, const Capabilities& capabilities);
 
   [[nodiscard]] std::string_view name() const noexcept override { return "replay"; }
@@ -34,7 +36,7 @@ class ReplayDevice final : public Device {
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
   void stop() noexcept override { last_force_ = {}; }
 
-  /// Returns the last force asked for.
+  /// Returns the force of the last write().
   [[nodiscard]] const Force& last_force() const noexcept { return last_force_; }
   /// Returns true after the last sample has been reached.
   [[nodiscard]] bool is_over() const noexcept { return next_ >= recording_.size(); }
