@@ -15,12 +15,12 @@ namespace felt::desktop {
 
 struct PenMark;
 
-/// The canvas of the window: shows paper, ink, wet ink, the tool's marks and the pen. It only
-/// displays; the folder `pens` handles the pen, by filtering this widget's events.
+/// The drawing area of the window: shows the paper, the ink, the wet ink, the tool's marks and the
+/// pen. It only displays; the folder `pens` handles the pen with an event filter on this widget.
 ///
-/// From bottom to top: background and paper, marked spans as bands, dry ink (InkView), wet ink,
-/// marks, the nib. When the studio has changed, it computes which part looks different and repaints
-/// only that.
+/// From bottom to top it paints the background and paper, marked spans as bands, dry ink
+/// (InkView), wet ink, marks, and the nib. When the studio has changed, it repaints only the part
+/// that looks different.
 class Canvas : public QWidget {
   Q_OBJECT
 
@@ -30,43 +30,47 @@ class Canvas : public QWidget {
 
   [[nodiscard]] Studio& studio() noexcept { return studio_; }
   [[nodiscard]] const CanvasView& view() const noexcept { return view_; }
-  /// Sets the view; `view_changed` is emitted.
+  /// Sets the view and emits `view_changed`.
   void set_view(const CanvasView& view);
-  /// Fits the whole page, also whenever the widget's size changes, until the view is changed.
+  /// Fits the whole page into the widget, also after each resize, until the view is changed.
   void fit_page();
   /// Fits the selection, or the whole page if nothing is selected.
   void fit_selection();
-  /// Fits the ink of all visible layers, or the whole page if there is none.
+  /// Fits the ink of all visible layers, or the whole page if they have no ink.
   void fit_ink();
-  /// Sets the zoom; 1 is life size. The point under anchor() stays there.
+  /// Sets the zoom; 1 is life size. The point under anchor() keeps its position on the screen.
   void set_zoom(double zoom);
   [[nodiscard]] double zoom() const;
   void set_outline_mode(bool on);
   [[nodiscard]] InkView& ink() noexcept { return ink_; }
-  /// Returns the point that stays fixed when keys zoom or turn: the pointer, or the middle.
+  /// Returns the point that stays fixed when keys zoom or turn the view: the pointer if it is over
+  /// the widget, otherwise the middle of the widget.
   [[nodiscard]] QPointF anchor() const;
 
-  /// False if the pen is not seen (the pointer left): no nib is shown.
+  /// Sets whether the nib is shown. Pass false when the pointer has left the canvas.
   void set_pen_visible(bool visible);
-  /// True if a tablet's pen leads the hand and not a mouse: ink must be right under its tip.
+  /// Sets whether the user draws with a tablet's pen, not a mouse. If so, ink appears right under
+  /// its tip.
   void set_tablet_in_hand(bool tablet);
-  /// Sets what the empty page says about pressure, translated. Empty: what the samples show.
+  /// Sets the translated text about pressure on an empty page. If it is empty, the canvas derives
+  /// the text from the samples.
   void set_pen_status(const QString& status);
-  /// Sets what the right mouse button does, for the hint; "" for nothing.
+  /// Sets the name of the right mouse button's action, for the hint; "" if it has none.
   void set_right_button(const QString& what);
-  /// Returns a small exact cross, for restoring it after another cursor was set.
+  /// Returns the canvas's cursor, a small precise cross, so that it can be restored after another
+  /// cursor was set.
   [[nodiscard]] const QCursor& pen_cursor() const noexcept { return pen_cursor_; }
 
-  /// Returns true if the focus came by Tab, F6 or another key.
+  /// Returns true if the widget got the focus by Tab, F6 or another key.
   [[nodiscard]] bool has_focus_by_key() const noexcept { return focus_by_key_; }
 
-  /// Returns, for the status line, what the current tool does and with which modifiers.
+  /// Returns the hint for the status line: what the current tool does and with which modifiers.
   [[nodiscard]] QString hint() const;
-  /// Returns "123.4, 56.7 mm"; empty if the pen is not seen.
+  /// Returns the pen's position as "123.4, 56.7 mm"; empty if the nib is not shown.
   [[nodiscard]] QString place_text() const;
-  /// Returns "100 %" or "50 %, 15°, mirrored".
+  /// Returns zoom and rotation as "100 %" or "50 %, 15°, mirrored".
   [[nodiscard]] QString view_text() const;
-  /// Shows the studio's present state, without waiting for the event loop.
+  /// Shows the present state of the studio without waiting for the event loop.
   void flush();
 
  Q_SIGNALS:
@@ -110,13 +114,13 @@ class Canvas : public QWidget {
   QCursor pen_cursor_;
   QString pen_status_;
   QString right_button_;
-  QTimer pace_;  // until the next refresh, if refreshes are slow
+  QTimer pace_;  // runs until the next refresh if refreshes are slow
   QElapsedTimer clock_;
   QRegion painting_;          // the region being painted
   double paint_ms_ = 0.0;     // duration of the last paint
-  double dpr_ = 0.0;          // of which the pictures are made
+  double dpr_ = 0.0;          // device pixel ratio of the cached pictures
   bool is_stale_ = true;      // the studio has changed
-  bool pen_visible_ = false;  // until the pointer comes
+  bool pen_visible_ = false;  // becomes true when the pointer enters
   bool tablet_in_hand_ = false;
   bool pressure_seen_ = false;
   bool keeps_page_fitted_ = true;

@@ -5,15 +5,15 @@
 /// The canvas's settings (engine/settings.h), with their defaults.
 namespace felt::desktop::canvas_keys {
 
-/// The nib is shown held back by the forces, as a substitute for feeling them.
+/// Show the nib held back by the forces, as a visual substitute for feeling them.
 inline constexpr auto kPseudoHaptics = "canvas/pseudo_haptics";
 inline constexpr bool kPseudoHapticsDefault = true;
 
-/// An arrow at the nib shows direction and strength of the force.
+/// Show direction and strength of the force as an arrow at the nib.
 inline constexpr auto kForceArrow = "canvas/force_arrow";
 inline constexpr bool kForceArrowDefault = true;
 
-/// Dry ink shows the relief of the surface. Pictures can show it, outlines in files cannot.
+/// Show the relief of the surface in dry ink. Pictures can show it; outlines in files cannot.
 inline constexpr auto kGrain = kShowsGrain;
 inline constexpr bool kGrainDefault = kShowsGrainDefault;
 

@@ -12,7 +12,8 @@
 
 namespace felt::desktop {
 
-/// What a canvas shows now, apart from dry ink. The next refresh is compared with it.
+/// The state that a canvas shows now, apart from dry ink. A refresh compares it with the new
+/// state.
 struct Canvas::Shown {
   Overlay overlay;
   Desk desk;
@@ -24,9 +25,10 @@ struct Canvas::Shown {
   FirstMinute first_minute;
   bool shows_first_minute = false;
   PseudoCursor cursor;
-  std::int64_t cursor_ns = 0;  // when it was last computed
-  QTimer size_ring;            // while the ring is shown
-  QTimer place;                // until `place_changed`: a user reads more slowly than a pen moves
+  std::int64_t cursor_ns = 0;  // time when it was last computed
+  QTimer size_ring;            // active while the size ring is shown
+  QTimer place;                // runs until `place_changed`, because users read more slowly than a
+                               // pen moves
 };
 
 }  // namespace felt::desktop

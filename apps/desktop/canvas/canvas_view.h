@@ -9,8 +9,8 @@
 
 namespace felt::desktop {
 
-/// The view of the page: which point lies in the middle of the widget, scale, rotation and
-/// mirroring. Widget coordinates are in device-independent pixels. Not part of the drawing or of
+/// The view of the page: the point in the middle of the widget, scale, rotation and mirroring.
+/// Widget coordinates are in device-independent pixels. The view is not part of the drawing or of
 /// undo. A value type.
 class CanvasView {
  public:
@@ -19,10 +19,10 @@ class CanvasView {
 
   [[nodiscard]] Point to_mm(QPointF px) const;
   [[nodiscard]] QPointF to_px(Point mm) const;
-  /// Returns the transform from mm to widget pixels: mirror, turn, scale.
+  /// Returns the transform from mm to widget pixels: mirroring, rotation and scale.
   [[nodiscard]] QTransform transform() const;
   [[nodiscard]] double px_per_mm() const noexcept { return px_per_mm_; }
-  /// Returns the angle as seen on the screen, clockwise, -180..180; the page is mirrored first.
+  /// Returns the angle on the screen, clockwise, -180..180 degrees. It applies after mirroring.
   [[nodiscard]] double angle_deg() const noexcept { return angle_deg_; }
   [[nodiscard]] bool is_mirrored() const noexcept { return mirrored_; }
   /// Returns the bounding box of the visible part of the plane, in mm.
@@ -31,16 +31,16 @@ class CanvasView {
   void set_size(QSizeF px) { size_ = px; }
   [[nodiscard]] QSizeF size() const noexcept { return size_; }
   void pan(QPointF px);
-  /// Zooms; the point under `at` stays there. Ignores factors that are not positive.
+  /// Zooms so that the point under `at` keeps its position. Ignores factors that are not positive.
   void zoom(double factor, QPointF at);
   void turn(double degrees, QPointF at);
   void set_angle(double degrees);
-  /// Mirrors the visible picture about the middle of the widget: left and right are swapped, and
-  /// the rotation changes its sign.
+  /// Mirrors the visible picture about the middle of the widget: swaps left and right, and negates
+  /// the rotation.
   void mirror();
-  /// Fits the rectangle into the widget with a margin, and keeps the rotation.
+  /// Fits the rectangle into the widget with a margin; keeps the rotation.
   void fit(const Rect& mm, double margin_px = 24.0);
-  /// Sets the scale; it is life size if it equals the screen's pixels per mm.
+  /// Sets the scale. A scale equal to the screen's pixels per mm shows life size.
   void set_scale(double px_per_mm);
   void center_on(Point mm) { center_ = mm; }
 
@@ -48,7 +48,7 @@ class CanvasView {
 
  private:
   QSizeF size_{640, 480};
-  Point center_{148.5, 105.0};  // in the middle of the widget
+  Point center_{148.5, 105.0};  // the point in the middle of the widget
   double px_per_mm_ = 4.0;
   double angle_deg_ = 0.0;
   bool mirrored_ = false;

@@ -17,7 +17,7 @@ namespace felt::desktop {
 struct DeviceView {
   CanvasView view;
   double dpr = 1.0;
-  QPointF shift;  ///< moves the picture by less than one device pixel; in pixels of the widget
+  QPointF shift;  ///< a shift by less than one device pixel, in widget pixels
 
   [[nodiscard]] double px_per_mm() const noexcept { return view.px_per_mm() * dpr; }
   [[nodiscard]] Point to_px(Point mm) const {
@@ -27,7 +27,7 @@ struct DeviceView {
   [[nodiscard]] Point to_mm(Point px) const {
     return view.to_mm({px.x / dpr - shift.x(), px.y / dpr - shift.y()});
   }
-  /// Returns the device pixels that a part of the widget touches.
+  /// Returns the device pixels that the rectangle `part` of the widget touches.
   [[nodiscard]] PixelRect pixels_of(const QRectF& part) const;
   /// Returns the widget pixels that these device pixels touch.
   [[nodiscard]] QRect part_of(const Rect& px) const;
@@ -38,36 +38,37 @@ struct DeviceView {
 };
 
 /// Curves of changing width as rows of round dabs of ink, in device pixels. Wet ink and bands are
-/// drawn from them. Any part of the picture can be traced alone, and looks exactly as if the whole
-/// picture had been traced at once. So only what changed is painted again, and transparent ink does
-/// not overlap itself.
+/// drawn from them. A part of the picture can be traced alone and then looks exactly as if the
+/// whole picture had been traced. Therefore only the changed part is painted again, and
+/// transparent ink does not overlap itself.
 class DabRows {
  public:
-  /// Sets the view. Rasterisation is as fine as that of dry ink.
+  /// Sets the view. Curves are rasterised as finely as dry ink.
   void set_view(const DeviceView& view) { view_ = view; }
   void clear();
-  /// Continues the last row if the segment starts at its end, or begins another. Widths below
-  /// `least_px` (device pixels) are drawn with that width.
+  /// Appends the segment to the last row if it starts at the end of that row; otherwise begins a
+  /// new row. Widths below `least_px` (device pixels) are drawn as `least_px`.
   void add(const Overlay::InkSegment& segment, double least_px = 0.0);
   [[nodiscard]] std::size_t size() const noexcept { return pieces_.size(); }
-  /// Keeps the first n segments.
+  /// Keeps the first `n` segments and removes the others.
   void keep(std::size_t n);
   static constexpr std::size_t kAll = static_cast<std::size_t>(-1);
   /// Returns the bounds, in device pixels, of the ink of the segments [from, to).
   [[nodiscard]] Rect bounds(std::size_t from = 0, std::size_t to = kAll) const;
 
-  /// Adds the outline of those of the segments [from, to) that touch the part to `out`, to be
-  /// filled at once by the non-zero rule. The outline is correct only within the part.
+  /// Appends to `out` the outline of those segments of [from, to) that touch `part`. The caller
+  /// must fill the whole outline in one pass with the non-zero rule. The outline is correct only
+  /// within `part`.
   void trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out, std::size_t from = 0,
              std::size_t to = kAll) const;
-  /// Calls `lay(dabs)` for the part of each row of dabs that touches `part`.
+  /// Calls `lay(dabs)` with the part of each row of dabs that touches `part`.
   template <class Lay>
   void ways(const PixelRect& part, Lay lay) const;
 
  private:
   struct Piece {
-    std::size_t first = 0;  ///< first dab; unless begins_row, the previous piece ends with it
-    Rect box;               ///< device pixels, with its width
+    std::size_t first = 0;  ///< first dab; if not begins_row, the last dab of the previous piece
+    Rect box;               ///< bounds including the width, device pixels
     bool begins_row = false;
   };
   [[nodiscard]] bool touches(const Piece& piece, const PixelRect& part) const noexcept;

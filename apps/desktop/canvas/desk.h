@@ -11,13 +11,13 @@
 namespace felt::desktop {
 
 /// The background of the canvas: the area around the page in a colour of the theme, a soft shadow,
-/// and the page in its own colour, which a dark theme does not change.
+/// and the page. The page keeps its own colour in a dark theme.
 class Desk {
  public:
   void set_page(const SheetPage& page) { page_ = page; }
   void set_palette(const QPalette& palette);
   [[nodiscard]] QColor color() const noexcept { return color_; }
-  /// Returns the opaque colour below the ink. A page without paper is shown white.
+  /// Returns the opaque colour below the ink; white if the page has no paper colour.
   [[nodiscard]] QColor paper() const;
   void paint(QPainter& painter, const QRect& part, const CanvasView& view) const;
 

@@ -7,13 +7,13 @@
 
 namespace felt::desktop {
 
-/// The hints on an empty page for a new user: how to draw, how to correct, how to undo, and whether
-/// the pen's pressure is sensed. Three unobtrusive lines and a status line.
+/// The hints on an empty page for a new user: how to draw, how to correct, how to undo, and
+/// whether the pen senses pressure. They are three unobtrusive lines and a status line.
 class FirstMinute {
  public:
-  /// Sets the texts. `pull_key` is as in ToolInfo; `status` is about pressure, translated.
+  /// Sets the texts. `pull_key` is as in ToolInfo; `status` is the translated text about pressure.
   void set_text(char pull_key, const QString& status);
-  /// Returns where the hints stand in a widget of this size.
+  /// Returns the rectangle of the hints in a widget of this size.
   [[nodiscard]] QRect area(QSize widget, const QFont& font) const;
   void paint(QPainter& painter, QSize widget, const QFont& font, const QColor& ink,
              const QColor& paper) const;

@@ -11,30 +11,31 @@
 
 namespace felt::desktop {
 
-/// The worker's state: the scene, the planes with their tiles, and the choice of the next work. Use
-/// in one thread.
+/// The worker's state: the scene, the planes with their tiles, and the choice of the next piece of
+/// work. Not thread-safe.
 class InkDesk {
  public:
   /// How urgent the next work is.
   enum class Need { kRepair, kMissing, kAround, kNone };
 
-  /// `most_bytes` is roughly the limit of all tiles; tiles of the view are kept in any case.
+  /// `most_bytes` is the approximate memory limit of all tiles. Tiles of the view are kept even
+  /// above it.
   explicit InkDesk(std::size_t most_bytes = std::size_t{256} << 20U) : most_bytes_(most_bytes) {}
 
   void open(const Document& document);
   void apply(const Edit& edit);
   void show(const std::optional<Edit>& preview);
-  /// Sets the view. `over`: a plane of the same view that shows only what lies above a layer; its
-  /// tiles are made after the others.
+  /// Sets the view. `over` is a plane of the same view that shows only the layers above a given
+  /// layer; its tiles are made after the others.
   void look(const PlaneSpec& plane, const PlaneRect& seen,
             const std::optional<PlaneSpec>& over = {});
   void forget(std::uint64_t plane);
 
-  /// Chooses what work() does, and returns how urgent that is.
+  /// Chooses the work for the next call of work() and returns how urgent it is.
   Need plan();
-  /// Makes or repairs the tile that plan() chose. Calls `should_stop` between strokes; the next
-  /// call resumes interrupted work, unless something else is more urgent by then. `order` goes into
-  /// the news.
+  /// Makes or repairs the tile that plan() chose. Calls `should_stop` between strokes. The next
+  /// call resumes interrupted work unless something else has become more urgent. `order` is copied
+  /// into the news.
   void work(std::uint64_t order, const std::function<bool()>& should_stop,
             std::vector<TileNews>& news);
   [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
@@ -45,7 +46,7 @@ class InkDesk {
     TilePtr picture;
     PixelRect dirty;
     bool is_made = false;
-    bool must_finish = false;  // an attempt became outdated: the next is not interrupted
+    bool must_finish = false;  // an attempt became outdated: do not interrupt the next one
     std::uint64_t damages = 0;
     std::uint64_t used = 0;
     std::unique_ptr<TileSplit> split;
@@ -88,7 +89,7 @@ class InkDesk {
   TilePainter painter_;
   std::map<std::uint64_t, Plane> planes_;
   std::uint64_t current_ = 0;
-  std::uint64_t over_ = 0;  // or none
+  std::uint64_t over_ = 0;  // id of the plane `over`, or 0
   PlaneRect seen_;
   Choice choice_;
   std::optional<Begun> begun_;

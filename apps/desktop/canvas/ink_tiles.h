@@ -39,7 +39,7 @@ constexpr std::int64_t floor_to_tile(std::int64_t px) noexcept {
   return px >= 0 ? px / kTileSide : -((kTileSide - 1 - px) / kTileSide);
 }
 
-/// The tiles that a rectangle of a plane touches: from `first` to `last`, both included.
+/// The range of tiles that a rectangle of a plane touches, from `first` to `last` inclusive.
 struct TileRange {
   TilePlace first, last;
 
@@ -57,34 +57,34 @@ constexpr PlaneRect rect_of(TilePlace place) noexcept {
   return {x, y, x + kTileSide, y + kTileSide};
 }
 
-/// The pixels of a tile: premultiplied BGRA, rows top to bottom. Shared between threads, so never
-/// changed once published.
+/// The pixels of a tile: premultiplied BGRA, rows from top to bottom. It is shared between threads
+/// and therefore never changes once published.
 struct TilePicture {
   static constexpr std::size_t kBytes = std::size_t{4} * kTileSide * kTileSide;
   std::vector<std::uint8_t> bytes = std::vector<std::uint8_t>(kBytes);
 };
-/// Null: the tile has no ink.
+/// A published tile. Null means that the tile has no ink.
 using TilePtr = std::shared_ptr<const TilePicture>;
 
-/// A plane: the drawing at one scale, angle and style, with pixel (0, 0) at a fixed point. Tiles
-/// are cut from it. Panning does not change a plane's pixels.
+/// A plane shows the drawing at one scale, angle and style, with pixel (0, 0) at a fixed point.
+/// Tiles are parts of a plane. Panning does not change the pixels of a plane.
 struct PlaneSpec {
   std::uint64_t id = 0;
   View view;
   InkStyle style;
-  /// If set, the plane shows only the layers above this one, because they cover the ink that is
-  /// being drawn in it.
+  /// If set, the plane shows only the layers above this one. They cover new ink, which is drawn in
+  /// this layer.
   std::optional<LayerId> above{};
 };
 
-/// A tile that the worker made, or dropped to save memory.
+/// A tile that the worker made, or that it dropped to save memory.
 struct TileNews {
   std::uint64_t plane = 0;
   TilePlace place;
   bool is_there = true;
   TilePtr picture;
-  PixelRect changed;        ///< in the tile
-  std::uint64_t order = 0;  ///< it shows every order up to this one
+  PixelRect changed;        ///< changed part of the tile
+  std::uint64_t order = 0;  ///< the tile shows every order up to this number
 };
 
 }  // namespace felt::desktop

@@ -16,8 +16,9 @@ namespace felt::desktop {
 
 struct TileNews;
 
-/// The picture of a document's ink for a widget: raster tiles that a worker keeps up to date, so
-/// that painting only copies and the pen never waits (docs/design/rendering.md#tiles).
+/// Paints a document's ink in a widget from raster tiles. A worker thread keeps the tiles up to
+/// date, so that painting only copies pixels and the pen never waits
+/// (docs/design/rendering.md#tiles).
 ///
 ///   view.set_document(document);        // once; then
 ///   view.apply(edit);                   // for every edit that the document applied
@@ -25,7 +26,7 @@ struct TileNews;
 ///   view.set_view(canvas_view, dpr);
 ///   view.paint(painter, dirty);         // copies the tiles; old ones stand in for missing ones
 ///
-/// Qt's main thread; the worker is inside.
+/// Use it in Qt's main thread. It owns the worker thread.
 class InkView : public QObject {
   Q_OBJECT
 
@@ -35,36 +36,39 @@ class InkView : public QObject {
 
   void set_document(const Document& document);
   void apply(const Edit& edit);
-  /// Shows `preview` applied to the document, replacing any previous preview. Cheap if the previews
-  /// of a gesture change the same strokes, as they usually do.
+  /// Shows `preview` applied to the document, replacing any previous preview. Cheap if all
+  /// previews of a gesture change the same strokes, which is usual.
   void show(const std::optional<Edit>& preview);
-  /// Sets the view. `dpr`: device pixels per widget pixel.
+  /// Sets the view. `dpr` is the number of device pixels per widget pixel.
   void set_view(const CanvasView& view, double dpr);
-  /// Sets the relief of the surface for the ink; its field must outlive this.
+  /// Sets the relief of the surface that the ink shows. The field of `grain` must outlive this
+  /// object.
   void set_grain(const Grain& grain);
-  /// Shows only centre lines, hair-thin.
+  /// Sets whether strokes are shown only as hairlines along their centres.
   void set_outline_mode(bool on);
-  /// New ink goes into this layer, below the ink of the layers above it; none: above all ink.
+  /// Sets the layer of new ink, which the layers above it cover. Without a layer, new ink is above
+  /// all ink.
   void draw_below(std::optional<LayerId> layer);
-  /// Paints what covers new ink over `ink`, a picture of it whose corner is at the device pixel
-  /// `at` of the widget. Paints only where `ink` has ink, so that the result can be painted over
-  /// the canvas.
+  /// Paints the layers that cover new ink over `ink`, a picture of the new ink whose corner is at
+  /// the device pixel `at` of the widget. Paints only where `ink` has ink, so that the caller can
+  /// paint the result over the canvas.
   void cover(QImage& ink, QPoint at);
-  /// Returns the transform from mm to widget pixels exactly as the ink is painted: that of the
-  /// view, shifted by less than a device pixel so that panning copies. Use it for anything that
-  /// must lie on the ink without a seam.
+  /// Returns the exact transform from mm to widget pixels with which the ink is painted: the
+  /// view's transform, shifted by less than a device pixel so that panning can copy pixels. Use it
+  /// for everything that must match the ink without a seam.
   [[nodiscard]] QTransform transform() const;
-  /// Paints the ink of this part of the widget over the painter's present content.
+  /// Paints the ink of this part of the widget over the painter's existing content.
   void paint(QPainter& painter, const QRect& part);
-  /// Returns the number of the view's tiles that are missing; others stand in for them.
+  /// Returns the number of the view's tiles that are missing. Older tiles are painted in their
+  /// place.
   [[nodiscard]] int missing_tiles() const;
   /// Returns true if all tiles of the view are up to date.
   [[nodiscard]] bool is_up_to_date() const;
-  /// Waits until is_up_to_date(); for tests and pictures.
+  /// Waits until is_up_to_date() is true; for tests and pictures.
   void finish();
 
  Q_SIGNALS:
-  /// This part of the widget has to be painted again.
+  /// Emitted when this part of the widget must be painted again.
   void changed(const QRect& part);
 
  private:

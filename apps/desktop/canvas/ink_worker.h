@@ -18,28 +18,28 @@
 
 namespace felt::desktop {
 
-/// A thread that keeps tiles of a document up to date. Each request is an order with a number.
-/// Orders are carried out in sequence; a preview or view is skipped if the next order replaces it.
-/// Tiles are made in this sequence: tiles on the screen that an edit changed, then missing ones,
-/// from the middle outwards, then a ring around the view. Call all functions from one other thread;
-/// all but `wait` return immediately.
+/// A thread that keeps the tiles of a document up to date. Each request is an order with a number.
+/// Orders are processed in sequence, but a preview or view is skipped if the next order replaces
+/// it. The worker makes tiles in this sequence: visible tiles that an edit changed, then missing
+/// tiles from the middle outwards, then a ring around the view. Call all functions from one thread
+/// other than the worker's. All functions except `wait` return immediately.
 class InkWorker {
  public:
-  /// How far the orders and the view are finished.
+  /// The progress of the orders and the view.
   enum class Stage {
-    kBusy,      ///< an order waits, or a tile on the screen is outdated
+    kBusy,      ///< an order is waiting, or a visible tile is outdated
     kRepaired,  ///< every existing tile of the view is up to date
     kComplete,  ///< the view has all its tiles
   };
 
-  /// `on_news` is called in the worker's thread when take_news() has something new.
+  /// The worker's thread calls `on_news` when take_news() has something new.
   explicit InkWorker(std::function<void()> on_news);
-  /// Interrupts any work.
+  /// Interrupts the work in progress and ends the thread.
   ~InkWorker();
   InkWorker(const InkWorker&) = delete;
   InkWorker& operator=(const InkWorker&) = delete;
 
-  /// Each returns the number of the order.
+  /// Each of these functions returns the number of its order.
   std::uint64_t open(Document document);
   std::uint64_t apply(Edit edit);
   std::uint64_t show(std::optional<Edit> preview);
@@ -50,11 +50,12 @@ class InkWorker {
   /// Returns and removes the news since the last call, oldest first.
   [[nodiscard]] std::vector<TileNews> take_news();
   [[nodiscard]] Stage stage() const;
-  /// Returns the number of the last order that the tiles on the screen show.
+  /// Returns the number of the last order that the visible tiles show.
   [[nodiscard]] std::uint64_t repaired_order() const noexcept { return repaired_.load(); }
-  /// Waits for a stage, at most this long. Returns false if it was not reached.
+  /// Waits until the worker reaches `stage`, at most `at_most`. Returns false if it did not reach
+  /// it.
   bool wait(Stage stage, std::chrono::microseconds at_most);
-  /// Waits for a stage without a limit.
+  /// Waits until the worker reaches `stage`, without a time limit.
   void wait(Stage stage);
 
   struct Look {
@@ -81,7 +82,7 @@ class InkWorker {
   std::vector<TileNews> news_;
   std::uint64_t posted_ = 0;
   Stage stage_ = Stage::kBusy;
-  bool is_idle_ = false;  // nothing is left to do, not even around the view
+  bool is_idle_ = false;  // true if nothing is left to do, not even around the view
   std::atomic<bool> has_mail_{false};
   std::atomic<bool> quits_{false};
   std::atomic<std::uint64_t> repaired_{0};

@@ -14,54 +14,55 @@
 
 namespace felt::desktop {
 
-/// A shape drawn over the ink, in pixels of the widget. Equal marks look alike, so only the
-/// differences of two lists have to be painted again.
+/// A shape that is drawn over the ink, in widget pixels. Marks that compare equal look alike, so
+/// that only the differences between two lists have to be painted again.
 struct Mark {
   enum class Kind : std::uint8_t {
     kLines,   ///< joined lines
     kArrow,   ///< from points[0] to points[1]
     kRing,    ///< points[0], size: radius
     kDot,     ///< points[0]
-    kLabel,   ///< text in the plate points[0] to points[1]
-    kNib,     ///< the spot where ink would begin: points[0], size: radius
-    kHand,    ///< the link from the hand to the nib that forces hold back
-    kForce,   ///< an arrow at the nib
+    kLabel,   ///< text in a box from points[0] to points[1]
+    kNib,     ///< the point where ink would begin: points[0], size: radius
+    kHand,    ///< the line from the hand to the nib when forces hold the nib back
+    kForce,   ///< the force as an arrow at the nib
     kNormal,  ///< a bar for the force out of the surface: points[0], size: height
   };
   Kind kind = Kind::kLines;
   Overlay::Role role = Overlay::Role::kGuide;
   QPolygonF points = {};
   double size = 0.0;
-  double phase = 0.0;  ///< length of the line before this part, for its dashes
+  double phase = 0.0;  ///< length of the line before this part, so that dashes continue
   QString text = {};
-  QRect box = {};  ///< around all that is painted
+  QRect box = {};  ///< bounds of everything that is painted
 
   friend bool operator==(const Mark&, const Mark&) = default;
 };
 
 using Marks = std::vector<Mark>;
 
-/// Where the pen is and which force it feels, in pixels of the widget.
+/// Position of the pen and the force on it, in widget pixels.
 struct PenMark {
   QPointF hand;         ///< position of mouse or tablet
   QPointF nib;          ///< position at which the nib is shown
-  double radius = 0.0;  ///< radius of the dot that it would draw; 0: no ring around the nib
-  QPointF force_n{};    ///< in the plane, in directions of the screen; 0: no arrow
-  double out_n = 0.0;   ///< out of the surface; 0: no bar
+  double radius = 0.0;  ///< radius of the dot that the pen would draw; 0: no ring around the nib
+  QPointF force_n{};    ///< force in the plane, in screen directions, N; 0: no arrow
+  double out_n = 0.0;   ///< force out of the surface, N; 0: no bar
 };
 
-/// Adds the marks of a tool, except wet ink and bands; skips those outside of the widget.
+/// Adds the marks of a tool, except wet ink and bands. Skips marks outside of the widget.
 void list_overlay(const Overlay& overlay, const CanvasView& view, const QFont& font, Marks& marks);
-/// Adds nib, hand and force.
+/// Adds the marks for the nib, the hand and the force.
 void list_pen(const PenMark& pen, Marks& marks);
-/// Adds the area of all marks that are in only one of the two lists, as few rectangles.
+/// Adds to `region` the area of all marks that are in only one of the two lists, as few
+/// rectangles.
 void add_difference(const Marks& before, const Marks& after, QRegion& region);
 
 /// Returns an opaque colour between a and b; share_of_b is 0 to 1.
 QColor mixed(QColor a, QColor b, double share_of_b);
 
-/// The colours of marks on paper: a palette for any colour vision, lighter on dark paper, with a
-/// halo that separates every mark from the ink below.
+/// The colours of marks on paper. The palette suits any colour vision and is lighter on dark
+/// paper; a halo separates every mark from the ink below.
 class MarkLook {
  public:
   explicit MarkLook(QColor paper);

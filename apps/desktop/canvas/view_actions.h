@@ -5,7 +5,7 @@
 
 namespace felt::desktop {
 
-/// Adds view.*, the commands that change the view. None of them is a step of undo. `canvas` must
+/// Adds view.*, the commands that change the view. They are not steps of undo. `canvas` must
 /// outlive the actions.
 void add_view_actions(Actions& actions, Canvas& canvas);
 

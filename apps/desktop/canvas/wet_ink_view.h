@@ -17,16 +17,16 @@
 
 namespace felt::desktop {
 
-/// Fills rows of dabs as the library fills dry ink: same rasteriser, same pixels. Keeps its
-/// buffers.
+/// Fills rows of dabs with the same rasteriser and the same pixels that the library uses for dry
+/// ink. Reuses its buffers.
 class InkBrush {
  public:
-  /// Paints the part of the rows in `part`, pixels of the widget, in one colour that covers each
-  /// point once. Requires that the painter's transform is that of the widget.
+  /// Paints the part of the rows within `part` (widget pixels) in one colour and covers each point
+  /// only once. Requires that the painter uses the widget's transform.
   void paint(QPainter& painter, const QRectF& part, const DeviceView& view, const DabRows& rows,
              Rgba color);
-  /// Returns how much of each pixel the segments [from, to) cover, as the alpha of a white picture,
-  /// valid until the next call.
+  /// Returns how much of each pixel the segments [from, to) cover, as the alpha channel of a white
+  /// picture. The result is valid until the next call.
   QImage& cover(const DabRows& rows, std::size_t from, std::size_t to, const PixelRect& pixels);
 
  private:
@@ -39,34 +39,34 @@ class InkBrush {
   QImage image_;
 };
 
-/// The ink of the stroke in progress: what the tool shows as Overlay::ink, sample by sample. It
-/// looks like the finished stroke: same edges, same colour with alpha, same grain. Segments that no
-/// longer change are kept as a mask of coverage, which stores the maximum for each pixel. So a
+/// The ink of the stroke in progress, which the tool shows as Overlay::ink sample by sample. It
+/// looks like the finished stroke: same edges, same colour and alpha, same grain. Segments that no
+/// longer change are kept as a coverage mask that stores the maximum for each pixel. Therefore a
 /// sample costs only the new segments and the provisional end, even if the line crosses itself
 /// there.
 ///
-/// When the stroke is in the document, the worker may need a moment for its picture: until then the
-/// ink is *drying*, that is, still painted from here.
+/// When the stroke enters the document, the worker may need a moment to update its tiles. Until
+/// then the ink is *drying*: this class still paints it.
 class WetInkView {
  public:
   void set_view(const DeviceView& view);
   /// Sets the grain, and the medium of the strokes in progress by its id.
   void set_grain(const Grain& grain, const std::string& material);
-  /// Shows ink hair-thin.
+  /// Sets whether ink is shown as hairlines.
   void set_outline_mode(bool on);
 
   /// Shows the ink of `overlay`. Returns the part of the widget that changed. Does not compare
-  /// stable segments: the cost does not depend on the length of the stroke.
+  /// stable segments, so that the cost does not depend on the length of the stroke.
   QRegion update(const Overlay& overlay);
-  /// Marks the wet ink as drying: it is in the document now, and let_go() removes it.
+  /// Marks the wet ink as drying, because it is in the document now. let_go() removes it.
   void dry();
   [[nodiscard]] bool is_drying() const noexcept { return !drying_.empty(); }
   QRect let_go();
   [[nodiscard]] bool is_empty() const noexcept { return wet_.segments.empty(); }
-  /// Returns the width at the pen's end of the wet ink, in mm.
+  /// Returns the width of the wet ink at the pen, in mm.
   [[nodiscard]] double width_mm() const noexcept;
 
-  /// Paints what lies above over `ink`, a picture whose corner is at the device pixel `at`.
+  /// Paints the layers above over `ink`, a picture whose corner is at the device pixel `at`.
   using Cover = std::function<void(QImage& ink, QPoint at)>;
   void paint(QPainter& painter, const QRect& part, const Cover& cover = {});
 
@@ -78,9 +78,9 @@ class WetInkView {
     std::size_t stable = 0;    ///< Overlay::ink_stable
     Rgba color;
     std::string material;
-    std::size_t firm = 0;              ///< segments that the last change left unchanged
-    std::size_t settled = 0;           ///< segments in the mask
-    std::vector<std::uint8_t> mask{};  ///< a byte per device pixel
+    std::size_t firm = 0;              ///< number of segments that the last change left unchanged
+    std::size_t settled = 0;           ///< number of segments in the mask
+    std::vector<std::uint8_t> mask{};  ///< one byte per device pixel
   };
   void add(Row& row, const Overlay::InkSegment& segment) const;
   void settle(Row& row, std::size_t to);
@@ -101,7 +101,7 @@ class WetInkView {
   std::vector<Row> drying_;
 };
 
-/// Marked spans as bands below the ink, a little wider than it.
+/// Shows marked spans as bands below the ink, a little wider than the ink.
 class BandView {
  public:
   void set_view(const DeviceView& view);

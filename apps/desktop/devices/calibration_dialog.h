@@ -13,37 +13,37 @@
 
 namespace felt::desktop {
 
-/// Asks the user to touch three corners of the wanted drawing area, and computes the plane from
-/// them. A picture shows the moving pen. Reads the device itself, or in its own loop if the
-/// vendor's loop must run it; sends no force.
+/// Asks the user to touch three corners of the intended drawing area, and computes the plane from
+/// them. A picture shows the moving pen. The dialog reads the device itself, or through a Servo if
+/// the vendor's loop must run it. It sends no force.
 class CalibrationDialog : public QDialog {
   Q_OBJECT
 
  public:
   static constexpr std::size_t kCorners = 3;
 
-  /// `device` reports positions in its own frame or through an older calibration. The new drawing
-  /// area will lie around `middle` on the page.
+  /// `device` reports positions in its own frame or through an older calibration. The centre of
+  /// the new drawing area will be at `middle` on the page.
   CalibrationDialog(std::unique_ptr<PenDevice> device, Point middle, QWidget* parent = nullptr);
   ~CalibrationDialog() override;
 
-  /// Calibrates the device in use, while mouse and tablet replace it, and stores the result unless
-  /// it is cancelled. The device stays open, so that it keeps its homing.
+  /// Calibrates the device in use and stores the result unless the user cancels. Mouse and tablet
+  /// replace the device meanwhile. The device stays open, so that it keeps its homing.
   static void run(Studio& studio, QWidget* parent);
 
-  /// Records the pen's position as the corner that was asked for. Called by the button, Space and
-  /// the pen's first button.
+  /// Records the pen's position as the requested corner. Called by the button, Space and the pen's
+  /// first button.
   void take();
   void start_again();
-  /// Returns the plane once all corners were touched and are plausible.
+  /// Returns the plane if all corners were touched and are plausible.
   [[nodiscard]] const std::optional<PlaneFit>& found() const noexcept { return found_; }
-  /// Returns the part of the plane between the corners.
+  /// Returns the rectangle between the corners in the plane.
   [[nodiscard]] std::optional<DrawingArea> area() const;
-  /// Stops reading the device and returns it; null if it is unresponsive.
+  /// Stops reading the device and returns it, or null if the device is unresponsive.
   std::unique_ptr<PenDevice> take_device();
 
  private:
-  /// Reads the pen's position; returns the buttons that were pressed since the last call.
+  /// Reads the pen's position. Returns the buttons that were pressed since the last call.
   std::uint32_t read();
   void look();
   void tell();
@@ -51,14 +51,14 @@ class CalibrationDialog : public QDialog {
   [[nodiscard]] QPointF in_picture(const Vec3& device_mm) const;
 
   std::unique_ptr<PenDevice> device_;
-  std::unique_ptr<Servo> servo_;  // if the vendor's loop runs it
+  std::unique_ptr<Servo> servo_;  // only if the vendor's loop runs the device
   std::unique_ptr<RealtimeThread> loop_;
   PlaneCalibration old_;
-  PlaneCalibration usual_;  // the usual plane, for the picture until the new one is known
+  PlaneCalibration usual_;  // the default plane, for the picture until the new one is known
   DrawingArea reach_;
   Point middle_;
-  std::vector<Vec3> corners_;  // in the device's frame
-  std::optional<Vec3> place_;  // of the pen, in the device's frame
+  std::vector<Vec3> corners_;  // in the frame of the device
+  std::optional<Vec3> place_;  // position of the pen in the frame of the device
   std::uint32_t buttons_ = 0;
   std::optional<PlaneFit> found_;
   QElapsedTimer clock_;

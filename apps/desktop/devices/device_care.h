@@ -14,32 +14,33 @@
 
 namespace felt::desktop {
 
-/// Manages the device of a window: opens the one that the user chooses, with homing if needed. If
+/// Manages the device of a window: opens the one that the user chooses, and homes it if needed. If
 /// the device fails, reports the fault, lets the user continue to draw, and reconnects the device.
 ///
-/// A device that cannot be read any more is closed: the gesture is ended and committed as it is
-/// then, mouse and tablet are used instead, and the program waits for the device. When it is
-/// plugged in again and nothing is being drawn, it is used again automatically, unless the user has
-/// to do something. Forces are then off until the user switches them on, and rise from zero. If it
-/// needs homing, or can only be found by opening it, the user has to press a button. A device that
-/// only refuses forces stays in use.
+/// A device that can no longer be read is closed. The gesture is ended and committed, mouse and
+/// tablet replace the device, and the program waits for it. When it is plugged in again and the
+/// user is not drawing, it is used again automatically, unless the user must act first. Forces are
+/// then off until the user switches them on, and rise from zero. If the device needs homing, or
+/// can only be found by opening it, the user must press a button. A device that only refuses
+/// forces stays in use.
 class DeviceCare : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int kCalmMs = 200;      ///< interval of checks whether the pen is up
-  static constexpr int kPatienceMs = 500;  ///< waiting time for a fault that may pass
+  static constexpr int kCalmMs = 200;      ///< interval of the checks whether the pen is lifted
+  static constexpr int kPatienceMs = 500;  ///< waiting time for a fault that may clear itself
 
   /// Manages the device of this studio; `notice` shows the messages.
   DeviceCare(Studio& studio, DeviceNotice& notice, QWidget* window);
   ~DeviceCare() override;
 
   /// Opens the device that the user has chosen, homes it, and stores the choice. Returns false if
-  /// it fails: the previous device stays in use, and the notice says why. `parent` is for dialogs.
+  /// that fails; then the previous device stays in use, and the notice says why. `parent` is the
+  /// parent of the dialogs.
   bool use(const QString& id, QWidget* parent);
-  /// Returns the user's name for the device, otherwise the vendor's.
+  /// Returns the user's name for the device, or the vendor's if the user gave it no name.
   [[nodiscard]] QString name_of(const QString& id) const;
-  /// Returns the id of the lost device that may return; empty if no device is lost.
+  /// Returns the id of the device that the program waits for; empty if it does not wait.
   [[nodiscard]] const QString& waits_for() const noexcept { return waits_for_; }
 
  Q_SIGNALS:
@@ -66,13 +67,13 @@ class DeviceCare : public QObject {
   QPointer<QWidget> window_;
   std::unique_ptr<DriverWatch::Watching> watching_;
   QString waits_for_;
-  bool has_failed_ = false;  // it did not open: no automatic attempt until it was unplugged
+  bool has_failed_ = false;  // it did not open: do not retry until it was unplugged
   QElapsedTimer since_back_;
   QTimer calm_;
   QTimer patience_;
   std::optional<DeviceFault> said_;
   ShortText said_notice_;
-  std::uint64_t reads_ = 0;  // number of reads when the fault came
+  std::uint64_t reads_ = 0;  // number of reads when the fault occurred
 };
 
 }  // namespace felt::desktop

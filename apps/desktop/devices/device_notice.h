@@ -30,7 +30,7 @@ class DeviceNotice : public MessageBar {
 
   void say(DeviceMessage message);
   [[nodiscard]] const DeviceMessage& message() const noexcept { return message_; }
-  /// Presses the button of that index, as a click does.
+  /// Presses the button with that index, as a click does.
   void press(std::size_t button);
 
  protected:

@@ -15,24 +15,24 @@
 
 namespace felt::desktop {
 
-/// The page "Device" of the preferences: the pen device, its state and its settings. Real devices
-/// come first, each with its state; if one is missing, a row has help for it. Then come the exact
-/// pen and the simulated styluses. A simulated one is used as soon as its row is selected; a real
-/// one when the button is pressed, because its arm may have to move. Searches for devices while the
-/// page is visible.
+/// The page "Device" of the preferences: the pen device, its state and its settings. The list
+/// shows real devices first, each with its state. If a device is missing, an extra row offers
+/// help. Then come the exact pen and the simulated styluses. A simulated stylus is used when its
+/// row is selected; a real device only when the button is pressed, because its arm may have to
+/// move. The page searches for devices while it is visible.
 class DevicePage : public QWidget {
   Q_OBJECT
 
  public:
-  /// `care` opens the devices, with questions to the user. If null, they are opened without
-  /// questions. The main window passes one.
+  /// `care` opens the devices and may ask the user questions. If it is null, devices are opened
+  /// without questions. The main window passes one.
   explicit DevicePage(Studio& studio, DeviceCare* care = nullptr, QWidget* parent = nullptr);
 
   /// Updates the list of devices.
   void refresh();
   /// Returns the id of the selected row, whether it is in use or not.
   [[nodiscard]] QString chosen() const;
-  /// Selects a row, as a click does. Returns false if there is none of that id.
+  /// Selects the row with that id, as a click does. Returns false if no row has that id.
   bool choose(const QString& id);
   /// Uses the selected device.
   void use();
@@ -65,7 +65,7 @@ class DevicePage : public QWidget {
   QListWidget* list_;
   QLabel* words_;
   QPushButton* use_;
-  QWidget* general_;  // settings of devices whose position comes from mouse or tablet
+  QWidget* general_;  // settings of devices that mouse or tablet move
   QDoubleSpinBox* limit_;
   DeviceSettings* settings_;
   QWidget* cue_row_;

@@ -13,11 +13,11 @@
 
 namespace felt::desktop {
 
-/// The user's settings of the device in use, kept in its profile: a name, the hand that holds it,
-/// limits of force and stiffness, position and scale of its drawing plane. They take effect
-/// immediately, and the force starts from zero. Each hand has its own plane, because the device
-/// then stands on the other side. Hand and plane are shown only if the device needs a calibrated
-/// plane (PenDeviceInfo::has_own_frame).
+/// The user's settings of the device in use, stored in its profile: a name, the hand that holds
+/// it, limits of force and stiffness, and position and scale of its drawing plane. Changes take
+/// effect immediately, and the force starts again from zero. Each hand has its own plane, because
+/// the device stands on the side of that hand. Hand and plane are shown only if the device needs a
+/// calibrated plane (PenDeviceInfo::has_own_frame).
 class DeviceSettings : public QWidget {
   Q_OBJECT
 
@@ -26,7 +26,8 @@ class DeviceSettings : public QWidget {
 
   /// Shows the profile of the device in use.
   void tell();
-  /// Centres the drawing area on the page, with a scale that reaches the whole page.
+  /// Centres the drawing area on the page, with a scale at which the device reaches the whole
+  /// page.
   void fit();
 
  private:

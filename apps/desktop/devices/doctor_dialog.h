@@ -9,19 +9,20 @@
 
 namespace felt::desktop {
 
-/// Shows which haptic devices this computer finds, what is missing, and what to do about it, step
-/// by step: the findings of `feltline doctor`, to read, or to copy for a support request.
+/// Shows which haptic devices this computer finds, what is missing, and how to fix it step by
+/// step. These are the findings of `feltline doctor`; the user can copy them for a support
+/// request.
 class DoctorDialog : public QDialog {
   Q_OBJECT
 
  public:
   explicit DoctorDialog(QWidget* parent = nullptr);
 
-  /// Asks the drivers again; the findings arrive later.
+  /// Asks the drivers again. The findings arrive asynchronously.
   void look();
   [[nodiscard]] bool is_looking() const noexcept { return is_looking_; }
   void show_findings(std::vector<DriverFindings> findings);
-  /// Returns the text that "Copy" copies.
+  /// Returns the text that the button "Copy" copies.
   [[nodiscard]] QString plain_text() const;
 
  private:

@@ -10,25 +10,26 @@
 
 namespace felt::desktop {
 
-/// Asks the user to home a device: to put its stylus into the inkwell, its arm into the rest pose,
-/// or to agree that the arm moves by itself. Nothing moves before the user has confirmed, and for
-/// an arm that moves by itself Enter means "Not now". The window stays responsive.
+/// Asks the user to home a device: to put its stylus into the inkwell, to put its arm into the
+/// rest pose, or to allow the arm to move by itself. Nothing moves before the user has confirmed.
+/// If the arm moves by itself, Enter means "Not now". The window stays responsive.
 class HomingDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Requires that the device is open and that no loop runs.
+  /// Requires that the device is open and that no haptic loop runs.
   explicit HomingDialog(PenDevice& device, QWidget* parent = nullptr);
   ~HomingDialog() override;
 
-  /// Returns true if the device is homed or needs no homing; without a dialog in the second case.
+  /// Returns true if the device is homed or needs no homing. Shows no dialog if it needs no
+  /// homing.
   static bool bring_home(PenDevice& device, QWidget* parent);
 
-  /// Starts homing, as the button does: the user agrees, or holds the device as asked.
+  /// Starts homing, as the button does after the user agreed or holds the device as asked.
   void begin();
   [[nodiscard]] bool is_under_way() const noexcept { return is_under_way_; }
 
-  /// Ignored while an arm moves.
+  /// Does nothing while an arm moves.
   void reject() override;
 
  private:

@@ -8,16 +8,16 @@
 
 namespace felt::desktop {
 
-/// An area to try a device in. It has its own loop, so that the drawing is not affected. Only for
-/// devices whose position comes from mouse or tablet. The loop runs while the area is visible.
+/// An area to try a device in. It has its own haptic loop, so that the drawing is not affected. It
+/// works only for devices that mouse or tablet move. The loop runs while the area is visible.
 class TestPad : public QWidget {
   Q_OBJECT
 
  public:
   explicit TestPad(QWidget* parent = nullptr);
 
-  /// Sets the device and the strength of its forces. If the id is empty, the pad does
-  /// nothing and asks the user to try the device on the page itself.
+  /// Sets the device and the strength of its forces. If the id is empty, the pad does nothing and
+  /// asks the user to try the device on the page itself.
   void use(const QString& device_id, double strength, double limit_n);
   [[nodiscard]] Studio* studio() noexcept { return studio_.get(); }
 

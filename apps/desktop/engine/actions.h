@@ -14,16 +14,16 @@ namespace felt::desktop {
 /// shortcut sheet, remapping and the monkey test all use this table, so that each of them reaches
 /// every command. Each folder adds its commands; the window puts them into menus.
 ///
-/// Names: menu "." command. The user's shortcuts are settings "shortcuts/NAME" and replace the
-/// default keys given here. Qt's main thread.
+/// A name is menu "." command. The user's shortcuts are stored in the settings "shortcuts/NAME"
+/// and replace the default keys. Use it in Qt's main thread.
 class Actions : public QObject {
   Q_OBJECT
 
  public:
   explicit Actions(QWidget* window);
 
-  /// Adds a command to the window, so that its keys work wherever the focus is. `text` is
-  /// translated and has its mnemonic; `tip` is one sentence.
+  /// Adds a command to the window; its keys work in every widget of the window. `text` is
+  /// translated and contains its mnemonic; `tip` is one sentence.
   QAction* add(const QString& name, const QString& text, const QList<QKeySequence>& keys,
                const QString& tip, std::function<void()> run);
   /// Adds a command that is switched on or off.
@@ -35,12 +35,12 @@ class Actions : public QObject {
   [[nodiscard]] const QList<QAction*>& all() const noexcept { return actions_; }
   /// Returns the keys that the command was added with.
   [[nodiscard]] QList<QKeySequence> default_keys(const QString& name) const;
-  /// Sets the user's keys for a command and stores them, so that they apply in every window. Empty:
-  /// no keys.
+  /// Sets the user's keys for a command and stores them, so that they apply in every window. An
+  /// empty list means no keys.
   void set_keys(const QString& name, const QList<QKeySequence>& keys);
   /// Restores the keys that the command was added with.
   void reset_keys(const QString& name);
-  /// Returns the command that has this key now, or null. Ignores `but`.
+  /// Returns the command that has this key now, or null. Ignores the command `but`.
   [[nodiscard]] QAction* owner_of(const QKeySequence& key, const QAction* but = nullptr) const;
 
  Q_SIGNALS:

@@ -14,28 +14,29 @@
 
 namespace felt::desktop {
 
-/// Setting: the id of the cue device that the user has chosen; empty (the default): none. A chosen
-/// device plays whenever it is connected.
+/// Setting: the id of the cue device that the user has chosen; empty (the default) if none. The
+/// chosen device plays whenever it is connected.
 inline constexpr auto kCueDeviceKey = "devices/cue";
 
-/// A haptic pen, mouse, touchpad or game controller, for lists.
+/// A haptic pen, mouse, touchpad or game controller, as shown in lists.
 struct CueDeviceInfo {
   QString id;     ///< stored in the setting
   QString label;  ///< for the user
 };
 
-/// Returns the devices that are connected now. Takes some ms. To choose one:
+/// Returns the devices that are connected now. Takes some ms. To choose a device, call
 /// Settings::the().set(kCueDeviceKey, id).
 std::vector<CueDeviceInfo> cue_devices();
-/// Adds a driver to those of make_drivers(), for tests. Returns a number for remove_cue_driver().
+/// Adds a driver to the drivers of make_drivers(), for tests. Returns a number for
+/// remove_cue_driver().
 int add_cue_driver(std::shared_ptr<Driver> driver);
 void remove_cue_driver(int number);
 
 /// Plays cues of a drawing on the chosen device: a hum while the pen rubs, and ticks when it
-/// touches, when a tool grabs something and when an end snaps. One per window. Follows the setting.
-/// If the chosen device is not connected, looks for it every two seconds; if it does not open,
-/// retries at growing intervals. The strength of the forces scales the cues; they are silent while
-/// forces are off. Qt's main thread.
+/// touches, when a tool grabs something and when an end snaps. Each window has one player. It
+/// follows the setting. If the chosen device is not connected, it searches for it every two
+/// seconds; if the device does not open, it retries at growing intervals. The strength of the
+/// forces scales the cues; they are silent while forces are off. Use it in Qt's main thread.
 class CuePlayer : public QObject {
   Q_OBJECT
 
@@ -45,14 +46,14 @@ class CuePlayer : public QObject {
 
   /// Returns the id of the device that plays now, or an empty string.
   [[nodiscard]] QString in_use() const;
-  /// Opens the device and closes the one before; an empty id only closes. Returns false if it does
-  /// not open; `refused` says why. Does not change the setting.
+  /// Opens the device and closes the previous one; an empty id only closes. Returns false if it
+  /// does not open; then `refused` says why. Does not change the setting.
   bool use(const QString& id);
 
  Q_SIGNALS:
-  /// Another device plays now, or none.
+  /// Emitted when another device plays, or no device any more.
   void changed();
-  /// A sentence for the status line.
+  /// Reports a sentence for the status line.
   void refused(const QString& why);
 
  private:
@@ -71,10 +72,10 @@ class CuePlayer : public QObject {
   std::int64_t last_look_ns_ = 0;
   bool is_silent_ = true;
   int opened_ = 0;  // number of devices opened so far
-  QTimer idle_;     // no tick for a while: stops the hum
-  QTimer again_;    // looks for a device that is missing or did not open
+  QTimer idle_;     // single shot after the last tick: stops the hum
+  QTimer again_;    // searches for a device that is missing or did not open
   struct {
-    QString words;  // the last ones that were emitted
+    QString words;  // the last words that were emitted
     int tries = 0;
   } refusal_;
 };

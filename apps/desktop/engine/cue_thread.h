@@ -12,8 +12,8 @@
 
 namespace felt::desktop {
 
-/// Plays on a cue device on its own thread, because a transfer to a sleeping mouse or to a pen on a
-/// slow bus may take long, and a window must not wait. If more than kMaxWaiting cues wait, only
+/// Plays on a cue device on its own thread, because a transfer to a sleeping mouse or to a pen on
+/// a slow bus may take long, and a window must not wait. If more than kMaxWaiting cues wait, only
 /// the last kMaxWaiting are played.
 ///
 /// Call all functions on one thread. `on_fault` is called once, on the playing thread; nothing is
@@ -22,12 +22,12 @@ class CueThread {
  public:
   static constexpr std::size_t kMaxWaiting = 3;
 
-  /// If `with_thread` is false, play() plays immediately; for tests and pictures.
+  /// If `with_thread` is false, play() plays in the calling thread; for tests and pictures.
   CueThread(std::unique_ptr<CueDevice> device, bool with_thread,
             std::function<void(DeviceFault)> on_fault);
   CueThread(const CueThread&) = delete;
   CueThread& operator=(const CueThread&) = delete;
-  /// Silences the device; waits for the cue that is being played.
+  /// Waits for the cue that is being played, then silences the device.
   ~CueThread();
 
   void play(const Cue& cue, std::int64_t now_ns);
@@ -48,7 +48,7 @@ class CueThread {
 
   std::unique_ptr<CueDevice> device_;
   std::function<void(DeviceFault)> on_fault_;
-  bool has_failed_ = false;  // used by the thread that plays
+  bool has_failed_ = false;  // used by the playing thread
   std::mutex mutex_;
   std::condition_variable posted_;
   std::deque<Order> orders_;

@@ -15,53 +15,56 @@
 
 namespace felt::desktop {
 
-/// The findings of one vendor's driver on this machine.
+/// The diagnosis of one vendor's driver on this machine.
 struct DriverFindings {
   QString label;  ///< "3D Systems (OpenHaptics)"
   std::vector<Finding> findings;
 };
 
-/// The drivers of real devices. Finds the devices that are plugged in, and opens them (PenDriver).
+/// The drivers of real devices. It finds the devices that are plugged in, and opens them
+/// (PenDriver).
 ///
-/// Looks for devices only while a `Watching` exists (a list is shown, or a device was lost):
-/// once a second, on its own thread, so that a slow library blocks no window. Drivers are used by
-/// one call at a time; opening waits for a running search, at most kPatienceMs. A driver whose
-/// library has not answered for `stuck_ms` is no longer used, and the search continues without it;
-/// a device whose library hangs when it is closed is disconnected as well (OpenDevice). One per
-/// process, made before the first window. Main thread.
+/// It searches for devices only while a `Watching` exists (because a list is shown or a lost
+/// device may return): once a second, on its own thread, so that a slow library blocks no window.
+/// Only one call at a time uses the drivers; opening waits for a running search, at most
+/// kPatienceMs. If the library of a driver has not answered for `stuck_ms`, that driver is no
+/// longer used, and the search continues without it. A device whose library hangs while it is
+/// closed is disconnected, too (OpenDevice). Each process has one DriverWatch, made before the
+/// first window. Use it in the main thread.
 class DriverWatch : public QObject {
   Q_OBJECT
 
  public:
   static constexpr int kLookMs = 1000;
   static constexpr int kPatienceMs = 3000;
-  static constexpr int kStuckMs = 60'000;  ///< longer than any homing takes
+  static constexpr int kStuckMs = 60'000;  ///< longer than any homing
 
   explicit DriverWatch(std::vector<std::unique_ptr<Driver>> drivers, QObject* parent = nullptr,
                        int stuck_ms = kStuckMs);
   ~DriverWatch() override;
-  /// Returns the one of this process, or null.
+  /// Returns the DriverWatch of this process, or null.
   static DriverWatch* the() noexcept;
 
   /// Returns the force devices that the last search found.
   [[nodiscard]] const std::vector<PenDeviceInfo>& found() const noexcept { return found_; }
-  /// Returns the ids and names of the devices that play waveforms, from the last search
+  /// Returns the ids and names of the devices that play waveforms, as the last search found them
   /// (cue_player.h opens them).
   [[nodiscard]] const std::vector<std::pair<QString, QString>>& found_cues() const noexcept {
     return cues_;
   }
   [[nodiscard]] const PenDeviceInfo* find(const QString& id) const noexcept;
-  /// Returns true if one of its drivers makes devices with such ids, plugged in or not.
+  /// Returns true if the id has the form of one of its drivers' ids, even if that device is not
+  /// plugged in.
   [[nodiscard]] bool knows(const QString& id) const noexcept;
   /// Returns true once the first search is finished.
   [[nodiscard]] bool has_looked() const noexcept { return has_looked_; }
-  /// Starts one search now; `looked` reports its end.
+  /// Starts one search now; `looked` is emitted when it ends.
   void look();
   /// Asks all drivers, on the search thread, what is connected and what is missing. Calls `answer`
-  /// on the main thread, unless `asker` is gone by then.
+  /// on the main thread, unless `asker` was destroyed meanwhile.
   void diagnose(QObject* asker, std::function<void(std::vector<DriverFindings>)> answer);
 
-  /// Devices are searched for while one of these exists.
+  /// Devices are searched for while at least one object of this class exists.
   class Watching {
    public:
     Watching();
@@ -71,9 +74,9 @@ class DriverWatch : public QObject {
   };
 
  Q_SIGNALS:
-  /// found() or found_cues() changed.
+  /// Emitted when found() or found_cues() changed.
   void changed();
-  /// A search has ended, with or without a change.
+  /// Emitted when a search has ended, even if nothing changed.
   void looked();
 
  private:
@@ -98,7 +101,7 @@ class DriverWatch : public QObject {
   QTimer timer_;
   bool is_looking_ = false;
   bool has_looked_ = false;
-  int pens_ = 0;  // returned by add_pen_driver
+  int pens_ = 0;  // the number that add_pen_driver returned
 };
 
 }  // namespace felt::desktop

@@ -8,11 +8,11 @@
 
 namespace felt::desktop {
 
-/// The medium of a first start: smooth, and exact with a mouse, which presses evenly.
+/// The medium at the first start. It is smooth, and exact with a mouse, which presses evenly.
 inline constexpr std::string_view kFirstMedium = "ink-pen";
 
-/// Returns the row of an option with the default of this program: the library's, except for the
-/// medium and the widths of a tool that draws.
+/// Returns an option's row of the table with this program's default. It is the library's default
+/// except for the medium and the widths of a tool that draws.
 [[nodiscard]] inline OptionSpec as_at_first(ToolKind kind, OptionSpec spec) {
   const Medium* medium = kind == ToolKind::kDraws ? find_medium(kFirstMedium) : nullptr;
   if (!medium) return spec;

@@ -2,8 +2,8 @@
 
 namespace felt::desktop {
 
-/// In `Settings`: dry ink shows the relief of the surface on the canvas. Also the first value for
-/// export and print.
+/// Setting: whether dry ink on the canvas shows the relief of the surface. Also the initial value
+/// for export and print.
 inline constexpr auto kShowsGrain = "canvas/grain";
 inline constexpr bool kShowsGrainDefault = true;
 

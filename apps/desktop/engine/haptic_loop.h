@@ -19,23 +19,24 @@
 namespace felt::desktop {
 
 /// The haptic loop of a Studio: the pen device, its servo and real-time thread, the simulated hand
-/// that mouse and tablet lead, and the timer that says when samples may be read. It does not depend
-/// on the drawing; the Studio publishes the forces of its session here and reads the samples.
+/// that mouse and tablet move, and the timer that says when to read samples. It does not depend on
+/// the drawing; the Studio publishes the forces of its session here and reads the samples.
 ///
-/// If live, a real-time thread ticks the servo. `due` is emitted right after each tick while the
-/// pen is near, after every fourth tick if it was moved a while ago, otherwise after every 16th; a
-/// timer does this, because the real-time thread wakes no other thread. If no motors push, thread
-/// and timer pause some seconds after the last event, until wake(). Qt's main thread only.
+/// If the loop is live, a real-time thread ticks the servo. A timer emits `due` right after each
+/// tick while the pen is near, after every fourth tick if the pen was moved a while ago, otherwise
+/// after every 16th. It is a timer because the real-time thread wakes no other thread. If no
+/// motors push, thread and timer pause some seconds after the last event, until wake(). Use it
+/// only in Qt's main thread.
 class HapticLoop : public QObject {
   Q_OBJECT
 
  public:
   struct Options {
-    /// Id of a device of pen_devices(). If it does not open, the tablet is used.
+    /// Id of a device of pen_devices(). If that device does not open, the tablet is used.
     QString device;
-    /// False: no thread and no timer; step() moves the time. For tests and pictures.
+    /// If false, no thread and no timer run; step() advances the time. For tests and pictures.
     bool live = true;
-    /// Time from the last event to the pause of a live loop whose device has no motors.
+    /// Time from the last event until a live loop pauses if its device has no motors.
     std::int64_t rest_ns = 3'000'000'000;
   };
   /// The activity of the pen, for schedule().
@@ -50,105 +51,107 @@ class HapticLoop : public QObject {
 
   // --- The device
   [[nodiscard]] PenDevice& device() noexcept { return *device_; }
-  /// Returns the device as the session sees it, within the user's force limit.
+  /// Returns the device for the session, with the user's force limit.
   [[nodiscard]] UseDevice used_device() const;
-  /// Replaces the device by one that is open and knows its position. Returns the previous one, at
-  /// rest, or null if that is unresponsive, because then nothing can use it until Feltline is
+  /// Replaces the device by another that is open and knows its position. Returns the previous
+  /// device, at rest, or null if it is unresponsive; then nothing can use it until Feltline is
   /// restarted. A gesture ends as if the pen had been lifted.
   std::unique_ptr<PenDevice> use_device(std::unique_ptr<PenDevice> device);
-  /// Applies another profile to the device. The loop restarts without force, and if motors move the
-  /// user's hand, forces are off.
+  /// Applies another profile to the device. The loop restarts without force. If motors move the
+  /// user's hand, forces are switched off.
   void set_profile(const DeviceProfile& profile);
-  /// Returns the status of the device, and of its loop.
+  /// Returns the status of the device and of its loop.
   [[nodiscard]] DeviceStatus device_status();
   /// Emits device_status_changed if the status changed. Checks at most every 20 ms.
   void check_device();
-  /// Returns true if this device, in any loop, did not return from its vendor's call when its loop
-  /// was to end. It is then disconnected, together with everything that the call may still use, and
-  /// the tablet is used instead; unresponsive_text() says so to the user.
+  /// Returns true if a loop had to end but the vendor's call for this device did not return, in
+  /// any loop. The device is then disconnected, together with everything that the call may still
+  /// use, and the tablet is used instead; unresponsive_text() explains this to the user.
   [[nodiscard]] static bool is_unresponsive(const QString& device_id);
   [[nodiscard]] static QString unresponsive_text(const QString& device_label);
 
   // --- Forces
-  /// Switches forces on or off. They start on if no motors move the user's hand.
+  /// Switches forces on or off. At the start they are on if no motors move the user's hand.
   void set_forces(bool on);
   [[nodiscard]] bool forces_are_on() const noexcept { return forces_on_; }
-  /// Master strength of all forces, 0..1, which multiplies what the force models ask for. It is
-  /// kept when the device changes.
+  /// Sets the master strength of all forces, 0..1, which multiplies the forces of the force
+  /// models. It is kept when the device changes.
   void set_strength(double share);
   [[nodiscard]] double strength() const noexcept { return strength_; }
   /// Sets the largest force that the user wants to feel, 0..SafetyLimits::peak_force_n, in N. The
-  /// loop restarts without force, and the session gets the limit with UseDevice, because the width
-  /// follows the push within the limit (with_force_limit).
+  /// loop restarts without force. The session gets the limit with UseDevice, because the width of
+  /// lines depends on the push relative to the limit (with_force_limit).
   void set_force_limit(double newton);
   [[nodiscard]] double force_limit() const noexcept { return force_limit_n_; }
 
   // --- The loop
   /// Starts the loop, without force. The Studio calls this after it has connected to the signals.
   void start();
-  /// Stops the loop. Returns false if the device is unresponsive: then there is no servo any more,
+  /// Stops the loop. Returns false if the device is unresponsive; then the servo no longer exists,
   /// and the tablet is the device.
   bool stop();
-  /// Ends the pause because the user or a program does something.
+  /// Ends the pause. Call it when the user or a program does something.
   void wake();
-  /// Sets the forces of the next ticks. Also serves as the sign of life: without it the servo ends
-  /// the force.
+  /// Sets the forces of the next ticks. Also serves as the sign of life: the servo ends the force
+  /// if it is not called regularly.
   void publish(const ForceModel& force);
-  /// Calls `handle` with each sample since the last call, in order, on the clock of now_ns(), and
-  /// emits ticked. Returns false if there were none.
+  /// Calls `handle` with each sample since the last call, in order and with times on the clock of
+  /// now_ns(), and emits ticked. Returns false if no samples were waiting.
   bool read_samples(const std::function<void(PenSample&)>& handle);
   /// Sets the timer for the next `due`.
   void schedule(bool has_samples, PenActivity activity);
   /// Advances the time by one tick. Requires that the loop is not live.
   void step();
   [[nodiscard]] bool is_live() const noexcept { return options_.live; }
-  /// False while it is stopped or paused: then its servo's queues must not be used.
+  /// Returns false while the loop is stopped or paused; then its servo's queues must not be used.
   [[nodiscard]] bool is_running() const noexcept { return is_running_; }
   /// Returns the newest tick.
   [[nodiscard]] const TickReport& tick() noexcept { return servo_->latest(); }
   [[nodiscard]] Servo& servo() noexcept { return *servo_; }
-  /// Returns the thread, which measures the timing of the loop; null if not live.
+  /// Returns the thread, which measures the timing of the loop; null if the loop is not live.
   [[nodiscard]] RealtimeThread* thread() noexcept { return thread_.get(); }
 
   // --- Time
-  /// Returns the time on the clock of the session, which goes on when the loop restarts.
+  /// Returns the time on the clock of the session, which continues when the loop restarts.
   [[nodiscard]] std::int64_t now_ns() const noexcept;
-  /// Returns when the next tick is due, on that clock; a period from now if not live.
+  /// Returns when the next tick is due, on that clock. If the loop is not live, returns a period
+  /// from now.
   [[nodiscard]] std::int64_t next_tick_ns() const noexcept;
   /// Returns the time on that clock at which the servo's own clock was 0.
   [[nodiscard]] std::int64_t start_ns() const noexcept { return start_ns_; }
 
   // --- The simulated hand
-  /// Moves the hand: Studio::point(). `device` is the device as the session sees it;
-  /// `absent_pressure` is used if a hand does not sense pressure.
+  /// Moves the hand as Studio::point() describes. `device` has the capabilities that the session
+  /// knows; `absent_pressure` is used if a hand does not sense pressure.
   void point(PointerEvent event, const SurfaceMaterial& surface, const Capabilities& device,
              double absent_pressure);
-  /// Returns true if a pointer leads the hand; otherwise a script does, or the user holds the
-  /// device.
+  /// Returns true if a pointer moves the hand. Returns false if a script moves it, or if the user
+  /// holds the device.
   [[nodiscard]] bool is_pointed() const noexcept { return hand_ && last_point_ns_ != 0; }
   void set_mouse_pressure(MousePressure mouse);
 
  Q_SIGNALS:
-  /// A loop starts or resumes: its servo's queues may be read now.
+  /// Emitted when a loop starts or resumes: its servo's queues may be read now.
   void started();
-  /// The loop stopped or paused: the last samples can be read now, and the servo may be destroyed
-  /// afterwards. Emitted again if a paused loop stops.
+  /// Emitted when the loop stopped or paused. The last samples can be read now; afterwards the
+  /// servo may be destroyed. Emitted again if a paused loop stops.
   void stopped();
-  /// Samples may wait to be read.
+  /// Emitted when samples may be waiting.
   void due();
-  /// Every tick report that the main thread saw, in order, but not of every tick: for plots.
+  /// Emitted with every tick report that the main thread saw, in order, for plots. It does not see
+  /// every tick.
   void ticked(const felt::TickReport& report);
-  /// Another device, or another profile of it, while no loop runs: used_device() is new.
+  /// Emitted when the device, or its profile, was replaced and no loop runs: used_device() is new.
   void device_replaced();
-  /// The loop of another device runs.
+  /// Emitted when the loop of another device runs.
   void device_changed();
-  /// The faults or the notice of the device in use changed.
+  /// Emitted when the faults or the notice of the device in use changed.
   void device_status_changed(const felt::DeviceStatus& status);
   void forces_changed(bool on);
   void strength_changed(double share);
-  /// While no loop runs: used_device() is new.
+  /// Emitted while no loop runs: used_device() is new.
   void force_limit_changed(double newton);
-  /// A sentence for the status line.
+  /// Reports a sentence for the status line.
   void refused(const QString& why);
 
  private:
@@ -169,15 +172,15 @@ class HapticLoop : public QObject {
   bool forces_on_ = false;
   double strength_ = 1.0;
   double force_limit_n_ = SafetyLimits{}.peak_force_n;
-  std::int64_t virtual_ns_ = 0;     // not live
-  std::int64_t start_ns_ = 0;       // what now_ns() was when this loop started
-  std::int64_t last_point_ns_ = 0;  // when a pointer last led the hand
-  std::int64_t last_event_ns_ = 0;  // last wake()
+  std::int64_t virtual_ns_ = 0;     // the time if not live
+  std::int64_t start_ns_ = 0;       // value of now_ns() when this loop started
+  std::int64_t last_point_ns_ = 0;  // when a pointer last moved the hand
+  std::int64_t last_event_ns_ = 0;  // time of the last wake()
   std::int64_t timer_ns_ = 0;       // when the timer fires
-  int late_looks_ = 0;              // checks in a row for a tick that is late
-  QString unresponsive_label_;      // of a device, until it was reported to the user
-  std::string start_error_;         // why the loop does not run
-  // What the signals reported last.
+  int late_looks_ = 0;              // number of consecutive checks for a tick that is late
+  QString unresponsive_label_;      // label of a device, until it was reported to the user
+  std::string start_error_;         // the reason if the loop does not run
+  // The values that the signals reported last.
   SafetyState reported_safety_ = SafetyState::kOff;
   std::uint64_t reported_faults_ = 0;
   std::optional<DeviceFault> reported_fault_;

@@ -8,9 +8,10 @@ namespace felt::desktop {
 
 /// Keeps the options of all tools (medium, widths, snapping, stabiliser, eraser mode, ...) and the
 /// colour of new ink in the settings, so that the next window and the next start begin with them.
-/// An option at its first value is not stored, so that it follows a later version's defaults.
-/// Stored values that are no longer valid are ignored. Not kept: the colour that an opened drawing
-/// brings (Studio::open), and choices for a few gestures (transform.duplicate, lasso.combine, ...).
+/// An option that has its initial value is not stored, so that a later version can change the
+/// default. Stored values that are no longer valid are ignored. Two kinds of options are not kept:
+/// the colour that comes with an opened drawing (Studio::open), and choices for a few gestures
+/// (transform.duplicate, lasso.combine, ...).
 ///
 ///   new KeptOptions(studio, window);   // restores the stored options, then stores changes
 class KeptOptions : public QObject {

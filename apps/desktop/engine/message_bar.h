@@ -9,15 +9,16 @@ class QToolButton;
 
 namespace felt::desktop {
 
-/// A message above the canvas that does not block work: an icon, a line or two, widgets of a
-/// subclass beside them, "Details" below on demand, and a close button. Escape closes it, too. It
-/// takes no focus, and screen readers announce it. Hidden until there is a message.
+/// A message above the canvas that does not block work. It has an icon, a line or two of text,
+/// widgets of a subclass beside them, "Details" below on demand, and a close button. Escape closes
+/// it, too. It does not get the focus; screen readers announce it. It is hidden if it has no
+/// message.
 class MessageBar : public QFrame {
   Q_OBJECT
 
  protected:
-  /// `details` is shown and hidden by the "Details" button, whose tool tip is `tip`. Takes
-  /// ownership.
+  /// The "Details" button, whose tool tip is `tip`, shows and hides `details`. Takes ownership of
+  /// `details`.
   MessageBar(QWidget* details, const QString& tip, QWidget* parent);
 
   void keyPressEvent(QKeyEvent* event) override;
@@ -25,7 +26,8 @@ class MessageBar : public QFrame {
   void set_icon(const QPixmap& icon);
   /// Returns the layout between the text and "Details".
   [[nodiscard]] QHBoxLayout& extras() noexcept { return *extras_; }
-  /// Shows the bar with this text and the details hidden. `has_details`: whether there are any.
+  /// Shows the bar with this text and hides the details. `has_details`: whether the message has
+  /// details.
   void say(const QString& words, bool has_details);
 
  Q_SIGNALS:

@@ -18,25 +18,26 @@ inline constexpr auto kPenDeviceDefault = "tablet";
 /// Setting: the label of that device, used while it is not connected.
 inline constexpr auto kPenDeviceLabelKey = "devices/pen_label";
 
-/// A device that can be chosen, for lists.
+/// A device that can be chosen, as shown in lists.
 struct PenDeviceInfo {
   QString id;                ///< "tablet", "simulated:touch"; stored in the settings
   QString label;             ///< for the user
-  QString short_label = {};  ///< for the status line; empty: the label
+  QString short_label = {};  ///< for the status line; if empty, the label is used
   QString note;              ///< one sentence on its use
-  bool moves_hand = false;   ///< real motors: the user must switch the forces on
-  /// It reports its position in its own frame, so its drawing plane has to be calibrated.
+  bool moves_hand = false;   ///< true if it has real motors: the user must switch the forces on
+  /// True if it reports its position in its own frame, so that its drawing plane must be
+  /// calibrated.
   bool has_own_frame = false;
-  /// False: only opening it shows whether it is connected.
+  /// False if only opening it shows whether it is connected.
   bool is_connected = true;
   QString serial = {};          ///< empty: unknown
-  Capabilities capabilities{};  ///< as far as they are known while it is closed
+  Capabilities capabilities{};  ///< as far as they are known before it is opened
 };
 
-/// A device in use: one that the user holds, or a simulated one in a simulated hand.
+/// A device in use: either a device that the user holds, or a simulated one in a simulated hand.
 class PenDevice {
  public:
-  /// `device` was opened by a driver; `info` is from before it was opened.
+  /// `device` was opened by a driver; `info` describes it as known before it was opened.
   PenDevice(PenDeviceInfo info, std::unique_ptr<OpenDevice> device);
   PenDevice(PenDeviceInfo info, const StylusPreset& preset, const SimulatedHand& hand);
   PenDevice(const PenDevice&) = delete;
@@ -49,56 +50,58 @@ class PenDevice {
   [[nodiscard]] HandInput* hand() noexcept { return stylus_.get(); }
   /// Returns how that hand presses on the device.
   [[nodiscard]] const HandScriptOptions& hand_options() const noexcept { return options_; }
-  /// Changes name, plane and limits of the user's device. Requires that no loop runs. Does nothing
-  /// for a simulated device.
+  /// Changes name, plane and limits of a device that the user holds. Requires that no loop runs.
+  /// Does nothing for a simulated device.
   void set_profile(const DeviceProfile& profile);
   /// Returns true if a driver's device of this id is in use in any window.
   [[nodiscard]] static bool is_open(const QString& id);
 
  private:
   PenDeviceInfo info_;
-  QString model_label_;  // without the user's name for it
+  QString model_label_;  // without the user's own name
   std::unique_ptr<SimulatedStylus> stylus_;
   HandScriptOptions options_;
   std::unique_ptr<OpenDevice> device_;
 };
 
-/// A source of devices, added once at the start of the program (DriverWatch).
+/// A source of devices, added once when the program starts (DriverWatch).
 struct PenDriver {
-  /// Returns the devices that are connected now. Must be quick: called whenever a list is shown.
+  /// Returns the devices that are connected now. Must be quick, because it is called whenever a
+  /// list is shown.
   std::function<std::vector<PenDeviceInfo>()> find;
-  /// Opens a device that it found. The error says what to do.
+  /// Opens a device that `find` returned. The error says what to do.
   std::function<Result<std::unique_ptr<OpenDevice>>(const QString& id, DeviceSetup setup)> open;
 };
 
-/// Adds a driver. Returns a number for remove_pen_driver. All functions here: main thread.
+/// Adds a driver. Returns a number for remove_pen_driver. Call all functions here in the main
+/// thread.
 int add_pen_driver(PenDriver driver);
 void remove_pen_driver(int number);
 
-/// Returns all devices that can be chosen on this machine now: "tablet" (the pen is exactly where
-/// mouse or tablet report, and forces are only shown), the devices that drivers find, and the
-/// simulated styluses.
+/// Returns all devices that can be chosen on this machine now: "tablet", the devices that drivers
+/// find, and the simulated styluses. With "tablet" the pen is exactly where mouse or tablet report
+/// it, and forces are only shown.
 std::vector<PenDeviceInfo> pen_devices();
 
-/// Opens a device. A driver's device respects the user's limits (profile_of). A device with its own
-/// frame uses the user's calibration of the plane, or its usual plane, around the middle of `page`.
-/// Fails if no device has that id, it does not answer, or its stored profile is invalid; the error
-/// says what to do.
+/// Opens a device. A driver's device respects the user's limits (profile_of). A device with its
+/// own frame uses the user's calibration of the plane, or its default plane, around the middle of
+/// `page`. Fails if no device has that id, if it does not answer, or if its stored profile is
+/// invalid; the error says what to do.
 Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id, const Rect& page);
-/// Opens a device as above, for the page of a new drawing.
+/// Opens a device in the same way, for the page of a new drawing.
 Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id);
 
-/// Returns the device that the user has chosen if it is connected; otherwise the one that is always
-/// available.
+/// Returns the device that the user has chosen if it is connected; otherwise the device that is
+/// always available.
 QString chosen_pen_device();
 
-/// Reads the profile of a device from its own file (device_profile.h), which the command line
-/// reads, too. The error names file, line and reason.
+/// Reads the profile of a device from its own file (device_profile.h), which the command line tool
+/// also reads. The error names file, line and reason.
 Result<DeviceProfile> profile_of(const QString& device_id);
 Result<void> keep_profile(const DeviceProfile& profile);
-/// Returns its file, as shown to the user.
+/// Returns the path of the device's profile, as shown to the user.
 QString profile_path(const QString& device_id);
-/// Returns the drawing plane of a device, or nothing if it was not calibrated or the stored plane
+/// Returns the drawing plane of a device, or nullopt if it was not calibrated or the stored plane
 /// is invalid.
 std::optional<PlaneCalibration> plane_of(const QString& device_id);
 Result<void> keep_plane_of(const QString& device_id, const PlaneCalibration& calibration);

@@ -13,15 +13,16 @@
 
 namespace felt::desktop {
 
-/// Writes everything that a studio's session receives into a file, as it happens, for `feltline
-/// replay --as-recorded`:
+/// Writes everything that a studio's session receives into a file, as it happens. The file is for
+/// `feltline replay --as-recorded`:
 ///
 ///   const auto recording = record_into(path, options);
 ///   Studio studio(options);
 ///
-/// The first session goes to "path.ndjson", the next to "path-2.ndjson" and so on. To play a
-/// session that begins with a drawing, give that drawing (`replay --on`). Data stays in memory for
-/// at most 50 ms while Qt's loop runs. Qt's main thread; must outlive the studio.
+/// The first session goes to "path.ndjson", the next to "path-2.ndjson" and so on. To replay a
+/// session that begins with a drawing, pass that drawing (`replay --on`). While Qt's event loop
+/// runs, data stays in memory for at most 50 ms. Use it in Qt's main thread; it must outlive the
+/// studio.
 class RecordingFile : public QObject {
   Q_OBJECT
 
@@ -29,14 +30,14 @@ class RecordingFile : public QObject {
   explicit RecordingFile(QString path);
   ~RecordingFile() override;
 
-  /// A session begins.
+  /// Begins the recording of a session.
   void begin();
   void add(const Event& event);
   /// Writes everything received so far to the file.
   void flush();
-  /// Returns why the file cannot be written; empty if it can.
+  /// Returns why the file cannot be written; empty if no error occurred.
   [[nodiscard]] const QString& error() const noexcept { return error_; }
-  /// Returns the path of the file in use.
+  /// Returns the path of the current file.
   [[nodiscard]] QString path() const { return file_.fileName(); }
 
  Q_SIGNALS:
@@ -55,7 +56,7 @@ class RecordingFile : public QObject {
   int session_ = 0;
 };
 
-/// Makes the studio that is created with these options record itself. Returns null if the path is
+/// Makes the studio that is created with these options record itself. Returns null if `path` is
 /// empty.
 std::unique_ptr<RecordingFile> record_into(const QString& path, StudioOptions& options);
 

@@ -6,11 +6,11 @@
 
 namespace felt::desktop {
 
-/// The user's settings, kept in the XDG configuration folder: one flat table, "pens/pressure_curve"
-/// -> value. Each folder names its own keys, with their defaults, in its own header. Reading is
-/// cheap (a table in memory).
+/// The user's settings, stored in the XDG configuration folder as one flat table,
+/// "pens/pressure_curve" -> value. Each folder defines its own keys, with their defaults, in its
+/// own header. Reading is cheap because the table is in memory.
 ///
-/// One per process, made before the first window; qApp's thread.
+/// Each process has one object, made before the first window. Use it in qApp's thread.
 class Settings : public QObject {
   Q_OBJECT
 
@@ -21,10 +21,10 @@ class Settings : public QObject {
   [[nodiscard]] double number(const QString& key, double fallback) const;
   [[nodiscard]] bool flag(const QString& key, bool fallback) const;
   [[nodiscard]] QString text(const QString& key, const QString& fallback = {}) const;
-  /// Sets a value. It is stored soon after; `changed` is emitted immediately, and only if the value
-  /// differs.
+  /// Sets a value. It is stored soon afterwards. Emits `changed` immediately, but only if the
+  /// value differs.
   void set(const QString& key, const QVariant& value);
-  /// Removes the user's value, so that the default applies. `changed` is emitted if there was one.
+  /// Removes the user's value, so that the default applies. Emits `changed` if a value was set.
   void reset(const QString& key);
 
  Q_SIGNALS:

@@ -19,16 +19,17 @@ namespace felt::desktop {
 
 /// Position and force of the pen, for display.
 struct PenState {
-  bool is_known = false;  ///< there has been a sample
-  PenSample sample;       ///< the newest one that the session handled
-  Point hand;             ///< target of mouse or tablet; the sample's position without a hand
-  Force asked;            ///< by the tool
-  Force sent;             ///< to the device
+  bool is_known = false;  ///< false before the first sample
+  PenSample sample;       ///< the newest sample that the session handled
+  Point hand;             ///< position from mouse or tablet; the sample's position without a
+                          ///< simulated hand
+  Force asked;            ///< force that the tool asked for
+  Force sent;             ///< force that was sent to the device
 };
 
-/// The drawing session of a window: the drawing, its session, page and materials. Everything that
-/// changes a drawing goes through here; widgets read session() and draw when a signal says that it
-/// changed. The pen reaches the session through loop(), the haptic loop.
+/// The drawing session of a window: the drawing with its session, page and materials. Every change
+/// of a drawing is made here. Widgets read session() and repaint when a signal reports a change.
+/// Pen samples reach the session through loop(), the haptic loop.
 ///
 ///   Studio studio({});
 ///   studio.point({studio.now_ns(), {30, 40}, true, 0.5});   // mouse and tablet: where the hand is
@@ -46,50 +47,53 @@ class Studio : public QObject {
   // --- The drawing
   [[nodiscard]] const Session& session() const noexcept { return *session_; }
   [[nodiscard]] const SheetPage& page() const noexcept { return page_; }
-  /// Returns the surfaces and media that can be chosen: Feltline's, the user's, and those that came
-  /// with the drawing.
+  /// Returns the surfaces and media that can be chosen: Feltline's, the user's, and those that
+  /// came with the drawing.
   [[nodiscard]] const Materials& materials() const noexcept { return materials_; }
-  /// Sets the user-defined materials. The session receives each one that changed (UseMaterial), so
-  /// that forces, picture and sound use it immediately; the page's paper is updated.
+  /// Sets the user-defined materials. The session receives each material that changed
+  /// (UseMaterial), so that forces, picture and sound use it immediately. The page's paper colour
+  /// is updated.
   void set_user_materials(const Materials& known);
-  /// Sets the page: not a step of undo, but an unsaved change. The session draws on the page's
-  /// surface, or on the previous one if the page names none or an unknown one. Choosing a surface
-  /// ("sheet.material") makes it the page's surface. The page's paper gets the usual colour of that
-  /// surface if it is white or the usual colour of the previous surface; a paper that the user
-  /// chose stays. The same happens if the colour of the page's surface changes
-  /// (set_user_materials()).
+  /// Sets the page. This is not a step of undo, but it is an unsaved change. The session uses the
+  /// page's surface, or keeps the previous one if the page names none or an unknown one. When the
+  /// user chooses a surface ("sheet.material"), it becomes the page's surface. If the paper is
+  /// white or has the usual colour of the previous surface, it gets the usual colour of the new
+  /// surface; a paper colour that the user chose stays. The same happens if the usual colour of
+  /// the page's surface changes (set_user_materials()).
   void set_page(const SheetPage& page);
-  /// Replaces the drawing: history, selection and unsaved changes start again; tool and options
-  /// stay, and so does the surface if the page names none that is known. `materials` are the texts
-  /// of the materials that come with the drawing. One that cannot be read is skipped, and `refused`
-  /// says why. They are used here even if a user-defined one of that name has other figures;
-  /// `refused` names those. `ink` becomes the colour of new lines, before `opened` is emitted and
-  /// without option_changed, because the drawing brings it and the user did not choose it.
+  /// Replaces the drawing. History, selection and unsaved changes start again. Tool and options
+  /// stay, and so does the surface if the page names no known one. `materials` are the texts of
+  /// the materials that come with the drawing. A text that cannot be read is skipped, and
+  /// `refused` says why. These materials are used here even if a user-defined one of the same name
+  /// has other figures; `refused` names those. `ink` becomes the colour of new lines before
+  /// `opened` is emitted. option_changed is not emitted for it, because the colour comes with the
+  /// drawing and the user did not choose it.
   void open(Document document, const SheetPage& page, std::span<const std::string> materials = {},
             std::optional<Rgba> ink = {});
-  /// True if there are unsaved changes.
+  /// Returns true if the drawing has unsaved changes.
   [[nodiscard]] bool is_modified() const noexcept { return is_modified_; }
   void set_modified(bool modified);
   /// Identifies the present state, for a file that is written while the user may continue to edit.
   [[nodiscard]] ChangeMark change_mark() const noexcept;
-  /// A file has the state of `mark` now. Later changes, also by undo, are unsaved changes.
+  /// Reports that a file contains the state of `mark` now. Later changes, also by undo, are
+  /// unsaved changes.
   void set_saved(const ChangeMark& mark);
 
   // --- Events
   /// Applies an event to the session now, after every earlier sample. Returns false if the session
-  /// refuses it; `refused` says why.
+  /// refuses it; then `refused` says why.
   bool apply(decltype(Event::what) what);
-  /// Ends the gesture as if the pen had been lifted: its result is in the document afterwards.
+  /// Ends the gesture as if the pen had been lifted and commits its result.
   void finish_gesture();
-  /// Adds strokes as one step of undo. Returns false as apply() does.
+  /// Adds strokes as one step of undo. Returns false if the session refuses them, as apply() does.
   bool import(const QString& path, std::span<const StrokePtr> strokes);
   /// Adds the unknown media of these strokes; call it before import(). `texts` are the materials
-  /// that come with the strokes; one that cannot be read is skipped. A medium that is known here
-  /// with other figures stays as it is: returns the labels of these, each once.
+  /// that come with the strokes; a text that cannot be read is skipped. If a medium is known here
+  /// with other figures, it stays as it is. Returns the labels of these media, each once.
   std::vector<std::string> add_media(std::span<const std::string> texts,
                                      std::span<const StrokePtr> strokes);
-  /// Selects another tool until give_back_tool(): a key is held, or the pen is turned over. Calls
-  /// may be nested; the inner ones do nothing.
+  /// Selects another tool until give_back_tool(), because a key is held or the pen is turned over.
+  /// Calls may be nested; the inner calls do nothing.
   void borrow_tool(const QString& id);
   void give_back_tool();
   [[nodiscard]] bool is_borrowing() const noexcept { return borrowed_ > 0; }
@@ -97,55 +101,56 @@ class Studio : public QObject {
   // --- The pen
   [[nodiscard]] HapticLoop& loop() noexcept { return loop_; }
   [[nodiscard]] const HapticLoop& loop() const noexcept { return loop_; }
-  /// Opens another device. Returns false if it does not open: the previous one stays in use, and
-  /// `refused` says why. A gesture ends as if the pen had been lifted.
+  /// Opens another device. Returns false if it does not open; then the previous device stays in
+  /// use, and `refused` says why. A gesture ends as if the pen had been lifted.
   bool use_device(const QString& id);
-  /// Handles a position of the hand from mouse, tablet or keys; event times are on the clock of
-  /// now_ns(). Events that come late or several at once are played at their own intervals, a few
-  /// milliseconds later. If the device follows the hand exactly, each event is a sample.
+  /// Handles a position of the hand from mouse, tablet or keys. Event times are on the clock of
+  /// now_ns(). If events arrive late or several together, they are played at their own intervals,
+  /// a few milliseconds later. If the device follows the hand exactly, each event is a sample.
   void point(const PointerEvent& event);
-  /// The clock of the session and of the haptic loop.
+  /// Returns the time on the clock of the session and of the haptic loop.
   [[nodiscard]] std::int64_t now_ns() const noexcept { return loop_.now_ns(); }
-  /// Handles all waiting samples, publishes the resulting force, and emits what changed. The haptic
-  /// loop's timer calls it.
+  /// Handles all waiting samples, publishes the resulting force, and emits the signals for what
+  /// changed. The haptic loop's timer calls it.
   void process();
-  /// Advances the time, tick by tick. Requires that the studio is not live.
+  /// Advances the time tick by tick. Requires that the studio is not live.
   void advance(std::int64_t ns);
   [[nodiscard]] const PenState& pen() const noexcept { return pen_; }
 
  Q_SIGNALS:
-  // --- What happens to the session, immediately and in order, for code that stores or records it.
-  // Slots must be quick, and must not call back.
-  /// A session with this document begins; its events come next. Emitted at the start and for each
-  /// open(). StudioOptions::connect_early connects before the first.
+  // --- Signals about the session, emitted immediately and in order, for code that stores or
+  // records. Slots must be quick, and must not call functions of the studio.
+  /// A session with this document begins; its events follow. Emitted at the start and for each
+  /// open(). StudioOptions::connect_early connects before the first emission.
   void session_began(const felt::Document& document);
-  /// The session handled this event; pen samples come as PenEvent. The first events set the device
-  /// and the options that differ from the defaults, so that the events alone give the same drawing
-  /// in another session.
+  /// The session handled this event; pen samples are passed as PenEvent. The first events set the
+  /// device and the options that differ from the defaults, so that the events alone give the same
+  /// drawing in another session.
   void event_applied(const felt::Event& event);
-  /// The document applied this edit, also an undo or redo.
+  /// The document applied this edit, which may be an undo or redo.
   void edit_applied(const felt::Edit& edit);
   /// The session handled this sample.
   void sampled(const felt::PenSample& sample);
 
-  // --- What changed, for the window. Slots may look at everything, and may call back.
-  /// The document applied this edit, also an undo or redo; session().document() has it.
+  // --- Signals about changes, for the window. Slots may call any function of the studio.
+  /// The document applied this edit, which may be an undo or redo; session().document() contains
+  /// it.
   void edited(const felt::Edit& edit);
-  /// Preview, overlay or pen have to be painted again. At most once for each process().
+  /// Preview, overlay or pen must be painted again. Emitted at most once for each process().
   void shown();
-  /// Another drawing was opened (open()).
+  /// Another drawing was opened by open().
   void opened();
   void tool_changed();
-  /// "pencil.snap", "sheet.color"
+  /// An option such as "pencil.snap" or "sheet.color" changed.
   void option_changed(const QString& id);
   void selection_changed();
-  /// A surface or a medium is new or has changed.
+  /// A surface or a medium was added or changed.
   void materials_changed();
-  /// Another layer is in use; `edited` reports changes of the layers themselves.
+  /// Another layer is in use. Changes of the layers themselves are reported by `edited`.
   void layer_changed();
   void page_changed();
   void modified_changed(bool modified);
-  /// A sentence for the status line.
+  /// Reports a sentence for the status line.
   void refused(const QString& why);
 
  private:
@@ -162,7 +167,7 @@ class Studio : public QObject {
   void report_changes();
   [[nodiscard]] HapticLoop::PenActivity pen_activity() const;
 
-  // Materials and page: studio_materials.cc.
+  // Functions for materials and page, in studio_materials.cc.
   void add_materials_of_drawing(std::span<const std::string> texts);
   void add_material(const std::string& text);
   void gather_materials();
@@ -175,21 +180,23 @@ class Studio : public QObject {
   HapticLoop loop_;
   std::unique_ptr<Session> session_;
   SheetPage page_;
-  Materials materials_;                  // all that can be chosen
-  std::vector<AnyMaterial> of_drawing_;  // came with it, and differ from options_.materials
+  Materials materials_;                  // all materials that can be chosen
+  std::vector<AnyMaterial> of_drawing_;  // came with the drawing and differ from
+                                         // options_.materials
   PenState pen_;
-  std::int64_t last_event_ns_ = 0;  // of the session
-  std::vector<Edit> edits_;         // that `edited` has not reported yet
-  QString home_tool_;               // while another is borrowed
+  std::int64_t last_event_ns_ = 0;  // time of the last event of the session
+  std::vector<Edit> edits_;         // edits that `edited` has not reported yet
+  QString home_tool_;               // the tool to select again while another one is borrowed
   int borrowed_ = 0;
   bool is_modified_ = false;
-  bool has_other_changes_ = false;    // outside of the history: page, materials, a rescue
-  std::uint64_t other_changes_ = 0;   // how many there were
-  std::uint64_t saved_position_ = 0;  // of the history, when there were no changes
+  bool has_other_changes_ = false;    // changes outside of the history: page, materials, a
+                                      // recovered drawing
+  std::uint64_t other_changes_ = 0;   // the number of these changes
+  std::uint64_t saved_position_ = 0;  // position in the history when the drawing was last saved
   bool in_process_ = false;
   bool has_news_ = false;
   bool was_in_contact_ = false;
-  // What the signals reported last.
+  // The values that the signals reported last.
   std::string reported_tool_;
   LayerId reported_layer_;
   std::uint64_t reported_selection_ = 0;

@@ -8,14 +8,14 @@ class QSocketNotifier;
 
 namespace felt::desktop {
 
-/// A single-shot timer of the event loop, accurate to some ten microseconds. Qt's timers have whole
-/// milliseconds, and the system may delay them by another 50 us.
+/// A single-shot timer of the event loop, accurate to some ten microseconds. Qt's timers count
+/// whole milliseconds, and the system may delay them by another 50 us.
 ///
 ///   connect(&timer, &TickTimer::due, this, &HapticLoop::due);
 ///   timer.start(loop.next_tick_ns() - loop.now_ns() + 50'000);
 ///
-/// On a system without such a timer, uses one of Qt with its accuracy. Use it in the thread it
-/// lives in.
+/// If the system has no such timer, uses one of Qt with its accuracy. Use the timer in the thread
+/// in which it was made.
 class TickTimer : public QObject {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class TickTimer : public QObject {
   explicit TickTimer(QObject* parent = nullptr);
   ~TickTimer() override;
 
-  /// Fires in `in_ns`, or immediately if that is less than one. Replaces an earlier start().
+  /// Fires in `in_ns`, or immediately if `in_ns` is less than 1. Replaces an earlier start().
   void start(std::int64_t in_ns);
   void stop();
 
@@ -35,7 +35,7 @@ class TickTimer : public QObject {
 
   int fd_ = -1;
   QSocketNotifier* notifier_ = nullptr;
-  QTimer coarse_;  // without an fd
+  QTimer coarse_;  // used if the system provides no timer fd
 };
 
 }  // namespace felt::desktop

@@ -7,10 +7,10 @@
 
 namespace felt::desktop {
 
-/// Returns the colour of a page, or of ink, after its material changed: the usual colour `now` of
-/// the new material (0xRRGGBB), if `color` is the usual one of the material `before` or `first`,
-/// that of a new drawing. Otherwise the user chose the colour, and it stays, as does a fully
-/// transparent one. Opacity stays.
+/// Returns the colour of a page, or of ink, after its material changed. If `color` is the usual
+/// colour of the material `before`, or `first`, the colour of a new drawing, returns `now`, the
+/// usual colour of the new material (0xRRGGBB). Otherwise returns `color`, because the user chose
+/// it; the same for a fully transparent colour. Opacity stays.
 [[nodiscard]] inline Rgba usual_color(Rgba color, std::optional<std::uint32_t> before,
                                       std::uint32_t now, Rgba first) noexcept {
   const auto with = [&color](std::uint32_t rgb) {

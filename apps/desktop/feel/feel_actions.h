@@ -8,11 +8,11 @@
 
 namespace felt::desktop {
 
-/// Applies the user's stored choices to a studio: strength, limit, material. Adds to the window:
+/// Applies the user's stored choices to a studio: strength, limit, surface. Adds to the window:
 /// feel.forces, feel.forces_off, feel.stronger, feel.weaker, a switch for each surface
-/// (feel.sheet_paper ...), feel.sheet_own with a menu of the others, and feel.sound if the program
-/// has sound. Escape pressed twice switches the forces off, as does a fault that only the user can
-/// clear. Only feel.forces (and its button in the panel) switches them on again.
+/// (feel.sheet_paper ...), feel.sheet_own with a menu of the other surfaces, and feel.sound if the
+/// program has sound. Two presses of Escape switch the forces off. A fault that only the user can
+/// clear does the same. Only feel.forces (and its button in the panel) switches them on again.
 void add_feel_actions(Actions& actions, Studio& studio, QWidget* window);
 
 /// Chooses the surface and stores the choice.
@@ -20,8 +20,8 @@ void choose_material(Studio& studio, const QString& id);
 /// Sets the master strength, 0..1, and stores it.
 void choose_strength(Studio& studio, double share);
 
-/// Detects two presses of Escape within 0.6 s, for any focus in this program and in addition to the
-/// key's other effects. Holding the key down is one press.
+/// Detects two presses of Escape within 0.6 s, in any widget of this program. The key keeps its
+/// other effects. Holding the key down counts as one press.
 class DoubleEscape : public QObject {
   Q_OBJECT
 
@@ -39,7 +39,7 @@ class DoubleEscape : public QObject {
  private:
   void press();
 
-  QElapsedTimer since_;  // since the last press that counted
+  QElapsedTimer since_;  // time since the last press that counted
   bool is_down_ = false;
 };
 

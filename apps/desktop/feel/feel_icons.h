@@ -8,29 +8,30 @@
 
 namespace felt::desktop {
 
-/// Device-independent pixels of 1/96 inch each.
+/// Device-independent pixels per mm; such a pixel is 1/96 inch.
 inline constexpr double kScreenPxPerMm = 96.0 / 25.4;
 
-/// Returns an icon for a state, recognised by its shape: a check mark, a ring, an eye, dots, a
-/// triangle, a stop sign. In the colour of text.
+/// Returns an icon for a state: a check mark, a ring, an eye, dots, a triangle or a stop sign, so
+/// that its shape alone identifies it. It has the colour of text.
 QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr);
 
-/// Returns a ring with a dot, for something that is there; with a question mark if `asks`, for
+/// Returns a ring with a dot, for something that is present; with a question mark if `asks`, for
 /// help.
 QPixmap ring_icon(bool asks, const QPalette& palette, int size, qreal dpr);
 
 /// Returns a red stop sign, for the button that ends all forces.
 QIcon stop_icon(const QPalette& palette, int size, qreal dpr);
 
-/// Returns the palette of that button: `palette` with a little red.
+/// Returns the palette of that button: `palette` with a slight red tint.
 QPalette stop_palette(QPalette palette);
 
 /// Returns the icon of a choice button: the swatch with an outline; if chosen, in a frame with a
 /// check mark.
 QIcon swatch_icon(const QPixmap& swatch, const QPalette& palette);
 
-/// Returns a picture of a surface under chalk that is pressed harder from left to right: the same
-/// relief that the hand feels (felt/render/grain.h), in life size. On white paper in every theme.
+/// Returns a picture of a surface under chalk that is pressed harder from left to right. It shows
+/// the same relief that the hand feels (felt/render/grain.h), in life size, on white paper in
+/// every theme.
 QIcon material_icon(const SurfaceMaterial& material, const QPalette& palette, QSize size,
                     qreal dpr);
 

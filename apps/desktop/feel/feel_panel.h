@@ -15,7 +15,7 @@
 
 namespace felt::desktop {
 
-/// The panel "Feel": the large switch of the forces, master strength, the surface.
+/// The panel "Feel": the large switch of the forces, the master strength, and the surface.
 class FeelPanel : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class FeelPanel : public QWidget {
   explicit FeelPanel(Studio& studio, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// The user wants to edit surfaces and media.
+  /// Emitted when the user wants to edit surfaces and media.
   void wants_editor();
 
  protected:

@@ -5,12 +5,12 @@ namespace felt::desktop::feel_keys {
 /// Master strength of all forces, 0..1.
 inline constexpr auto kStrength = "feel/strength";
 inline constexpr double kStrengthDefault = 1.0;
-/// Largest force that the user wants to feel, N; 3 is the upper limit.
+/// Largest force that the user wants to feel, in N; the upper limit is 3.
 inline constexpr auto kForceLimit = "feel/force_limit_n";
 inline constexpr double kForceLimitDefault = 3.0;
 /// Id of the surface.
 inline constexpr auto kMaterial = "feel/material";
-/// The sound of the pen on the surface is on.
+/// True if the sound of the pen on the surface is on.
 inline constexpr auto kSound = "feel/sound";
 inline constexpr bool kSoundDefault = false;
 /// Volume, 0..1.

@@ -11,17 +11,17 @@
 
 namespace felt::desktop {
 
-/// A limit to plot: a dashed line if it lies within the axes.
+/// A limit to plot: a dashed line, drawn only if it lies within the axes.
 struct ForceBound {
   QString label;
   double newton = 0.0;
 };
 
-/// How a track of the history is drawn: a colour that is visible on this palette, a mark that
-/// distinguishes it without colour, and a width.
+/// The look of one track of the history: a colour that is visible on this palette, a mark that
+/// distinguishes the track without colour, and a width.
 struct TrackStyle {
   QColor color;
-  int mark = 0;  ///< 0 none, else one of some shapes
+  int mark = 0;  ///< 0: no mark; otherwise the number of a shape
   qreal width = 1.0;
 };
 TrackStyle track_style(std::size_t track, const QPalette& palette);
@@ -29,22 +29,23 @@ TrackStyle track_style(std::size_t track, const QPalette& palette);
 void draw_mark(QPainter& painter, int mark, QPointF at, qreal radius);
 
 /// The plot of a ForceHistory. It only displays; its owner calls update() when the history has
-/// changed. Axes and lines are cached as pictures: a frame shifts the lines and adds the new ones
-/// at their end.
+/// changed. Axes and lines are cached as pictures: each frame shifts the lines and adds the new
+/// parts at their end.
 class ForceGraph : public QWidget {
   Q_OBJECT
 
  public:
-  /// `history` must outlive it.
+  /// `history` must outlive this object.
   explicit ForceGraph(const ForceHistory& history, QWidget* parent = nullptr);
-  /// Shows another history, which must outlive it, too.
+  /// Shows another history, which must outlive this object.
   void show_history(const ForceHistory& history);
 
   void set_bounds(std::vector<ForceBound> bounds);
-  /// If false, nothing is sent to a device, so only the asked forces are drawn.
+  /// Sets whether sent forces are drawn. If false, nothing is sent to a device, and only the asked
+  /// forces are drawn.
   void set_shows_sent(bool shown);
-  /// Returns the end of the force axis, N. It grows immediately and shrinks when the whole peak has
-  /// passed.
+  /// Returns the end of the force axis, in N. It grows immediately and shrinks when the whole peak
+  /// has left the plot.
   [[nodiscard]] double top_n() const noexcept { return top_n_; }
 
   [[nodiscard]] QSize sizeHint() const override;
@@ -65,16 +66,16 @@ class ForceGraph : public QWidget {
   void bring_lines_up(QSizeF size);
   void draw_lines(std::int64_t from, std::int64_t to);
   void draw_track(QPainter& painter, std::size_t track, std::int64_t from, std::int64_t to) const;
-  /// Returns the pixel column at which a bin ends, counted from time 0.
+  /// Returns the pixel column at which a bin ends; columns are counted from time 0.
   [[nodiscard]] std::int64_t column_of(std::int64_t bin) const;
 
   const ForceHistory* history_;
   std::vector<ForceBound> bounds_;
   bool shows_sent_ = true;
   double top_n_ = 1.0;
-  QPixmap ground_;  // null: everything has to be drawn again
+  QPixmap ground_;  // null if everything must be drawn again
   QPixmap lines_;
-  std::int64_t drawn_to_ = -1;  // the last bin in lines_
+  std::int64_t drawn_to_ = -1;  // the last bin that is in lines_
 };
 
 }  // namespace felt::desktop

@@ -8,23 +8,22 @@
 
 namespace felt::desktop {
 
-/// The forces of a loop in the last seconds, for a plot: magnitudes in N of each term by name, of
-/// the asked and of the sent force. A ring of short bins that keep the maximum of their ticks, so
-/// that no peak is missed at any resolution of the plot. Adding costs well under a microsecond and
-/// allocates nothing. Not thread-safe.
+/// The forces of a loop in the last seconds, for a plot: the magnitudes in N of each term by name,
+/// of the asked force and of the sent force. A ring buffer of short bins keeps the maximum of the
+/// ticks in each bin, so that a plot of any resolution shows every peak. Adding a tick takes well
+/// under a microsecond and allocates nothing. Not thread-safe.
 class ForceHistory {
  public:
   static constexpr std::int64_t kBinNs = 10'000'000;
   static constexpr std::size_t kBins = 400;   ///< 4 s
-  static constexpr std::size_t kAsked = 0;    ///< track: asked of the device
-  static constexpr std::size_t kSent = 1;     ///< track: sent to it
-  static constexpr std::size_t kTracks = 12;  ///< those two and ten terms; further terms are
-                                              ///< skipped
+  static constexpr std::size_t kAsked = 0;    ///< track of the force asked of the device
+  static constexpr std::size_t kSent = 1;     ///< track of the force sent to the device
+  static constexpr std::size_t kTracks = 12;  ///< kAsked, kSent and ten terms; others are skipped
 
   ForceHistory() noexcept { clear(); }
 
-  /// Adds a tick. Terms are multiplied by the master strength, as the hand feels them. A tick that
-  /// is older than the last one clears the history first.
+  /// Adds a tick. Terms are multiplied by the master strength, because that is what the hand
+  /// feels. If the tick is older than the last one, clears the history first.
   void add(const TickReport& tick) noexcept;
   void clear() noexcept;
 
@@ -33,14 +32,15 @@ class ForceHistory {
   [[nodiscard]] std::size_t tracks() const noexcept { return tracks_; }
   /// Returns "asked", "sent", or the name of the brick.
   [[nodiscard]] const char* name(std::size_t track) const noexcept { return names_[track]; }
-  /// Returns the number of the newest bin, counted from time 0; negative if there is none. Its
-  /// values may still grow.
+  /// Returns the number of the newest bin, counted from time 0; negative if the history is empty.
+  /// Later ticks may still increase its values.
   [[nodiscard]] std::int64_t newest() const noexcept { return newest_; }
-  /// Returns the largest value of that bin in N; negative if no tick fell into it or it is too old.
+  /// Returns the largest value of that bin in N; negative if no tick fell into the bin or the bin
+  /// is too old.
   [[nodiscard]] float at(std::size_t track, std::int64_t bin) const noexcept;
-  /// Returns the value of the last tick, N.
+  /// Returns the value of the last tick, in N.
   [[nodiscard]] float now(std::size_t track) const noexcept { return now_[track]; }
-  /// Returns the largest stored value, N; 0 if there is none.
+  /// Returns the largest stored value, in N; 0 if the history is empty.
   [[nodiscard]] float most(std::size_t track) const noexcept;
 
  private:
@@ -54,7 +54,7 @@ class ForceHistory {
   std::array<const char*, kTracks> names_{};
   std::array<float, kTracks> now_{};
   std::size_t tracks_ = 2;
-  std::int64_t newest_ = -1;  // number of the bin, from time 0 on
+  std::int64_t newest_ = -1;  // number of the bin, counted from time 0
 };
 
 }  // namespace felt::desktop

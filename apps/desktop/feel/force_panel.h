@@ -13,16 +13,17 @@
 
 namespace felt::desktop {
 
-/// Shows what the pen feels: a plot of each term of the force, their sum and the sent force; the
-/// same as a table, which is the legend; the state of the safety chain in words; the timing of the
-/// loop. Repaints at most 30 times a second, and only while it is visible and something happens.
+/// Shows what the pen feels: a plot of each term of the force, their sum and the sent force; a
+/// table of the same values, which is the legend; the state of the safety chain in words; and the
+/// timing of the loop. Repaints at most 30 times a second, and only while it is visible and values
+/// change.
 class ForcePanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ForcePanel(Studio& studio, QWidget* parent = nullptr);
 
-  /// Freezes the plot; the history goes on.
+  /// Freezes the plot. The history continues to record.
   void set_paused(bool paused);
   [[nodiscard]] bool is_paused() const { return pause_->isChecked(); }
   [[nodiscard]] const ForceHistory& history() const noexcept { return history_; }
@@ -53,7 +54,7 @@ class ForcePanel : public QWidget {
   QLabel* detail_;
   QLabel* loop_;
   QToolButton* pause_;
-  QTimer frame_;  // single shot, until the next repaint
+  QTimer frame_;  // single shot: runs until the next repaint
   QTimer words_;
   bool has_motors_ = false;
   int told_tables_ = 0;

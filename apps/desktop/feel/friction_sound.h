@@ -8,8 +8,9 @@
 
 namespace felt::desktop {
 
-/// The state of the sound, for the user; one for the program, because there is one sound output. No
-/// sound device is searched for before the sound is switched on. Main thread.
+/// The state of the sound, for the user. The program has one sound output and therefore one
+/// SoundState. Searches for a sound device only after the sound was switched on. Use it in the
+/// main thread.
 class SoundState : public QObject {
   Q_OBJECT
 
@@ -17,13 +18,13 @@ class SoundState : public QObject {
   enum class State {
     kOff,
     kHeard,
-    kNoDevice,  ///< there is none, or it does not accept 48 kHz
-    kNotBuilt,  ///< a program without Qt Multimedia
+    kNoDevice,  ///< no sound device, or it does not accept 48 kHz
+    kNotBuilt,  ///< the program was built without Qt Multimedia
   };
   static SoundState& the();
 
   [[nodiscard]] State state() const noexcept { return state_; }
-  /// Returns a sentence if sound is on but nothing can be heard; otherwise empty.
+  /// Returns a sentence if sound is on but nothing can be heard; otherwise an empty string.
   [[nodiscard]] QString words() const;
   void set(State state);
 
@@ -35,8 +36,9 @@ class SoundState : public QObject {
   State state_;
 };
 
-/// The sound of the pen on the surface (src/felt/sound). Off by default; follows the settings
-/// kSound and kSoundVolume. Silent while there is no sound device, and starts when one appears.
+/// The sound of the pen on the surface (src/felt/sound). It is off by default and follows the
+/// settings kSound and kSoundVolume. It is silent without a sound device and starts when a device
+/// appears.
 class FrictionSound : public QObject {
   Q_OBJECT
 

@@ -12,8 +12,8 @@
 
 namespace felt::desktop {
 
-/// The channel from the main thread to the sound thread: wait-free on both sides. The haptic thread
-/// does not use it.
+/// The channel from the main thread to the sound thread. It is wait-free on both sides. The haptic
+/// thread does not use it.
 struct RubbedFeed {
   SpscRing<RubbingSample, 8192> samples;
   LatestValue<RubbingPair> pair;
@@ -25,7 +25,7 @@ class PenFeed : public QObject {
   Q_OBJECT
 
  public:
-  /// Both must outlive it.
+  /// `studio` and `feed` must outlive this object.
   PenFeed(Studio& studio, RubbedFeed& feed);
 
  private:
@@ -37,17 +37,17 @@ class PenFeed : public QObject {
   RubbingPair told_;
 };
 
-/// The source that a sound device reads from: endless samples on request; 48 kHz, one channel.
-/// Sound thread.
+/// The source from which a sound device reads: endless samples on request, 48 kHz, one channel.
+/// Use it in the sound thread.
 class RubbedSamples final : public QIODevice {
   Q_OBJECT
 
  public:
-  /// Delay behind the newest sample of the pen, s, because a window delivers samples in batches of
-  /// some 8 ms, sometimes 16.
+  /// Delay after the newest sample of the pen, in s. It is needed because a window delivers
+  /// samples in batches, every 8 ms and sometimes every 16 ms.
   static constexpr double kBehindS = 0.020;
 
-  /// Returns float samples, or 16-bit integers. The feed must outlive it.
+  /// Returns float samples if `is_float`, otherwise 16-bit integers. The feed must outlive it.
   RubbedSamples(RubbedFeed& feed, bool is_float);
   [[nodiscard]] bool isSequential() const override { return true; }
   [[nodiscard]] qint64 bytesAvailable() const override;
@@ -62,7 +62,7 @@ class RubbedSamples final : public QIODevice {
   RubbedFeed& feed_;
   bool is_float_;
   RubbingSound sound_;
-  float volume_ = 0.0F;  // follows the feed's volume smoothly
+  float volume_ = 0.0F;  // approaches the feed's volume smoothly
 };
 
 }  // namespace felt::desktop

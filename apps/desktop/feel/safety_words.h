@@ -8,7 +8,7 @@
 
 namespace felt::desktop {
 
-/// The kind of a state; chooses its icon.
+/// The kind of a state, which determines its icon.
 enum class FeelLevel { kShown, kOff, kWaiting, kOn, kLimited, kStopped };
 
 /// The state of the safety chain in words.
@@ -18,16 +18,16 @@ struct SafetyWords {
   QString detail;  ///< advice to the user; may be empty
 };
 
-/// Describes the state. `has_motors`: the pen can push. `wanted`: the user has switched the forces
-/// on. `device` is the newest fault of the device, which is more precise than "the device does not
-/// answer".
+/// Describes the state of the safety chain. `has_motors`: the pen can push. `wanted`: the user has
+/// switched the forces on. `device` is the newest fault of the device, which is more precise than
+/// "the device does not answer".
 SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted,
                       std::optional<DeviceFault> device = {});
 
-/// Returns why the force was removed, as half a sentence: "the pen jumped". Empty for kNone.
+/// Returns in half a sentence why the force was removed: "the pen jumped". Empty for kNone.
 QString words_for(SafetyFault fault);
 
-/// Returns the label of a force term by the name of its brick: "plane" -> "Surface".
+/// Returns the label of a force term. `name` is the name of its brick: "plane" -> "Surface".
 QString term_label(const char* name);
 
 }  // namespace felt::desktop

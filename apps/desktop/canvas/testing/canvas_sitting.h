@@ -12,8 +12,8 @@
 
 namespace felt::desktop {
 
-/// A fixture that draws on a canvas, for tests and pictures: a hand that moves, and a clock that
-/// advances by the time of its moves.
+/// A fixture that draws on a canvas, for tests and pictures. It has a moving hand, and a clock
+/// that advances by the time that the moves take.
 class Sitting {
  public:
   explicit Sitting(QSize size = {640, 480}, const QString& device = QStringLiteral("tablet"))
@@ -34,7 +34,7 @@ class Sitting {
     studio.advance(8'000'000);
     at = to;
   }
-  /// Moves there in a straight line, 2 mm per event.
+  /// Moves the pointer to `to` in a straight line, 2 mm per event.
   void go(Point to, bool down, std::optional<double> pressure = {}, std::uint32_t buttons = 0) {
     const Point from = at;
     const double steps = std::max(1.0, std::ceil(distance(from, to) / 2.0));
@@ -54,12 +54,12 @@ class Sitting {
     lift();
   }
 
-  /// Waits until everything requested is painted.
+  /// Waits until everything that was requested is painted.
   void settle() {
     canvas.ink().finish();
     for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
   }
-  /// Returns what the window shows.
+  /// Returns the pixels that the window shows.
   QImage seen() {
     settle();
     const auto* window = dynamic_cast<QImage*>(canvas.backingStore()->paintDevice());
@@ -67,7 +67,7 @@ class Sitting {
     return window ? window->copy(QRect(QPoint(0, 0), size)).convertToFormat(QImage::Format_RGB32)
                   : QImage();
   }
-  /// Returns what it would show after a full repaint.
+  /// Returns the pixels that the window shows after a full repaint.
   QImage anew() {
     settle();
     return canvas.grab().toImage().convertToFormat(QImage::Format_RGB32);

@@ -4,7 +4,7 @@
 
 namespace felt::desktop {
 
-/// Returns options of a studio whose haptic loop does nothing by itself: the test runs it.
+/// Returns options of a studio whose haptic loop does not advance by itself: the test advances it.
 inline StudioOptions by_hand() {
   StudioOptions options;
   options.live = false;

@@ -2,7 +2,7 @@
 
 #include "felt/material/materials.h"
 
-/// For tests: a user-defined surface.
+/// A user-defined surface for tests.
 namespace felt::desktop {
 
 inline SurfaceMaterial slate(double friction) {
