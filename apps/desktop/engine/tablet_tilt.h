@@ -12,7 +12,7 @@ namespace felt::desktop {
 /// pen does not sense it. Qt reports the angles of the pen's projections on two planes, usually
 /// -60..60: +x to the right, +y towards the user. The rotation of the page on the screen does not
 /// matter.
-inline std::optional<double> lean_of(const QTabletEvent& event) {
+inline std::optional<double> tilt_of(const QTabletEvent& event) {
   using Capability = QInputDevice::Capability;
   const QPointingDevice* device = event.pointingDevice();
   if (!device || !device->hasCapability(Capability::XTilt) ||
