@@ -13,7 +13,7 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/io/picture/png.h"
 #include "felt/render/page.h"
-#include "felt/replay/replay_run.h"
+#include "felt/replay/script_run.h"
 #include "force_plot.h"
 #include "forces_file.h"
 #include "print.h"
@@ -150,7 +150,7 @@ Result<void> write_plot(const DemoArguments& args, DemoRecorder& recorder) {
 }
 
 Result<void> play_act(const DemoScript& act, const DemoArguments& args, DemoRecorder& recorder,
-                      ReplayMachine& machine, ReplayRun& run) {
+                      ReplayMachine& machine, ScriptRun& run) {
   ActPictures pictures(act.name);
   recorder.act = &pictures;
   const std::string name = "act " + std::string(act.name);
@@ -172,7 +172,7 @@ Result<void> play_acts(const DemoArguments& args, Console& console, DemoRecorder
                      static_cast<std::int64_t>(session.document().stroke_count()));
   };
   ReplayMachine machine(args.pen.settings(), Document(), observer);
-  ReplayRun run(machine, 1.0, 0);
+  ScriptRun run(machine, 1.0, 0);
   Summary summary;
   for (const DemoScript& act : demo_scripts()) {
     const auto start = std::chrono::steady_clock::now();

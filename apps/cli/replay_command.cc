@@ -13,7 +13,7 @@
 #include "felt/io/limits.h"
 #include "felt/io/picture/png.h"
 #include "felt/replay/replay_drawing.h"
-#include "felt/replay/replay_run.h"
+#include "felt/replay/script_run.h"
 #include "felt/session/session_medium.h"
 #include "felt/store/felt_recording.h"
 #include "felt/stroke/color_text.h"
@@ -126,7 +126,7 @@ struct ReplayOutputs {
   std::optional<ForcePlot> plot;
   std::unique_ptr<ReplaySound> sound;  ///< on the heap because it is large
   std::optional<FeltRecorder> recorder;
-  const ReplayRun* run = nullptr;  ///< while it plays, for its progress
+  const ScriptRun* run = nullptr;  ///< while it plays, for its progress
 };
 
 void check_recording(const ReplayCommandArguments& args) {
@@ -260,7 +260,7 @@ void set_options(const ReplayCommandArguments& args, const Drawing& start, Repla
   }
 }
 
-Result<void> play_scripts(const ReplayCommandArguments& args, ReplayRun& run) {
+Result<void> play_scripts(const ReplayCommandArguments& args, ScriptRun& run) {
   run.expect(args.scripts);
   for (const std::string& script : args.scripts) {
     if (Result<void> read = read_script_file(script, run); !read) return read;
@@ -450,7 +450,7 @@ void run_replay(const ReplayCommandArguments& args, Console& console) {
   ReplayMachine machine(settings, start->document, observer_of(args, *outputs, console));
   if (outputs->sound) outputs->sound->begin(machine.session());
   set_options(args, *start, machine);
-  ReplayRun run(machine, args.mm_per_unit, args.seed);
+  ScriptRun run(machine, args.mm_per_unit, args.seed);
   outputs->run = &run;
   Result<void> done = play_scripts(args, run);
   console.end_progress();

@@ -6,7 +6,7 @@
 
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/line_drawing.h"
-#include "felt/replay/recording.h"
+#include "felt/replay/apply_recording.h"
 #include "input.h"
 
 namespace felt::cli {
@@ -85,7 +85,7 @@ Result<std::vector<StrokePtr>> read_strokes(const std::string& path) {
       [](const Drawing& drawing) { return visible_strokes(drawing.document); });
 }
 
-Result<void> read_script_file(const std::string& path, ReplayRun& run) {
+Result<void> read_script_file(const std::string& path, ScriptRun& run) {
   const Result<Input> input = Input::open(path);
   if (!input) return input_error(path, input.error());
   if (input->format() != FileFormat::kNdjson) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "felt/document/drawing.h"
-#include "felt/replay/replay_run.h"
+#include "felt/replay/script_run.h"
 #include "felt/session/session.h"
 
 /// Files that a replay reads. Messages begin with "PATH:LINE: " or "PATH: ".
@@ -18,7 +18,7 @@ Result<std::vector<StrokePtr>> read_strokes(const std::string& path);
 Result<Drawing> read_start(const std::string& path);
 
 /// Adds the script in a file, or from stdin ("-"), to a replay.
-Result<void> read_script_file(const std::string& path, ReplayRun& run);
+Result<void> read_script_file(const std::string& path, ScriptRun& run);
 
 /// Applies a recording to a session: a script (a file, or "-" for stdin), or the newest recording
 /// in a .felt drawing. Relative paths of imports start at the folder of that file. If an event

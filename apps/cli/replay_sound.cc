@@ -108,7 +108,8 @@ Result<void> ReplaySound::add(const PenSample& pen) {
 
 /// Lets the last touch fade out and completes the file.
 Result<void> ReplaySound::finish() {
-  constexpr auto kTail = static_cast<std::size_t>(RubVoice::kSilentAfterS * RubbingSound::kRateHz);
+  constexpr auto kTail =
+      static_cast<std::size_t>(RubbingSynth::kSilentAfterS * RubbingPlayer::kRateHz);
   if (Result<void> rendered = render(kTail); !rendered) return rendered;
   return file_.finish();
 }

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "felt/session/heard_pen.h"
-#include "felt/sound/rubbing_sound.h"
+#include "felt/sound/rubbing_player.h"
 #include "output.h"
 
 namespace felt::cli {
@@ -65,7 +65,7 @@ class ReplaySound {
 
   WavFile file_;
   std::optional<HeardPen> pen_;
-  RubbingSound sound_;
+  RubbingPlayer sound_;
   std::array<float, 4096> block_{};
 };
 

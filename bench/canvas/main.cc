@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "desktop/canvas/ink_desk.h"
+#include "desktop/canvas/ink_tile_store.h"
 #include "desktop/canvas/ink_view.h"
 #include "felt/document/edit_builder.h"
 #include "felt/material/relief.h"
@@ -23,7 +23,7 @@ namespace felt::bench {
 namespace {
 
 using desktop::CanvasView;
-using desktop::InkDesk;
+using desktop::InkTileStore;
 using desktop::InkView;
 using desktop::TileNews;
 
@@ -103,14 +103,14 @@ class Window {
     const View view{{place.x - 0.5 * w / kScreenPxPerMm, place.y - 0.5 * h / kScreenPxPerMm},
                     kScreenPxPerMm};
     desk_.look({++plane_, view, {}}, {0, 0, kWindow.width(), kWindow.height()});
-    while (desk_.plan() != InkDesk::Need::kNone) work();
+    while (desk_.plan() != InkTileStore::Need::kNone) work();
   }
   /// Follows and mends; CPU.
   template <class What>
   double time(What what) {
     const double start = thread_cpu_us();
     what(desk_);
-    while (desk_.plan() == InkDesk::Need::kRepair) work();
+    while (desk_.plan() == InkTileStore::Need::kRepair) work();
     return thread_cpu_us() - start;
   }
 
@@ -120,7 +120,7 @@ class Window {
     desk_.work(
         0, [] { return false; }, news_);
   }
-  InkDesk desk_;
+  InkTileStore desk_;
   std::uint64_t plane_ = 0;
   std::vector<TileNews> news_;
 };
@@ -132,8 +132,8 @@ void edit_rows(const std::string& title, Ink& ink, int count, const Table& table
   std::vector<double> add, pull, erase, back, first, sample;
   const auto run = [&](const Edits::One& one, std::vector<double>& times) {
     window.look(one.place);
-    times.push_back(window.time([&](InkDesk& desk) { desk.apply(one.edit); }));
-    back.push_back(window.time([&](InkDesk& desk) { desk.apply(one.edit.inverse()); }));
+    times.push_back(window.time([&](InkTileStore& desk) { desk.apply(one.edit); }));
+    back.push_back(window.time([&](InkTileStore& desk) { desk.apply(one.edit.inverse()); }));
   };
   for (int i = 0; i < count; ++i) {
     run(edits.add(), add);
@@ -150,10 +150,10 @@ void edit_rows(const std::string& title, Ink& ink, int count, const Table& table
       const StrokePtr after = Ink::pulled(*c.before, joint, {0.2 * k, 0.1 * k});
       if (!after) break;
       shown.changes[0].after = after;
-      const double us = window.time([&](InkDesk& desk) { desk.show(shown); });
+      const double us = window.time([&](InkTileStore& desk) { desk.show(shown); });
       (k == 1 ? first : sample).push_back(us);
     }
-    window.time([](InkDesk& desk) { desk.show(std::nullopt); });
+    window.time([](InkTileStore& desk) { desk.show(std::nullopt); });
   }
   table.times("edit: add", std::move(add));
   table.times("edit: pull", std::move(pull));

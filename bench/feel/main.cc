@@ -19,7 +19,7 @@
 
 #include "apps/cli/text_table.h"
 #include "felt/io/ndjson/ndjson_lines.h"
-#include "felt/replay/replay_run.h"
+#include "felt/replay/script_run.h"
 #include "snap_bars.h"
 
 namespace felt::bench {
@@ -106,7 +106,7 @@ Result<ReplayStats> draw(const Options& options, const std::string& material, bo
     return tl::unexpected(set.error());
   }
   const auto start = std::chrono::steady_clock::now();
-  ReplayRun run(machine, options.mm_per_unit, 0);
+  ScriptRun run(machine, options.mm_per_unit, 0);
   std::size_t left = options.limit;
   for (const std::string& path : options.files) {
     const Result<std::string> text = lines_of(path, left);

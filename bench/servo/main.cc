@@ -17,8 +17,8 @@
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/haptics/bricks/damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
-#include "felt/haptics/bricks/well.h"
 #include "felt/haptics/force_model.h"
 #include "felt/rt/null_device.h"
 #include "felt/rt/realtime_thread.h"
@@ -50,7 +50,7 @@ ForceModel everything(const Capabilities& device, std::uint32_t fade_id) {
   ForceModel model(Compose(make_sheet_force(paper, media()[0], device, surface_grain(paper)),
                            EditSpring(Point{70, 50}),
                            SweepSpring({.pen = {70, 50}, .curve = {70, 50}, .normal = {0, 1}}),
-                           Wells(targets), Damping({.where = DampingWhere::kEverywhere})));
+                           SnapWells(targets), Damping({.where = DampingWhere::kEverywhere})));
   model.set_fade_id(fade_id);
   return model;
 }

@@ -39,7 +39,7 @@ RubbingPair pair_of(const Shown& shown) {
 /// The pen comes down, goes faster and faster up to 240 mm/s (120 where it is pushed hard), slows
 /// down, and is lifted.
 std::vector<float> swelling_stroke(const Shown& shown) {
-  RubbingSound sound;
+  RubbingPlayer sound;
   sound.set_pair(pair_of(shown));
   std::vector<float> all;
   const double fastest = shown.push_n > kPushN ? 120.0 : 240.0;

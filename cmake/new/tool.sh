@@ -36,7 +36,7 @@ insert_include() {
     /^#include/ { seen = 1 }
     { print }' "$2" >"$2.new" && mv "$2.new" "$2"
 }
-tools=src/felt/tools/rooms.cc
+tools=src/felt/tools/all_tools.cc
 insert_include "#include \"felt/tools/$name/${name}_tool.h\"" "$tools"
 sed -i "s/^  return tools;/  tools.push_back(make_$name());\n&/" "$tools"
 

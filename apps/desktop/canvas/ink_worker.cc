@@ -3,7 +3,7 @@
 #include <iterator>
 #include <utility>
 
-#include "desktop/canvas/ink_desk.h"
+#include "desktop/canvas/ink_tile_store.h"
 
 namespace felt::desktop {
 
@@ -108,7 +108,7 @@ void InkWorker::publish(std::vector<TileNews> news) {
 }
 
 void InkWorker::run() {
-  InkDesk desk;
+  InkTileStore desk;
   std::deque<Order> orders;
   std::uint64_t last = 0;
   const auto should_stop = [this] { return has_mail_.load(std::memory_order_relaxed); };
@@ -126,11 +126,11 @@ void InkWorker::run() {
           order);
     }
     orders.clear();
-    const InkDesk::Need need = desk.plan();
-    if (need != InkDesk::Need::kRepair) {
-      set_stage(need == InkDesk::Need::kMissing ? Stage::kRepaired : Stage::kComplete, last);
+    const InkTileStore::Need need = desk.plan();
+    if (need != InkTileStore::Need::kRepair) {
+      set_stage(need == InkTileStore::Need::kMissing ? Stage::kRepaired : Stage::kComplete, last);
     }
-    is_idle_ = need == InkDesk::Need::kNone;
+    is_idle_ = need == InkTileStore::Need::kNone;
     std::vector<TileNews> news;
     desk.work(last, should_stop, news);
     if (!news.empty()) publish(std::move(news));

@@ -27,7 +27,7 @@ constexpr int kBufferMs = 25;
 /// none.
 QAudioFormat format_for(const QAudioDevice& device) {
   QAudioFormat format;
-  format.setSampleRate(int(RubbingSound::kRateHz));
+  format.setSampleRate(int(RubbingPlayer::kRateHz));
   format.setChannelCount(1);
   for (const QAudioFormat::SampleFormat samples : {QAudioFormat::Float, QAudioFormat::Int16}) {
     format.setSampleFormat(samples);

@@ -27,7 +27,7 @@ RubbedSamples::RubbedSamples(RubbedFeed& feed, bool is_float) : feed_(feed), is_
 }
 
 qint64 RubbedSamples::bytesAvailable() const {
-  return qint64(RubbingSound::kRateHz) * qint64(is_float_ ? sizeof(float) : sizeof(std::int16_t));
+  return qint64(RubbingPlayer::kRateHz) * qint64(is_float_ ? sizeof(float) : sizeof(std::int16_t));
 }
 
 void RubbedSamples::take_news() {

@@ -8,7 +8,7 @@
 #include "felt/rt/latest_value.h"
 #include "felt/rt/spsc_ring.h"
 #include "felt/session/heard_pen.h"
-#include "felt/sound/rubbing_sound.h"
+#include "felt/sound/rubbing_player.h"
 
 namespace felt::desktop {
 
@@ -61,7 +61,7 @@ class RubbedSamples final : public QIODevice {
 
   RubbedFeed& feed_;
   bool is_float_;
-  RubbingSound sound_;
+  RubbingPlayer sound_;
   float volume_ = 0.0F;  // approaches the feed's volume smoothly
 };
 

@@ -81,7 +81,7 @@ static_assert(std::is_trivially_copyable_v<ForceModel>);
 /// The sum of several force bricks, evaluated in the order given: a brick that reads the push of
 /// the plane must come after the plane. A Compose is itself a brick; slopes add.
 ///
-///   ForceModel model(Compose(Plane(plane), Texture(grain), Friction(friction), Wells(...)));
+///   ForceModel model(Compose(Plane(plane), Texture(grain), Friction(friction), SnapWells(...)));
 ///
 /// It is not a std::tuple, because a std::tuple is not trivially copyable.
 template <ForceFunctor... Bricks>

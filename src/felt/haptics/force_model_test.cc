@@ -6,10 +6,10 @@
 
 #include "felt/haptics/bricks/damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/bricks/tether.h"
-#include "felt/haptics/bricks/well.h"
 #include "felt/haptics/testing/feel_rig.h"
 
 namespace felt::force_model_test {
@@ -17,7 +17,7 @@ namespace {
 
 static_assert(ForceFunctor<Plane> && ForceFunctor<Friction> && ForceFunctor<Texture>);
 static_assert(ForceFunctor<EditSpring> && ForceFunctor<SweepSpring> && ForceFunctor<PushSpring>);
-static_assert(ForceFunctor<Wells> && ForceFunctor<Tether> && ForceFunctor<Damping> &&
+static_assert(ForceFunctor<SnapWells> && ForceFunctor<Tether> && ForceFunctor<Damping> &&
               ForceFunctor<Towed>);
 static_assert(ForceFunctor<Inertia> && ForceFunctor<SheetForce>);
 static_assert(ForceFunctor<ForceModel> == false, "a model is no brick: it would be 2 KiB in 2 KiB");
@@ -28,7 +28,7 @@ auto all_bricks(const Capabilities& device = {}) {
   const SurfaceMaterial& paper = surface_materials()[0];
   return Compose(make_sheet_force(paper, media()[0], device, surface_grain(paper)),
                  EditSpring({-3, 1}), SweepSpring({.pen = {0, 1}, .normal = {0, 1}}),
-                 Wells(Point{1, 1}), Tether::translation({2, 0}, 3),
+                 SnapWells(Point{1, 1}), Tether::translation({2, 0}, 3),
                  Damping({.where = DampingWhere::kEverywhere}));
 }
 
@@ -92,7 +92,7 @@ TEST(ForceModel, WhatDoesNotFitIsSummedUp) {
 }
 
 TEST(Compose, SlopesAddAndOrderIsThatOfWriting) {
-  const Compose sum(Plane{}, Friction{}, EditSpring({0, 0}), Wells(Point{0, 0}));
+  const Compose sum(Plane{}, Friction{}, EditSpring({0, 0}), SnapWells(Point{0, 0}));
   EXPECT_EQ(sum.slopes(), (Slopes{500.0, 600.0, 600.0}));
   // The friction uses the push of the plane of the same tick.
   ForceMemory memory;

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "felt/document/stroke_index.h"
-#include "felt/haptics/bricks/well.h"
+#include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/pen_sample.h"
 
 namespace felt {

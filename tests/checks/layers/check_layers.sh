@@ -73,7 +73,7 @@ LC_ALL=C awk '
         complain((room == "" ? layer : room) " must not include " room_of " (" name ")")
     }
     # Only the file that lists the subfolders of a layer may include them.
-    else if (FILENAME !~ /\/rooms(_test)?\.cc$/)
+    else if (FILENAME !~ /\/all_[a-z]+(_test)?\.cc$/)
       complain((room == "" ? layer : room) " must not include the subfolder " room_of " (" name \
         "); it is private as long as rules.txt has no line \"folder " room_of ":\"")
   }

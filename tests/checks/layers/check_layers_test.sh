@@ -21,7 +21,7 @@ clean_tree() {
   printf '/// A tool.\n' | file src/felt/tools/tool.h
   printf '/// The pencil.\n#include "felt/tools/tool.h"\n' | file src/felt/tools/pencil/pencil.h
   printf '/// The pull.\n#include "felt/tools/tool.h"\n' | file src/felt/tools/pull/pull.h
-  printf '#include "felt/tools/pencil/pencil.h"\n' | file src/felt/tools/rooms.cc
+  printf '#include "felt/tools/pencil/pencil.h"\n' | file src/felt/tools/all_tools.cc
   printf '#include <nlohmann/json.hpp>\n#include "tests/support/near.h"\n' | file src/felt/stroke/ink_test.cc
   printf '/// Cuts.\n#include "felt/stroke/fit/fitter.h"\n' | file src/felt/stroke/edit/cut.h
   printf '/// Fits.\n#include "felt/stroke/ink.h"\n' | file src/felt/stroke/fit/fitter.h

@@ -7,7 +7,7 @@
 
 #include "felt/base/constants.h"
 #include "felt/haptics/bricks/drawing_feel.h"
-#include "felt/haptics/bricks/well.h"
+#include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/force_model.h"
 
 namespace felt::rt_test {
@@ -108,7 +108,7 @@ class DriverSession final : public Session {
         *device_, ServoOptions{.period_ns = can.period_ns, .limits = limits_for(can)});
     // Adds an attracting well, because planar devices cannot render the surface.
     servo_->publish(ForceModel(Compose(make_sheet_force(surface_materials()[0], media()[0], can),
-                                       Wells(Point{middle_.x, middle_.y}))));
+                                       SnapWells(Point{middle_.x, middle_.y}))));
     servo_->arm();
   }
 

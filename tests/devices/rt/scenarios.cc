@@ -10,9 +10,9 @@
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/haptics/bricks/damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/stabiliser.h"
-#include "felt/haptics/bricks/well.h"
 #include "felt/haptics/force_model.h"
 #include "felt/rt/null_device.h"
 #include "tests/devices/drivers/driver_bench.h"
@@ -106,7 +106,7 @@ class AllBricks final : public Scribble {
     const auto id = static_cast<std::uint32_t>(tick / 7 + 1);
     switch (tick / 7 % 5) {
       case 0:
-        return publish(Compose(sheet, Wells(targets), Damping()), id);
+        return publish(Compose(sheet, SnapWells(targets), Damping()), id);
       case 1:
         return publish(Compose(sheet, EditSpring(here)), id);
       case 2:

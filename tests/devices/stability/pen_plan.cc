@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
-#include "felt/haptics/bricks/well.h"
 
 namespace felt {
 namespace {

@@ -8,8 +8,8 @@
 #include "felt/devices/simulated/high_pass.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
-#include "felt/haptics/bricks/well.h"
 #include "felt/rt/servo.h"
 #include "felt/rt/virtual_clock.h"
 #include "tests/devices/stability/pen_plan.h"
@@ -44,7 +44,7 @@ ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
   const SheetForce sheet = make_sheet_force(*cell.surface, *cell.tool, device, grain);
   switch (cell.trial) {
     case Trial::kWell:
-      return ForceModel(Compose(sheet, Wells(kTrialPlace)));
+      return ForceModel(Compose(sheet, SnapWells(kTrialPlace)));
     case Trial::kEdit:
       return ForceModel(Compose(sheet, EditSpring(kTrialPlace)));
     case Trial::kRest:

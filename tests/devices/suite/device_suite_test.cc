@@ -16,8 +16,8 @@
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/driver/open_device.h"
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
-#include "felt/haptics/bricks/well.h"
 #include "felt/rt/null_device.h"
 #include "felt/rt/servo.h"
 #include "felt/rt/virtual_clock.h"
@@ -242,8 +242,8 @@ TEST_P(DeviceSuite, R55_TheLoopKeepsToItsCapabilities) {
       device_, ServoOptions{.period_ns = can.period_ns, .limits = limits_for(can)});
   const SurfaceMaterial& board = *find_surface("blackboard");
   const Point here = Point{20, 30} + subject_.shift;
-  servo->publish(
-      ForceModel(Compose(make_sheet_force(board, media()[0], can), Wells(here), EditSpring(here))));
+  servo->publish(ForceModel(
+      Compose(make_sheet_force(board, media()[0], can), SnapWells(here), EditSpring(here))));
   servo->arm();
   VirtualClock clock(*servo);
   double most_n = 0.0, steepest = 0.0;

@@ -11,7 +11,7 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/geometry/nearest.h"
 #include "felt/io/ndjson/ndjson_lines.h"
-#include "felt/replay/replay_run.h"
+#include "felt/replay/script_run.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt::snap_test {
@@ -26,7 +26,7 @@ Result<SnapCount> draw_lines(const std::string& ndjson, const SnapHand& hand,
       return tl::unexpected(set.error());
     }
   }
-  ReplayRun run(machine, 1.0, hand.tremor_seed);
+  ScriptRun run(machine, 1.0, hand.tremor_seed);
   if (Result<void> read = run.script("scene", "", read_text(ndjson)); !read) {
     return tl::unexpected(read.error());
   }

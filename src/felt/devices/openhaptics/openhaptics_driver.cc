@@ -8,7 +8,7 @@
 
 #include "felt/devices/openhaptics/hd_library.h"
 #include "felt/devices/openhaptics/openhaptics_device.h"
-#include "felt/devices/openhaptics/openhaptics_diagnosis.h"
+#include "felt/devices/openhaptics/openhaptics_doctor.h"
 #include "felt/devices/openhaptics/openhaptics_models.h"
 #include "felt/driver/input_nodes.h"
 

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "felt/base/constants.h"
+#include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/bricks/tether.h"
-#include "felt/haptics/bricks/well.h"
 #include "felt/haptics/safety/safety_chain.h"
 #include "felt/haptics/testing/feel_rig.h"
 
@@ -132,12 +132,12 @@ TEST(DrawingFeel, R56_WithAllEffectsOnTheSumKeepsToTheBudgetAndIsCalm) {
   const auto everything = [&](const rig::Setup& setup) {
     return Compose(make_sheet_force(paper, media()[0], setup.capabilities(), surface_grain(paper),
                                     TextureLaw::kGradient),
-                   EditSpring({-3, 1}), Wells(Point{1, 1}), Tether::translation({1, 1}, 8),
+                   EditSpring({-3, 1}), SnapWells(Point{1, 1}), Tether::translation({1, 1}, 8),
                    Inertia());
   };
   const auto usual = [&](const rig::Setup& setup) {
     return Compose(make_sheet_force(paper, media()[0], setup.capabilities(), surface_grain(paper)),
-                   EditSpring({-3, 1}), Wells(Point{1, 1}));
+                   EditSpring({-3, 1}), SnapWells(Point{1, 1}));
   };
   double worst = 0.0;
   for (const double period_s : {0.0002, 0.001}) {
@@ -163,7 +163,7 @@ TEST(DrawingFeel, R50_ASlowLoopIsCalmWithinItsBudget) {
         EXPECT_LT(hf, 0.03) << setup.name() << ", " << what;
       };
       calm_with("edit", EditSpring({-3, 1}));
-      calm_with("well", Wells(Point{1, 1}));
+      calm_with("well", SnapWells(Point{1, 1}));
       calm_with("translation", Tether::translation({1, 1}, 8));
       calm_with("rotation", Tether::rotation({20, 0}, {1, 1}, 200.0, 1));
       calm_with("scale", Tether::scale({20, 0}, {1, 1}, 200.0));

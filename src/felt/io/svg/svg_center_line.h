@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "felt/io/svg/svg_path.h"
+#include "felt/io/svg/svg_path_builder.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {

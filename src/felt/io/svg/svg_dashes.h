@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "felt/io/svg/svg_path.h"
+#include "felt/io/svg/svg_path_builder.h"
 
 namespace felt {
 

@@ -10,7 +10,7 @@
 #include "felt/base/result.h"
 #include "felt/geometry/affine.h"
 #include "felt/geometry/rect.h"
-#include "felt/io/svg/svg_path.h"
+#include "felt/io/svg/svg_path_builder.h"
 #include "felt/io/svg/svg_style.h"
 #include "felt/stroke/stroke.h"
 

@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 
 #include "felt/io/svg/svg_limits.h"
-#include "felt/io/svg/svg_path_data.h"
+#include "felt/io/svg/svg_path_parser.h"
 #include "felt/io/svg/svg_scan.h"
 
 namespace felt {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "felt/io/svg/svg_length.h"
-#include "felt/io/svg/svg_path.h"
+#include "felt/io/svg/svg_path_builder.h"
 #include "felt/io/svg/svg_style.h"
 
 namespace pugi {

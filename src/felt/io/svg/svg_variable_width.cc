@@ -14,7 +14,7 @@
 #include "felt/io/limits.h"
 #include "felt/io/svg/svg_center_line.h"
 #include "felt/io/svg/svg_limits.h"
-#include "felt/io/svg/svg_path_data.h"
+#include "felt/io/svg/svg_path_parser.h"
 #include "felt/io/svg/svg_scan.h"
 #include "felt/io/svg/svg_scene.h"
 #include "felt/io/svg/svg_text.h"

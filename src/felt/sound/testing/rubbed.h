@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "felt/sound/rubbing_sound.h"
+#include "felt/sound/rubbing_player.h"
 
 /// For tests and measurements: strokes, and figures that describe a sound.
 namespace felt {
@@ -24,7 +24,7 @@ struct RubbedStroke {
 };
 
 /// Returns the sound of a stroke up to its last sample.
-inline std::vector<float> sound_of(RubbingSound& sound, const RubbedStroke& stroke,
+inline std::vector<float> sound_of(RubbingPlayer& sound, const RubbedStroke& stroke,
                                    std::int64_t start_ns = 0) {
   std::vector<float> all;
   const int ticks = static_cast<int>(stroke.seconds * 1000.0);
@@ -40,14 +40,14 @@ inline std::vector<float> sound_of(RubbingSound& sound, const RubbedStroke& stro
 }
 
 inline std::vector<float> sound_of(const RubbingPair& pair, const RubbedStroke& stroke) {
-  RubbingSound sound;
+  RubbingPlayer sound;
   sound.set_pair(pair);
   return sound_of(sound, stroke);
 }
 
 /// Returns the sound without its first `seconds`, which have the touch.
 inline std::vector<float> after(const std::vector<float>& sound, double seconds) {
-  const auto n = static_cast<std::ptrdiff_t>(seconds * RubbingSound::kRateHz);
+  const auto n = static_cast<std::ptrdiff_t>(seconds * RubbingPlayer::kRateHz);
   return {sound.begin() + n, sound.end()};
 }
 
@@ -60,7 +60,7 @@ inline double rms_of(const std::vector<float>& sound) {
 /// Returns the power at a frequency of a block, with a Hann window (Goertzel).
 inline double power_at(const std::vector<float>& sound, std::size_t from, std::size_t n,
                        double hz) {
-  const double w = 2.0 * 3.14159265358979324 * hz / RubbingSound::kRateHz;
+  const double w = 2.0 * 3.14159265358979324 * hz / RubbingPlayer::kRateHz;
   const double turn = 2.0 * std::cos(w);
   double s1 = 0.0, s2 = 0.0;
   for (std::size_t i = 0; i < n; ++i) {

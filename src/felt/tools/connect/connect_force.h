@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
-#include "felt/haptics/bricks/well.h"
 #include "felt/haptics/force_model.h"
 #include "felt/tools/connect/connect_options.h"
 #include "felt/tools/feel_id.h"
@@ -32,7 +32,7 @@ inline ForceModel make_connect_force(const ConnectSettings& settings, const Scen
   const SheetForce sheet =
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
   const WellShape shape = well_of(settings.snap, settings.strength);
-  const Wells well = feel.well ? Wells(*feel.well, shape) : Wells();
+  const SnapWells well = feel.well ? SnapWells(*feel.well, shape) : SnapWells();
 
   FeelId id("connect");
   id.with_sheet(scene.surface, medium_of(scene, "pencil")).with(settings.strength);

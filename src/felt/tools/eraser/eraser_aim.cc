@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "felt/document/stroke_index.h"
-#include "felt/tools/eraser/erasing.h"
+#include "felt/tools/eraser/eraser_gesture.h"
 
 namespace felt {
 
@@ -51,7 +51,7 @@ void EraserAim::aim_at_part(Point pen, const EraserSettings& settings, const Sce
   if (!search_) {
     search_.emplace(ParameterSet::Interval{hit->u, hit->u});
   }
-  int budget = Erasing::kCrossingBudget;
+  int budget = EraserGesture::kCrossingBudget;
   if (!search_->advance(*crossings_, scene, budget)) return;
   const double n = stroke->segment_count();
   const bool whole = search_->is_whole();

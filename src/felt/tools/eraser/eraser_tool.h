@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "felt/tools/eraser/eraser_aim.h"
+#include "felt/tools/eraser/eraser_gesture.h"
 #include "felt/tools/eraser/eraser_options.h"
-#include "felt/tools/eraser/erasing.h"
 #include "felt/tools/gesture_tool.h"
 
 namespace felt {
@@ -34,7 +34,7 @@ class EraserTool final : public GestureTool {
   [[nodiscard]] ToolResult preview(bool changed, const Scene& scene) const;
 
   EraserSettings settings_;
-  std::optional<Erasing> erasing_;
+  std::optional<EraserGesture> erasing_;
   EraserAim aim_;
   std::optional<Point> pen_;  // for the ring
 };

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/stabiliser.h"
-#include "felt/haptics/bricks/well.h"
 #include "felt/haptics/force_model.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/pencil/pencil_options.h"
@@ -46,7 +46,7 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
   const WellShape shape = well_of(settings.snap, settings.strength);
-  const Wells well = target ? Wells(target->point, shape) : Wells();
+  const SnapWells well = target ? SnapWells(target->point, shape) : SnapWells();
 
   FeelId id("pencil");
   id.with_sheet(scene.surface, medium_of(scene, settings.material)).with(settings.strength);

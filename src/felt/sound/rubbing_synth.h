@@ -27,12 +27,12 @@ namespace felt {
 /// exactly 0 at most kSilentAfterS after the pen is lifted or stops. |sample| < 1 always, and never
 /// NaN for the input that next() allows. A value type that does not allocate. Use it on one thread
 /// at a time.
-class RubVoice {
+class RubbingSynth {
  public:
   static constexpr double kRateHz = 48000.0;
   static constexpr double kSilentAfterS = 0.050;
 
-  RubVoice() noexcept;
+  RubbingSynth() noexcept;
 
   /// Sets the pair from the next sample on. Call it during silence (is_silent()), because the
   /// parameters jump and would make a click.
@@ -41,7 +41,7 @@ class RubVoice {
   /// Starts the tap of a pen that came down at this speed, mm/s.
   void strike(double mm_per_s) noexcept;
   /// Returns the next sample of sound. A `push_n` of 0 means that the pen is in the air. Requires
-  /// finite and bounded arguments, as RubbingSound passes them.
+  /// finite and bounded arguments, as RubbingPlayer passes them.
   double next(Point at, double push_n) noexcept;
   /// Returns true if the last sample was 0, and every sample will be until the pen rubs again.
   [[nodiscard]] bool is_silent() const noexcept { return gate_ == 0.0 && gate_goal_ == 0.0; }

@@ -1,4 +1,4 @@
-#include "desktop/canvas/ink_desk.h"
+#include "desktop/canvas/ink_tile_store.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ void clear(TilePicture& picture, PixelRect part) noexcept {
 
 }  // namespace
 
-void InkDesk::open(const Document& document) {
+void InkTileStore::open(const Document& document) {
   scene_ = std::make_unique<InkScene>(document);
   begun_.reset();
   for (auto& [id, plane] : planes_) {
@@ -64,7 +64,7 @@ void InkDesk::open(const Document& document) {
   }
 }
 
-void InkDesk::apply(const Edit& edit) {
+void InkTileStore::apply(const Edit& edit) {
   InkDamage areas;
   drop_splits();
   // The document did not accept an edit that is invalid here; the preview is gone in any case.
@@ -72,15 +72,15 @@ void InkDesk::apply(const Edit& edit) {
   damage(areas);
 }
 
-void InkDesk::show(const std::optional<Edit>& preview) {
+void InkTileStore::show(const std::optional<Edit>& preview) {
   InkDamage areas;
   static_cast<void>(scene_->show(preview, areas));
   damage(areas);
   if (scene_->previewed().empty()) drop_splits();
 }
 
-void InkDesk::look(const PlaneSpec& plane, const PlaneRect& seen,
-                   const std::optional<PlaneSpec>& over) {
+void InkTileStore::look(const PlaneSpec& plane, const PlaneRect& seen,
+                        const std::optional<PlaneSpec>& over) {
   current_ = plane.id;
   over_ = over ? over->id : 0;
   seen_ = seen;
@@ -97,7 +97,7 @@ void InkDesk::look(const PlaneSpec& plane, const PlaneRect& seen,
   if (over) use(*over);
 }
 
-void InkDesk::forget(std::uint64_t plane) {
+void InkTileStore::forget(std::uint64_t plane) {
   const auto found = planes_.find(plane);
   if (found == planes_.end()) return;
   for (const auto& [place, tile] : found->second.tiles) {
@@ -106,14 +106,14 @@ void InkDesk::forget(std::uint64_t plane) {
   planes_.erase(found);
 }
 
-std::size_t InkDesk::tile_count() const noexcept {
+std::size_t InkTileStore::tile_count() const noexcept {
   std::size_t count = 0;
   for (const auto& [id, plane] : planes_) count += plane.tiles.size();
   return count;
 }
 
 /// Ends the preview. Tiles whose pixels were rounded for speed are drawn again.
-void InkDesk::drop_splits() {
+void InkTileStore::drop_splits() {
   for (auto& [id, plane] : planes_) {
     for (auto& [place, tile] : plane.tiles) {
       if (tile.split && tile.split->is_rounded) damage(tile, kWhole);
@@ -122,13 +122,13 @@ void InkDesk::drop_splits() {
   }
 }
 
-void InkDesk::damage(const InkDamage& areas) {
+void InkTileStore::damage(const InkDamage& areas) {
   for (auto& [id, plane] : planes_) {
     for (const Rect& area : areas) damage(plane, area);
   }
 }
 
-void InkDesk::damage(Plane& plane, const Rect& area) {
+void InkTileStore::damage(Plane& plane, const Rect& area) {
   const PlaneRect px = pixels_around(plane.spec.view.area_px(area));
   const TileRange range = TileRange::of(px);
   const double count = (static_cast<double>(range.last.x - range.first.x) + 1.0) *
@@ -145,7 +145,7 @@ void InkDesk::damage(Plane& plane, const Rect& area) {
   }
 }
 
-void InkDesk::damage(Tile& tile, PixelRect part) {
+void InkTileStore::damage(Tile& tile, PixelRect part) {
   if (part.empty()) return;
   tile.dirty = united(tile.dirty, part);
   ++tile.damages;
@@ -157,15 +157,15 @@ void InkDesk::damage(Tile& tile, PixelRect part) {
 /// the dirty part, stroke by stroke, into a new picture, which replaces the old one when it is
 /// finished. If an interrupted picture became outdated, the next attempt is not interrupted, so
 /// that a tile appears even while edits arrive all the time.
-InkDesk::Need InkDesk::plan() {
+InkTileStore::Need InkTileStore::plan() {
   choice_ = choose();
   return choice_.need;
 }
 
 /// Returns the tile in an area that needs work and lies nearest to the middle of the view. Tiles
 /// that exist but are outdated come first.
-std::optional<InkDesk::Choice> InkDesk::nearest(const Plane& plane, const PlaneRect& area,
-                                                bool only_made) const {
+std::optional<InkTileStore::Choice> InkTileStore::nearest(const Plane& plane, const PlaneRect& area,
+                                                          bool only_made) const {
   if (area.empty()) return std::nullopt;
   const TileRange range = TileRange::of(area);
   const double x0 = 0.5 * static_cast<double>(seen_.x0 + seen_.x1) / kTileSide - 0.5;
@@ -188,14 +188,14 @@ std::optional<InkDesk::Choice> InkDesk::nearest(const Plane& plane, const PlaneR
 
 /// Returns a tile of what covers new ink. Comes after the view's own tiles, because only that ink
 /// needs it.
-std::optional<InkDesk::Choice> InkDesk::choose_over() const {
+std::optional<InkTileStore::Choice> InkTileStore::choose_over() const {
   const auto over = planes_.find(over_);
   if (over == planes_.end()) return std::nullopt;
   const auto wrong = nearest(over->second, seen_, true);
   return wrong ? wrong : nearest(over->second, seen_, false);
 }
 
-InkDesk::Choice InkDesk::choose() const {
+InkTileStore::Choice InkTileStore::choose() const {
   const auto current = planes_.find(current_);
   if (current == planes_.end()) return {};
   const Plane& plane = current->second;
@@ -222,7 +222,7 @@ InkDesk::Choice InkDesk::choose() const {
   return {};
 }
 
-InkDesk::Begun InkDesk::begin(const Choice& choice, Plane& plane, Tile& tile) {
+InkTileStore::Begun InkTileStore::begin(const Choice& choice, Plane& plane, Tile& tile) {
   Begun begun;
   begun.plane = choice.plane;
   begun.place = choice.place;
@@ -238,8 +238,8 @@ InkDesk::Begun InkDesk::begin(const Choice& choice, Plane& plane, Tile& tile) {
 }
 
 /// Returns false if it was interrupted.
-bool InkDesk::paint(Plane& plane, Tile& tile, Begun& begun,
-                    const std::function<bool()>& should_stop) {
+bool InkTileStore::paint(Plane& plane, Tile& tile, Begun& begun,
+                         const std::function<bool()>& should_stop) {
   const Pixels pixels = pixels_of(*begun.picture);
   const InkStyle& style = plane.spec.style;
   if (begun.job.next == 0) {
@@ -259,8 +259,8 @@ bool InkDesk::paint(Plane& plane, Tile& tile, Begun& begun,
   return true;
 }
 
-void InkDesk::work(std::uint64_t order, const std::function<bool()>& should_stop,
-                   std::vector<TileNews>& news) {
+void InkTileStore::work(std::uint64_t order, const std::function<bool()>& should_stop,
+                        std::vector<TileNews>& news) {
   const Choice choice = std::exchange(choice_, {});
   if (choice.need == Need::kNone) return;
   Plane& plane = planes_.at(choice.plane);
@@ -288,7 +288,7 @@ void InkDesk::work(std::uint64_t order, const std::function<bool()>& should_stop
 }
 
 /// Drops the tiles that were not used for longest, until the rest fits.
-void InkDesk::drop_old(std::vector<TileNews>& news) {
+void InkTileStore::drop_old(std::vector<TileNews>& news) {
   while (bytes_ > most_bytes_) {
     Plane* in = nullptr;
     std::map<TilePlace, Tile>::iterator oldest;

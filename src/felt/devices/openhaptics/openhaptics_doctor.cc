@@ -1,4 +1,4 @@
-#include "felt/devices/openhaptics/openhaptics_diagnosis.h"
+#include "felt/devices/openhaptics/openhaptics_doctor.h"
 
 #include <algorithm>
 #include <array>

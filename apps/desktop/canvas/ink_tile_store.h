@@ -13,14 +13,15 @@ namespace felt::desktop {
 
 /// The worker's state: the scene, the planes with their tiles, and the choice of the next piece of
 /// work. Not thread-safe.
-class InkDesk {
+class InkTileStore {
  public:
   /// How urgent the next work is.
   enum class Need { kRepair, kMissing, kAround, kNone };
 
   /// `most_bytes` is the approximate memory limit of all tiles. Tiles of the view are kept even
   /// above it.
-  explicit InkDesk(std::size_t most_bytes = std::size_t{256} << 20U) : most_bytes_(most_bytes) {}
+  explicit InkTileStore(std::size_t most_bytes = std::size_t{256} << 20U)
+      : most_bytes_(most_bytes) {}
 
   void open(const Document& document);
   void apply(const Edit& edit);

@@ -1,4 +1,4 @@
-#include "felt/io/svg/svg_path_data.h"
+#include "felt/io/svg/svg_path_parser.h"
 
 #include <array>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "felt/io/svg/svg_path_data.h"
+#include "felt/io/svg/svg_path_parser.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "felt/io/svg/svg_length.h"
 
-namespace felt::svg_path_data_test {
+namespace felt::svg_path_parser_test {
 namespace {
 
 std::vector<SvgContour> path(std::string_view d) {
@@ -193,4 +193,4 @@ TEST(SvgLength, Units) {
 }
 
 }  // namespace
-}  // namespace felt::svg_path_data_test
+}  // namespace felt::svg_path_parser_test

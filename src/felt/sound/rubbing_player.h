@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
-#include "felt/sound/rub_voice.h"
 #include "felt/sound/rubbing.h"
+#include "felt/sound/rubbing_synth.h"
 
 namespace felt {
 
@@ -20,9 +20,9 @@ namespace felt {
 ///
 /// The same calls give the same samples on every machine. A value type of about 30 KB that never
 /// allocates, locks or waits. Use it on one thread at a time.
-class RubbingSound {
+class RubbingPlayer {
  public:
-  static constexpr double kRateHz = RubVoice::kRateHz;
+  static constexpr double kRateHz = RubbingSynth::kRateHz;
   /// Maximum number of samples in the queue; if it is exceeded, the oldest sample is dropped.
   static constexpr std::size_t kMaxWaiting = 1024;
   /// A path with a longer gap, or faster than any hand, is split into two with the pen in the air
@@ -64,7 +64,7 @@ class RubbingSound {
   bool find(std::int64_t now_ns) noexcept;
   float next() noexcept;
 
-  RubVoice voice_;
+  RubbingSynth voice_;
   RubbingPair pair_, next_pair_;
   std::array<RubbingSample, kMaxWaiting> way_{};
   std::size_t first_ = 0, count_ = 0;  // the queue; its first sample is not after the playback time

@@ -1,4 +1,4 @@
-#include "felt/tools/eraser/remains.h"
+#include "felt/tools/eraser/remaining_pieces.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/testing/stroke_probe.h"
 
-namespace felt::remains_test {
+namespace felt::remaining_pieces_test {
 namespace {
 
 using testing::distance_to;
@@ -24,9 +24,9 @@ ParameterSet set_of(std::initializer_list<ParameterSet::Interval> parts) {
   return set;
 }
 
-TEST(Remains, R40_OneHoleMakesTwoStrokesThatKeepTheWidthAtTheCuts) {
+TEST(RemainingPieces, R40_OneHoleMakesTwoStrokesThatKeepTheWidthAtTheCuts) {
   const auto line = share(straight_stroke({0, 0}, {60, 0}, 1.0, 4.0));
-  Remains remains(line);
+  RemainingPieces remains(line);
   remains.cut(set_of({{0.25, 0.5}}));
   EXPECT_FALSE(remains.is_whole());
   const auto pieces = remains.pieces();
@@ -45,7 +45,7 @@ TEST(Remains, R40_OneHoleMakesTwoStrokesThatKeepTheWidthAtTheCuts) {
   }
 }
 
-TEST(Remains, R39_R40_RandomHolesLeaveTheRestAsItWas) {
+TEST(RemainingPieces, R39_R40_RandomHolesLeaveTheRestAsItWas) {
   int cuts = 0;
   for (std::uint64_t seed = 0; seed < 1500; ++seed) {
     RandomStroke make(seed);
@@ -57,7 +57,7 @@ TEST(Remains, R39_R40_RandomHolesLeaveTheRestAsItWas) {
       if (make.chance(0.2)) from = std::floor(from) + make.uniform(-1e-6, 1e-6);  // next to a joint
       erased.add({std::max(0.0, from), std::min(n, from + make.uniform(1e-7, 0.4))});
     }
-    Remains remains(stroke);
+    RemainingPieces remains(stroke);
     remains.cut(erased);
     if (remains.is_whole()) continue;
     const auto pieces = remains.pieces();
@@ -67,8 +67,8 @@ TEST(Remains, R39_R40_RandomHolesLeaveTheRestAsItWas) {
       ASSERT_TRUE(check_invariants(piece->data()));
       const double m = piece->segment_count();
       EXPECT_GE(length_of(*piece),
-                std::max(Remains::kMinPieceMm, 0.5 * piece->width_mm(0.5 * m)) * 0.5);
-      EXPECT_GE(length_of(*piece), Remains::kMinPieceMm - 0.1 - 1e-6);
+                std::max(RemainingPieces::kMinPieceMm, 0.5 * piece->width_mm(0.5 * m)) * 0.5);
+      EXPECT_GE(length_of(*piece), RemainingPieces::kMinPieceMm - 0.1 - 1e-6);
       for (double share = 0.0; share <= 1.0; share += 0.05) {
         ASSERT_LE(distance_to(*stroke, piece->position(share * m)), 1e-6) << "seed " << seed;
       }
@@ -90,13 +90,13 @@ TEST(Remains, R39_R40_RandomHolesLeaveTheRestAsItWas) {
   EXPECT_GT(cuts, 1000);
 }
 
-TEST(Remains, R40_ShortPiecesAreDropped) {
-  Remains thin(share(straight_stroke({0, 0}, {10, 0}, 0.3, 0.3)));
+TEST(RemainingPieces, R40_ShortPiecesAreDropped) {
+  RemainingPieces thin(share(straight_stroke({0, 0}, {10, 0}, 0.3, 0.3)));
   thin.cut(set_of({{0.024, 0.5}}));
   EXPECT_EQ(thin.pieces().size(), 1u) << "0.24 mm";
   thin.cut(set_of({{0.026, 0.5}}));
   EXPECT_EQ(thin.pieces().size(), 2u) << "0.26 mm";
-  Remains broad(share(straight_stroke({0, 0}, {10, 0}, 4, 4)));
+  RemainingPieces broad(share(straight_stroke({0, 0}, {10, 0}, 4, 4)));
   broad.cut(set_of({{0.19, 0.5}}));
   EXPECT_EQ(broad.pieces().size(), 1u) << "1.9 mm of 4 mm width";
   broad.cut(set_of({{0.21, 0.5}}));
@@ -106,7 +106,7 @@ TEST(Remains, R40_ShortPiecesAreDropped) {
   EXPECT_FALSE(broad.is_whole());
 }
 
-TEST(Remains, R40_NoPieceGetsASliverOfASegment) {
+TEST(RemainingPieces, R40_NoPieceGetsASliverOfASegment) {
   const auto two =
       share(Stroke::create({.points = {{0, 0}, {3, 0}, {6, 0}, {9, 0}, {12, 0}, {15, 0}, {18, 0}},
                             .joints = {JointKind::kSmooth},
@@ -114,7 +114,7 @@ TEST(Remains, R40_NoPieceGetsASliverOfASegment) {
                             .widths = {{0, 1}, {2, 2}}})
                 .value());
   for (const double t : {1e-9, 1e-4, 5e-3}) {
-    Remains remains(two);
+    RemainingPieces remains(two);
     remains.cut(set_of({{0.2, 1.0 - t}}));
     ASSERT_EQ(remains.pieces().size(), 2u);
     EXPECT_EQ(remains.pieces()[1]->segment_count(), 1);
@@ -123,7 +123,7 @@ TEST(Remains, R40_NoPieceGetsASliverOfASegment) {
     ASSERT_EQ(remains.pieces().size(), 2u);
     EXPECT_EQ(remains.pieces()[0]->segment_count(), 1);
   }
-  Remains remains(two);
+  RemainingPieces remains(two);
   remains.cut(set_of({{0.2, 0.99}}));
   EXPECT_EQ(remains.pieces()[1]->segment_count(), 2) << "0.09 mm is no sliver";
 }
@@ -137,9 +137,9 @@ Stroke ring() {
       .value();
 }
 
-TEST(Remains, AClosedStrokeIsOpenedAndItsSeamIsNoCut) {
+TEST(RemainingPieces, AClosedStrokeIsOpenedAndItsSeamIsNoCut) {
   const auto closed = share(ring());
-  Remains remains(closed);
+  RemainingPieces remains(closed);
   remains.cut(set_of({{0.4, 0.6}}));
   ASSERT_EQ(remains.pieces().size(), 1u);
   const Stroke& open = *remains.pieces()[0];
@@ -162,8 +162,8 @@ TEST(Remains, AClosedStrokeIsOpenedAndItsSeamIsNoCut) {
   EXPECT_EQ(remains.pieces()[0]->segment_count(), 2);
 }
 
-TEST(Remains, WhatDidNotChangeIsTheSameObject) {
-  Remains remains(share(straight_stroke({0, 0}, {60, 0}, 1, 1)));
+TEST(RemainingPieces, WhatDidNotChangeIsTheSameObject) {
+  RemainingPieces remains(share(straight_stroke({0, 0}, {60, 0}, 1, 1)));
   remains.cut(set_of({{0.25, 0.3}}));
   const auto before = remains.pieces();
   remains.cut(set_of({{0.25, 0.3}, {0.7, 0.8}}));
@@ -173,8 +173,8 @@ TEST(Remains, WhatDidNotChangeIsTheSameObject) {
   EXPECT_NE(before[1], after[1]);
 }
 
-TEST(Remains, AHoleOfLessThanAMicrometreIsNone) {
-  Remains remains(share(straight_stroke({0, 0}, {10, 0}, 1, 1)));
+TEST(RemainingPieces, AHoleOfLessThanAMicrometreIsNone) {
+  RemainingPieces remains(share(straight_stroke({0, 0}, {10, 0}, 1, 1)));
   remains.cut(set_of({{0.5, 0.5 + 0.9e-4}}));
   EXPECT_TRUE(remains.is_whole());
   remains.cut(set_of({{0.5, 0.5 + 1.1e-4}}));
@@ -183,4 +183,4 @@ TEST(Remains, AHoleOfLessThanAMicrometreIsNone) {
 }
 
 }  // namespace
-}  // namespace felt::remains_test
+}  // namespace felt::remaining_pieces_test

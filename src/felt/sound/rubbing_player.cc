@@ -1,4 +1,4 @@
-#include "felt/sound/rubbing_sound.h"
+#include "felt/sound/rubbing_player.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,11 +42,11 @@ RubbingPair sane(RubbingPair pair) noexcept {
 
 }  // namespace
 
-void RubbingSound::set_pair(const RubbingPair& pair) noexcept {
+void RubbingPlayer::set_pair(const RubbingPair& pair) noexcept {
   next_pair_ = sane(pair);
 }
 
-void RubbingSound::push(const RubbingSample& sample) noexcept {
+void RubbingPlayer::push(const RubbingSample& sample) noexcept {
   if (count_ > 0 && sample.time_ns <= waiting(count_ - 1).time_ns) return;
   RubbingSample next = sane(sample);
   // Touches are detected here, not during playback, because a path that continues after a pause is
@@ -55,7 +55,7 @@ void RubbingSound::push(const RubbingSample& sample) noexcept {
   const bool is_known = next.strike_mm_per_s > 0.0;
   next.strike_mm_per_s = !comes_down ? 0.0
                          : is_known  ? std::min(next.strike_mm_per_s, kFastestStrike)
-                                     : RubVoice::kUsualStrike;
+                                     : RubbingSynth::kUsualStrike;
   if (count_ == kMaxWaiting) {
     first_ = (first_ + 1) % kMaxWaiting;
     --count_;
@@ -64,24 +64,24 @@ void RubbingSound::push(const RubbingSample& sample) noexcept {
   if (count_++ == 0 && !has_started_) start_at(sample.time_ns);
 }
 
-std::int64_t RubbingSound::now_ns() const noexcept {
+std::int64_t RubbingPlayer::now_ns() const noexcept {
   return start_ns_ + ns_of(played_);
 }
 
-void RubbingSound::start_at(std::int64_t time_ns) noexcept {
+void RubbingPlayer::start_at(std::int64_t time_ns) noexcept {
   has_started_ = true;
   start_ns_ = time_ns;
   played_ = 0;
 }
 
-std::size_t RubbingSound::ready() const noexcept {
+std::size_t RubbingPlayer::ready() const noexcept {
   if (count_ == 0) return 0;
   const std::int64_t ahead_ns = waiting(count_ - 1).time_ns - start_ns_;
   const std::int64_t samples = ahead_ns / 62500 * 3 + ahead_ns % 62500 * 3 / 62500 + 1;
   return samples > played_ ? static_cast<std::size_t>(samples - played_) : 0;
 }
 
-void RubbingSound::keep_up(double behind_s) noexcept {
+void RubbingPlayer::keep_up(double behind_s) noexcept {
   if (count_ == 0) return;
   const std::int64_t newest_ns = waiting(count_ - 1).time_ns;
   const auto wanted_ns = static_cast<std::int64_t>(1e9 * std::clamp(behind_s, 0.0, kMaxBehindS));
@@ -93,7 +93,7 @@ void RubbingSound::keep_up(double behind_s) noexcept {
   if (is_free || behind_ns > kMaxNs) start_at(newest_ns - wanted_ns);
 }
 
-bool RubbingSound::find(std::int64_t now_ns) noexcept {
+bool RubbingPlayer::find(std::int64_t now_ns) noexcept {
   while (count_ > 1 && waiting(1).time_ns <= now_ns) {
     first_ = (first_ + 1) % kMaxWaiting;
     --count_;
@@ -124,7 +124,7 @@ bool RubbingSound::find(std::int64_t now_ns) noexcept {
   return true;
 }
 
-float RubbingSound::next() noexcept {
+float RubbingPlayer::next() noexcept {
   const bool has_way = !waits_ && find(now_ns());
   if (!waits_) ++played_;
   // A new pair starts once the old one is silent; until then its pen counts as lifted.
@@ -136,7 +136,7 @@ float RubbingSound::next() noexcept {
   return static_cast<float>(voice_.next(at_, is_down ? push_n_ : 0.0));
 }
 
-void RubbingSound::render(std::span<float> out) noexcept {
+void RubbingPlayer::render(std::span<float> out) noexcept {
   for (float& sample : out) sample = next();
 }
 

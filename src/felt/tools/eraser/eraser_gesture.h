@@ -12,7 +12,7 @@
 #include "felt/tools/eraser/crossing_span.h"
 #include "felt/tools/eraser/eraser_options.h"
 #include "felt/tools/eraser/ink_clearance.h"
-#include "felt/tools/eraser/remains.h"
+#include "felt/tools/eraser/remaining_pieces.h"
 #include "felt/tools/eraser/swept.h"
 #include "felt/tools/scene.h"
 
@@ -28,7 +28,7 @@ namespace felt {
 /// Work per sample: the segments near its capsule, a few cuts, and a budget of crossings. The rest
 /// is left to the next samples, or to finish(). A preview contains everything erased so far, so it
 /// is made only as often as the eye can see, and less often if it is large.
-class Erasing {
+class EraserGesture {
  public:
   /// Maximum distance at which the path of the pen counts as crossing a line. It is close to zero,
   /// and less than the tremor of a resting hand.
@@ -50,7 +50,7 @@ class Erasing {
   static constexpr std::int64_t kShowNsPerStroke = 10'000;
   static constexpr std::int64_t kShowNsAtMost = 40'000'000;
 
-  Erasing(const EraserSettings& settings, EraserMode mode) noexcept
+  EraserGesture(const EraserSettings& settings, EraserMode mode) noexcept
       : settings_(settings), mode_(mode) {}
 
   /// Begins the gesture. Returns true, like move(), if a new preview is due.
@@ -74,12 +74,12 @@ class Erasing {
     /// For a line that is erased by what the eraser covers of its ink.
     Line(StrokePtr s, double radius_mm)
         : stroke(s),
-          remains(s, Remains::Crumbs::kOfInk),
+          remains(s, RemainingPieces::Crumbs::kOfInk),
           ink(std::in_place, std::move(s), radius_mm) {}
 
     StrokePtr stroke;
     ParameterSet erased;
-    Remains remains;
+    RemainingPieces remains;
     std::optional<InkClearance> ink;
     std::optional<StrokeCrossings> crossings;
     bool waits = false;                  // is in to_cut_

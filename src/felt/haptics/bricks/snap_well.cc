@@ -1,4 +1,4 @@
-#include "felt/haptics/bricks/well.h"
+#include "felt/haptics/bricks/snap_well.h"
 
 #include <algorithm>
 
@@ -67,12 +67,12 @@ WellShape WellShape::softened(double share) const noexcept {
   return soft;
 }
 
-Wells::Wells(std::span<const Point> targets, const WellShape& shape) noexcept
+SnapWells::SnapWells(std::span<const Point> targets, const WellShape& shape) noexcept
     : shape_(shape), count_(std::min(targets.size(), kMax)) {
   std::copy_n(targets.begin(), count_, targets_.begin());
 }
 
-Force Wells::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
+Force SnapWells::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   const bool is_alone = count_ == 1;
   const double share = memory.scale.lateral;
   // Squared for the same reason as in Tether: the core has a long range.
@@ -95,7 +95,7 @@ Force Wells::operator()(const PenSample& sample, ForceMemory& memory) const noex
   return force;
 }
 
-Slopes Wells::slopes() const noexcept {
+Slopes SnapWells::slopes() const noexcept {
   double steepest = 0.0;
   for (std::size_t i = 0; i < count_; ++i) {
     double slope = shape_.core_slope_n_per_m();

@@ -9,10 +9,10 @@
 namespace felt {
 
 /// Feeds scripts to a machine.
-class ReplayRun {
+class ScriptRun {
  public:
   /// Requires that the machine outlives this.
-  ReplayRun(ReplayMachine& machine, double mm_per_unit, std::uint64_t seed);
+  ScriptRun(ReplayMachine& machine, double mm_per_unit, std::uint64_t seed);
 
   /// Announces files to be read, so that progress() includes their size.
   void expect(const std::vector<std::string>& paths);

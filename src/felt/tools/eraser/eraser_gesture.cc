@@ -1,4 +1,4 @@
-#include "felt/tools/eraser/erasing.h"
+#include "felt/tools/eraser/eraser_gesture.h"
 
 #include <algorithm>
 #include <limits>
@@ -17,7 +17,7 @@ std::optional<StrokeHit> aimed_at(Point pen, const EraserSettings& settings, con
   return hit->distance_mm < settings.radius_mm + half_width ? hit : std::nullopt;
 }
 
-bool Erasing::begin(Point pen, std::int64_t time_ns, const Scene& scene) {
+bool EraserGesture::begin(Point pen, std::int64_t time_ns, const Scene& scene) {
   pen_ = pen;
   time_ns_ = shown_ns_ = time_ns;
   if (mode_ == EraserMode::kCrossing) {
@@ -33,7 +33,7 @@ bool Erasing::begin(Point pen, std::int64_t time_ns, const Scene& scene) {
   return std::exchange(changed_, false);
 }
 
-bool Erasing::move(Point pen, std::int64_t time_ns, const Scene& scene) {
+bool EraserGesture::move(Point pen, std::int64_t time_ns, const Scene& scene) {
   const Point from = std::exchange(pen_, pen);
   if (from != pen) sweep(from, pen, scene);
   search(kCrossingBudget, scene);
@@ -45,7 +45,7 @@ bool Erasing::move(Point pen, std::int64_t time_ns, const Scene& scene) {
   return shows(time_ns);
 }
 
-bool Erasing::shows(std::int64_t time_ns) {
+bool EraserGesture::shows(std::int64_t time_ns) {
   if (!changed_) return false;
   const double many = static_cast<double>(divisions_.size());
   const double pause = std::clamp(static_cast<double>(kShowNsPerStroke) * many,
@@ -57,12 +57,12 @@ bool Erasing::shows(std::int64_t time_ns) {
   return true;
 }
 
-void Erasing::finish(const Scene& scene) {
+void EraserGesture::finish(const Scene& scene) {
   search(std::numeric_limits<int>::max(), scene);
   while (!to_cut_.empty()) cut_next(time_ns_, scene);
 }
 
-void Erasing::sweep(Point from, Point to, const Scene& scene) {
+void EraserGesture::sweep(Point from, Point to, const Scene& scene) {
   const bool crossing = mode_ == EraserMode::kCrossing;
   const Capsule capsule{from, to, crossing ? kPointMm : settings_.radius_mm,
                         settings_.include_width && !crossing, from != to && !crossing};
@@ -81,7 +81,8 @@ void Erasing::sweep(Point from, Point to, const Scene& scene) {
             });
 }
 
-void Erasing::meet_touched(StrokeId id, int segment, const Capsule& capsule, const Scene& scene) {
+void EraserGesture::meet_touched(StrokeId id, int segment, const Capsule& capsule,
+                                 const Scene& scene) {
   const auto known = lines_.find(id);
   const StrokePtr& stroke = known != lines_.end() ? known->second.stroke : looked_at(id, scene);
   covered_ = {};
@@ -96,7 +97,7 @@ void Erasing::meet_touched(StrokeId id, int segment, const Capsule& capsule, con
   if (changed) mark(id, line);
 }
 
-const StrokePtr& Erasing::looked_at(StrokeId id, const Scene& scene) {
+const StrokePtr& EraserGesture::looked_at(StrokeId id, const Scene& scene) {
   if (!looked_at_ || looked_at_id_ != id) {
     looked_at_ = scene.document.find(id);
     looked_at_id_ = id;
@@ -104,7 +105,7 @@ const StrokePtr& Erasing::looked_at(StrokeId id, const Scene& scene) {
   return looked_at_;
 }
 
-void Erasing::meet(StrokeId id, int segment, const Capsule& capsule, const Scene& scene) {
+void EraserGesture::meet(StrokeId id, int segment, const Capsule& capsule, const Scene& scene) {
   const auto known = lines_.find(id);
   const double u = segment;
   if (known != lines_.end() && known->second.erased.contains({u, u + 1.0})) return;
@@ -121,7 +122,7 @@ void Erasing::meet(StrokeId id, int segment, const Capsule& capsule, const Scene
   for (const auto& part : covered_.intervals()) pending_.push_back({id, part, SpanSearch(part)});
 }
 
-Erasing::Line& Erasing::line_of(StrokeId id, const Scene& scene) {
+EraserGesture::Line& EraserGesture::line_of(StrokeId id, const Scene& scene) {
   const auto known = lines_.find(id);
   if (known != lines_.end()) return known->second;
   const StrokePtr stroke = scene.document.find(id);
@@ -131,18 +132,18 @@ Erasing::Line& Erasing::line_of(StrokeId id, const Scene& scene) {
   return lines_.try_emplace(id, stroke).first->second;
 }
 
-void Erasing::mark(StrokeId id, Line& line) {
+void EraserGesture::mark(StrokeId id, Line& line) {
   if (!std::exchange(line.waits, true)) to_cut_.push_back(id);
 }
 
-void Erasing::erase(StrokeId id, ParameterSet::Interval part, const Scene& scene) {
+void EraserGesture::erase(StrokeId id, ParameterSet::Interval part, const Scene& scene) {
   Line& line = line_of(id, scene);
   if (line.erased.add(part)) mark(id, line);
 }
 
 /// Processes the pending touches in order until the budget is used up: finds the span between
 /// crossings around each and erases it.
-void Erasing::search(int budget, const Scene& scene) {
+void EraserGesture::search(int budget, const Scene& scene) {
   while (!pending_.empty() && budget > 0) {
     Pending& next = pending_.front();
     Line& line = line_of(next.stroke, scene);
@@ -164,7 +165,7 @@ void Erasing::search(int budget, const Scene& scene) {
   }
 }
 
-bool Erasing::Line::is_due(std::int64_t time_ns) const noexcept {
+bool EraserGesture::Line::is_due(std::int64_t time_ns) const noexcept {
   if (!cut_ns) return true;
   // In double: see move().
   const double since = static_cast<double>(time_ns) - static_cast<double>(*cut_ns);
@@ -173,7 +174,7 @@ bool Erasing::Line::is_due(std::int64_t time_ns) const noexcept {
                       static_cast<double>(kCutPauseNsPerPlace) * static_cast<double>(cut_places);
 }
 
-void Erasing::cut(int most, std::int64_t time_ns, const Scene& scene) {
+void EraserGesture::cut(int most, std::int64_t time_ns, const Scene& scene) {
   const auto waiting = std::min<std::size_t>(to_cut_.size(), kMaxWaiting);
   for (std::size_t k = 0; k < waiting && most > 0; ++k) {
     if (lines_.at(to_cut_.front()).is_due(time_ns)) {
@@ -186,7 +187,7 @@ void Erasing::cut(int most, std::int64_t time_ns, const Scene& scene) {
   }
 }
 
-void Erasing::cut_next(std::int64_t time_ns, const Scene& scene) {
+void EraserGesture::cut_next(std::int64_t time_ns, const Scene& scene) {
   const StrokeId id = to_cut_.front();
   to_cut_.pop_front();
   Line& line = lines_.at(id);

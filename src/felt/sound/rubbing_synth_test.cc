@@ -1,4 +1,4 @@
-#include "felt/sound/rub_voice.h"
+#include "felt/sound/rubbing_synth.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "felt/material/relief.h"
 #include "felt/sound/testing/rubbed.h"
 
-namespace felt::rub_voice_test {
+namespace felt::rubbing_synth_test {
 namespace {
 
 /// Returns the sound of a stroke without its touch.
@@ -48,7 +48,7 @@ double likeness(const std::vector<float>& a, const std::vector<float>& b, std::s
 }
 
 // R47: hand, eye and ear use the same height field object.
-TEST(RubVoice, R47_TheEarHasTheReliefOfHandAndEye) {
+TEST(RubbingSynth, R47_TheEarHasTheReliefOfHandAndEye) {
   for (const SurfaceMaterial& surface : surface_materials()) {
     for (const Medium& medium : media()) {
       EXPECT_EQ(rubbing_pair(surface, medium).relief, surface_grain(surface)) << surface.id;
@@ -57,7 +57,7 @@ TEST(RubVoice, R47_TheEarHasTheReliefOfHandAndEye) {
 }
 
 // A difference in the relief alone is audible.
-TEST(RubVoice, R47_AnotherReliefIsAnotherSound) {
+TEST(RubbingSynth, R47_AnotherReliefIsAnotherSound) {
   const RubbingPair canvas = pair_of("canvas", "pencil");
   RubbingPair other = canvas;
   other.relief = surface_grain(*find_surface("wood"));
@@ -66,7 +66,7 @@ TEST(RubVoice, R47_AnotherReliefIsAnotherSound) {
 
 // The threads of a canvas, 2.5 mm apart, pass 40 times a second at 100 mm/s. The loudness varies
 // with them; on a canvas made smooth it does not.
-TEST(RubVoice, R47_TheHillsOfTheReliefAreHeardAsTheyPass) {
+TEST(RubbingSynth, R47_TheHillsOfTheReliefAreHeardAsTheyPass) {
   const auto swing = [](const RubbingPair& pair) {
     const auto loud =
         loudness_of(rubbed(pair, {.mm_per_s = 100.0, .seconds = 4.0, .along = {1.0, 0.0}}));
@@ -79,10 +79,10 @@ TEST(RubVoice, R47_TheHillsOfTheReliefAreHeardAsTheyPass) {
 }
 
 // Noise by position, not by time: the same path sounds the same again.
-TEST(RubVoice, TheSameWaySoundsTheSameTwice) {
+TEST(RubbingSynth, TheSameWaySoundsTheSameTwice) {
   // The last 0.2 s of a path, after another path.
   const auto at_last = [](Point from) {
-    RubbingSound sound;
+    RubbingPlayer sound;
     sound.set_pair(pair_of("rough-paper", "pencil"));
     static_cast<void>(sound_of(sound, {.seconds = 0.1, .along = {0.0, 1.0}}));
     const auto all = sound_of(sound, {.seconds = 0.3, .from = from}, 187'654'321);
@@ -104,7 +104,7 @@ TEST(RubVoice, TheSameWaySoundsTheSameTwice) {
   EXPECT_LT(other, 0.5);
 }
 
-TEST(RubVoice, MorePushIsLouderOnEveryPair) {
+TEST(RubbingSynth, MorePushIsLouderOnEveryPair) {
   for (const SurfaceMaterial& surface : surface_materials()) {
     for (const Medium& medium : media()) {
       SCOPED_TRACE(surface.id + " " + medium.id);
@@ -131,7 +131,7 @@ std::vector<RubbingPair> pairs() {
   return all;
 }
 
-TEST(RubVoice, MoreSpeedIsLouderAndBrighterOnEveryPairThatDoesNotSqueak) {
+TEST(RubbingSynth, MoreSpeedIsLouderAndBrighterOnEveryPairThatDoesNotSqueak) {
   int number = 0;
   for (RubbingPair pair : pairs()) {
     SCOPED_TRACE(number++);
@@ -149,7 +149,7 @@ TEST(RubVoice, MoreSpeedIsLouderAndBrighterOnEveryPairThatDoesNotSqueak) {
   }
 }
 
-TEST(RubVoice, BrighterIsHigherAndLouderIsLouder) {
+TEST(RubbingSynth, BrighterIsHigherAndLouderIsLouder) {
   for (const bool of_sheet : {false, true}) {
     double last_hz = 0.0;
     for (const double bright : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -168,7 +168,7 @@ TEST(RubVoice, BrighterIsHigherAndLouderIsLouder) {
 }
 
 // Surfaces and media differ in sound: loudness and pitch together by at least 0.1 in log2.
-TEST(RubVoice, EverySheetAndEveryMediumHasItsOwnSound) {
+TEST(RubbingSynth, EverySheetAndEveryMediumHasItsOwnSound) {
   struct Heard {
     std::string name;
     double rms, hz;
@@ -201,7 +201,7 @@ double tone_of(const std::vector<float>& sound) {
   return *std::max_element(bands.begin(), bands.end()) / all;
 }
 
-TEST(RubVoice, ChalkThatIsPushedHardSqueaksOnABoardAndNotOnFelt) {
+TEST(RubbingSynth, ChalkThatIsPushedHardSqueaksOnABoardAndNotOnFelt) {
   const RubbedStroke hard{.mm_per_s = 80.0, .push_n = 1.6};
   EXPECT_GT(tone_of(rubbed(pair_of("blackboard", "chalk"), hard)), 0.5);
   EXPECT_LT(tone_of(rubbed(pair_of("felt", "chalk"), hard)), 0.35);
@@ -213,4 +213,4 @@ TEST(RubVoice, ChalkThatIsPushedHardSqueaksOnABoardAndNotOnFelt) {
 }
 
 }  // namespace
-}  // namespace felt::rub_voice_test
+}  // namespace felt::rubbing_synth_test

@@ -1,4 +1,4 @@
-#include "felt/replay/recording.h"
+#include "felt/replay/apply_recording.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "felt/sound/rub_voice.h"
+#include "felt/sound/rubbing_synth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace felt {
 namespace {
 
-constexpr double kRateHz = RubVoice::kRateHz;
+constexpr double kRateHz = RubbingSynth::kRateHz;
 // The path: smooths the steps of a sensor (0.05 mm a millisecond), but not the motion of a hand.
 constexpr double kWay = follow_share(0.003, kRateHz);
 constexpr double kStillMmPerS = 1.5,
@@ -47,11 +47,11 @@ double bent(double x) noexcept {
 
 }  // namespace
 
-RubVoice::RubVoice() noexcept {
+RubbingSynth::RubbingSynth() noexcept {
   set_pair({});
 }
 
-void RubVoice::set_pair(const RubbingPair& pair) noexcept {
+void RubbingSynth::set_pair(const RubbingPair& pair) noexcept {
   pair_ = pair;
   const bool has_relief = pair.relief != nullptr && pair.relief->max_slope() > 0.0;
   if (!has_relief) pair_.relief = nullptr;
@@ -74,14 +74,14 @@ void RubVoice::set_pair(const RubbingPair& pair) noexcept {
   level_ = kLevel * pair.loudness;
 }
 
-void RubVoice::strike(double mm_per_s) noexcept {
+void RubbingSynth::strike(double mm_per_s) noexcept {
   // A dull (soft) medium makes a softer tap.
   tap_gain_ = kTapGain * (0.25 + pair_.medium_brightness) * std::sqrt(unit(mm_per_s / kFullStrike));
   tap_left_ = static_cast<int>(kTapForceS * kRateHz);
   tap_window_ = static_cast<int>(kTapS * kRateHz);
 }
 
-void RubVoice::follow(Point at, double push_n) noexcept {
+void RubbingSynth::follow(Point at, double push_n) noexcept {
   const bool touches = push_n > 0.0;
   if (touches && !touches_ && gate_ == 0.0)
     first_ = at_ = at;  // the move through the air is not rubbing
@@ -95,7 +95,7 @@ void RubVoice::follow(Point at, double push_n) noexcept {
 }
 
 /// Updates what changes slowly: called three times a millisecond.
-void RubVoice::look() noexcept {
+void RubbingSynth::look() noexcept {
   const bool rubs = touches_ && speed_ > kStillMmPerS;
   gate_goal_ = rubs || tap_window_ > 0 ? 1.0 : 0.0;
   roughness_.set_speed(speed_, kRateHz, kControlSamples);
@@ -112,7 +112,7 @@ void RubVoice::look() noexcept {
   squeak_sin_ = plain::sin(turn);
 }
 
-double RubVoice::excitation() noexcept {
+double RubbingSynth::excitation() noexcept {
   const double moves =
       std::clamp((speed_ - kStillMmPerS) / (kMovesMmPerS - kStillMmPerS), 0.0, 1.0);
   // The relief is flatter under pressure, and less of it comes through a soft medium.
@@ -131,7 +131,7 @@ double RubVoice::excitation() noexcept {
   return kHissGain * hiss_pass_(hiss) + moves * hills;
 }
 
-double RubVoice::squeak() noexcept {
+double RubbingSynth::squeak() noexcept {
   const double size = squeak_a_ * squeak_a_ + squeak_b_ * squeak_b_;
   if (squeak_feed_ <= 0.0 && size < kInaudible * kInaudible) return squeak_a_ = squeak_b_ = 0.0;
   const double grows = 1.0 + kSqueakRate * (squeak_feed_ - size);
@@ -142,7 +142,7 @@ double RubVoice::squeak() noexcept {
   return kSqueakGain * squeak_a_;
 }
 
-double RubVoice::tap() noexcept {
+double RubbingSynth::tap() noexcept {
   if (tap_window_ > 0) --tap_window_;
   if (tap_left_ <= 0) return 0.0;
   const double all = std::floor(kTapForceS * kRateHz);
@@ -150,7 +150,7 @@ double RubVoice::tap() noexcept {
   return tap_gain_ * 4.0 * part * (1.0 - part);  // a parabola, close to a half sine
 }
 
-void RubVoice::be_silent() noexcept {
+void RubbingSynth::be_silent() noexcept {
   gate_ = squeak_a_ = squeak_b_ = 0.0;
   low_pass_.clear();
   high_pass_.clear();
@@ -158,7 +158,7 @@ void RubVoice::be_silent() noexcept {
   for (Resonator& body : bodies_) body.clear();
 }
 
-double RubVoice::next(Point at, double push_n) noexcept {
+double RubbingSynth::next(Point at, double push_n) noexcept {
   follow(at, push_n);
   if (--until_look_ <= 0) {
     until_look_ = kControlSamples;

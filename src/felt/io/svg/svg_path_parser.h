@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "felt/io/svg/svg_path.h"
+#include "felt/io/svg/svg_path_builder.h"
 
 namespace felt {
 

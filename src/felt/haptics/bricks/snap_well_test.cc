@@ -1,4 +1,4 @@
-#include "felt/haptics/bricks/well.h"
+#include "felt/haptics/bricks/snap_well.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -11,10 +11,10 @@
 #include "felt/haptics/force_model.h"
 #include "felt/haptics/testing/feel_rig.h"
 
-namespace felt::well_test {
+namespace felt::snap_well_test {
 namespace {
 
-Force pull(const Wells& wells, Point pen) {
+Force pull(const SnapWells& wells, Point pen) {
   ForceMemory memory;
   return wells(rig::pen_at({pen.x, pen.y, -1}), memory);
 }
@@ -40,7 +40,7 @@ TEST(Well, R43_IsZeroAtBothEndsAndContinuous) {
 
 TEST(Well, R43_PullsTowardsTheTarget) {
   const Point target{10, 20};
-  const Wells wells(target);
+  const SnapWells wells(target);
   EXPECT_EQ(norm(pull(wells, target)), 0.0);
   for (int i = 0; i < 24; ++i) {
     const Vec away{std::cos(kTau * i / 24), std::sin(kTau * i / 24)};
@@ -72,18 +72,18 @@ TEST(Well, R43_ThePotentialIsTheIntegralAndBounded) {
 
 TEST(Well, NoReachIsNoForce) {
   const WellShape none{.radius_mm = 0.0};
-  EXPECT_EQ(norm(pull(Wells(Point{0, 0}, none), {0, 0})), 0.0);
-  EXPECT_EQ(norm(pull(Wells(Point{0, 0}, none), {1, 0})), 0.0);
-  EXPECT_EQ(norm(pull(Wells(), {0, 0})), 0.0);
-  EXPECT_EQ(Wells().slopes(), Slopes{});
+  EXPECT_EQ(norm(pull(SnapWells(Point{0, 0}, none), {0, 0})), 0.0);
+  EXPECT_EQ(norm(pull(SnapWells(Point{0, 0}, none), {1, 0})), 0.0);
+  EXPECT_EQ(norm(pull(SnapWells(), {0, 0})), 0.0);
+  EXPECT_EQ(SnapWells().slopes(), Slopes{});
 }
 
-RC_GTEST_PROP(Wells, R43_SeveralAreContinuousPassiveAndAsStiffAsTheySay, ()) {
+RC_GTEST_PROP(SnapWells, R43_SeveralAreContinuousPassiveAndAsStiffAsTheySay, ()) {
   std::vector<Point> targets;
   for (int i = *rc::gen::inRange(1, 7); i > 0; --i) {
     targets.push_back({0.1 * *rc::gen::inRange(0, 200), 0.1 * *rc::gen::inRange(0, 200)});
   }
-  const Wells wells(targets);
+  const SnapWells wells(targets);
   const double stiffest = 1e-3 * (wells.slopes().lateral_n_per_m + 450.0 * 4);
   const double back = 1e-3 * wells.slopes().lateral_n_per_m;
   double energy = 0.0;
@@ -104,7 +104,7 @@ RC_GTEST_PROP(Wells, R43_SeveralAreContinuousPassiveAndAsStiffAsTheySay, ()) {
   }
   double potential = 0.0;
   const Point end = start + 2000.0 * way;
-  const std::size_t count = std::min(targets.size(), Wells::kMax);
+  const std::size_t count = std::min(targets.size(), SnapWells::kMax);
   for (std::size_t i = 0; i < count; ++i) {
     potential += WellShape{}.potential_mj(distance(start, targets[i])) -
                  WellShape{}.potential_mj(distance(end, targets[i]));
@@ -113,12 +113,12 @@ RC_GTEST_PROP(Wells, R43_SeveralAreContinuousPassiveAndAsStiffAsTheySay, ()) {
   RC_ASSERT(most <= 0.6 * static_cast<double>(count) + 1e-12);
 }
 
-TEST(Wells, R43_R56_ASmallerShareOfTheBudgetWidensTheCoreOfOneWell) {
+TEST(SnapWells, R43_R56_ASmallerShareOfTheBudgetWidensTheCoreOfOneWell) {
   const WellShape shape;
   const auto pulls_n = [](const WellShape& given, double mm, double share) {
     ForceMemory memory;
     memory.scale.lateral = share;
-    return -Wells(Point{0, 0}, given)(rig::pen_at({mm, 0, -1}), memory).x;
+    return -SnapWells(Point{0, 0}, given)(rig::pen_at({mm, 0, -1}), memory).x;
   };
   for (const double share : {1.0, 0.75, 0.6}) {
     const double core_mm = shape.core_mm / (share * share);
@@ -139,9 +139,9 @@ TEST(Wells, R43_R56_ASmallerShareOfTheBudgetWidensTheCoreOfOneWell) {
   EXPECT_EQ(pulls_n(none, 1.0, 0.5), 0.0);
 }
 
-TEST(Wells, TheDampingFadesWithTheRim) {
+TEST(SnapWells, TheDampingFadesWithTheRim) {
   ForceMemory memory;
-  const Wells wells(Point{0, 0});
+  const SnapWells wells(Point{0, 0});
   const auto damped = [&](double d) {
     return wells(rig::pen_at({d, 0, -1}, {0, 106, 0}), memory).y;
   };
@@ -150,7 +150,7 @@ TEST(Wells, TheDampingFadesWithTheRim) {
   EXPECT_EQ(damped(8.0), 0.0);
 }
 
-TEST(Wells, R43_AreCalmOnTheSheet) {
+TEST(SnapWells, R43_AreCalmOnTheSheet) {
   double worst = 0.0;
   for (const double period_s : {0.0002, 0.001}) {
     for (int delay = 0; delay <= 2; ++delay) {
@@ -158,7 +158,7 @@ TEST(Wells, R43_AreCalmOnTheSheet) {
         for (const double mm : {0.0, 12.0}) {
           const auto model =
               Compose(make_sheet_force(surface_materials()[0], media()[0], setup.capabilities()),
-                      Wells(Point{1, 1}));
+                      SnapWells(Point{1, 1}));
           rig::Bench bench(setup, ForceModel(model), {0, 0, 1});
           const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
           const auto target = [&](double time) -> Vec3 {
@@ -184,4 +184,4 @@ TEST(Wells, R43_AreCalmOnTheSheet) {
 }
 
 }  // namespace
-}  // namespace felt::well_test
+}  // namespace felt::snap_well_test

@@ -1,4 +1,4 @@
-#include "felt/tools/eraser/remains.h"
+#include "felt/tools/eraser/remaining_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +64,7 @@ Result<Stroke> sub_stroke_of(const Stroke& stroke, Interval part) {
 
 }  // namespace
 
-std::optional<std::vector<Interval>> Remains::gaps(const ParameterSet& erased) const {
+std::optional<std::vector<Interval>> RemainingPieces::gaps(const ParameterSet& erased) const {
   const double n = stroke_->segment_count();
   std::vector<Interval> holes;
   for (const Interval& hole : erased.intervals()) {
@@ -93,7 +93,7 @@ std::optional<std::vector<Interval>> Remains::gaps(const ParameterSet& erased) c
   return result;
 }
 
-std::shared_ptr<const Stroke> Remains::make(Interval part) const {
+std::shared_ptr<const Stroke> RemainingPieces::make(Interval part) const {
   part = without_slivers(*stroke_, part);
   const double n = stroke_->segment_count();
   const double middle = 0.5 * (part.from + part.to);
@@ -113,7 +113,7 @@ std::shared_ptr<const Stroke> Remains::make(Interval part) const {
   return std::make_shared<const Stroke>(*std::move(piece));
 }
 
-void Remains::cut(const ParameterSet& erased, std::vector<WidthKnot> widths) {
+void RemainingPieces::cut(const ParameterSet& erased, std::vector<WidthKnot> widths) {
   const auto before = std::exchange(stroke_, whole_stroke_);
   if (!widths.empty()) {
     StrokeData data = whole_stroke_->data();
@@ -142,7 +142,7 @@ void Remains::cut(const ParameterSet& erased, std::vector<WidthKnot> widths) {
   }
 }
 
-std::vector<std::shared_ptr<const Stroke>> Remains::pieces() const {
+std::vector<std::shared_ptr<const Stroke>> RemainingPieces::pieces() const {
   std::vector<std::shared_ptr<const Stroke>> kept;
   for (const Piece& p : pieces_) {
     if (p.stroke) kept.push_back(p.stroke);

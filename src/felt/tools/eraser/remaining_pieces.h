@@ -17,7 +17,7 @@ namespace felt {
 /// Pieces that are too small are dropped (Crumbs). A cut less than 0.05 mm (I5) from a joint moves
 /// to the joint, so that the piece has no segment that is too short; this erases that much more.
 /// Holes of less than a micrometre are ignored.
-class Remains {
+class RemainingPieces {
  public:
   static constexpr double kMinPieceMm = 0.25;
   /// Which pieces are too small to keep; W is the width in their middle.
@@ -27,7 +27,7 @@ class Remains {
   };
   static constexpr double kMinHoleMm = 1e-3;
 
-  explicit Remains(std::shared_ptr<const Stroke> stroke, Crumbs crumbs = Crumbs::kOfLine)
+  explicit RemainingPieces(std::shared_ptr<const Stroke> stroke, Crumbs crumbs = Crumbs::kOfLine)
       : whole_stroke_(stroke), stroke_(std::move(stroke)), crumbs_(crumbs) {}
 
   /// Cuts the stroke again; unchanged pieces keep their objects. If `widths` is not empty, it

@@ -1,4 +1,4 @@
-#include "felt/io/svg/svg_path.h"
+#include "felt/io/svg/svg_path_builder.h"
 
 #include <algorithm>
 #include <cmath>

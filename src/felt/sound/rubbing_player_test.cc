@@ -1,4 +1,4 @@
-#include "felt/sound/rubbing_sound.h"
+#include "felt/sound/rubbing_player.h"
 
 #include <gtest/gtest.h>
 
@@ -29,11 +29,11 @@ std::size_t allocations = 0;  // of this program, which has one thread
   std::free(memory);
 }
 
-namespace felt::rubbing_sound_test {
+namespace felt::rubbing_player_test {
 namespace {
 
-std::vector<float> rendered(RubbingSound& sound, double seconds) {
-  std::vector<float> samples(static_cast<std::size_t>(seconds * RubbingSound::kRateHz));
+std::vector<float> rendered(RubbingPlayer& sound, double seconds) {
+  std::vector<float> samples(static_cast<std::size_t>(seconds * RubbingPlayer::kRateHz));
   sound.render(samples);
   return samples;
 }
@@ -55,7 +55,7 @@ struct Leg {
   double mm_per_s, push_n, seconds;
 };
 std::vector<float> sound_of_legs(const RubbingPair& pair, const std::vector<Leg>& legs) {
-  RubbingSound sound;
+  RubbingPlayer sound;
   sound.set_pair(pair);
   std::vector<float> all;
   double x = 10.0;
@@ -72,8 +72,8 @@ std::vector<float> sound_of_legs(const RubbingPair& pair, const std::vector<Leg>
   return all;
 }
 
-TEST(RubbingSound, IsAsLongAsTheWay) {
-  RubbingSound sound;
+TEST(RubbingPlayer, IsAsLongAsTheWay) {
+  RubbingPlayer sound;
   EXPECT_EQ(sound.ready(), 0u);
   sound.push({5 * kMs, {}, 0.0, 0.0});
   EXPECT_EQ(sound.ready(), 1u);
@@ -83,8 +83,8 @@ TEST(RubbingSound, IsAsLongAsTheWay) {
   EXPECT_EQ(sound.ready(), 24001u);
 }
 
-TEST(RubbingSound, IsSilentInTheAirAtRestAndBeforeTheFirstSample) {
-  RubbingSound sound;
+TEST(RubbingPlayer, IsSilentInTheAirAtRestAndBeforeTheFirstSample) {
+  RubbingPlayer sound;
   sound.set_pair(pair_of("canvas", "chalk"));
   EXPECT_TRUE(is_zero(rendered(sound, 0.1)));
   EXPECT_TRUE(is_zero(sound_of_legs(pair_of("canvas", "chalk"), {{200.0, 0.0, 1.0}})));
@@ -94,22 +94,22 @@ TEST(RubbingSound, IsSilentInTheAirAtRestAndBeforeTheFirstSample) {
   EXPECT_TRUE(is_zero(after(stands, 0.15)));
 }
 
-TEST(RubbingSound, IsSilent50MsAfterThePenIsLiftedOrStandsOnEveryPair) {
+TEST(RubbingPlayer, IsSilent50MsAfterThePenIsLiftedOrStandsOnEveryPair) {
   for (const SurfaceMaterial& surface : surface_materials()) {
     for (const Medium& medium : media()) {
       SCOPED_TRACE(surface.id + " " + medium.id);
       for (const Leg& end : {Leg{300.0, 0.0, 0.3}, Leg{0.0, 1.5, 0.3}}) {
         const auto all = sound_of_legs(rubbing_pair(surface, medium), {{300.0, 1.5, 0.2}, end});
         EXPECT_GT(rms_of(all), 1e-4);
-        EXPECT_TRUE(is_zero(after(all, 0.2 + RubVoice::kSilentAfterS)));
+        EXPECT_TRUE(is_zero(after(all, 0.2 + RubbingSynth::kSilentAfterS)));
       }
     }
   }
 }
 
 /// A jump of the device must not sound like very fast rubbing.
-TEST(RubbingSound, ALeapIsNoSound) {
-  RubbingSound sound;
+TEST(RubbingPlayer, ALeapIsNoSound) {
+  RubbingPlayer sound;
   sound.set_pair(pair_of("canvas", "chalk"));
   for (int i = 0; i < 100; ++i) sound.push({i * kMs, {i < 50 ? 10.0 : 90.0, 5.0}, 1.0, 0.0});
   std::vector<float> all(sound.ready());
@@ -119,7 +119,7 @@ TEST(RubbingSound, ALeapIsNoSound) {
 }
 
 // A click is a step that is larger than any in the steady sound.
-TEST(RubbingSound, BeginningAndEndingAddNoLeap) {
+TEST(RubbingPlayer, BeginningAndEndingAddNoLeap) {
   for (const char* medium : {"pencil", "chalk", "eraser"}) {
     SCOPED_TRACE(medium);
     const RubbingPair pair = pair_of("blackboard", medium);
@@ -133,7 +133,7 @@ TEST(RubbingSound, BeginningAndEndingAddNoLeap) {
 }
 
 // A touch is audible, but no louder than rubbing.
-TEST(RubbingSound, ATouchIsModest) {
+TEST(RubbingPlayer, ATouchIsModest) {
   for (const char* medium : {"pencil", "chalk", "brush-pen"}) {
     const RubbingPair pair = pair_of("paper", medium);
     const auto peak = [](const std::vector<float>& sound) {
@@ -141,7 +141,7 @@ TEST(RubbingSound, ATouchIsModest) {
       for (const float s : sound) most = std::max(most, std::fabs(s));
       return most;
     };
-    RubbingSound sound;
+    RubbingPlayer sound;
     sound.set_pair(pair);
     sound.push({0, {}, 0.0, 0.0});
     sound.push({10 * kMs, {}, 1.0, 150.0});
@@ -152,15 +152,15 @@ TEST(RubbingSound, ATouchIsModest) {
   }
 }
 
-TEST(RubbingSound, TheSameCallsGiveTheSameSamples) {
+TEST(RubbingPlayer, TheSameCallsGiveTheSameSamples) {
   const std::vector<Leg> legs{
       {80.0, 0.4, 0.2}, {300.0, 1.2, 0.2}, {50.0, 0.0, 0.1}, {9.0, 2.0, 0.2}};
   const auto once = sound_of_legs(pair_of("wood", "felt-tip"), legs);
   EXPECT_EQ(once, sound_of_legs(pair_of("wood", "felt-tip"), legs));
   EXPECT_NE(once, sound_of_legs(pair_of("wood", "pencil"), legs));
   // The size of the blocks does not matter.
-  RubbingSound whole, pieces;
-  for (RubbingSound* sound : {&whole, &pieces}) {
+  RubbingPlayer whole, pieces;
+  for (RubbingPlayer* sound : {&whole, &pieces}) {
     sound->set_pair(pair_of("wood", "felt-tip"));
     for (int i = 0; i < 200; ++i) sound->push({i * kMs, {0.2 * i, 0.0}, 0.7, 0.0});
   }
@@ -176,8 +176,8 @@ TEST(RubbingSound, TheSameCallsGiveTheSameSamples) {
 }
 
 // The tool changes in the middle of a stroke: the old sound fades out, then the new one begins.
-TEST(RubbingSound, AnotherPairComesWithoutAClick) {
-  RubbingSound sound;
+TEST(RubbingPlayer, AnotherPairComesWithoutAClick) {
+  RubbingPlayer sound;
   sound.set_pair(pair_of("paper", "pencil"));
   auto all = sound_of(sound, {.seconds = 0.5});
   const float steady =
@@ -203,11 +203,11 @@ double any_number(std::mt19937& random) {
   return odd[random() % std::size(odd)];
 }
 
-TEST(RubbingSound, WhateverIsToldItIsBoundedAndFiniteAndNormal) {
+TEST(RubbingPlayer, WhateverIsToldItIsBoundedAndFiniteAndNormal) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
-    RubbingSound sound;
+    RubbingPlayer sound;
     std::int64_t time_ns = 0;
     for (int i = 0; i < 1500; ++i) {
       if (random() % 100 == 0) {
@@ -239,8 +239,8 @@ TEST(RubbingSound, WhateverIsToldItIsBoundedAndFiniteAndNormal) {
   }
 }
 
-TEST(RubbingSound, RealTimeTakesNoMemory) {
-  RubbingSound sound;
+TEST(RubbingPlayer, RealTimeTakesNoMemory) {
+  RubbingPlayer sound;
   const RubbingPair pencil = pair_of("canvas", "pencil"), chalk = pair_of("blackboard", "chalk");
   std::vector<float> block(256);
   const std::size_t before = allocations;
@@ -255,7 +255,7 @@ TEST(RubbingSound, RealTimeTakesNoMemory) {
 
 /// A loudspeaker that needs 10 ms at a time, and a path that arrives every 8 ms.
 struct Loudspeaker {
-  RubbingSound sound;
+  RubbingPlayer sound;
   std::int64_t pen_ns = 0;
   std::vector<float> heard;
   void pen(int ms) {
@@ -270,7 +270,7 @@ struct Loudspeaker {
   }
 };
 
-TEST(RubbingSound, InTimeItStaysWithThePen) {
+TEST(RubbingPlayer, InTimeItStaysWithThePen) {
   Loudspeaker loudspeaker;
   loudspeaker.sound.set_pair(pair_of("paper", "pencil"));
   for (int i = 0; i < 100; ++i) {
@@ -295,4 +295,4 @@ TEST(RubbingSound, InTimeItStaysWithThePen) {
 }
 
 }  // namespace
-}  // namespace felt::rubbing_sound_test
+}  // namespace felt::rubbing_player_test

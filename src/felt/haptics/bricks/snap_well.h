@@ -55,16 +55,16 @@ struct WellShape {
 /// (WellShape::softened) and its damping by s, so that it attracts with Fp on slow loops too.
 /// Several wells are scaled as a whole and attract less, because a wider core does not bound the
 /// sum of overlapping wells.
-class Wells {
+class SnapWells {
  public:
   static constexpr std::size_t kMax = 4;
 
   /// Makes wells at the first kMax targets; ignores the others.
-  Wells(std::span<const Point> targets, const WellShape& shape = {}) noexcept;
-  explicit Wells(Point target, const WellShape& shape = {}) noexcept
-      : Wells(std::span<const Point>(&target, 1), shape) {}
+  SnapWells(std::span<const Point> targets, const WellShape& shape = {}) noexcept;
+  explicit SnapWells(Point target, const WellShape& shape = {}) noexcept
+      : SnapWells(std::span<const Point>(&target, 1), shape) {}
   /// Makes wells without a target and without force.
-  Wells() noexcept = default;
+  SnapWells() noexcept = default;
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;
   /// Where wells overlap, slopes add: the slope of the nearest core, and F/d of the others.

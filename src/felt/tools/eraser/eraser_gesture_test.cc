@@ -1,4 +1,4 @@
-#include "felt/tools/eraser/erasing.h"
+#include "felt/tools/eraser/eraser_gesture.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "felt/tools/testing/desk.h"
 
-namespace felt::erasing_test {
+namespace felt::eraser_gesture_test {
 namespace {
 
 using testing::Desk;
@@ -24,10 +24,10 @@ Stroke zigzag(int legs) {
   return Stroke::create(std::move(data)).value();
 }
 
-TEST(Erasing, R39_RubbingOutOneLongLineCostsNoMoreASampleAsItGoesOn) {
+TEST(EraserGesture, R39_RubbingOutOneLongLineCostsNoMoreASampleAsItGoesOn) {
   Desk desk;
   const StrokeId line = desk.add(zigzag(100));
-  Erasing erasing({}, EraserMode::kTouched);
+  EraserGesture erasing({}, EraserMode::kTouched);
   std::int64_t now = 0;
   erasing.begin({25, -3}, now, desk.scene());
   // Three times back and forth on each strip of 3 mm, 250 mm/s.
@@ -49,10 +49,10 @@ TEST(Erasing, R39_RubbingOutOneLongLineCostsNoMoreASampleAsItGoesOn) {
   EXPECT_FALSE(after.find(line));
 }
 
-TEST(Erasing, AShortLineIsCutAsOftenAsItIsShown) {
+TEST(EraserGesture, AShortLineIsCutAsOftenAsItIsShown) {
   Desk desk;
   desk.add(testing::straight_stroke({0, 0}, {60, 0}, 1, 1));
-  Erasing erasing({}, EraserMode::kTouched);
+  EraserGesture erasing({}, EraserMode::kTouched);
   erasing.begin({10, 0}, 0, desk.scene());
   int shown = 0;
   for (int i = 1; i <= 400; ++i) {
@@ -62,4 +62,4 @@ TEST(Erasing, AShortLineIsCutAsOftenAsItIsShown) {
 }
 
 }  // namespace
-}  // namespace felt::erasing_test
+}  // namespace felt::eraser_gesture_test

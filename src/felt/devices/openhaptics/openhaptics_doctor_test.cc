@@ -1,4 +1,4 @@
-#include "felt/devices/openhaptics/openhaptics_diagnosis.h"
+#include "felt/devices/openhaptics/openhaptics_doctor.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include "felt/devices/openhaptics/openhaptics_driver.h"
 #include "felt/driver/testing/fake_system.h"
 
-namespace felt::openhaptics_diagnosis_test {
+namespace felt::openhaptics_doctor_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -197,4 +197,4 @@ TEST(OpenHapticsDiagnosis, NothingIsPluggedInOrItIsSwitchedOff) {
 }
 
 }  // namespace
-}  // namespace felt::openhaptics_diagnosis_test
+}  // namespace felt::openhaptics_doctor_test

@@ -1,14 +1,14 @@
-#include "felt/replay/replay_run.h"
+#include "felt/replay/script_run.h"
 
 #include <algorithm>
 #include <filesystem>
 
 namespace felt {
 
-ReplayRun::ReplayRun(ReplayMachine& machine, double mm_per_unit, std::uint64_t seed)
+ScriptRun::ScriptRun(ReplayMachine& machine, double mm_per_unit, std::uint64_t seed)
     : machine_(machine), feed_({.mm_per_unit = mm_per_unit, .hand = {}, .seed = seed}, sink()) {}
 
-FeedSink ReplayRun::sink() {
+FeedSink ScriptRun::sink() {
   return {
       .event = [this](const Event& event) -> Result<void> {
         const auto* import = std::get_if<ImportEvent>(&event.what);
@@ -26,7 +26,7 @@ FeedSink ReplayRun::sink() {
   };
 }
 
-Result<void> ReplayRun::script(const std::string& name, const std::string& folder, ReadBytes read) {
+Result<void> ScriptRun::script(const std::string& name, const std::string& folder, ReadBytes read) {
   name_ = name;
   folder_ = folder;
   return feed_.read(name, [this, read = std::move(read)](std::span<char> into) {
@@ -36,7 +36,7 @@ Result<void> ReplayRun::script(const std::string& name, const std::string& folde
   });
 }
 
-void ReplayRun::expect(const std::vector<std::string>& paths) {
+void ScriptRun::expect(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     std::error_code error;
     const auto bytes = std::filesystem::file_size(path, error);
@@ -44,12 +44,12 @@ void ReplayRun::expect(const std::vector<std::string>& paths) {
   }
 }
 
-double ReplayRun::progress(double part) const noexcept {
+double ScriptRun::progress(double part) const noexcept {
   const double done = played_bytes_ + part * (read_bytes_ - played_bytes_);
   return std::clamp(done / std::max({expected_bytes_, read_bytes_, 1.0}), 0.0, 1.0);
 }
 
-Result<void> ReplayRun::play() {
+Result<void> ScriptRun::play() {
   if (Result<void> rested = feed_.rest(); !rested) return rested;
   if (Result<void> played = machine_.play(); !played) {
     return tl::unexpected(with_context(played.error(), name_));
