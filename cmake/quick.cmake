@@ -2,7 +2,7 @@
 # of a library, a program or a test compile as one (FELT_UNITY_SOURCES), and test code (not what it tests) is
 # optimised less and carries no debug information. Without it every file is compiled alone, as clang-tidy needs it,
 # and whatever is forgotten to be included shows. More sources at a time build sooner from nothing (the
-# release preset) and later after a change.
+# presets release and asan) and later after a change.
 set(FELT_UNITY_SOURCES 8 CACHE STRING "Sources that compile as one with FELT_QUICK_BUILD")
 set(felt_std_headers <algorithm> <array> <chrono> <cmath> <cstdint> <functional> <limits> <map>
   <memory> <mutex> <optional> <random> <set> <span> <string> <string_view> <utility> <variant>
@@ -79,7 +79,7 @@ function(felt_quick_test target is_desktop)
     return()
   endif()
   target_compile_options(${target} PRIVATE ${felt_quick_test_options})
-  felt_unity(${target} 8)
+  felt_unity(${target} ${FELT_UNITY_SOURCES})
   if(is_desktop)
     felt_quick_headers(felt_quick_desktop_test EXECUTABLE
       HEADERS ${felt_std_headers} ${felt_test_headers} ${felt_qt_headers}

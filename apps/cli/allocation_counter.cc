@@ -14,25 +14,25 @@
 namespace felt::cli {
 namespace {
 
-thread_local std::int64_t allocations = 0;
+thread_local std::int64_t allocation_count = 0;
 
 }  // namespace
 
 std::int64_t thread_allocations() noexcept {
-  return allocations;
+  return allocation_count;
 }
 
 #ifndef FELT_SANITIZED
 namespace {
 
 void* allocate(std::size_t size) {
-  ++allocations;
+  ++allocation_count;
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
 
 void* allocate_aligned(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
+  ++allocation_count;
   const auto align = static_cast<std::size_t>(alignment);
   if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
   throw std::bad_alloc();

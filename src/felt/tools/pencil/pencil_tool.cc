@@ -12,8 +12,6 @@
 namespace felt {
 namespace {
 
-using Row = PencilOption::Row;
-
 constexpr std::array<ToolUse, 1> kPencilUses = {
     {{.hint = "Draw; press harder for a broader line. End on a line’s end to join it.",
       .size = "max_width_mm",
@@ -35,8 +33,8 @@ constexpr ToolInfo kPencilInfo{
 
 /// Returns the width that a mouse draws, 0 (thinnest) to 1 (broadest).
 double share_of_mouse(const OptionValues& options) {
-  const double gamma = std::max(0.1, options.number(Row::kGamma));
-  return std::pow(std::clamp(options.number(Row::kMousePressure), 0.0, 1.0), gamma);
+  const double gamma = std::max(0.1, options.number(PencilOption::Row::kGamma));
+  return std::pow(std::clamp(options.number(PencilOption::Row::kMousePressure), 0.0, 1.0), gamma);
 }
 
 }  // namespace
@@ -182,10 +180,10 @@ void PencilTool::draw(Overlay& overlay) const {
 }
 
 std::optional<ToolSize> PencilTool::size() const {
-  const double thin = options().number(Row::kMinWidth);
-  const double broad = std::max(thin, options().number(Row::kMaxWidth));
+  const double thin = options().number(PencilOption::Row::kMinWidth);
+  const double broad = std::max(thin, options().number(PencilOption::Row::kMaxWidth));
   const double mm = thin + (broad - thin) * share_of_mouse(options());
-  const OptionSpec& spec = kPencilOptions[Row::kMaxWidth];
+  const OptionSpec& spec = kPencilOptions[PencilOption::Row::kMaxWidth];
   // Half of the range, so that the broadest line can scale with it. Options may be set beyond it.
   return ToolSize{mm, std::min(spec.min, mm), std::max(0.5 * spec.max, mm)};
 }
@@ -193,13 +191,14 @@ std::optional<ToolSize> PencilTool::size() const {
 std::vector<std::pair<std::string_view, double>> PencilTool::options_for_size(double mm) const {
   const std::optional<ToolSize> now = size();
   const double wanted = std::clamp(mm, now->min_mm, now->max_mm);
-  const OptionSpec& least = kPencilOptions[Row::kMinWidth];
-  const OptionSpec& most = kPencilOptions[Row::kMaxWidth];
+  const OptionSpec& least = kPencilOptions[PencilOption::Row::kMinWidth];
+  const OptionSpec& most = kPencilOptions[PencilOption::Row::kMaxWidth];
   const double share = share_of_mouse(options());
-  const double thin = std::clamp(options().number(Row::kMinWidth) * wanted / now->mm, least.min,
-                                 std::min(wanted, least.max));
-  const double broad = share > 0.0 ? thin + (wanted - thin) / share
-                                   : options().number(Row::kMaxWidth) * wanted / now->mm;
+  const double thin = std::clamp(options().number(PencilOption::Row::kMinWidth) * wanted / now->mm,
+                                 least.min, std::min(wanted, least.max));
+  const double broad = share > 0.0
+                           ? thin + (wanted - thin) / share
+                           : options().number(PencilOption::Row::kMaxWidth) * wanted / now->mm;
   return {{least.id, thin}, {most.id, std::clamp(broad, std::max(thin, most.min), most.max)}};
 }
 
