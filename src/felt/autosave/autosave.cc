@@ -279,10 +279,20 @@ void Autosave::apply(AutosaveMessage& message) {
   }
 }
 
-/// Starts to save another drawing. The previous database is removed when the base of the next one
-/// is complete. If the base of the previous database is not complete and an older database exists,
-/// the previous one is removed immediately, because it is useless and repeated attempts must not
-/// fill the disk.
+/// Closes the database in use. It is removed when the base of the next one is complete. If its own
+/// base is not complete and an older database exists, it is removed immediately, because it is
+/// useless and repeated attempts must not fill the disk.
+void Autosave::retire_database() {
+  if (!database_) return;
+  AutosaveDatabase database = *std::exchange(database_, {});
+  if (database.base_in_progress() && !old_.empty()) {
+    static_cast<void>(std::move(database).remove());
+  } else {
+    old_.push_back(std::move(database));
+  }
+}
+
+/// Starts to save another drawing.
 void Autosave::replace_drawing(Drawing drawing) {
   drawing_ = std::move(drawing);
   info_ = {};

@@ -1,6 +1,8 @@
 // The autosave on disks that stall, fail and are full.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <thread>
 
 #include "felt/autosave/autosave.h"
