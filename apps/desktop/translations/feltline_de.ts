@@ -5139,10 +5139,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Colour of the sheet; a page of another keeps its own.</source>
-        <translation>Farbe des Untergrunds; eine Seite mit anderer Farbe behält ihre.</translation>
-    </message>
-    <message>
         <source>Crumbs</source>
         <translation>Krümel</translation>
     </message>
@@ -5249,14 +5245,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>How much it swallows of a push.</source>
         <translation>Wie viel es von einem Druck schluckt.</translation>
-    </message>
-    <message>
-        <source>How much of the sheet&apos;s relief is seen; 0 for what is wet.</source>
-        <translation>Wie viel vom Relief des Untergrunds zu sehen ist; 0 für Nasses.</translation>
-    </message>
-    <message>
-        <source>How much of the sheet&apos;s relief the hand feels through it.</source>
-        <translation>Wie viel vom Relief des Untergrunds die Hand dadurch fühlt.</translation>
     </message>
     <message>
         <source>How readily stick and slip sing.</source>
@@ -5561,6 +5549,18 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Drag one end onto another: they snap together and become one line.</source>
         <translation>Ziehen Sie ein Ende auf ein anderes: Sie rasten ein und werden eine Linie.</translation>
+    </message>
+    <message>
+        <source>Colour of the surface. A page with another colour keeps it.</source>
+        <translation>Farbe des Untergrunds. Eine Seite mit einer anderen Farbe behält ihre eigene.</translation>
+    </message>
+    <message>
+        <source>How much of the surface&apos;s relief shows in the ink; 0 for wet ink.</source>
+        <translation>Wie viel vom Relief des Untergrunds in der Tinte zu sehen ist; 0 bei nasser Tinte.</translation>
+    </message>
+    <message>
+        <source>How much of the surface&apos;s relief the hand feels through it.</source>
+        <translation>Wie viel vom Relief des Untergrunds die Hand hindurch spürt.</translation>
     </message>
 </context>
 </TS>

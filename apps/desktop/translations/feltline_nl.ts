@@ -5139,10 +5139,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Kleur</translation>
     </message>
     <message>
-        <source>Colour of the sheet; a page of another keeps its own.</source>
-        <translation>Kleur van de ondergrond; een pagina met een andere kleur behoudt die.</translation>
-    </message>
-    <message>
         <source>Crumbs</source>
         <translation>Kruimels</translation>
     </message>
@@ -5249,14 +5245,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>How much it swallows of a push.</source>
         <translation>Hoeveel het van een duw opslokt.</translation>
-    </message>
-    <message>
-        <source>How much of the sheet&apos;s relief is seen; 0 for what is wet.</source>
-        <translation>Hoeveel van het reliëf van de ondergrond te zien is; 0 voor wat nat is.</translation>
-    </message>
-    <message>
-        <source>How much of the sheet&apos;s relief the hand feels through it.</source>
-        <translation>Hoeveel van het reliëf van de ondergrond de hand erdoor voelt.</translation>
     </message>
     <message>
         <source>How readily stick and slip sing.</source>
@@ -5561,6 +5549,18 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Drag one end onto another: they snap together and become one line.</source>
         <translation>Sleep een eind op een ander: ze klikken vast en worden één lijn.</translation>
+    </message>
+    <message>
+        <source>Colour of the surface. A page with another colour keeps it.</source>
+        <translation>Kleur van de ondergrond. Een pagina met een andere kleur behoudt die.</translation>
+    </message>
+    <message>
+        <source>How much of the surface&apos;s relief shows in the ink; 0 for wet ink.</source>
+        <translation>Hoeveel van het reliëf van de ondergrond in de inkt te zien is; 0 voor natte inkt.</translation>
+    </message>
+    <message>
+        <source>How much of the surface&apos;s relief the hand feels through it.</source>
+        <translation>Hoeveel van het reliëf van de ondergrond de hand erdoorheen voelt.</translation>
     </message>
 </context>
 </TS>
