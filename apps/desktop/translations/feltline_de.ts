@@ -5111,12 +5111,12 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Holz</translation>
     </message>
     <message>
-        <source>Above 1 a light hand stays pale for longer, below 1 it darkens sooner.</source>
-        <translation>Über 1 bleibt leichter Druck länger blass, unter 1 wird er früher dunkel.</translation>
+        <source>Above 1, light pressure stays pale for longer; below 1, lines darken sooner.</source>
+        <translation>Über 1 bleiben Linien bei leichtem Druck länger blass, unter 1 werden sie früher dunkel.</translation>
     </message>
     <message>
-        <source>Another one makes another relief of its kind.</source>
-        <translation>Ein anderer macht ein anderes Relief dieser Art.</translation>
+        <source>Another number gives another relief of the same character.</source>
+        <translation>Eine andere Zahl ergibt ein anderes Relief derselben Art.</translation>
     </message>
     <message>
         <source>Brightness of the sound</source>
@@ -5127,12 +5127,12 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Art der Körnung</translation>
     </message>
     <message>
-        <source>Coefficient of friction of the pencil on it.</source>
-        <translation>Reibungszahl des Bleistifts darauf.</translation>
+        <source>Coefficient of friction of a pencil on this surface.</source>
+        <translation>Reibungszahl eines Bleistifts auf diesem Untergrund.</translation>
     </message>
     <message>
-        <source>Coefficient of friction on paper; pairs may say otherwise.</source>
-        <translation>Reibungszahl auf Papier; Paare können es anders sagen.</translation>
+        <source>Coefficient of friction on paper, unless a pair sets another.</source>
+        <translation>Reibungszahl auf Papier, sofern kein Paar eine andere festlegt.</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -5147,8 +5147,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Dämpfung</translation>
     </message>
     <message>
-        <source>Damping of that.</source>
-        <translation>Dämpfung davon.</translation>
+        <source>Damping while the tip sticks.</source>
+        <translation>Dämpfung, während die Spitze haftet.</translation>
     </message>
     <message>
         <source>Damping of the hold</source>
@@ -5183,8 +5183,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Von dumpf bis hell.</translation>
     </message>
     <message>
-        <source>From hill to hill; a relief of one&apos;s own is 32 of it wide.</source>
-        <translation>Von Hügel zu Hügel; ein eigenes Relief ist 32 davon breit.</translation>
+        <source>Grain wavelength. A custom relief spans 32 wavelengths.</source>
+        <translation>Wellenlänge der Körnung. Ein eigenes Relief ist 32 Wellenlängen breit.</translation>
     </message>
     <message>
         <source>Grain in the eye</source>
@@ -5195,8 +5195,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Körnung in der Hand</translation>
     </message>
     <message>
-        <source>Half of the width of the edge of a grain.</source>
-        <translation>Halbe Breite der Kante eines Korns.</translation>
+        <source>Half the width of the edges in the grain.</source>
+        <translation>Halbe Breite der Kanten in der Körnung.</translation>
     </message>
     <message>
         <source>Hardness</source>
@@ -5211,72 +5211,72 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Haften</translation>
     </message>
     <message>
-        <source>How far a line falls apart into hairs along its way.</source>
-        <translation>Wie weit eine Linie längs in Haare zerfällt.</translation>
+        <source>Amount of dry-brush streaking.</source>
+        <translation>Stärke der Streifen wie von einem trockenen Pinsel.</translation>
     </message>
     <message>
-        <source>How far the rim of the line is soft, in shares of its radius.</source>
-        <translation>Wie weit der Rand der Linie weich ist, in Teilen ihres Radius.</translation>
+        <source>Width of the soft edge of a line, as a share of its radius.</source>
+        <translation>Breite des weichen Rands einer Linie, als Anteil ihres Radius.</translation>
     </message>
     <message>
-        <source>How hard it pushes back, where the device bears as much.</source>
-        <translation>Wie fest es zurückdrückt, soweit das Gerät so viel verträgt.</translation>
+        <source>How hard the surface pushes back, if the device allows it.</source>
+        <translation>Wie stark der Untergrund zurückdrückt, soweit das Gerät es erlaubt.</translation>
     </message>
     <message>
-        <source>How loud a pen is on it; 0 is silent.</source>
-        <translation>Wie laut ein Stift darauf ist; 0 ist still.</translation>
+        <source>How loud a pen is on this surface; 0 is silent.</source>
+        <translation>Wie laut ein Stift auf diesem Untergrund ist; 0 ist still.</translation>
     </message>
     <message>
-        <source>How loud it rubs; 0 is silent.</source>
-        <translation>Wie laut es reibt; 0 ist still.</translation>
+        <source>How loud the medium rubs; 0 is silent.</source>
+        <translation>Wie laut das Medium reibt; 0 ist still.</translation>
     </message>
     <message>
-        <source>How much at full pressure.</source>
-        <translation>Wie viel bei vollem Druck.</translation>
+        <source>How much of the medium is laid on at full pressure.</source>
+        <translation>Wie viel vom Medium bei vollem Druck aufgetragen wird.</translation>
     </message>
     <message>
-        <source>How much darker a wet line dries at its rim.</source>
+        <source>How much darker a wet line dries at its edge.</source>
         <translation>Wie viel dunkler eine nasse Linie am Rand trocknet.</translation>
     </message>
     <message>
-        <source>How much is laid on without pressure.</source>
-        <translation>Wie viel ohne Druck aufgetragen wird.</translation>
+        <source>How much of the medium is laid on without pressure.</source>
+        <translation>Wie viel vom Medium ohne Druck aufgetragen wird.</translation>
     </message>
     <message>
-        <source>How much it swallows of a push.</source>
-        <translation>Wie viel es von einem Druck schluckt.</translation>
+        <source>How much of the pen&apos;s motion into the surface is damped.</source>
+        <translation>Wie stark die Bewegung des Stifts in den Untergrund gedämpft wird.</translation>
     </message>
     <message>
-        <source>How readily stick and slip sing.</source>
-        <translation>Wie leicht Haften und Gleiten singen.</translation>
+        <source>How easily the tip squeaks by sticking and slipping.</source>
+        <translation>Wie leicht die Spitze durch Haften und Gleiten quietscht.</translation>
     </message>
     <message>
-        <source>How stiffly it holds before it slides.</source>
-        <translation>Wie steif es haftet, bevor es gleitet.</translation>
+        <source>How stiffly the tip sticks before it slides.</source>
+        <translation>Wie steif die Spitze haftet, bevor sie gleitet.</translation>
     </message>
     <message>
-        <source>In tones of an upright one.</source>
-        <translation>In Tönen eines aufrechten.</translation>
+        <source>As a share of the tone of an upright pen.</source>
+        <translation>Als Anteil des Tons bei aufrechtem Stift.</translation>
     </message>
     <message>
-        <source>In widths of an upright one.</source>
-        <translation>In Breiten eines aufrechten.</translation>
+        <source>As a multiple of the width of an upright pen.</source>
+        <translation>Als Vielfaches der Breite bei aufrechtem Stift.</translation>
     </message>
     <message>
-        <source>Its usual colour.</source>
-        <translation>Seine übliche Farbe.</translation>
+        <source>Default colour of this medium.</source>
+        <translation>Standardfarbe dieses Mediums.</translation>
     </message>
     <message>
         <source>Loudness</source>
         <translation>Lautstärke</translation>
     </message>
     <message>
-        <source>Of what is inked, at tone 0.</source>
-        <translation>Dessen, was eingefärbt ist, bei Ton 0.</translation>
+        <source>Opacity of the inked parts at tone 0.</source>
+        <translation>Deckkraft der eingefärbten Stellen bei Ton 0.</translation>
     </message>
     <message>
-        <source>Of what is inked, at tone 1.</source>
-        <translation>Dessen, was eingefärbt ist, bei Ton 1.</translation>
+        <source>Opacity of the inked parts at tone 1.</source>
+        <translation>Deckkraft der eingefärbten Stellen bei Ton 1.</translation>
     </message>
     <message>
         <source>Opacity, heavy</source>
@@ -5295,20 +5295,20 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Druckkurve der Breite</translation>
     </message>
     <message>
-        <source>Root mean square of its heights; 0 is smooth.</source>
-        <translation>Effektivwert ihrer Höhen; 0 ist glatt.</translation>
+        <source>Root mean square of the heights; 0 is smooth.</source>
+        <translation>Effektivwert der Höhen; 0 ist glatt.</translation>
     </message>
     <message>
         <source>Seed of the grain</source>
         <translation>Startwert der Körnung</translation>
     </message>
     <message>
-        <source>Share of its own coarseness: dust and crumbs.</source>
-        <translation>Anteil der eigenen Grobheit: Staub und Krümel.</translation>
+        <source>Share of the medium&apos;s own grain: dust and crumbs.</source>
+        <translation>Anteil der eigenen Körnung des Mediums: Staub und Krümel.</translation>
     </message>
     <message>
-        <source>Share of the relief that a firm push flattens, for hand and eye.</source>
-        <translation>Anteil des Reliefs, den ein fester Druck einebnet, für Hand und Auge.</translation>
+        <source>Share of the relief that firm pressure flattens, felt and seen.</source>
+        <translation>Anteil des Reliefs, den kräftiger Druck einebnet, gefühlt und gesehen.</translation>
     </message>
     <message>
         <source>Size of the crumbs</source>
@@ -5331,40 +5331,40 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Streifen</translation>
     </message>
     <message>
-        <source>The same at tone 1.</source>
-        <translation>Dasselbe bei Ton 1.</translation>
+        <source>Parts of the relief below this height stay bare at tone 1.</source>
+        <translation>Teile des Reliefs unter dieser Höhe bleiben bei Ton 1 frei.</translation>
     </message>
     <message>
-        <source>Their wavelength.</source>
-        <translation>Ihre Wellenlänge.</translation>
+        <source>Wavelength of the crumbs.</source>
+        <translation>Wellenlänge der Krümel.</translation>
     </message>
     <message>
-        <source>Tone of a heavy hand</source>
-        <translation>Ton einer kräftigen Hand</translation>
+        <source>Tone at full pressure</source>
+        <translation>Ton bei vollem Druck</translation>
     </message>
     <message>
-        <source>Tone of a leaning pen</source>
-        <translation>Ton eines geneigten Stifts</translation>
+        <source>Tone when tilted</source>
+        <translation>Ton bei geneigtem Stift</translation>
     </message>
     <message>
-        <source>Tone of a light hand</source>
-        <translation>Ton einer leichten Hand</translation>
+        <source>Tone at light pressure</source>
+        <translation>Ton bei leichtem Druck</translation>
     </message>
     <message>
         <source>Wear of the grain</source>
         <translation>Abrieb der Körnung</translation>
     </message>
     <message>
-        <source>What lies below so many heights of the grain stays bare, at tone 0.</source>
-        <translation>Was unter so vielen Höhen der Körnung liegt, bleibt frei, bei Ton 0.</translation>
+        <source>Parts of the relief below this height stay bare at tone 0.</source>
+        <translation>Teile des Reliefs unter dieser Höhe bleiben bei Ton 0 frei.</translation>
     </message>
     <message>
-        <source>What the relief looks like.</source>
-        <translation>Wie das Relief aussieht.</translation>
+        <source>Shape of the relief.</source>
+        <translation>Form des Reliefs.</translation>
     </message>
     <message>
-        <source>Width of a leaning pen</source>
-        <translation>Breite eines geneigten Stifts</translation>
+        <source>Width when tilted</source>
+        <translation>Breite bei geneigtem Stift</translation>
     </message>
     <message>
         <source>Width of a line at full pressure.</source>

@@ -5111,12 +5111,12 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>hout</translation>
     </message>
     <message>
-        <source>Above 1 a light hand stays pale for longer, below 1 it darkens sooner.</source>
-        <translation>Boven 1 blijft lichte druk langer bleek, onder 1 wordt die eerder donker.</translation>
+        <source>Above 1, light pressure stays pale for longer; below 1, lines darken sooner.</source>
+        <translation>Boven 1 blijft lichte druk langer bleek, onder 1 worden lijnen eerder donker.</translation>
     </message>
     <message>
-        <source>Another one makes another relief of its kind.</source>
-        <translation>Een andere maakt een ander reliëf van die soort.</translation>
+        <source>Another number gives another relief of the same character.</source>
+        <translation>Een ander getal geeft een ander reliëf van dezelfde aard.</translation>
     </message>
     <message>
         <source>Brightness of the sound</source>
@@ -5127,12 +5127,12 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Aard van de korrel</translation>
     </message>
     <message>
-        <source>Coefficient of friction of the pencil on it.</source>
-        <translation>Wrijvingscoëfficiënt van het potlood erop.</translation>
+        <source>Coefficient of friction of a pencil on this surface.</source>
+        <translation>Wrijvingscoëfficiënt van een potlood op deze ondergrond.</translation>
     </message>
     <message>
-        <source>Coefficient of friction on paper; pairs may say otherwise.</source>
-        <translation>Wrijvingscoëfficiënt op papier; paren kunnen iets anders zeggen.</translation>
+        <source>Coefficient of friction on paper, unless a pair sets another.</source>
+        <translation>Wrijvingscoëfficiënt op papier, tenzij een paar een andere instelt.</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -5147,8 +5147,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Demping</translation>
     </message>
     <message>
-        <source>Damping of that.</source>
-        <translation>Demping daarvan.</translation>
+        <source>Damping while the tip sticks.</source>
+        <translation>Demping terwijl de punt kleeft.</translation>
     </message>
     <message>
         <source>Damping of the hold</source>
@@ -5183,8 +5183,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Van dof tot helder.</translation>
     </message>
     <message>
-        <source>From hill to hill; a relief of one&apos;s own is 32 of it wide.</source>
-        <translation>Van heuvel tot heuvel; een eigen reliëf is er 32 van breed.</translation>
+        <source>Grain wavelength. A custom relief spans 32 wavelengths.</source>
+        <translation>Golflengte van de korrel. Een eigen reliëf is 32 golflengten breed.</translation>
     </message>
     <message>
         <source>Grain in the eye</source>
@@ -5195,8 +5195,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Korrel in de hand</translation>
     </message>
     <message>
-        <source>Half of the width of the edge of a grain.</source>
-        <translation>Halve breedte van de rand van een korrel.</translation>
+        <source>Half the width of the edges in the grain.</source>
+        <translation>Halve breedte van de randen in de korrel.</translation>
     </message>
     <message>
         <source>Hardness</source>
@@ -5211,72 +5211,72 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Houvast</translation>
     </message>
     <message>
-        <source>How far a line falls apart into hairs along its way.</source>
-        <translation>Hoever een lijn in de lengte in haren uiteenvalt.</translation>
+        <source>Amount of dry-brush streaking.</source>
+        <translation>Hoeveelheid strepen als van een droge kwast.</translation>
     </message>
     <message>
-        <source>How far the rim of the line is soft, in shares of its radius.</source>
-        <translation>Hoever de rand van de lijn zacht is, in delen van de straal.</translation>
+        <source>Width of the soft edge of a line, as a share of its radius.</source>
+        <translation>Breedte van de zachte rand van een lijn, als aandeel van de straal.</translation>
     </message>
     <message>
-        <source>How hard it pushes back, where the device bears as much.</source>
-        <translation>Hoe hard het terugduwt, voor zover het apparaat dat verdraagt.</translation>
+        <source>How hard the surface pushes back, if the device allows it.</source>
+        <translation>Hoe hard de ondergrond terugduwt, als het apparaat dat toelaat.</translation>
     </message>
     <message>
-        <source>How loud a pen is on it; 0 is silent.</source>
-        <translation>Hoe luid een pen erop is; 0 is stil.</translation>
+        <source>How loud a pen is on this surface; 0 is silent.</source>
+        <translation>Hoe luid een pen op deze ondergrond is; 0 is stil.</translation>
     </message>
     <message>
-        <source>How loud it rubs; 0 is silent.</source>
-        <translation>Hoe luid het wrijft; 0 is stil.</translation>
+        <source>How loud the medium rubs; 0 is silent.</source>
+        <translation>Hoe luid het medium wrijft; 0 is stil.</translation>
     </message>
     <message>
-        <source>How much at full pressure.</source>
-        <translation>Hoeveel bij volle druk.</translation>
+        <source>How much of the medium is laid on at full pressure.</source>
+        <translation>Hoeveel van het medium bij volle druk wordt aangebracht.</translation>
     </message>
     <message>
-        <source>How much darker a wet line dries at its rim.</source>
+        <source>How much darker a wet line dries at its edge.</source>
         <translation>Hoeveel donkerder een natte lijn aan de rand droogt.</translation>
     </message>
     <message>
-        <source>How much is laid on without pressure.</source>
-        <translation>Hoeveel er zonder druk wordt aangebracht.</translation>
+        <source>How much of the medium is laid on without pressure.</source>
+        <translation>Hoeveel van het medium zonder druk wordt aangebracht.</translation>
     </message>
     <message>
-        <source>How much it swallows of a push.</source>
-        <translation>Hoeveel het van een duw opslokt.</translation>
+        <source>How much of the pen&apos;s motion into the surface is damped.</source>
+        <translation>Hoe sterk de beweging van de pen in de ondergrond wordt gedempt.</translation>
     </message>
     <message>
-        <source>How readily stick and slip sing.</source>
-        <translation>Hoe gemakkelijk kleven en glijden zingen.</translation>
+        <source>How easily the tip squeaks by sticking and slipping.</source>
+        <translation>Hoe gemakkelijk de punt piept door kleven en glijden.</translation>
     </message>
     <message>
-        <source>How stiffly it holds before it slides.</source>
-        <translation>Hoe stijf het houdt voordat het glijdt.</translation>
+        <source>How stiffly the tip sticks before it slides.</source>
+        <translation>Hoe stijf de punt kleeft voordat die glijdt.</translation>
     </message>
     <message>
-        <source>In tones of an upright one.</source>
-        <translation>In tonen van een rechtopstaande.</translation>
+        <source>As a share of the tone of an upright pen.</source>
+        <translation>Als aandeel van de toon bij een rechte pen.</translation>
     </message>
     <message>
-        <source>In widths of an upright one.</source>
-        <translation>In breedtes van een rechtopstaande.</translation>
+        <source>As a multiple of the width of an upright pen.</source>
+        <translation>Als veelvoud van de breedte bij een rechte pen.</translation>
     </message>
     <message>
-        <source>Its usual colour.</source>
-        <translation>De gebruikelijke kleur.</translation>
+        <source>Default colour of this medium.</source>
+        <translation>Standaardkleur van dit medium.</translation>
     </message>
     <message>
         <source>Loudness</source>
         <translation>Luidheid</translation>
     </message>
     <message>
-        <source>Of what is inked, at tone 0.</source>
-        <translation>Van wat is ingekleurd, bij toon 0.</translation>
+        <source>Opacity of the inked parts at tone 0.</source>
+        <translation>Dekking van de ingekleurde delen bij toon 0.</translation>
     </message>
     <message>
-        <source>Of what is inked, at tone 1.</source>
-        <translation>Van wat is ingekleurd, bij toon 1.</translation>
+        <source>Opacity of the inked parts at tone 1.</source>
+        <translation>Dekking van de ingekleurde delen bij toon 1.</translation>
     </message>
     <message>
         <source>Opacity, heavy</source>
@@ -5295,7 +5295,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Drukkromme van de breedte</translation>
     </message>
     <message>
-        <source>Root mean square of its heights; 0 is smooth.</source>
+        <source>Root mean square of the heights; 0 is smooth.</source>
         <translation>Effectieve waarde van de hoogten; 0 is glad.</translation>
     </message>
     <message>
@@ -5303,12 +5303,12 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Startwaarde van de korrel</translation>
     </message>
     <message>
-        <source>Share of its own coarseness: dust and crumbs.</source>
-        <translation>Aandeel van de eigen grofheid: stof en kruimels.</translation>
+        <source>Share of the medium&apos;s own grain: dust and crumbs.</source>
+        <translation>Aandeel van de eigen korrel van het medium: stof en kruimels.</translation>
     </message>
     <message>
-        <source>Share of the relief that a firm push flattens, for hand and eye.</source>
-        <translation>Aandeel van het reliëf dat een stevige duw vlakt, voor hand en oog.</translation>
+        <source>Share of the relief that firm pressure flattens, felt and seen.</source>
+        <translation>Aandeel van het reliëf dat stevige druk afvlakt, voelbaar en zichtbaar.</translation>
     </message>
     <message>
         <source>Size of the crumbs</source>
@@ -5331,40 +5331,40 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Strepen</translation>
     </message>
     <message>
-        <source>The same at tone 1.</source>
-        <translation>Hetzelfde bij toon 1.</translation>
+        <source>Parts of the relief below this height stay bare at tone 1.</source>
+        <translation>Delen van het reliëf onder deze hoogte blijven kaal bij toon 1.</translation>
     </message>
     <message>
-        <source>Their wavelength.</source>
-        <translation>Hun golflengte.</translation>
+        <source>Wavelength of the crumbs.</source>
+        <translation>Golflengte van de kruimels.</translation>
     </message>
     <message>
-        <source>Tone of a heavy hand</source>
-        <translation>Toon van een harde hand</translation>
+        <source>Tone at full pressure</source>
+        <translation>Toon bij volle druk</translation>
     </message>
     <message>
-        <source>Tone of a leaning pen</source>
-        <translation>Toon van een schuine pen</translation>
+        <source>Tone when tilted</source>
+        <translation>Toon bij een schuine pen</translation>
     </message>
     <message>
-        <source>Tone of a light hand</source>
-        <translation>Toon van een lichte hand</translation>
+        <source>Tone at light pressure</source>
+        <translation>Toon bij lichte druk</translation>
     </message>
     <message>
         <source>Wear of the grain</source>
         <translation>Slijtage van de korrel</translation>
     </message>
     <message>
-        <source>What lies below so many heights of the grain stays bare, at tone 0.</source>
-        <translation>Wat onder zoveel hoogten van de korrel ligt, blijft kaal, bij toon 0.</translation>
+        <source>Parts of the relief below this height stay bare at tone 0.</source>
+        <translation>Delen van het reliëf onder deze hoogte blijven kaal bij toon 0.</translation>
     </message>
     <message>
-        <source>What the relief looks like.</source>
-        <translation>Hoe het reliëf eruitziet.</translation>
+        <source>Shape of the relief.</source>
+        <translation>Vorm van het reliëf.</translation>
     </message>
     <message>
-        <source>Width of a leaning pen</source>
-        <translation>Breedte van een schuine pen</translation>
+        <source>Width when tilted</source>
+        <translation>Breedte bij een schuine pen</translation>
     </message>
     <message>
         <source>Width of a line at full pressure.</source>
