@@ -1,11 +1,12 @@
 // device_fuzz [--bench NAME] [--seeds N] [--seed FIRST] [--limits] [--bad NAME] [--all] [--trace]
 // device_fuzz --list
 //
-// Faults of docs/design/devices.md#faults through the fakes of every driver, or of one: N cases,
-// their seeds from FIRST on (fault_case.h, fault_episode.h). With --limits random sequences of
-// calls, meant badly (limits_fuzz.h). Prints what was tried, or the broken rule with the line that
-// repeats it, and then exits with 1. --all goes on and counts what breaks. --bad takes the
-// reference bench with a driver that is bad on purpose, which must break a rule.
+// Runs N cases, with seeds from FIRST on, for the driver NAME or for every driver. Each case is a
+// fault of docs/design/devices.md#faults in a fake (fault_case.h, fault_episode.h). With --limits,
+// a case is a random sequence of calls that try to exceed the force limits (limits_fuzz.h). Prints
+// a summary if no rule was broken. Otherwise prints the broken rule and the command that repeats
+// the case, and exits with 1. --all continues after a broken rule and counts the broken rules.
+// --bad uses the reference bench with a driver that is bad on purpose and must break a rule.
 #include <unistd.h>
 
 #include <algorithm>

@@ -23,7 +23,7 @@ struct ScenarioVerdict {
 struct HandScript {
   std::vector<Event> events;
   double scale = 1.0;
-  Vec shift;  ///< sheet = scale * script + shift
+  Vec shift;  ///< position on the surface = scale * script + shift
 };
 HandScript hand_script(const Scenario& scenario, const Capabilities& in_the_sheet);
 

@@ -108,7 +108,7 @@ class ContactLoop {
   std::optional<VirtualClock> clock;
   bool changes_stiffness = false;
   int touching_ticks = 0;  ///< with a force on the hand
-  int limited_ticks = 0;   ///< with a limited rise
+  int limited_ticks = 0;   ///< in which the rise of the force was limited
   std::uint32_t faults = 0;
 
  private:

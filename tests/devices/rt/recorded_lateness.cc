@@ -50,7 +50,7 @@ double lateness_us(const RecordedLateness& row, double rank) {
     double rank;
     double us;
   };
-  const double floor_us = 0.5;  // a logarithm needs more than 0
+  const double floor_us = 0.5;  // because the logarithm of 0 is undefined
   const std::array<Known, 5> known{{{1.0, std::max(0.25 * row.p50_us, floor_us)},
                                     {0.5, std::max(row.p50_us, floor_us)},
                                     {0.01, row.p99_us},

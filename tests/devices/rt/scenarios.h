@@ -33,7 +33,7 @@ class Session {
 /// One line of the list in scenarios.cc: the name of a session and a function that creates it.
 struct Scenario {
   std::string name;
-  bool pushes = true;  ///< the run must send forces, because otherwise it proves nothing
+  bool pushes = true;  ///< true if a run without forces would prove nothing
   std::function<std::unique_ptr<Session>()> make;
 };
 

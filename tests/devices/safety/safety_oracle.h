@@ -9,9 +9,9 @@
 namespace felt::safety {
 
 /// Checks whether the forces that reached the device were allowed (docs/design/limits.md). The
-/// oracle shares no code with the chain and keeps less state. It checks only rules that certainly
-/// apply. Therefore a rule that it reports as broken is really broken. It uses the chain's report
-/// only to decide which rules apply to a tick.
+/// oracle shares no code with the chain and knows only the inputs and outputs of each tick. It
+/// checks only rules that certainly apply. Therefore a rule that it reports as broken is really
+/// broken. It uses the chain's report only to decide which rules apply to a tick.
 class SafetyOracle {
  public:
   /// `regular`: true if the clock of this episode never stalls or jumps. The heat rule is checked

@@ -10,7 +10,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A mouse with many features: two reports, push and pop, usages of four bytes.
+/// Descriptor of a mouse that uses many features: two reports, push and pop, usages of four bytes.
 const Bytes kTwoReports{0x05, 0x01, 0x09, 0x02, 0xA1, 0x01,              // mouse
                         0x85, 0x07, 0x05, 0x0E, 0x09, 0x21,              // report 7: trigger
                         0x15, 0x00, 0x25, 0x10, 0x75, 0x08, 0x95, 0x01,  //
@@ -61,10 +61,11 @@ TEST(HidDescriptor, ValuesGoInAndComeOut) {
   EXPECT_EQ(hid_value(report, field), 1000);
   Bytes too_short(2, 0);
   EXPECT_EQ(hid_value(too_short, field), 0);
-  set_hid_value(too_short, field, 7);  // writes as far as there is room, and no farther
+  set_hid_value(too_short, field, 7);  // must not write past the end
 }
 
-/// The write must have the length that the device expects, or the kernel or the device refuses it.
+/// A report must have the length that the device expects, because otherwise the kernel or the
+/// device refuses it.
 TEST(HidDescriptor, WhatFillsAReportUpIsOfItsLength) {
   const Bytes padded{0x05, 0x0E, 0x09, 0x21, 0x15, 0x00, 0x25, 0x10, 0x75, 0x08,
                      0x95, 0x01, 0x91, 0x02, 0x75, 0x04, 0x95, 0x05, 0x91, 0x03};
@@ -134,8 +135,8 @@ TEST(HidDescriptor, WhatMakesNoSenseIsAnError) {
   EXPECT_EQ(error_of({}), "");
 }
 
-/// Memory and time are bounded for any input: never more fields than the limit, each within a
-/// report that is not too long.
+/// Memory and time are bounded for any input: the number of fields and the length of a report never
+/// exceed their limits.
 RC_GTEST_PROP(HidDescriptor, HostileOnesAreBounded, ()) {
   Bytes bytes = *rc::gen::element(kTwoReports, Bytes{});
   const auto noise = *rc::gen::container<Bytes>(rc::gen::arbitrary<std::uint8_t>());

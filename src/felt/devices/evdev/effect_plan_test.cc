@@ -16,7 +16,8 @@ StickForces stick(std::initializer_list<std::uint16_t> effects) {
   return forces;
 }
 
-/// Returns the force of a device with these effects, along one axis, at a position.
+/// Returns the force in N of a device that renders the spring effect of `plan`, along `axis` at
+/// position `x_mm`.
 double spring_n(const EffectPlan& plan, std::size_t axis, double x_mm, const StickForces& stick) {
   if (!plan.plays[EffectPlan::kSpring]) return 0.0;
   const EvdevCondition& c = plan.effects[EffectPlan::kSpring].conditions[axis];
@@ -98,7 +99,7 @@ TEST(EffectPlan, NoForceIsNoEffect) {
   EXPECT_TRUE(plan_effects(std::array{nan, some}, kAll, 1.5).plays.none());
 }
 
-/// Wherever the grip goes and whatever was fitted, the force stays within the limit.
+/// The force stays within the limit at any position of the grip and for any fit.
 RC_GTEST_PROP(EffectPlan, NeverAsksForMoreThanTheBound, ()) {
   StickForces forces = *rc::gen::element(
       kAll, stick({evdev::kFfSpring}), stick({evdev::kFfConstant}),

@@ -13,8 +13,8 @@
 namespace felt::local_fit_test {
 namespace {
 
-/// Returns samples of a grip that trembles around `x0` by `mm` at `hz`, one per millisecond, under
-/// a force.
+/// Returns one sample per millisecond of a grip that trembles around `x0` by `mm` at `hz`, with the
+/// force that `law` gives for position and velocity.
 template <class Law>
 std::vector<FitSample> trembling(double x0, double mm, double hz, const Law& law, int count = 24) {
   std::vector<FitSample> samples;
@@ -42,7 +42,8 @@ TEST(LocalFit, ASpringGivesBackItsStiffnessWithinFivePercent) {
   }
 }
 
-/// The brick that edits use for pulling, as a tool publishes it: its slope at the grip's position.
+/// Fits the edit spring that tools publish. The fitted stiffness is its slope at the grip's
+/// position.
 TEST(LocalFit, AnEditSpringGivesBackItsStiffnessWithinATenth) {
   const EditSpring brick(Point{20.0, 0.0}, EditOptions{.damping_n_s_per_m = 0.0});
   const auto force = [&brick](double x) {
@@ -63,14 +64,15 @@ TEST(LocalFit, AnEditSpringGivesBackItsStiffnessWithinATenth) {
 }
 
 TEST(LocalFit, FrictionIsFrictionAndASpringBesideItStaysASpring) {
-  // Slow motion with a reversal: both are distinguished.
+  // Slow motion with a reversal: the fit can separate friction and spring.
   const AxisFit fit = fit_axis(
       trembling(0.0, 2.0, 30.0,
                 [](double x, double v) { return -0.1 * x - 0.4 * v / (std::abs(v) + 5.0); }),
       {});
   EXPECT_NEAR(fit.stiffness_n_per_mm, 0.1, 0.01);
   EXPECT_NEAR(fit.friction_n, 0.4, 0.04);
-  // Motion in one direction: an opposing force counts as friction, one along the motion does not.
+  // Motion in one direction: a force against the motion counts as friction, a force along it does
+  // not.
   const auto slide = [](double force) {
     std::vector<FitSample> samples;
     for (int i = 0; i < 24; ++i) samples.push_back({0.06 * i, 60.0, force});
@@ -112,7 +114,7 @@ TEST(LocalFit, NonsenseIsLeftOut) {
   EXPECT_EQ(fit_axis(samples, {}).position_mm, 3.0);
 }
 
-/// For any input: finite, and neither stiffness nor friction ever adds energy.
+/// For any input, the fit is finite, and neither its stiffness nor its friction adds energy.
 RC_GTEST_PROP(LocalFit, NeverGivesEnergyBack, ()) {
   std::vector<FitSample> samples;
   const int count = *rc::gen::inRange(1, 40);

@@ -11,7 +11,7 @@
 namespace felt::stick_axes_test {
 namespace {
 
-/// A fake with queued events and a given state of the axes.
+/// A fake port with queued events and a settable state of the axes.
 class Queue final : public EvdevPort {
  public:
   tl::expected<bool, int> next(EvdevEvent& event) noexcept override {
@@ -128,13 +128,13 @@ TEST(StickAxes, LostEventsAreAskedForAnew) {
   ASSERT_TRUE(axes.begin(ask_stick(port, {})));
   const double from = axes.sample(0).position.x;
   port.say(evdev::kSyn, evdev::kSynDropped, 0);
-  port.say(evdev::kAbs, evdev::kAbsX, 3);  // an incomplete report: must be ignored
+  port.say(evdev::kAbs, evdev::kAbsX, 3);  // part of an incomplete report: must be ignored
   port.report();
   port.asked = 0;
   ASSERT_TRUE(axes.listen(port, 1 * kMs));
   EXPECT_TRUE(axes.needs_asking());
   EXPECT_EQ(port.asked, 0) << "listening asks nothing of the kernel that may wait";
-  // Until the state has been read, events wait, and the pen stays.
+  // Until the state has been read, events are queued and the pen does not move.
   port.say(evdev::kKey, evdev::kButtonTrigger + 1, 1);
   port.report();
   ASSERT_TRUE(axes.listen(port, 10 * kMs));

@@ -43,8 +43,8 @@ TEST(DhdDoctor, AllIsWell) {
   EXPECT_THAT(findings[1].what, HasSubstr("libdrd.so"));
 }
 
-// On this computer the library is really loaded: the driver reports missing functions, not only
-// that the file exists.
+// With this_system(), the driver really loads the library. So it reports missing functions, and not
+// only that the file exists.
 TEST(DhdDoctor, ALibraryThatIsAnotherOneIsNotFine) {
   ForceDimensionOptions options;
   options.library = "libm.so.6";

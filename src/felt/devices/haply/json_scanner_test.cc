@@ -12,7 +12,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Rewrites the scanner's tokens as text; nullopt if the scanner says that it is bad.
+// Returns the document as text, rebuilt from the scanner's tokens, or nullopt if the scanner
+// rejects it.
 std::optional<std::string> rewritten(std::string_view text) {
   JsonScanner json(text);
   std::string out;
@@ -94,7 +95,7 @@ std::string text_of(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-// Compares any document with nlohmann/json, which reads and writes in another way.
+// Compares the scanner with an independent implementation, nlohmann/json, for random documents.
 RC_GTEST_PROP(JsonScanner, ReadsWhatAnotherWriterWrites, ()) {
   const Json json = random_json(4);
   const std::string text = text_of(json);
@@ -103,7 +104,8 @@ RC_GTEST_PROP(JsonScanner, ReadsWhatAnotherWriterWrites, ()) {
   RC_ASSERT(Json::parse(*read) == Json::parse(text));
 }
 
-// Broken documents: if the scanner accepts one, the other reader does too, and reads the same.
+// Reads damaged documents. If the scanner accepts one, nlohmann/json must accept it too and read
+// the same values.
 RC_GTEST_PROP(JsonScanner, BelievesNothingThatAnotherReaderDoesNot, ()) {
   std::string text = text_of(random_json(3));
   const int changes = *rc::gen::inRange(1, 4);
@@ -119,7 +121,7 @@ RC_GTEST_PROP(JsonScanner, BelievesNothingThatAnotherReaderDoesNot, ()) {
   }
   const auto read = rewritten(text);
   if (!read) return;
-  // The scanner returns bytes unchanged, so it does not detect half a surrogate.
+  // The scanner returns the bytes unchanged. Therefore it does not detect half of a surrogate pair.
   const Json other = Json::parse(text, nullptr, false);
   RC_PRE(!other.is_discarded() || text.find("\\u") == std::string::npos);
   RC_ASSERT(!other.is_discarded());

@@ -44,7 +44,7 @@ TEST(RequestWindow, WhatIsNeverAnsweredIsAskedOnceMoreAndNoMore) {
   EXPECT_TRUE(window.is_clear()) << "one state has answered both";
 }
 
-// A service that handles one message after the other, at any speed.
+// Simulates a service that handles one message after the other, at different speeds.
 TEST(RequestWindow, OneWaitsBeforeASlowServiceAndFourAtMostBeforeOneThatIsMiscounted) {
   for (const double answer_ms : {0.5, 1.2, 2.0, 2.1, 5.0, 19.0, 30.0, 100.0, 300.0}) {
     RequestWindow window;

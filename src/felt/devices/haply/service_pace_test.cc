@@ -57,7 +57,7 @@ TEST(ServicePace, ASlowServiceGoesOffOnceAndComesBackWhenItIsPromptForASecond) {
   count(5000, 2);
   EXPECT_TRUE(was_off);
   EXPECT_EQ(changes, 1);
-  for (int i = 0; i < 20; ++i) {  // now and then it is prompt for a while
+  for (int i = 0; i < 20; ++i) {  // sometimes the service is on time for a while
     count(300, 1);
     count(300, 3);
   }

@@ -11,7 +11,7 @@
 namespace felt::haply::web_socket_test {
 namespace {
 
-// The other end, as a script: its messages, and the pieces in which they arrive.
+// A scripted server: the pieces in which its bytes arrive, and the bytes that it received.
 struct Script {
   std::deque<std::string> pieces;
   std::string heard;
@@ -75,7 +75,7 @@ class WebSocketTest : public ::testing::Test {
   std::unique_ptr<WebSocket> socket_;
 };
 
-// The example of RFC 6455, section 1.3.
+// Uses the example of RFC 6455, section 1.3.
 TEST(WebSocketKey, IsAcceptedAsTheStandardSays) {
   EXPECT_EQ(accept_for("dGhlIHNhbXBsZSBub25jZQ=="), "s3pPLMBiTxaQ9kYGzzhZRbK+xOo=");
   const auto of = [](std::string_view text) {
@@ -152,12 +152,12 @@ TEST_P(BadFrames, EndTheConnection) {
 
 INSTANTIATE_TEST_SUITE_P(
     , BadFrames,
-    ::testing::Values(std::string("\x81\x80mask", 6),      // masked by a server
-                      std::string("\xC1\x00", 2),          // a bit of no extension
-                      std::string("\x82\x01x", 3),         // binary
-                      std::string("\x83\x00", 2),          // of no known kind
-                      std::string("\x80\x00", 2),          // goes on, but nothing began
-                      std::string("\x01\x00\x81\x00", 4),  // begins again in the middle
+    ::testing::Values(std::string("\x81\x80mask", 6),      // a masked frame of a server
+                      std::string("\xC1\x00", 2),          // a reserved bit without an extension
+                      std::string("\x82\x01x", 3),         // a binary message
+                      std::string("\x83\x00", 2),          // an unknown opcode
+                      std::string("\x80\x00", 2),          // a continuation without a first frame
+                      std::string("\x01\x00\x81\x00", 4),  // a new message inside another message
                       std::string("\x09\x00", 2),          // a ping in fragments
                       std::string("\x89\x7e\x00\x7e", 4),  // a ping that is too long
                       std::string("\x81\x7f\xff\xff\xff\xff\xff\xff\xff\xff", 10),

@@ -10,8 +10,8 @@
 namespace felt::hd_abi_test {
 namespace {
 
-// The values are written a second time, from the reference's tables and by number, because neither
-// the driver nor our fake would notice a wrong one: both use the header.
+// Repeats the values as numbers, from the tables of the reference. A wrong value in the header
+// would not show otherwise, because the driver and the fake library both use the header.
 TEST(HdAbi, HasTheNumbersOfTheReference) {
   EXPECT_EQ(hd::error::kInvalidEnum + 4, hd::error::kBadHandle);
   EXPECT_EQ(hd::error::kInvalidOperation, 258U);

@@ -15,7 +15,7 @@ using ::testing::IsEmpty;
 
 constexpr const char* kUsb = "/sys/devices/pci0000:00/usb1/1-4";
 
-// Adds a Touch HID as sysfs shows it.
+// Adds the files that sysfs shows for a Touch HID.
 void plug_in_touch(FakeSystem& system) {
   const std::string usb = kUsb;
   system.add_file(usb + "/idVendor", "2988\n")
@@ -120,8 +120,8 @@ TEST(OpenHapticsDiagnosis, TheLibraryThatTheEnvironmentNamesIsTheOnlyOne) {
   EXPECT_THAT(look(system)[0].what, HasSubstr("installed (/opt/hd/libHD.so)"));
 }
 
-// On this computer the library is really loaded: the driver reports missing functions, not only
-// that the file exists.
+// With this_system(), the driver really loads the library. So it reports missing functions, and not
+// only that the file exists.
 TEST(OpenHapticsDiagnosis, ALibraryThatIsAnotherOneIsNotFine) {
   const auto driver = make_openhaptics_driver({.library = "libm.so.6", .device = {}});
   const auto findings = driver->diagnose(this_system());

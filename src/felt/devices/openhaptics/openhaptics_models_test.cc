@@ -62,7 +62,8 @@ TEST(OpenHapticsModels, WorkspaceAndRateAreTheDevicesOwn) {
   EXPECT_GT(limits_for(device).peak_force_n, 0.0);
 }
 
-// Facing the device: +x right, +y up, +z towards the user (OpenHaptics reference, "coordinates").
+// For a user in front of the device, +x is right, +y up and +z towards the user (OpenHaptics
+// reference, "coordinates").
 TEST(OpenHapticsModels, TheDefaultPlaneIsTheDeskAndEachAxisHasItsSign) {
   Capabilities device = openhaptics_model("touch").capabilities;
   device.workspace_min = {-80, -110, -20};
@@ -70,13 +71,13 @@ TEST(OpenHapticsModels, TheDefaultPlaneIsTheDeskAndEachAxisHasItsSign) {
   const PlaneCalibration plane = openhaptics_plane(device);
   EXPECT_TRUE(plane.mirrors());
   EXPECT_EQ(plane.to_sheet(Vec3{0, -50, 15}), (Vec3{0, 0, 0}));
-  EXPECT_EQ(plane.to_sheet(Vec3{1, -50, 15}), (Vec3{1, 0, 0}));  // right is right
+  EXPECT_EQ(plane.to_sheet(Vec3{1, -50, 15}), (Vec3{1, 0, 0}));  // right stays right
   EXPECT_EQ(plane.to_sheet(Vec3{0, -50, 16}),
             (Vec3{0, 1, 0}));  // towards the user is down the page
-  EXPECT_EQ(plane.to_sheet(Vec3{0, -49, 15}), (Vec3{0, 0, 1}));  // up is up
+  EXPECT_EQ(plane.to_sheet(Vec3{0, -49, 15}), (Vec3{0, 0, 1}));  // up stays up
   EXPECT_EQ(plane.turn_to_device(Force{1, 0, 0}), (Force{1, 0, 0}));
   EXPECT_EQ(plane.turn_to_device(Force{0, 1, 0}), (Force{0, 0, 1}));
-  EXPECT_EQ(plane.turn_to_device(Force{0, 0, 1}), (Force{0, 1, 0}));  // out of the desk
+  EXPECT_EQ(plane.turn_to_device(Force{0, 0, 1}), (Force{0, 1, 0}));  // up, away from the desk
 }
 
 }  // namespace

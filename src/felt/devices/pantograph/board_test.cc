@@ -26,9 +26,9 @@ std::array<std::byte, kReplyBytes> reply(float first, float second) {
   return bytes;
 }
 
-// Byte by byte as the frame in docs/design/devices.md#pantograph-board: type 1, device 5; motors on
-// ports 1 and 2 (mask 3), all clockwise; encoders the same; no sensors, no pwm; offset 180 and 0
-// degrees, 13824 counts.
+// Compares each byte with the frame in docs/design/devices.md#pantograph-board: type 1, device 5;
+// motors on ports 1 and 2 (mask 3), all clockwise; encoders the same; no sensors, no PWM; offsets
+// of 180 and 0 degrees, 13824 counts.
 TEST(Board, TheFirstMakeIsSetUpAsItsExampleDoes) {
   EXPECT_EQ(numbers(setup_frame(*find_board_model("v1"))),
             (std::array<int, 26>{1,    5, 3, 0,    0,    3, 0, 0, 0, 0, 0, 0,    0x34,
@@ -36,7 +36,7 @@ TEST(Board, TheFirstMakeIsSetUpAsItsExampleDoes) {
   EXPECT_EQ(numbers(reset_frame()), (std::array<int, 2>{0, 0}));
 }
 
-// Floats are sent and received in the order of ports: motor 1 of the later makes is on port 2.
+// Floats are sent and received in port sequence. Motor 1 of the later board versions is on port 2.
 TEST(Board, TorquesAndAnglesGoByPort) {
   const BoardModel& later = *find_board_model("v2");
   EXPECT_EQ(numbers(torque_frame(later, {1.0, -2.0})),
@@ -62,7 +62,7 @@ TEST(Board, WhatIsNoAngleIsRefused) {
   }
 }
 
-// Within the listed reach of a make, its forces are not reduced.
+// The forces of a board are not reduced within its listed reach.
 TEST(Board, WhereAMakeReachesItPushes) {
   for (const BoardModel& model : board_models()) {
     for (double x = model.reach_min.x; x <= model.reach_max.x; x += 5.0) {

@@ -20,7 +20,7 @@ struct Pose {
   FiveBar bar;
 };
 
-// Returns a random pose with authority.
+// Returns a random pose with an authority above 0.
 Pose any_pose() {
   const FiveBarSize size = kSizes[*rc::gen::inRange(0, 3)];
   const Vec3 place{size.base_mm / 2 + between(-60, 60), between(20, 130), 0};
@@ -31,13 +31,14 @@ Pose any_pose() {
   return {size, *angles, *bar};
 }
 
-// Calculated by hand: elbows at (-50, 0) and (70, 0), 120 apart; forearms of 70.
+// Calculated by hand: the elbows are at (-50, 0) and (70, 0), 120 mm apart; the forearms are 70 mm
+// long.
 TEST(FiveBar, StretchedToBothSidesTheHandleIsBetween) {
   const auto bar = FiveBar::at(kSizes[0], {M_PI, 0.0});
   ASSERT_TRUE(bar.has_value());
   EXPECT_NEAR(bar->place().x, 10.0, 1e-9);
   EXPECT_NEAR(bar->place().y, std::sqrt(70.0 * 70 - 60.0 * 60), 1e-9);
-  // Both arms turning forward (1 clockwise, 2 counter-clockwise) push the handle away.
+  // If both arms turn forward (1 clockwise, 2 counter-clockwise), they push the handle away.
   EXPECT_GT(bar->velocity({-1.0, 1.0}).y, 0.0);
   EXPECT_NEAR(bar->velocity({-1.0, 1.0}).x, 0.0, 1e-9);
 }
@@ -81,7 +82,8 @@ TEST(FiveBar, AuthorityIsGoneBeforeTheForearmsComeIntoLine) {
   const FiveBarSize size = kSizes[1];
   double last = 1.0;
   bool was_zero = false;
-  // Straight ahead, away from the motors: the elbows come together, the forearms into line.
+  // The handle moves straight away from the motors. The elbows come closer to each other, and
+  // the angle between the forearms goes to zero.
   for (double y = 60; y < 160; y += 0.25) {
     const auto angles = angles_for(size, {0, y, 0});
     if (!angles) break;
@@ -94,7 +96,7 @@ TEST(FiveBar, AuthorityIsGoneBeforeTheForearmsComeIntoLine) {
     last = bar->authority();
   }
   EXPECT_TRUE(was_zero);
-  const auto apart = FiveBar::at({50, 60.01, 20}, {M_PI, 0.0});  // the forearms in one line
+  const auto apart = FiveBar::at({50, 60.01, 20}, {M_PI, 0.0});  // the forearms are in one line
   ASSERT_TRUE(apart.has_value());
   EXPECT_EQ(apart->authority(), 0.0);
 }

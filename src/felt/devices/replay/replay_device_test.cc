@@ -58,7 +58,7 @@ TEST(ReplayDevice, DerivesTheVelocity) {
   EXPECT_NEAR(s.velocity.x, 50.0, 1e-6);
 }
 
-// A dot of 0.4 ms between two ticks, and an equally short lift.
+// The recording has a dot of 0.4 ms between two ticks, and a lift that is as short.
 TEST(ReplayDevice, LosesNoDotAndNoLiftInASlowLoop) {
   std::vector<PenSample> recording;
   for (int ms = 0; ms < 40; ++ms) {

@@ -21,7 +21,7 @@ struct Told {
   Vec3 place;
 };
 
-/// Returns different positions, reported at a steady rate.
+/// Returns `count` different positions, reported every `interval_ns`.
 std::vector<Told> steady(int count, std::int64_t interval_ns) {
   std::vector<Told> told;
   for (int i = 0; i < count; ++i) {
@@ -31,7 +31,7 @@ std::vector<Told> steady(int count, std::int64_t interval_ns) {
   return told;
 }
 
-/// Delays arrivals in bursts: by up to `most_ns`, never before an earlier one.
+/// Delays the arrivals in bursts, by up to `most_ns`. The sequence of arrivals stays the same.
 void delay(std::vector<Told>& told, std::int64_t most_ns, Random& random) {
   std::int64_t burst_end_ns = 0;
   for (Told& t : told) {
@@ -43,7 +43,7 @@ void delay(std::vector<Told>& told, std::int64_t most_ns, Random& random) {
   }
 }
 
-/// Returns all samples of a pen with these aims, through a loop of 1 kHz.
+/// Returns all samples that a loop of 1 kHz reads from a pen that follows these aims.
 std::vector<PenSample> play(std::string_view device, std::span<const Told> told) {
   SimulatedStylus stylus(*find_stylus_preset(device));
   const auto servo = std::make_unique<Servo>(stylus, ServoOptions{});
@@ -61,7 +61,8 @@ std::vector<PenSample> play(std::string_view device, std::span<const Told> told)
   return samples;
 }
 
-/// Returns the sample of each position, in order; fails if one is missing.
+/// Returns the samples at the positions of `told`, in the same sequence. The test fails if a
+/// position has no sample.
 std::vector<PenSample> find_all(std::span<const PenSample> samples, std::span<const Told> told) {
   std::vector<PenSample> found;
   auto at = samples.begin();
@@ -83,7 +84,7 @@ void expect_times_grow(std::span<const PenSample> samples) {
   }
 }
 
-// At any rate and any delay, every position is in the samples, in order.
+// At any rate and any delay, the samples contain every position in the right sequence.
 TEST(AimTrack, NoPlaceIsSkipped) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
@@ -97,8 +98,9 @@ TEST(AimTrack, NoPlaceIsSkipped) {
   }
 }
 
-// A tablet reports its tilt 133 times a second; in between it moves evenly, as the position does.
-TEST(AimTrack, TiltMovesOnTheWay) {
+// A tablet reports its tilt 133 times a second. Between two reports the tilt changes evenly, like
+// the position.
+TEST(AimTrack, LeanMovesOnTheWay) {
   AimTrack track(true);
   track.push({{{0, 0, 0}, 0.5, 0, 20.0}, 0}, 0);
   track.push({{{8, 0, 0}, 0.5, 0, 60.0}, 8 * kMs}, 8 * kMs);
@@ -148,7 +150,7 @@ TEST(AimTrack, KeepsTheSpacing) {
   }
 }
 
-// A tablet of 1 kHz waits for the next event and one tick.
+// The delay of a steady tablet is one event interval plus about one tick.
 TEST(AimTrack, ASteadyTabletIsHardlyDelayed) {
   for (const auto& [interval_ns, most_ns] :
        {std::pair<std::int64_t, std::int64_t>{kMs, 3 * kMs}, {5 * kMs, 7 * kMs}}) {
@@ -161,7 +163,7 @@ TEST(AimTrack, ASteadyTabletIsHardlyDelayed) {
   }
 }
 
-// Between two positions of a slow tablet the pen moves evenly: no staircase.
+// Between two positions of a slow tablet the pen moves evenly and does not jump.
 TEST(AimTrack, JoinsPlacesEvenly) {
   const std::vector<Told> told = steady(200, 8 * kMs);
   const std::vector<PenSample> samples = play("tablet", told);
@@ -177,7 +179,7 @@ TEST(AimTrack, JoinsPlacesEvenly) {
   EXPECT_LT(longest_mm, 0.3 * longest_told_mm);
 }
 
-// A pen with a body loses no touch either, however they are bunched.
+// A pen with a body also keeps every touch, even if several touches arrive together.
 TEST(AimTrack, TouchesOfAHandWithABodyAreKept) {
   SimulatedStylus stylus(*find_stylus_preset("touch"));
   std::int64_t now_ns = 0;

@@ -13,7 +13,7 @@
 namespace felt::faulty_device_test {
 namespace {
 
-// Returns the samples of a pen that moves along x and down, with a fault between 10 and 20 ms.
+// Returns the samples of a pen that moves along x and downwards. The fault lasts from 10 to 20 ms.
 std::vector<tl::expected<PenSample, DeviceFault>> with_fault(InjectedFault fault, double amount) {
   SimulatedStylus stylus(*find_stylus_preset("worst"), *find_hand("firm"));
   FaultyDevice device(

@@ -15,9 +15,9 @@ namespace {
 
 struct Drawn {
   int strokes = 0;
-  double worst_mm = 0.0;      // distance of an inked sample from the wanted lines
+  double worst_mm = 0.0;      // largest distance of a drawn sample from the wanted lines
   double most_speed = 0.0;    // mm/s
-  double most_press_n = 0.0;  // of the surface's spring
+  double most_press_n = 0.0;  // largest force of the surface's spring
   double most_hover_press_n = 0.0;
 };
 
@@ -29,7 +29,7 @@ double distance_to(const std::vector<RecordedPath>& lines, Point p) {
   return best;
 }
 
-// Plays a script into a stylus above a surface. Lifts shorter than 3 ms do not end a stroke.
+// Plays a script with a stylus above a surface. Lifts shorter than 3 ms do not end a stroke.
 Drawn play(const std::vector<TimedAim>& script, const StylusPreset& device,
            const HandScriptOptions& options, const std::vector<RecordedPath>& lines) {
   SimulatedStylus stylus(device, options.hand);
@@ -97,7 +97,7 @@ TEST(HandScript, LosesNoStroke) {
     const StylusPreset& device = *find_stylus_preset(name);
     for (const SimulatedHand& hand : simulated_hands()) {
       HandScriptOptions options = script_options_for(device, hand);
-      options.friction = 0.0;  // this surface has none
+      options.friction = 0.0;  // the simulated surface has no friction
       const Drawn drawn = play(script_hand(lines, options), device, options, lines);
       EXPECT_EQ(drawn.strokes, static_cast<int>(lines.size())) << name << ", " << hand.name;
       EXPECT_LT(drawn.most_speed, 600.0) << name << ", " << hand.name;
@@ -105,7 +105,8 @@ TEST(HandScript, LosesNoStroke) {
   }
 }
 
-// The hand draws the wanted lines: within a millimetre with a typical hand, exactly on the tablet.
+// The hand draws the wanted lines: a typical hand with an error below one millimetre, the tablet
+// exactly.
 TEST(HandScript, DrawsWhatWasMeant) {
   const std::vector<Gesture> gestures{straight_line({10, 10}, {60, 12}), loops({20, 40}, 6, 3, 4)};
   const auto lines = recorded(gestures, {.interval_ns = 1'000'000, .seed = 2});
@@ -121,7 +122,7 @@ TEST(HandScript, DrawsWhatWasMeant) {
   EXPECT_LT(worst("touch", "typical"), 1.5);
 }
 
-// In the middle of a steady line the surface pushes with F0 + p (F1 - F0).
+// In the middle of a steady line with pressure p, the surface pushes with F0 + p (F1 - F0).
 TEST(HandScript, PressesAsHardAsThePressureSays) {
   for (const SimulatedHand& hand : simulated_hands()) {
     const StylusPreset& device = *find_stylus_preset("worst");
@@ -167,7 +168,7 @@ double drawing_time_s(const RecordedPath& line) {
 }
 
 TEST(HandScript, GivesStrokesWithoutTimesAPace) {
-  RecordedPath line;  // 50 mm: a second or less, but slower than 500 mm/s
+  RecordedPath line;  // 50 mm long: takes at most a second, but is slower than 500 mm/s
   for (int i = 0; i <= 50; ++i) line.push_back({{10.0 + i, 20.0}, 0.5, std::nullopt});
   const double unhurried_s = drawing_time_s(line);
   EXPECT_GT(unhurried_s, 0.25);

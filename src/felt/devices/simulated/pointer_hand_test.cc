@@ -32,8 +32,8 @@ double pressed_force_n(const StylusPreset& device, const SimulatedHand& hand,
   return force_n;
 }
 
-// On a device that pushes back, the tablet's pressure becomes the surface's force: the same part of
-// F0..F1.
+// On a device with forces, the tablet's pressure becomes the force of the surface: a pressure p
+// gives F0 + p (F1 - F0).
 TEST(PointerHand, R18_TabletPressureMapsToTheSamePress) {
   for (const char* name : {"worst", "touch", "premium"}) {
     const StylusPreset& device = *find_stylus_preset(name);
@@ -43,7 +43,7 @@ TEST(PointerHand, R18_TabletPressureMapsToTheSamePress) {
         const double force_n =
             pressed_force_n(device, hand, options, {.position = {40, 40}, .pressure = p});
         const double share = (force_n - options.light_n) / (options.full_n - options.light_n);
-        // If the device's friction holds the pen, hand and surface need not balance.
+        // The device's friction may hold the pen. Then the forces of hand and surface may differ.
         const double stuck_n = 2.0 * device.mechanics.friction_n;
         EXPECT_NEAR(share, p, 0.04 + stuck_n / (options.full_n - options.light_n))
             << name << ", " << hand.name;

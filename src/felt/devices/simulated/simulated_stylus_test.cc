@@ -21,8 +21,8 @@ StylusPreset preset(std::string_view name) {
   return *find_stylus_preset(name);
 }
 
-// Ticks at `period_ns` after the stylus' last time, with the force that `control` computes from the
-// sample.
+// Runs ticks with a period of `period_ns`. In each tick it reads the stylus and writes the force
+// that `control` computes from the sample.
 class Loop {
  public:
   Loop(SimulatedStylus& stylus, std::int64_t period_ns) : stylus_(stylus), period_ns_(period_ns) {}
@@ -51,7 +51,8 @@ Force plane_force(const PenSample& s, double stiffness_n_per_m) {
   return {0, 0, std::max(0.0, 1e-3 * (stiffness_n_per_m * depth_mm(s) - 2.0 * s.velocity.z))};
 }
 
-// With hand spring k and surface spring K, an aim at -a rests at -a k/(k + K).
+// With hand spring k and surface spring K, a pen that the hand aims at height -a rests at
+// -a k/(k + K).
 TEST(SimulatedStylus, RestsWhereHandAndPlaneBalance) {
   for (const SimulatedHand& hand : simulated_hands()) {
     SimulatedStylus stylus(preset("worst"), hand);
@@ -63,7 +64,7 @@ TEST(SimulatedStylus, RestsWhereHandAndPlaneBalance) {
     loop.run(4000, [&](const PenSample& s) {
       return s.position.z < 0.0 ? plane_force(s, plane) : Force{};
     });
-    // The surface senses the depth in steps of .03 mm; the hand balances its force.
+    // The device senses the depth in steps of 0.03 mm.
     EXPECT_NEAR(stylus.body().position().z, -1.5, 0.03) << hand.name;
     EXPECT_NEAR(stylus.body().position().x, 50.0, 1e-9) << hand.name;
   }
@@ -73,7 +74,7 @@ TEST(SimulatedStylus, FrictionSticksExactly) {
   SimulatedStylus stylus(preset("touch"), std::nullopt);
   stylus.place({40, 40, 0});
   Loop loop(stylus, kMs);
-  const Force push{0.15, 0.0, 0.1 + 0.2};  // its weight of .1 N left off, .25 N: below .26 N
+  const Force push{0.15, 0.0, 0.1 + 0.2};  // without weight .25 N, below .26 N
   loop.run(10'000, [&](const PenSample&) { return push; });
   EXPECT_EQ(stylus.body().position(), (Vec3{40, 40, 0}));
   EXPECT_EQ(stylus.body().velocity(), Vec3{});
@@ -89,12 +90,13 @@ TEST(SimulatedStylus, AcceleratesByItsMass) {
   stylus.place({50, 50, 0});
   Loop loop(stylus, kMs);
   loop.run(102, [](const PenSample&) { return Force{0.1, 0, 0}; });
-  // Requested at the first read; acts from the third on (delay 1): 100 ms.
+  // The force is requested after the first read and acts from the second one on (delay of 1 tick),
+  // for 100 ms.
   EXPECT_NEAR(stylus.body().position().x - 50.0, 1e3 * 0.1 / 0.045 * 0.5 * 0.01, 0.12 * 1.02);
   EXPECT_NEAR(stylus.body().velocity().x, 1e3 * 0.1 / 0.045 * 0.1, 1e-6 + 2.3);
 }
 
-// Compares every preset and hand with steps of 1 us of the same equations.
+// Compares every preset and hand with an integration of the same equations in steps of 1 us.
 TEST(HeldBody, AgreesWithMicrosecondSteps) {
   for (const StylusPreset& device : stylus_presets()) {
     if (!device.capabilities.has_force()) continue;
@@ -125,7 +127,8 @@ TEST(HeldBody, AgreesWithMicrosecondSteps) {
   }
 }
 
-// Without force and with the aim at rest, energy only falls; without friction and damping it stays.
+// Without an external force and with a constant aim, the energy never grows. Without friction and
+// damping it stays constant.
 TEST(HeldBody, EnergyNeverGrows) {
   Random random(7);
   for (int n = 0; n < 200; ++n) {
@@ -182,7 +185,7 @@ TEST(SimulatedStylus, ForcesAreBoundedByTheDevice) {
   }
 }
 
-// A force requested on tick n acts from tick n + delay on, to the tick.
+// A force that is requested on tick n acts exactly from tick n + delay on.
 TEST(SimulatedStylus, DelayIsExactInTicks) {
   for (const int delay : {0, 1, 2, 5}) {
     StylusPreset device = preset("worst");
@@ -260,7 +263,7 @@ TEST(SimulatedStylus, IgnoresWhatIsNotFinite) {
   EXPECT_EQ(stylus.acting_force(), Force{});
 }
 
-// After gaps in time: bounded work, finite state, and a plausible position of the pen.
+// After gaps in time, the work is bounded, the state finite and the position of the pen plausible.
 TEST(SimulatedStylus, SurvivesGapsAndClocksThatRunBackwards) {
   for (const StylusPreset& device : stylus_presets()) {
     SimulatedStylus stylus(device);
@@ -307,7 +310,7 @@ TEST(SimulatedStylus, TheSameCallsGiveTheSameSamples) {
   }
 }
 
-// The velocity of a sample is that of the pen, 1.6 ms late.
+// The velocity in a sample is the velocity of the pen, delayed by 1.6 ms.
 TEST(SimulatedStylus, VelocityIsLowPassed) {
   SimulatedStylus stylus(preset("worst"), *find_hand("firm"));
   Loop loop(stylus, kMs);
@@ -337,8 +340,8 @@ TEST(SimulatedStylus, R18_PressureOfTabletsIsPassedThrough) {
   EXPECT_EQ(loop.run(10).pressure, 1.0);
 }
 
-// With a body and without, with and without times.
-TEST(SimulatedStylus, ThePenTiltsAsTheHandSays) {
+// For pens with and without a body, and for aims with and without time stamps.
+TEST(SimulatedStylus, ThePenLeansAsTheHandSays) {
   for (const char* name : {"tablet", "touch"}) {
     for (const bool timed : {false, true}) {
       SimulatedStylus stylus(preset(name));
@@ -360,7 +363,7 @@ TEST(SimulatedStylus, ThePenTiltsAsTheHandSays) {
   }
 }
 
-// Down, up, down, up between two reads: each shows in a read of its own.
+// The pen goes down, up, down and up between two reads. Each change appears in its own read.
 TEST(SimulatedStylus, NoTouchIsLostBetweenTwoReads) {
   SimulatedStylus stylus(preset("tablet"));
   Loop loop(stylus, 4 * kMs);
@@ -381,7 +384,7 @@ TEST(SimulatedStylus, NoTouchIsLostBetweenTwoReads) {
   EXPECT_EQ(touches, 5);
 }
 
-// For ThreadSanitizer: the hand on its own thread, as for mouse and tablet.
+// Gives ThreadSanitizer a hand on its own thread, as mouse and tablet have it.
 TEST(SimulatedStylus, IsAimedFromAnotherThread) {
   SimulatedStylus stylus(preset("touch"));
   stylus.aim({0, 20, 4}, {}, 0);
@@ -392,14 +395,14 @@ TEST(SimulatedStylus, IsAimedFromAnotherThread) {
   Loop loop(stylus, kMs);
   loop.run(2000);
   hand.join();
-  loop.run(2000);  // for aims that still wait: each of them presses or releases the button
+  loop.run(2000);  // plays the aims that still wait: each of them presses or releases the button
   stylus.aim({20, 20, 4}, {}, 0);
   loop.run(300);
   EXPECT_NEAR(stylus.hand_aim().x, 20.0, 1e-9);
 }
 
-// A hand with a body does not jump, whatever a mouse does, because the safety chain would treat it
-// as a fault.
+// A hand with a body never jumps, even if the mouse jumps, because the safety chain would treat a
+// jump as a fault.
 TEST(SimulatedStylus, HandsDoNotLeap) {
   for (const SimulatedHand& hand : simulated_hands()) {
     SimulatedStylus stylus(preset("touch"), hand);

@@ -95,7 +95,7 @@ TEST(HandPath, PassesThroughTheViaPoints) {
   }
 }
 
-// On circles, because there the hand has time to reach its speed: v ~ curvature^(-1/3).
+// Tests v ~ curvature^(-1/3) on circles, because there the hand has time to reach its speed.
 TEST(HandPath, KeepsTheTwoThirdsPowerLaw) {
   const auto speed_on_circle = [](double radius_mm) {
     std::vector<Point> via;
@@ -135,7 +135,7 @@ std::vector<double> numbers_in(const std::string& text) {
   return numbers;
 }
 
-// If libm rounds differently, a coordinate may be on the neighbouring step of the tablet.
+// If libm rounds differently, a coordinate may differ by one step of the tablet.
 TEST(SampleSets, AreTheFilesInShare) {
   for (const SampleSet& set : make_sample_sets()) {
     const std::string file = read_file("share/samples/" + set.file_name);

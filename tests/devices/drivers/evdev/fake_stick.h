@@ -37,8 +37,8 @@ class EventQueue {
 };
 
 /// A joystick with force feedback as the kernel shows it: a node in sysfs, events, and effects in
-/// slots that it renders by itself, a thousand times a second. Behind it is a simulated stick in
-/// the frame of the page; kMiddle is the middle of the stick.
+/// slots, which it renders itself a thousand times a second. Behind it is a simulated stick in
+/// the frame of the surface; kMiddle is the middle of the stick.
 ///
 /// Its rules: uploading an unsupported effect gives EINVAL, uploading more effects than it has
 /// slots gives ENOSPC. After it was unplugged, every call on an open node gives ENODEV. Effects
