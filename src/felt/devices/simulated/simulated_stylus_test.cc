@@ -341,7 +341,7 @@ TEST(SimulatedStylus, R18_PressureOfTabletsIsPassedThrough) {
 }
 
 // For pens with and without a body, and for aims with and without time stamps.
-TEST(SimulatedStylus, ThePenLeansAsTheHandSays) {
+TEST(SimulatedStylus, ThePenTiltsAsTheHandSays) {
   for (const char* name : {"tablet", "touch"}) {
     for (const bool timed : {false, true}) {
       SimulatedStylus stylus(preset(name));
