@@ -259,7 +259,7 @@ same out s.wav
 number() { od -An -j "$1" -N "$2" -t "u$2" s.wav | tr -d ' '; }
 [ "$(number 22 2) $(number 24 4) $(number 34 2)" = "1 48000 16" ] || fail "channels, rate, bits"
 [ "$(number 40 4)" = $(($(wc -c <s.wav) - 44)) ] || fail "the header says another length"
-# The session lasts about 1.45 s, and the sound fades out after it; 1 s has 96000 bytes.
+# The sound is slightly longer than the session, which lasts about 1.45 s; 1 s has 96000 bytes.
 bytes=$(wc -c <s.wav)
 [ "$bytes" -gt 130000 ] && [ "$bytes" -lt 160000 ] || fail "$bytes bytes of sound"
 # loudness FILE FROM TO: prints the sum of the absolute samples between the times FROM and TO, in s.

@@ -89,8 +89,8 @@ class DesktopTablet : public ::testing::Test {
   std::unique_ptr<InjectedPen> pen_;
 };
 
-// Draws, pulls, erases, selects and rotates strokes, undoes, saves and reopens the drawing. Then the
-// recording of all this must give the same drawing.
+// Draws, pulls, erases, selects and rotates strokes, undoes, saves and reopens the drawing. Then
+// the recording of all this must give the same drawing.
 TEST_F(DesktopTablet, ADrawingIsMadeSavedAndPlayedAgain) {
   draw(line({40, 40}, {120, 60}, 4.0));
   draw(line({40, 90}, {120, 90}));

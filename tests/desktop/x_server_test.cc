@@ -75,8 +75,7 @@ bool draw(InputtestPen& pen) {
   return ok && pen.press(false, x(kEvents), y(kEvents), 0.0) && pen.sync();
 }
 
-/// Returns how many pressures of the pen occur among the poses, in the order in which they were
-/// sent.
+/// Returns how many of the sent pressures occur among the poses, in the same order.
 int count_pressures(const std::vector<PenEvent>& poses) {
   auto at = poses.begin();
   int count = 0;

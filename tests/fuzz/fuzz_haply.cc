@@ -1,5 +1,5 @@
 // Reads any bytes as messages of Haply's service: WebSocket frames in pieces of any size, and the
-// JSON in them. The first byte says how the other bytes are split and as what they are read.
+// JSON in them. The first byte selects how the other bytes are split and interpreted.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -80,7 +80,8 @@ struct Report {
   int overshoot_violations = 0;  ///< strokes with a positive excess
 
   int corners = 0;
-  /// weak_corners[arm][limit] is the number of declared corners at which the ink turns by less.
+  /// weak_corners[arm][limit] is the number of declared corners at which the ink turns by less than
+  /// kCornerDeg[limit], measured with arms of kArmInTolerances[arm].
   std::array<std::array<int, kCornerDeg.size()>, kArmInTolerances.size()> weak_corners{};
   int corners_near_end = 0;   ///< corners at most 2 tolerances from an end of the ink
   int corners_bend_less = 0;  ///< declared corners where the curve itself turns by under 5 degrees

@@ -166,8 +166,9 @@ TEST(FitChecker, OvershootMayGrowWithTheSampleGap) {
 }
 
 TEST(FitChecker, SlowInkPassingByDoesNotMakeAWideGapNarrow) {
-  // Over the gap the curve bulges to 8 from the line between its own samples. Another line, with
-  // dense samples, passes 6 above. The wide gap must count, not the one of the nearest line.
+  // The ink has a gap of 40 from (0, 0) to (40, 0). The curve bulges to 8 above it, where it is only
+  // 6 below another part of the ink with dense samples. The wide gap must be used as the sample gap,
+  // although the dense samples are nearer.
   const Point turn{60, 14};
   std::vector<Point> samples{{0, 0}, {40, 0}, {60, 0}, turn};
   samples = joined(samples, ink_along(turn, {0, 14}, 0.5));
@@ -179,7 +180,7 @@ TEST(FitChecker, SlowInkPassingByDoesNotMakeAWideGapNarrow) {
   EXPECT_NEAR(r.max_overshoot(), 7.0, 0.1);
   EXPECT_EQ(r.overshoot_violations, 0);
 
-  FitCurve spike = over;  // a spike on the line with dense samples, too large for their gap
+  FitCurve spike = over;  // a spike between dense samples, which exceeds their small gap
   spike.segments[3] = {turn, {30, 40}, {30, 40}, {0, 14}};
   EXPECT_EQ(check_stroke(ink(samples), spike, kTolerance).overshoot_violations, 1);
 }

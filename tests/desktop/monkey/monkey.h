@@ -29,8 +29,8 @@ struct MonkeyOptions {
 /// Sends random input to a window, with every key, button and pen, also when a user would not:
 /// while a dialog is open, in the middle of a stroke, on widgets that nobody clicks. After each
 /// event, the document must be the result of its edits. Sometimes everything is undone and redone,
-/// and the drawing is saved and read back. The same seed gives the same input, except where it
-/// depends on the clock.
+/// and the drawing is saved and read back. The same seed gives the same input, as far as it does
+/// not depend on the clock.
 class Monkey : public QObject {
   Q_OBJECT
 

@@ -149,7 +149,7 @@ Broken ForceProbe::check(const ForceModel& model, const PenSample& sample, doubl
   if (!(lateral_n <= limit_n + 1e-9)) {
     return "a force of " + std::to_string(lateral_n) + " N in the sheet beside the sheet's own";
   }
-  // Along z a tool may make the surface stiffer; the user's force limit bounds that.
+  // A tool may make the surface stiffer along z; the user's force limit bounds that.
   if (!(std::fabs(beside.z) <= kMaxNormalN)) return "a push of " + std::to_string(beside.z) + " N";
   if (Broken broken = check_slope(model, still)) return broken;
   const double dt_s = 1e-9 * static_cast<double>(sample.time_ns - last_ns_);

@@ -35,7 +35,8 @@ class ForceProbe {
   /// device's budget, unless `may_exceed_budget` is set (the safety chain then scales it down).
   Broken check(const ForceModel& model, const PenSample& sample, double limit_n,
                bool may_exceed_budget);
-  /// Returns the largest force since the last call, without the surface's own, in N. Resets it.
+  /// Returns the largest force since the last call, in N, without the forces of the surface. Resets
+  /// it to 0.
   [[nodiscard]] double take_largest_n() noexcept { return std::exchange(largest_n_, 0.0); }
 
  private:

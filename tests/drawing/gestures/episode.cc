@@ -120,7 +120,8 @@ void Episode::see_edit(const Edit& edit) {
 template <class What>
 void Episode::apply(const What& what) {
   if (broken_) return;
-  // If the pen is up, possibly in a bounce, the event makes this a lift: no tool waits for the pen.
+  // If the pen is up, the tip may be bouncing. The event ends the wait for a bounce, so the next
+  // touch starts a new gesture.
   if (pen_is_up_) contact_ = {};
   Event event;
   event.time_ns = now_ns_;

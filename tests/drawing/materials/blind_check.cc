@@ -14,7 +14,7 @@ constexpr std::size_t kFeatures = FeelFeatures::kCount;
 
 struct Known {
   std::vector<FeelFeatures> centroids;
-  std::array<double, kFeatures> spread{};  // spread within a choice, averaged over all choices
+  std::array<double, kFeatures> spread{};  // rms spread within the choices
 };
 
 // The features of each stroke with one choice, with the errors of the senses.

@@ -34,8 +34,8 @@ struct BlindCheck {
 };
 
 /// Returns the checks that docs/materials.md reports, each on an entry-level device and on a better
-/// one: the pencil on every surface, and every medium on kMediaSheet, whose grain is the easiest to
-/// feel with all media.
+/// one: the pencil on every surface, and every medium on kMediaSheet, because all media can be felt
+/// best on it.
 std::vector<BlindCheck> blind_checks_of_sheets();
 std::vector<BlindCheck> blind_checks_of_media();
 inline constexpr std::string_view kMediaSheet = "rough-paper";
@@ -50,7 +50,8 @@ struct Confusion {
   bool is_sound = true;  ///< the safety chain reported no fault in any stroke
 
   [[nodiscard]] double accuracy() const;
-  /// Number of pairs with a share of at least kDistinct in of_two; pairs() is the number of all.
+  /// Returns the number of pairs with a share of at least kDistinct in of_two. pairs() returns the
+  /// number of all pairs.
   [[nodiscard]] int distinct_pairs() const;
   [[nodiscard]] int pairs() const;
   /// Returns the table as text.
