@@ -100,8 +100,7 @@ run 0 "$feltline" replay in.ndjson -o run.felt --recording --set sheet.material=
 run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" replay run.felt -o there.ndjson --as-recorded
 has there.ndjson '"my-chalk"'
 
-# A user-defined medium keeps its look if its values come from the drawing and if they come from the
-# folder.
+# A user-defined medium looks the same, whether its values come from the drawing or from the folder.
 run 0 "$feltline" materials new faint --from chalk --save
 sed -i 's/^opacity_light = [0-9.]*/opacity_light = 0.05/; s/^opacity_heavy = [0-9.]*/opacity_heavy = 0.2/
   s/^color = "[^"]*"/color = "#202020"/' "$XDG_DATA_HOME/feltline/materials/faint.toml"

@@ -218,7 +218,7 @@ cat >recorded.ndjson <<'END'
 END
 run 0 "$feltline" replay recorded.ndjson --as-recorded -o recorded.out.ndjson
 lines recorded.out.ndjson 4
-# This recording names no version of the default options, like those of Feltline 0.1.0.
+# Like recordings of Feltline 0.1.0, this one does not name the version of the default options.
 has err "recorded.ndjson: recorded by an earlier version"
 sed -i 's/"senses_pressure":true/&,"defaults":2/' recorded.ndjson
 run 0 "$feltline" replay recorded.ndjson --as-recorded -o recorded.out.ndjson

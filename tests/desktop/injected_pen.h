@@ -28,8 +28,8 @@ class InjectedPen {
 
  private:
   QWindow* window_;
-  QPointF origin_;         // of the canvas in the window
-  QPointF window_origin_;  // of the window on the screen
+  QPointF origin_;         // origin of the canvas in the window
+  QPointF window_origin_;  // origin of the window on the screen
   std::unique_ptr<QPointingDevice> tip_, eraser_;
   bool is_turned_ = false;
 };

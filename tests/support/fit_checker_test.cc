@@ -166,9 +166,9 @@ TEST(FitChecker, OvershootMayGrowWithTheSampleGap) {
 }
 
 TEST(FitChecker, SlowInkPassingByDoesNotMakeAWideGapNarrow) {
-  // The ink has a gap of 40 from (0, 0) to (40, 0). The curve bulges to 8 above it, where it is only
-  // 6 below another part of the ink with dense samples. The wide gap must be used as the sample gap,
-  // although the dense samples are nearer.
+  // The ink has a gap of 40 from (0, 0) to (40, 0). The curve bulges to 8 above it, where it is
+  // only 6 below another part of the ink with dense samples. The wide gap must be used as the
+  // sample gap, although the dense samples are nearer.
   const Point turn{60, 14};
   std::vector<Point> samples{{0, 0}, {40, 0}, {60, 0}, turn};
   samples = joined(samples, ink_along(turn, {0, 14}, 0.5));

@@ -47,7 +47,7 @@ struct Damage {
 
 struct Case {
   std::vector<Stroke> strokes;
-  std::vector<Point> corners;  // of the path
+  std::vector<Point> corners;  // corners of the eraser's path
   double radius_mm = 2.0;
   bool include_width = true;
 };

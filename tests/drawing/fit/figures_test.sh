@@ -16,7 +16,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failed=0
 
-# judge TOLERANCE MOST_SEGMENTS [OPTION...]
+# judge TOLERANCE MOST_SEGMENTS [OPTION...]: fits the strokes and checks the curves.
 judge() {
   local tolerance=$1 most=$2 report segments
   shift 2

@@ -16,7 +16,7 @@ class Dice {
   explicit Dice(std::uint64_t seed) noexcept : random_(seed) {}
 
   double between(double low, double high) noexcept { return random_.between(low, high); }
-  /// Returns a number in low..high, as often in 1..10 as in 10..100. Requires 0 < low < high.
+  /// Returns a number in low..high; 1..10 is as likely as 10..100. Requires 0 < low < high.
   double over_decades(double low, double high) noexcept {
     return low * std::exp(between(0.0, std::log(high / low)));
   }

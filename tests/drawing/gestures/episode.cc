@@ -24,7 +24,7 @@ const Capabilities& any_device(Dice& dice) {
 }
 
 /// Returns the force limit of a tool, in N. It is higher if the tool draws, because attraction and
-/// stabiliser add up; all other tools keep to 1 N (R29, R35).
+/// stabiliser add up; the limit of all other tools is 1 N (R29, R35).
 double force_limit_n(bool draws) {
   return draws ? 2.0 : 1.0;
 }

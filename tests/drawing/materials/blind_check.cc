@@ -17,7 +17,7 @@ struct Known {
   std::array<double, kFeatures> spread{};  // rms spread within the choices
 };
 
-// The features of each stroke with one choice, with the errors of the senses.
+// The features of each stroke with one choice, with random errors like those of human senses.
 using Felt = std::vector<FeelFeatures>;
 
 Felt feel(const BlindCheck& check, std::size_t choice, bool& is_sound) {
@@ -36,7 +36,7 @@ Felt feel(const BlindCheck& check, std::size_t choice, bool& is_sound) {
     plan.press_n = 0.5 + 0.3 * part();
     const StrokeForces forces = draw_stroke(plan);
     is_sound = is_sound && forces.is_sound;
-    // Each stroke of each choice gets a different error of the senses.
+    // Each stroke of each choice gets different random errors.
     const auto index = static_cast<std::uint32_t>(choice);
     felt.push_back(blurred(features_of(forces, plan.leg_mm), 1000 * (index + 1) + seed));
   }

@@ -25,7 +25,7 @@ std::vector<Choice> media_on(std::string_view surface);
 /// with each choice. Some of them give the centroid of each choice's features; each of the others
 /// is assigned to the nearest centroid. Distances are in units of the spread within a choice.
 struct BlindCheck {
-  std::string name;  ///< "touch"
+  std::string name;  ///< for example "touch"
   std::string_view device = "touch";
   std::int64_t period_ns = 1'000'000;
   std::vector<Choice> choices;

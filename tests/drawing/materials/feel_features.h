@@ -31,7 +31,7 @@ struct Texturing {
   double peak_n = 0.0;         ///< sqrt 2 times the rms of the varying force along the surface
   double wavelength_mm = 0.0;  ///< mean wavelength, weighted by power
 };
-/// Returns the part of `forces` with wavelengths of `shortest_mm` to `longest_mm` at that speed.
+/// Returns the texture in `forces` with wavelengths of `shortest_mm` to `longest_mm` at this speed.
 Texturing texture_of(const std::vector<Force>& forces, double period_s, double speed_mm_per_s,
                      double shortest_mm, double longest_mm);
 

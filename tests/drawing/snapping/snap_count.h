@@ -19,7 +19,7 @@ struct SnapHand {
 /// The result of a scene.
 struct SnapCount {
   int meant = 0;    ///< strokes drawn
-  int strokes = 0;  ///< in the document
+  int strokes = 0;  ///< strokes in the document
   int closed = 0;
   double mean_mm = 0.0;     ///< mean distance from the path that the hand meant to the ink
   std::vector<Stroke> ink;  ///< the strokes in drawing order
@@ -50,9 +50,9 @@ int shapes_meant(const std::vector<std::vector<Point>>& meant);
 /// ends.
 int shapes_closed(const SnapCount& count, int lines_per_shape);
 
-/// Returns the number of ends that snapping moved onto another stroke although nobody meant it:
-/// they lie exactly on it, but without snapping (`off`) they were more than 0.8 mm away. Requires
-/// that no strokes were joined, because strokes are compared by their index.
+/// Returns the number of ends that snapping moved onto another stroke by mistake: they lie exactly
+/// on it, but without snapping (`off`) they were more than 0.8 mm away. Requires that no strokes
+/// were joined, because strokes are compared by their index.
 int ends_met_unasked(const SnapCount& count, const SnapCount& off);
 
 /// Returns the strokes of `scene`, as the simulated writing hand draws them, as .ndjson text.

@@ -78,7 +78,7 @@ SnapScene shaded() {
         const Vec offset = pass % 2 == 0 ? Vec{along, step} : Vec{step, along};
         const Point p = Point{10.0 + 25 * patch, 10} + offset + jitter;
         via.push_back(p);
-        if (i > 0 && i < 13) via.push_back(p);  // a corner
+        if (i > 0 && i < 13) via.push_back(p);  // a repeated point makes a corner
       }
       scene.strokes.push_back(line(via, 0.3, 1.5));
     }

@@ -1,7 +1,7 @@
 /// looks_compare A.png B.png [DIFF.png] measures how much two pictures of one drawing differ.
 ///
 /// Prints "mean M worst W size WxH" on stdout. M and W are differences of a colour channel, 0..255,
-/// over white. M is the mean over all pixels, without a tolerance. W is the worst difference with a
+/// blended over white. M is the mean of all pixels, without tolerance. W is the worst value with a
 /// tolerance of one pixel: the largest distance of a pixel from the range of the 3x3 pixels around
 /// it in the other picture, computed for both pictures. So edges may be rounded differently, but no
 /// part may be missing, added or moved by more than a pixel. The sizes may differ by a row or
@@ -24,7 +24,7 @@ namespace {
 constexpr int kChannels = 3;
 constexpr int kMaxRowsApart = 2;
 
-/// A picture with its colours over white.
+/// A picture with its colours blended over white.
 struct Picture {
   int width = 0, height = 0;
   std::vector<int> values;
