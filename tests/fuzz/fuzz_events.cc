@@ -1,5 +1,5 @@
-/// Reads any bytes as an event script. The reader must not crash. Accepted events must be as its
-/// header promises, and must be unchanged after writing and reading them.
+/// Reads any bytes as an event script. The reader must not crash. Accepted events must keep the
+/// reader's documented guarantees, and must be unchanged after writing and reading them.
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-/// Fits any samples in any order. The fitter must do what its header promises, both while samples
-/// arrive and after refine().
+/// Fits any samples in any order. The fitter must keep its documented guarantees, both while
+/// samples arrive and after refine().
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-/// Reads any bytes as an .ndjson file. The reader must not crash. Accepted strokes must be as its
-/// header promises, and must be unchanged after writing and reading them.
+/// Reads any bytes as an .ndjson file. The reader must not crash. Accepted strokes must keep the
+/// reader's documented guarantees, and must be unchanged after writing and reading them.
 
 #include <cmath>
 #include <cstdint>
