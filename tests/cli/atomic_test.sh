@@ -1,9 +1,9 @@
-# Outputs appear whole or not at all.
+# An output file is written completely or not at all.
 . "$(dirname "$0")/helpers.sh"
 
 strokes 50 >in.ndjson
 echo "an older file" >old
-# Where the file system has files without a name, not even a killed program leaves one behind.
+# If the file system supports unnamed files, even a killed program leaves no temporary file.
 leaves_none=$(stat -f -c %T . | grep -xE 'ext2/ext3|xfs|btrfs|tmpfs' || true)
 for extension in ndjson svg png; do
   output=sketch.$extension
@@ -33,7 +33,7 @@ cp sketch.ndjson twice.ndjson
 run 2 "$feltline" convert twice.ndjson -o twice.ndjson
 same twice.ndjson sketch.ndjson
 
-# Through a symbolic link, the file that it points to changes; its permissions stay.
+# Writing to a symbolic link changes the file that it points to and keeps the permissions of that file.
 mkdir kept
 cp old kept/real.ndjson
 chmod 640 kept/real.ndjson
@@ -43,7 +43,7 @@ run 0 "$feltline" fit in.ndjson -o link.ndjson
 same kept/real.ndjson sketch.ndjson
 [ "$(stat -c %a kept/real.ndjson)" = 640 ] || fail "permissions changed"
 
-# Other names of the file (hard links) keep the old content, and that is said.
+# Other names of the file (hard links) keep the old content, and a message says so.
 cp old linked.ndjson
 run 0 "$feltline" fit in.ndjson -o linked.ndjson
 is_empty err

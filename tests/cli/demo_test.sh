@@ -1,4 +1,4 @@
-# The demonstration: all its files, the same each time, and a cat with every stroke.
+# The demonstration writes all its files, the same in each run, and draws every stroke of the cat.
 tools=$(cd "$(dirname "$0")/../../src/felt/tools" && pwd)
 . "$(dirname "$0")/helpers.sh"
 
@@ -20,7 +20,7 @@ if command -v rsvg-convert >/dev/null; then
   run 0 rsvg-convert one/sketch.svg -o viewed.png
 fi
 
-# A picture an act: before, in work, after; and a row of the table.
+# Each act has a picture (before, during and after it) and a row of the table.
 run 0 "$feltline" demo -o one
 for act in "$tools"/*/[0-9]-*.ndjson; do
   name=$(basename "$act" .ndjson)
@@ -29,12 +29,13 @@ for act in "$tools"/*/[0-9]-*.ndjson; do
   has out "${name#*-}"
 done
 
-# Its scripts are ordinary ones: played on what the first one drew, each does what it is there for.
+# Its scripts are ordinary scripts. 'replay' plays each one on the drawing of the first act, and each
+# has its intended effect.
 run 0 "$feltline" replay "$tools/pencil/1-pencil.ndjson" -o cat.ndjson
 lines cat.ndjson "$(grep -c '"points"' "$tools/pencil/1-pencil.ndjson")"
 run 0 "$feltline" info cat.ndjson
 has out "closed          2"  # the ball of wool, and the cat's nose
-changes() { # ACT WHAT: what --stats says of it
+changes() { # ACT WHAT: plays ACT and checks that the output of --stats contains WHAT
   run 0 "$feltline" replay "$tools/${1#*-}/$1.ndjson" --on cat.ndjson --stats json
   has out "$2"
   has out '"hard_faults":0,'

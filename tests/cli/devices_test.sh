@@ -1,5 +1,5 @@
-# What 'devices' and 'doctor' say: for people, for programs. What they say of devices is in
-# apps/cli/*_test.cc: this machine may have any, or none.
+# The output of 'devices' and 'doctor', as text and as JSON. Output about real devices is tested in
+# apps/cli/*_test.cc, because any device, or none, may be connected to this machine.
 . "$(dirname "$0")/helpers.sh"
 
 run 0 "$feltline" devices
@@ -28,7 +28,7 @@ END
 fi
 run 2 "$feltline" devices nonsense
 
-# A machine where nothing is installed, and a home to keep things in.
+# 'doctor' on a machine without installed devices, with a home folder that can be written.
 export HOME=$work/home
 unset XDG_CONFIG_HOME XDG_STATE_HOME DISPLAY WAYLAND_DISPLAY
 mkdir home
@@ -47,12 +47,13 @@ run 2 "$feltline" doctor nonsense
 run 2 "$feltline" doctor --yes
 run 2 "$feltline" doctor --fix --json
 
-# A home that cannot be used hinders: exit 1, and the step is a command.
+# An unusable home folder is a problem: the exit code is 1, and the suggested repair is a command.
 HOME='' run 1 "$feltline" doctor
 has out "MEND"
 has out "export HOME="
 
-# --fix writes only after it was told to, twice the same, and never over what somebody else wrote.
+# --fix writes only after the user agrees, makes no further change in a second run, and never overwrites
+# a file that Feltline did not write.
 run 0 "$feltline" doctor --fix --dry-run --prefix "$work/root"
 [ ! -e root ] || fail "--dry-run wrote"
 if grep -q rtprio out; then
@@ -72,7 +73,7 @@ if grep -q rtprio out; then
   has err "left as it is"
   [ "$(cat "$limits")" = "somebody's" ] || fail "it wrote over a file that is not ours"
 fi
-# The device test, on simulated pens: virtual time, so the same each time.
+# The device test on simulated pens. It runs in virtual time, so each run gives the same report.
 run 0 "$feltline" device-test premium --report report.txt
 has out "Device test: Phantom Premium 1.5, simulated"
 has out "15 passed."

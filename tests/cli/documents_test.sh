@@ -1,4 +1,4 @@
-# Drawings: .felt in and out, .svg in, .pdf out.
+# Drawings: reading and writing .felt, reading .svg, writing .pdf.
 . "$(dirname "$0")/helpers.sh"
 
 strokes 20 >in.ndjson
@@ -6,7 +6,7 @@ run 0 "$feltline" fit in.ndjson -o a.ndjson
 sed 's/"id":"[^"]*"/"id":"x"/' a.ndjson >plain.ndjson
 nameless() { sed 's/"id":"[^"]*"/"id":"x"/' "$1" >"$1.plain"; same "$1.plain" plain.ndjson; }
 
-# To .felt and back nothing changes but the names, which are numbers there.
+# Converting to .felt and back changes only the ids of the strokes, because they are numbers in .felt.
 run 0 "$feltline" convert a.ndjson -o a.felt --page A5-landscape
 run 0 "$feltline" convert a.felt -o b.ndjson
 nameless b.ndjson
@@ -19,7 +19,8 @@ same copy.felt a.felt
 run 0 "$feltline" convert a.ndjson -o - --to felt --page A5-landscape
 same out a.felt
 
-# .svg: ours is read back exactly; of others what ink can show, and what it cannot is said.
+# Our own .svg files are read back exactly. From other .svg files, only content that ink can represent
+# is read, and a message names the rest.
 run 0 "$feltline" convert a.ndjson -o a.svg
 run 0 "$feltline" convert a.svg -o c.ndjson
 same c.ndjson a.ndjson
@@ -29,13 +30,13 @@ has err "feltline: other.svg: line 1: text"
 has err "feltline: other.svg: holds no strokes"
 [ ! -e d.ndjson ] || fail "a sketch of nothing"
 
-# What is drawn of each is the same picture.
+# The three files give the same picture.
 for file in a.ndjson a.felt a.svg; do
   run 0 "$feltline" render "$file" -o "$file.png" --dpi 50 --page fit --paper white
   same "$file.png" a.ndjson.png
 done
 
-# info tells the same figures of each, and of a drawing its sheet and layers.
+# info prints the same figures for each file, and for a drawing also its page and layers.
 run 0 "$feltline" info a.felt --json
 has out ',"format":"felt","page":{"width_mm":210,"height_mm":148,"paper":"#ffffff"},"layers":[{"name":"Ink","visible":true,"locked":false,"strokes":20}],"recordings":[],"notices":[]}'
 sed 's/,"format".*//' out >felt.info
@@ -46,7 +47,7 @@ run 0 "$feltline" info - <a.felt
 has out "page            210 x 148 mm, #ffffff"
 has out "layer 1         20 strokes, 'Ink'"
 
-# .pdf: the same bytes each time, nothing but a PDF, and never read.
+# .pdf: each run writes the same bytes, the file is a valid PDF, and PDF files are not read.
 run 0 "$feltline" render a.felt -o a.pdf --page A4
 run 0 "$feltline" convert a.ndjson -o b.pdf --page A4 --paper white
 same a.pdf b.pdf
@@ -57,7 +58,7 @@ run 1 "$feltline" convert a.ndjson -o huge.pdf --page 9000x10
 has err "5080 mm"
 [ ! -e huge.pdf ] || fail "a page that no PDF may have"
 
-# A drawing to begin with keeps its layers and ids; what is drawn comes on top.
+# A drawing given with --on keeps its layers and ids; new strokes are added on top.
 printf '%s\n' '{"t_ms":0,"event":"layer","do":"add","name":"Ideas"}' \
   '{"t_ms":0,"event":"pen","x":10,"y":10,"z":1}' '{"t_ms":1,"event":"pen","x":10,"y":10,"z":-0.5}' \
   '{"t_ms":50,"event":"pen","x":40,"y":20,"z":-0.5}' '{"t_ms":51,"event":"pen","x":40,"y":20,"z":1}' \
@@ -67,7 +68,7 @@ run 0 "$feltline" replay script.ndjson --on a.ndjson -o on2.ndjson
 same on.ndjson on2.ndjson
 lines on.ndjson 21
 
-# Hidden layers: a format that cannot hide them says what becomes of their strokes.
+# If a format has no hidden layers, a message says what happened to the strokes of hidden layers.
 printf '%s\n' '{"t_ms":0,"event":"layer","do":"add"}' '{"t_ms":0,"event":"layer","do":"hide","id":1}' \
   '{"t_ms":0,"event":"pen","x":10,"y":10,"z":1}' '{"t_ms":1,"event":"pen","x":10,"y":10,"z":-0.5}' \
   '{"t_ms":50,"event":"pen","x":40,"y":20,"z":-0.5}' '{"t_ms":51,"event":"pen","x":40,"y":20,"z":1}' \
@@ -81,13 +82,13 @@ run 0 "$feltline" convert hidden.felt -o seen.xopp
 has err "seen.xopp: 20 strokes of hidden layers show, because .xopp has no hidden layers"
 lines err 1
 for command in "hidden.felt -o all.ndjson --layers all" "hidden.felt -o hidden.svg" "a.felt -o a.xopp"; do
-  # shellcheck disable=SC2086  # words on purpose
+  # shellcheck disable=SC2086  # must be split into words
   run 0 "$feltline" convert $command
   is_empty err
 done
 lines all.ndjson 21
 
-# Ink farther away than a line of .ndjson may say is refused, not written and then not read.
+# Ink beyond the largest coordinate of .ndjson is refused; otherwise the written file could not be read.
 echo '{"id":"far","closed":false,"segments":[[9999999990,0,9999999993,0,9999999996,0,9999999999,0]],"joints":[],"widths":[[0,1],[1,1]]}' >edge.ndjson
 run 0 "$feltline" convert edge.ndjson -o edge.felt
 run 0 "$feltline" convert edge.felt -o edge2.ndjson
@@ -100,7 +101,7 @@ run 1 "$feltline" replay beyond.ndjson --on edge.felt -o far.ndjson
 has err "reaches farther than 1e10 mm"
 [ ! -e far.ndjson ] || fail "written, but it cannot be read"
 
-# Damage is an error that names the file; nothing is written.
+# If a file is damaged, the error names the file and no output is written.
 head -c 3000 a.felt >cut.felt
 run 1 "$feltline" convert cut.felt -o f.ndjson
 has err "feltline: cut.felt: is damaged or cut off"

@@ -1,10 +1,11 @@
-# Doors to everybody's formats: known by content, layers come along, notices, --strict, --salvage.
+# Import and export of other formats: they are recognized by content, layers are kept, unsupported
+# content gives notices; --strict and --salvage.
 . "$(dirname "$0")/helpers.sh"
 
 strokes 30 >in.ndjson
 run 0 "$feltline" fit in.ndjson -o a.ndjson
 
-# A drawing of three layers, the second hidden and the third locked, on a sheet of its own.
+# A drawing with its own page size and three layers, the second hidden and the third locked.
 {
   echo '<?xml version="1.0"?>'
   echo '<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80"'
@@ -29,7 +30,8 @@ has out "layer 2         1 strokes, 'Ideas, old', hidden"
 has out "layer 3         1 strokes, 'Top', locked"
 is_empty err
 
-# Notices: told on stderr, kept to itself, or a failure that writes nothing; counted in --json.
+# Notices are printed on stderr, suppressed with --quiet, or with --strict make the command fail without
+# an output. --json counts them.
 run 0 "$feltline" convert layers.svg -o quiet.felt --quiet
 is_empty err
 same quiet.felt layers.felt
@@ -39,7 +41,8 @@ has err "feltline: layers.svg: line 11: text"
 run 0 "$feltline" info layers.svg --json -q
 has out '"count":2}]'
 
-# Formats that hold everything give it back, byte for byte in .felt, by their content alone.
+# Formats that can hold a whole drawing give it back: the .felt file is equal byte for byte. They are
+# recognized by their content alone.
 for format in svg inkml; do
   run 0 "$feltline" convert layers.felt -o "there.$format"
   run 0 "$feltline" convert "there.$format" -o back.felt
@@ -53,7 +56,7 @@ for format in svg inkml; do
   same back.felt layers.felt
 done
 
-# .xopp: layers and lines come along, in little pieces.
+# .xopp keeps layers and lines; curves become short straight pieces.
 run 0 "$feltline" convert layers.felt -o there.xopp
 run 0 "$feltline" info there.xopp --json
 has out '"strokes":1}],"recordings":[],"notices"'
@@ -62,7 +65,7 @@ run 0 "$feltline" convert a.ndjson -o a2.xopp
 same a.xopp a2.xopp
 run 0 "$feltline" fit a.xopp -o fitted.svg
 
-# What is seen, and what is chosen.
+# By default only visible layers are converted; --layers selects others.
 run 0 "$feltline" convert layers.felt -o seen.ndjson
 lines seen.ndjson 2
 run 0 "$feltline" convert layers.felt -o all.ndjson --layers all
@@ -79,11 +82,11 @@ run 0 "$feltline" render seen.svg -o seen.png --dpi 50
 run 0 "$feltline" render layers.felt -o layers.png --dpi 50
 same seen.png layers.png
 
-# Raw pen samples become ink on the way.
+# convert fits raw pen samples to ink.
 run 0 "$feltline" convert in.ndjson -o raw.ndjson
 same raw.ndjson a.ndjson
 
-# A damaged drawing: refused, and what can be had of it on demand.
+# A damaged drawing is refused, but --salvage reads its undamaged part.
 strokes 400 >many.ndjson
 run 0 "$feltline" fit many.ndjson -o whole.felt
 head -c $(($(stat -c %s whole.felt) * 3 / 4)) whole.felt >cut.felt
@@ -93,11 +96,11 @@ run 0 "$feltline" convert cut.felt -o had.ndjson --salvage
 [ -s err ] || fail "nothing said about the damage"
 [ "$(wc -l <had.ndjson)" -gt 0 ] || fail "nothing was had"
 
-# fit takes samples, not what is fitted already.
+# fit accepts raw samples only, not curves that are fitted already.
 run 1 "$feltline" fit layers.felt -o x.ndjson
 has err "feltline: layers.felt: holds curves, which are fitted already"
 
-# The table.
+# 'formats' prints a table of the formats.
 run 0 "$feltline" formats
 for word in felt svg inkml xopp ndjson pdf png; do has out "$word "; done
 rows=$(($(wc -l <out) - 1))

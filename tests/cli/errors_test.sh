@@ -1,4 +1,5 @@
-# Bad records and bad files: one line on stderr each, the rest goes on, exit code 1.
+# Each invalid record or file gives one line on stderr. The others are processed, and the exit code is
+# 1.
 . "$(dirname "$0")/helpers.sh"
 
 strokes 2 >good.ndjson
@@ -29,12 +30,13 @@ run 1 "$feltline" fit - -o - <bad.ndjson
 has err "feltline: stdin:2: "
 same out expected.ndjson
 
-# What no format of ours is is not read line by line; the content counts, not the name.
+# A file in an unsupported format is refused with a single error instead of one per line. The format is
+# recognized by the content, not by the name.
 printf '\211PNG\r\n\032\n0000' >picture.png
 cp picture.png picture.ndjson
 for name in picture.png picture.ndjson; do
   for command in "fit $name -o x.ndjson" "info $name" "render $name -o x.png" "convert $name -o -"; do
-    # shellcheck disable=SC2086  # words on purpose
+    # shellcheck disable=SC2086  # must be split into words
     run 1 "$feltline" $command
     lines err 1
     has err "feltline: $name: is a PNG picture, which is written but not read"
@@ -45,21 +47,21 @@ run 1 "$feltline" convert letter.doc -o x.svg
 has err "feltline: letter.doc: is not a drawing that Feltline can read; it reads felt, svg,"
 echo '{"t_ms":0,"event":"undo"}' >script.ndjson
 for command in "fit script.ndjson -o x.ndjson" "info script.ndjson" "convert script.ndjson -o x.svg"; do
-  # shellcheck disable=SC2086  # words on purpose
+  # shellcheck disable=SC2086  # must be split into words
   run 1 "$feltline" $command
   lines err 1
   has err "feltline: script.ndjson: holds events, not strokes"
 done
 [ ! -e x.svg ] || fail "a drawing of nothing"
 
-# A drawing of Quick, Draw! that is not known by the front of its line is called by its name.
+# Errors name the format of a Quick, Draw! drawing even if the start of its line does not show it.
 {
   printf '{"word":"'
   head -c 1000000 /dev/zero | tr '\0' a
   echo '","drawing":[[[1,2],[3,4]]]}'
 } >word.ndjson
 for command in "info word.ndjson" "convert word.ndjson -o x.svg"; do
-  # shellcheck disable=SC2086  # words on purpose
+  # shellcheck disable=SC2086  # must be split into words
   run 1 "$feltline" $command
   lines err 1
   has err "feltline: word.ndjson:1: is a drawing of Quick, Draw!"
@@ -69,13 +71,13 @@ lines err 1
 has err "feltline: word.ndjson:1: word: longer than 4096 bytes"
 [ ! -e x.svg ] || fail "a drawing of nothing"
 
-# Records without a name get their number.
+# A record without an id gets its number as the id.
 printf '{"points":[[0,0],[5,5]]}\n{"id":"b","points":[[0,0],[5,5]]}\n{"points":[[0,0],[5,5]]}\n' >n.ndjson
 run 0 "$feltline" fit n.ndjson -o -
 has out '{"id":"s1",'
 has out '{"id":"s3",'
 
-# Inputs that are not there do not spoil the others, nor an older output.
+# If an input does not exist, the others are still processed. If all fail, an older output is kept.
 run 1 "$feltline" fit missing.ndjson good.ndjson . -o out.ndjson
 has err "feltline: missing.ndjson: No such file or directory"
 has err "feltline: .: Is a directory"
@@ -90,7 +92,7 @@ for nothing in empty blank; do
   same out.ndjson expected.ndjson
   for command in "render $nothing.ndjson -o x.png" "convert $nothing.ndjson -o -" \
     "info $nothing.ndjson"; do
-    # shellcheck disable=SC2086  # words on purpose
+    # shellcheck disable=SC2086  # must be split into words
     run 1 "$feltline" $command
     has err "feltline: $nothing.ndjson: holds no strokes"
   done
@@ -103,7 +105,7 @@ if [ "$(id -u)" != 0 ]; then
   has err "feltline: locked.ndjson: Permission denied"
 fi
 
-# Outputs that cannot be written.
+# The error for an output that cannot be written names the output.
 run 1 "$feltline" fit good.ndjson -o no/such/folder.ndjson
 has err "no/such/folder.ndjson"
 mkdir folder.ndjson
@@ -120,7 +122,7 @@ fi
 run 0 "$feltline" fit good.ndjson -o /dev/null
 [ -c /dev/null ] || fail "/dev/null was replaced"
 
-# Sketches are checked as strictly.
+# Sketches are checked as strictly as raw samples.
 echo '{"id":"k","closed":false,"segments":[[0,0,1,1,2,1,3,0],[3,1,4,4,5,5,6,6]],"joints":["smooth"],"widths":[[0,1],[2,1]]}' >k.ndjson
 run 1 "$feltline" convert k.ndjson -o -
 has err "feltline: k.ndjson:1: segments[1]: does not start where the one before ends"

@@ -1,10 +1,11 @@
-# Formats and pictures: by extension and by name, and what convert and info say.
+# Formats and pictures: formats chosen by file extension and by name, and the output of convert and
+# info.
 . "$(dirname "$0")/helpers.sh"
 
 strokes 20 >in.ndjson
 run 0 "$feltline" fit in.ndjson -o a.ndjson
 
-# convert gives a sketch back byte for byte, with or without a header line before it.
+# convert returns a sketch unchanged, byte for byte, with or without a header line before it.
 run 0 "$feltline" convert a.ndjson -o b.ndjson
 same a.ndjson b.ndjson
 { echo '{"feltline":1,"unit":"mm"}'; cat a.ndjson; } >headed.ndjson
@@ -13,7 +14,7 @@ same out a.ndjson
 run 0 "$feltline" convert a.ndjson -o b.JSONL
 same a.ndjson b.JSONL
 
-# A size in mm becomes a size in pixels.
+# The size of a picture in pixels follows from the page size in mm.
 png_size() { od -An -tu1 -j16 -N8 "$1" | awk '{ print $3 * 256 + $4 "x" $7 * 256 + $8 }'; }
 run 0 "$feltline" render a.ndjson -o p.png --page A4 --dpi 25.4
 [ "$(png_size p.png)" = 210x297 ] || fail "A4 is $(png_size p.png)"
@@ -31,8 +32,8 @@ run 1 "$feltline" render a.ndjson -o r.png --dpi 4800 --page 100000x100000
 run 0 "$feltline" render headed.ndjson -o headed.png --dpi 50 --paper transparent
 same headed.png p.png
 
-# The grain of a sheet shows in a picture, the same each time (R47); without a sheet the ink is solid,
-# and on a smooth one it looks as its medium does there.
+# A picture shows the grain of the surface, and each run gives the same picture (R47). Without a surface
+# the ink is solid. On a smooth surface it looks as the medium does there.
 run 0 "$feltline" render a.ndjson -o g1.png --dpi 50 --paper transparent --surface paper
 run 0 "$feltline" fit in.ndjson -o g2.png --dpi 50 --paper transparent --surface paper
 same g1.png g2.png
@@ -41,8 +42,9 @@ run 0 "$feltline" render a.ndjson -o glass.png --dpi 50 --paper transparent --su
 ! cmp -s glass.png p.png || fail "no medium on glass"
 ! cmp -s glass.png g1.png || fail "glass with grain"
 
-# With --grain an .svg and a .pdf show it too: seen through masks, the outlines as without, and the same
-# drawing when it is read; a .png takes the sheet that the drawing says it is on.
+# With --grain an .svg and a .pdf show the grain too. Masks make the grain; the outlines are the same as
+# without it, and the .svg is read back as the same drawing. A .png uses the surface that the drawing
+# names.
 run 0 "$feltline" convert a.ndjson -o page.felt --page A4
 run 0 "$feltline" convert page.felt -o solid.svg
 run 0 "$feltline" convert a.ndjson -o grain.svg --page A4 --grain --surface rough-paper --grain-dpi 60
@@ -74,8 +76,8 @@ has err "the drawing's surface 'moon dust' is not known here; say which with --s
 run 0 "$feltline" convert on_moon.svg -o moon_back.svg
 has moon_back.svg 'felt:surface="moon dust"'
 
-# What the lines are drawn with: its name and its tones go with them, in every format of ours; ink
-# without a material has the tones of its widths, and no byte for them.
+# Each of our formats stores the name of the medium and the tones of the lines. If ink has no medium,
+# its tones follow from its widths and are not stored.
 run 0 "$feltline" fit in.ndjson --material charcoal --max-width 2.5 -o toned.ndjson
 has toned.ndjson '"material":"charcoal"'
 has toned.ndjson '"tones":['
@@ -86,7 +88,7 @@ for format in svg inkml felt; do
   same toned.ndjson again.ndjson
 done
 
-# The paper is there in an .svg as well, and nowhere when it is transparent or not asked for.
+# An .svg also contains the paper colour, unless it is transparent or not requested.
 run 0 "$feltline" convert a.ndjson -o plain.svg
 run 0 "$feltline" convert a.ndjson -o clear.svg --paper transparent
 same plain.svg clear.svg
@@ -97,7 +99,7 @@ run 0 "$feltline" render a.ndjson -o paper.svg --paper '#ffeecc80' --page 30x20
 has paper.svg '<rect id="paper" x="0" y="0" width="30" height="20" fill="#ffeecc" fill-opacity="0.502"'
 has paper.svg '</svg>'
 
-# A stroke that a format cannot hold is left out; the rest goes on.
+# A stroke that a format cannot represent is skipped; the others are written.
 printf '{"id":"a\\u0001","points":[[0,0],[5,5]]}\n{"id":"b","points":[[0,0],[5,5]]}\n' >ids.ndjson
 run 1 "$feltline" fit ids.ndjson -o ids.svg
 lines err 1
@@ -108,7 +110,7 @@ run 1 "$feltline" convert fitted_ids.ndjson -o converted_ids.svg
 has err "feltline: fitted_ids.ndjson:1: XML cannot hold the character U+1"
 same converted_ids.svg ids.svg
 
-# info
+# The output of info.
 run 0 "$feltline" info in.ndjson --json
 has out '{"kind":"raw","strokes":20,"samples":800,"longest_stroke":40,"with_pressure":20,"with_time":20,'
 run 0 "$feltline" info headed.ndjson --json
@@ -117,7 +119,8 @@ run 0 "$feltline" info - <a.ndjson
 has out 'kind            sketch'
 has out 'format          Strokes as lines of JSON'
 lines out 10
-# Drawings of Quick, Draw!: each stroke of a line becomes a stroke, with a name and a number of its own.
+# Drawings of Quick, Draw!: each line is a drawing, and each of its strokes becomes a stroke. The id of
+# a stroke is the id of the drawing with a number.
 printf '%s\n' '{"word":"house","key_id":"47","drawing":[[[30,30,225],[255,110,112]],[[0,9],[5,5]]]}' \
   '{"drawing":[[[1,9],[1,9],[0,16]]]}' >quick.ndjson
 run 0 "$feltline" fit quick.ndjson -o quick_fitted.ndjson --mm-per-unit 0.2

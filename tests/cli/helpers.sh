@@ -1,5 +1,6 @@
-# Sourced by the tests of the program. $feltline is the program, the current folder is empty and goes
-# away at the end. A failed check says where and what, and the test goes on; `finish` ends it.
+# The tests of the program source this file. $feltline is the program. The current folder is empty at
+# the start and removed at the end. If a check fails, it prints its line and the reason, and the test
+# continues; `finish` ends the test.
 set -uo pipefail
 # shellcheck disable=SC2034  # the scripts that read this file use it
 feltline=$1
@@ -11,12 +12,12 @@ failures=0
 
 fail() {
   local line=${BASH_LINENO[1]}
-  [ "$line" != 0 ] || line=${BASH_LINENO[0]}  # called by the test itself
+  [ "$line" != 0 ] || line=${BASH_LINENO[0]}  # the test itself called fail
   printf 'FAILED at line %s: %s\n' "$line" "$*" >&2
   failures=$((failures + 1))
 }
 
-# run CODE COMMAND...: runs the command, its output in ./out and ./err, and checks its exit code.
+# run CODE COMMAND...: runs COMMAND, writes its output to ./out and ./err, and checks its exit code.
 run() {
   local wanted=$1 code=0
   shift
@@ -24,19 +25,20 @@ run() {
   [ "$code" = "$wanted" ] || fail "exit code $code instead of $wanted: $* : $(head -c 300 err)"
 }
 
-# same FILE FILE
+# same FILE FILE: checks that the files are equal.
 same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
 
-# has FILE TEXT: the file has a line with that text.
+# has FILE TEXT: checks that a line of FILE contains TEXT.
 has() { grep -qF -- "$2" "$1" || fail "no '$2' in $1: $(head -c 300 "$1")"; }
 
-# lines FILE COUNT
+# lines FILE COUNT: checks that FILE has COUNT lines.
 lines() { [ "$(wc -l <"$1")" = "$2" ] || fail "$(wc -l <"$1") lines instead of $2 in $1"; }
 
-# is_empty FILE
+# is_empty FILE: checks that FILE is empty.
 is_empty() { [ ! -s "$1" ] || fail "$1 is not empty: $(head -c 300 "$1")"; }
 
-# limit_memory KIB COMMAND...: with bounded address space, which sanitizers cannot live in.
+# limit_memory KIB COMMAND...: runs COMMAND with at most KIB of address space. With a sanitizer it runs
+# COMMAND without the limit, because sanitizers need much more.
 limit_memory() {
   local kib=$1
   shift
@@ -47,7 +49,7 @@ limit_memory() {
   fi
 }
 
-# strokes COUNT: that many raw strokes of some 40 samples, all different.
+# strokes COUNT: prints COUNT different raw strokes of 40 samples each.
 strokes() {
   awk -v count="$1" 'BEGIN {
     for (s = 1; s <= count; s++) {

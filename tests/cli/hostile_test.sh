@@ -1,25 +1,26 @@
-# Input that was made to hurt: an error or a sane stroke, in bounded time and memory.
+# Malicious input must give an error or a valid stroke, in bounded time and memory.
 . "$(dirname "$0")/helpers.sh"
 
 good='{"id":"good","points":[[0,0],[5,5]]}'
-# feed SECONDS KIB CODE OPTIONS...: fits stdin; checks time, memory and exit code.
+# feed SECONDS KIB CODE OPTIONS...: fits stdin with limits of time and memory, and checks the exit code.
 feed() {
   local seconds=$1 kib=$2
   shift 2
   run "$1" limit_memory "$kib" timeout "$seconds" "$feltline" fit - -o - "${@:2}"
 }
 
-# Nothing, NUL bytes, noise.
+# Empty input, NUL bytes and binary data.
 feed 20 500000 1 </dev/null
 head -c 1000000 /dev/zero >zeros
 feed 20 500000 1 <zeros
 has err "is NUL"
-# Compressed, since the program holds scripts as text, whose strokes it would find.
+# The program file contains scripts as text. It is compressed here because fit would find their strokes.
 gzip -c "$feltline" | head -c 3000000 >binary
 feed 20 500000 1 <binary
 is_empty out
 
-# A number of 10^9 digits, longer than any line may be; then of 10^7, longer than any number may be.
+# A number of 10^9 digits exceeds the maximum length of a line; one of 10^7 digits exceeds the maximum
+# length of a number.
 digits() { head -c "$1" /dev/zero | tr '\0' '7'; }
 feed 120 2500000 1 --no-refine < <(printf '{"points":[[' && digits 1000000000 && printf ',1]]}\n%s\n' "$good")
 has err "stdin:1: the line is longer than 512 MiB"
@@ -28,7 +29,7 @@ feed 20 1000000 1 < <(printf '{"points":[[' && digits 10000000 && printf ',1]]}\
 has err "stdin:1: points[0]: x: number of 10000000 characters, at most 64 allowed"
 has out '"id":"good"'
 
-# What never ends, and pipes that nobody writes to, in the place of files.
+# Endless devices, and pipes that no process writes to, given as files.
 mkfifo pipe
 for endless in /dev/zero /dev/urandom; do
   echo "{\"t_ms\":0,\"event\":\"import\",\"path\":\"$endless\"}" >import.ndjson
@@ -36,7 +37,7 @@ for endless in /dev/zero /dev/urandom; do
     "replay $endless -o x.felt" "replay good.ndjson --on $endless -o x.felt" \
     "materials check $endless" "replay import.ndjson -o x.felt"; do
     echo "$good" >good.ndjson
-    # shellcheck disable=SC2086  # words on purpose
+    # shellcheck disable=SC2086  # must be split into words
     run 1 timeout 20 "$feltline" $command
     lines err 1
     has err "$endless: not a regular file"
@@ -44,24 +45,25 @@ for endless in /dev/zero /dev/urandom; do
 done
 echo '{"t_ms":0,"event":"import","path":"pipe"}' >import.ndjson
 for command in "replay import.ndjson -o x.felt" "materials check pipe"; do
-  # shellcheck disable=SC2086  # words on purpose
+  # shellcheck disable=SC2086  # must be split into words
   run 1 timeout 20 "$feltline" $command
   has err "pipe: not a regular file"
 done
-# Pipes that somebody does write to are inputs.
+# Pipes that a process writes to are valid inputs.
 run 0 timeout 20 "$feltline" fit <(echo "$good") -o -
 run 0 timeout 20 bash -c "cat good.ndjson | '$feltline' fit /dev/stdin -o -"
 "$feltline" fit good.ndjson -o piped.felt
 run 0 timeout 20 "$feltline" replay <(echo "$good") --on <(cat piped.felt) -o x.felt
 rm -f x.felt
 
-# 10,000 layers, which a drawing may have, one event each. Seconds of the processor, not of the clock.
+# 10,000 layers, the maximum of a drawing, each added by its own event. The limit is CPU time, so a busy
+# machine does not matter.
 awk 'BEGIN { for (i = 0; i < 9999; i++) print "{\"t_ms\":" i ",\"event\":\"layer\",\"do\":\"add\"}" }' >layers.ndjson
 if [ -z "${FELT_SANITIZE:-}" ]; then
   run 0 bash -c "ulimit -t 60; '$feltline' replay layers.ndjson -o layers.felt"
 fi
 
-# A path of more segments than a stroke of a file may have.
+# A path with more segments than a stroke in a file may have.
 {
   echo '<svg xmlns="http://www.w3.org/2000/svg"><path fill="none" stroke="red" d="M0 0'
   awk 'BEGIN { for (i = 1; i <= 1000100; i++) print "L" i % 1000 " " i % 7 * 5 }'
@@ -72,7 +74,7 @@ has err "more than 250000 segments and became several strokes"
 run 0 "$feltline" info long.felt
 rm -f long.*
 
-# Variables that are replaced by nothing, 30^7 times.
+# Style variables that refer to each other and expand to 30^7 empty texts.
 {
   echo '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L9 9" fill="none" stroke="var(--a)" style="'
   for pair in a:b b:c c:d d:e e:f f:g 'g:z,'; do
@@ -86,7 +88,7 @@ run 0 timeout 20 "$feltline" convert variables.svg -o variables.felt
 has err "has a stroke that is not read, and became black"
 rm variables.*
 
-# A file larger than any drawing is refused by its size, not read first.
+# A file larger than the maximum of a drawing is refused because of its size, before it is read.
 printf 'SQLite format 3\0' >large.felt
 truncate -s 2200M large.felt
 run 1 limit_memory 1000000 "$feltline" info large.felt
@@ -94,7 +96,7 @@ has err "large.felt: is larger than 2147483648 bytes"
 truncate -s 1500M large.felt
 if [ -z "${FELT_SANITIZE:-}" ]; then
   for command in "info large.felt" "convert large.felt -o x.svg"; do
-    # shellcheck disable=SC2086  # words on purpose
+    # shellcheck disable=SC2086  # must be split into words
     run 1 limit_memory 1000000 "$feltline" $command
     has err "feltline: large.felt: not enough memory to read it"
   done
@@ -103,13 +105,13 @@ rm large.felt
 run 1 bash -c "ulimit -f 1; '$feltline' fit - -o big.felt" < <(strokes 50)
 has err "cannot write: File too large"
 
-# A nesting bomb.
+# Ten million nested arrays.
 feed 20 1000000 1 < <(printf '{"x":' && head -c 10000000 /dev/zero | tr '\0' '[' && printf '\n%s\n' "$good")
 lines err 1
 has out '"id":"good"'
 
-# A stroke of ten million samples, to and fro and all at one place; under a sanitizer, which takes
-# minutes for that, of one million.
+# A stroke of ten million samples, first back and forth, then all at one position. With a sanitizer it
+# has one million, because ten million would take minutes.
 quarter=2500000
 [ -z "${FELT_SANITIZE:-}" ] || quarter=250000
 feed 250 8000000 0 --no-refine < <(
@@ -123,7 +125,7 @@ feed 250 8000000 0 --no-refine < <(
 )
 lines out 1
 
-# Samples that make no sense as a movement.
+# Samples that no real movement can give.
 while read -r points; do
   feed 20 500000 0 < <(printf '{"points":%s}\n' "$points")
   lines out 1

@@ -1,4 +1,5 @@
-# Materials: listed, shown, checked, begun; a person's own are found, and used by their ids.
+# Materials can be listed, shown, checked and created. User-defined materials are found and can be used
+# by their ids.
 . "$(dirname "$0")/helpers.sh"
 export XDG_DATA_HOME=$work/data XDG_DATA_DIRS=$work/shared HOME=$work
 
@@ -10,7 +11,7 @@ run 0 "$feltline" materials --json
 has out '{"id":"paper","kind":"sheet","label":"Paper","path":null'
 lines out 18
 
-# What is shown is what is read, for each.
+# Each shown material can be read again without an error.
 ids=$(sed 's/^{"id":"\([^"]*\)".*/\1/' out)
 texts=()
 for id in $ids; do
@@ -23,7 +24,7 @@ has out "paper.toml: sheet paper (to read, but not as one of your own"
 run 1 "$feltline" materials show mud
 has err 'there is no material "mud"; there are paper, rough-paper'
 
-# What is wrong is said with its place, each thing, and others are looked at, too.
+# Each error is printed with its line, and the other files are still checked.
 sed 's/^height_um = [0-9.]*/height_um = 900/; s/^friction/fricton/' paper.toml >bad.toml
 wrong=$(grep -n ^fricton bad.toml | cut -d: -f1) high=$(grep -n ^height_um bad.toml | cut -d: -f1)
 run 1 "$feltline" materials check bad.toml glass.toml none.toml
@@ -36,7 +37,7 @@ has out "stdin: sheet wood"
 run 2 "$feltline" materials check
 run 2 "$feltline" materials polish
 
-# A new one, to stdout or into the folder, and never over another.
+# 'new' writes a material to stdout or into the folder and never overwrites an existing one.
 run 0 "$feltline" materials new my-paper --from rough-paper
 has out 'id = "my-paper"'
 has out 'label = "My paper"'
@@ -55,7 +56,7 @@ run 0 "$feltline" tools --json
 has out '"my-chalk"'
 has out '"my-paper"'
 
-# A file that is wrong is named, and the others are there.
+# An invalid file is named, and the other materials are still listed.
 mkdir -p shared/feltline/materials
 cp bad.toml shared/feltline/materials/
 run 0 "$feltline" materials --json
@@ -63,7 +64,7 @@ lines out 20
 has err "shared/feltline/materials/bad.toml:$wrong: "
 rm -r shared
 
-# They are chosen like any other, and shown in pictures.
+# User-defined materials are chosen like built-in ones, and pictures show them.
 strokes 2 >in.ndjson
 run 0 "$feltline" replay in.ndjson -o own.ndjson --set sheet.material=my-paper --set pencil.material=my-chalk
 has own.ndjson '"my-chalk"'
@@ -83,7 +84,7 @@ run 2 "$feltline" fit in.ndjson -o b.png --surface my-chalk
 run 1 "$feltline" fit in.ndjson -o b.png --surface bad.toml
 has err "bad.toml:$wrong: "
 
-# On a sheet of one's choice, too, a medium that the drawing brings looks like itself.
+# A medium that is stored in the drawing keeps its look, also with another surface.
 run 0 "$feltline" replay in.ndjson -o own.felt --recording --medium my-chalk
 run 0 "$feltline" replay in.ndjson -o built.felt --recording --medium chalk
 for pen in own built; do
@@ -93,12 +94,13 @@ same own.png built.png
 run 0 "$feltline" replay in.ndjson -o thin.felt --recording --set pencil.material=my-chalk
 cmp -s thin.felt own.felt && fail "--medium takes no widths"
 
-# A recording brings along what it names, so that it draws the same where nobody has it.
+# A recording contains the materials that it names, so that it gives the same drawing on a machine
+# without them.
 run 0 "$feltline" replay in.ndjson -o run.felt --recording --set sheet.material=my-paper --set pencil.material=my-chalk
 run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" replay run.felt -o there.ndjson --as-recorded
 has there.ndjson '"my-chalk"'
 
-# A medium of one's own looks like itself, wherever its figures come from: the drawing or the folder.
+# A user-defined medium looks the same, whether its values come from the drawing or from the folder.
 run 0 "$feltline" materials new faint --from chalk --save
 sed -i 's/^opacity_light = [0-9.]*/opacity_light = 0.05/; s/^opacity_heavy = [0-9.]*/opacity_heavy = 0.2/
   s/^color = "[^"]*"/color = "#202020"/' "$XDG_DATA_HOME/feltline/materials/faint.toml"
@@ -107,7 +109,7 @@ sed -i 's/^height_um = [0-9.]*/height_um = 90/; s/^color = "[^"]*"/color = "#fff
 run 0 "$feltline" replay in.ndjson -o faint.ndjson --medium faint
 sed 's/"faint"/"pencil"/' faint.ndjson >as_pencil.ndjson
 for way in "--surface canvas" "--surface canvas --grain"; do
-  # shellcheck disable=SC2086  # options and their values
+  # shellcheck disable=SC2086  # must be split into words
   for name in faint as_pencil; do
     run 0 "$feltline" render $name.ndjson -o $name.png --dpi 50 --page A4 $way
   done
@@ -118,21 +120,21 @@ run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" render faint.felt -o there.pn
 same there.png faint.png
 run 0 "$feltline" replay in.ndjson -o played.png --dpi 50 --page A4 --medium faint --surface canvas
 same played.png faint.png
-# Where a drawing says otherwise than the folder, its own figures hold in it.
+# If the values in the drawing and in the folder differ, those in the drawing are used.
 run 0 "$feltline" replay in.ndjson -o own_text.felt --medium faint --sheet my-paper
 run 0 "$feltline" render own_text.felt -o before.png --dpi 50 --grain
 sed -i 's/^opacity_heavy = [0-9.]*/opacity_heavy = 0.9/' "$XDG_DATA_HOME/feltline/materials/faint.toml"
 sed -i 's/^height_um = [0-9.]*/height_um = 5/' "$XDG_DATA_HOME/feltline/materials/my-paper.toml"
 run 0 "$feltline" render own_text.felt -o after.png --dpi 50 --grain
 same before.png after.png
-# A drawing that names a sheet without its text.
+# A drawing that names a surface without storing its text.
 run 0 "$feltline" convert faint.felt -o named.svg
 sed -i 's/felt:surface="paper"/felt:surface="my-paper"/' named.svg
 run 0 "$feltline" render named.svg -o named.png --dpi 50 --grain
 run 1 env XDG_DATA_HOME="$work/nobody" "$feltline" render named.svg -o named.png --grain
 has err "'my-paper' is not known here"
 
-# The drawing says its sheet and its materials, with a recording or without one.
+# The drawing stores its surface and its materials, with or without a recording.
 for sheet in wood my-paper; do
   run 0 "$feltline" replay in.ndjson -o kept.felt --sheet $sheet --medium faint --recording
   run 0 "$feltline" replay in.ndjson -o plain.felt --sheet $sheet --medium faint
@@ -154,7 +156,7 @@ run 0 "$feltline" replay in.ndjson -o grain.png --dpi 50 --page A4 --medium fain
 run 0 "$feltline" replay in.ndjson -o solid.png --dpi 50 --page A4 --medium faint --sheet my-paper
 cmp -s grain.png solid.png && fail "replay --grain shows none"
 
-# A drawing to begin with is gone on with on its own sheet, with what it brings.
+# A drawing given with --on keeps its own surface and the materials that it contains.
 run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" replay in.ndjson --on plain.felt --medium faint \
   -o on.felt --forces on.csv
 run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" convert on.felt -o on.svg
@@ -171,7 +173,7 @@ sed 's/my-paper/moon-dust/' named.svg >moon.svg
 run 0 "$feltline" replay in.ndjson --on moon.svg -o moon_on.svg
 has moon_on.svg 'felt:surface="moon-dust"'
 
-# Sheet and medium bring their usual colours, unless others are asked for.
+# Surface and medium set their usual colours, unless other colours are requested.
 run 0 "$feltline" replay in.ndjson -o board.felt --sheet blackboard --medium chalk
 run 0 "$feltline" info board.felt --json
 has out '"paper":"#34463e"'
@@ -187,7 +189,7 @@ run 0 "$feltline" replay in.ndjson -o board.png --dpi 50 --sheet blackboard --me
 run 0 "$feltline" replay in.ndjson -o board2.png --dpi 50 --sheet blackboard --medium chalk --paper '#34463e'
 same board.png board2.png
 
-# A script says so in its own words.
+# A script can define a material itself.
 { printf '{"t_ms":0,"event":"material","text":"kind = \\"medium\\"\\nid = \\"told\\"\\n"}\n'
   printf '{"t_ms":0,"event":"option","id":"pencil.material","value":"told"}\n'; cat in.ndjson; } >script.ndjson
 run 0 "$feltline" replay script.ndjson -o told.ndjson

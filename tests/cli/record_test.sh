@@ -1,5 +1,5 @@
-# 'record' and 'device-test' with a driver of a real device, before the fake of its maker's library
-# ($FELT_OPENHAPTICS_LIBRARY), which lives in real time.
+# 'record' and 'device-test' with the driver of a real device and a fake of the manufacturer's library
+# ($FELT_OPENHAPTICS_LIBRARY), which runs in real time.
 . "$(dirname "$0")/helpers.sh"
 [ -e "$FELT_OPENHAPTICS_LIBRARY" ] || { echo "not built: $FELT_OPENHAPTICS_LIBRARY (./dev build)" >&2; exit 1; }
 export HOME=$work/home
@@ -19,14 +19,14 @@ head -n 1 forces.csv | grep -q '^t_ms,x,y,z,' || fail "no forces"
 run 0 "$feltline" replay events.ndjson --as-recorded -o again.ndjson
 same sketch.ndjson again.ndjson
 
-# A hand behind the fake that draws circles: 3 s in the air, 3 s on the desk.
+# The fake simulates a hand that draws circles: 3 s in the air, then 3 s on the desk.
 FAKE_LIBHD_HAND=circles run 0 "$feltline" record --device openhaptics -o circle.ndjson \
   --seconds 7 --forces-on --yes
-# One stroke, or more where this machine was so busy that the pen fell silent in between.
+# This gives one stroke, or more if the machine is so busy that samples are missing.
 [ "$(wc -l <circle.ndjson)" -ge 1 ] || fail "no ink of the hand's circles: $(cat err)"
 has err " strokes in circle.ndjson"
 
-# The drawing says what it was drawn on, and brings it along.
+# The drawing names its surface and contains the text of this material.
 mkdir -p home/.local/share
 unset XDG_DATA_HOME
 run 0 "$feltline" materials new my-paper --from rough-paper --save
@@ -37,12 +37,13 @@ run 0 "$feltline" record --device openhaptics -o own.felt --set sheet.material=m
 run 0 "$feltline" convert own.felt -o back.svg
 has back.svg 'felt:surface="my-paper"'
 
-# Forces need a person who agrees.
+# Forces need the consent of the user.
 run 1 "$feltline" record --device openhaptics -o no.ndjson --forces-on --seconds 1 </dev/null
 has err "nobody agreed"
 [ ! -e no.ndjson ] || fail "an output without a drawing"
 
-# soon COMMAND...: waits until it holds, for as long as a busy machine may need.
+# soon COMMAND...: waits until COMMAND succeeds. Fails after about 30 s, because the machine may be
+# busy.
 soon() {
   for _ in $(seq 300); do
     ! "$@" || return 0
@@ -51,18 +52,18 @@ soon() {
   fail "never: $*"
 }
 
-# Ctrl-C ends and saves, also when it is told twice at once, as timeout(1) does.
+# Ctrl-C ends the recording and saves it, also if the signal arrives twice, as from timeout(1).
 "$feltline" record --device openhaptics -o ended.ndjson 2>ended.err &
 pid=$!
-# It listens to signals before it says anything; the file is its own, or words of another run would
-# be taken for its.
+# The program installs its signal handlers before its first message. Each run has its own file for
+# messages, because old messages of another run would look like the first one.
 soon test -s ended.err
 kill -INT $pid
 kill -INT $pid 2>/dev/null || true
 wait $pid || fail "ended with $? after Ctrl-C: $(cat ended.err)"
 [ -e ended.ndjson ] || fail "nothing saved after Ctrl-C"
 
-# Ctrl-Z stops it once no force is left, and it goes on; Ctrl-backslash ends and saves.
+# Ctrl-Z stops the program after all forces are off, and it can continue. Ctrl-backslash ends and saves.
 "$feltline" record --device openhaptics -o quit.ndjson 2>quit.err &
 pid=$!
 soon test -s quit.err
@@ -75,11 +76,11 @@ wait $pid || fail "ended with $? after Ctrl-backslash: $(cat quit.err)"
 [ -e quit.ndjson ] || fail "nothing saved after Ctrl-backslash"
 for copy in *.unsaved-*; do [ ! -e "$copy" ] || fail "$copy was left"; done
 
-# A terminal that goes away (a window closed, ssh dropped) ends it in order; so do messages that
-# cannot be written anywhere.
+# If the terminal disappears (its window is closed, the ssh connection ends), the program saves and
+# ends. It also ends normally if its messages cannot be written.
 if command -v script >/dev/null; then
-  export TERM=xterm  # one that shows the status line
-  # shellcheck disable=SC2016  # the inner shell's variables
+  export TERM=xterm  # a terminal that can show the status line
+  # shellcheck disable=SC2016  # the inner shell expands the variables
   SHELL=/bin/sh script -qc "echo \$\$ >pid; exec '$feltline' record --device openhaptics -o hung_up.felt" \
     /dev/null </dev/zero >screen 2>&1 &
   terminal=$!
@@ -95,7 +96,8 @@ if [ -w /dev/full ]; then
   run 0 "$feltline" info full.felt
 fi
 
-# A kill leaves the copy, which recover finds and convert reads.
+# If the program is killed, its copy of the drawing remains. recover finds the copy and convert reads
+# it.
 FAKE_LIBHD_HAND=circles "$feltline" record --device openhaptics -o killed.felt --yes 2>killed.err &
 pid=$!
 soon eval 'compgen -G "killed.felt.unsaved-*" >/dev/null'
@@ -114,7 +116,7 @@ run 2 "$feltline" record --device openhaptics -o x.ndjson --set pencil.nonsense=
 run 1 "$feltline" record --device openhaptics -o /no/such/folder/x.ndjson
 [ ! -e x.ndjson ] || fail "a wrong command line made a file"
 
-# Opening, identity: what does not depend on how busy this machine is.
+# Only the tests of opening and identity run here, because they do not depend on the machine's load.
 run 0 "$feltline" device-test openhaptics --level 2 --yes --report report.txt
 has report.txt "opens and closes"
 has report.txt "FAKE-0001"

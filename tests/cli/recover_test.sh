@@ -1,4 +1,4 @@
-# Drawings that a killed program left behind come back without a window.
+# Recovers the drawings of a killed program without a window.
 kill_loop=$2
 . "$(dirname "$0")/helpers.sh"
 [ -x "$kill_loop" ] || { echo "not built: $kill_loop (./dev build kill_loop)" >&2; exit 1; }
@@ -26,7 +26,7 @@ is_empty out
 echo >file
 run 1 "$feltline" recover -o file/below
 has err "file/below"
-# Damage costs what was damaged, and is said.
+# If the autosave database is damaged, the error names it.
 store=$(dirname "$(find state -name store.db)")
 printf "xxxxxxxxxxxxxxxx" | dd of="$store/store.db" bs=1 conv=notrunc status=none
 rm "$store/store.db-wal"

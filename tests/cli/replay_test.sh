@@ -1,4 +1,4 @@
-# Playing scripts and strokes through the simulated pen: outputs, columns, errors, determinism.
+# Plays scripts and strokes with the simulated pen and checks outputs, columns, errors and determinism.
 . "$(dirname "$0")/helpers.sh"
 
 strokes 3 >in.ndjson
@@ -13,7 +13,7 @@ cat >events.ndjson <<'END'
 {"event":"hand","x":60,"y":40,"z":5,"t_ms":1400}
 END
 
-# Every raw stroke comes out as a stroke, and two runs give the same bytes of everything.
+# Each raw stroke gives one stroke, and two runs give the same bytes in all outputs.
 for n in 1 2; do
   run 0 "$feltline" replay in.ndjson -o "s$n.ndjson" --forces "f$n.csv" --plot "p$n.png" --set pencil.snap=off
   is_empty out
@@ -30,7 +30,8 @@ same out f1.csv
 run 0 "$feltline" replay in.ndjson -o s.svg
 run 0 "$feltline" replay in.ndjson -o s.png --dpi 50
 
-# The contract of the columns: fixed ones first, a group a force term, a row a millisecond.
+# The table of forces begins with fixed columns. A group of columns per force term follows. It has one
+# row per millisecond.
 header=t_ms,x,y,z,vx,vy,vz,pressure,ask_x,ask_y,ask_z,sent_x,sent_y,sent_z,
 [[ $(head -n 1 f1.csv) == "$header"* ]] || fail "columns: $(head -n 1 f1.csv)"
 for column in plane_x plane_y plane_z friction_x friction_y friction_z; do
@@ -46,7 +47,7 @@ awk -F, 'NR == 1 { n = NF; next }
   END { if (largest < 0.2) { print "nothing was felt: " largest " N"; bad = 1 }
         exit bad }' f1.csv >columns || fail "$(cat columns)"
 
-# Events, stdin, a sketch to begin with, options.
+# Events, stdin, an initial sketch, options.
 run 0 "$feltline" replay events.ndjson -o e.ndjson
 lines e.ndjson 1
 run 0 "$feltline" replay - -o - <events.ndjson
@@ -74,7 +75,7 @@ echo '{"event":"import","path":"sketch.ndjson","t_ms":0}' >folder/import.ndjson
 run 0 "$feltline" replay folder/import.ndjson -o imported.ndjson
 lines imported.ndjson 3
 
-# Stopped in the middle: what is in work is seen, and nothing of what follows.
+# If a script is stopped in the middle, the output shows the gesture in progress, but no later event.
 cat >pull.ndjson <<'END'
 {"t_ms":0,"event":"tool","id":"pull"}
 {"t_ms":0,"event":"hand","x":30,"y":50,"z":5}
@@ -106,7 +107,7 @@ run 2 "$feltline" replay pull.ndjson --overlay --stats json
 run 2 "$feltline" replay pull.ndjson --until soon -o x.ndjson
 run 2 "$feltline" replay pull.ndjson --until -1 -o x.ndjson
 
-# What it counts.
+# The counts of --stats.
 run 0 "$feltline" replay in.ndjson --stats json --set pencil.snap=off
 lines out 1
 for key in ticks simulated_s wall_s times_real_time soft_faults max_force_n; do
@@ -117,7 +118,7 @@ has out '"intended_to_ink_mm":{"mean":0.'
 
 # Errors name the file, the line and the reason, and write nothing.
 echo old >kept.ndjson
-bad() { # TEXT REASON
+bad() { # TEXT REASON: checks that a script with the line TEXT fails with REASON
   printf '%s\n' "$1" >bad.ndjson
   run 1 "$feltline" replay events.ndjson bad.ndjson -o kept.ndjson
   has err "$2"
@@ -157,7 +158,7 @@ run 2 "$feltline" replay events.ndjson -o x.ndjson --set pencil.max_width_mm=wid
 run 2 "$feltline" replay events.ndjson -o - --stats json
 [ ! -e x.ndjson ] || fail "a wrong command line made a file"
 
-# Killed halfway, it leaves the older files as they were.
+# If replay is killed, older output files are unchanged.
 strokes 600 >long.ndjson
 echo old >k.csv
 "$feltline" replay long.ndjson -o kept.ndjson --forces k.csv 2>/dev/null &
@@ -166,7 +167,7 @@ sleep 0.3
 kill -KILL "$pid" 2>/dev/null && wait "$pid" 2>/dev/null
 [ "$(cat kept.ndjson)" = old ] || fail "a killed replay left a sketch"
 [ "$(cat k.csv)" = old ] || fail "a killed replay left forces"
-# Ink that a format cannot hold is named; nothing is written.
+# If a format cannot represent a stroke, the error names the stroke and no output is written.
 cat >far.ndjson <<'END'
 {"event":"hand","t_ms":0,"x":1e9,"y":1e9,"z":-1e9}
 {"event":"hand","t_ms":1000,"x":-1e9,"y":1,"z":-3}
@@ -175,7 +176,8 @@ run 1 "$feltline" replay far.ndjson -o far.svg
 has err "far.svg: layer 1: stroke 1"
 [ ! -e far.svg ] || fail "a sketch that failed was written"
 
-# A recording in a drawing: the same drawing as without, to the last bit, and again when it is played.
+# --recording does not change the strokes, and playing the recording gives the same strokes, bit for
+# bit.
 run 0 "$feltline" replay events.ndjson -o plain.ndjson
 run 0 "$feltline" replay events.ndjson --recording -o kept.felt
 run 0 "$feltline" convert kept.felt -o kept.ndjson
@@ -187,7 +189,7 @@ cut -d, -f2- played.ndjson >played.shapes
 same played.shapes kept.shapes
 cut -d, -f2- plain.ndjson >plain.shapes
 same plain.shapes kept.shapes
-# ... on the same sheet, of the same page and colours, and so with the same grain.
+# The surface, page and colours are also the same, and so is the grain.
 run 0 "$feltline" replay events.ndjson --recording -o sheet.felt --sheet rough-paper --medium charcoal --page A5
 run 0 "$feltline" replay sheet.felt --as-recorded -o again.felt
 for name in sheet again; do
@@ -204,7 +206,7 @@ has err "--recording needs -o OUT.felt"
 run 2 "$feltline" replay events.ndjson --recording --on s1.ndjson -o x.felt
 has err "cannot be used with --on"
 
-# A recording is told to a session as it is: pen events draw without a loop between them.
+# With --as-recorded, the session gets the events directly: pen events draw without the haptic loop.
 cat >recorded.ndjson <<'END'
 {"t_ms":0,"event":"device","senses_pressure":true}
 {"t_ms":0,"event":"option","id":"pencil.snap","value":"off"}
@@ -216,7 +218,7 @@ cat >recorded.ndjson <<'END'
 END
 run 0 "$feltline" replay recorded.ndjson --as-recorded -o recorded.out.ndjson
 lines recorded.out.ndjson 4
-# It names no version of the defaults, as Feltline 0.1.0 did not.
+# Like recordings of Feltline 0.1.0, this one does not name the version of the default options.
 has err "recorded.ndjson: recorded by an earlier version"
 sed -i 's/"senses_pressure":true/&,"defaults":2/' recorded.ndjson
 run 0 "$feltline" replay recorded.ndjson --as-recorded -o recorded.out.ndjson
@@ -229,7 +231,7 @@ cd ..
 run 0 "$feltline" replay recorded.ndjson --as-recorded --on s1.ndjson -o recorded.on.ndjson
 lines recorded.on.ndjson 7
 for option in "--forces f.csv" "--plot p.png" "--device touch" "--until 5" "--set pencil.snap=off"; do
-  # shellcheck disable=SC2086  # an option and its value
+  # shellcheck disable=SC2086  # must be split into words
   run 2 "$feltline" replay recorded.ndjson --as-recorded -o x.ndjson $option
   has err "${option%% *} cannot be used with --as-recorded"
 done
@@ -242,7 +244,8 @@ has err "in.ndjson:1: a stroke, where only events are expected"
 run 1 "$feltline" replay recorded.ndjson -o x.ndjson
 has err "a device event is for recordings"
 
-# Sound: a .wav of 16 bit, 48 kHz, one channel, as long as the session, the same bytes again.
+# Sound is a .wav file with 16 bits, 48 kHz and one channel, as long as the session. Each run gives the
+# same bytes.
 run 0 "$feltline" replay events.ndjson --sound s.wav
 is_empty out
 is_empty err
@@ -252,14 +255,14 @@ same with.ndjson e.ndjson
 run 0 "$feltline" replay events.ndjson --sound - <events.ndjson
 same out s.wav
 [ "$(head -c 4 s.wav)" = RIFF ] || fail "no RIFF: $(head -c 4 s.wav)"
-# number OFFSET BYTES: of the header
+# number OFFSET BYTES: prints a number of the header of s.wav.
 number() { od -An -j "$1" -N "$2" -t "u$2" s.wav | tr -d ' '; }
 [ "$(number 22 2) $(number 24 4) $(number 34 2)" = "1 48000 16" ] || fail "channels, rate, bits"
 [ "$(number 40 4)" = $(($(wc -c <s.wav) - 44)) ] || fail "the header says another length"
-# Some 1.45 s and the end of the sound, 96000 bytes a second.
+# The sound is slightly longer than the session, which lasts about 1.45 s; 1 s has 96000 bytes.
 bytes=$(wc -c <s.wav)
 [ "$bytes" -gt 130000 ] && [ "$bytes" -lt 160000 ] || fail "$bytes bytes of sound"
-# loudness FILE FROM TO: the sum of all samples between, in s, without their signs
+# loudness FILE FROM TO: prints the sum of the absolute samples between the times FROM and TO, in s.
 loudness() {
   od -An -v -w2 -t d2 -j $((44 + 2 * $(awk "BEGIN { print int(48000 * $2) }"))) \
     -N $((2 * $(awk "BEGIN { print int(48000 * ($3 - $2)) }"))) "$1" |
@@ -269,12 +272,12 @@ loudness() {
 [ "$(loudness s.wav 0.9 1.25)" -gt 500000 ] || fail "a pen that draws is not heard"
 run 0 "$feltline" replay events.ndjson --sound glass.wav --material glass
 [ "$(loudness glass.wav 0.9 1.25)" -lt "$(loudness s.wav 0.9 1.25)" ] || fail "glass is no quieter"
-# A recording's own samples.
+# --sound with --as-recorded uses the samples of the recording.
 run 0 "$feltline" replay recorded.ndjson --as-recorded --sound r.wav
 run 0 "$feltline" replay recorded.ndjson --as-recorded --sound r2.wav -o r.ndjson
 same r.wav r2.wav
 same r.ndjson recorded.out.ndjson
-# Errors leave what was there.
+# If an error occurs, an older output is kept.
 echo old >kept.wav
 run 1 "$feltline" replay bad.ndjson --sound kept.wav
 [ "$(cat kept.wav)" = old ] || fail "an error wrote a sound"

@@ -1,4 +1,4 @@
-# fit --stats json and bench.
+# The figures of 'fit --stats json' and 'bench'.
 . "$(dirname "$0")/helpers.sh"
 
 strokes 50 >in.ndjson
@@ -14,12 +14,12 @@ error=$(sed 's/.*"max_error_mm":\([^,]*\).*/\1/' out)
 awk -v e="$error" 'BEGIN { exit !(e >= 0 && e <= 0.1 * (1 + 1e-9)) }' || fail "max error is $error"
 [ "$(ls)" = "$(printf 'err\nin.ndjson\nout')" ] || fail "--stats alone made a file: $(ls)"
 
-# With an output as well; --stats changes nothing in it.
+# --stats can be used with an output and does not change it.
 run 0 "$feltline" fit in.ndjson -o a.ndjson --stats json --tolerance 0.1
 run 0 "$feltline" fit in.ndjson -o b.ndjson --tolerance 0.1
 same a.ndjson b.ndjson
 
-# Counts do not depend on threads.
+# The counts do not depend on the number of threads.
 counts() { sed 's/"ns_per_sample".*//' out; }
 run 0 "$feltline" fit in.ndjson --stats json --jobs 1
 one=$(counts)

@@ -1,5 +1,6 @@
-# Messages: none gets into a file, none ends the program or its work, none makes a terminal obey a
-# file, and many of one kind are counted. Outputs: none overwrites an input or another output.
+# Messages are never written into an output file, a failed message does not end the program, text from a
+# file cannot control the terminal, and repeated messages of one kind are counted. An output never
+# overwrites an input or another output.
 . "$(dirname "$0")/helpers.sh"
 
 strokes 3 >good.ndjson
@@ -9,7 +10,7 @@ cat >notices.svg <<'END'
 <text>not ink</text><path d="M0 0L20 20" stroke="red" fill="none"/></svg>
 END
 
-# Standard streams that are closed from the start: a file must not get their numbers.
+# If standard streams are closed at the start, an output file must not get their descriptor numbers.
 for ending in felt svg ndjson png pdf inkml xopp; do
   "$feltline" fit bad.ndjson -o expected.$ending 2>words
   run 1 bash -c "'$feltline' fit bad.ndjson -o closed.$ending 2>&-"
@@ -23,7 +24,7 @@ has err2 "feltline: stdout: cannot write"
 run 1 bash -c "'$feltline' fit - -o x.felt <&- 2>err2"
 [ ! -e x.felt ] || fail "a drawing of a closed stdin"
 
-# Messages that cannot be written: the work goes on, and the exit code is what it would be.
+# If messages cannot be written, the program continues, and the exit code does not change.
 "$feltline" convert notices.svg -o expected.felt 2>words
 [ -s words ] || fail "no notice"
 run 0 bash -c "'$feltline' convert notices.svg -o closed.felt 2>&-"
@@ -35,7 +36,7 @@ if [ -w /dev/full ]; then
   same full.felt expected.felt
   for wrong in "fit" "nonsense" "convert missing.svg -o x.felt" "info missing.felt"; do
     code=0
-    # shellcheck disable=SC2086  # words on purpose
+    # shellcheck disable=SC2086  # must be split into words
     "$feltline" $wrong >/dev/null 2>&1 || code=$?
     run "$code" bash -c "'$feltline' $wrong 2>/dev/full"
   done
@@ -46,7 +47,7 @@ if [ -w /dev/full ]; then
   has err "feltline: stdout: cannot write"
 fi
 
-# An output that is an input or another output: refused in one sentence, before anything is written.
+# If an output is also an input or another output, the command is refused before any file is written.
 "$feltline" fit good.ndjson -o sketch.ndjson
 cp good.ndjson before
 cp sketch.ndjson sketch_before
@@ -79,18 +80,18 @@ for output in a.svg a.felt b not_there.svg; do [ ! -e $output ] || fail "$output
 run 0 "$feltline" fit good.ndjson -o /dev/null
 run 0 "$feltline" replay good.ndjson -o /dev/null --forces /dev/null
 
-# What fit writes is read back before it replaces the old drawing, as with convert.
+# fit, like convert, reads the new drawing back before it replaces the old one.
 if command -v strace >/dev/null && strace -o trace true 2>/dev/null; then
   strace -f -e trace=openat -o trace "$feltline" fit good.ndjson -o read_back.felt
   [ "$(grep -c 'read_back.felt.*O_RDONLY' trace)" -ge 1 ] || fail "fit did not read its drawing back"
 fi
 
-# Many messages of one kind: three with their places, and how many more there are.
+# Of many messages of one kind, three are printed with their lines, and the others are counted.
 awk 'BEGIN { for (i = 0; i < 66000; i++) print "{\"id\":\"s" i "\",\"points\":[[1,2],[" i ",\"x\"]]}" }' >many.ndjson
 cat good.ndjson >>many.ndjson
 for command in "fit many.ndjson -o many.felt" "fit many.ndjson -j 2 -o many.felt" "info many.ndjson" \
   "convert many.ndjson -o many.felt" "convert many.ndjson -o many.svgz"; do
-  # shellcheck disable=SC2086  # words on purpose
+  # shellcheck disable=SC2086  # must be split into words
   "$feltline" $command >out 2>err || true
   [ "$(wc -l <err)" -le 5 ] || fail "$(wc -l <err) lines of $command"
   has err "more like it"
@@ -104,16 +105,7 @@ run 1 "$feltline" fit sketch.ndjson -o x.felt
 lines err 1
 has err "feltline: sketch.ndjson: holds curves, which are fitted already"
 
-# An .svgz is compressed whoever writes it, and only an SVG is.
-run 0 "$feltline" fit good.ndjson -o small.svgz
-gzip -t small.svgz || fail "fit writes an .svgz that is not compressed"
-run 0 "$feltline" render sketch.ndjson -o named.svgz --to png
-[ "$(head -c 4 named.svgz | tail -c 3)" = PNG ] || fail "a picture was compressed because of its name"
-# A whole drawing goes to stdout as it is made, without a temporary file.
-run 0 "$feltline" convert sketch.ndjson -o whole.felt
-run 0 env TMPDIR=/nonexistent "$feltline" convert whole.felt -o - --to svg
-
-# Text of a file cannot steer the terminal, nor forge a line.
+# Text from a file cannot control the terminal and cannot imitate a line of the output.
 escape=$(printf '\033')
 printf '<svg xmlns="http://www.w3.org/2000/svg" xmlns:i="http://www.inkscape.org/namespaces/inkscape"><g i:groupmode="layer" i:label="a&#10;layer 9  7 strokes&#x9b;2J"><path d="M0 0L9 9" stroke="red" fill="none"/></g></svg>' >forged.svg
 run 0 "$feltline" convert forged.svg -o forged.felt

@@ -1,4 +1,4 @@
-# What 'tools' says: every option with its default and range, for people and for programs.
+# 'tools' prints every option with its default and range, as text and as JSON.
 . "$(dirname "$0")/helpers.sh"
 
 run 0 "$feltline" tools

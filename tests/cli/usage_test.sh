@@ -1,4 +1,4 @@
-# Help, version and exit codes.
+# Checks the help, the version and the exit codes.
 . "$(dirname "$0")/helpers.sh"
 
 run 0 "$feltline" --help
@@ -49,7 +49,7 @@ run 2 "$feltline" render in.ndjson -o x.png --surface velvet
 run 2 "$feltline" render in.ndjson -o x.png --dpi 0
 for seed in -1 99999999999999999999999 18446744073709551616 1.5 ''; do
   for command in "replay in.ndjson -o x.ndjson" "device-test"; do
-    # shellcheck disable=SC2086  # words on purpose
+    # shellcheck disable=SC2086  # must be split into words
     run 2 "$feltline" $command --seed "$seed"
     has err "--seed: '$seed' is not a whole number"
   done

@@ -12,7 +12,8 @@
 namespace felt::desktop {
 namespace {
 
-// Messages begin with their length in bytes and their kind, in the order of the protocol.
+// Each message begins with its length in bytes and its kind. The kinds are in the order of the
+// protocol.
 enum class Kind : std::uint32_t { kVersion, kWaitForSync, kMotion, kProximity, kButton };
 enum class Answer : std::uint32_t { kVersion, kSynced };
 
@@ -21,7 +22,8 @@ struct Header {
   std::uint32_t kind = 0;
 };
 
-/// A bit of `mask` says that this valuator is set: 0 and 1 place, 4 pressure.
+/// A set bit of `mask` means that the valuator of this number has a value: 0 is x, 1 is y, 4 is the
+/// pressure.
 struct Valuators {
   std::uint32_t has_unaccelerated = 0;
   std::array<std::uint8_t, 8> mask{};

@@ -6,25 +6,27 @@
 
 namespace felt::desktop {
 
-/// A pen of an X server's "inputtest" driver, spoken to over the driver's socket (its protocol 1.1:
-/// man 4 inputtestdrv). One to a server. Blocking; any one thread.
+/// A pen of the "inputtest" driver of an X server. Talks to the driver through its socket (protocol
+/// 1.1: man 4 inputtestdrv). A server has only one pen. Calls block. Use from one thread only.
 class InputtestPen {
  public:
-  static constexpr double kMaxPlace = 65535.0;  ///< of x and y, the whole screen
+  static constexpr double kMaxPlace = 65535.0;  ///< largest x and y; 0..kMaxPlace is the screen
   static constexpr double kMaxPressure = 1000.0;
 
-  /// Connects and agrees on the version. Error: says what the driver did.
+  /// Connects and agrees on the version. Fails if the driver does not answer as expected; the error
+  /// contains the answer.
   static Result<InputtestPen> open(const std::string& socket_path);
   InputtestPen(InputtestPen&& other) noexcept;
   ~InputtestPen();
 
-  /// Near the tablet, or out of reach. False: the server is gone; likewise below.
+  /// come() moves the pen near the tablet, leave() out of reach. These and the functions below
+  /// return false if the server has ended.
   bool come(double x, double y);
   bool leave(double x, double y);
-  /// x, y in 0..65535, pressure in 0..1000.
+  /// Moves the pen. Requires x and y in 0..65535 and a pressure in 0..1000.
   bool move(double x, double y, double pressure);
   bool press(bool down, double x, double y, double pressure);
-  /// Waits until the server has dealt with all of it.
+  /// Waits until the server has handled all events.
   bool sync();
 
  private:

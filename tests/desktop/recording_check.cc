@@ -21,7 +21,7 @@ Result<std::vector<PenEvent>> poses_of(const QString& recording) {
     return fail(ErrorCode::kNotFound, (recording + ": " + file.errorString()).toStdString());
   }
   std::string text = file.readAll().toStdString();
-  text.resize(text.rfind('\n') + 1);  // 0 where there is none
+  text.resize(text.rfind('\n') + 1);  // 0 if the text has no line end
   const Result<std::vector<Event>> events = read_events(recording.toStdString(), read_text(text));
   if (!events) return tl::unexpected(events.error());
   std::vector<PenEvent> poses;

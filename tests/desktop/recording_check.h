@@ -11,16 +11,16 @@
 
 namespace felt::desktop {
 
-/// The poses of a recording, in order, of its whole lines: it may still be written. Error: it
-/// cannot be read.
+/// Returns the poses of a recording, in order. Ignores an incomplete last line, because the program
+/// may still be writing. Fails if the recording cannot be read.
 Result<std::vector<PenEvent>> poses_of(const QString& recording);
 
-/// How many of these places are poses, exactly (to 1e-6 mm) and in this order; the search ends at
-/// the first that is not.
+/// Returns how many of `places` occur among the poses, in this order and to 1e-6 mm. Stops at the
+/// first position that does not occur.
 std::size_t count_places(std::span<const PenEvent> poses, std::span<const Point> places);
 
-/// The sketch, as .ndjson text, that `feltline replay RECORDING --as-recorded` makes. Error: what
-/// the program said.
+/// Runs `feltline replay RECORDING --as-recorded` and returns its sketch as .ndjson text. Fails if
+/// the program fails; the error is its message.
 Result<std::string> replayed(const QString& feltline, const QString& recording);
 
 }  // namespace felt::desktop

@@ -1,5 +1,5 @@
-// A real window, driven by a tablet that only Qt knows: what comes of it, and that its recording
-// gives the same.
+// Draws in a real window with a tablet that is visible to Qt only. Checks the drawing, and that the
+// recording gives the same drawing.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -23,7 +23,7 @@
 namespace felt::desktop::tablet_test {
 namespace {
 
-constexpr int kMaxMs = 20'000;  // for anything to happen on a machine that is busy
+constexpr int kMaxMs = 20'000;  // longest time to wait for an effect on a busy machine
 
 std::string text_of(const Document& document) {
   std::string text;
@@ -43,7 +43,7 @@ class DesktopTablet : public ::testing::Test {
     pen_ = std::make_unique<InjectedPen>(window_->canvas());
   }
   ~DesktopTablet() override {
-    window_->studio().set_modified(false);  // nobody is there to be asked
+    window_->studio().set_modified(false);  // so that closing does not ask whether to save
     window_.reset();
   }
 
@@ -56,14 +56,14 @@ class DesktopTablet : public ::testing::Test {
     pen_->point(px(mm), pressure);
     QTest::qWait(2);
   }
-  /// A stroke, lifted at its end, and waits until the session has seen that.
+  /// Draws a stroke, lifts the pen, and waits until the session has handled the lift.
   void draw(const std::vector<Point>& places, double pressure = 0.5) {
     point(places.front(), 0.0);
     for (const Point& place : places) point(place, pressure);
     point(places.back(), 0.0);
     EXPECT_TRUE(QTest::qWaitFor(
         [this] { return studio().pen().is_known && !in_contact(studio().pen().sample); }, kMaxMs));
-    QTest::qWait(250);  // a tool may wait whether the pen comes down again
+    QTest::qWait(250);  // a tool may wait for some time in case the pen touches again
   }
   static std::vector<Point> line(Point a, Point b, double wave_mm = 0.0) {
     std::vector<Point> places;
@@ -74,7 +74,7 @@ class DesktopTablet : public ::testing::Test {
     }
     return places;
   }
-  /// The recording so far, played by the command line program.
+  /// Plays the recording so far with the command line program and returns the sketch.
   std::string replay() {
     recording_->flush();
     const Result<std::string> text = replayed(QStringLiteral(FELTLINE), recording_path_);
@@ -89,8 +89,8 @@ class DesktopTablet : public ::testing::Test {
   std::unique_ptr<InjectedPen> pen_;
 };
 
-// Strokes drawn, pulled, erased, selected and turned, undone, saved and reopened; and the recording
-// of it all gives the same drawing.
+// Draws, pulls, erases, selects and rotates strokes, undoes, saves and reopens the drawing. Then
+// the recording of all this must give the same drawing.
 TEST_F(DesktopTablet, ADrawingIsMadeSavedAndPlayedAgain) {
   draw(line({40, 40}, {120, 60}, 4.0));
   draw(line({40, 90}, {120, 90}));
@@ -132,13 +132,13 @@ TEST_F(DesktopTablet, ADrawingIsMadeSavedAndPlayedAgain) {
   ASSERT_TRUE(again.has_value()) << again.error().message;
   EXPECT_EQ(text_of(again->document), turned);
   EXPECT_EQ(replay(), turned) << "the recording gives another drawing";
-  studio().set_modified(false);  // it is saved
+  studio().set_modified(false);  // the drawing is saved
   EXPECT_TRUE(window_->files().open(path));
   EXPECT_EQ(text_of(studio().session().document()), turned);
 }
 
-// 1,000 events at 1 kHz, while the window repaints all the time and files are written beside it:
-// each place is in the ink's record.
+// Sends 1,000 events at 1 kHz while the window repaints continuously and files are written. The
+// recording must contain each position.
 TEST_F(DesktopTablet, AThousandEventsAreAThousandPlaces) {
   for (int i = 0; i < 6; ++i) draw(line({20, 20.0 + 8 * i}, {180, 24.0 + 8 * i}, 2.0));
   QTimer repaint;

@@ -11,7 +11,7 @@ namespace {
 constexpr int kStartMs = 20'000;
 constexpr int kStopMs = 5'000;
 
-/// %1 the socket, %2 and %3 the size of the screen.
+/// The configuration of the server: %1 is the socket, %2 and %3 are the size of the screen.
 constexpr auto kConfiguration = R"(
 Section "ServerFlags"
   Option "AutoAddDevices" "false"

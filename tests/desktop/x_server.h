@@ -10,20 +10,20 @@
 
 namespace felt::desktop {
 
-/// An X server of our own, without graphics card, keyboard and mouse, but with a pen that listens
-/// on a socket (InputtestPen). Ends with this object.
+/// A private X server without graphics card, keyboard and mouse, but with a pen that is controlled
+/// through a socket (InputtestPen). The destructor stops the server.
 class XServer {
  public:
   static constexpr int kWidth = 1280;
   static constexpr int kHeight = 800;
 
-  /// Error: why it cannot run here.
+  /// Starts the server. Fails if it cannot run on this machine; the error says why.
   static Result<std::unique_ptr<XServer>> start();
   ~XServer();
   XServer(const XServer&) = delete;
   XServer& operator=(const XServer&) = delete;
 
-  /// ":5"
+  /// Returns the name of the display, for example ":5".
   [[nodiscard]] const QString& display() const noexcept { return display_; }
   [[nodiscard]] std::string pen_socket() const;
 

@@ -1,5 +1,6 @@
-// The program itself on a real X server, drawn in by a pen of 1 kHz: every event is a pose in the
-// recording, and the recording gives the drawing. Exit code 77: it cannot run here.
+// Runs the program on a real X server and draws with a pen of 1 kHz. Every event must be a pose in
+// the recording, and the recording must give the drawing. Exits with 77 if the server cannot run on
+// this machine.
 #include <QCoreApplication>
 #include <QFile>
 #include <QProcess>
@@ -21,7 +22,7 @@ namespace {
 constexpr int kSkipped = 77;
 constexpr int kEvents = 1000;
 constexpr int kWaitMs = 30'000;
-// In the middle of the screen, where the sheet is.
+// The pen draws in the middle of the screen, where the page is.
 constexpr double kLeft = 600.0 / XServer::kWidth * InputtestPen::kMaxPlace;
 constexpr double kRight = 680.0 / XServer::kWidth * InputtestPen::kMaxPlace;
 constexpr double kMiddle = 400.0 / XServer::kHeight * InputtestPen::kMaxPlace;
@@ -32,7 +33,7 @@ int failed(const std::string& why) {
   return 1;
 }
 
-/// Until `condition`, asked every 50 ms. False: not within kWaitMs.
+/// Waits until `condition` is true; checks it every 50 ms. Returns false after kWaitMs.
 template <class Condition>
 bool wait_until(Condition condition) {
   for (int waited = 0; waited < kWaitMs; waited += 50) {
@@ -42,7 +43,8 @@ bool wait_until(Condition condition) {
   return false;
 }
 
-/// Hovers at the place where it will draw, until the program has seen that: its window is up then.
+/// Hovers at the start of the stroke until the program has recorded it, which means that its window
+/// is open.
 bool hover_until_seen(InputtestPen& pen, const QString& recording) {
   if (!pen.come(kLeft, kMiddle)) return false;
   double step = 0.0;
@@ -50,16 +52,16 @@ bool hover_until_seen(InputtestPen& pen, const QString& recording) {
     step = step == 0.0 ? 0.01 * kWave : 0.0;
     if (!pen.move(kLeft, kMiddle + step, 0.0) || !pen.sync()) return false;
     const auto poses = poses_of(recording);
-    // Only a tablet tells a pressure.
+    // Only a tablet reports a pressure.
     return poses && !poses->empty() && poses->back().pressure.has_value();
   });
 }
 
 double pressure_of(int i) {
-  return 200.0 + 0.6 * i;  // all different
+  return 200.0 + 0.6 * i;  // different for each event
 }
 
-/// A stroke of kEvents motions, one a millisecond.
+/// Draws a stroke of kEvents motions, one per millisecond.
 bool draw(InputtestPen& pen) {
   const auto x = [](int i) { return std::lerp(kLeft, kRight, double(i) / kEvents); };
   const auto y = [](int i) { return kMiddle + kWave * std::sin(0.03 * i); };
@@ -73,7 +75,7 @@ bool draw(InputtestPen& pen) {
   return ok && pen.press(false, x(kEvents), y(kEvents), 0.0) && pen.sync();
 }
 
-/// Each pressure that the pen had is that of a pose, in order.
+/// Returns how many of the sent pressures occur among the poses, in the same order.
 int count_pressures(const std::vector<PenEvent>& poses) {
   auto at = poses.begin();
   int count = 0;
@@ -121,12 +123,12 @@ int run(const QString& desktop, const QString& feltline) {
   if (!draw(*pen)) return failed("the X server is gone");
   pen->leave(kRight, kMiddle);
   pen->sync();
-  // The program may be slower than the pen, never forgetful.
+  // The program may be slower than the pen, but it must not lose an event.
   wait_until([&] {
     const auto so_far = poses_of(recording);
     return so_far && count_pressures(*so_far) == kEvents && is_lifted(*so_far);
   });
-  program.kill();  // what happened is in the recording, whatever happens to the program
+  program.kill();  // the recording is complete even if the program is killed
   program.waitForFinished(kWaitMs);
   const auto poses = poses_of(recording);
   if (!poses) return failed(poses.error().message);

@@ -18,9 +18,10 @@
 
 namespace felt::fuzz {
 
-/// Changes .felt files as somebody would who knows the format: rows, blobs with a right checksum,
-/// the schema, then the checksum of the drawing so that the reader goes on to what was changed.
-/// Now and then plain bytes of the pages. What is no file becomes one.
+/// Makes changes to .felt files that respect the format: to rows, to blobs (with a correct
+/// checksum) and to the schema. It usually updates the checksum of the drawing, so that the reader
+/// reaches the change. Sometimes it changes any bytes of the pages. If the input is not a .felt
+/// file, a small drawing replaces it.
 class FeltMutator {
  public:
   explicit FeltMutator(unsigned seed) : random_(seed) {}
@@ -45,7 +46,7 @@ class FeltMutator {
   bool one_in(unsigned n) { return random_() % n == 0; }
   const char* any(const std::vector<const char*>& of) { return of[random_() % of.size()]; }
 
-  /// A small drawing of ours.
+  /// Returns a small random drawing as a .felt file.
   std::string fresh() {
     const auto seed = random_() % 1000;
     Drawing drawing;
@@ -195,7 +196,7 @@ class FeltMutator {
                  "CREATE TABLE g(a INTEGER, b INTEGER AS (a + 1))",
                  "CREATE TABLE k(a INTEGER CHECK(a > length(a)))"}));
     if (!one_in(4)) return;
-    // A definition that is another text than it was.
+    // Changes the text of a definition in the schema.
     run(db, "PRAGMA writable_schema=ON");
     run(db, "UPDATE sqlite_schema SET " +
                 std::string(any({"sql", "name", "tbl_name", "rootpage"})) + "=" +
@@ -220,7 +221,7 @@ class FeltMutator {
     return all;
   }
 
-  /// The checksum of the drawing, by the words of docs/formats/felt.md.
+  /// Writes the checksum of the drawing as docs/formats/felt.md defines it.
   static void seal(sqlite3* db) {
     const auto number = [](const std::string& text) {
       return static_cast<std::uint64_t>(std::strtoll(text.c_str(), nullptr, 10));

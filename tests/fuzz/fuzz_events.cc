@@ -1,5 +1,5 @@
-/// Any bytes as an event script: the reader never crashes, and the events that it accepts keep its
-/// promises and survive being written and read again.
+/// Reads any bytes as an event script. The reader must not crash. Accepted events must keep the
+/// reader's documented guarantees, and must be unchanged after writing and reading them.
 
 #include <algorithm>
 #include <cmath>
@@ -91,9 +91,9 @@ void check_round_trip(const std::vector<Event>& events) {
   FELT_CHECK(text == again);
 }
 
-/// Every line by itself, as a reader that goes on after errors sees them.
+/// Checks each line separately, as it is read by a reader that continues after errors.
 void check_lines(std::string_view text) {
-  constexpr std::size_t kMaxLine = 2000;  // so that the limit is within the fuzzer's reach
+  constexpr std::size_t kMaxLine = 2000;  // small, so that inputs of the fuzzer exceed it
   LineReader lines(read_text(text), kMaxLine);
   LineBatch batch;
   EventReader reader;

@@ -1,6 +1,7 @@
-// Whatever the bytes: a drawing that reads back equal, or an error with a message. Bytes that begin
-// like a file are read as one; others are tried as a stroke and as an edit, with a right checksum,
-// so that the fuzzer gets behind it.
+// Any bytes must give an error with a message, or a drawing that is equal after writing and
+// reading. If the bytes begin like a .felt file, they are read as a file. Otherwise they are read
+// as a stroke and as an edit, with a correct checksum so that the fuzzer reaches the code after
+// that check.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

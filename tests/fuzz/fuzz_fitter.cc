@@ -1,4 +1,5 @@
-/// Any samples in any order: the fitter keeps what its header promises, online and refined.
+/// Fits any samples in any order. The fitter must keep its documented guarantees, both while
+/// samples arrive and after refine().
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,10 @@
 namespace felt {
 namespace {
 
-/// More than one segment can hold (256), few enough for many inputs a second.
+/// More samples than one segment can hold (256), but few enough to try many inputs per second.
 constexpr std::size_t kMaxSamples = 600;
 
-/// Takes the input apart; after its end come zeros.
+/// Reads numbers from the input. After its end, all bytes are 0.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
@@ -48,7 +49,7 @@ InkFitOptions take_options(Bytes& in) {
   return options;
 }
 
-/// A coordinate as the readers let it pass: finite, at most 1e9.
+/// Returns `mm` if the readers accept it as a coordinate (its size is at most 1e9), otherwise 0.
 double readable(double mm) {
   return std::fabs(mm) <= 1e9 ? mm : 0.0;
 }
@@ -65,7 +66,7 @@ std::vector<InkSample> take_samples(Bytes& in) {
       case 1:
         pace = Vec{in.small() * 0.05, in.small() * 0.05};
         break;
-      case 2:  // go on for a while, bending
+      case 2:  // continue for some samples along a bend
         repeat = 1 + in.byte() % 64;
         break;
       case 3:  // stand still
@@ -75,13 +76,13 @@ std::vector<InkSample> take_samples(Bytes& in) {
       case 4:  // a jump
         now.position = {in.wide() * 0.5, in.wide() * 0.5};
         break;
-      case 5:  // anywhere at all
+      case 5:  // any position
         now.position = {readable(in.any_double()), readable(in.any_double())};
         break;
       case 6:
         now.pressure = in.byte() / 255.0;
         break;
-      default:  // time, also backwards
+      default:  // a change of time, possibly backwards
         now.time_ns = now.time_ns.value_or(0) + in.wide() * std::int64_t{1'000'000};
     }
     const double bend = ((op >> 3) - 16) * 0.01;
@@ -94,12 +95,13 @@ std::vector<InkSample> take_samples(Bytes& in) {
   return samples;
 }
 
-/// u is in [0, n], never falls, and the curve there is within the tolerance of each sample.
+/// Checks the parameter u of each sample: it is in [0, n], does not decrease from sample to sample,
+/// and the curve at u is within the tolerance of the sample.
 void check_samples_on_curve(const InkFitter& fitter, const InkFitOptions& options) {
   const FittedCurve& curve = fitter.curve();
   const ChunkedVector<InkSample>& samples = fitter.samples();
   FELT_CHECK(curve.sample_u.size() == samples.size());
-  if (options.scheme != FitScheme::kFeltline) return;  // the paper bounds no error
+  if (options.scheme != FitScheme::kFeltline) return;  // the paper's scheme has no error bound
   const double tolerance_mm = std::max(options.curve.tolerance_mm, kMinSegmentMm);
   double last_u = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -116,7 +118,7 @@ void check_samples_on_curve(const InkFitter& fitter, const InkFitOptions& option
   }
 }
 
-/// Once given out, the stable prefix never changes.
+/// Checks that the stable prefix never changes once it was returned.
 class PrefixWatch {
  public:
   void look(const InkFitter& fitter) {
@@ -134,7 +136,7 @@ class PrefixWatch {
 
  private:
   std::vector<Cubic> segments_;
-  std::vector<JointKind> joints_;  // before each segment
+  std::vector<JointKind> joints_;  // the joint before each segment
 };
 
 StrokeData finished(const InkFitter& fitter) {
@@ -162,7 +164,8 @@ void run(const InkFitOptions& options, std::span<const InkSample> samples) {
   const StrokeData refined = finished(fitter);
   FELT_CHECK(refined.points.size() <= online.points.size());
 
-  // Without anyone looking, and on an object that was used before, the same comes out.
+  // A fitter that was used before, and that is not queried between the samples, gives the same
+  // result.
   silent.begin();
   silent.push(samples.back());
   silent.begin();

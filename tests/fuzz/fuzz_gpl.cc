@@ -1,5 +1,5 @@
-/// Any bytes as a palette: the reader never crashes, keeps its limits, and what it accepts survives
-/// being written and read again.
+/// Reads any bytes as a palette. The reader must not crash and must keep its limits. An accepted
+/// palette must be unchanged after writing and reading it.
 
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
-// What Haply's service says, be it in the wrong words: WebSocket frames in pieces of any size, and
-// the JSON within them. The first byte says how the rest is cut and what it is taken for.
+// Reads any bytes as messages of Haply's service: WebSocket frames in pieces of any size, and the
+// JSON in them. The first byte selects how the other bytes are split and interpreted.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,7 +56,7 @@ void read_all(std::string_view text) {
           write_command(device.id, ForceKey::kVector, {1, 2, 3}, room.data());
       State none;
       must(command.size() < room.size());
-      must(read_state(command, device.id, "", none));  // what we write is JSON
+      must(read_state(command, device.id, "", none));  // our own commands are valid JSON
     }
   }
   static_cast<void>(read_event(text, "049D"));

@@ -1,6 +1,6 @@
-// What a HID device says of itself and answers: its report descriptor, and feature reports for its
-// haptic controller. The first byte says how long the descriptor is, in 16ths of the rest; the
-// bytes behind it are the answers, over and over.
+// Reads any bytes as data of a HID device: its report descriptor, and the answers of its haptic
+// controller to feature requests. The first byte gives the length of the descriptor, in 16ths of
+// the other bytes. The bytes after the descriptor are the answers, repeated as often as needed.
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
@@ -46,7 +46,8 @@ void check_fields(const HidDescriptor& descriptor, std::span<const std::uint8_t>
     for (std::size_t i = 0; i < report.size() && !answers.empty(); ++i) {
       report[i] = answers[i % answers.size()];
     }
-    // What is in a field goes back into it as far as its range reaches.
+    // Writes the value of a field back into it. set_hid_value() limits it to the field's range, so
+    // the second time the value must be unchanged.
     set_hid_value(report, field, hid_value(report, field));
     const std::int64_t value = hid_value(report, field);
     set_hid_value(report, field, value);

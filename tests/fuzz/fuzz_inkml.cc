@@ -1,5 +1,5 @@
-/// Any bytes as InkML: the reader never crashes and works in bounded time; what it takes keeps the
-/// invariants of the model and survives being written and read again.
+/// Reads any bytes as InkML. The reader must not crash and must finish in bounded time. An accepted
+/// drawing must keep the invariants of the model and be unchanged after writing and reading it.
 
 #include <array>
 #include <cstdint>

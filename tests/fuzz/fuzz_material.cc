@@ -1,5 +1,5 @@
-/// Any bytes as the text of a material: the reader never crashes, what it takes keeps to the ranges
-/// of its fields, and is the same after writing and reading.
+/// Reads any bytes as the text of a material. The reader must not crash. The values of an accepted
+/// material must be in the ranges of their fields and be unchanged after writing and reading it.
 
 #include <cstdint>
 #include <string>

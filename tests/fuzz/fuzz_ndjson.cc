@@ -1,5 +1,5 @@
-/// Any bytes as an .ndjson file: the reader never crashes, and what it accepts keeps its promises
-/// and survives being written and read again.
+/// Reads any bytes as an .ndjson file. The reader must not crash. Accepted strokes must keep the
+/// reader's documented guarantees, and must be unchanged after writing and reading them.
 
 #include <cmath>
 #include <cstdint>
@@ -13,7 +13,8 @@
 namespace felt {
 namespace {
 
-/// Times are exact in the file up to here; beyond, a double of milliseconds has too few bits.
+/// Largest time that the file holds exactly. The file stores milliseconds as a double, which has
+/// too few bits for larger times.
 constexpr double kExactTimeNs = 2e15;
 
 LineBatch batch_of(std::string_view text) {
@@ -67,7 +68,7 @@ void check_sketch(NdjsonParser& parser, const NdjsonLine& line) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace felt;
-  constexpr std::size_t kMaxLine = 2000;  // so that the limit is within the fuzzer's reach
+  constexpr std::size_t kMaxLine = 2000;  // small, so that inputs of the fuzzer exceed it
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   LineReader reader(read_text(text), kMaxLine);
   LineBatch batch;

@@ -1,5 +1,5 @@
-/// Any bytes as drawings of Quick, Draw!: the reader never crashes, works in bounded time, and what
-/// it takes keeps the invariants of the model.
+/// Reads any bytes as drawings of Quick, Draw! (a public data set of sketches). The reader must not
+/// crash and must finish in bounded time. Accepted drawings must keep the invariants of the model.
 
 #include <cstdint>
 #include <string_view>

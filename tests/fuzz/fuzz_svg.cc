@@ -1,7 +1,7 @@
-// Whatever the bytes: a drawing, which written as SVG reads back equal, or an error with a message.
-// Mutations keep to the grammar of SVG half of the time: elements are copied, moved, wrapped and
-// repeated, attributes get values of their own languages (path data, transforms, colours, lengths,
-// style sheets, our own attributes).
+// Any bytes must give an error with a message, or a drawing that is equal after writing it as SVG
+// and reading it. Half of the mutations follow the grammar of SVG: they copy, move, wrap and repeat
+// elements, and give attributes values of the right kind (path data, transforms, colours, lengths,
+// style sheets, Feltline's own attributes).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,7 +17,7 @@
 #include "felt/io/svg/svg_import.h"
 #include "felt/io/svg/svg_writer.h"
 
-// Only the fuzzer has it; replaying a corpus mutates nothing.
+// Only the libFuzzer program defines this function; the replay program does not mutate inputs.
 extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
                                                               std::size_t max_size);
 
@@ -27,7 +27,7 @@ void must(bool condition) {
   if (!condition) std::abort();
 }
 
-/// Small enough that its outlines are made quickly.
+/// Returns true if the document is so small that its outlines are computed quickly.
 bool is_handy(const felt::Document& document) {
   std::size_t segments = 0;
   double farthest = 0.0;
@@ -114,7 +114,7 @@ std::string knots(Random& random) {
   return text;
 }
 
-/// A value in the language of the attribute.
+/// Returns a random value of the kind that the attribute `name` needs.
 std::string value_for(const std::string& name, Random& random) {
   constexpr std::array<const char*, 4> kIds{"a", "b", "c", ""};
   constexpr std::array<const char*, 8> kWords{"smooth corner", "true", "none",  "layer",

@@ -1,6 +1,7 @@
-/// Any bytes as a document of Xournal++: packed or not, the reader never crashes, works in bounded
-/// time, and what it takes keeps the invariants of the model. The mutator changes the XML inside
-/// and packs it again; now and then it damages the packed bytes instead.
+/// Reads any bytes, compressed or not, as a document of Xournal++. The reader must not crash and
+/// must finish in bounded time. Accepted documents must keep the invariants of the model. The
+/// mutator changes the XML and compresses it again. Sometimes it damages the compressed bytes
+/// instead.
 
 #include <array>
 #include <cstdint>
@@ -52,7 +53,7 @@ constexpr std::array<std::string_view, 34> kWords = {
     "<stroke tool=\"pen\" color=\"black\" width=\"1 2 3\">0 0 9 0 9 9</stroke>\n",
     "<layer name=\"x\"></layer>\n"};
 
-/// Mutated files are small; so must what they unpack to be.
+/// Largest uncompressed size. It is small because mutated files are small.
 constexpr felt::UnpackLimits kSmall{.bytes = 1 << 20};
 
 }  // namespace

@@ -1,5 +1,6 @@
-/// Runs a fuzz target once over each file of the given folders and files, in the order of their
-/// names. A failing input aborts; its name is the last one printed.
+/// Runs a fuzz target once on each of the given files and each file of the given folders, in the
+/// order of their names. If an input fails, the program aborts; the last printed name is that of
+/// the input.
 
 #include <algorithm>
 #include <cstdint>

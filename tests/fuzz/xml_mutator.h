@@ -11,8 +11,9 @@
 
 namespace felt::fuzz {
 
-/// Changes XML as XML, so that most of what comes out is still well-formed: numbers, values, names
-/// from a list, elements copied, moved, nested and taken away. Everything comes from one seed.
+/// Makes random changes to XML after which most texts are still well-formed: changes numbers and
+/// values, replaces names by others of a list, and copies, moves, nests and removes elements. The
+/// same seed gives the same changes.
 class XmlMutator {
  public:
   XmlMutator(unsigned seed, std::span<const std::string_view> words)
@@ -93,7 +94,7 @@ class XmlMutator {
     }
     return found;
   }
-  // What stands between quotes.
+  // Returns the texts between quotes.
   static std::vector<Piece> values(const std::string& text) {
     std::vector<Piece> found;
     for (std::size_t at = text.find("=\""); at != std::string::npos; at = text.find("=\"", at)) {

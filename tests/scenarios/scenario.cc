@@ -53,7 +53,7 @@ Result<std::size_t> count_redo(Session& session) {
   return count;
 }
 
-/// The K-th stroke, counted from 1, or null.
+/// Returns the stroke with the number `rank`, counted from 1, or null if it does not exist.
 const Stroke* stroke_of(const ScenarioResult& result, const std::string& rank) {
   const std::size_t k = static_cast<std::size_t>(std::stoul(rank));
   return k >= 1 && k <= result.strokes.size() ? result.strokes[k - 1].get() : nullptr;

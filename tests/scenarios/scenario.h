@@ -9,29 +9,29 @@
 
 namespace felt {
 
-/// Everything that came of a script, so that two plays can be compared.
+/// All results of playing a script, so that two plays can be compared.
 struct ScenarioResult {
   PlayReport report;
-  std::vector<StrokePtr> strokes;  ///< of visible layers
-  std::string sketch_text;         ///< as a file
-  std::string recording;           ///< as a script
-  std::uint64_t ticks = 0;         ///< fingerprint of poses and forces
+  std::vector<StrokePtr> strokes;  ///< strokes of visible layers
+  std::string sketch_text;         ///< the strokes as the text of a file
+  std::string recording;           ///< the recording as the text of a script
+  std::uint64_t ticks = 0;         ///< hash of the poses and forces of all ticks
   std::size_t undo_count = 0;
   std::size_t redo_count = 0;
 };
 
 struct ScenarioOptions {
-  std::string device = "touch";  ///< a simulated stylus, in a typical hand
+  std::string device = "touch";  ///< name of a simulated stylus; a typical hand holds it
   bool forces = true;
   std::int64_t edit_period_ns = 4'000'000;
 };
 
-/// Plays a script from an empty document on, on this device and in this hand.
+/// Plays a script on `device` with `hand`. Starts with an empty document.
 Result<ScenarioResult> play_scenario_on(Device& device, HandInput& hand,
                                         const std::vector<Event>& events,
                                         const ScenarioOptions& options);
 
-/// Likewise on the simulated stylus that the options name.
+/// Same as play_scenario_on(), with the simulated stylus that `options` names.
 Result<ScenarioResult> play_scenario(const std::vector<Event>& events,
                                      const ScenarioOptions& options);
 
@@ -42,13 +42,13 @@ Result<Document> tell_session(const std::vector<Event>& events, const std::strin
 /// Returns the visible strokes as an .ndjson file.
 std::string text_of(const Document& document);
 
-/// What must come of a script: the lines of a .expect file, in words.
+/// The expected results of a script: the lines of a .expect file, split into words.
 using Expectations = std::vector<std::vector<std::string>>;
 
-/// The words of each line; comments and empty lines left out.
+/// Returns the words of each line, without comments and empty lines.
 Expectations parse_expectations(const std::string& text);
 
-/// A script with what must come of it.
+/// A script with its expected results.
 struct Scenario {
   std::string name;
   std::vector<Event> events;
@@ -57,11 +57,11 @@ struct Scenario {
 
   [[nodiscard]] bool has_hand() const;
 };
-/// Reads those of this folder and of the tools' folders, in the order of their names. Fails if a
-/// file cannot be read.
+/// Reads the scenarios of this folder and of the tools' folders, sorted by name. Fails if a file
+/// cannot be read.
 Result<std::vector<Scenario>> read_scenarios();
 
-/// Empty when this expectation is met, else what is wrong.
+/// Returns "" if the expectation `words` is met, otherwise a description of the difference.
 std::string check_expectation(const std::vector<std::string>& words, const ScenarioResult& result);
 
 }  // namespace felt

@@ -51,7 +51,7 @@ TEST(Scenarios, ARecordingThatIsWrittenAndReadGivesTheSameSketch) {
     const Result<Document> told = tell_session(*events, scenario.device);
     ASSERT_TRUE(told) << told.error().message;
     EXPECT_EQ(text_of(*told), played.sketch_text) << scenario.name;
-    // Through the loop again, the pen led as it went.
+    // Plays the recording through the haptic loop: the recorded poses move the simulated pen.
     const Result<ScenarioResult> replayed = play_scenario(*events, {.device = scenario.device});
     ASSERT_TRUE(replayed) << replayed.error().message;
     EXPECT_EQ(replayed->sketch_text, played.sketch_text) << scenario.name;
@@ -60,7 +60,7 @@ TEST(Scenarios, ARecordingThatIsWrittenAndReadGivesTheSameSketch) {
 
 TEST(Scenarios, PortionsOfTheEditSideDoNotMatterToAPen) {
   for (const Scenario& scenario : scenarios()) {
-    if (scenario.has_hand()) continue;  // its forces come later, and move it
+    if (scenario.has_hand()) continue;  // a longer period delays the forces, which move the hand
     const ScenarioResult usual = play(scenario);
     for (const std::int64_t portion_ms : {1, 7, 100}) {
       EXPECT_EQ(play(scenario, {.edit_period_ns = portion_ms * 1'000'000}).sketch_text,
@@ -73,7 +73,7 @@ TEST(Scenarios, PortionsOfTheEditSideDoNotMatterToAPen) {
 TEST(Scenarios, R51_ForcesDoNotMatterToAPen) {
   std::size_t felt = 0;
   for (const Scenario& scenario : scenarios()) {
-    if (scenario.has_hand()) continue;  // it is there to be moved
+    if (scenario.has_hand()) continue;  // the forces move the hand
     const ScenarioResult with = play(scenario);
     const ScenarioResult without = play(scenario, {.forces = false});
     EXPECT_EQ(with.sketch_text, without.sketch_text) << scenario.name;

@@ -1,4 +1,4 @@
-// Steady forces through the whole chain: simulated hand, device, loop, safety chain.
+// Tests constant forces with the simulated hand, device, haptic loop and safety chain together.
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr Point kMiddle{60.0, 50.0};
 
-/// A pen on paper in a typical hand.
+/// A simulated pen in a typical hand, above the surface.
 struct Pressed {
   explicit Pressed(const StylusPreset& preset) : device(preset) {
     center_workspace(device.capabilities, kMiddle);
@@ -36,7 +36,7 @@ struct Pressed {
   std::unique_ptr<Servo> servo;
 };
 
-/// Widths that a hand draws in 60 s that presses with `push_n`, after it has landed.
+/// The range of line widths while a hand presses with a constant force for 60 s after the landing.
 struct Widths {
   double least_mm = 1e9, most_mm = 0.0;
   double least_sent_n = 1e9;
@@ -50,7 +50,7 @@ Widths widths_of(const StylusPreset& preset, double push_n, double circle_mm) {
   const double depth_mm =
       1e3 * push_n * (1.0 / pressing.stiffness_n_per_m() + 1.0 / typical_hand().stiffness_n_per_m);
   Widths widths;
-  double pressed = 0.0;  // as the pencil's low-pass has it
+  double pressed = 0.0;  // pressure after the same low-pass filter as in the pencil
   VirtualClock clock(*pen.servo);
   while (clock.next_ns() < 62'000'000'000) {
     const double t_s = 1e-9 * static_cast<double>(clock.next_ns());
@@ -89,7 +89,8 @@ TEST(SteadyPush, R14_DrawsTheSameWidthHoweverWarmTheMotorsAre) {
 TEST(SteadyPush, R14_FullWidthCanBeHeldWhileDrawing) {
   const StylusPreset& touch = *find_stylus_preset("touch");
   const double full_n = firm_push_n(touch.capabilities);
-  // Device friction takes a part of what the hand pushes; the rest is just over full width.
+  // The friction of the device reduces the force of the hand. The remaining force is slightly more
+  // than full width needs.
   const Widths widths = widths_of(touch, full_n + 0.35, 15.0);
   EXPECT_NEAR(widths.most_mm, WidthMapOptions{}.max_mm, 1e-9);
   EXPECT_GT(widths.least_mm, WidthMapOptions{}.max_mm - 0.05);

@@ -24,22 +24,22 @@ struct Box {
   }
 };
 
-/// The box of the straight line from a to b, grown by `margin`.
+/// Returns the box of the straight line from a to b, extended by `margin` on all sides.
 inline Box box_of_line(Point a, Point b, double margin = 0.0) {
   return {std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin, std::max(a.x, b.x) + margin,
           std::max(a.y, b.y) + margin};
 }
 
-/// Smallest distance from p to the box.
+/// Returns the smallest distance from p to the box.
 inline double distance_to_box(const Box& b, Point p) {
   const double dx = std::max({b.x0 - p.x, 0.0, p.x - b.x1});
   const double dy = std::max({b.y0 - p.y, 0.0, p.y - b.y1});
   return std::sqrt(dx * dx + dy * dy);
 }
 
-/// Boxes over items that follow one another along a path: each box of a level covers four
-/// neighbours of the level below. Nothing is ever left out of a search; boxes only order and
-/// prune it.
+/// A tree of boxes over items that are consecutive along a path. Each box of a level covers four
+/// neighbours of the level below. A search visits the nearest boxes first and skips those beyond
+/// the bound, so it never misses an item within the bound.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box> items) {
@@ -52,8 +52,8 @@ class BoxTree {
     }
   }
 
-  /// Calls `bound = visit(item)` for every item whose box is at most `bound` away from p, near
-  /// ones first. `visit` gets an index and returns the bound that holds from then on.
+  /// Calls `bound = visit(item)` for every item whose box is at most `bound` away from p; near
+  /// items come first. `visit` gets an index and returns the bound for the rest of the search.
   template <class Visit>
   void search(Point p, double bound, Visit&& visit) const {
     if (!levels_.front().empty()) descend(levels_.size() - 1, 0, p, bound, visit);

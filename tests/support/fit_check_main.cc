@@ -1,5 +1,6 @@
-/// fit_check RAW.ndjson SKETCH.ndjson: judges a file of fitted strokes against the raw ink.
-/// Exit code 0: every guarantee kept; 1: one broken, or unreadable input; 2: usage.
+/// fit_check RAW.ndjson SKETCH.ndjson checks a file of fitted strokes against the raw ink. Exits
+/// with 0 if every guarantee holds, 1 if one is broken or the input is unreadable, and 2 if the
+/// command line is wrong.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -111,7 +112,7 @@ int parse_and_run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;  // 0: --help was asked for
+    return app.exit(error) == 0 ? 0 : 2;  // exit() returns 0 for --help
   }
   return run(arguments);
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr double kKinkDeg = 60.0;
 constexpr double kKinkArcInTolerances = 0.25;
 constexpr double kJoinedMm = 1e-9;
-/// Two floating-point roads to the same distance may differ by this much.
+/// Two computations of the same distance may differ by kRoundingMm because of rounding.
 constexpr double kRoundingMm = 1e-9;
 
 bool is_corner(const FitCurve& curve, std::size_t joint) {
@@ -27,7 +27,7 @@ bool is_valid(const Ink& ink, const FitCurve& curve) {
                              [](const Segment& b) { return std::ranges::all_of(b, is_finite); });
 }
 
-/// Direction in which the segment sets out; zero when all its points are equal.
+/// Returns the direction at the start of the segment, or zero if all its points are equal.
 Point start_direction(const Segment& b) {
   for (std::size_t i = 1; i < 4; ++i) {
     if (!(b[i] == b[0])) return b[i] - b[0];
@@ -35,7 +35,7 @@ Point start_direction(const Segment& b) {
   return {};
 }
 
-/// Direction in which the segment arrives; zero when all its points are equal.
+/// Returns the direction at the end of the segment, or zero if all its points are equal.
 Point end_direction(const Segment& b) {
   for (std::size_t i = 3; i-- > 0;) {
     if (!(b[i] == b[3])) return b[3] - b[i];
@@ -64,8 +64,9 @@ void judge_joint(double turn, bool corner, Report& report) {
   }
 }
 
-/// A segment that is a single point has no direction: the one before it is carried across it, and
-/// it makes a corner if either of its joints is one.
+/// Measures the gaps and the tangent turns at the joints. A segment that is a single point has no
+/// direction. It is skipped, and its two joints count as one joint, which is a corner if either of
+/// them is declared a corner.
 void measure_joints(const FitCurve& curve, Report& report) {
   const std::size_t n = curve.segments.size();
   Point incoming{};
@@ -87,9 +88,9 @@ void measure_joints(const FitCurve& curve, Report& report) {
   }
 }
 
-/// Slides a window of a quarter tolerance of arc along the pieces and counts the places where more
-/// than kKinkDeg of turning fall into it; places nearer than the window are one. Declared corners
-/// empty the window.
+/// Counts kinks: slides a window with an arc length of a quarter tolerance along the pieces and
+/// counts the positions at which the curve turns by more than kKinkDeg within the window. Positions
+/// closer together than the window count as one. The window is emptied at declared corners.
 void measure_kinks(const FitCurve& curve, const CurvePieces& pieces, double tolerance,
                    Report& report) {
   struct Bend {
@@ -121,9 +122,10 @@ void measure_kinks(const FitCurve& curve, const CurvePieces& pieces, double tole
   }
 }
 
-/// How far a place of the curve is beyond the ink plus the sample gap there. What "there" is: the
-/// line of the ink that is nearest, or a line both ends of which lie at the same segment of the
-/// curve or a neighbour; the nearest may belong to another part of the ink that merely passes by.
+/// Computes by how much the distance from a point of the curve to the ink exceeds the sample gap.
+/// The gap is the length of the nearest line of the ink. The nearest line may belong to another
+/// part of the ink that merely passes by. Therefore each line is also tried if both its ends are
+/// close to the same segment of the curve or a neighbour; the smallest excess counts.
 class OvershootExcess {
  public:
   OvershootExcess(const FitCurve& curve, const InkPolyline& ink, double tolerance)
@@ -135,7 +137,8 @@ class OvershootExcess {
     const std::vector<Point>& v = ink_.vertices();
     for (const std::size_t i : ink_.edges_by_length()) {
       const double gap = length(v[i + 1] - v[i]);
-      if (nearest.distance - gap >= least) break;  // no line is nearer, and the rest are shorter
+      // The other lines are shorter and not nearer, so none of them has a smaller excess.
+      if (nearest.distance - gap >= least) break;
       const double excess = distance_to_line(v[i], v[i + 1], p) - gap;
       if (excess < least && is_local(v[i], segment) && is_local(v[i + 1], segment)) least = excess;
     }
@@ -143,7 +146,7 @@ class OvershootExcess {
   }
 
  private:
-  /// Does p lie within a tolerance of the segment or a neighbour?
+  /// Returns true if p lies within one tolerance of the segment or a neighbour.
   bool is_local(Point p, std::size_t segment) {
     if (!pieces_ || segment != segment_) {
       const std::size_t first = segment > 0 ? segment - 1 : 0;
@@ -163,7 +166,7 @@ class OvershootExcess {
   double tolerance_;
   std::size_t segment_ = 0;
   std::vector<Segment> segments_;
-  std::optional<CurvePieces> pieces_;  // of segments_
+  std::optional<CurvePieces> pieces_;  // pieces of segments_
 };
 
 void measure_overshoot(const FitCurve& curve, const InkPolyline& ink, const CurvePieces& pieces,

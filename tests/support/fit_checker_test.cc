@@ -18,7 +18,7 @@ Segment line(Point a, Point b) {
   return {a, (2.0 / 3.0) * a + (1.0 / 3.0) * b, (1.0 / 3.0) * a + (2.0 / 3.0) * b, b};
 }
 
-/// Samples on the straight line from a to b, `step` apart, both ends included.
+/// Returns samples on the straight line from a to b, `step` apart, including both ends.
 std::vector<Point> ink_along(Point a, Point b, double step) {
   const int count = static_cast<int>(std::ceil(length(b - a) / step));
   std::vector<Point> samples;
@@ -74,7 +74,7 @@ TEST(FitChecker, RepeatedSamplesAllCount) {
 }
 
 TEST(FitChecker, ErrorIsToTheWholeCurveNotToTheSampleOwnPart) {
-  // The second segment comes back to the first sample.
+  // The second segment returns to the first sample.
   const Report r =
       check_stroke(ink({{0, 0}, {10, 0}, {0, 0.1}}),
                    curve({line({1, 0}, {10, 0}), line({10, 0}, {0, 0})}, {true}), kTolerance);
@@ -123,7 +123,7 @@ TEST(FitChecker, ZeroHandlesAndPointSegmentsDoNotHideABreak) {
 }
 
 TEST(FitChecker, CuspInsideASegmentIsAKink) {
-  const Segment cusp{Point{0, 0}, {20, 20}, {0, 20}, {20, 0}};  // the classic: f' = 0 at 1/2
+  const Segment cusp{Point{0, 0}, {20, 20}, {0, 20}, {20, 0}};  // a cusp: f' = 0 at 1/2
   const Report r = check_stroke(ink({{0, 0}, {10, 15}, {20, 0}}), curve({cusp}), kTolerance);
   EXPECT_EQ(r.kinks, 1);
   EXPECT_THAT(r.breaks, ::testing::ElementsAre(0, 0, 0));
@@ -138,7 +138,8 @@ TEST(FitChecker, GapBetweenSegmentsIsNotClean) {
 }
 
 TEST(FitChecker, SpikeBetweenSamplesIsOvershoot) {
-  // Passes through every sample, and leaves the ink by 30 between the two in the middle.
+  // The curve passes through every sample. Between the two samples in the middle it is up to 30
+  // away from the ink.
   const std::vector<Segment> segments{
       line({0, 0}, {10, 0}), {Point{10, 0}, {10, 40}, {11, 40}, {11, 0}}, line({11, 0}, {20, 0})};
   const Report r =
@@ -165,8 +166,9 @@ TEST(FitChecker, OvershootMayGrowWithTheSampleGap) {
 }
 
 TEST(FitChecker, SlowInkPassingByDoesNotMakeAWideGapNarrow) {
-  // The bulge over the gap comes 8 away from its own line, near to nothing; a slow line of samples
-  // passes 6 above it. The gap that counts is the wide one.
+  // The ink has a gap of 40 from (0, 0) to (40, 0). The curve bulges to 8 above it, where it is
+  // only 6 below another part of the ink with dense samples. The wide gap must be used as the
+  // sample gap, although the dense samples are nearer.
   const Point turn{60, 14};
   std::vector<Point> samples{{0, 0}, {40, 0}, {60, 0}, turn};
   samples = joined(samples, ink_along(turn, {0, 14}, 0.5));
@@ -178,7 +180,7 @@ TEST(FitChecker, SlowInkPassingByDoesNotMakeAWideGapNarrow) {
   EXPECT_NEAR(r.max_overshoot(), 7.0, 0.1);
   EXPECT_EQ(r.overshoot_violations, 0);
 
-  FitCurve spike = over;  // out of the slow line, beyond what its own samples allow
+  FitCurve spike = over;  // a spike between dense samples, which exceeds their small gap
   spike.segments[3] = {turn, {30, 40}, {30, 40}, {0, 14}};
   EXPECT_EQ(check_stroke(ink(samples), spike, kTolerance).overshoot_violations, 1);
 }
@@ -204,7 +206,7 @@ TEST(FitChecker, InkTurnIsMeasuredBetweenTheArms) {
 }
 
 TEST(FitChecker, RoundBendLooksLessOfACornerTheShorterTheArm) {
-  // A quarter circle of radius 8: the turn over arms of h is 2 asin(h / 16).
+  // On a quarter circle of radius 8, arms of length h give a turn of 2 asin(h / 16).
   Ink round = ink({});
   for (int d = -90; d <= 0; ++d) {
     const double a = d * std::numbers::pi / 180.0;

@@ -8,12 +8,13 @@ constexpr double kStepInTolerances = 0.25;
 constexpr double kMinPieces = 8.0;
 constexpr double kMaxPieces = 4096.0;
 
-/// Largest |f''| on the segment; f'' is linear in t, so it is largest at an end.
+/// Returns the largest |f''| on the segment. f'' is linear in t, so |f''| is largest at an end.
 double largest_second_derivative(const Segment& b) {
   return 6.0 * std::max(length(b[2] - 2.0 * b[1] + b[0]), length(b[3] - 2.0 * b[2] + b[1]));
 }
 
-/// A chord of parameter width dt sags by at most dt^2 / 8 max |f''|.
+/// Returns the largest possible distance between the curve and a chord of parameter width dt:
+/// dt^2 / 8 max |f''|.
 double sag_of(double second_derivative, double dt) {
   return dt * dt / 8.0 * second_derivative;
 }
@@ -50,10 +51,11 @@ std::vector<Box> boxes_of(const std::vector<Piece>& pieces) {
   return boxes;
 }
 
-/// Smallest distance from p to the segment on [low, high], where it is taken to have one minimum.
+/// Returns the smallest distance from p to the segment on [low, high]. Assumes that the distance
+/// has only one minimum there.
 double golden_section(const Segment& segment, double low, double high, Point p) {
   constexpr double kGolden = 0.6180339887498949;
-  constexpr int kRounds = 40;  // narrows the bracket by 4e-9
+  constexpr int kRounds = 40;  // reduces the interval to 4e-9 of its width
   const auto squared = [&](double t) {
     const Point d = at(segment, t) - p;
     return dot(d, d);

@@ -6,28 +6,28 @@
 
 namespace fit_check {
 
-/// A short part [t0, t1] of one segment, close to its chord a-b.
+/// A short part [t0, t1] of one segment that is close to its chord from a to b.
 struct Piece {
   std::size_t segment = 0;
   double t0 = 0.0, t1 = 1.0;
   Point a, b;
-  double sag = 0.0;  ///< no place of the part is farther than this from the chord
+  double sag = 0.0;  ///< largest distance from the part to the chord
 };
 
-/// A fitted curve cut into so many pieces that each one is nearly straight and short against the
-/// tolerance.
+/// A fitted curve, cut into pieces that are nearly straight and much shorter than the tolerance.
 ///
-/// The nearest point cannot be missed: a piece lies within `sag` of its chord, hence every piece
-/// whose chord distance less `sag` is not above the best distance so far is refined (golden
-/// section), and no other piece can be nearer. A result is an upper bound that exceeds the true
-/// distance by at most 4 `sag` (in a piece that holds a cusp), that is by 0.002 tolerances.
+/// The search cannot miss the nearest piece: a piece lies within `sag` of its chord. If the
+/// distance to the chord minus `sag` is above the best distance so far, the piece cannot be nearer
+/// and is skipped; all other pieces are refined by golden section search. The result is never below
+/// the true distance, and exceeds it by at most 4 `sag` (in a piece with a cusp), that is 0.002
+/// tolerances.
 class CurvePieces {
  public:
   CurvePieces(const std::vector<Segment>& segments, double tolerance);
 
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
-  /// Distance from p to the whole curve. `hint` is a piece index to begin with; it becomes the
-  /// nearest piece.
+  /// Returns the distance from p to the whole curve. `hint` is the index of the piece to try first;
+  /// it is set to the index of the nearest piece.
   [[nodiscard]] double distance(Point p, std::size_t& hint) const;
 
  private:

@@ -15,7 +15,7 @@ std::string text_of(const Json& object, const char* key) {
   return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
-/// Calls take(object) for each line that is not blank.
+/// Parses each line that is not blank and calls take() with the object.
 template <class Take>
 void for_each_line(std::istream& in, Take&& take) {
   std::string line;

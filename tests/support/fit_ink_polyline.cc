@@ -23,8 +23,8 @@ std::vector<Box> edge_boxes(const std::vector<Point>& vertices) {
   return boxes;
 }
 
-/// The first place on the line from a to b that is `radius` away from `center`. Requires a inside
-/// the circle and b not inside.
+/// Returns the first point on the line from a to b that is `radius` away from `center`. Requires
+/// that a is inside the circle and b is not.
 Point crossing(Point center, double radius, Point a, Point b) {
   const Point d = b - a, m = a - center;
   const double dd = dot(d, d), md = dot(m, d);
@@ -90,8 +90,8 @@ InkPolyline::Turn InkPolyline::turn_at(std::size_t vertex, double arm) const {
 std::vector<std::size_t> InkPolyline::vertices_near(Point p, double radius) const {
   std::vector<std::size_t> near;
   edges_.search(p, radius, [&](std::size_t edge) {
-    // The far end of a line is the near end of the next one; the last vertex begins no line, and
-    // nothing turns there.
+    // Only the start of each line is tested, because its end is the start of the next line. The
+    // last vertex starts no line; it is not needed because the ink cannot turn there.
     if (length(vertices_[edge] - p) <= radius) near.push_back(edge);
     return radius;
   });

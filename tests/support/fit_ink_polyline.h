@@ -6,37 +6,39 @@
 
 namespace fit_check {
 
-/// The ink as it was sampled: the samples joined by straight lines, repeated ones taken once.
+/// The samples of a stroke, joined by straight lines. Repeated samples count once.
 class InkPolyline {
  public:
   explicit InkPolyline(const std::vector<Point>& samples);
 
-  /// The samples without repeats; consecutive ones are joined by the lines.
+  /// Returns the samples without repeats. A line joins each sample to the next.
   [[nodiscard]] const std::vector<Point>& vertices() const { return vertices_; }
 
-  /// Lines, the longest first; line i goes from vertex i to the next.
+  /// Returns the indices of the lines, the longest line first. Line i goes from vertex i to the
+  /// next.
   [[nodiscard]] const std::vector<std::size_t>& edges_by_length() const { return by_length_; }
 
-  /// Where the polyline comes nearest to a place.
+  /// The result of a search for the nearest point of the polyline.
   struct Nearest {
     double distance = 0.0;
-    /// Length of the longest line that touches the nearest point: how far apart the samples are
+    /// Length of the longest line that contains the nearest point: the distance between the samples
     /// there.
     double gap = 0.0;
   };
-  /// `hint` is a line index to begin with; it becomes the nearest line.
+  /// Returns the point of the polyline nearest to p. `hint` is the index of the line to try first;
+  /// it is set to the index of the nearest line.
   [[nodiscard]] Nearest nearest(Point p, std::size_t& hint) const;
 
-  /// How the ink turns at the samples near a place.
+  /// The turn of the ink at the samples near a point.
   struct Turn {
     double degrees = 0.0;
-    bool short_arm = false;  ///< the ink ends nearer than half an arm
+    bool short_arm = false;  ///< the ink ends within half an arm
   };
-  /// The largest turn of the ink at any sample within `radius` of p (at the nearest line's ends
-  /// when there is none), and whether that one has a short arm. The turn at a sample q is the angle
-  /// between q - A and B - q, where A and B are the places where the ink, followed backwards and
-  /// forwards from q, first gets `arm` away from q; an arm that meets the ink's end stops there.
-  /// Where a pen has rested there may be thousands of samples; then every k-th is tried, 64 or so.
+  /// Returns the largest turn of the ink at any sample within `radius` of p, and whether this turn
+  /// has a short arm. If no sample is within `radius`, uses the ends of the nearest line. The turn
+  /// at a sample q is the angle between q - A and B - q. A and B are the first points of the ink,
+  /// backwards and forwards from q, that are `arm` away from q, or the ends of the ink. If very
+  /// many samples are near, because the pen rested there, only about 64 of them are tried.
   [[nodiscard]] Turn turn_near(Point p, double radius, double arm) const;
 
  private:

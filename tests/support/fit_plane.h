@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-/// Plane geometry of the fit checker. On purpose not felt/geometry: a mistake there must not hide
-/// itself by being in the judge as well. Nothing under this namespace includes a felt header.
+/// Plane geometry of the fit checker. It does not use felt/geometry, because a mistake there would
+/// then be in the checker too and stay hidden. No code in this namespace includes a felt header.
 namespace fit_check {
 
-/// A place or a displacement, in mm.
+/// A point or a displacement, in mm.
 struct Point {
   double x = 0.0;
   double y = 0.0;
@@ -39,15 +39,15 @@ inline bool is_finite(Point a) {
   return std::isfinite(a.x) && std::isfinite(a.y);
 }
 
-/// Unsigned angle between two directions, 0..180 degrees; 0 when either is zero.
+/// Returns the unsigned angle between two directions, 0..180 degrees; 0 if either is zero.
 inline double turn_deg(Point a, Point b) {
   return std::atan2(std::fabs(cross(a, b)), dot(a, b)) * 180.0 / std::numbers::pi;
 }
 
-/// Control points of one cubic Bezier segment.
+/// The control points of one cubic Bezier segment.
 using Segment = std::array<Point, 4>;
 
-/// The segment at t, by de Casteljau.
+/// Returns the point of the segment at t, computed with de Casteljau's algorithm.
 inline Point at(const Segment& b, double t) {
   const double s = 1.0 - t;
   const Point b01 = s * b[0] + t * b[1], b12 = s * b[1] + t * b[2], b23 = s * b[2] + t * b[3];
@@ -55,14 +55,15 @@ inline Point at(const Segment& b, double t) {
   return s * left + t * right;
 }
 
-/// Where on the straight line from a to b the nearest place to p lies, 0..1; 0 when a = b.
+/// Returns the position of the point nearest to p on the straight line from a (0) to b (1), or 0 if
+/// a = b.
 inline double nearest_on_line(Point a, Point b, Point p) {
   const Point d = b - a;
   const double dd = dot(d, d);
   return dd > 0.0 ? std::clamp(dot(p - a, d) / dd, 0.0, 1.0) : 0.0;
 }
 
-/// Distance from p to the straight line from a to b.
+/// Returns the distance from p to the straight line from a to b.
 inline double distance_to_line(Point a, Point b, Point p) {
   return length(a + nearest_on_line(a, b, p) * (b - a) - p);
 }

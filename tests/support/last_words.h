@@ -10,25 +10,27 @@
 #include <initializer_list>
 #include <string_view>
 
-/// For programs that try random cases: a case that crashes or hangs still says how it is repeated.
+/// For programs that try random cases: if a case crashes or hangs, the program prints the command
+/// line that repeats it.
 namespace felt::last_words {
 
-/// The line that repeats the present case, kept ready, since a signal handler may do little.
+/// The command line that repeats the current case. It is stored in advance because a signal handler
+/// may call only few functions.
 struct RepeatLine {
   std::array<char, 512> text{};
   std::size_t length = 0;
 };
 inline RepeatLine repeat_line;
 
-/// The present case; one that takes longer than `hangs_after_s` is said to hang and ends the
-/// program.
+/// Sets the current case, with the command line that repeats it. If the case takes longer than
+/// `hangs_after_s` seconds, reports that it hangs and ends the program.
 inline void watch(std::string_view repeat, unsigned hangs_after_s) {
   repeat_line.length = std::min(repeat.size(), repeat_line.text.size());
   std::memcpy(repeat_line.text.data(), repeat.data(), repeat_line.length);
   alarm(hangs_after_s);
 }
 
-/// As given to watch(), cut at 512 characters.
+/// Returns the command line given to watch(), cut at 512 characters.
 inline std::string_view repeat() {
   return {repeat_line.text.data(), repeat_line.length};
 }
@@ -43,8 +45,9 @@ inline void say_and_die(int signal) {
   std::raise(signal);
 }
 
-/// From now on the last words of the program are "broken rule: crashes: " or "hangs: " and the
-/// line. On a stack of its own: the usual one may be what overflowed.
+/// Installs signal handlers: if the program crashes or hangs, its last output is "broken rule:
+/// crashes: " or "broken rule: hangs: " and the command line. The handlers have a separate stack,
+/// because a crash may be an overflow of the usual one.
 inline void watch_signals() {
   static std::array<char, 1 << 16> stack_of_its_own;
   stack_t stack{};

@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// Where a test may write: in the system's folder for such things, under a name that no other
-/// process has, since tests run side by side. Whoever writes there removes it.
+/// Returns a path for a temporary file of a test, in the system's temporary folder. The path is
+/// different in each process, because tests run in parallel. The caller removes the file.
 inline std::string scratch_path(std::string_view name) {
   return (std::filesystem::temp_directory_path() /
           ("felt-" + std::to_string(::getpid()) + "-" + std::string(name)))

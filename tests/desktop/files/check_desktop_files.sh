@@ -1,19 +1,21 @@
 #!/usr/bin/env bash
-# check_desktop_files.sh ROOT: are the files in share/ what the desktop's own tools take, and do they
-# agree with each other and with the sources? A tool that is not installed is skipped, by name.
+# check_desktop_files.sh ROOT
+#
+# Checks that the desktop's own tools accept the files in share/, and that these files agree with each
+# other and with the sources. If a tool is not installed, prints its name and skips its check.
 set -euo pipefail
 cd "${1:-.}"
 id=org.feltline.Feltline
 status=0
 complain() { echo "$*"; status=1; }
 
-# check TOOL ARGUMENTS...: runs it where it is there.
+# check TOOL ARGUMENTS...: runs TOOL if it is installed.
 check() {
   command -v "$1" >/dev/null || { echo "$1 is not installed, so it does not look"; return; }
   "$@" || complain "$*: see above"
 }
 
-# want FILE TEXT: the file contains it.
+# want FILE TEXT: checks that FILE contains TEXT.
 want() { grep -qF -- "$2" "$1" || complain "$1: there is no '$2'"; }
 
 entry=share/applications/$id.desktop
@@ -23,7 +25,8 @@ check desktop-file-validate $entry
 check appstreamcli validate --no-net --explain $metainfo
 for file in $mime $metainfo share/icons/*.svg; do check xmllint --noout "$file"; done
 
-# texts_of_readable Types|Endings: of every format that is read, one a line.
+# texts_of_readable Types|Endings: prints the MIME types or file name endings of every format that the
+# program reads, each on its own line.
 texts_of_readable() {
   awk -v kind="$1" -F '[{}]' '
     /^constexpr Texts k/ { name = $1; sub(/^constexpr Texts /, "", name); sub(/\[.*/, "", name); texts[name] = $2 }
@@ -33,15 +36,15 @@ texts_of_readable() {
     grep -oE '"[^"]+"' | tr -d '"'
 }
 
-# The shells complete every ending that can be read.
+# The shells complete every ending of a format that the program reads.
 while read -r ending; do
   for file in bash/feltline bash/feltline-desktop zsh/_feltline zsh/_feltline-desktop; do
     grep -qE "[(|]${ending#.}[|)]" share/completions/$file || complain "share/completions/$file: no ending $ending"
   done
 done < <(texts_of_readable Endings)
 
-# Every format that the door reads can be opened with the program; these types alone are not known
-# to every system.
+# The desktop entry names every format that the program reads. The types below must be defined in the
+# MIME file, because not every system knows them.
 while read -r type; do
   grep -qE "^MimeType=(.*;)?${type//+/\\+};" $entry || complain "$entry: no MimeType $type"
 done < <(texts_of_readable Types)
@@ -53,11 +56,11 @@ want $metainfo "<launchable type=\"desktop-id\">$id.desktop</launchable>"
 want $mime '<glob pattern="*.felt"/>'
 want CMakeLists.txt "$(sed -n 's/.*<release version="\([^"]*\)".*/VERSION \1/p' $metainfo | head -n 1) "
 
-# The magic is what the store writes.
+# The MIME file recognizes drawings by the same magic number that the store writes.
 number=$(sed -n 's/.*kFeltApplicationId = \(0x[0-9a-f]*\).*/\1/p' src/felt/store/felt_file.h)
 want $mime "value=\"$number\" offset=\"68\""
 
-# Every option of --help is in the man page and in the completions.
+# The man page and the completions contain every option of --help.
 while read -r option; do
   want share/man/feltline-desktop.1 "${option//-/\\-}"
   want share/completions/bash/feltline-desktop "--$option"
@@ -67,7 +70,7 @@ done < <(sed -n '/kRows\[\]/,/^};/p' apps/desktop/window/start_options.cc |
   tr '\n' ' ' | grep -oE '\{"[a-z-]+", "[A-Za-z]*", +QT_TRANSLATE_NOOP' | sed 's/{"\([^"]*\)".*/\1/'
   echo help; echo version)
 
-# The icon can be drawn, small as well.
+# The icon can be drawn, also in a small size.
 if command -v rsvg-convert >/dev/null; then
   rsvg-convert -w 16 -h 16 share/icons/$id.svg >/dev/null || complain "the icon cannot be drawn"
 else

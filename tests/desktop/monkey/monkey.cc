@@ -11,7 +11,8 @@
 namespace felt::desktop {
 namespace {
 
-/// CPU time of this thread: a busy machine is no hang.
+/// Returns the CPU time of this thread, in ms. It does not grow while other programs keep the
+/// machine busy, so these cannot look like a hang.
 double cpu_ms() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -64,7 +65,8 @@ const Monkey::Choice& Monkey::choose() {
 }
 
 void Monkey::step() {
-  // An event may open a dialog, whose loop comes here again: that is another event then.
+  // An event may open a dialog, and the event loop of the dialog calls step() again. Such a call is
+  // a separate event.
   if (!failure_.empty() || done_ >= options_.events) {
     if (QWidget* modal = QApplication::activeModalWidget()) {
       modal->close();
@@ -76,8 +78,9 @@ void Monkey::step() {
     return;
   }
   ++done_;
-  // Before the act: a dialog that it opens runs a loop, in which the next one comes. A timer that
-  // repeats would not, while its own event is being handled.
+  // The next step is scheduled before this act, because the act may open a dialog and the next step
+  // must then run in the loop of the dialog. A repeating timer does not fire while its own event is
+  // being handled.
   QTimer::singleShot(0, this, &Monkey::step);
   const Choice& chosen = choose();
   doing_ = chosen.name;
@@ -92,7 +95,7 @@ void Monkey::step() {
     (this->*chosen.act)();
   }
   ++counts_[doing_];
-  // Others that ran inside, in a dialog's loop, have been judged by themselves.
+  // If other steps ran in the loop of a dialog, they were measured separately.
   const double took_ms = cpu_ms() - start_ms;
   if (start == done_ && took_ms > worst_ms_) {
     worst_ms_ = took_ms;
@@ -110,8 +113,8 @@ void Monkey::check() {
 
 void Monkey::check_deeply() {
   Studio& studio = window_.studio();
-  // What a pen said last is played some milliseconds later (AimTrack). A line that comes to be
-  // between undo and redo takes the steps that could be redone, as it must.
+  // The last samples of a pen are played some milliseconds later (AimTrack). If this made a line
+  // between undo and redo, the line would correctly discard the steps to redo.
   for (int i = 0; i < 20; ++i) {
     QThread::msleep(2);
     studio.process();

@@ -22,23 +22,25 @@ struct MonkeyOptions {
   std::uint64_t events = 2000;
   std::uint64_t seed = 1;
   bool verbose = false;
-  /// Longest CPU time of one event before it counts as a hang.
+  /// If one event needs more CPU time than this, it counts as a hang.
   double hang_ms = 200.0;
 };
 
-/// Does random things to a window, as a person would with every key, button and pen, and worse:
-/// also while a dialog is open, in the middle of a stroke, on widgets that nobody clicks. After
-/// each event the document must be what its edits made of it; now and then everything is undone and
-/// done again, saved and read back. The same seed does the same things, as far as the clock allows.
+/// Sends random input to a window, with every key, button and pen, also when a user would not:
+/// while a dialog is open, in the middle of a stroke, on widgets that nobody clicks. After each
+/// event, the document must be the result of its edits. Sometimes everything is undone and redone,
+/// and the drawing is saved and read back. The same seed gives the same input, as far as it does
+/// not depend on the clock.
 class Monkey : public QObject {
   Q_OBJECT
 
  public:
   Monkey(MainWindow& window, const MonkeyOptions& options);
 
-  /// Runs inside an event loop, in those of dialogs too; `finished` ends it.
+  /// Starts sending input. Requires a running event loop; the loops of dialogs work too. Emits
+  /// `finished` at the end.
   void start();
-  /// What went wrong, "" for nothing.
+  /// Returns a description of the failure, or "" if none occurred.
   [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
   [[nodiscard]] std::string report() const;
 
@@ -47,7 +49,7 @@ class Monkey : public QObject {
 
  private:
   using Act = void (Monkey::*)();
-  /// One thing to do, and how often among the others.
+  /// A kind of input, and its relative frequency.
   struct Choice {
     double weight;
     Act act;
@@ -60,7 +62,7 @@ class Monkey : public QObject {
   void check_deeply();
   void fail(const std::string& why);
 
-  // What it can do: monkey_acts.cc.
+  // The kinds of input, defined in monkey_acts.cc.
   void stroke();
   void pen_event();
   void tablet_stroke();

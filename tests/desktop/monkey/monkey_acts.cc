@@ -1,4 +1,4 @@
-// What a monkey can do.
+// The kinds of input that the monkey sends.
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
@@ -15,7 +15,7 @@
 namespace felt::desktop {
 namespace {
 
-/// Commands that leave the program, or that a monkey could write somebody's files with.
+/// Returns true for commands that end the program or could overwrite files of the user.
 bool is_forbidden(const QString& name) {
   static const std::array<const char*, 12> kNames = {
       "file.quit",       "file.close",         "file.open",          "file.save",
@@ -36,7 +36,7 @@ bool is_ours(QWidget* widget) {
 
 QPointF Monkey::anywhere() {
   const QSizeF size = window_.canvas().size();
-  // Now and then beside the canvas.
+  // Some positions are outside the canvas.
   const double margin = dice_.chance(0.05) ? 200.0 : 0.0;
   return {dice_.between(-margin, size.width() + margin),
           dice_.between(-margin, size.height() + margin)};
@@ -51,7 +51,7 @@ QWidget* Monkey::any_widget() {
     widgets.push_back(widget);
   }
   if (widgets.isEmpty()) return nullptr;
-  // An order of their own, not that of a hash.
+  // Sorts the widgets so that their order does not depend on a hash.
   std::sort(widgets.begin(), widgets.end(), [](QWidget* a, QWidget* b) {
     const auto place = [](QWidget* w) {
       const QPoint p = w->mapToGlobal(QPoint(0, 0));
@@ -91,10 +91,10 @@ void Monkey::stroke() {
     speed += QPointF(dice_.between(-3, 3), dice_.between(-3, 3));
     at += speed;
     mouse(QEvent::MouseMove, at, Qt::NoButton, button);
-    if (i % 4 == 0) QTest::qSleep(1);  // the loop ticks meanwhile
+    if (i % 4 == 0) QTest::qSleep(1);  // the haptic loop runs meanwhile
     if (i % 8 == 0) window_.studio().process();
   }
-  // Sometimes it never comes up.
+  // In 5 % of the cases the button is never released.
   if (dice_.chance(0.95)) mouse(QEvent::MouseButtonRelease, at, button, Qt::NoButton);
 }
 
@@ -143,7 +143,7 @@ void Monkey::press_key() {
   const Qt::Key key = dice_.any(kKeys);
   Qt::KeyboardModifiers with;
   if (dice_.chance(0.2)) with |= Qt::ShiftModifier;
-  // Ctrl with letters that reach files is left to the actions that are allowed.
+  // Skips shortcuts that reach files. Only the allowed actions may do that.
   const bool reaches_files = key == Qt::Key_S || key == Qt::Key_P || key == Qt::Key_W ||
                              key == Qt::Key_E || key == Qt::Key_I;
   if (!reaches_files && dice_.chance(0.2)) with |= Qt::ControlModifier;
@@ -171,7 +171,7 @@ void Monkey::click_widget() {
   doing_ = std::string("click ") + widget->metaObject()->className();
   const QPoint at(dice_.pick(0, widget->width() - 1), dice_.pick(0, widget->height() - 1));
   if (auto* button = qobject_cast<QAbstractButton*>(widget.data())) {
-    // Buttons of dialogs that could choose files.
+    // Skips buttons of dialogs that could choose files.
     if (button->objectName().startsWith(QLatin1String("qt_")) ||
         button->text().contains(QChar(0x2026))) {
       return;
@@ -201,7 +201,7 @@ void Monkey::wheel() {
 
 void Monkey::choose_tool() {
   const auto tools = window_.studio().session().tools();
-  // Without ink there is nothing to do for the others.
+  // Draws often, because the other inputs have no effect without ink.
   if (dice_.chance(0.4)) {
     window_.studio().apply(SelectTool{"pencil"});
     return;

@@ -1,4 +1,5 @@
-// desktop_monkey --events N --seed S: exit 0 when nothing went wrong; a failure names its seed.
+// desktop_monkey --events N --seed S: exits with 0 if no failure occurred. The message of a failure
+// contains its seed.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QStandardPaths>
@@ -12,7 +13,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setOrganizationName(QStringLiteral("feltline"));
   QCoreApplication::setApplicationName(QStringLiteral("feltline-monkey"));
   QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  // Whatever it writes, it writes into a folder of its own.
+  // All files of the program go into a temporary folder.
   const QTemporaryDir home;
   for (const char* name :
        {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"}) {
@@ -40,7 +41,7 @@ int main(int argc, char** argv) {
   window.resize(1200, 800);
   window.show();
   Monkey monkey(window, options);
-  // Not quit(), which would ask whether to save.
+  // Calls exit() because quit() would ask whether to save.
   QObject::connect(&monkey, &Monkey::finished, &app, [] { QCoreApplication::exit(0); });
   QApplication::setQuitOnLastWindowClosed(false);
   monkey.start();

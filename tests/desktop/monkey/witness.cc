@@ -22,7 +22,7 @@ std::string Witness::undo_and_redo() {
   while (studio_.session().history().can_undo() && undone < 10'000) {
     const std::uint64_t edits = studio_.session().edit_count();
     studio_.apply(UndoEvent{});
-    // The first one may end a gesture instead.
+    // The first UndoEvent may end a gesture instead of undoing an edit.
     if (studio_.session().edit_count() != edits) ++undone;
   }
   for (std::size_t i = 0; i < undone; ++i) studio_.apply(RedoEvent{});

@@ -6,16 +6,16 @@
 
 namespace felt::desktop {
 
-/// Watches a drawing from outside: keeps a document of its own by the edits that the studio tells,
-/// so that ink which goes without an edit is noticed.
+/// Checks a drawing from outside: applies the edits that the studio reports to its own copy of the
+/// document. Ink that disappears without an edit makes the two documents differ.
 class Witness : public QObject {
  public:
   explicit Witness(Studio& studio);
 
-  /// "" while the studio's document is what its edits made of it.
+  /// Returns "" if the studio's document is the result of its edits, otherwise the difference.
   [[nodiscard]] std::string complaint() const;
-  /// "" when undoing everything and doing it again gives the same document. Requires that no
-  /// gesture is in work.
+  /// Undoes and redoes everything. Returns "" if this gives the same document, otherwise the
+  /// difference. Requires that no gesture is in progress.
   [[nodiscard]] std::string undo_and_redo();
 
  private:

@@ -22,7 +22,7 @@ using testing::operator+;
 
 constexpr double kPxPerMm = 20.0;
 constexpr double kPixelMm = 1.0 / kPxPerMm;
-/// A pixel whose centre is this far inside of an edge is wholly inside.
+/// If the centre of a pixel is at least this far inside an edge, the whole pixel is inside.
 constexpr double kEdgeMm = 0.75 * kPixelMm;
 
 Image picture_of(const Desk& desk, const Rect& area) {
@@ -36,18 +36,18 @@ Image picture_of(const Desk& desk, const Rect& area) {
   return image;
 }
 
-/// What a gesture of the eraser did to the picture.
+/// The areas of the picture that a gesture of the eraser changed.
 struct Damage {
   double covered_mm2 = 0.0;  ///< ink that the eraser covered
-  double left_mm2 = 0.0;     ///< of that, still inked afterwards
-  double lost_mm2 = 0.0;     ///< ink that it did not cover and that is gone
-  double gained_mm2 = 0.0;   ///< ink where there was none
+  double left_mm2 = 0.0;     ///< covered ink that is still there afterwards
+  double lost_mm2 = 0.0;     ///< ink that the eraser did not cover but that is gone
+  double gained_mm2 = 0.0;   ///< new ink on an area without ink
   std::size_t strokes = 0;
 };
 
 struct Case {
   std::vector<Stroke> strokes;
-  std::vector<Point> corners;  // of the path
+  std::vector<Point> corners;  // corners of the eraser's path
   double radius_mm = 2.0;
   bool include_width = true;
 };
@@ -93,7 +93,8 @@ Damage erase(const Case& c) {
   return damage;
 }
 
-/// Ink that two round ends lose against straight ones: of each, a half square less a half disc.
+/// Returns the area by which two round ends are smaller than two square ends. For each end it is
+/// half a square minus half a disc, both as wide as the line.
 double corners_mm2(double width_mm) {
   return width_mm * width_mm * (1.0 - 0.25 * std::numbers::pi);
 }

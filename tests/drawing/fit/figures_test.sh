@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Real pen strokes, fitted at three tolerances, judged by the independent checker: every sample within
-# the tolerance, no break outside declared corners, bounded overshoot, and no more segments than
-# promised. Skipped, and says so, where the recordings are absent.
+# Fits real pen strokes at three tolerances and runs the independent checker on the curves: every
+# sample must be within the tolerance, breaks may occur only at declared corners, the overshoot must be
+# bounded, and the curves may not have more segments than promised. Prints a message and skips the test
+# if the recordings are absent.
 #
 # Usage: figures_test.sh FELTLINE FIT_CHECK PROJECT_FOLDER; FELT_SHARED_DATA=FILE names the recordings.
 set -euo pipefail
@@ -15,7 +16,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failed=0
 
-# judge TOLERANCE MOST_SEGMENTS [OPTION...]
+# judge TOLERANCE MOST_SEGMENTS [OPTION...]: fits the strokes and checks the curves.
 judge() {
   local tolerance=$1 most=$2 report segments
   shift 2

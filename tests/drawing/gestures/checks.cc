@@ -149,7 +149,7 @@ Broken ForceProbe::check(const ForceModel& model, const PenSample& sample, doubl
   if (!(lateral_n <= limit_n + 1e-9)) {
     return "a force of " + std::to_string(lateral_n) + " N in the sheet beside the sheet's own";
   }
-  // Against pressing a tool may stiffen the sheet; the user's limit bounds that.
+  // A tool may make the surface stiffer along z; the user's force limit bounds that.
   if (!(std::fabs(beside.z) <= kMaxNormalN)) return "a push of " + std::to_string(beside.z) + " N";
   if (Broken broken = check_slope(model, still)) return broken;
   const double dt_s = 1e-9 * static_cast<double>(sample.time_ns - last_ns_);
@@ -163,8 +163,9 @@ Broken ForceProbe::check(const ForceModel& model, const PenSample& sample, doubl
   return std::nullopt;
 }
 
-/// What is left of a change when the way between two samples is halved again and again, each time
-/// keeping the half that changes more: nothing where the force is continuous.
+/// Returns the size of a force jump between `a` and `b`, in N. Halves the interval repeatedly and
+/// keeps the half in which the force changes more. If the force is continuous, the result
+/// approaches 0.
 double ForceProbe::jump_between(const ForceModel& model, PenSample a, PenSample b) const {
   Force at_a = beside_the_sheet(model, a), at_b = beside_the_sheet(model, b);
   for (int k = 0; k < 10 && norm(at_b - at_a) > 0.002; ++k) {
@@ -180,7 +181,7 @@ double ForceProbe::jump_between(const ForceModel& model, PenSample a, PenSample 
 
 Broken ForceProbe::check_slope(const ForceModel& model, const PenSample& sample) const {
   constexpr double kStepMm = 0.01;
-  // Where a double holds a hundredth of the step no more, there is no slope to speak of.
+  // So far from the origin a double is too coarse to measure a slope over kStepMm.
   if (std::max(std::fabs(sample.position.x), std::fabs(sample.position.y)) > 1e5) return {};
   const double claimed_n_per_mm = 1e-3 * model.slopes().lateral_n_per_m;
   const Force here = beside_the_sheet(model, sample);

@@ -9,33 +9,34 @@
 
 namespace felt::gestures {
 
-/// What a check says: nothing, or the rule that was broken and where.
+/// The result of a check: the rule that was broken and where, or nullopt if all rules hold.
 using Broken = std::optional<std::string>;
 
-/// An edit fits a document (a copy of it is changed to see), every stroke that it makes keeps the
-/// invariants I1-I6, and every stroke that it changes is one that tools may change: on a visible
-/// layer that is not locked.
+/// Checks that `edit` can be applied to `before` (it is tried on a copy), that every new stroke
+/// keeps the invariants I1-I6, and that every changed stroke is on a visible, unlocked layer.
 Broken check_edit(const Document& before, const Edit& edit);
-/// Strokes that an edit does not name are the same objects in both documents.
+/// Checks that strokes that `edit` does not name are the same objects in both documents.
 Broken check_locality(const Document& before, const Document& after, const Edit& edit);
-/// Marks belong to strokes that are there, one a control point, and one at least is set.
+/// Checks that each selected stroke exists in `document`, has one mark per control point, and that
+/// at least one of its marks is set.
 Broken check_selection(const Document& document, const Selection& selection);
-/// Everything in it is finite, and there is not more of it than the drawing and the gesture (so
-/// many samples so far) account for.
+/// Checks that every number of `overlay` is finite and that it has not more items than the drawing
+/// and a gesture of `samples` samples explain.
 Broken check_overlay(const Overlay& overlay, const Document& document, std::size_t samples);
 
-/// Evaluates force models as the haptic loop does, one memory all along.
+/// Evaluates force models as the haptic loop does, with the same ForceMemory for all calls.
 class ForceProbe {
  public:
   explicit ForceProbe(const Capabilities& device);
 
-  /// The force at this sample is finite; what it has beside the sheet itself (plane, friction,
-  /// grain) is at most `limit_n` in the sheet without the damping, pulls back no more steeply than
-  /// the model claims and does not jump; claims keep the device's budget unless `may_exceed_budget`
-  /// (the safety chain shrinks them then).
+  /// Checks the force at `sample`: it is finite. The part that does not come from the surface
+  /// (plane, friction, grain) is, without damping, at most `limit_n` along the surface, is not
+  /// stiffer than the model claims, and does not jump. The claimed stiffness is within the
+  /// device's budget, unless `may_exceed_budget` is set (the safety chain then scales it down).
   Broken check(const ForceModel& model, const PenSample& sample, double limit_n,
                bool may_exceed_budget);
-  /// The largest force beside the sheet's since the last call.
+  /// Returns the largest force since the last call, in N, without the forces of the surface. Resets
+  /// it to 0.
   [[nodiscard]] double take_largest_n() noexcept { return std::exchange(largest_n_, 0.0); }
 
  private:

@@ -10,18 +10,18 @@
 
 namespace felt::gestures {
 
-/// Random choices, the same for the same seed on every machine.
+/// Makes random choices. The same seed gives the same choices on every machine.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) noexcept : random_(seed) {}
 
   double between(double low, double high) noexcept { return random_.between(low, high); }
-  /// As often within 1..10 as within 10..100. Requires 0 < low < high.
+  /// Returns a number in low..high; 1..10 is as likely as 10..100. Requires 0 < low < high.
   double over_decades(double low, double high) noexcept {
     return low * std::exp(between(0.0, std::log(high / low)));
   }
   bool chance(double p) noexcept { return between(0.0, 1.0) < p; }
-  /// 0 .. count - 1. Requires count > 0.
+  /// Returns an index in 0 .. count - 1. Requires count > 0.
   std::size_t pick(std::size_t count) noexcept {
     return static_cast<std::size_t>(random_.bits() % count);
   }

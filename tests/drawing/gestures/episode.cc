@@ -15,7 +15,7 @@
 namespace felt::gestures {
 namespace {
 
-constexpr double kChecked = 0.12;  // of the samples
+constexpr double kChecked = 0.12;  // share of the samples
 
 const Capabilities& any_device(Dice& dice) {
   static constexpr std::array<std::string_view, 5> kNames{"touch", "premium", "omega", "mouse",
@@ -23,7 +23,8 @@ const Capabilities& any_device(Dice& dice) {
   return find_stylus_preset(dice.any(kNames))->capabilities;
 }
 
-/// Attraction and stabiliser of a tool that draws add up; everything else keeps to 1 N (R29, R35).
+/// Returns the force limit of a tool, in N. It is higher if the tool draws, because attraction and
+/// stabiliser add up; the limit of all other tools is 1 N (R29, R35).
 double force_limit_n(bool draws) {
   return draws ? 2.0 : 1.0;
 }
@@ -119,7 +120,8 @@ void Episode::see_edit(const Edit& edit) {
 template <class What>
 void Episode::apply(const What& what) {
   if (broken_) return;
-  // What might have been a bounce is a lift for whatever ends what the tool holds back.
+  // If the pen is up, the tip may be bouncing. The event ends the wait for a bounce, so the next
+  // touch starts a new gesture.
   if (pen_is_up_) contact_ = {};
   Event event;
   event.time_ns = now_ns_;
@@ -229,7 +231,7 @@ void Episode::between_gestures() {
   if (k < 0.38) return change_layers();
 }
 
-/// Something happens in the middle of a gesture.
+/// Interrupts a gesture: undoes, changes the tool or an option, imports, cancels ...
 void Episode::interfere() {
   switch (dice_.pick(8)) {
     case 0:
@@ -249,7 +251,7 @@ void Episode::interfere() {
       where_ += ", it is finished";
       const Result<void> done = session_.finish();
       if (!done) break_rule("finish: " + done.error().message);
-      // The session forgets that the pen is down: what it does next is a gesture of its own.
+      // The session forgets that the pen is down: the next samples are a separate gesture.
       contact_ = {};
       return;
     }
@@ -294,7 +296,7 @@ void Episode::import() {
     for (const StrokeId id : layer.strokes) strokes.push_back(document.find(id));
   }
   if (strokes.size() > 2) strokes.resize(2);
-  ++touches_;  // a step of its own
+  ++touches_;  // the import is a separate undo step
   const Result<void> done = session_.import(now_ns_, {"random"}, strokes);
   if (!done) break_rule("import: " + done.error().message);
   contact_ = {};
@@ -307,7 +309,7 @@ void Episode::select_or_delete() {
   if (k < 0.6) return apply(SelectStrokes{SelectStrokes::What::kInvert});
   if (k < 0.7) return apply(SelectStrokes{SelectStrokes::What::kNone});
   if (k < 0.85) return command(DeleteEvent{});
-  // Doubling without end would only cost time.
+  // Duplicating without a limit would only cost time.
   if (session_.document().stroke_count() < 60) command(DuplicateEvent{});
 }
 
@@ -320,7 +322,7 @@ void Episode::change_layers() {
   where_ += ", layer " + std::to_string(static_cast<int>(event.what));
   const std::uint64_t edits = edits_;
   is_command_ = true;
-  // What cannot be, the last open layer hidden, is refused and changes nothing.
+  // An impossible change, such as hiding the last open layer, is refused and changes nothing.
   const Result<void> done = session_.apply({now_ns_, event});
   is_command_ = false;
   if (!done && edits_ != edits) break_rule("a layer event is refused and changes something");

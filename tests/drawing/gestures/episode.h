@@ -14,36 +14,37 @@
 
 namespace felt::gestures {
 
-/// What gestures with one tool came to.
+/// Counts of the gestures with one tool and of their effects.
 struct ToolTotals {
   std::uint64_t gestures = 0, edits = 0, previews = 0, selections = 0;
-  double largest_n = 0.0;  ///< beside the sheet's forces
+  double largest_n = 0.0;  ///< largest force without those of the surface, in N
 };
 
 struct Totals {
   std::map<std::string, ToolTotals, std::less<>> tools;
   std::uint64_t samples = 0, undone = 0;
-  std::uint64_t digest = 0xcbf29ce484222325ULL;  ///< of every document at its end
+  std::uint64_t digest = 0xcbf29ce484222325ULL;  ///< FNV-1a hash of the final documents
 };
 
 struct EpisodeOptions {
   std::uint64_t seed = 1;
   int gestures = 20;
-  std::string tool;  ///< most gestures are made with this one; "" is any
+  std::string tool;  ///< id of the tool that makes most gestures; "" for any tool
   bool trace = false;
 };
 
-/// One drawing session from a random drawing on: random gestures with all tools and options, with
-/// undo, redo, cancel and changes of tool in the middle. After each step the rules of checks.h, and
-/// those of history: a gesture is one step at most and changes something, a cancelled one left
-/// nothing, and at the end undo leads back to the first byte and redo forth to the last (R52).
+/// Runs one drawing session that starts with a random drawing: random gestures with all tools and
+/// options, interrupted by undo, redo, cancel and changes of tool. After each step it checks the
+/// rules of checks.h and those of the history: a gesture makes at most one undo step and that step
+/// changes something, and a cancelled gesture changes nothing. At the end, undoing everything must
+/// restore the first document byte for byte, and redoing everything the last (R52).
 class Episode {
  public:
   Episode(const EpisodeOptions& options, const std::vector<Stroke>& real, Totals& totals);
 
-  /// The rule that broke, or nothing.
+  /// Returns the rule that was broken, or nullopt if all rules hold.
   Broken run();
-  /// What was being done: "pull, gesture 7 (along), pull.radius_mm = 20".
+  /// Returns the current step, for example "pull, gesture 7 (along), pull.radius_mm = 20".
   [[nodiscard]] const std::string& where() const noexcept { return where_; }
   [[nodiscard]] std::string_view tool() const noexcept { return session_.tool().info().id; }
 
@@ -54,7 +55,7 @@ class Episode {
   void break_rule(Broken broken);
   template <class What>
   void apply(const What& what);
-  /// Likewise for what is no tool's doing.
+  /// Same as apply(), for events whose edits do not come from a tool.
   template <class What>
   void command(const What& what);
   void take(const PenSample& sample);
@@ -78,7 +79,7 @@ class Episode {
   Dice dice_;
   ForceProbe probe_;
   std::uint64_t edits_ = 0;
-  bool is_command_ = false;  // the next edits are those of undo, redo, layers: no tool's
+  bool is_command_ = false;  // the next edits come from undo, redo or layers, not from a tool
   Broken broken_;
   std::string where_;
   std::int64_t now_ns_ = 0;
@@ -90,12 +91,12 @@ class Episode {
   std::int64_t velocity_ns_ = 0;
   Selection last_selection_;
   Overlay overlay_;
-  Document last_;  // before the next edit
+  Document last_;  // the document before the next edit
   Document start_;
   Session session_;
 };
 
-/// All of a document as bytes: layers, and strokes as a file has them.
+/// Returns the whole document as bytes: its layers, and its strokes as in a file.
 std::string bytes_of(const Document& document);
 
 }  // namespace felt::gestures

@@ -1,10 +1,10 @@
 // gesture_fuzz [--gestures N] [--seed S] [--episode E] [--tool ID] [--strokes FILE] [--all]
 // [--trace]
 //
-// Random gestures with every tool and option on random drawings, or on those of FILE (also
-// FELT_GESTURES_FILE), each step checked (episode.h). Prints what was tried, or the broken rule
-// with the line that repeats it, and then exits with 1. --all goes on and lists each rule once a
-// tool.
+// Makes random gestures with every tool and option on random drawings, or on drawings with strokes
+// of FILE (or of the file named by FELT_GESTURES_FILE), and checks each step (episode.h). Prints
+// what was tried. If a rule is broken, prints it with the command line that repeats it and exits
+// with 1. --all continues after a broken rule and lists each rule once per tool.
 #include <unistd.h>
 
 #include <algorithm>
@@ -65,7 +65,8 @@ void print(const Options& options, const Totals& totals) {
       static_cast<unsigned long long>(totals.digest));
 }
 
-/// Tools that do nothing keep every rule and prove nothing.
+/// Returns the id of a tool that had almost no effect, or null. A tool that does nothing breaks no
+/// rule, so the run would prove nothing about it.
 const char* idle_tool(const Totals& totals) {
   for (const auto& [tool, t] : totals.tools) {
     if (t.gestures >= 100 && t.edits + t.selections < t.gestures / 50) return tool.c_str();
@@ -73,7 +74,7 @@ const char* idle_tool(const Totals& totals) {
   return nullptr;
 }
 
-/// True when no rule was broken.
+/// Runs the episodes and reports the rules that they break.
 class Fuzz {
  public:
   Fuzz(const Options& options, std::vector<Stroke> real)
@@ -106,7 +107,7 @@ class Fuzz {
     return false;
   }
   void report(const std::string& broken, const Episode& episode) {
-    // The same rule of the same tool, whatever the numbers.
+    // Messages that differ only in their numbers are the same broken rule of the tool.
     std::string kind(episode.tool());
     for (const char c : broken) {
       if (std::strchr("0123456789.-+e", c) == nullptr) kind += c;

@@ -19,7 +19,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 
 using Way = std::vector<Point>;
 
-/// The drawing as a hand sees it: its strokes, and a place to begin at.
+/// The drawing that a gesture aims at: its strokes, and random points on them or nearby.
 class Target {
  public:
   Target(Dice& dice, const Document& document) : dice_(dice) {
@@ -34,13 +34,14 @@ class Target {
 
   [[nodiscard]] const Rect& bounds() const { return bounds_; }
   [[nodiscard]] double size_mm() const { return std::max(bounds_.width(), bounds_.height()); }
-  /// One of the strokes, or null where there is none.
+  /// Returns a random stroke, or null if the drawing has no strokes.
   StrokePtr any_stroke() { return strokes_.empty() ? nullptr : dice_.any(strokes_); }
   Point anywhere() {
     return {dice_.between(bounds_.x0 - 10.0, bounds_.x1 + 10.0),
             dice_.between(bounds_.y0 - 10.0, bounds_.y1 + 10.0)};
   }
-  /// A parameter that tools treat in a way of its own: ends, joints, the middle, anything.
+  /// Returns a parameter of a stroke, often one that tools treat specially: an end, a joint, the
+  /// middle of a segment; or any.
   double telling_u(const Stroke& stroke) {
     const int n = stroke.segment_count();
     switch (dice_.pick(4)) {
@@ -54,7 +55,7 @@ class Target {
         return dice_.between(0.0, n);
     }
   }
-  /// On a stroke as a rule, or somewhat beside it.
+  /// Returns a point, usually on a stroke or near one.
   Point somewhere() {
     const StrokePtr stroke = any_stroke();
     if (!stroke || dice_.chance(0.1)) return anywhere();
@@ -151,7 +152,7 @@ Way along(Dice& dice, Target& target) {
   return way;
 }
 
-/// From an end of one stroke to that of another, or to its own other one.
+/// Returns a path from an end of a stroke to an end of another one, or to its own other end.
 Way end_to_end(Dice& dice, Target& target) {
   const StrokePtr from = target.any_stroke(), to = target.any_stroke();
   if (!from || !to) return straight(dice, target);
@@ -208,7 +209,7 @@ constexpr std::array kKinds{
     Kind{"far", far_off},
 };
 
-/// Turns a way into samples.
+/// Converts a path into pen samples.
 class Teller {
  public:
   Teller(Dice& dice, std::int64_t now_ns) : dice_(dice), now_ns_(now_ns) {
@@ -227,7 +228,7 @@ class Teller {
   void sheet(Point at) {
     if (is_rough_) disturb(at);
     const double part = 1.0 - swing_ * 0.5 * (1.0 + std::sin(0.1 * ++count_));
-    // A tablet's pen stays on the sheet and says how it presses.
+    // The pen of a tablet stays on the surface and reports its pressure.
     const bool by_pressure = pressure_ && dice_.chance(0.5);
     std::optional<double> pressure = pressure_;
     if (pressure) *pressure *= part;
@@ -275,7 +276,7 @@ PenGesture random_gesture(Dice& dice, const Document& document, std::int64_t sta
   Target target(dice, document);
   const Kind& kind = dice.any(kKinds);
   Way way = kind.make(dice, target);
-  // The script format's own limit; beyond it the session drops the sample.
+  // The script format has this limit; the session drops samples beyond it.
   for (Point& p : way) p = {std::clamp(p.x, -1e9, 1e9), std::clamp(p.y, -1e9, 1e9)};
   Teller teller(dice, start_ns);
   const Point begin = way.front();

@@ -10,17 +10,18 @@
 
 namespace felt::gestures {
 
-/// One gesture as the device tells it: some way in the air, the touch, what the pen does on the
-/// sheet, the lift (as a rule). Times count on from the gesture before; velocities are left to the
-/// session. Some samples have no place at all (NaN).
+/// One gesture as a device reports it: hover samples, the touch, samples in contact and, usually,
+/// the lift. Times continue from the previous gesture. The session computes the velocities. Some
+/// samples have no valid position (NaN).
 struct PenGesture {
-  std::string_view kind;  ///< "along": for reports
+  std::string_view kind;  ///< such as "along", for reports
   std::vector<PenSample> samples;
 };
 
-/// A gesture on this document: taps, rests, lines, circles, scribbles, jumps, along lines that are
-/// there, near their ends and corners, round one or all of them, out and back, too fast, far off
-/// the sheet; with pressure or without, with buttons that change, with bounces of the tip.
+/// Returns a random gesture on `document`: taps, rests, lines, circles, scribbles, jumps; along
+/// existing strokes, near their ends and corners, or around one or all of them; out and back, too
+/// fast, or far off the page. The samples may have a pressure, changing buttons, or bounces of the
+/// tip.
 PenGesture random_gesture(Dice& dice, const Document& document, std::int64_t start_ns);
 
 }  // namespace felt::gestures

@@ -30,7 +30,7 @@ std::optional<Stroke> fitted(std::span<const InkSample> samples) {
   return *std::move(stroke);
 }
 
-/// What the simulated hand would draw, as ink.
+/// Returns ink as the simulated hand would draw it.
 StrokeData hand_ink(Dice& dice) {
   const std::vector<Gesture> gestures = random_gestures(dice.seed(), 1);
   WritingHand hand({.seed = dice.seed()});
@@ -53,7 +53,7 @@ StrokeData of_points(std::vector<Point> points, bool closed, JointKind joint, do
   return data;
 }
 
-/// A ring of 1, 2 or 4 segments.
+/// Returns a ring of 1, 2 or 4 segments.
 StrokeData ring(Dice& dice) {
   const double r = dice.over_decades(0.3, 30.0), w = dice.over_decades(kMinWidthMm, 4.0);
   const Point c{dice.between(0.0, kSheetMm), dice.between(0.0, kSheetMm)};
@@ -74,7 +74,7 @@ StrokeData ring(Dice& dice) {
                    true, JointKind::kSmooth, w);
 }
 
-/// Straight pieces, corners between them: a zigzag, a single line, a dot.
+/// Returns straight pieces with corners between them: a zigzag, a single line or a dot.
 StrokeData polygon(Dice& dice) {
   const int n = dice.pick(1, 12);
   const double step_mm = dice.over_decades(kMinSegmentMm, 40.0);
@@ -86,7 +86,7 @@ StrokeData polygon(Dice& dice) {
   return of_points(std::move(points), false, JointKind::kCorner, dice.over_decades(0.05, 6.0));
 }
 
-/// Many small segments in one smooth line, as after many edits.
+/// Returns a smooth line of many small segments, as it may be after many edits.
 StrokeData chain(Dice& dice) {
   const int n = dice.pick(2, 40);
   const double length_mm = dice.over_decades(0.1, 5.0);
@@ -120,7 +120,7 @@ StrokeData random_data(Dice& dice, const std::vector<Stroke>& real) {
   }
 }
 
-/// Where the whole drawing lies, and how large it is.
+/// Position and scale of the whole drawing.
 struct Placement {
   double scale = 1.0;
   Vec offset;
@@ -142,7 +142,7 @@ std::vector<StrokePtr> random_strokes(Dice& dice, const std::vector<Stroke>& rea
       p = {placement.scale * p.x + placement.offset.x, placement.scale * p.y + placement.offset.y};
     }
     if (data.closed) data.points.back() = data.points.front();
-    // Scaled down it may be too short, far away too coarse: then it is no stroke.
+    // create() fails if the stroke is too short after scaling or too coarse far from the origin.
     Result<Stroke> stroke = Stroke::create(std::move(data));
     if (stroke) strokes.push_back(std::make_shared<const Stroke>(*std::move(stroke)));
   }

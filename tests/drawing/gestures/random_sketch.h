@@ -9,14 +9,14 @@
 
 namespace felt::gestures {
 
-/// A drawing for gestures to be made on: strokes of every shape that a document may hold (random
-/// ones, ink of the simulated hand, rings of one and two segments, dots, zigzags, cusps, from tiny
-/// to kilometres away), or some of `real`, in one layer or several, of which some are hidden or
-/// locked.
+/// Returns a drawing for random gestures, with one or several layers; some layers are hidden or
+/// locked. Its strokes have every shape that a document may hold (random ones, ink of the simulated
+/// hand, rings of one and two segments, dots, zigzags, cusps; from tiny ones to some that are
+/// kilometres away), or are taken from `real`.
 Document random_document(Dice& dice, const std::vector<Stroke>& real);
 
-/// The strokes of a file, raw pen strokes or a sketch; raw ones are fitted, each scaled to a
-/// handy size since their units differ.
+/// Reads the strokes of a file of raw pen strokes or of a sketch. Raw strokes are scaled to a
+/// suitable size, because their units differ, and fitted.
 Result<std::vector<Stroke>> read_strokes(const std::string& path);
 
 }  // namespace felt::gestures

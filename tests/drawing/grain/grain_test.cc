@@ -16,7 +16,7 @@
 namespace felt::grain_test {
 namespace {
 
-/// What a texture does to a pen that rests at a place, pressed with half a newton.
+/// The effect of a texture on a pen that rests at a point, pressed with 0.5 N.
 struct Felt {
   Force force;
   double friction_factor;
@@ -45,13 +45,13 @@ TEST(Grain, R47_OneHeightMapForEyeAndHand) {
     const Grain eye(field);
     const Texture slopes(field, {.law = TextureLaw::kGradient});
     const Texture heights(field, {.law = TextureLaw::kFriction});
-    // One place says how strong the textures are; everywhere else the eye's texel must say what the
-    // hand feels.
+    // The ratio of force to slope is measured at one point. At all others, the slope that the
+    // renderer uses must predict the force with this ratio.
     const Point first{3.21, 4.56};
     const double per_slope = felt_at(slopes, first).force.x / eye.at(first).slope.x;
     ASSERT_LT(per_slope, 0.0);
-    // Friction is bounded, and no multiple of the height: but of two places the higher one for the
-    // eye is the one that holds the hand more.
+    // Friction is bounded and so not proportional to the height. But of two points, the one that
+    // the renderer draws higher must have more friction.
     std::vector<std::pair<double, double>> seen_and_felt;
     Fnv1a by_hand, by_eye;
     for (int y = 0; y < 100; ++y) {

@@ -14,10 +14,10 @@ constexpr std::size_t kFeatures = FeelFeatures::kCount;
 
 struct Known {
   std::vector<FeelFeatures> centroids;
-  std::array<double, kFeatures> spread{};  // within a choice, over all of them
+  std::array<double, kFeatures> spread{};  // rms spread within the choices
 };
 
-// What was felt of one choice, stroke by stroke.
+// The features of each stroke with one choice, with random errors like those of human senses.
 using Felt = std::vector<FeelFeatures>;
 
 Felt feel(const BlindCheck& check, std::size_t choice, bool& is_sound) {
@@ -36,7 +36,7 @@ Felt feel(const BlindCheck& check, std::size_t choice, bool& is_sound) {
     plan.press_n = 0.5 + 0.3 * part();
     const StrokeForces forces = draw_stroke(plan);
     is_sound = is_sound && forces.is_sound;
-    // Another error of the senses for each stroke of each choice.
+    // Each stroke of each choice gets different random errors.
     const auto index = static_cast<std::uint32_t>(choice);
     felt.push_back(blurred(features_of(forces, plan.leg_mm), 1000 * (index + 1) + seed));
   }

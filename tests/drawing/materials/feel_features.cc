@@ -11,7 +11,7 @@ constexpr double kForceJnd = 0.10;
 constexpr double kStiffnessJnd = 0.22;
 constexpr double kVibrationJnd = 0.20;
 constexpr double kCoarsenessJnd = 0.25;
-constexpr double kThresholdN = 0.04;  // of a vibration, peak
+constexpr double kThresholdN = 0.04;  // smallest vibration that is felt, as peak force
 constexpr double kShortestMm = 0.8, kLongestMm = 9.0;
 
 double mean_of(const std::vector<Force>& forces, double Force::*axis) {
@@ -24,12 +24,13 @@ double sheet_mean(const std::vector<Force>& forces) {
   return std::hypot(mean_of(forces, &Force::x), mean_of(forces, &Force::y));
 }
 
-// Strength in JNDs; what cannot be felt counts as what can just be felt.
+// Returns the strength in JNDs above the threshold. The result approaches 0 below the threshold.
 double strength_jnd(const Texturing& texture) {
   return std::log(std::hypot(texture.peak_n, kThresholdN) / kThresholdN) / kVibrationJnd;
 }
 
-// Likewise; what cannot be felt is neither fine nor coarse.
+// Returns the coarseness in JNDs. The result approaches 0, the middle of the range, below the
+// threshold.
 double coarseness_jnd(const Texturing& texture) {
   if (!(texture.peak_n > 0.0)) return 0.0;
   const double size = texture.peak_n / kThresholdN;
@@ -49,8 +50,8 @@ std::string_view name_of_feature(std::size_t feature) noexcept {
 Texturing texture_of(const std::vector<Force>& forces, double period_s, double speed_mm_per_s,
                      double shortest_mm, double longest_mm) {
   if (forces.size() < 16) return {};
-  // The force in the sheet along the mean pull, less its mean and its drift; then by the definition
-  // of the Fourier transform, bin by bin, under a Hann window.
+  // Takes the component of the force along the mean pull, removes its mean and its linear drift,
+  // applies a Hann window, and sums the power of the Fourier bins in the wavelength range.
   const double mx = mean_of(forces, &Force::x), my = mean_of(forces, &Force::y);
   const double size = std::hypot(mx, my);
   if (!(size > 0.0)) return {};
@@ -78,7 +79,7 @@ Texturing texture_of(const std::vector<Force>& forces, double period_s, double s
   const auto to = static_cast<int>(std::floor(speed_mm_per_s / shortest_mm / bin_hz));
   double power = 0.0, weighted_hz = 0.0;
   for (int bin = std::max(from, 1); bin <= to && 2 * bin < static_cast<int>(n); ++bin) {
-    // Goertzel's recurrence.
+    // Goertzel's recurrence gives the power of one bin.
     const double turn = 6.283185307179586 * bin / static_cast<double>(n);
     const double twice = 2.0 * std::cos(turn);
     double a = 0.0, b = 0.0;
@@ -104,7 +105,8 @@ FeelFeatures features_of(const StrokeForces& forces, double leg_mm) {
       0.5 * (mean_of(forces.along_x, &Force::z) + mean_of(forces.along_y, &Force::z));
   const double pull = 0.5 * (sheet_mean(forces.along_x) + sheet_mean(forces.along_y));
   features.jnd[0] = std::log(std::max(pull, 1e-3) / std::max(push, 1e-3)) / kForceJnd;
-  // Hardness: how fast the push grows while the hand comes down as it always does.
+  // Hardness is the steepest growth of the normal force within 10 ms while the pen lands; the hand
+  // always lands in the same way.
   double steepest = 1e-3;
   const auto over = static_cast<std::size_t>(std::llround(0.01 / forces.period_s));
   for (std::size_t i = over; i < forces.touching.size(); ++i) {
@@ -122,7 +124,8 @@ FeelFeatures features_of(const StrokeForces& forces, double leg_mm) {
 }
 
 FeelFeatures blurred(const FeelFeatures& features, std::uint32_t seed) {
-  // A difference of one JND is told three times out of four: 0.954 errors of one look apart.
+  // A difference of one JND is noticed in 75 % of the comparisons. That is so if the error of one
+  // look has a standard deviation of 1 / 0.954 JND.
   constexpr double kError = 1.0 / 0.954;
   std::mt19937 random(seed);
   const auto part = [&] { return (static_cast<double>(random()) + 0.5) / 4294967296.0; };

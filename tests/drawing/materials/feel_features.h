@@ -8,33 +8,35 @@
 
 namespace felt {
 
-/// What a stroke feels like, from its forces alone, in units of a just noticeable difference (JND):
-/// two strokes whose feature differs by 1 are told apart by it three times out of four.
+/// How a stroke feels, computed from its forces alone, in units of a just noticeable difference
+/// (JND): if a feature of two strokes differs by 1, a person notices it in 75 % of the comparisons.
 struct FeelFeatures {
   static constexpr std::size_t kCount = 6;
   std::array<double, kCount> jnd{};
 };
-/// "friction", "hardness", ...
+/// Returns the name of a feature: "friction", "hardness", ...
 std::string_view name_of_feature(std::size_t feature) noexcept;
 
-/// From the forces of one stroke and a clock. `leg_mm`: the length of both halves of the path,
-/// which all strokes share; how fast the pen was follows from how long it took.
+/// Computes the features from the forces of one stroke and their times. `leg_mm` is the length of
+/// each of the two halves of the path, the same for all strokes. The speed of the pen is computed
+/// from it and the duration.
 ///
-/// JNDs: force 10 % (8 to 13 %: docs/design/simulation.md#perception), stiffness 22 % (Jones and
-/// Hunter 1990), strength of a vibration 20 % and its coarseness 25 % (round figures), of which
-/// nothing is felt far below 0.04 N peak.
+/// The JNDs are: force 10 % (8 to 13 %: docs/design/simulation.md#perception), stiffness 22 %
+/// (Jones and Hunter 1990), strength of a vibration 20 % and its coarseness 25 % (round figures).
+/// A vibration far below a peak of 0.04 N is not felt.
 FeelFeatures features_of(const StrokeForces& forces, double leg_mm);
 
-/// A texture in a row of forces.
+/// The texture found in a series of forces.
 struct Texturing {
-  double peak_n = 0.0;         ///< sqrt 2 times the rms of what varies in the sheet
-  double wavelength_mm = 0.0;  ///< its middle one
+  double peak_n = 0.0;         ///< sqrt 2 times the rms of the varying force along the surface
+  double wavelength_mm = 0.0;  ///< mean wavelength, weighted by power
 };
-/// What of it has a wavelength of `shortest_mm` to `longest_mm`, at that speed.
+/// Returns the texture in `forces` with wavelengths of `shortest_mm` to `longest_mm` at this speed.
 Texturing texture_of(const std::vector<Force>& forces, double period_s, double speed_mm_per_s,
                      double shortest_mm, double longest_mm);
 
-/// What a hand makes of it: each feature with the error of a sense that has that JND.
+/// Returns the features as a person perceives them: with the random error that gives each sense
+/// its JND.
 FeelFeatures blurred(const FeelFeatures& features, std::uint32_t seed);
 
 }  // namespace felt

@@ -103,7 +103,7 @@ std::string media_table() {
   return out;
 }
 
-// Of a pair over all loops.
+// Extreme values of a pair over all devices and loop rates.
 struct Worst {
   std::array<double, kBandSpeeds.size()> least_n{}, most_n{};
   bool has_texture = false;
@@ -128,7 +128,7 @@ std::string entry(const Worst& worst, double mu) {
   if (!worst.has_texture) return out;
   out += ';';
   for (std::size_t i = 0; i < kBandSpeeds.size(); ++i) {
-    // Down, so that no figure below the bound reads as if it were on it.
+    // Rounds down, so that a figure below the bound is not printed as the bound.
     const std::string text = number(std::floor(100.0 * worst.least_n[i]) / 100.0, 2);
     if (worst.least_n[i] >= kFeltForceN) {
       out += " **" + text + "**";

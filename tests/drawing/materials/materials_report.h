@@ -4,7 +4,8 @@
 
 namespace felt {
 
-/// The report docs/materials.md, measured here and now; the same figures on each run.
+/// Makes all measurements and returns the text of docs/materials.md. Each run gives the same
+/// figures.
 std::string materials_report();
 
 }  // namespace felt

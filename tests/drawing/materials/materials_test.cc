@@ -34,8 +34,8 @@ TEST(Materials, R48_EveryPairIsWithinTheBudgetOfEveryDevice) {
   }
 }
 
-// What docs/requirements.md points at, in one glance: the loop that most people have. Every device
-// and loop: EveryMedium.
+// docs/requirements.md cites this test. It checks the device and loop that most people have;
+// EveryMedium checks all of them.
 TEST(Materials, R48_EveryPairIsQuietAtRestAndSound) {
   const DeviceLoop loop{find_stylus_preset("touch"), 1'000'000};
   for (const SurfaceMaterial& surface : surface_materials()) {
@@ -46,7 +46,7 @@ TEST(Materials, R48_EveryPairIsQuietAtRestAndSound) {
   }
 }
 
-/// A device, its loop, a surface; every medium on it.
+/// A device with its loop rate, and a surface. The test checks every medium on this surface.
 struct Case {
   DeviceLoop loop;
   const SurfaceMaterial* surface = nullptr;
@@ -90,8 +90,8 @@ std::string name_of_case(const ::testing::TestParamInfo<Case>& info) {
 }
 INSTANTIATE_TEST_SUITE_P(, EveryMedium, ::testing::ValuesIn(cases()), name_of_case);
 
-// docs/design/forces.md#texture, R13, R41: what is felt of pencil and chalk, the board included, is
-// in the list.
+// The report lists pencil and chalk as felt on every rough surface, including the blackboard
+// (docs/design/forces.md#texture, R13, R41).
 TEST(Materials, R47_TheReportCallsFeltWhatPeopleExpectToFeel) {
   std::ifstream in("docs/materials.md");
   const std::string report{std::istreambuf_iterator<char>(in), {}};
@@ -105,7 +105,7 @@ TEST(Materials, R47_TheReportCallsFeltWhatPeopleExpectToFeel) {
   for (const std::string& pair : felt) EXPECT_EQ(pair.find("glass"), std::string::npos);
 }
 
-// Two that the report does not list as alike are told apart; those that it lists are not.
+// Checks that exactly the pairs that the report lists as alike cannot be told apart.
 void holds_against_the_report(const BlindCheck& check) {
   std::ifstream in("docs/materials.md");
   const std::string report{std::istreambuf_iterator<char>(in), {}};
@@ -120,7 +120,7 @@ void holds_against_the_report(const BlindCheck& check) {
       const std::string pair = name_of_pair(check, i, j);
       const bool is_alike = std::find(alike.begin(), alike.end(), pair) != alike.end();
       const double right = confusion.of_two[i][j];
-      // One stroke more or less may be another compiler's last bit.
+      // The margin allows for a rounding difference between compilers that changes one stroke.
       if (is_alike) {
         EXPECT_LT(right, kDistinct + 0.02) << pair;
       } else {
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Sheets, BlindCheckOf, ::testing::ValuesIn(blind_checks_
 INSTANTIATE_TEST_SUITE_P(Media, BlindCheckOf, ::testing::ValuesIn(blind_checks_of_media()),
                          name_of_check);
 
-// The instruments: a sheet against itself is chance, and a wave of known strength is found.
+// Checks the measurement itself: it finds a wave of known strength and wavelength.
 TEST(Materials, ABandMeasuresTheWaveThatIsThere) {
   std::vector<Force> forces(2000);
   for (std::size_t i = 0; i < forces.size(); ++i) {

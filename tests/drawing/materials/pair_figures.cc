@@ -11,9 +11,10 @@
 namespace felt {
 namespace {
 
-constexpr double kPressN = 0.8;  // what the safety chain lets a touch do for long
+constexpr double kPressN = 0.8;  // the safety chain allows this force on a touch for a long time
 
-// The texture's own: what a stroke has more than the same stroke on the same sheet made smooth.
+// Returns the peak force of the texture alone: the difference between a stroke and the same stroke
+// on the same surface without grain.
 double texture_peak_n(StrokePlan plan, bool& is_sound) {
   constexpr double kShortestMm = 0.8, kLongestMm = 9.0;
   const auto peak = [&] {

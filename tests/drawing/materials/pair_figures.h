@@ -11,46 +11,47 @@
 
 namespace felt {
 
-/// A device with motors and how fast its loop runs.
+/// A device with motors, and the rate of its loop.
 struct DeviceLoop {
   const StylusPreset* device = nullptr;
   std::int64_t period_ns = 1'000'000;
 };
-/// Every simulated device with motors, at 1 kHz and at 5 kHz.
+/// Returns every simulated device with motors, at 1 kHz and at 5 kHz.
 std::vector<DeviceLoop> device_loops();
-/// "touch, 1 kHz"
+/// Returns for example "touch, 1 kHz".
 std::string name_of(const DeviceLoop& loop);
 
-/// A tool on a surface in the hand, on a device at a loop period (R47, R48).
+/// Figures of a medium on a surface, on a device with its loop period (R47, R48).
 struct PairFigures {
-  double budget_share = 0.0;   ///< largest sum of stiffnesses along an axis, of what it bears
-  double texture_n_per_m = 0;  ///< stiffest place of the texture
+  double budget_share = 0.0;   ///< largest sum of stiffnesses along an axis / budget of the device
+  double texture_n_per_m = 0;  ///< largest stiffness of the texture
   double texture_limit_n_per_m = 0;
-  double rest_n = 0.0;             ///< rms above 30 Hz of a pen that rests: worst of four hands
+  double rest_n = 0.0;             ///< rms force above 30 Hz on a resting pen: worst of four hands
   std::array<double, 3> band_n{};  ///< peak of the texture at 50, 100 and 150 mm/s, along x or y
-  bool is_sound = true;            ///< the safety chain found nothing wrong
+  bool is_sound = true;            ///< the safety chain reported no fault
 };
 
 inline constexpr std::array<double, 3> kBandSpeeds{50.0, 100.0, 150.0};
-inline constexpr double kFeltForceN = 0.04;  ///< the least that is perceived
+inline constexpr double kFeltForceN = 0.04;  ///< smallest force that a person feels
 
-/// What is claimed, at once: all but rest_n and band_n.
+/// Returns the figures that the force models claim, without a simulation: all but rest_n and
+/// band_n.
 PairFigures claimed_figures(const StylusPreset& device, std::int64_t period_ns,
                             const SurfaceMaterial& surface, const Medium& tool);
-/// All of it, measured with the simulated hand pressing 0.8 N.
+/// Returns all figures. The simulated hand presses with 0.8 N.
 PairFigures measured_figures(const StylusPreset& device, std::int64_t period_ns,
                              const SurfaceMaterial& surface, const Medium& tool);
 
-/// Is the texture felt at each of the speeds?
+/// Returns true if the texture is felt at each of the speeds.
 bool is_felt(const PairFigures& figures) noexcept;
 
-/// The same for every medium on this surface.
+/// Returns the figures of every medium on this surface.
 std::vector<PairFigures> measured_figures(const DeviceLoop& loop, const SurfaceMaterial& surface);
 
-/// "pencil on rough-paper"
+/// Returns for example "pencil on rough-paper".
 std::string name_of_pair(const Medium& tool, const SurfaceMaterial& surface);
 
-/// What stands line by line in the fenced blocks of that name.
+/// Returns the lines of all fenced blocks of `report` that have the name `block`.
 std::vector<std::string> listed(const std::string& report, std::string_view block);
 
 }  // namespace felt

@@ -51,8 +51,8 @@ constexpr double kContinuedToMm = 0.8;
 constexpr double kMeetMm = 0.5;
 constexpr double kSameMm = 1e-6;
 
-/// Of the `n` lines from `i` on, the largest gap from one to the next, and from the last to the
-/// first.
+/// Returns two gaps of the `n` lines that start at index `i`: the largest gap between one line and
+/// the next, and the gap between the last line and the first.
 std::pair<double, double> gaps(const std::vector<Stroke>& ink, std::size_t i, std::size_t n) {
   double between = 0.0, last = 0.0;
   for (std::size_t k = 0; k < n; ++k) {
@@ -63,7 +63,7 @@ std::pair<double, double> gaps(const std::vector<Stroke>& ink, std::size_t i, st
   return {between, last};
 }
 
-/// Distance from a point to the centre line.
+/// Returns the distance from `p` to the centre line of `stroke`.
 double gap_to(const Stroke& stroke, Point p) {
   double squared = std::numeric_limits<double>::infinity();
   for (int i = 0; i < stroke.segment_count(); ++i) {
@@ -103,7 +103,7 @@ std::vector<std::vector<Point>> paths_of(const std::string& ndjson) {
 int shapes_drawn(const SnapCount& drawn, const std::vector<std::vector<Point>>& meant,
                  int lines_per_shape) {
   const auto n = static_cast<std::size_t>(lines_per_shape);
-  if (meant.size() != drawn.ink.size()) return 0;  // this hand loses lines
+  if (meant.size() != drawn.ink.size()) return 0;  // some lines of this hand made no stroke
   int count = 0;
   for (std::size_t i = 0; i + n <= drawn.ink.size(); i += n) {
     const auto [between, last] = gaps(drawn.ink, i, n);
@@ -136,7 +136,7 @@ int shapes_closed(const SnapCount& count, int lines_per_shape) {
 }
 
 int ends_met_unasked(const SnapCount& count, const SnapCount& off) {
-  if (off.ink.size() != count.ink.size()) return 0;  // joined() says so
+  if (off.ink.size() != count.ink.size()) return 0;  // strokes were joined; joined() counts them
   int ends = 0;
   for (std::size_t i = 0; i < count.ink.size(); ++i) {
     for (const StrokeTip tip : {StrokeTip::kStart, StrokeTip::kEnd}) {

@@ -8,51 +8,54 @@
 
 namespace felt::snap_test {
 
-/// Who draws.
+/// The simulated hand that draws, and its device.
 struct SnapHand {
-  std::string name = "typical";  ///< of simulated_hands()
+  std::string name = "typical";  ///< name in simulated_hands()
   std::string device = "touch";
   bool forces = true;
-  std::uint64_t tremor_seed = 0;  ///< 0: only that of WritingHand
+  std::uint64_t tremor_seed = 0;  ///< 0 for only the tremor of WritingHand
 };
 
-/// What came of a scene.
+/// The result of a scene.
 struct SnapCount {
   int meant = 0;    ///< strokes drawn
-  int strokes = 0;  ///< in the document
+  int strokes = 0;  ///< strokes in the document
   int closed = 0;
-  double mean_mm = 0.0;     ///< from the path that the hand meant to the ink
+  double mean_mm = 0.0;     ///< mean distance from the path that the hand meant to the ink
   std::vector<Stroke> ink;  ///< the strokes in drawing order
 
-  /// Strokes that became part of others.
+  /// Returns the number of strokes that became part of other strokes.
   [[nodiscard]] int joined() const { return meant - strokes; }
 };
 
-/// Draws raw stroke lines. `snap` is the value of pencil.snap, "" for the default.
+/// Draws the raw strokes of `ndjson`. `snap` is the value of pencil.snap, or "" for the default.
 Result<SnapCount> draw_lines(const std::string& ndjson, const SnapHand& hand,
                              const std::string& snap = "");
 
-/// The paths of raw stroke lines.
+/// Returns the paths of the raw strokes of `ndjson`.
 std::vector<std::vector<Point>> paths_of(const std::string& ndjson);
 
-/// Number of shapes that were drawn to within 1.5 mm of a closed one (of four lines: 0.8 mm at each
-/// corner), to within 0.8 mm where a line goes on with the next, and in about the size that was
-/// meant: a very light hand squeezes a circle of 3 mm flat. `drawn` is what came without snapping.
+/// Returns how many shapes are drawn well enough that they ought to close. The last line of such a
+/// shape ends within 1.5 mm of its start (0.8 mm for a shape of four lines), each line starts
+/// within 0.8 mm of the end of the previous one, and the size is about right: a very light hand
+/// flattens a circle of 3 mm. `drawn` is the result without snapping.
 int shapes_drawn(const SnapCount& drawn, const std::vector<std::vector<Point>>& meant,
                  int lines_per_shape);
 
-/// Number of single lines that meet themselves as they were recorded: closed shapes.
+/// Returns the number of single lines that are closed shapes as recorded: they end where they
+/// start.
 int shapes_meant(const std::vector<std::vector<Point>>& meant);
 
-/// Number of shapes that closed: a closed stroke, or four lines that share their ends.
+/// Returns the number of closed shapes: closed strokes, or groups of four lines that share their
+/// ends.
 int shapes_closed(const SnapCount& count, int lines_per_shape);
 
-/// Number of ends that lie exactly on another stroke, which only snapping does, although without
-/// snapping, in `off`, they were more than 0.8 mm from it. Requires that no strokes were joined, so
-/// that the strokes of both agree by number.
+/// Returns the number of ends that snapping moved onto another stroke by mistake: they lie exactly
+/// on it, but without snapping (`off`) they were more than 0.8 mm away. Requires that no strokes
+/// were joined, because strokes are compared by their index.
 int ends_met_unasked(const SnapCount& count, const SnapCount& off);
 
-/// The strokes as the simulated writing hand draws them.
+/// Returns the strokes of `scene`, as the simulated writing hand draws them, as .ndjson text.
 std::string lines_of(const SnapScene& scene, std::uint64_t seed = 1);
 
 }  // namespace felt::snap_test

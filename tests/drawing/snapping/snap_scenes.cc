@@ -28,7 +28,7 @@ Gesture line(std::vector<Point> via, double pressure = 0.4, double tempo = 1.0) 
   return {.via = std::move(via), .pressure = pressure, .tempo = tempo};
 }
 
-/// Parallel lines whose ends are as uneven as a hand makes them.
+/// Returns parallel lines with ends as uneven as those of a real hand.
 std::vector<Gesture> hatching(Random& random, Point at, Vec along, Vec step, int count, bool back) {
   std::vector<Gesture> lines;
   const Vec unit = normalized(along);
@@ -65,7 +65,7 @@ SnapScene cross_hatched() {
   return scene;
 }
 
-/// The same patch, four times over: as zigzags, and as separate lines.
+/// Returns six patches, each shaded with four zigzags, and one that is hatched three times.
 SnapScene shaded() {
   Random random(4);
   SnapScene scene{.name = "shading", .strokes = {}};
@@ -78,7 +78,7 @@ SnapScene shaded() {
         const Vec offset = pass % 2 == 0 ? Vec{along, step} : Vec{step, along};
         const Point p = Point{10.0 + 25 * patch, 10} + offset + jitter;
         via.push_back(p);
-        if (i > 0 && i < 13) via.push_back(p);  // a corner
+        if (i > 0 && i < 13) via.push_back(p);  // a repeated point makes a corner
       }
       scene.strokes.push_back(line(via, 0.3, 1.5));
     }
@@ -128,7 +128,7 @@ SnapScene words() {
   return scene;
 }
 
-/// An outline without its last `gap_mm`, begun at a turn of `from`.
+/// Returns an ellipse without its last `gap_mm`. It starts at the angle `from`, in radians.
 std::vector<Point> outline(Point center, Vec radii, double from, double gap_mm) {
   const double around = kTurn * std::sqrt(0.5 * norm_squared(radii));
   const double turns = 1.0 - gap_mm / around;
@@ -140,7 +140,7 @@ std::vector<Point> outline(Point center, Vec radii, double from, double gap_mm) 
   return via;
 }
 
-/// The end misses by up to 1.5 mm, before the start, beyond it and to the side.
+/// Returns the vector by which an end misses the start: up to 1.5 mm in any direction.
 Vec miss(Random& random) {
   return 1.5 * std::sqrt(random.between(0.0, 1.0)) * any_direction(random);
 }
@@ -153,7 +153,7 @@ SnapScene round_shapes(const std::string& name, double shape) {
     const Point center{20.0 + 34 * (i % 6), 20.0 + 26.0 * (i / 6)};
     const double gap = between(random, 0.0, 1.5);
     auto via = outline(center, {0.5 * d * shape, 0.5 * d}, between(random, 0, kTurn), gap);
-    // Round or not, no hand meets its start from the side by more than a part of the gap.
+    // A hand misses its start sideways by only a part of the gap, also with other shapes.
     via.back() += 0.25 * std::max(0.4, gap) * any_direction(random);
     scene.strokes.push_back(line(via));
   }
@@ -188,7 +188,7 @@ SnapScene squares(bool one_line) {
   return scene;
 }
 
-/// Three quarters of an outline, and a second line that closes it.
+/// Returns three quarters of an outline, and a second line that closes it.
 SnapScene continued() {
   Random random(8);
   SnapScene scene{.name = "continued lines", .strokes = {}, .lines_per_shape = 2};

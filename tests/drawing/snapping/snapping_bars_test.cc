@@ -5,7 +5,7 @@
 namespace felt::snap_test::snapping_bars_test {
 namespace {
 
-/// A part of ./dev bench feel --snapping, for two hands.
+/// The test runs a part of ./dev bench feel --snapping, with these two hands.
 const SnapHand kHands[] = {{.name = "typical"}, {.name = "firm", .forces = false}};
 
 TEST(SnappingBars, R43_LinesThatAreNotMeantToMeetComeOutOneByOne) {

@@ -1,10 +1,11 @@
-/// looks_compare A.png B.png [DIFF.png]: how far are two pictures of one drawing from each other?
+/// looks_compare A.png B.png [DIFF.png] measures how much two pictures of one drawing differ.
 ///
-/// Prints "mean M worst W size WxH" on stdout: differences of a colour channel, 0..255, over white.
-/// Mean: over all pixels, without any tolerance. Worst: after a tolerance of one pixel, that is,
-/// the largest distance of a pixel from the range of the 3x3 pixels around it in the other picture,
-/// both ways: edges may be rounded differently, nothing may be missing, added or moved by more.
-/// Sizes may differ by a row or column, which programs round differently; the rest is cut off.
+/// Prints "mean M worst W size WxH" on stdout. M and W are differences of a colour channel, 0..255,
+/// blended over white. M is the mean of all pixels, without tolerance. W is the worst value with a
+/// tolerance of one pixel: the largest distance of a pixel from the range of the 3x3 pixels around
+/// it in the other picture, computed for both pictures. So edges may be rounded differently, but no
+/// part may be missing, added or moved by more than a pixel. The sizes may differ by a row or
+/// column, because programs round them differently; the extra row or column is ignored.
 
 #include <algorithm>
 #include <array>
@@ -23,7 +24,7 @@ namespace {
 constexpr int kChannels = 3;
 constexpr int kMaxRowsApart = 2;
 
-/// Colours over white.
+/// A picture with its colours blended over white.
 struct Picture {
   int width = 0, height = 0;
   std::vector<int> values;
@@ -55,7 +56,7 @@ Picture load(const char* path) {
   std::exit(2);
 }
 
-/// How far the value of a pixel is from what `other` has around it.
+/// Returns the distance of a pixel's value from the range of the 3x3 pixels around it in `other`.
 int beyond(const Picture& one, const Picture& other, int x, int y, int channel) {
   int low = 255, high = 0;
   for (int v = std::max(0, y - 1); v <= std::min(other.height - 1, y + 1); ++v) {

@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# looks_test.sh FELTLINE COMPARE ROOT PROGRAM [FOLDER]: other programs see the same.
+# looks_test.sh FELTLINE COMPARE ROOT PROGRAM [FOLDER]
 #
-# PROGRAM is rsvg, inkscape, chromium, pdf or widths. Draws the sketches below by our PNG writer and,
-# from our SVG or PDF, by that program at the same size, and compares: the mean difference of a
-# channel stays below 1 of 255, and after a tolerance of one pixel no pixel is off by more than 40 (64
-# for PDF).
-# "widths": Inkscape loads and saves our SVG, and we read our exact model back from what it wrote.
-# Exit code 77: the program is not installed. With FOLDER the pictures are kept there.
+# Checks that other programs draw our files as we do. PROGRAM is rsvg, inkscape, chromium, pdf or
+# widths. Draws the sketches below with our PNG writer and, from our SVG or PDF, with that program at
+# the same size, and compares the pictures: the mean difference of a channel must be below 1 of 255. With
+# a tolerance of one pixel, no pixel may differ by more than 40 (64 for PDF).
+# "widths": Inkscape loads and saves our SVG, and we must read our exact strokes from its file.
+# Exits with 77 if the program is not installed. If FOLDER is given, keeps the pictures there.
 set -uo pipefail
 feltline=$1 compare=$2 root=$3 program=$4 keep=${5:-}
-# Splash, which pdftoppm draws with, counts 4 x 4 points in a pixel: thin lines come out paler.
+# The limit for PDF is larger, because pdftoppm draws with Splash, which samples only 4 x 4 points of a
+# pixel and makes thin lines paler.
 readonly page=254x203.2 width=960 height=768 dpi=96 mean_limit=1.0
 worst_limit=40; [ "$program" != pdf ] || worst_limit=64
 
@@ -32,8 +33,8 @@ fail() {
   failures=$((failures + 1))
 }
 
-# Lines of many widths that cross themselves and each other, closed ones and dots, in colours, some of
-# which let through; the same numbers on every machine.
+# random_strokes: writes lines of many widths that cross themselves and each other, closed lines and
+# dots. Some of their colours are translucent. The numbers are the same on every machine.
 random_strokes() {
   awk 'function roll() { seed = (seed * 16807) % 2147483647; return seed / 2147483647 }
   BEGIN {

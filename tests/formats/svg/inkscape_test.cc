@@ -1,4 +1,4 @@
-// A drawing of ours that Inkscape opened and saved is still ours.
+// Checks that our drawings keep their exact strokes after Inkscape opened and saved them.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -33,7 +33,8 @@ Drawing drawing() {
   return std::move(d).build();
 }
 
-/// What Inkscape saves of a drawing after `actions`; empty where it failed.
+/// Opens `d` in Inkscape and runs `actions`. Returns the file that Inkscape saves, or "" if it
+/// fails.
 std::string saved_by_inkscape(const Drawing& d, const std::string& actions) {
   const fs::path folder = scratch_path("inkscape");
   fs::create_directories(folder);

@@ -1,5 +1,6 @@
-// What our reader of SVG sees, as a picture, is what others draw: librsvg of our own files, and the
-// pictures beside a suite of files that is not part of the repository.
+// Draws what our SVG reader reads, and compares the pictures with those of other programs: with
+// librsvg's pictures of the files in this repository, and with the pictures of a suite of files
+// that is not part of the repository.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ bool librsvg_is_there() {
   return std::system("command -v rsvg-convert >/dev/null 2>&1") == 0;
 }
 
-/// librsvg's picture of a file, 300 pixels wide; whether it could draw one.
+/// Draws a file with librsvg as a picture 300 pixels wide. Returns false if librsvg failed.
 bool draw_with_librsvg(const std::string& name, const std::string& png) {
   std::string command = "rsvg-convert -w 300 ";
   command.append(name).append(" -o ").append(png);
@@ -61,7 +62,7 @@ TEST(SvgPictures, OurFilesLookAsLibrsvgDrawsThem) {
   fs::remove(png);
 }
 
-/// The strokes that become of a file, drawn as Feltline draws ink.
+/// Imports a file and returns a picture of its strokes, drawn as Feltline draws ink.
 Image ink_picture(const std::string& name, int width_px) {
   const auto read = import_svg(read_file(name, std::size_t{1} << 20).value()).value();
   EXPECT_TRUE(read.drawing.has_page);
@@ -72,8 +73,8 @@ Image ink_picture(const std::string& name, int width_px) {
       .value();
 }
 
-/// Lines with round ends and corners are what ink can show: their strokes look as librsvg draws
-/// them.
+/// Ink can represent lines with round ends and corners exactly. Such lines, imported as strokes,
+/// must look as librsvg draws them.
 TEST(SvgPictures, InkLooksAsLibrsvgDrawsTheLines) {
   if (!librsvg_is_there()) {
     GTEST_SKIP() << "rsvg-convert is not installed (package librsvg2-bin)";
@@ -94,7 +95,7 @@ TEST(SvgPictures, InkLooksAsLibrsvgDrawsTheLines) {
   fs::remove(png);
 }
 
-/// Where the suite lies: FELT_SVG_SUITE, or beside the repository.
+/// Returns the folder of the suite: FELT_SVG_SUITE, or a folder next to the repository.
 std::string suite_folder() {
   const char* given = std::getenv("FELT_SVG_SUITE");
   return given != nullptr ? given : "../shared/data/svg";

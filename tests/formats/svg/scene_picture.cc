@@ -41,7 +41,7 @@ class Collector final : public SvgSceneSink {
 using Cells = agg::rasterizer_scanline_aa<agg::rasterizer_sl_clip_dbl>;
 using Format = agg::pixfmt_rgba32_pre;
 
-constexpr int kPieces = 48;  ///< straight pieces of each cubic
+constexpr int kPieces = 48;  ///< number of straight pieces per cubic
 
 void append(agg::path_storage& path, const SvgContour& contour) {
   path.move_to(contour.points[0].x, contour.points[0].y);
@@ -173,7 +173,8 @@ class Painter {
   bool nothing_ = false;
 };
 
-/// Whether the pixel of `a` at a place is within the span of the nine of `b` around it.
+/// Returns true if the pixel (x, y) of `a` is within `tolerance` of the same pixel of `b`, or of
+/// the range of the nine pixels around it in `b`.
 bool has_like(const Image& a, const Image& b, int x, int y, int tolerance) {
   const auto at = [](const Image& image, int u, int v) {
     return image.bytes().data() + 4 * (static_cast<std::ptrdiff_t>(v) * image.width() + u);

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether a file asks for what ink is not.
+/// Returns true if a notice names content that ink cannot represent.
 bool needs_more(const std::vector<std::string>& notices) {
   for (const std::string& notice : notices) {
     for (const char* what : {"no ink", "gradient", "pattern", "clip path", "mask", "filter"}) {

@@ -5,24 +5,25 @@
 
 namespace felt::testing {
 
-/// Names of all NAME.svg below a folder that have a NAME.png beside them, without the ending, in
-/// their order.
+/// Returns the sorted names, without the ending, of all NAME.svg below a folder for which a
+/// NAME.png exists.
 std::vector<std::string> suite_names(const std::string& root);
 
-/// Whether our picture of a file is that beside it.
+/// The result of comparing our picture of a file with the PNG file.
 struct SuiteResult {
   bool agrees = false;
-  std::string why;          ///< where it does not: the error, or how many pixels are apart
+  std::string why;          ///< if not `agrees`: the error, or the number of different pixels
   bool needs_more = false;  ///< text, pictures, gradients, patterns, clip paths, masks, filters
 };
 
-/// Agrees: at most kPixelsAllowed pixels are apart (pixels_apart). `out`, where it is not empty, is
-/// a folder that gets both pictures where they do not.
+/// Compares our picture of NAME.svg with NAME.png. They agree if at most kPixelsAllowed pixels
+/// differ (pixels_apart). If they do not agree and `out` is not empty, writes both pictures to the
+/// folder `out`.
 inline constexpr int kPixelsAllowed = 6;
 SuiteResult compare_with_suite(const std::string& root, const std::string& name,
                                const std::string& out = {});
 
-/// The same of a file and a picture anywhere.
+/// Same as compare_with_suite(), for an SVG file and a picture with any paths.
 SuiteResult compare_pictures(const std::string& svg_path, const std::string& png_path,
                              const std::string& out = {});
 

@@ -1,6 +1,6 @@
-// svg_suite FOLDER [--list] [--pictures OUT]: compares the pictures of our scenes with those beside
-// the files of a suite (NAME.svg, NAME.png), and prints a table of what agrees, by folder; --list
-// prints the names of those that agree; --pictures leaves ours and theirs where they do not.
+// svg_suite FOLDER [--list] [--pictures OUT]: compares our pictures of the files of a suite
+// (NAME.svg) with those of the suite (NAME.png), and prints for each folder how many agree. --list
+// prints the names of the files that agree. --pictures writes both pictures of the others to OUT.
 #include <cstdio>
 #include <cstring>
 #include <filesystem>

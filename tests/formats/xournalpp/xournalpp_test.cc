@@ -1,4 +1,4 @@
-/// Xournal++ opens our .xopp files and draws what we draw.
+/// Checks that Xournal++ opens our .xopp files and draws them as we do.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kDpi = 300.0;  // of Xournal++'s pictures
+constexpr double kDpi = 300.0;  // resolution of Xournal++'s pictures
 
 bool has_xournalpp() {
   return std::system("command -v xournalpp >/dev/null 2>&1") == 0;
@@ -43,7 +43,7 @@ Drawing drawing() {
   return std::move(builder).build();
 }
 
-/// The picture that Xournal++ makes of a file.
+/// Returns the picture that Xournal++ makes of a file.
 Result<Image> xournalpp_picture(const std::string& bytes) {
   const fs::path folder = fs::temp_directory_path() / ("felt_xopp_" + std::to_string(::getpid()));
   fs::create_directories(folder);
@@ -61,7 +61,7 @@ Result<Image> xournalpp_picture(const std::string& bytes) {
   return std::move(picture->image);
 }
 
-/// Grey of a pixel on white, 0..255.
+/// Returns the grey value of a pixel on white, 0..255.
 int grey(Image& image, int x, int y) {
   const Pixels pixels = image.pixels();
   const std::uint8_t* p = pixels.data + y * pixels.stride + 4 * x;
