@@ -250,8 +250,8 @@ Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_lean
     }
     const bool has_leans = with_lean && !row->is_null(9);
     good = good && (!has_leans || row->is_integer(9));
-    // Devices have periods of 0.2..4 ms. Much larger values are refused, because the products below
-    // would overflow.
+    // Devices have tick periods of 0.2..4 ms. Much larger values are refused, because the products
+    // below would overflow.
     if (!good || row->integer(2) > 1'000'000'000 || row->integer(4) > 1'000'000'000) {
       return invalid_data("recording " + std::to_string(heads.size()) +
                           " holds an impossible value");

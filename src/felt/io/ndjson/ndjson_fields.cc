@@ -66,7 +66,8 @@ Result<void> parse_tilt(Value& value, std::optional<double>& lean_deg) {
   return {};
 }
 
-/// Reads the element after the first four: the tilt of the pen, if it is an object that has one.
+/// Reads the element after the first four: the tilt of the pen, if the element is an object that
+/// contains it.
 Result<void> parse_more(Value& value, InkSample& out) {
   simdjson::ondemand::json_type type{};
   if (const auto error = value.type().get(type)) return tl::unexpected(syntax_error(error));

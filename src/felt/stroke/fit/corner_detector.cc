@@ -87,7 +87,7 @@ Vec half_chord(const KeptSamples& w, std::size_t k, Way way, const Arm& arm) noe
   return steps == 0 || steps == kOpen ? 0.5 * arm.chord : chord_of(w, k, way, steps, reach);
 }
 
-// Returns the turn of the ink at sample k in radians if it may be a corner, else 0.
+// Returns the turn of the ink at sample k in radians if it may be a corner, or 0 if not.
 double corner_turn(const KeptSamples& w, std::size_t k) noexcept {
   // Makes three tests, the cheapest first: of the turn between the chords, of this turn without the
   // part that bent arms can cause, and of the turn between arms of half the length (see the
