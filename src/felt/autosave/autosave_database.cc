@@ -36,8 +36,8 @@ tl::unexpected<Error> database_error(const std::string& path, const char* doing)
 
 }  // namespace
 
-/// The prepared statements. They are on the heap, because SQLite keeps a pointer to it when the
-/// database object moves.
+/// The prepared statements and the size of the WAL. This struct is on the heap, because SQLite
+/// keeps a pointer to it (for count_frames) when the database object moves.
 struct AutosaveDatabase::Statements {
   Statement base, generation, edit, about, live;
   int wal_frames = 0;

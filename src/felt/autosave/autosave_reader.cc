@@ -16,7 +16,7 @@ tl::unexpected<Error> no_database(sqlite3* db) {
   return fail(ErrorCode::kInvalidData, db ? sqlite3_errmsg(db) : "not enough memory");
 }
 
-/// Returns the first key from `next` on that can be looked up by itself.
+/// Returns the first key, from `next` on, that a separate query can find.
 std::optional<std::int64_t> probe(sqlite3* db, const std::string& sql, std::int64_t next) {
   const Result<Statement> row = Statement::of(db, sql.c_str());
   if (!row) return {};

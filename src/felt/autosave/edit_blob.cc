@@ -65,8 +65,8 @@ LayerChange read_layer(ByteReader& in) {
   return c;
 }
 
-/// Fills in the current places of the strokes that change: walks over all layers once if many
-/// strokes change, or looks up each stroke if few change.
+/// Fills in the current places of the strokes that change. Walks over all layers once if many
+/// strokes change, or looks up each stroke if only a few change.
 Result<void> find_strokes(const Document& document, std::vector<StrokeChange>& changes) {
   constexpr std::size_t kFew = 8;
   std::unordered_map<std::uint64_t, StrokePlace> places;

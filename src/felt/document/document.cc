@@ -39,8 +39,8 @@ Result<void> check_ids(const std::vector<Change>& changes) {
 
 }  // namespace
 
-/// The result of an edit, worked out and checked before anything changes: prepare() finds every
-/// error, so that carry_out() cannot fail.
+/// The result of an edit. prepare() computes it and finds every error before anything changes, so
+/// carry_out() cannot fail.
 class Document::Plan {
  public:
   Plan(Document& document, const Edit& edit) : document_(document), edit_(edit) {}

@@ -20,7 +20,7 @@ int common_head(const Stroke& a, const Stroke& b) noexcept {
   return std::min(static_cast<int>((points - 1) / 3), static_cast<int>(std::floor(u)));
 }
 
-/// Same, at the end.
+/// Returns the number of equal segments at the end of two strokes.
 int common_tail(const Stroke& a, const Stroke& b) noexcept {
   const auto& p = a.data().points;
   const auto& q = b.data().points;

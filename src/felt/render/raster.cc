@@ -60,7 +60,7 @@ Rect rough_bounds(const Stroke& stroke) noexcept {
   return area.inflated(0.5 * widest);
 }
 
-/// Returns the area of the page that a part of a picture shows, and two pixels more.
+/// Returns the area of the page that a part of a picture shows, with a margin of two pixels.
 Rect shown_by(PixelRect part, const View& view) noexcept {
   return view.area_mm({part.x0 - 2.0, part.y0 - 2.0}, {part.x1 + 2.0, part.y1 + 2.0});
 }

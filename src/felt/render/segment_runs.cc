@@ -9,7 +9,7 @@ Rect segment_area(const Stroke& stroke, int i) noexcept {
   for (const Point& p : stroke.segment(i).p) area.extend(p);
   double widest = std::max(stroke.width_mm(i), stroke.width_mm(i + 1));
   const int size = stroke.segment_count();
-  if (stroke.closed() && (i == 0 || i == size - 1)) {  // the seam has the larger width of both
+  if (stroke.closed() && (i == 0 || i == size - 1)) {  // the seam has the larger of its two widths
     widest = std::max({widest, stroke.width_mm(0.0), stroke.width_mm(size)});
   }
   const auto knots = stroke.widths();

@@ -13,7 +13,7 @@
 namespace felt {
 namespace {
 
-/// Returns the checksum of everything that the strokes' own checksums do not cover.
+/// Returns the checksum of everything that the checksums of the strokes do not cover.
 std::uint32_t checksum_of(const Drawing& d) {
   std::string bytes;
   ByteWriter out(bytes);

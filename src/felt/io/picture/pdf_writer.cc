@@ -218,9 +218,9 @@ Result<void> check(const Document& document, const PdfOptions& options, const Re
   return {};
 }
 
-/// Makes a PDF file. Its objects catalogue (1), pages (2) and the packed content of the page (4)
-/// come first. The length of the content (5), the page (3) and the masks follow when they are
-/// known.
+/// Makes a PDF file. The objects for the catalogue (1), the pages (2) and the packed content of the
+/// page (4) come first. The length of the content (5), the page (3) and the masks follow when they
+/// are known.
 class PdfParts final : public DrawingParts {
  public:
   PdfParts(const Document& document, const PdfOptions& options, const Rect& area)

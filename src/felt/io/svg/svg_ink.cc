@@ -206,7 +206,7 @@ RoundDashes round_dashes(const SvgLine& line) {
   const auto inset = [&](std::size_t i) { return 0.5 * std::min(line.width, line.dashes[i]); };
   const std::size_t count = line.dashes.size();
   for (std::size_t i = 0; i < count; i += 2) {
-    if (line.dashes[i] == 0.0) return {line.dashes, line.dash_offset};  // dashes show nothing
+    if (line.dashes[i] == 0.0) return {line.dashes, line.dash_offset};  // this dash is invisible
     result.pattern[i] -= 2.0 * inset(i);
     result.pattern[i + 1] += inset(i) + inset((i + 2) % count);
     result.has_dots = result.has_dots || line.dashes[i] < line.width;

@@ -25,7 +25,7 @@ inline constexpr std::size_t kSpareSvgSegments = 500'000;
 inline constexpr double kMaxSvgPathNumber = 1e13;
 /// Maximum number of dashes of all lines together.
 inline constexpr std::size_t kMaxSvgDashes = 100'000;
-/// Maximum number of segments of one stroke. It is smaller than in a .felt file. A longer path
+/// Maximum number of segments of one stroke. It is smaller than that of a .felt file. A longer path
 /// becomes several strokes.
 inline constexpr std::size_t kMaxSvgStrokeSegments = 250'000;
 /// Maximum number of layers of a drawing. Further layers are merged into the last one.

@@ -278,8 +278,7 @@ bool same_widths(const std::vector<WidthKnot>& ours, const std::vector<WidthKnot
   return true;
 }
 
-/// Makes joints smooth again if rounding bent them. If another program bent a smooth joint, makes
-/// it a corner.
+/// Makes joints smooth again if rounding bent them, or corners if another program bent them.
 void mend_joints(StrokeData& d, std::vector<std::string>& notices) {
   if (mend_rounding(d).corners == 0) return;
   notices.emplace_back("has a smooth joint that another program bent; it became a corner");

@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 9> kAnimations{
     "animate", "animateColor", "animateMotion", "animateTransform", "discard",
     "handler", "script",       "set",           "listener"};
 
-/// Bytes that each node and each attribute costs in the budget for `use`.
+/// Number of bytes that each node and each attribute counts in the budget for `use`.
 constexpr std::int64_t kNodeBytes = 16;
 /// Largest number of children that are examined: of a switch, and of a shape, to find animations.
 constexpr int kMaxChoices = 1000;

@@ -256,7 +256,7 @@ class Rewriter {
   StrokeData data_;
 };
 
-/// Returns for each joint whether runs must end there.
+/// Returns, for each joint, true if runs must end there.
 std::vector<bool> fixed_joints(const Stroke& stroke, int first, int last,
                                std::span<const int> keep) {
   const int n = stroke.segment_count();

@@ -155,7 +155,8 @@ class TipZone {
     if (is_smooth(j)) align(data_.points[k], direction, data_.points[k - 1], data_.points[k + 1]);
   }
 
-  /// Aligns the handle of the moving side at the cut with the other handle, which stays.
+  /// Aligns the handle on the moving side of the cut with the handle on the other side, which
+  /// stays.
   void align_cut() {
     if (!is_smooth(cut_)) return;
     const bool start = tip_ == StrokeTip::kStart;

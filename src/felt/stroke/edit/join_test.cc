@@ -43,7 +43,7 @@ Point end_of(const Stroke& s) {
   return tip_point(s, StrokeTip::kEnd);
 }
 
-/// These return a straight stroke of 40 mm that ends in the origin, or that starts there at an
+/// Both return a straight stroke of 40 mm. One ends in the origin, the other starts there at an
 /// angle.
 Stroke arriving() {
   return testing::straight_stroke({-40, 0}, {0, 0}, 1.0, 2.0);

@@ -66,7 +66,7 @@ bool lengthen(Point* p, std::ptrdiff_t step) {
   return true;
 }
 
-// Removes breakpoints with the same u as another; the first and the last stay.
+// Removes breakpoints that have the same u as another one, but never the first or the last one.
 int drop_double_knots(std::vector<WidthKnot>& knots) {
   const std::size_t before = knots.size();
   if (before < 2) return 0;

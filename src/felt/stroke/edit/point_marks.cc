@@ -55,8 +55,8 @@ bool is_smooth(const StrokeData& d, std::size_t point) {
   return d.joints[joint - 1] == JointKind::kSmooth;
 }
 
-/// Returns true if the arm may rotate about its joint: it is the joint's own handle, and the joint
-/// at the other end of the segment does not take its tangent from it.
+/// Returns true if the arm may rotate about its joint: it is the joint's own handle, and it does
+/// not determine the tangent of the joint at the other end of the segment.
 bool in_arm_is_free(const StrokeData& d, const SmoothJoint& j, std::size_t arm) {
   const std::size_t start = 3 * j.in;
   return arm == start + 2 && !(d.points[start + 1] == d.points[start] && is_smooth(d, start));

@@ -18,7 +18,7 @@ Cubic part(const Cubic& c, double t0, double t1) noexcept {
   return result;
 }
 
-/// Appends a breakpoint, unless rounding moved it to or before the last one.
+/// Appends a breakpoint, unless rounding moved it to the position of the last one or before it.
 void append(std::vector<WidthKnot>& knots, WidthKnot k) {
   if (knots.empty() || k.u > knots.back().u) knots.push_back(k);
 }

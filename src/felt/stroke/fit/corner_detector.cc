@@ -87,11 +87,10 @@ Vec half_chord(const KeptSamples& w, std::size_t k, Way way, const Arm& arm) noe
   return steps == 0 || steps == kOpen ? 0.5 * arm.chord : chord_of(w, k, way, steps, reach);
 }
 
-// Returns the turn of the ink at sample k in radians if it may be a corner, else 0.
+// Returns the turn of the ink at sample k in radians if it may be a corner, or 0 if not.
 double corner_turn(const KeptSamples& w, std::size_t k) noexcept {
-  // Makes three tests, the cheapest first: of the turn between the chords, of this turn without the
-  // part that bent arms can cause, and of the turn between arms of half the length (see the
-  // header).
+  // Makes three tests, the cheapest first (see the header): of the turn between the chords, of this
+  // turn minus the part that bent arms can cause, and of the turn between arms of half the length.
   const Arm back = find_arm(w, k, Way::kBack);
   if (back.steps == 0) return 0.0;
   const Arm on = find_arm(w, k, Way::kOn);

@@ -13,8 +13,8 @@ constexpr std::size_t kStepSamples = 128;
 // If the proven part of a run has at least this many samples, it becomes a segment; otherwise the
 // search is repeated with every sample in the window.
 constexpr std::size_t kWorthACut = SegmentFit::kMaxRun / 2;
-// A stroke with a shorter path is a dot: even its merged samples are within kMinSegmentMm, the
-// smallest tolerance, of the first one.
+// A stroke with a shorter path is a dot, because all its samples, even merged ones, are within
+// kMinSegmentMm (the smallest tolerance) of the first one.
 constexpr double kDotMm = (1.0 - CurveFitter::kMaxSpacing - KeptSamples::kReserve) * kMinSegmentMm;
 // At a joint, the curve's speed must be at least this fraction of its mean, so that the tangent is
 // well determined.

@@ -47,7 +47,7 @@ void KeptSamples::merge(Point p, double squared) noexcept {
 }
 
 // Divides the open samples between the newest kept sample, which gets the first of them, and the
-// next one, so that the larger of the two slacks is as small as possible.
+// next one, so that the larger of their slacks is as small as possible.
 void KeptSamples::share_open(Sample& next) noexcept {
   Sample& last = samples_.back();
   double before = last.slack;

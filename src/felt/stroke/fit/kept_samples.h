@@ -53,7 +53,7 @@ class KeptSamples {
   [[nodiscard]] Point newest() const noexcept { return newest_; }
   [[nodiscard]] double tolerance_mm() const noexcept { return tolerance_mm_; }
 
-  /// Returns the turn of the ink at sample i in radians if it may be a corner, else 0
+  /// Returns the turn of the ink at sample i in radians if it may be a corner, or 0 if not
   /// (CornerDetector).
   [[nodiscard]] double turn(std::size_t i) const noexcept { return samples_[i].turn; }
   void set_turn(std::size_t i, double radians) noexcept { samples_[i].turn = radians; }
@@ -71,7 +71,7 @@ class KeptSamples {
     bool is_corner = false;
   };
 
-  // Most merged samples that the next kept one may still take over.
+  // Maximum number of merged samples that the next kept sample may still represent.
   static constexpr std::size_t kMaxOpen = 16;
 
   void set_slack(Sample& sample, double slack) const noexcept;

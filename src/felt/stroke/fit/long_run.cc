@@ -64,7 +64,8 @@ void RunPlacer::begin(const LongRun& run, const Cubic& curve, double end) noexce
 
 // A sample of the window already has the parameter of the fit. If a sample was left out, its
 // parameter is guessed from its neighbours in the window. For samples in the window, the fit has
-// proven the distance if the parameters are in order; for all other samples it is checked here.
+// proven the distance if the parameters are in order. For all other samples, the distance is
+// checked here.
 std::optional<double> RunPlacer::place(const LongRun& run, const KeptSamples& kept) noexcept {
   const bool was_fitted = run.source(in_window_) == next_;
   const Point p = kept.point(next_);

@@ -89,7 +89,8 @@ System<5> assemble_on_tangent(const NormalSums& sums, const Priors& priors, Vec 
   s.a[2] = {a32.y, sums.xy[k33], sums.yy[k33] + e33};
   s.a[3] = {a42.x, sums.xx[k43] + e43, sums.xy[k43], sums.xx[k44] + e44};
   s.a[4] = {a42.y, sums.xy[k43], sums.yy[k43] + e43, sums.xy[k44], sums.yy[k44] + e44};
-  // The ridge term pulls a towards a third of the path length, because the chord may be short.
+  // The ridge term pulls `a`, the length of the handle, towards a third of the path length and not
+  // of the chord, because the chord may be short.
   s.b = {sums.rx[0] * tangent.x + sums.ry[0] * tangent.y + ridge * priors.length_mm / 3.0,
          sums.rx[1] + ridge * kOnChord[2] * priors.chord.x,
          sums.ry[1] + ridge * kOnChord[2] * priors.chord.y,

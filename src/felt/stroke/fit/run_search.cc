@@ -36,8 +36,8 @@ void RunSearch::begin(const SampleWindow& window, const RunStart& start,
   phase_ = Phase::kGate;
 }
 
-// Returns the least number of samples of a run. A run with a free start needs two samples to define
-// a curve.
+// Returns the minimum number of samples of a run. A run with a free start needs two samples to
+// define a curve.
 std::size_t RunSearch::least_count() const noexcept {
   return start_.kind == RunStart::Kind::kFree ? 2 : 1;
 }

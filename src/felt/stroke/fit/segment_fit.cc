@@ -68,8 +68,8 @@ bool SegmentFit::fit(const SampleWindow& window, const RunStart& start, std::siz
   }
 }
 
-// Sets the parameters by chord lengths, or those that are known. Returns false if all samples
-// coincide with the start.
+// Sets the parameters to the known ones, or in proportion to chord lengths. Returns false if all
+// samples coincide with the start.
 bool SegmentFit::initialise(const SampleWindow& window, std::span<const double> known) noexcept {
   const double begin = window.path_mm(first_);
   const double lead = distance(start_.point, window.point(first_));

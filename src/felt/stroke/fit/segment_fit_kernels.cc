@@ -2,8 +2,8 @@
 
 #include <cstring>
 
-// Function multi-versioning: g++ only, and not under sanitizers, whose start-up does not expect
-// the resolver to run first.
+// Function multi-versioning is used only with g++ and without sanitizers, because the start-up of a
+// sanitizer does not expect that the resolver runs first.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(FELT_RTSAN)
 #define FELT_LANE_CLONES __attribute__((target_clones("avx2", "default")))

@@ -118,8 +118,9 @@ class PathBuilder {
     line(to.start);
   }
 
-  /// Appends an arc as cubics, whose distance from the circle is r 4/27 sin(a/4)^6 / cos(a/4)^2 for
-  /// an angle a. Source: Goldapp, "Approximation of circular arcs by cubic polynomials", 1991.
+  /// Appends an arc as cubics. The distance of a cubic from the circle is r 4/27 sin(a/4)^6 /
+  /// cos(a/4)^2 for an angle a. Source: Goldapp, "Approximation of circular arcs by cubic
+  /// polynomials", 1991.
   void arc(const Dab& dab, Vec normal, double sweep) {
     int count = std::max(
         1, static_cast<int>(std::ceil(std::fabs(sweep) / (0.5 * std::numbers::pi) - 1e-9)));

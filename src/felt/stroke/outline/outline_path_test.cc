@@ -65,8 +65,8 @@ TEST(OutlinePath, R53_IsWithinAHundredthOfAMillimetre) {
   }
 }
 
-/// A line that goes straight back, wider where it reverses: both sides agree on which one goes
-/// round the end.
+/// If a line reverses and is wider at that end, both sides agree on which of them goes round the
+/// end.
 TEST(OutlinePath, ALineThatReversesKeepsItsEnd) {
   for (const std::uint64_t seed : {55U, 760U, 2167U, 2782U}) {
     SCOPED_TRACE(seed);
