@@ -248,8 +248,8 @@ Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_tilt
     for (int i = 1; i <= 8; ++i) {
       good = good && row->is_integer(i) && row->integer(i) >= 0 && row->integer(i) <= kMaxNumber;
     }
-    const bool has_leans = with_lean && !row->is_null(9);
-    good = good && (!has_leans || row->is_integer(9));
+    const bool has_tilts = with_tilt && !row->is_null(9);
+    good = good && (!has_tilts || row->is_integer(9));
     // Devices have tick periods of 0.2..4 ms. Much larger values are refused, because the products
     // below would overflow.
     if (!good || row->integer(2) > 1'000'000'000 || row->integer(4) > 1'000'000'000) {

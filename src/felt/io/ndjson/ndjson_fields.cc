@@ -81,9 +81,9 @@ Result<void> parse_more(Value& value, InkSample& out) {
     if (const auto error = member.unescaped_key().get(key))
       return tl::unexpected(syntax_error(error));
     Value item = member.value();
-    // "lean" is what older files call a single angle.
+    // "tilt" is what older files call a single angle.
     Result<void> read = key == "tilt"   ? parse_any_tilt(item, out, xy_tilt_deg)
-                        : key == "lean" ? parse_tilt(item, out)
+                        : key == "tilt" ? parse_tilt(item, out)
                                         : check_ignored(item);
     if (!read) return read;
   }
