@@ -18,24 +18,24 @@ struct Capabilities {
   int sensed_axes = 3;
   int actuated_axes = 3;
   double max_force_n = 0.0;         ///< nominal peak
-  double continuous_force_n = 0.0;  ///< that the motors can hold permanently
-  /// The largest force that we recommend for it; 0 = no recommendation
+  double continuous_force_n = 0.0;  ///< force that the motors can hold permanently
+  /// The maximum force that we recommend for the device; 0 = no recommendation
   /// (docs/design/devices.md#advised-forces).
   double advised_force_n = 0.0;
-  double max_stiffness_n_per_m = 0.0;  ///< of a wall, from its maker or CHAI3D's table
+  double max_stiffness_n_per_m = 0.0;  ///< of a wall, from the maker or CHAI3D's table
   double max_damping_n_s_per_m = 0.0;  ///< from the same source
   Vec3 workspace_min{-80, -60, -35};   ///< mm
   Vec3 workspace_max{80, 60, 35};      ///< mm
   double position_step_mm = 0.0;       ///< resolution of the position; 0 = unknown
-  std::int64_t period_ns = 1'000'000;  ///< of its servo loop, 0.2..4 ms
+  std::int64_t period_ns = 1'000'000;  ///< of the servo loop, 0.2..4 ms
   int delay_ticks = 1;                 ///< ticks from reading a position to its force
   bool senses_pressure = false;
   /// Millimetres on the page for one millimetre of the hand, 0.5..2 (PlaneCalibration::scale). The
-  /// lengths, stiffness and damping above are those on the page; forces are not scaled.
+  /// lengths, stiffness and damping in this struct are those on the page; forces are not scaled.
   /// limits_for() applies its bounds at the hand.
   double sheet_scale = 1.0;
 
-  /// True if the device can output any force.
+  /// Returns true if the device can output any force.
   [[nodiscard]] constexpr bool has_force() const noexcept {
     return actuated_axes > 0 && max_force_n > 0.0;
   }

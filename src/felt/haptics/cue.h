@@ -8,7 +8,7 @@ namespace felt {
 /// families are mapped. Waveforms of the first group are continuous; those of the second play once.
 enum class CueWaveform : std::uint8_t {
   kNone,
-  // Continuous: what the nib does on the surface.
+  // Continuous waveforms: how the nib rubs on the surface.
   kInk,
   kPencil,
   kMarker,
@@ -16,7 +16,7 @@ enum class CueWaveform : std::uint8_t {
   kBrush,
   kEraser,
   kBuzz,  ///< any other rubbing
-  // Single: something happened.
+  // Single waveforms: something happened.
   kClick,    ///< a tool grabbed something
   kPress,    ///< the nib touches
   kRelease,  ///< the nib lifts
@@ -25,10 +25,10 @@ enum class CueWaveform : std::uint8_t {
   kError,    ///< nothing can be grabbed here
 };
 
-/// How long a continuous waveform plays if it is not repeated.
+/// Time that a continuous waveform plays if it is not repeated.
 inline constexpr std::int64_t kCueHoldNs = 400'000'000;
 
-/// True for the waveforms that play until the next cue.
+/// Returns true for the waveforms that play until the next cue.
 constexpr bool is_continuous(CueWaveform waveform) noexcept {
   return waveform >= CueWaveform::kInk && waveform <= CueWaveform::kBuzz;
 }

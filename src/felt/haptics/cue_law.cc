@@ -14,7 +14,7 @@ constexpr double kRestMmPerS = 2.0;
 constexpr double kFullPowerMw = 75.0;
 constexpr double kFollowNs = 15e6;
 constexpr double kSmooth = 0.4;      // roughness of a surface without grain
-constexpr double kRoughUm = 3.0;     // grain that brings 63 % of the rest
+constexpr double kRoughUm = 3.0;     // grain at which 63 % of the remaining roughness is reached
 constexpr double kLongAgoNs = 1e18;  // far beyond any session
 
 struct Single {
@@ -23,7 +23,8 @@ struct Single {
   double intensity;
 };
 
-// Estimates. A cue that informs the user is stronger than one that confirms the user's own action.
+// The amplitudes are estimates. A cue that informs the user is stronger than a cue that confirms
+// the user's own action.
 constexpr std::array<Single, 6> kSingles{{
     {CueWaveform::kHover, 1, 0.30},
     {CueWaveform::kRelease, 2, 0.35},
@@ -130,7 +131,7 @@ void CueLaw::want(CueWaveform waveform) noexcept {
 }
 
 std::optional<Cue> CueLaw::step(const CueInput& now) noexcept {
-  // In double, because the difference of two arbitrary times may not fit into 64 bits.
+  // Computed in double, because the difference of two arbitrary times may not fit into 64 bits.
   const double passed_ns =
       has_stepped_
           ? std::clamp(static_cast<double>(now.time_ns) - static_cast<double>(last_ns_), 0.0, 1e15)

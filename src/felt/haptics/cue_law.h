@@ -18,18 +18,19 @@ struct CueFeel {
   double friction = 0.25;   ///< mu of the medium on the surface
   double roughness = 0.75;  ///< share of the rubbing that becomes humming, 0..1
   double grain = 0.0;       ///< 0..1, share of the relief that is felt through it (Medium::grain)
-  double wear = 0.0;        ///< 0..1, share of that which a firm push flattens (Medium::wear)
-  const HeightField* relief = nullptr;  ///< of the surface (surface_grain); null: smooth
+  double wear = 0.0;        ///< 0..1, share of the relief that a firm push flattens (Medium::wear)
+  /// Relief of the surface (surface_grain); null means smooth.
+  const HeightField* relief = nullptr;
 };
 
 /// Returns the cue feel of a medium on a surface. The waveform follows from the medium's
-/// properties, so that user-defined media get one too: an eraser if it does not draw; if little
+/// properties, so that user-defined media get one, too: an eraser if it does not draw; if little
 /// grain is felt through it (hairs and fibres), brush or marker by its friction; ink if it glides;
 /// a chisel marker if it is waxy; a pencil, which on a surface without grain glides like ink; and a
 /// buzz if it drags more than a pencil (charcoal, chalk). The roughness grows with the relief and
 /// with the share of it that is felt: 0.4 on glass, 0.81 for a pencil on paper, towards 1 for chalk
-/// on a blackboard. These figures are estimates. It looks up the relief, so don't call it on the
-/// haptic thread.
+/// on a blackboard. These values are estimates. The function looks up the relief, so don't call it
+/// on the haptic thread.
 CueFeel cue_feel_of(const Medium& tool, const SurfaceMaterial& surface);
 
 /// The state of the pen at one moment.
@@ -39,7 +40,7 @@ struct CueInput {
   double height_mm = 0.0;       ///< above the surface
   double speed_mm_per_s = 0.0;  ///< along the surface
   double push_n = 0.0;          ///< onto the surface
-  Point place{};                ///< position on it, mm
+  Point place{};                ///< position on the surface, mm
 };
 
 /// Converts a sample. If the device senses pressure, a pressure of 1 counts as kFullPushN;
@@ -83,9 +84,9 @@ enum class CueEvent : std::uint8_t {
   kRefused,  ///< nothing could be grabbed, or the drawing does not allow it
 };
 
-/// Decides which cues to play: for touching and lifting, for events, and the humming of the stroke.
-/// A deterministic state machine that may be updated at any rate, from about ten times a second to
-/// 1 kHz:
+/// Decides which cues to play: for touching and lifting, for events, and for the humming of the
+/// stroke. It is a deterministic state machine that may be updated at any rate, from about ten
+/// times a second to 1 kHz:
 ///
 ///   law.set_feel(cue_feel_of(medium, surface));
 ///   law.tell(CueEvent::kSnapped);                        // when it happens
@@ -115,14 +116,16 @@ class CueLaw {
   static constexpr double kEnd = 0.03;    ///< intensity below which it ends
   static constexpr double kStep = 0.08;
 
-  /// Sets the feel, from the next step on.
+  /// Sets the feel, which is used from the next step on.
   void set_feel(const CueFeel& feel) noexcept { feel_ = feel; }
   /// Requests the cue of an event. One of the next steps sends it, unless a more important one
   /// replaces it.
   void tell(CueEvent event) noexcept;
-  /// Returns the cue to play now. Usually nullopt: the current cue goes on.
+  /// Returns the cue to play now. Usually returns nullopt, which means that the current cue
+  /// continues.
   std::optional<Cue> step(const CueInput& now) noexcept;
-  /// Resets all state except the feel. Call it if the device was replaced and plays nothing.
+  /// Resets all state except the feel. Call it if the device was replaced and does not play
+  /// anything.
   void reset() noexcept { *this = CueLaw(feel_); }
 
   CueLaw() noexcept : CueLaw(CueFeel{}) {}
@@ -150,7 +153,7 @@ class CueLaw {
   double quiet_ns_ = kLongAgo;      // since the last cue
   double since_single_ = kLongAgo;  // since the last single cue
   CueWaveform wanted_ = CueWaveform::kNone;
-  double wanted_ns_ = 0.0;              // how long it has been waiting
+  double wanted_ns_ = 0.0;              // time for which it has been waiting
   std::array<double, kKinds> since_{};  // since a cue of this kind was sent; set by the constructor
 };
 

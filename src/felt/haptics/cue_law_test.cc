@@ -71,7 +71,7 @@ RC_GTEST_PROP(RubIntensity, GrowsWithSpeedAndPushAndStaysWithinOne, ()) {
   const auto& sheet =
       surface_materials()[*rc::gen::inRange<std::size_t>(0, surface_materials().size())];
   CueFeel feel = cue_feel_of(tool, sheet);
-  feel.wear = std::min(feel.wear, 0.5);  // more may remove more than the push adds
+  feel.wear = std::min(feel.wear, 0.5);  // greater wear may remove more than the push adds
   const double v = 0.1 * *rc::gen::inRange(0, 10000), f = 0.01 * *rc::gen::inRange(0, 500);
   const double more_v = v + 0.1 * *rc::gen::inRange(0, 1000);
   const double more_f = f + 0.01 * *rc::gen::inRange(0, 100);
@@ -80,7 +80,8 @@ RC_GTEST_PROP(RubIntensity, GrowsWithSpeedAndPushAndStaysWithinOne, ()) {
   RC_ASSERT(rub_intensity(feel, more_v, f) >= i);
   RC_ASSERT(rub_intensity(feel, v, more_f) >= i);
   RC_ASSERT(rub_intensity(feel, more_v, more_f) <= 1.0);
-  // Continuous, with the modulus of continuity of a root: sqrt(a + h) - sqrt(a) <= sqrt(h).
+  // The intensity is continuous, with the modulus of continuity of a root: sqrt(a + h) - sqrt(a) <=
+  // sqrt(h).
   const double dp = feel.friction * (more_f * std::max(more_v - 2, 0.0) - f * std::max(v - 2, 0.0));
   RC_ASSERT(rub_intensity(feel, more_v, more_f) - i <= std::sqrt(dp / 75.0) + 1e-12);
 }
@@ -358,7 +359,7 @@ TEST(CueLaw, ResetPlaysNothingAndKeepsTheFeel) {
   EXPECT_EQ(desk.said[1].cue.waveform, CueWaveform::kEraser);
 }
 
-/// For any input at any rate.
+/// The test uses any input at any rate.
 RC_GTEST_PROP(CueLaw, IsBoundedInRateAndIntensityAndDeterministic, ()) {
   Desk desk, again;
   const int steps = *rc::gen::inRange(50, 600);

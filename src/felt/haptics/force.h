@@ -6,7 +6,8 @@
 
 namespace felt {
 
-/// A force on the pen, in N, along the axes of the surface; +z pushes the pen away from it.
+/// A force on the pen, in N, along the axes of the surface; +z pushes the pen away from the
+/// surface.
 struct Force {
   double x = 0.0;
   double y = 0.0;
@@ -42,7 +43,7 @@ constexpr double dot(const Force& a, const Force& b) noexcept {
 inline double norm(const Force& a) noexcept {
   return std::sqrt(dot(a, a));
 }
-/// True if all three components are finite.
+/// Returns true if all three components are finite.
 inline bool is_finite(const Force& a) noexcept {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }

@@ -16,7 +16,8 @@ double ForceLaw::force_n(double distance_mm) const noexcept {
 
 double ForceLaw::potential_mj(double distance_mm) const noexcept {
   if (!(distance_mm > 0.0)) return 0.0;
-  // The spring and the level meet where c d = a + b d/(d + D), a quadratic equation in d.
+  // The spring and the level l(d) meet at the distance d with c d = a + b d/(d + D), a quadratic
+  // equation in d.
   const double c = 1e-3 * cap_n_per_m;
   const double p = c * spread_mm - most_n;
   const double meet_mm = (-p + std::sqrt(p * p + 4.0 * c * least_n * spread_mm)) / (2.0 * c);
@@ -37,7 +38,8 @@ ForceLaw ForceLaw::softened(double share) const noexcept {
 }
 
 double ForceLaw::max_slope_n_per_m() const noexcept {
-  // l is concave and positive at 0, so at the distance where it meets the spring it is flatter.
+  // The level l is concave and positive at 0. So it is flatter than the spring at the distance
+  // where the two meet.
   return gain * cap_n_per_m;
 }
 

@@ -24,8 +24,8 @@ struct Slopes {
   friend constexpr bool operator==(const Slopes&, const Slopes&) noexcept = default;
 };
 
-/// For each kind of brick, the share of its stiffness that it may use, 0..1. Set from the limiter's
-/// budget.
+/// For each kind of brick, the share of its stiffness that it may use, 0..1. It is set from the
+/// stiffness budget of the limiter.
 struct StiffnessScale {
   double normal = 1.0;
   double friction = 1.0;
@@ -35,8 +35,8 @@ struct StiffnessScale {
 };
 
 /// The named parts whose sum is the force, for logs and plots. Every brick adds its own part on
-/// each tick. If there are more than kMax, the rest is summed into the last entry, so that the
-/// parts always add up to the force.
+/// each tick. If a model has more than kMax parts, the additional ones are summed into the last
+/// entry, so that the parts always add up to the force.
 class ForceTerms {
  public:
   static constexpr std::size_t kMax = 8;
@@ -76,9 +76,9 @@ struct Follower {
 };
 
 /// The state of force bricks from tick to tick, and the data that the loop gives them for this
-/// tick. Each active model has its own. When one model replaces another it starts with a copy of
-/// the other's memory, so that, for example, a bristle stays anchored. Constant size, trivially
-/// copyable.
+/// tick. Each active model has its own ForceMemory. When one model replaces another, it starts with
+/// a copy of the other's memory, so that, for example, a bristle stays anchored. The type has
+/// constant size and is trivially copyable.
 struct ForceMemory {
   // Set by the loop before each evaluation.
   double dt_s = 0.001;                ///< measured since the last tick, clamped to 0.2..5 ms
@@ -87,11 +87,12 @@ struct ForceMemory {
   double material_cap_n_per_m = 0.0;  ///< stiffest plane of the device (R55); 0 = no bound
   // Set by bricks and read by later bricks of the same model, such as the friction after the plane.
   double normal_force_n = 0.0;  ///< total push of the plane, this tick
-  double spring_force_n = 0.0;  ///< its spring part alone, which determines the width (R14)
+  /// Only the spring part of that push, which determines the width (R14).
+  double spring_force_n = 0.0;
   // Set by the texture; the friction after it uses and resets it.
   double friction_factor = 1.0;  ///< mu(x) / mu of this tick
-  // Each of these belongs to one kind of brick.
-  Point bristle{};                     ///< where the friction's bristle is anchored, mm
+  // Each of the following belongs to one kind of brick.
+  Point bristle{};                     ///< anchor of the friction's bristle, mm
   bool bristle_is_set = false;         ///< false while the pen is above the surface
   double normal_speed_mm_per_s = 0.0;  ///< low-pass filtered dz/dt of the plane brick
   double last_z_mm = 0.0;

@@ -13,13 +13,13 @@
 
 namespace felt {
 
-/// Largest size of a force functor in bytes: three cubics, a few wells, tethers and a pointer to a
-/// texture.
+/// Maximum size of a force functor in bytes. It is enough for three cubics, some wells, tethers and
+/// a pointer to a texture.
 inline constexpr std::size_t kForceFunctorBytes = 2048;
 
-/// A force that may run on the haptic thread: constant size, copied as bytes, never throws.
-/// `slopes()` is the stiffness that it claims from the budget (R56). Pointers inside it must
-/// outlive the loop.
+/// A force that may run on the haptic thread. It has constant size, is copied as bytes and never
+/// throws. `slopes()` is the stiffness that it claims from the budget (R56). Objects that it points
+/// to must outlive the loop.
 template <class F>
 concept ForceFunctor = std::is_trivially_copyable_v<F> && sizeof(F) <= kForceFunctorBytes &&
                        alignof(F) <= alignof(std::max_align_t) &&
@@ -57,7 +57,7 @@ class ForceModel {
   }
   /// Returns the stiffness that the functor claims.
   [[nodiscard]] const Slopes& slopes() const noexcept { return slopes_; }
-  /// True if the model holds a functor.
+  /// Returns true if the model holds a functor.
   [[nodiscard]] explicit operator bool() const noexcept { return call_ != nullptr; }
 
   /// Returns the id that controls cross-fading. When the id changes (another tool, material or
@@ -101,7 +101,8 @@ class Compose<First, Rest...> {
       : first_(first), rest_(rest...) {}
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
-    const Force force = first_(sample, memory);  // before the rest, because order matters
+    // Before the other bricks, because the order matters.
+    const Force force = first_(sample, memory);
     return force + rest_(sample, memory);
   }
   [[nodiscard]] Slopes slopes() const noexcept { return first_.slopes() + rest_.slopes(); }

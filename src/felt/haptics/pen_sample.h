@@ -8,8 +8,9 @@
 
 namespace felt {
 
-/// What a device reports about the pen at one tick. Positions are in the frame of the surface: the
-/// drawing plane is z = 0, and a pressing pen has z < 0 (docs/design/loop.md#pen-contact).
+/// The data that a device reports about the pen at one tick. Positions are in the frame of the
+/// surface: the drawing plane is z = 0, and a pressing pen has z < 0
+/// (docs/design/loop.md#pen-contact).
 struct PenSample {
   std::int64_t time_ns = 0;        ///< since the drawing session began
   Vec3 position;                   ///< mm
@@ -23,12 +24,12 @@ struct PenSample {
   friend constexpr bool operator==(const PenSample&, const PenSample&) noexcept = default;
 };
 
-/// Returns how deep the pen is below the plane, mm; never negative.
+/// Returns the depth of the pen below the plane, mm; never negative.
 constexpr double depth_mm(const PenSample& sample) noexcept {
   return sample.position.z < 0.0 ? -sample.position.z : 0.0;
 }
 
-/// True if the pen touches: it is below the plane, or it reports pressure
+/// Returns true if the pen touches the surface: it is below the plane, or it reports pressure
 /// (docs/design/loop.md#pen-contact).
 constexpr bool in_contact(const PenSample& sample) noexcept {
   return sample.position.z < 0.0 || sample.pressure.value_or(0.0) > 0.0;
@@ -44,7 +45,7 @@ class VelocityFilter {
  public:
   static constexpr double kDefaultCutoffHz = 100.0;
 
-  /// If the cut-off is 0 or less, or NaN, the low-pass filter is off.
+  /// Makes a filter. If the cut-off is 0 or less, or NaN, velocities are not filtered.
   explicit constexpr VelocityFilter(double cutoff_hz = kDefaultCutoffHz) noexcept
       : time_constant_s_(cutoff_hz > 0.0 ? 1.0 / (6.283185307179586 * cutoff_hz) : 0.0) {}
 
@@ -72,11 +73,11 @@ class VelocityFilter {
   bool has_last_ = false;
 };
 
-/// Dampers ignore this part of a speed.
+/// Part of a speed that dampers ignore.
 inline constexpr double kUnknownSpeedMmPerS = 6.0;
 
 /// Returns the velocity along the surface that dampers may rely on: the measured one shortened by 6
-/// mm/s, or zero if it is slower than that.
+/// mm/s, or zero if the pen is slower than that.
 ///
 /// One step of a position sensor (0.03 mm) appears in a velocity that is low-pass filtered at 100
 /// Hz as 12 mm/s at 1 kHz and 17 mm/s at 5 kHz, whether the pen moved by a step or crept over an

@@ -23,8 +23,8 @@ namespace felt {
 /// in order of first occurrence; a term is 0 on ticks without it. `pressure` is empty if it is
 /// unknown.
 ///
-/// The terms are only known at the end, so rows are kept in an unnamed temporary file, and memory
-/// does not grow with the number of ticks.
+/// All terms are known only at the end. Until then rows are kept in an unnamed temporary file, so
+/// that memory use does not grow with the number of ticks.
 class ForcesCsv {
  public:
   using Write = std::function<Result<void>(std::string_view bytes)>;

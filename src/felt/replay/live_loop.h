@@ -11,7 +11,7 @@
 namespace felt {
 
 /// A real device in the haptic loop, from opening to unplugging. Forces are off at first. The
-/// destructor closes it without force.
+/// destructor closes the device without force.
 class LiveLoop {
  public:
   /// Asks the user, with the maker's instructions, whether the arm may move on its own.
@@ -27,9 +27,9 @@ class LiveLoop {
   ~LiveLoop();
 
   /// Stops the loop without force. Returns false if the device is unresponsive in a call of its
-  /// maker's library (RealtimeThread::stop()). Device and loop are then abandoned: only the
+  /// maker's library (RealtimeThread::stop()). Device and loop are then abandoned, and only the
   /// destructor may be called. The driver must not be used either, because its calls may wait for
-  /// that one.
+  /// the unresponsive call.
   [[nodiscard]] bool stop() noexcept;
   /// Restarts the ticks, with forces off. Requires that stop() returned true. Fails like start().
   Result<void> go_on();

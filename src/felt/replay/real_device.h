@@ -14,7 +14,8 @@ namespace felt {
 struct RealDevice {
   Driver* driver = nullptr;
   DeviceDescriptor found;
-  DeviceProfile profile;  ///< of this id; the unit may differ: its serial is not known yet
+  /// Profile for this id; the unit may differ, because its serial number is not known yet.
+  DeviceProfile profile;
 };
 
 /// Finds a device by its id ("haply:049D"), or by its driver's name if that driver has one device.

@@ -25,7 +25,7 @@
 namespace felt {
 namespace {
 
-/// The pause before the next copy is at least this many times as long as making the last one.
+/// Minimum pause before the next copy, as a multiple of the time that the last copy took.
 constexpr int kPausePerWork = 50;
 constexpr std::string_view kMark = ".unsaved-", kEnding = ".ndjson";
 
@@ -39,7 +39,7 @@ std::string path_for(const std::string& output) {
          std::string(kEnding);
 }
 
-/// Returns a stroke of consecutive segments of wet ink. Short ones are joined to the next.
+/// Returns a stroke of consecutive segments of wet ink. A short segment is joined to the next one.
 StrokeData wet_stroke(std::span<const Overlay::InkSegment> ink) {
   StrokeData data;
   for (const Overlay::InkSegment& segment : ink) {
@@ -59,7 +59,7 @@ StrokeData wet_stroke(std::span<const Overlay::InkSegment> ink) {
   return data;
 }
 
-/// Appends the stroke that the pen is drawing, if there is one.
+/// Appends the stroke that the pen is drawing, if any.
 void append_stroke_in_progress(std::string& text, const Session& session) {
   Overlay overlay;
   session.draw(overlay);
@@ -69,7 +69,7 @@ void append_stroke_in_progress(std::string& text, const Session& session) {
   if (std::string medium = drawing_medium(session); !medium.empty()) {
     data.material = std::move(medium);
   }
-  // The end of the line may still be too short for a segment.
+  // The last segment may still be too short.
   if (!check_invariants(data) && !data.joints.empty()) {
     data.points.resize(data.points.size() - 3);
     data.joints.pop_back();
@@ -78,7 +78,8 @@ void append_stroke_in_progress(std::string& text, const Session& session) {
   if (check_invariants(data)) append_sketch_line(text, "unfinished", data);
 }
 
-/// Returns the id of the process that wrote a copy with this name; nullopt if it is another file.
+/// Returns the id of the process that wrote the copy with this file name; nullopt if it is not the
+/// name of a copy.
 std::optional<pid_t> writer_of(std::string_view name) {
   const std::size_t mark = name.rfind(kMark);
   if (mark == std::string_view::npos || !name.ends_with(kEnding)) return std::nullopt;
@@ -93,8 +94,8 @@ std::optional<pid_t> writer_of(std::string_view name) {
 /// Returns the start time of a process, in seconds since 1970. Returns nullopt if the process is
 /// gone or the time is unknown.
 std::optional<double> start_of(pid_t process) {
-  // The 22nd word, in ticks since the boot. The second word is in parentheses and may contain
-  // spaces.
+  // The start time is the 22nd word, in ticks since the boot. The second word is in parentheses and
+  // may contain spaces.
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string word;
   std::getline(file, word, '\0');
@@ -111,8 +112,8 @@ std::optional<double> start_of(pid_t process) {
 }
 
 /// Returns true if this process wrote the copy and may still be running. A process that began after
-/// the last write is a different one that reuses the id, for example after a restart of the
-/// machine.
+/// the last write to the copy is a different process with the same id, for example after a restart
+/// of the machine.
 bool writer_lives(pid_t writer, const std::string& copy) {
   constexpr double kClocksDifferS = 2.0;
   if (::kill(writer, 0) != 0 && errno == ESRCH) return false;
@@ -138,7 +139,7 @@ void RecordCopy::keep(const Session& session) {
   std::string text;
   append_sketch_lines(text, session.document());
   append_stroke_in_progress(text, session);
-  // A copy without strokes would be offered for recovery.
+  // Does not write an empty copy, because it would be offered for recovery.
   std::error_code none;
   if (text.empty() && !std::filesystem::exists(path_, none)) return;
   next_ = now + std::max(every_, kPausePerWork * (Clock::now() - now));

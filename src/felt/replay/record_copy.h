@@ -11,10 +11,10 @@
 namespace felt {
 
 /// A copy of a drawing in progress, as .ndjson next to the future output, because a crash in a
-/// vendor's library would otherwise lose all ink. It has the finished strokes and, as the last one,
-/// the stroke in progress as far as it is drawn. It is rewritten every few seconds while the
-/// drawing changes, completely or not at all, on its own thread, so that a slow disk delays
-/// nothing. Call all functions on the thread that draws.
+/// vendor's library would otherwise lose all ink. It contains the finished strokes and, as the last
+/// one, the stroke in progress as far as it is drawn. While the drawing changes, the copy is
+/// rewritten every few seconds, completely or not at all. A thread of its own writes it, so that a
+/// slow disk does not delay the drawing. Call all functions on the thread that draws.
 class RecordCopy {
  public:
   using Clock = std::chrono::steady_clock;
@@ -27,8 +27,8 @@ class RecordCopy {
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
   /// Records that the drawing has changed.
   void note_edit() noexcept { is_changed_ = true; }
-  /// Writes a copy when it is time, but not while the previous copy is still being written. Call it
-  /// each time around the loop.
+  /// Writes a copy if the interval has passed, but not while the previous copy is still being
+  /// written. Call it in each turn of the loop.
   void keep(const Session& session);
   /// Waits until the current copy is written.
   void wait();

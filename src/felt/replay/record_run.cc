@@ -209,7 +209,7 @@ Result<void> RecordRun::reconnect(const std::string& why) {
   notice(why +
          " The ink so far is kept. Connect the device again, and drawing goes on; "
          "Ctrl-C saves and ends.");
-  // Losing the device is a fault that latches: only the user can switch forces on again.
+  // The loss of the device is a fault that latches: only the user can switch forces on again.
   const bool had_forces = std::exchange(wants_forces_, false);
   if (Result<void> finished = session_.finish(); !finished) return finished;
   end_loop();
@@ -232,8 +232,8 @@ Result<void> RecordRun::reconnect(const std::string& why) {
   return {};
 }
 
-/// Opens the device again. Returns false if that failed; the reason is reported once. If the user
-/// refused, waits for the user; if a port is not free yet, tries again.
+/// Opens the device again. Returns false if that failed. The reason is reported once. Waits for the
+/// user if the user refused, and tries again if a port is not free yet.
 bool RecordRun::tries_again(std::optional<Error>& refusal) {
   const auto waits = [](const Error& error) { return error.code == ErrorCode::kUnsupported; };
   const bool has_waited = refusal && waits(*refusal);

@@ -20,19 +20,19 @@ struct RecordStatus {
   bool wants_forces = false;
 };
 
-/// Functions may be null.
+/// Options of a recording. Functions may be null.
 struct RecordOptions {
   Rect page;
   double force_limit_n = 3.0;
   bool forces = false;
   std::optional<double> seconds = {};  ///< duration; if empty, until `is_over` returns true
   std::function<bool()> is_over = {};
-  /// Returns true if the program should be suspended. `pause` suspends it once there is no force.
+  /// Returns true if the program should be suspended. `pause` suspends it after the force is zero.
   std::function<bool()> wants_pause = {};
   std::function<void()> pause = {};
   LiveLoop::MayMove may_move = {};
-  /// True if the user agreed to forces already. Otherwise the first Enter calls `ask_consent`, and
-  /// the second one agrees.
+  /// True if the user has already agreed to forces. Otherwise the first Enter calls `ask_consent`,
+  /// and the second one agrees.
   bool has_agreed = false;
   std::function<void()> ask_consent = {};
   /// Returns true if Enter was pressed since the last call.
@@ -61,9 +61,9 @@ class RecordRun {
   /// Draws until the end. Fails if the device becomes unresponsive, or if `on_tick` fails. The
   /// session has all ink so far in any case.
   Result<void> draw();
-  /// Returns true if the device became unresponsive and was abandoned with its loop. Its driver
-  /// must then be neither used nor destroyed, and the program should exit without running the exit
-  /// code of libraries.
+  /// Returns true if the device became unresponsive and was abandoned with its loop. In that case
+  /// do not use or destroy its driver, and exit the program without running the exit handlers of
+  /// libraries.
   [[nodiscard]] bool hangs() const noexcept { return hangs_; }
 
  private:

@@ -102,7 +102,7 @@ TEST(RecordRunTest, APortThatIsNotFreeYetIsTriedAgain) {
   EXPECT_EQ(world.opened, 2);
 }
 
-// Otherwise a user who refused would be asked twice a second.
+// Otherwise the program would ask a user who refused twice a second.
 TEST(RecordRunTest, WhatAPersonRefusedWaitsForThem) {
   ZigzagWorld world;
   world.refusals = 1 << 30;
@@ -136,7 +136,7 @@ TEST(RecordRunTest, ForcesComeOnlyWhenAskedFor) {
   world.gone_after_reads = 1 << 30;
   int turns = 0;
   RecordOptions options;
-  // Repeatedly, because late ticks on a busy machine latch the chain.
+  // Arms repeatedly, because late ticks on a busy machine latch the safety chain.
   options.enter_pressed = [&] { return ++turns % 300 == 0; };
   draw(
       world, [&](const Session&) { return world.largest_n > 0.0; }, true, options);
@@ -153,7 +153,7 @@ TEST(RecordRunTest, ForcesStayOffAfterALostDeviceUntilSomebodyAllowsThem) {
   RecordOptions options;
   options.enter_pressed = [&] {
     if (world.opened < 2 || ++turns_without % 300 != 0) return false;
-    // Repeatedly, because late ticks on a busy machine latch the chain.
+    // Arms repeatedly, because late ticks on a busy machine latch the safety chain.
     if (without_n < 0.0) without_n = world.largest_n;
     return true;
   };
@@ -255,7 +255,7 @@ TEST(RecordRunTest, ACopyOfTheDrawingIsThereWhileItIsMade) {
   EXPECT_TRUE(RecordCopy("-").path().starts_with(std::filesystem::temp_directory_path().string()));
 }
 
-/// Moves a pen along a circle without forces. Its pressure shows that it touches.
+/// Moves a pen along a circle without forces. The pressure shows that the pen touches.
 void draw_arc(Session& session, int from, int to) {
   for (int i = from; i < to; ++i) {
     PenSample sample;

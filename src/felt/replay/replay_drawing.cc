@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-/// Returns the media with texts in a drawing, whether or not it has ink of them.
+/// Returns the ids of the media whose text is in a drawing, even if the drawing has no ink in them.
 std::vector<std::string> media_of(const Drawing& drawing) {
   std::vector<std::string> ids;
   for (const std::string& text : drawing.materials) {
@@ -34,8 +34,8 @@ std::vector<std::pair<std::string, std::string>> options_of(const Drawing& drawi
 Drawing drawing_after(Drawing drawing, const Session& session, Document document) {
   const Materials& known = session.materials();
   const std::string& sheet = session.sheet().material().id;
-  // An unknown id stays, unless the user selected a surface other than the first one, which the
-  // session used as a replacement.
+  // An unknown id is kept unless the user selected a surface. The session replaced the unknown
+  // surface by the first one, so any other surface means that the user selected it.
   const std::string& old = drawing.page.surface;
   const bool stays = !old.empty() && !known.find_surface(old) && sheet == known.surfaces()[0].id;
   if (!stays) drawing.page.surface = sheet;
@@ -49,7 +49,7 @@ Drawing drawing_after(Drawing drawing, const Session& session, Document document
 
 Document seen_document(const Session& session) {
   Document seen = session.document();
-  // An invalid preview is a bug of the tool, which its commit will report.
+  // An invalid preview is a bug of the tool. The commit will report it.
   if (session.preview()) (void)seen.apply(*session.preview());
   return seen;
 }

@@ -9,8 +9,8 @@
 
 namespace felt {
 
-/// Returns the options, as ids and values in text form, with which a session continues this
-/// drawing: its surface and its colour, if it has them. A surface that is not in `known` is
+/// Returns the options with which a session continues this drawing, as ids and values in text form:
+/// the surface and the colour, if the drawing has them. A surface that is not in `known` is
 /// omitted.
 std::vector<std::pair<std::string, std::string>> options_of(const Drawing& drawing,
                                                             const Materials& known);

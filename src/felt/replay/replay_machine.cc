@@ -18,7 +18,7 @@ bool draws(const Session& session) {
   return session.tool().info().kind == ToolKind::kDraws;
 }
 
-/// About 200 s of aims, 20 MB.
+/// Enough for about 200 s of aims, 20 MB.
 constexpr std::size_t kManyEvents = 200'000;
 
 /// Half the workspace, in mm: beyond the largest coordinate in a script.
@@ -146,7 +146,8 @@ void ReplayMachine::begin_stroke() {
 }
 
 void ReplayMachine::stroke_drawn(const std::vector<Point>& meant) {
-  // The intended path is the stroke, not the aims, which compensate for mass and friction.
+  // The intended path is the stroke. The aims differ from it because they compensate for mass and
+  // friction.
   meant_.back().path = meant;
   in_stroke_ = hand_is_down_ = false;
 }
@@ -224,7 +225,7 @@ void ReplayMachine::handle_edit(const Edit& edit) {
   }
 }
 
-/// Compares ink with the last path that began before the ink was finished.
+/// Compares finished ink with the last path that began before the ink was finished.
 void ReplayMachine::compare_ink() {
   auto ink = ink_.begin();
   std::vector<Stroke> strokes;

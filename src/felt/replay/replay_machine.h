@@ -28,15 +28,15 @@ struct ReplaySettings {
   HandScriptOptions script;
   /// Surfaces and media that options may name.
   Materials materials = Materials::built_in();
-  /// Reads the strokes of a drawing that a script imports. Null: an import is an error.
+  /// Reads the strokes of a drawing that a script imports. If null, an import is an error.
   std::function<Result<std::vector<StrokePtr>>(const std::string& path)> read_import{};
 };
 
 /// Returns the settings for a preset and a hand. `rate_hz` and `delay_ticks` default to the
 /// device's values.
 ///
-/// The workspace is endless in x and y, as if the paper were moved under the device. Without force,
-/// the pressure controls how hard the hand presses, because nothing stops it.
+/// The workspace is unlimited in x and y, as if the paper were moved under the device. Without
+/// force nothing stops the hand, so the pressure controls how hard it presses.
 ReplaySettings replay_settings(const StylusPreset& device, const SimulatedHand& hand, bool force,
                                std::optional<double> rate_hz, std::optional<int> delay_ticks);
 
@@ -47,8 +47,8 @@ struct ReplayTick {
   std::optional<double> width_mm;  ///< of the ink at the pen; empty if the pen leaves no ink
 };
 
-/// Device, hand, loop, tools and document in one object: plays events on a virtual clock, and
-/// counts. The same events give the same ticks and the same document.
+/// Device, hand, loop, tools and document in one object. It plays events on a virtual clock and
+/// counts them. The same events give the same ticks and the same document.
 ///
 /// Adding an event fails if the session would refuse it. Events are kept until `play`; the loop
 /// then starts again with the events that follow.
@@ -56,12 +56,14 @@ class ReplayMachine {
  public:
   struct Observer {
     std::function<Result<void>(const ReplayTick&)> tick{};  ///< an error ends the play
-    std::function<void(const Event&)> event{};              ///< each that the session handles
+    /// Called for each event that the session handles.
+    std::function<void(const Event&)> event{};
     /// Called every 4 ms with the progress through the added events, 0..1.
     std::function<void(const Session& session, double fraction)> turn{};
-    /// Stops the play at this time, to 4 ms, even in the middle of a gesture.
+    /// If set, stops the play at this time, accurate to 4 ms, even in the middle of a gesture.
     std::optional<std::int64_t> until_ns{};
-    /// Called at that stop, before the gesture in progress is ended as at the end of a script.
+    /// Called when the play stops at `until_ns`, before the gesture in progress is ended as at the
+    /// end of a script.
     std::function<void(const Session& session, const PenSample& pen)> stopped{};
   };
 
@@ -85,7 +87,7 @@ class ReplayMachine {
   [[nodiscard]] bool is_full() const noexcept;
   /// Plays the added events. Does nothing after a play was stopped.
   Result<void> play();
-  /// Returns the earliest time of the next event.
+  /// Returns the earliest time that the next event may have.
   [[nodiscard]] std::int64_t next_ns() const noexcept { return next_ns_; }
 
   /// Returns the counts since the last call, without the wall time. Strokes and segments are those

@@ -25,7 +25,8 @@ std::vector<BvhSegment> lines_of(std::span<const Point> path) {
   return lines;
 }
 
-/// Calls `use` for points on a segment, at most kSpacingMm apart, without its end.
+/// Calls `use` for points on a segment, at most kSpacingMm apart. The end of the segment is left
+/// out.
 template <class Use>
 void for_each_point(const Cubic& segment, Use use) {
   const auto steps = static_cast<int>(std::clamp(control_length(segment) / kSpacingMm, 1.0, 1e5));

@@ -10,9 +10,9 @@
 
 namespace felt {
 
-/// Distances between ink and the path that the hand intended, of many strokes in bounded memory.
-/// Measured in both directions, from points on the ink to the path and from points on the path to
-/// the ink, so that both a detour and a missing part are noticed.
+/// Distances between ink and the path that the hand intended, for many strokes in bounded memory.
+/// They are measured in both directions, from points on the ink to the path and from points on the
+/// path to the ink, so that both a detour and a missing part are noticed.
 class InkDistance {
  public:
   /// Adds one intended stroke and its ink.

@@ -11,13 +11,15 @@
 namespace felt {
 namespace {
 
-// Mean speed of paths between strokes, which are minimum jerk as in `script_hand`.
+// Mean speed of the hand between strokes. These motions are minimum-jerk paths, as in
+// `script_hand`.
 constexpr double kAirMmPerS = 250.0;
 constexpr double kMinTravelS = 0.12;
 constexpr double kRestS = 0.25;  // after the last stroke
 constexpr double kMaxTravelS = 60.0;
 
-// Limits of one raw stroke. They bound memory, which is that of the longest stroke.
+// Limits of one raw stroke. They bound the memory, because it is proportional to the longest
+// stroke.
 constexpr double kMaxLengthMm = 20'000.0;
 constexpr double kMaxDurationS = 600.0;
 constexpr double kMaxReachMm = 1e4;
@@ -25,7 +27,7 @@ constexpr double kMaxPauseS = 1.0;  // the longest pause in script_hand
 
 constexpr double kTremorRmsMm = 0.03;
 
-/// Fails for strokes that a hand would need very long for.
+/// Fails if a hand would need very long to draw the stroke.
 Result<void> check_length(const RecordedPath& path) {
   double length_mm = 0.0, duration_s = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -46,9 +48,9 @@ Result<void> check_length(const RecordedPath& path) {
   return {};
 }
 
-/// Returns the points above which a stroke begins and ends.
+/// Returns the points on the page above which the hand waits before and after a stroke.
 std::pair<Point, Point> ends_of(const RecordedPath& path, const std::vector<TimedAim>& aims) {
-  const auto is_drawn = [](const RecordedPoint& p) {  // script_hand skips the others
+  const auto is_drawn = [](const RecordedPoint& p) {  // script_hand skips all other points
     return std::abs(p.position.x) <= kMaxReachMm && std::abs(p.position.y) <= kMaxCoordinateMm;
   };
   const auto first = std::find_if(path.begin(), path.end(), is_drawn);
@@ -65,7 +67,7 @@ Tremor::Tremor(std::uint64_t seed) {
   for (Tone& tone : tones_) {
     tone = {random.between(8.0, 12.0), random.between(0.0, kTau), random.between(0.0, kTau)};
   }
-  // The squares of tones with different frequencies add up.
+  // The mean squares of tones with different frequencies add up.
   amplitude_mm_ = kTremorRmsMm * std::sqrt(2.0 / static_cast<double>(tones_.size()));
 }
 

@@ -23,8 +23,8 @@ struct FeedSink {
   /// Called after all events of a raw stroke were sent and the hand has lifted the pen. `meant` is
   /// its path in mm.
   std::function<Result<void>(const std::vector<Point>& meant)> stroke_drawn{};
-  /// Returns how the hand draws raw strokes with the current tool and surface. Null: uses
-  /// FeedOptions.
+  /// Returns how the hand draws raw strokes with the current tool and surface. If null, FeedOptions
+  /// are used.
   std::function<HandScriptOptions()> hand{};
 };
 
@@ -53,24 +53,24 @@ class Tremor {
 
 /// Reads scripts, with events and raw strokes in any order, and sends events in order of time.
 ///
-/// A raw stroke is drawn after everything before it is done: the hand moves there through the air,
-/// lands, draws at the recorded pace, lifts. An event after it is sent at its own time, or after
-/// the stroke if that is later. Times of a second script count from the end of the first. Uses as
-/// much memory as the longest stroke.
+/// A raw stroke is drawn after all earlier events and strokes: the hand moves to its start above
+/// the surface, lands, draws at the recorded speed, and lifts the pen. An event after the stroke is
+/// sent at its own time, or after the stroke if that is later. Times of a second script count from
+/// the end of the first. Memory use is proportional to the longest stroke.
 class ScriptFeed {
  public:
   ScriptFeed(const FeedOptions& options, FeedSink sink);
 
-  /// Reads a whole script; `name` is for errors. Stops at the first error, "NAME:LINE: reason".
+  /// Reads a whole script. `name` is used in errors. Stops at the first error, "NAME:LINE: reason".
   Result<void> read(const std::string& name, ReadBytes read);
   /// Starts the loop again with the next event, at `from_ns` or later. The hand waits above the
-  /// first stroke until forces have faded in, so that this stroke feels like the others.
+  /// first stroke until forces have faded in, so that the force is the same as for other strokes.
   void begin_play(std::int64_t from_ns) noexcept;
-  /// Call before a play. The hand that drew raw strokes stays for a moment, so that the pen, which
-  /// follows it, comes to rest too.
+  /// Lets the hand rest for a moment after raw strokes, so that the pen, which follows it, comes to
+  /// rest, too. Call it before a play.
   Result<void> rest();
 
-  /// Time of the last event sent.
+  /// Returns the time of the last event sent.
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
   [[nodiscard]] std::int64_t stroke_count() const noexcept { return strokes_; }
 

@@ -46,7 +46,7 @@ TEST(ScriptFeed, AStrokeIsDrawnBetweenTheEventsAroundIt) {
   ASSERT_EQ(fed.strokes.size(), 1u);
   EXPECT_EQ(fed.strokes[0], (std::vector<Point>{{10, 10}, {20, 10}, {20, 20}}));
   EXPECT_TRUE(std::holds_alternative<UndoEvent>(fed.events.front().what));
-  // The second undo comes after the stroke; after it the hand only rests.
+  // The second undo comes after the stroke. After the undo the hand only rests.
   const Event& second = fed.events[fed.events_at_stroke[0]];
   EXPECT_TRUE(std::holds_alternative<UndoEvent>(second.what));
   EXPECT_EQ(fed.events.size(), fed.events_at_stroke[0] + 2);

@@ -22,7 +22,7 @@ class ScriptRun {
   /// Reads a script. `name` is for errors. Imports are relative to `folder`, which ends with a
   /// slash ("": the working directory). The error is "NAME:LINE: reason".
   Result<void> script(const std::string& name, const std::string& folder, ReadBytes read);
-  /// Plays everything read so far; more may follow.
+  /// Plays everything read so far. More scripts may follow.
   Result<void> play();
 
  private:

@@ -11,7 +11,7 @@
 namespace felt::latest_value_test {
 namespace {
 
-// As large as a force model; every word identifies its value.
+// A value as large as a force model. Every word identifies the value.
 struct Value {
   std::array<std::uint64_t, 256> words{};
 };

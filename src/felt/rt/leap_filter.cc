@@ -5,7 +5,7 @@
 namespace felt {
 namespace {
 
-/// True if the pen is so far above the surface that no stroke can be in progress.
+/// Returns true if the pen is so far above the surface that no stroke can be in progress.
 bool is_lifted(const PenSample& sample) noexcept {
   return sample.position.z >= LeapFilter::kLiftMm && !in_contact(sample);
 }

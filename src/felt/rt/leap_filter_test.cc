@@ -20,12 +20,12 @@ class Pen {
     sample_.position = {x_mm, 0, z_mm};
     return pass();
   }
-  /// The device has nothing newer to report.
+  /// Simulates a tick in which the device does not have a newer sample.
   std::optional<PenSample> wait() {
     now_ns_ += kMs;
     return pass();
   }
-  /// The loop stands still.
+  /// Simulates a loop that stands still.
   void stall(std::int64_t ms) { now_ns_ += ms * kMs; }
   [[nodiscard]] std::uint32_t cuts() const { return filter_.cuts(); }
   std::vector<PenSample> handed_on;
@@ -112,7 +112,8 @@ TEST(LeapFilter, R49_ALeapDuringABounceDrawsNoLine) {
   }
 }
 
-// The service does not answer for a while, or the loop stood still, while the hand moves on.
+// The service does not answer for a while, or the loop stands still, while the hand continues to
+// move.
 TEST(LeapFilter, R49_AStallWhileDrawingLosesNoInk) {
   for (const int stall_ms : {5, 8, 12, 16, 20, 30, 60}) {
     for (const double mm_per_ms : {0.1, 0.2, 0.35, 0.5}) {

@@ -6,7 +6,7 @@
 namespace felt {
 namespace {
 
-/// "p50 12.0, p99 34.0, p99.9 282.0, max 684.0 us"
+/// Returns a text such as "p50 12.0, p99 34.0, p99.9 282.0, max 684.0 us".
 std::string percentiles(const TimeHistogram& times) {
   const auto us = [&](double q) { return 1e-3 * static_cast<double>(times.percentile_ns(q)); };
   std::array<char, 160> text{};

@@ -38,9 +38,9 @@ bool may_lock_all() noexcept {
          (data[0].effective & (1U << CAP_IPC_LOCK)) != 0;
 }
 
-// Locks all memory, unless there is a limit: with MCL_FUTURE, any allocation in the program beyond
-// the limit would fail. MCL_ONFAULT locks pages when they are first used, so that idle stacks stay
-// small.
+// Locks all memory unless the system limits locked memory. With such a limit and MCL_FUTURE, any
+// allocation of the program beyond the limit would fail. MCL_ONFAULT locks pages when they are
+// first used, so that idle stacks stay small.
 bool lock_memory() noexcept {
   return may_lock_all() && mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
 }
@@ -218,8 +218,9 @@ void RealtimeThread::loop() noexcept {
   stats_.publish(own_stats_);
 }
 
-// Called between two ticks, so that nothing in a tick blocks. Returns the deadline of the next
-// tick, which is whole periods after the given one, so that first_due_ns() remains valid.
+// Sleeps until resume(). It is called between two ticks, so that nothing in a tick blocks. Returns
+// the deadline of the next tick, a whole number of periods after the given one, so that
+// first_due_ns() remains valid.
 std::int64_t RealtimeThread::sleep_until_resumed(std::int64_t deadline_ns) const noexcept {
   const std::int64_t period_ns = servo_.options().period_ns;
   pause_asked_.wait(true, std::memory_order_acquire);
@@ -237,8 +238,8 @@ void RealtimeThread::resume() noexcept {
   pause_asked_.notify_one();
 }
 
-// Polls the condition; returns false after `patience_ns`. There is no event to wait for, because
-// the haptic thread wakes no other thread. Edit thread.
+// Polls the condition. Returns false if it is still false after `patience_ns`. It polls because the
+// haptic thread does not wake other threads. Edit thread only.
 template <class Condition>
 bool RealtimeThread::wait_until(std::int64_t patience_ns, Condition condition) const {
   const std::int64_t until_ns = now_ns() + patience_ns;
@@ -264,23 +265,24 @@ Result<void> RealtimeThread::start_hosted() {
                  [this] { return ticked_ns_.load(std::memory_order_acquire) != kNever; })) {
     return {};
   }
-  static_cast<void>(stop());  // no tick was ever under way
+  static_cast<void>(stop());  // no tick was in progress
   return fail(ErrorCode::kIo,
               "the device's own software has started its haptic loop, but does not run it: "
               "disconnect the device, connect it again and open it again");
 }
 
 bool RealtimeThread::stop_hosted() noexcept {
-  // A loop that an earlier stop() could not end may have ended since.
+  // An earlier stop() may have failed to end the loop, and the loop may have ended since.
   if (hosted_.load(std::memory_order_acquire) == Hosted::kTicking) {
     hosted_.store(Hosted::kLastTick, std::memory_order_relaxed);
   }
   const auto is_done = [this] { return hosted_.load(std::memory_order_acquire) == Hosted::kDone; };
-  // If there has been no tick so far, there is no reason to expect one.
+  // If the host has never called, it will probably not call now.
   if (ticked_ns_.load(std::memory_order_relaxed) != kNever) {
     wait_until(options_.host_patience_ns, is_done);
   }
-  // stop_loop() would wait for that tick forever, and the tick uses the servo until it ends.
+  // stop_loop() would wait forever for the tick in progress, and the tick uses the servo until it
+  // ends.
   if (!is_done() && is_in_tick_.load(std::memory_order_acquire)) return false;
   host_->stop_loop();
   if (!is_done()) servo_.stop();

@@ -16,8 +16,8 @@
 namespace felt::realtime_thread_hang_test {
 namespace {
 
-/// What a hanging device reports to a test, and how the test releases its call. Outlives the
-/// abandoned objects.
+/// State shared by a hanging device and a test: the device reports its calls, and the test releases
+/// them. It outlives the abandoned objects.
 struct Call {
   std::atomic<bool> hangs{false};
   std::atomic<bool> is_in{false};
@@ -77,7 +77,7 @@ constexpr RealtimeOptions kImpatient{.fifo_priority = 0,
                                      .host_patience_ns = 20'000'000,
                                      .stop_patience_ns = 20'000'000};
 
-/// Calls may hang with and without a host.
+/// Tests with and without a host, because calls may hang in both cases.
 class HangingLoop : public ::testing::TestWithParam<bool> {
  protected:
   void hang() {
@@ -103,7 +103,7 @@ TEST_P(HangingLoop, StopGivesUpAndEndsItOnceTheCallIsBack) {
   EXPECT_EQ(call.stops, 0) << "the device is the loop's own until its call is back";
   EXPECT_FALSE(loop->stop());
   call.hangs = false;
-  wait_until([&] { return call.stops == 1; });  // by itself, without another stop()
+  wait_until([&] { return call.stops == 1; });  // the loop ends by itself, without another stop()
   wait_until([&] { return loop->stop(); });
   EXPECT_FALSE(loop->is_running());
   EXPECT_EQ(call.stops, 1);

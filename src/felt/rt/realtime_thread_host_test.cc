@@ -51,7 +51,7 @@ class FakeHost final : public LoopHost {
   std::atomic<bool> stop_ = false;
 };
 
-// The thread on which it was stopped, and whether the force was zero by then.
+// A device that records on which thread it was stopped, and whether the force was zero by then.
 class WatchedDevice final : public Device {
  public:
   [[nodiscard]] std::string_view name() const noexcept override { return "watched"; }
@@ -83,7 +83,7 @@ struct Push {
 
 class HostedLoop : public ::testing::Test {
  protected:
-  // There is a force to remove.
+  // Waits until the loop sends a force, which the test then expects to be removed.
   void press_until_there_is_force(RealtimeThread& loop) {
     wait_until([&] {
       servo->heartbeat(loop.now_ns());
@@ -188,7 +188,7 @@ TEST_F(HostedLoop, AHostThatCallsNoMoreIsToldAndStopsWithoutForceAllTheSame) {
   EXPECT_THAT(describe(loop.status()), HasSubstr("stands still"));
   EXPECT_TRUE(loop.stop());
   EXPECT_FALSE(loop.is_running());
-  EXPECT_EQ(device.stopped_on, std::this_thread::get_id());  // there was no other thread left
+  EXPECT_EQ(device.stopped_on, std::this_thread::get_id());  // there was no other thread
   EXPECT_TRUE(device.zero_before_stop);
   EXPECT_FALSE(loop.status().is_silent);
 }

@@ -46,7 +46,7 @@ void Servo::stop() noexcept {
 }
 
 void Servo::take_orders() noexcept {
-  // "Off" first, so that off and on again between two ticks engages from zero.
+  // "Off" is handled first, so that off and on again between two ticks engages from zero.
   if (disarm_asked_.exchange(false, std::memory_order_acquire)) chain_.disarm();
   if (arm_asked_.exchange(false, std::memory_order_acquire)) chain_.arm();
   const std::int64_t heard_ns = heartbeat_ns_.load(std::memory_order_acquire);
@@ -64,8 +64,8 @@ void Servo::sense_and_act(std::int64_t now_ns) noexcept {
   report_.terms.clear();
   if (!sample) {
     chain_.device_failed();
-    // The device has failed already, so errors are ignored: any attempt to release it that still
-    // works is good.
+    // The device has already failed, so errors are ignored. A call that still works helps to
+    // release the device.
     static_cast<void>(device_.write(Force{}));
     device_.stop();
     return;
@@ -85,8 +85,8 @@ void Servo::sense_and_act(std::int64_t now_ns) noexcept {
   hand_over_ink(*sample, now_ns);
 }
 
-// The filter of an arm also gets the samples that the chain rejected, because it must detect the
-// jumps.
+// The LeapFilter of an arm also gets the samples that the safety chain rejected, because it must
+// detect the jumps.
 void Servo::hand_over_ink(const PenSample& sample, std::int64_t now_ns) noexcept {
   if (!is_finite(sample)) return;
   if (is_arm_) {
@@ -122,8 +122,8 @@ void Servo::take_model() noexcept {
   if (!model_waits_) return;
   const ForceModel& next = models_.get();
   if (next.fade_id() != current_.fade_id()) {
-    // At most two models are evaluated. A third one waits until the first has faded out, so that
-    // the force stays continuous and the tick bounded.
+    // At most two models are evaluated. A third model waits until the first has faded out, so that
+    // the force stays continuous and the duration of a tick is bounded.
     if (fade_ < 1.0) return;
     outgoing_ = current_;
     outgoing_memory_ = memory_;
@@ -133,11 +133,11 @@ void Servo::take_model() noexcept {
   model_waits_ = false;
 }
 
-// During a cross-fade both models are evaluated, each with its own memory and with the same share
+// During a cross-fade both models are evaluated, each with its own memory. Both get the same share
 // of the stiffness budget, which depends on their weighted slopes.
 Force Servo::evaluate(PenSample sample) noexcept {
-  // Converts from the loop's clock, which starts with the loop. Wraps around, because a device may
-  // report any time.
+  // Converts the time from the loop's clock, which starts with the loop, to session time. Uses
+  // unsigned numbers, because a device may report any time and the sum may wrap around.
   sample.time_ns = static_cast<std::int64_t>(static_cast<std::uint64_t>(sample.time_ns) +
                                              static_cast<std::uint64_t>(session_offset_ns()));
   if (fade_ < 1.0) fade_ = std::min(1.0, fade_ + report_.dt_s / options_.cross_fade_s);

@@ -1,5 +1,5 @@
-// The functions of the servo for the edit thread. They are separate from the tick, so that the
-// object file of the tick shows only what the tick calls.
+// The functions of the servo for the edit thread. They are in a file of their own, so that the
+// object file of the tick contains only symbols that the tick uses.
 #include <algorithm>
 #include <cmath>
 

@@ -28,7 +28,7 @@ struct Constant {
   [[nodiscard]] Slopes slopes() const noexcept { return claimed; }
 };
 
-// A brick whose force is the content of its bristle: shows whose memory a model uses.
+// A brick whose force is the content of its bristle. It shows which memory a model uses.
 struct Remembering {
   double adds = 0.0;
   Force operator()(const PenSample&, ForceMemory& memory) const noexcept {
@@ -38,7 +38,7 @@ struct Remembering {
   [[nodiscard]] static Slopes slopes() noexcept { return {}; }
 };
 
-// A brick that outputs what the loop passes to it as a force.
+// A brick that outputs the values that the loop passes to it as a force.
 struct Telling {
   Force operator()(const PenSample&, ForceMemory& memory) const noexcept {
     return {memory.dt_s, memory.period_s, memory.material_cap_n_per_m};
@@ -149,7 +149,7 @@ TEST(Servo, R49_ADeviceThatCannotBeWrittenIsStopped) {
   EXPECT_EQ(loop.device.force, Force{});
 }
 
-// A device opened ten seconds after the session began.
+// The device is opened ten seconds after the session began.
 TEST(Servo, R30_ModelsSeeTheTimeOfTheSession) {
   Loop loop;
   loop.servo->set_session_offset(10'000 * kMs);
@@ -160,7 +160,7 @@ TEST(Servo, R30_ModelsSeeTheTimeOfTheSession) {
   EXPECT_LE(report.sample.time_ns, 50 * kMs);
 }
 
-// The curve goes on yielding between two publications, whenever the session began.
+// The curve continues to yield between two publications, whenever the session began.
 TEST(Servo, R30_TheForceOfASweepAgesWhenTheLoopBeganLater) {
   const auto asked_n = [](std::int64_t offset_ns) {
     Loop loop;
@@ -188,7 +188,7 @@ TEST(Servo, R49_TheReportSaysWhatTheDeviceHolds) {
   EXPECT_EQ(loop.run(1).sent, loop.device.force);
 }
 
-// With forces on or off, no line leads to where the arm cannot be.
+// With forces on or off, no line is drawn to a position that the arm cannot have reached.
 TEST(Servo, R49_AnArmThatLeapsEndsItsStroke) {
   ScriptedDevice device;
   device.has_arm = true;
@@ -440,9 +440,9 @@ TEST(Servo, AtFullStrengthNothingIsChanged) {
   }
 }
 
-// Whenever and however the strength is changed, at any period: it stays within 0..1, changes
-// linearly towards the last requested value, never faster than the ramp, and the force changes with
-// it.
+// At any period, and after any changes of the requested strength, the strength stays within 0..1.
+// It changes linearly towards the last requested value, never faster than the ramp, and the force
+// changes with it.
 RC_GTEST_PROP(Servo, StrengthIsBoundedContinuousAndMonotone, ()) {
   ServoOptions options;
   options.period_ns = *rc::gen::element<std::int64_t>(200'000, 250'000, kMs, 4 * kMs);
@@ -483,7 +483,7 @@ TEST(Servo, AtStrengthZeroTheDeviceGetsNoForceWhileTheModelGoesOn) {
     ASSERT_EQ(loop.device.force, Force{});
   }
   loop.servo->set_strength(1.0);
-  EXPECT_GT(norm(loop.run(60).asked), 0.3);  // the bristle was pulled along meanwhile
+  EXPECT_GT(norm(loop.run(60).asked), 0.3);  // meanwhile the pen pulled the bristle along
 }
 
 TEST(Servo, StoppingTakesTheForceOffTheDeviceAndItCanGoOnLater) {

@@ -57,7 +57,7 @@ TEST(SpscRing, TwoThreadsEverythingArrivesOnceInOrderAndWhole) {
   const auto ring = std::make_unique<SpscRing<Element, 64>>();
   std::thread producer([&] {
     for (std::uint64_t i = 0; i < kElements;) {
-      if (ring->push(element(i))) ++i;  // if the ring is full, retries the same one
+      if (ring->push(element(i))) ++i;  // if the ring is full, retries the same element
     }
   });
   std::array<Element, 7> out{};

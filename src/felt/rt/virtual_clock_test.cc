@@ -32,7 +32,7 @@ TEST(VirtualClock, RunsUpToATime) {
   VirtualClock clock(*servo);
   int ticks = 0;
   clock.run(100 * kMs, [&](const TickReport&) { ++ticks; });
-  EXPECT_EQ(ticks, 101);  // 0 and 100 ms among them
+  EXPECT_EQ(ticks, 101);  // including 0 and 100 ms
   clock.run(100 * kMs);
   EXPECT_EQ(clock.now_ns(), 100 * kMs);
 }

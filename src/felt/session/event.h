@@ -37,8 +37,9 @@ struct PenEvent {
   friend bool operator==(const PenEvent&, const PenEvent&) = default;
 };
 
-/// Where the simulated hand wants the pen; forces then displace it. Only for the player, which owns
-/// the device; a session refuses it. {"event":"hand","x":..,"y":..,"z":..}
+/// Sets the position that the simulated hand wants for the pen; forces displace the pen from it.
+/// Only the player handles it, because it owns the device; a session refuses it.
+/// {"event":"hand","x":..,"y":..,"z":..}
 struct HandEvent {
   Vec3 target;
   std::optional<double> pressure;
@@ -61,7 +62,8 @@ struct CancelEvent {
 /// the file, and passes the strokes to Session::import().
 struct ImportEvent {
   std::string path;
-  bool select = false;  ///< select the added strokes; if false, the selection does not change
+  /// If true, selects the added strokes; if false, the selection does not change.
+  bool select = false;
   friend bool operator==(const ImportEvent&, const ImportEvent&) = default;
 };
 
@@ -76,7 +78,8 @@ struct SelectStrokes {
   friend bool operator==(const SelectStrokes&, const SelectStrokes&) = default;
 };
 
-/// Deletes the strokes that are wholly selected, and no part of the others. {"event":"delete"}
+/// Deletes the strokes that are wholly selected. Strokes that are selected in part do not change.
+/// {"event":"delete"}
 struct DeleteEvent {
   friend bool operator==(const DeleteEvent&, const DeleteEvent&) = default;
 };
@@ -114,7 +117,7 @@ struct LayerEvent {
   Do what = Do::kAdd;
   LayerId layer;          ///< unused for kAdd
   std::string name = {};  ///< for kAdd and kRename
-  std::size_t index = 0;  ///< for kMove: 0 is the lowest; above the highest is the highest
+  std::size_t index = 0;  ///< for kMove: 0 is the lowest; greater values are clamped to the highest
   friend bool operator==(const LayerEvent&, const LayerEvent&) = default;
 };
 
@@ -122,21 +125,22 @@ struct LayerEvent {
 /// that have their default. 1: Feltline 0.1.0 (old_defaults.h).
 inline constexpr int kOptionDefaults = 2;
 
-/// Sets the device that samples come from and forces go to, from now on.
+/// Sets the device that samples come from and forces go to. Applies to all later events.
 /// {"event":"device","max_force_n":3.3,...} A gesture in progress is committed as if the pen had
-/// been lifted. For recordings that are passed directly to a session; the Player refuses it because
-/// it has its own device. The text form has no workspace, because tools do not use it.
+/// been lifted. It is meant for recordings that are passed directly to a session; the Player
+/// refuses it because it has its own device. The text form has no workspace, because tools do not
+/// use it.
 struct UseDevice {
   Capabilities capabilities;
-  /// The version of the defaults in the program that recorded it. At the first event whose version
-  /// differs from the session's, options that still have their default are set to those of that
-  /// version.
+  /// The version of the defaults in the program that made the recording. At the first event whose
+  /// version differs from the session's, options that still have their default are set to those of
+  /// that version.
   int defaults = kOptionDefaults;
   friend bool operator==(const UseDevice&, const UseDevice&) = default;
 };
 
-/// Adds a surface or medium, or replaces the one with the same id; one in use changes immediately.
-/// {"event":"material","text":"kind = \"sheet\"..."} The text defines it completely
+/// Adds a surface or medium, or replaces the one with the same id. If it is in use, it changes
+/// immediately. {"event":"material","text":"kind = \"sheet\"..."} The text defines it completely
 /// (docs/formats/material.md).
 struct UseMaterial {
   std::string text;

@@ -5,18 +5,19 @@
 
 namespace felt {
 
-/// Converts the pen of a session to the input of the sound (felt/sound): what rubs on what, and how
-/// hard. Caches values that are expensive to compute. Edit thread; one session.
+/// Converts the pen of a session to the input of the sound (felt/sound): which medium rubs on which
+/// surface, and how hard. Caches values that are expensive to compute. Use it on the edit thread,
+/// with one session at a time.
 class HeardPen {
  public:
   explicit HeardPen(const Session& session) : session_(&session) {}
 
-  /// Continues the same sound with another session.
+  /// Sets the session. The sound continues.
   void follow(const Session& session) noexcept { session_ = &session; }
 
   /// Returns the input for a sample. Call it for every sample, after the session has processed it.
   RubbingSample sample(const PenSample& pen);
-  /// Returns the medium and surface since the last sample(). Updated when the pen touches or lifts,
+  /// Returns the medium and surface as of the last sample(). Updated when the pen touches or lifts,
   /// and every 64 samples.
   [[nodiscard]] const RubbingPair& pair() const noexcept { return pair_; }
 

@@ -56,7 +56,7 @@ LayerChange new_layer(const Document& document, std::string name, std::size_t in
   return {id, std::nullopt, LayerState{std::move(name)}, 0, index};
 }
 
-/// Returns the state of the layer after the event, except its position and whether it is removed.
+/// Returns the state of the layer after the event. Position and removal are not part of this state.
 LayerState changed(LayerState state, const LayerEvent& event) {
   if (event.what == Do::kRename) state.name = event.name;
   if (event.what == Do::kShow || event.what == Do::kHide) {
@@ -92,7 +92,7 @@ Edit removal_of(const Document& document, const Layer& layer) {
   return edit;
 }
 
-/// Completes an edit of one layer: if it would leave no open layer, it also adds one on top.
+/// Completes an edit of one layer. If no open layer would remain, the edit also adds one on top.
 void keep_one_open(const Document& document, Edit& edit) {
   if (edit.layers.empty()) return;
   const LayerChange& change = edit.layers.front();

@@ -6,7 +6,8 @@
 
 namespace felt {
 
-/// True if tools and the user may change the layer: it is visible and not locked.
+/// Returns true if tools and the user may change the layer, that is, if it is visible and not
+/// locked.
 inline bool is_open(const Layer& layer) noexcept {
   return layer.visible && !layer.locked;
 }
@@ -16,7 +17,7 @@ inline bool is_open(const Layer& layer) noexcept {
 LayerId highest_open_layer(const Document& document) noexcept;
 
 /// Returns the whole effect of a layer event on a document, as one undo step; empty if nothing
-/// changes, as always for kUse. If no open layer would be left, the edit also adds one on top,
+/// changes, as always for kUse. If no open layer would remain, the edit also adds one on top,
 /// because ink must never go to a layer that the user cannot see.
 ///
 /// Fails if the layer does not exist, or for kUse if it is not open. The message names the layer

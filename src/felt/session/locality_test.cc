@@ -1,4 +1,5 @@
-// Editing one stroke among many changes no other: neither its bytes nor its address.
+// An edit of one stroke among many does not change any other stroke, neither its bytes nor its
+// address.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +21,8 @@ Point start_of(int i) {
   return {kApartMm * (i % kRow), kApartMm * std::floor(i / kRow)};
 }
 
-/// Strokes so far apart that a gesture on one of them affects no other.
+/// Returns a document whose strokes are so far apart that a gesture on one does not affect the
+/// others.
 Document large_document() {
   Document document;
   EditBuilder builder(document);
@@ -55,7 +57,7 @@ void gesture(Session& session, int i, std::int64_t& now_ns) {
   for (int k = 0; k < 60; ++k) pen(from + Vec{0, 3}, 0.1 * k);
 }
 
-/// The strokes that the edits of a session name.
+/// The strokes that the edits of a session change.
 struct Touched {
   std::set<StrokeId> strokes;
   void operator()(const Edit& edit) {
@@ -92,7 +94,7 @@ TEST(Locality, AnEditAmongAHundredThousandStrokesLeavesAllOthersAsTheyAre) {
       if (!same && !touched.strokes.contains(stroke)) ++moved;
     }
     EXPECT_EQ(moved, 0u);
-    // The order of all others has not changed.
+    // The order of all other strokes has not changed.
     std::vector<StrokeId> old_order = order, new_order = session.document().layers()[0].strokes;
     const auto is_touched = [&](StrokeId s) { return touched.strokes.contains(s); };
     std::erase_if(old_order, is_touched);

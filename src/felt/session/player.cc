@@ -15,15 +15,16 @@
 namespace felt {
 namespace {
 
-/// A device that a script moves. During hand events, it sets the aim of the hand of the device
-/// below, and that device does the rest. During pen events, the pen is where the script says and
-/// forces do not move it; velocities are then computed as drivers do.
+/// A device that a script moves. It wraps another device, `below`. During hand events it only sets
+/// the aim of the hand of `below`, which then moves the pen. During pen events the script sets the
+/// position of the pen, so forces do not move it, and velocities are computed as in drivers.
 ///
 ///   scripted.set(track.at(now_ns));
 ///   servo.step(now_ns);                // calls read() and write()
 class ScriptedDevice final : public Device {
  public:
-  /// Both must outlive this; `hand` may be null if the script has no hand events.
+  /// `below` and `hand` must outlive this object. `hand` may be null if the script has no hand
+  /// events.
   ScriptedDevice(Device& below, HandInput* hand) noexcept : below_(below), hand_(hand) {}
 
   void set(const ScriptPose& pose) noexcept {
@@ -59,8 +60,9 @@ class ScriptedDevice final : public Device {
   std::int64_t last_ns_ = 0;
 };
 
-/// After the last event the pen needs this long to be lifted off the surface, even with a hand that
-/// has mass and lag; it gets up to kLongestSettleNs.
+/// After the last event the loop runs for kSettleNs, so that even a hand with mass and lag has
+/// lifted the pen off the surface. If the pen is still down, the loop runs for up to
+/// kLongestSettleNs.
 constexpr std::int64_t kSettleNs = 100'000'000;
 constexpr std::int64_t kLongestSettleNs = 500'000'000;
 
@@ -112,7 +114,8 @@ class OtherEvents {
   /// Returns the next event that takes effect before a sample of this time, or null. Skips poses.
   const Event* next_before(std::int64_t sample_ns) {
     return next([this, sample_ns](std::int64_t time_ns) {
-      // If a pose of the same time precedes the event, the event waits for the sample of that time.
+      // If a pose of the same time precedes the event, the event takes effect after the sample of
+      // that time.
       return time_ns < sample_ns || (time_ns == sample_ns && time_ns != pose_ns_);
     });
   }
@@ -147,7 +150,7 @@ class OtherEvents {
 
 }  // namespace
 
-/// One play: the loop, and the work of the edit thread.
+/// Plays one script: runs the loop and does the work of the edit thread.
 class Player::Run {
  public:
   Run(Player& player, std::span<const Event> events)
@@ -204,8 +207,8 @@ class Player::Run {
       samples_.push_back(sample);
       told = true;
     }
-    // The loop does not pass samples on that it rejected, but a pen that the script moves is where
-    // the script says.
+    // The loop does not pass on samples that it rejected. If the script moves the pen, the sample
+    // is used even then, because its position is certain.
     if (!told && !device_.by_hand()) samples_.push_back(tick.sample);
     pen_is_down_ = in_contact(tick.sample);
     if (options_.on_tick) options_.on_tick(tick);

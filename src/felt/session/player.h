@@ -12,21 +12,22 @@ namespace felt {
 struct PlayerOptions {
   /// Loop period, 0.2..4 ms (R50).
   std::int64_t period_ns = 1'000'000;
-  /// How often the player does the work of the edit thread: drains the loop's samples and publishes
-  /// a force (docs/design/loop.md#data-flow, step 6). At least one period.
+  /// Interval at which the player does the work of the edit thread: it drains the loop's samples
+  /// and publishes a force (docs/design/loop.md#data-flow, step 6). At least one period.
   std::int64_t edit_period_ns = 4'000'000;
-  /// Arms the loop at the start; if off, the same script is played without any force (R51).
+  /// If true, arms the loop at the start. If false, the same script is played without any force
+  /// (R51).
   bool forces = true;
   /// The user's force limit, 0..3 N.
   double force_limit_n = 3.0;
-  /// Largest duration of a script from first to last event; a longer one is an error.
+  /// Maximum duration of a script from first to last event. A longer script is an error.
   std::int64_t longest_ns = std::int64_t{24} * 3600 * 1'000'000'000;
 
-  /// Called at each tick of the loop; used for the CSV of forces and for plots.
+  /// Called at each tick of the loop. The CSV of forces and plots use it.
   std::function<void(const TickReport&)> on_tick = {};
   /// Reads the strokes that an import event names. Without it, import events are errors.
   std::function<Result<std::vector<StrokePtr>>(const ImportEvent&)> read_import = {};
-  /// Called every edit_period_ns; if it returns true, the play ends there, with the ink so far.
+  /// Called every edit_period_ns. If it returns true, the play ends with the ink drawn so far.
   std::function<bool()> is_cancelled = {};
 };
 
@@ -36,7 +37,7 @@ struct PlayReport {
   std::uint64_t samples = 0;  ///< processed by the session
   std::uint64_t events = 0;   ///< of the script, including poses
   std::uint64_t edits = 0;    ///< applied to the document, including those of undo and redo
-  std::uint64_t turns = 0;    ///< of the work of the edit thread (edit_period_ns)
+  std::uint64_t turns = 0;    ///< times that the work of the edit thread was done (edit_period_ns)
   std::uint64_t unread = 0;   ///< ticks whose sample could not be read or was not accepted
   std::int64_t start_ns = 0;  ///< of the first tick
   std::int64_t end_ns = 0;    ///< of the last
@@ -49,8 +50,8 @@ struct PlayReport {
 };
 
 /// Plays a script on a virtual clock: its poses go through the device and the haptic loop, all
-/// other events to the session (decision 0006). Deterministic: the same script, device and options
-/// give the same document, report and forces, byte for byte.
+/// other events to the session (decision 0006). It is deterministic: the same script, device and
+/// options give the same document, report and forces, byte for byte.
 ///
 ///   SimulatedStylus stylus(...);
 ///   Session session(make_tools(), {.device = stylus.capabilities()});
@@ -65,16 +66,16 @@ struct PlayReport {
 /// jumps, so that the document is the same with and without forces.
 class Player {
  public:
-  /// Makes a player. Device, hand and session must outlive it. `hand` is usually the device itself;
-  /// null if no hand is simulated.
+  /// Makes a player. Device, hand and session must outlive it. `hand` is usually the device itself.
+  /// It is null if no hand is simulated.
   Player(Device& device, HandInput* hand, Session& session, PlayerOptions options);
 
-  /// Plays the whole script. May be called again: the next script continues with the session as it
-  /// is, on a new loop.
+  /// Plays the whole script. It may be called again: the next script continues with the current
+  /// state of the session, on a new loop.
   ///
-  /// Fails before playing if times run backwards, the script is too long, or there are hand events
-  /// without a hand. Fails at an event that the session refuses, and ends the play there: "event
-  /// 12, at 80 ms: no tool ...".
+  /// Fails before playing if times run backwards, the script is too long, or it has hand events but
+  /// the player has no hand. Fails at an event that the session refuses, and ends the play there:
+  /// "event 12, at 80 ms: no tool ...".
   Result<PlayReport> play(std::span<const Event> events);
 
  private:

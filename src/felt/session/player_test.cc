@@ -18,7 +18,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A pen with mass on a spring that a hand holds, pushed by forces: a simple force-feedback device.
+/// A simple force-feedback device: a pen with mass on a spring. A hand holds the spring, and forces
+/// push the pen.
 class SpringPen final : public Device, public HandInput {
  public:
   SpringPen() {
@@ -29,7 +30,8 @@ class SpringPen final : public Device, public HandInput {
   [[nodiscard]] std::string_view name() const noexcept override { return "spring"; }
   [[nodiscard]] const Capabilities& capabilities() const noexcept override { return capabilities_; }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
-    // Critically damped, 0.05 kg on 400 N/m, semi-implicit Euler at 0.1 ms.
+    // The pen is critically damped, 0.05 kg on 400 N/m. Uses semi-implicit Euler with steps of 0.1
+    // ms.
     for (; time_ns_ + 100'000 <= now_ns; time_ns_ += 100'000) {
       const Vec3 force_n{force_.x, force_.y, force_.z};
       const Vec3 acceleration =
@@ -212,7 +214,8 @@ TEST(Player, R51_TheDocumentIsTheSameWithoutForces) {
 }
 
 TEST(Player, R51_APenThatJumpsDrawsTheSame) {
-  // 200 mm in 2 ms between strokes: the safety chain removes the forces, but the ink stays.
+  // The pen moves 200 mm in 2 ms between strokes. The safety chain removes the forces, but the ink
+  // stays.
   std::vector<Event> script;
   for (int i = 0; i < 4; ++i) {
     const std::int64_t ms = 700 + 300 * i;
@@ -281,7 +284,7 @@ TEST(Player, LosesNoInkOfAnUnfinishedStroke) {
 }
 
 TEST(Player, EventsTakeEffectBetweenTheSamplesOfTheirTime) {
-  // The tool changes in the middle of a line: the ink up to there stays, and no more is added.
+  // The tool changes in the middle of a line: the ink drawn so far stays, and no more is added.
   std::vector<Event> script;
   add_line<PenEvent>(script, 0, 0, 0);
   script.insert(script.begin() + 2, {160 * kMs, SelectTool{"eraser"}});
@@ -291,7 +294,7 @@ TEST(Player, EventsTakeEffectBetweenTheSamplesOfTheirTime) {
   const Stroke& stroke = *visible_strokes(played.document)[0];
   EXPECT_NEAR(stroke.position(stroke.segment_count()).x, 9.9, 1e-9) << "the sample of 159 ms";
 
-  // If a pose of the same time precedes it, it comes after that sample.
+  // If a pose of the same time precedes the event, the event comes after that sample.
   script.insert(script.begin() + 2, {160 * kMs, PenEvent{{10, 2.5, -1}, {}, 0}});
   const Played behind = play(script);
   ASSERT_EQ(behind.document.stroke_count(), 1U);

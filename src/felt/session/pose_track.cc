@@ -22,8 +22,8 @@ ScriptPose lifted(const ScriptPose& pose, double height_mm, std::int64_t time_ns
   return up;
 }
 
-/// Returns the pose at the start of a script: above the first pose, but only as high as it can come
-/// down from in time.
+/// Returns the pose at the start of a script. It is above the first pose, but only so high that the
+/// pen can come down in time.
 ScriptPose before(const ScriptPose& first, std::int64_t start_ns) {
   if (!is_deep(first) && !presses(first)) return first;
   const double left_s = 1e-9 * static_cast<double>(first.time_ns - start_ns);
@@ -39,8 +39,9 @@ Vec3 on_line(const Vec3& a, std::int64_t a_ns, const Vec3& b, std::int64_t b_ns,
   return lerp(a, b, part(now_ns, a_ns, b_ns));
 }
 
-/// Interpolates linearly, except if the gap is long and the pen is down at one end only: then it
-/// moves up or down within kLandingNs above that end, and along the page at hover height.
+/// Interpolates linearly. Exception: if the gap is long and the pen is down at one end only, the
+/// pen moves up or down above that end within kLandingNs, and the remaining distance at hover
+/// height.
 Vec3 place_between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns) {
   const bool upright = b.time_ns - a.time_ns > PoseTrack::kLongGapNs && is_deep(a) != is_deep(b);
   if (!upright) return on_line(a.position, a.time_ns, b.position, b.time_ns, now_ns);
@@ -67,9 +68,9 @@ std::optional<double> pressure_between(const ScriptPose& a, const ScriptPose& b,
   return presses(a) ? b.pressure : a.pressure;
 }
 
-/// If the tilt of either pose is unknown, it is not interpolated.
-std::optional<double> tilt_between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns) {
-  if (!a.tilt_deg || !b.tilt_deg) return a.tilt_deg;
+/// Interpolates the tilt only if it is known in both poses.
+std::optional<double> lean_between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns) {
+  if (!a.lean_deg || !b.lean_deg) return a.lean_deg;
   // lerp() returns exactly the same number for a tilt that does not change.
   return std::lerp(*a.tilt_deg, *b.tilt_deg, part(now_ns, a.time_ns, b.time_ns));
 }
@@ -115,7 +116,7 @@ ScriptPose PoseTrack::at(std::int64_t now_ns) {
     next_ = find_next();
     const bool is_down = is_deep(*last_) || presses(*last_);
     if (!next_ && is_down) {
-      // The pen stays down until the last event of any kind, and then is lifted.
+      // The pen stays down until the last event of any kind. After that it is lifted.
       last_->time_ns = std::max(last_->time_ns, end_ns_);
       next_ = lifted(*last_, kHoverMm, last_->time_ns + kLandingNs);
     }

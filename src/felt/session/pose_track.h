@@ -16,15 +16,17 @@ struct ScriptPose {
   Vec3 position;
   std::optional<double> pressure{};
   std::uint32_t buttons = 0;
-  bool by_hand = false;  ///< a hand aims there; otherwise the pen is there
-  std::optional<double> tilt_deg{};
+  /// If true, a hand aims at the position; otherwise it is the position of the pen.
+  bool by_hand = false;
+  std::optional<double> lean_deg{};
 
   friend constexpr bool operator==(const ScriptPose&, const ScriptPose&) noexcept = default;
 };
 
 /// Computes the pen between the pose events of a script, by the rules of docs/formats/events.md
-/// ("Between two events"): straight lines between poses, but no ink on the path to where the pen is
-/// put down, and a lift at the end. Forward only; a tick takes constant time on average.
+/// ("Between two events"): straight lines between poses, but no ink on the path to the point where
+/// the pen is put down, and a lift at the end. Time must only increase. A tick takes constant time
+/// on average.
 class PoseTrack {
  public:
   static constexpr std::int64_t kLongGapNs = 200'000'000;
@@ -47,7 +49,7 @@ class PoseTrack {
   std::span<const Event> events_;
   std::size_t searched_ = 0;        // events examined so far
   std::int64_t end_ns_ = 0;         // of the last event of any kind
-  std::optional<ScriptPose> last_;  // at or before now; before the first pose: above it
+  std::optional<ScriptPose> last_;  // pose at or before now; before the first pose, a pose above it
   std::optional<ScriptPose> next_;  // after now
 };
 

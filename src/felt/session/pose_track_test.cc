@@ -32,7 +32,7 @@ bool touches(const ScriptPose& pose) {
   return pose.position.z < 0.0 || pose.pressure.value_or(0.0) > 0.0;
 }
 
-/// No step is longer than a pen moves at this speed, mm per ms.
+/// Expects that no step is longer than a pen moves at this speed, in mm per ms.
 void expect_no_jump(const std::vector<ScriptPose>& all, double mm_per_ms) {
   for (std::size_t i = 1; i < all.size(); ++i) {
     EXPECT_LE(norm(all[i].position - all[i - 1].position), mm_per_ms) << "at step " << i;
@@ -192,8 +192,8 @@ TEST(PoseTrack, AScriptWithoutPosesLeavesThePenInTheAir) {
   EXPECT_FALSE(touches(empty.at(0)));
 }
 
-// For any script: exact at each event that is the last of its time, all numbers finite, and in
-// contact between two events only where that is allowed.
+// For any script, the track is exact at each event that is the last of its time, and all numbers
+// are finite. Between two events the pen is in contact only if that is allowed.
 RC_GTEST_PROP(PoseTrackProperty, IsExactAtEventsAndInventsNoContact, ()) {
   const auto count = *rc::gen::inRange<std::size_t>(1, 12);
   std::vector<Event> events;

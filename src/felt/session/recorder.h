@@ -19,9 +19,9 @@ namespace felt {
 ///   ...
 ///   recorder.flush();
 ///
-/// Memory is bounded: the events go to the sink in batches, in order. An event may have an earlier
-/// time than samples that had to wait in the queue. It then gets the time of the last event,
-/// because times in a script must not run backwards. Edit thread.
+/// Memory is bounded: the events go to the sink in batches, in order. If an event has an earlier
+/// time than samples that waited in the queue, it gets the time of the last event, because times in
+/// a script must not run backwards. Use it on the edit thread only.
 class Recorder {
  public:
   using Sink = std::function<void(std::span<const Event>)>;

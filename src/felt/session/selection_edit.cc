@@ -29,7 +29,7 @@ Edit delete_edit(const Document& document, const Selection& selection) {
 Result<Edit> duplicate_edit(const Document& document, const Selection& selection) {
   EditBuilder builder(document);
   if (selection.empty()) return std::move(builder).build("Duplicate");
-  // In drawing order, which a selection does not keep.
+  // Visits the strokes in drawing order, because a selection does not store it.
   for (const Layer& layer : document.layers()) {
     for (const StrokeId id : layer.strokes) {
       if (!selection.is_whole(id)) continue;

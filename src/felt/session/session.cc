@@ -24,7 +24,8 @@ std::optional<double> clean_pressure(std::optional<double> pressure) {
   return std::clamp(*pressure, 0.0, 1.0);
 }
 
-/// "pencil.snap" -> {"pencil", "snap"}; without a dot the second is empty.
+/// Splits an id at the dot: "pencil.snap" -> {"pencil", "snap"}. If the id has no dot, the second
+/// part is empty.
 std::pair<std::string_view, std::string_view> split_id(std::string_view id) {
   const std::size_t dot = id.find('.');
   if (dot == std::string_view::npos) return {id, {}};
@@ -39,7 +40,7 @@ Edit import_edit(const Document& document, LayerId layer, std::span<const Stroke
 
 }  // namespace
 
-/// Carries out one event, by its type.
+/// Applies one event. One overload for each type of event.
 struct Session::Apply {
   Session& session;
   std::int64_t time_ns;
@@ -77,12 +78,12 @@ struct Session::Apply {
   Result<void> operator()(const UseMaterial& e) const { return session.use_material(e); }
 };
 
-/// State that is updated with the document, the pen and the options.
+/// Parts of the session that change with the document, the pen and the options.
 struct Session::Parts {
   explicit Parts(const Document& document) : index(document) {}
 
   StrokeIndex index;
-  SelectionView selection_view;  // for tools that do not show it themselves
+  SelectionView selection_view;  // for tools that do not show the selection themselves
   VelocityFilter velocity;
   Contact contact;
   SheetOptions sheet;
@@ -124,7 +125,7 @@ const SheetOptions& Session::sheet() const noexcept {
 
 Result<void> Session::apply(const Event& event) {
   Result<void> done = std::visit(Apply{*this, event.time_ns}, event.what);
-  // sample() records the event itself, after cleaning it.
+  // sample() itself records pen events, after cleaning them.
   if (done && !std::holds_alternative<PenEvent>(event.what)) record(event);
   return done;
 }
@@ -170,7 +171,8 @@ Result<void> Session::finish() {
   Result<void> taken = take(tools_[active_]->finish(scene()));
   show({});
   gesture_is_open_ = false;
-  // The next touch is a new gesture. A pen that had to be lifted still has to be.
+  // The next touch begins a new gesture. If the pen is down, or had to be lifted before, it must be
+  // lifted first.
   const bool was_down = std::exchange(pen_is_down_, false);
   must_lift_ = must_lift_ || was_down;
   if (!must_lift_) parts_->contact = {};
@@ -275,8 +277,8 @@ Result<void> Session::take(ToolResult result) {
 }
 
 void Session::show(std::optional<Edit> preview) {
-  // The preview of a gesture may outlive the touch for a while; that of a hovering pen begins
-  // without one.
+  // The preview of a gesture may remain for a while after the touch. The preview of a hovering pen
+  // begins without a touch.
   preview_is_of_gesture_ = preview && (gesture_is_open_ || preview_is_of_gesture_);
   preview_ = std::move(preview);
 }

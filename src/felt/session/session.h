@@ -47,30 +47,31 @@ struct SessionOptions {
 ///   session.apply({t, SetOption{"pencil.snap", "both"}});
 ///   servo.publish(session.force());       // every few ms
 ///
-/// A *gesture* is in progress from the sample that touches the surface until the tool reports its
-/// result, usually when the pen is lifted, or while the gesture's preview is shown. The preview of
-/// a hovering pen is not a gesture. During a gesture:
+/// A *gesture* is in progress from the sample that touches the surface until the tool returns its
+/// result, usually when the pen is lifted, and as long as the gesture's preview is shown. The
+/// preview of a hovering pen is not a gesture. During a gesture:
 ///   tool, import, device, finish   end it as if the pen had been lifted, so that no ink is lost
 ///   cancel                         discards it
 ///   undo                           discards it, and undoes nothing else
 ///   redo, select, delete, duplicate, restyle, layer    have no effect
-/// After a tool was chosen or a gesture cancelled, the pen must be lifted before it can begin
+/// After a tool is chosen or a gesture is cancelled, the pen must be lifted before it can begin
 /// another gesture.
 ///
-/// New ink goes to the *current layer*, which is always visible and unlocked. If it no longer is,
-/// the highest open layer becomes current; an edit that would leave no open layer also adds one.
-/// The *selection* is updated by every edit; strokes in hidden or locked layers are deselected.
-/// Neither is part of undo.
+/// New ink goes to the *current layer*, which is always visible and unlocked. If it is hidden or
+/// locked, the highest open layer becomes current. If an edit would leave no open layer, it also
+/// adds one. The *selection* is updated by every edit; strokes in hidden or locked layers are
+/// deselected. Undo does not restore the current layer or the selection.
 ///
 /// Samples that are not finite, or farther than 1e9 mm, are dropped. Pressures are clamped to 0..1
 /// and tilts to 0..90 degrees (NaN counts as unknown). Velocities are computed from positions and
-/// times, whatever the device reports, because a recording has none and must give the same session.
+/// times, whatever the device reports, because a recording does not contain velocities and must
+/// give the same session.
 ///
-/// Edit thread only; uses no clock, thread or file.
+/// Use it on the edit thread only. It does not use clocks, threads or files.
 class Session {
  public:
-  /// Starts with the first tool that draws, or the first one if none does. Requires at least one
-  /// tool.
+  /// Starts with the first tool that draws, or with the first tool if no tool draws. Requires at
+  /// least one tool.
   Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options);
   ~Session();
   Session(Session&&) noexcept;
@@ -79,8 +80,8 @@ class Session {
   /// Handles an event. Fails if the tool, option, layer or medium does not exist; if the option
   /// does not accept the value, or the layer cannot be used; for a HandEvent, which is for the
   /// Player; for an ImportEvent, because the caller must read its file for import(); or if
-  /// read_material refuses the text of a material. Nothing changes then, and the event is not
-  /// recorded.
+  /// read_material refuses the text of a material. After a failure nothing has changed, and the
+  /// event is not recorded.
   Result<void> apply(const Event& event);
   /// Handles one pen sample. Fails only if a tool returns an invalid edit (a bug).
   Result<void> sample(const PenSample& sample);
@@ -94,15 +95,15 @@ class Session {
 
   /// Returns the force model to publish.
   [[nodiscard]] ForceModel force() const;
-  /// Replaces the content of `overlay` with what to show besides the document.
+  /// Replaces the content of `overlay` with everything to show besides the document.
   void draw(Overlay& overlay) const;
-  /// Returns the edit to show as applied to the document, if any: what a gesture in progress would
-  /// do, or one that would begin here.
+  /// Returns the edit to show applied to the document, if any: the result so far of the gesture in
+  /// progress, or of a gesture that would begin at the pen.
   [[nodiscard]] const std::optional<Edit>& preview() const noexcept { return preview_; }
 
   [[nodiscard]] const Document& document() const noexcept { return document_; }
   [[nodiscard]] const Selection& selection() const noexcept { return selection_; }
-  /// Returns the present device.
+  /// Returns the current device.
   [[nodiscard]] const Capabilities& device() const noexcept { return options_.device; }
   /// Returns the current layer.
   [[nodiscard]] LayerId layer() const noexcept { return layer_; }
@@ -123,7 +124,8 @@ class Session {
   [[nodiscard]] std::uint64_t edit_count() const noexcept { return edits_; }
   /// Returns a count that grows whenever the selection may have changed.
   [[nodiscard]] std::uint64_t selection_count() const noexcept { return selections_; }
-  /// Returns the version of the defaults that options without an event have (kOptionDefaults).
+  /// Returns the version of the default options (kOptionDefaults), which apply to options without
+  /// an event.
   [[nodiscard]] int option_defaults() const noexcept { return option_defaults_; }
   /// Returns the number of dropped samples.
   [[nodiscard]] std::uint64_t dropped_samples() const noexcept { return dropped_; }
@@ -143,9 +145,9 @@ class Session {
   Result<void> undo();
   Result<void> redo();
   /// Prepares for a change of the document by a command, while no gesture is in progress. If the
-  /// pen is up, a tool may still be holding ink back until the lift is certain; that ink is
-  /// committed first. If the pen is down, the gesture has already reported its result, and what
-  /// remains of it is cancelled.
+  /// pen is up, a tool may still hold ink back until the lift is certain; commits this ink first.
+  /// If the pen is down, the gesture has already returned its result; cancels the remaining part of
+  /// it.
   Result<void> settle();
   void cancel();
   Result<void> select_strokes(SelectStrokes::What what);
@@ -174,7 +176,8 @@ class Session {
   std::int64_t last_sample_ns_ = 0;
   bool must_lift_ = false;  // until then the pen cannot begin a gesture
   bool pen_is_down_ = false;
-  bool gesture_is_open_ = false;   // it has touched the surface and has no result yet
+  // The pen has touched the surface, and the gesture has no result yet.
+  bool gesture_is_open_ = false;
   std::vector<std::string> told_;  // kinds and ids of recorded materials
   int option_defaults_ = kOptionDefaults;
   std::uint64_t dropped_ = 0;
@@ -182,7 +185,7 @@ class Session {
   std::uint64_t selections_ = 0;
 };
 
-/// Returns a document with these strokes in one layer, in their order. For SessionOptions.
+/// Returns a document with these strokes in one layer, in their order, for SessionOptions.
 Document document_of(std::span<const StrokePtr> strokes);
 
 }  // namespace felt

@@ -1,4 +1,4 @@
-// The commands of a session, as opposed to its samples: undo, redo, selection, layers.
+// The commands of a session: undo, redo, selection, layers. session.cc handles the samples.
 #include <utility>
 
 #include "felt/session/layer_edit.h"
@@ -82,7 +82,7 @@ Result<void> Session::restyle_selected(const RestyleEvent& event) {
 
 Result<void> Session::change_layer(const LayerEvent& event) {
   if (gesture_in_work()) return {};
-  // Reports an error before anything changes. settle() changes no layer.
+  // Reports an error before anything changes. The later settle() does not change layers.
   if (Result<Edit> edit = layer_edit(document_, event, layer_); !edit) {
     return tl::unexpected(edit.error());
   }
@@ -99,7 +99,7 @@ Result<void> Session::change_layer(const LayerEvent& event) {
 void Session::keep_layer_open() {
   const Layer* layer = document_.layer(layer_);
   if (layer && is_open(*layer)) return;
-  // Every step of a session leaves one layer open.
+  // After every step of a session at least one layer is open.
   if (const LayerId open = highest_open_layer(document_)) layer_ = open;
 }
 

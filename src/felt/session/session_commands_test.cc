@@ -1,4 +1,4 @@
-// The commands of a session, as opposed to its samples.
+// Tests of the commands of a session.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ class ScriptedTool : public FakePencil {
     return answer;
   }
 
-  LayerId layer;  ///< of the last scene
+  LayerId layer;  ///< layer of the last scene
   std::size_t selected = 0;
 };
 
@@ -118,8 +118,8 @@ TEST(SessionSelection, IsWhatTheToolSaysAndTheToolSeesIt) {
   desk.line(0, 10);
   Selection chosen;
   chosen.set({1}, first_point_of(desk, 1));
-  chosen.set_whole({7}, 4);   // no such stroke
-  chosen.set_whole({2}, 10);  // another number of points
+  chosen.set_whole({7}, 4);   // the stroke does not exist
+  chosen.set_whole({2}, 10);  // wrong number of points
   desk.tool->answers.push_back({.selection = chosen});
   desk.pen(0, 0, 5);
   EXPECT_EQ(desk.selected(), (Ids{1}));
@@ -373,7 +373,7 @@ TEST(SessionPreview, OfAHoveringPenIsNoGesture) {
   EXPECT_EQ(desk.session.document().stroke_count(), 1U);
 }
 
-/// All selected strokes exist, may be edited, and have a mark for each point.
+/// Expects that all selected strokes exist, may be edited, and have a mark for each point.
 void expect_consistent(const Session& session) {
   const Document& document = session.document();
   Selection held = session.selection();
@@ -405,7 +405,7 @@ Event random_event(const Session& session, std::mt19937& random) {
   }
 }
 
-/// A session with random events; returns true if the step changed the document.
+/// Applies a random event to the session.
 void random_step(CommandDesk& desk, std::mt19937& random) {
   if (random() % 2) {
     const double x = static_cast<double>(random() % 50), y = static_cast<double>(random() % 50);
@@ -419,7 +419,7 @@ void random_step(CommandDesk& desk, std::mt19937& random) {
     event.what = DeleteEvent{};
   }
   event.time_ns = desk.now_ns += 1'000'000;
-  (void)desk.session.apply(event);  // errors change nothing
+  (void)desk.session.apply(event);  // after an error nothing has changed
 }
 
 TEST(SessionCommands, R52_RandomSessionsUndoToTheStartAndRedoToTheEnd) {
@@ -488,8 +488,8 @@ TEST(SessionCommands, WhatIsImportedIsSelectedInPlaceOfWhatWas) {
   EXPECT_TRUE(desk.session.document().find({1}));
 }
 
-// Scripts of Feltline 0.1.0 do not say "select": after an import, they delete the earlier
-// selection.
+// Scripts of Feltline 0.1.0 do not say "select". If they delete after an import, they mean the
+// earlier selection.
 TEST(SessionCommands, AnImportThatDoesNotSelectLeavesTheSelection) {
   CommandDesk desk;
   desk.line(0, 0);

@@ -9,9 +9,9 @@
 
 namespace felt {
 
-/// Returns the medium of the current tool: the one of its option "material" if it has one, the
-/// eraser for a tool that erases, and the pencil for all others. Valid as long as the session's
-/// materials are.
+/// Returns the medium of the current tool: that of its option "material" if the tool has this
+/// option, the eraser for a tool that erases, and the pencil for all others. The reference is valid
+/// as long as the session's materials do not change.
 const Medium& medium_in_hand(const Session& session);
 
 /// Returns the id of an option of the first tool that draws: "pencil.material" for "material".

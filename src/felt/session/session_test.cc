@@ -58,7 +58,7 @@ TEST(Session, StartsWithThePencil) {
   EXPECT_EQ(Desk().session.tool().info().id, "pencil");
 }
 
-/// With the real tools: the pen must be lifted before the chosen tool may begin a gesture.
+/// Uses the real tools. The pen must be lifted before the chosen tool may begin a gesture.
 TEST(Session, AToolChosenWithThePenDownWaitsForTheLift) {
   Desk desk;
   desk.session = Session(make_tools(), {});
@@ -72,7 +72,7 @@ TEST(Session, AToolChosenWithThePenDownWaitsForTheLift) {
   desk.pen(20, 0, -1);
   desk.lift(20, 0);
   EXPECT_EQ(desk.strokes(), 1U);
-  // Just above the surface, then down again: the pencil has discarded its earlier state.
+  // The pen is just above the surface, then down again. The pencil has discarded its earlier state.
   desk.pen(30, 0, 0.2);
   desk.pen(30, 0, -1);
   desk.pen(40, 0, -1);
@@ -238,7 +238,7 @@ TEST(Session, AToolChosenInTheAirBeginsAtOnce) {
   desk.pen(0, 0, -1);
   EXPECT_EQ(desk.strokes(), 0U);
   desk.must(SelectTool{"pencil"});  // waits for a lift
-  desk.must(SelectTool{"pencil"});  // the same one: no effect
+  desk.must(SelectTool{"pencil"});  // the same tool: no effect
   EXPECT_EQ(desk.session.tool().info().id, "pencil");
 }
 
@@ -290,7 +290,7 @@ TEST(Session, ARecordingWithOlderDefaultsGetsThem) {
     if (changed.id == "pencil.reach_mm") continue;
     EXPECT_EQ(old.option(changed.id), changed.value) << changed.id;
   }
-  // Another device in the same recording changes nothing more.
+  // Another device in the same recording does not change the options again.
   ASSERT_TRUE(old.apply({1, SetOption{"lasso.take", std::string("strokes")}}));
   ASSERT_TRUE(old.apply({1, UseDevice{{}, 1}}));
   EXPECT_EQ(old.option("lasso.take"), OptionValue(std::string("strokes")));

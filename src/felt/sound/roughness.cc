@@ -30,8 +30,9 @@ double rising(double x, double a, double b) noexcept {
   return eased(std::clamp((x - a) / (b - a), 0.0, 1.0));
 }
 
-/// Returns the weight of an octave that passes `per_s` lattice points a second: it rises a little
-/// with the frequency, and is 0 if the frequency is inaudibly low or too high for the sample rate.
+/// Returns the weight of an octave whose lattice points pass at the rate `per_s`. The weight rises
+/// slightly with the frequency and is 0 if the frequency is inaudibly low or too high for the
+/// sample rate.
 double weight_of(double per_s, double rate_hz) noexcept {
   constexpr double kPlainHz = 6000.0, kLoudest = 2.0;
   const double tone = std::min(std::sqrt(per_s / kPlainHz), kLoudest);
@@ -46,7 +47,8 @@ void Roughness::set(double longest_mm, std::uint32_t seed) noexcept {
   for (count_ = 0; count_ < kMaxOctaves && length >= kFinestMm; length *= 0.5) {
     Octave& octave = octaves_[count_++];
     random = mixed(random + 0x9E3779B97F4A7C15u);
-    // The lattices are shifted against each other, so that no line lies on all of them.
+    // The lattices of the octaves are shifted against each other, so that a line does not lie on
+    // all of them.
     const double shift = static_cast<double>(random >> 40) / 16777216.0;
     octave = {1.0 / length, 0.37 * shift, 0.61 * shift, octave.weight, 0.0, random};
   }
@@ -57,7 +59,7 @@ void Roughness::set_speed(double mm_per_s, double rate_hz, int samples) noexcept
     Octave& octave = octaves_[i];
     const double target = weight_of(mm_per_s * octave.per_mm, rate_hz);
     octave.step = (target - octave.weight) / samples;
-    // Clears what rounding leaves of an octave that has faded out.
+    // Removes the rounding error of an octave that has faded out.
     if (target == 0.0 && std::fabs(octave.weight) < 1e-9) octave.weight = octave.step = 0.0;
   }
 }
@@ -68,7 +70,7 @@ double Roughness::next(Point p) noexcept {
     Octave& octave = octaves_[i];
     octave.weight += octave.step;
     if (octave.weight == 0.0) continue;
-    // Rotated, so that a line along an axis of the page crosses the lattice.
+    // The lattice is rotated, so that a line along an axis of the page crosses it.
     const double x = (0.83 * p.x - 0.557 * p.y) * octave.per_mm + octave.dx;
     const double y = (0.557 * p.x + 0.83 * p.y) * octave.per_mm + octave.dy;
     const double floor_x = std::floor(x), floor_y = std::floor(y);

@@ -28,17 +28,17 @@ struct RubbingPair {
   friend bool operator==(const RubbingPair&, const RubbingPair&) = default;
 };
 
-/// Returns the sound parameters of a medium on a surface. May make the relief, which takes up to
-/// 60 ms (material/relief.h): call it on any thread except the haptic one.
+/// Returns the sound parameters of a medium on a surface. It may compute the relief, which takes up
+/// to 60 ms (material/relief.h). Call it on any thread except the haptic thread.
 RubbingPair rubbing_pair(const SurfaceMaterial& surface, const Medium& medium);
 
-/// The pen at one sample. The speed is computed from the positions, not taken from the device, so
-/// that the sound cannot contradict the drawing.
+/// The pen at one sample. The speed is computed from the positions and not taken from the device,
+/// so that the sound cannot contradict the drawing.
 struct RubbingSample {
   std::int64_t time_ns = 0;  ///< session time
   Point at{};                ///< position on the page, mm
-  double push_n = 0.0;       ///< force on the surface, N; 0 in the air
-  /// The speed at which the pen came down, if it just did, mm/s; 0 if unknown.
+  double push_n = 0.0;       ///< force on the surface, N; 0 above the surface
+  /// If the pen has just come down, the speed at which it did, mm/s; 0 if unknown.
   double strike_mm_per_s = 0.0;
 };
 

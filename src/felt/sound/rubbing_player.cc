@@ -49,8 +49,8 @@ void RubbingPlayer::set_pair(const RubbingPair& pair) noexcept {
 void RubbingPlayer::push(const RubbingSample& sample) noexcept {
   if (count_ > 0 && sample.time_ns <= waiting(count_ - 1).time_ns) return;
   RubbingSample next = sane(sample);
-  // Touches are detected here, not during playback, because a path that continues after a pause is
-  // not a new touch.
+  // Touches are detected here and not during playback, because a path that continues after a pause
+  // is not a new touch.
   const bool comes_down = next.push_n > 0.0 && !(count_ > 0 && waiting(count_ - 1).push_n > 0.0);
   const bool is_known = next.strike_mm_per_s > 0.0;
   next.strike_mm_per_s = !comes_down ? 0.0
@@ -113,7 +113,7 @@ bool RubbingPlayer::find(std::int64_t now_ns) noexcept {
     return false;
   }
   const double part = static_cast<double>(now_ns - from.time_ns) / static_cast<double>(gap_ns);
-  // In contact only if both ends are.
+  // The pen is in contact only if it is in contact at both ends.
   const bool is_down = from.push_n > 0.0 && to.push_n > 0.0;
   at_ = from.at + part * (to.at - from.at);
   push_n_ = is_down ? from.push_n + part * (to.push_n - from.push_n) : 0.0;
@@ -127,7 +127,8 @@ bool RubbingPlayer::find(std::int64_t now_ns) noexcept {
 float RubbingPlayer::next() noexcept {
   const bool has_way = !waits_ && find(now_ns());
   if (!waits_) ++played_;
-  // A new pair starts once the old one is silent; until then its pen counts as lifted.
+  // A new pair of surface and medium starts when the old pair is silent. Until then the pen counts
+  // as lifted.
   if (!(pair_ == next_pair_) && voice_.is_silent()) {
     pair_ = next_pair_;
     voice_.set_pair(pair_);

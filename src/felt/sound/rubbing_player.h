@@ -22,33 +22,34 @@ namespace felt {
 /// allocates, locks or waits. Use it on one thread at a time.
 class RubbingPlayer {
  public:
-  static constexpr double kRateHz = RubbingSynth::kRateHz;
-  /// Maximum number of samples in the queue; if it is exceeded, the oldest sample is dropped.
+  static constexpr double kRateHz = RubVoice::kRateHz;
+  /// Maximum number of samples in the queue. If more are pushed, the oldest is dropped.
   static constexpr std::size_t kMaxWaiting = 1024;
-  /// A path with a longer gap, or faster than any hand, is split into two with the pen in the air
-  /// in between.
+  /// If a path has a longer gap, or is faster than any hand, it is split into two, and the pen
+  /// counts as lifted in between.
   static constexpr std::int64_t kLongestGapNs = 50'000'000;
   static constexpr double kFastestMmPerS = 5000.0;
 
-  /// Sets the pair for the samples rendered next. The current sound fades out first, within 12 ms.
+  /// Sets the pair for the samples that are rendered next. Before that the current sound fades out
+  /// within 12 ms.
   void set_pair(const RubbingPair& pair) noexcept;
 
-  /// Appends a sample of the path. It is ignored if it is not later than the last one. A sample
-  /// that is not finite, or farther away than 1e6 mm, counts as a pen in the air.
+  /// Appends a sample of the path. Ignores it if it is not later than the last sample. A sample
+  /// that is not finite, or farther away than 1e6 mm, counts as a lifted pen.
   void push(const RubbingSample& sample) noexcept;
 
   /// Returns the number of samples of sound up to the end of the path pushed so far.
   [[nodiscard]] std::size_t ready() const noexcept;
 
-  /// Keeps the playback delay behind the newest sample near `behind_s`, in s. If the path has run
+  /// Keeps the playback delay near `behind_s` seconds after the newest sample. If the path has run
   /// out, pauses until `behind_s` of path is available again. If the delay has grown, skips a part
   /// of the path: during silence if it is more than twice `behind_s`, always if it is more than
   /// kMaxBehindS. Call it before each render() in real time.
   void keep_up(double behind_s) noexcept;
   static constexpr double kMaxBehindS = 0.250;
 
-  /// Writes the next samples of sound, -1 < s < 1. If the path has run out, the pen sounds as if
-  /// lifted.
+  /// Writes the next samples of sound, -1 < s < 1. If the path has run out, the sound is that of a
+  /// lifted pen.
   void render(std::span<float> out) noexcept;
 
   /// Returns true during silence.
@@ -60,7 +61,8 @@ class RubbingPlayer {
   }
   [[nodiscard]] std::int64_t now_ns() const noexcept;
   void start_at(std::int64_t time_ns) noexcept;
-  /// Sets at_ and push_n_ to the pen at `now_ns`. Returns false if the path has run out.
+  /// Sets at_ and push_n_ to the position and push of the pen at `now_ns`. Returns false if the
+  /// path has run out.
   bool find(std::int64_t now_ns) noexcept;
   float next() noexcept;
 

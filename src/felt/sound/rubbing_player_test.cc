@@ -13,10 +13,10 @@
 #include "felt/sound/testing/rubbed.h"
 
 namespace {
-std::size_t allocations = 0;  // of this program, which has one thread
+std::size_t allocations = 0;  // allocations of this program, which has one thread
 }  // namespace
 
-// Not inline: g++ would see a malloc that is deleted.
+// Not inline, because g++ would warn about `delete` of memory from malloc.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;
@@ -88,7 +88,7 @@ TEST(RubbingPlayer, IsSilentInTheAirAtRestAndBeforeTheFirstSample) {
   sound.set_pair(pair_of("canvas", "chalk"));
   EXPECT_TRUE(is_zero(rendered(sound, 0.1)));
   EXPECT_TRUE(is_zero(sound_of_legs(pair_of("canvas", "chalk"), {{200.0, 0.0, 1.0}})));
-  // A pen that came down and stands still makes the sound of the touch only.
+  // A pen that came down and stands still makes only the sound of the touch.
   const auto stands = sound_of_legs(pair_of("canvas", "chalk"), {{0.0, 0.0, 0.1}, {0.0, 1.0, 0.5}});
   EXPECT_FALSE(is_zero(stands));
   EXPECT_TRUE(is_zero(after(stands, 0.15)));
@@ -107,9 +107,9 @@ TEST(RubbingPlayer, IsSilent50MsAfterThePenIsLiftedOrStandsOnEveryPair) {
   }
 }
 
-/// A jump of the device must not sound like very fast rubbing.
-TEST(RubbingPlayer, ALeapIsNoSound) {
-  RubbingPlayer sound;
+/// A jump of the device must not sound like very fast motion.
+TEST(RubbingSound, ALeapIsNoSound) {
+  RubbingSound sound;
   sound.set_pair(pair_of("canvas", "chalk"));
   for (int i = 0; i < 100; ++i) sound.push({i * kMs, {i < 50 ? 10.0 : 90.0, 5.0}, 1.0, 0.0});
   std::vector<float> all(sound.ready());
@@ -132,8 +132,8 @@ TEST(RubbingPlayer, BeginningAndEndingAddNoLeap) {
   }
 }
 
-// A touch is audible, but no louder than rubbing.
-TEST(RubbingPlayer, ATouchIsModest) {
+// A touch is audible, but not louder than rubbing.
+TEST(RubbingSound, ATouchIsModest) {
   for (const char* medium : {"pencil", "chalk", "brush-pen"}) {
     const RubbingPair pair = pair_of("paper", medium);
     const auto peak = [](const std::vector<float>& sound) {
@@ -280,7 +280,7 @@ TEST(RubbingPlayer, InTimeItStaysWithThePen) {
   EXPECT_LT(loudspeaker.sound.ready(), 0.035 * 48000.0);
   const float steady = steepest(after(loudspeaker.heard, 0.1));
   EXPECT_GT(steady, 0.0F);
-  // The window freezes for half a second: the pen sounds as if it stopped and went on.
+  // The window freezes for half a second. It sounds as if the pen stopped and then continued.
   loudspeaker.heard.clear();
   for (int i = 0; i < 50; ++i) loudspeaker.play(10);
   EXPECT_TRUE(is_zero(after(loudspeaker.heard, 0.1)));

@@ -8,33 +8,36 @@
 namespace felt {
 namespace {
 
-constexpr double kRateHz = RubbingSynth::kRateHz;
-// The path: smooths the steps of a sensor (0.05 mm a millisecond), but not the motion of a hand.
+constexpr double kRateHz = RubVoice::kRateHz;
+// Smoothing of the path: it removes the steps of a sensor (0.05 mm in a millisecond), but not the
+// motion of a hand.
 constexpr double kWay = follow_share(0.003, kRateHz);
 constexpr double kStillMmPerS = 1.5,
                  kMovesMmPerS = 5.0;  // silent below the first; full loudness above the second
 constexpr double kFastestMmPerS = 3000.0;
 constexpr double kMaxHeardPushN = 4.0;
-// The gate: opens before there is anything to hear, and closes before the user notices a delay.
+// The gate opens before anything is audible, and closes before the user notices a delay.
 constexpr double kOpenS = 0.0005, kCloseS = 0.012;
-// Loudness: 1 for a friction of 0.3 N at 200 mm/s, which is 60 mW.
+// The loudness is 1 for a friction of 0.3 N at 200 mm/s, which is 60 mW.
 constexpr double kFullPowerMw = 60.0;
 constexpr double kUsualGrainUm = 10.0, kMinGrainUm = 1.5, kMaxRough = 1.6;
 constexpr double kHissGain = 1.8;
-constexpr double kHillGain = 0.02;   // for slope times mm/s, at 1 N
+constexpr double kHillGain = 0.02;   // multiplies slope and speed in mm/s, at a push of 1 N
 constexpr double kHillDepth = 0.75;  // how much louder uphill
 constexpr double kLevel = 0.32;
 constexpr double kCeiling = 0.9;
 constexpr double kLowestHz = 45.0;
-constexpr double kHissHz = 500.0;    // roughness does not shake a table: its low tones are weak
+/// The low tones of roughness are weak, because it does not shake a table.
+constexpr double kHissHz = 500.0;
 constexpr double kInaudible = 1e-7;  // -140 dB
-// Squeak: the Stribeck curve falls most at kStribeckMmPerS / sqrt(2).
+// For the squeak: the Stribeck curve falls most steeply at kStribeckMmPerS / sqrt(2).
 constexpr double kStribeckMmPerS = 130.0;
 constexpr double kSqueakRate = 0.012, kSqueakLoss = 0.55, kSqueakGain = 4.0, kSqueakSeed = 2e-4;
-// Tap: a touch of 1.2 ms, audible for kTapS.
+// The tap is a touch of 1.2 ms that is audible for kTapS.
 constexpr double kTapForceS = 0.0012, kTapS = 0.012, kFullStrike = 150.0;
 constexpr double kTapGain = 1.8;
-constexpr double kSmoothLongestMm = 0.5;  // longest roughness if there is no relief
+/// Longest wave of the roughness if the surface has no relief.
+constexpr double kSmoothLongestMm = 0.5;
 
 double unit(double value) noexcept {
   return value > 0.0 ? std::min(value, 1.0) : 0.0;
@@ -63,9 +66,9 @@ void RubbingSynth::set_pair(const RubbingPair& pair) noexcept {
   low_pass_.set(700.0 * plain::exp2(4.5 * bright), kRateHz);
   high_pass_.set(kLowestHz, kRateHz);
   hiss_pass_.set(kHissHz, kRateHz);
-  // Bodies 0 and 1: a page on its table, as the lowest two modes of a plate (the second is 2.8
-  // times as high, about as for a square plate clamped at its rim). Body 2: the stick of the
-  // medium, about a hundred mm of wood, chalk or rubber held in a hand.
+  // Bodies 0 and 1 are a page on its table: the lowest two modes of a plate. The frequency of the
+  // second is 2.8 times as high, about as for a square plate clamped at its rim. Body 2 is the
+  // stick of the medium, about 100 mm of wood, chalk or rubber held in a hand.
   const double boom_hz =
       200.0 * std::sqrt(std::clamp(pair.stiffness_n_per_m, 50.0, 5000.0) / 500.0);
   bodies_[0].set(boom_hz, 2.5, kRateHz);
@@ -84,7 +87,7 @@ void RubbingSynth::strike(double mm_per_s) noexcept {
 void RubbingSynth::follow(Point at, double push_n) noexcept {
   const bool touches = push_n > 0.0;
   if (touches && !touches_ && gate_ == 0.0)
-    first_ = at_ = at;  // the move through the air is not rubbing
+    first_ = at_ = at;  // the motion above the surface is not rubbing
   touches_ = touches;
   first_ = first_ + kWay * (at - first_);
   const Vec step = kWay * (first_ - at_);
@@ -94,14 +97,14 @@ void RubbingSynth::follow(Point at, double push_n) noexcept {
   push_ += kWay * (std::min(push_n, kMaxHeardPushN) - push_);
 }
 
-/// Updates what changes slowly: called three times a millisecond.
-void RubbingSynth::look() noexcept {
+/// Updates the values that change slowly. Called three times in a millisecond.
+void RubVoice::look() noexcept {
   const bool rubs = touches_ && speed_ > kStillMmPerS;
   gate_goal_ = rubs || tap_window_ > 0 ? 1.0 : 0.0;
   roughness_.set_speed(speed_, kRateHz, kControlSamples);
   if (pair_.squeak <= 0.0) return;
-  // The feed: how fast friction falls with speed (1 at the steepest), times the push, minus the
-  // losses of the mode.
+  // Energy feed of the squeak: how steeply friction falls with speed (1 at the steepest), times the
+  // push, minus the losses of the mode.
   const double v = speed_ / kStribeckMmPerS;
   const double falls = 2.3316 * v * plain::exp(-std::min(v * v, 50.0));
   squeak_feed_ = touches_ ? pair_.squeak * falls * std::min(push_, 1.5) - kSqueakLoss : -1.0;
@@ -115,7 +118,7 @@ void RubbingSynth::look() noexcept {
 double RubbingSynth::excitation() noexcept {
   const double moves =
       std::clamp((speed_ - kStillMmPerS) / (kMovesMmPerS - kStillMmPerS), 0.0, 1.0);
-  // The relief is flatter under pressure, and less of it comes through a soft medium.
+  // Pressure flattens the relief, and a soft medium transmits less of it.
   const double through = pair_.through * relief_left(pair_.wear, push_ / pair_.firm_push_n);
   double slope = 0.0;
   if (pair_.relief != nullptr && speed_ > kStillMmPerS) {

@@ -47,8 +47,8 @@ double likeness(const std::vector<float>& a, const std::vector<float>& b, std::s
   return ab / std::sqrt(aa * bb);
 }
 
-// R47: hand, eye and ear use the same height field object.
-TEST(RubbingSynth, R47_TheEarHasTheReliefOfHandAndEye) {
+// R47: the forces, the picture and the sound use the same height field object.
+TEST(RubVoice, R47_TheEarHasTheReliefOfHandAndEye) {
   for (const SurfaceMaterial& surface : surface_materials()) {
     for (const Medium& medium : media()) {
       EXPECT_EQ(rubbing_pair(surface, medium).relief, surface_grain(surface)) << surface.id;
@@ -56,8 +56,8 @@ TEST(RubbingSynth, R47_TheEarHasTheReliefOfHandAndEye) {
   }
 }
 
-// A difference in the relief alone is audible.
-TEST(RubbingSynth, R47_AnotherReliefIsAnotherSound) {
+// If two pairs differ only in the relief, the difference is audible.
+TEST(RubVoice, R47_AnotherReliefIsAnotherSound) {
   const RubbingPair canvas = pair_of("canvas", "pencil");
   RubbingPair other = canvas;
   other.relief = surface_grain(*find_surface("wood"));
@@ -65,12 +65,12 @@ TEST(RubbingSynth, R47_AnotherReliefIsAnotherSound) {
 }
 
 // The threads of a canvas, 2.5 mm apart, pass 40 times a second at 100 mm/s. The loudness varies
-// with them; on a canvas made smooth it does not.
-TEST(RubbingSynth, R47_TheHillsOfTheReliefAreHeardAsTheyPass) {
+// with them. On a canvas without relief it does not.
+TEST(RubVoice, R47_TheHillsOfTheReliefAreHeardAsTheyPass) {
   const auto swing = [](const RubbingPair& pair) {
     const auto loud =
         loudness_of(rubbed(pair, {.mm_per_s = 100.0, .seconds = 4.0, .along = {1.0, 0.0}}));
-    return std::max(likeness(loud, loud, 12), likeness(loud, loud, 13));  // a thread later
+    return std::max(likeness(loud, loud, 12), likeness(loud, loud, 13));  // shifted by one thread
   };
   RubbingPair smooth = pair_of("canvas", "pencil");
   smooth.relief = nullptr;
@@ -78,8 +78,8 @@ TEST(RubbingSynth, R47_TheHillsOfTheReliefAreHeardAsTheyPass) {
   EXPECT_LT(swing(smooth), 0.15);
 }
 
-// Noise by position, not by time: the same path sounds the same again.
-TEST(RubbingSynth, TheSameWaySoundsTheSameTwice) {
+// The noise depends on the position and not on the time, so the same path sounds the same again.
+TEST(RubVoice, TheSameWaySoundsTheSameTwice) {
   // The last 0.2 s of a path, after another path.
   const auto at_last = [](Point from) {
     RubbingPlayer sound;
@@ -167,8 +167,8 @@ TEST(RubbingSynth, BrighterIsHigherAndLouderIsLouder) {
   EXPECT_EQ(rms_of(rubbed(quiet, {})), 0.0);
 }
 
-// Surfaces and media differ in sound: loudness and pitch together by at least 0.1 in log2.
-TEST(RubbingSynth, EverySheetAndEveryMediumHasItsOwnSound) {
+// Surfaces and media differ in sound: in loudness and pitch together by at least 0.1 in log2.
+TEST(RubVoice, EverySheetAndEveryMediumHasItsOwnSound) {
   struct Heard {
     std::string name;
     double rms, hz;
@@ -193,7 +193,7 @@ TEST(RubbingSynth, EverySheetAndEveryMediumHasItsOwnSound) {
   }
 }
 
-/// Returns the share of the strongest band, a third of an octave wide, in the power.
+/// Returns the fraction of the power that is in the strongest band of a third of an octave.
 double tone_of(const std::vector<float>& sound) {
   const auto bands = spectrum_of(sound);
   double all = 0.0;

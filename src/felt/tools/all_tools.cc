@@ -1,4 +1,4 @@
-// The only file that includes every tool: to add a tool, add a folder and a line here.
+// The only file that includes every tool. To add a tool, add a folder and a line here.
 
 #include "felt/tools/connect/connect_tool.h"
 #include "felt/tools/eraser/eraser_tool.h"

@@ -41,7 +41,7 @@ TEST(Contact, ChatterDoesNotEndIt) {
     EXPECT_NE(pen.at(z), Change::kLifted);
     EXPECT_TRUE(pen.contact.is_down());
   }
-  // A bounce of a few milliseconds and tenths of a millimetre.
+  // A bounce of some milliseconds and tenths of a millimetre.
   for (int k = 0; k < 20; ++k) EXPECT_EQ(pen.at(0.3), Change::kGap);
   EXPECT_EQ(pen.at(-0.1), Change::kBack);
 }

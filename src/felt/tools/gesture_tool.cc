@@ -5,8 +5,8 @@
 namespace felt {
 namespace {
 
-/// Removes replacements that leave a stroke as it was. An edit without changes is not committed, so
-/// it makes no undo step.
+/// Removes replacements that leave a stroke unchanged. An edit without changes is not committed, so
+/// it does not make an undo step.
 void leave_out_unchanged(std::optional<Edit>& commit) {
   if (!commit) return;
   std::erase_if(commit->changes, [](const StrokeChange& c) {
@@ -95,7 +95,7 @@ Result<OptionValue> GestureTool::option(std::string_view id) const {
 }
 
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns, double max_s) noexcept {
-  // In double, because the difference of two invalid times may overflow 64 bits.
+  // Computed in double, because the difference of two invalid times may overflow 64 bits.
   const double ns = static_cast<double>(to_ns) - static_cast<double>(from_ns);
   return std::clamp(1e-9 * ns, 0.0, max_s);
 }

@@ -62,13 +62,14 @@ class Search {
       if (!other->closed()) {
         const double gap = std::min(distance(end, tip_point(*other, StrokeTip::kStart)),
                                     distance(end, tip_point(*other, StrokeTip::kEnd)));
-        if (gap <= kSharedPointMm) return;  // find_ends_on() has added it
+        if (gap <= kSharedPointMm) return;  // find_ends_on() has already added it
       }
       add({end_u(stroke_, tip), id, segment + near->t, end, true});
     });
   }
 
-  /// Adds a junction unless it is known, because a joint is found on both of its segments.
+  /// Adds a junction unless it is already known, because a point at a joint is found on both of its
+  /// segments.
   void add(const Junction& j) {
     const bool known = std::any_of(found_.begin(), found_.end(), [&](const Junction& k) {
       return k.other == j.other && k.point == j.point && std::fabs(k.u - j.u) < 1e-3 &&

@@ -25,7 +25,7 @@ TEST(MediumLine, TheUsualRangeEvenlyLeavesTheToneToTheWidth) {
   EXPECT_EQ(ink.width_map, kPencilInk.width_map);
   EXPECT_EQ(ink.width.max_mm, kPencilInk.width.max_mm);
   EXPECT_EQ(ink.material, "mine");
-  // That is correct, because the medium would have the same tone.
+  // This is correct, because the medium would have the same tone.
   WidthMapOptions own = ink.width_map;
   own.tone = ToneMapOptions{};
   for (int i = 0; i <= 100; ++i) {
@@ -58,7 +58,7 @@ TEST(MediumLine, TiltAndToneComeFromTheMediumAndTheRangeStays) {
   EXPECT_EQ(widths.gamma, 1.0);
   EXPECT_EQ(widths.tone, (ToneMapOptions{0.1, 0.9, 2.0, 0.5}));
   EXPECT_DOUBLE_EQ(width_of(widths, 1.0, 1.0), 24.0);
-  EXPECT_DOUBLE_EQ(ink.width.max_mm, 24.0);  // includes what tilt adds
+  EXPECT_DOUBLE_EQ(ink.width.max_mm, 24.0);  // includes the width added by tilt
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ TEST(Pressing, R14_FullWidthIsWhatTheMotorsHoldForEver) {
   for (int i = 0; i < 120'000; ++i) motors.heat(motors.allowed_n(), 0.001);
   const double slides_n = Pressing(paper(), touch).most_n() * std::hypot(1.0, 0.6);
   EXPECT_NEAR(slides_n, motors.allowed_n(), 0.01);
-  // Nor more than the device can render.
+  // The range also does not exceed the force that the device can render.
   EXPECT_LE(Pressing(paper(), {.max_force_n = 1.0}).most_n(), 0.9);
   // Even a weak device has a usable range.
   const Pressing weak(paper(), {.continuous_force_n = 1e-6});
@@ -81,8 +81,8 @@ TEST(Pressing, R14_FullWidthIsWhatTheMotorsHoldForEver) {
   EXPECT_EQ(weak.of_force(1.0), 1.0);
 }
 
-// Beyond this force the surface yields and depth no longer measures the push, so it is full width
-// already.
+// Beyond the user's force limit the surface yields and depth no longer measures the push, so full
+// width is reached before.
 TEST(Pressing, R14_FullWidthIsWithinTheUsersForceLimit) {
   const Capabilities touch{.max_force_n = 3.3, .continuous_force_n = 0.88};
   for (const double limit_n : {0.25, 0.3, 0.4}) {

@@ -24,7 +24,7 @@ void SelectionView::look_at_all(const Document& document, const Selection& selec
 bool SelectionView::go_on(const Document& document, const Selection& selection,
                           std::size_t points) {
   if (!looked_at_) {
-    std::vector<Overlay::Span> spans = std::move(round_.spans);  // reuses its memory
+    std::vector<Overlay::Span> spans = std::move(round_.spans);  // reuses the memory
     spans.clear();
     round_ = {};
     round_.spans = std::move(spans);

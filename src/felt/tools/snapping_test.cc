@@ -61,7 +61,8 @@ TEST(SnapFinder, LetsGoOfATargetBeyondReachOrGone) {
   SnapFinder finder;
   finder.update({7, 0}, kDefault, desk.document, desk.index);
   ASSERT_TRUE(finder.target());
-  // 8.1 mm from the first, 7.7 mm from the second: the first no longer attracts.
+  // The end is 8.1 mm from the first target and 7.7 mm from the second, so the first no longer
+  // attracts.
   EXPECT_EQ(finder.update({8.1, 0}, kDefault, desk.document, desk.index)->point.x, 15.8);
   desk.undo();
   EXPECT_FALSE(finder.update({8.1, 0}, kDefault, desk.document, desk.index));
@@ -84,7 +85,7 @@ TEST(WellOf, R43_IsZeroAtBothEndsAndContinuous) {
   const WellShape well = well_of({});
   EXPECT_EQ(well.rim_mm, 2.0);
   EXPECT_NEAR(well.force_at_n(4.0), 0.6, 1e-12);
-  // Never stiffer than 240 N/m, whatever the options.
+  // The well is never stiffer than 240 N/m, whatever the options are.
   for (const double reach : {1.0, 3.0, 8.0, 40.0}) {
     for (const double force : {0.1, 0.3, 0.6, 1.0}) {
       EXPECT_LE(well_of({.reach_mm = reach, .force_n = force}).core_slope_n_per_m(), 240.001);

@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-/// Accuracy of arc lengths; a pen resolves only 0.03 mm.
+/// Accuracy of arc lengths. A pen resolves only 0.03 mm.
 constexpr double kArcAccuracyMm = 1e-5;
 
 }  // namespace

@@ -43,7 +43,8 @@ TEST(StrokeHold, R20_NothingIsTakenFromAfarOrFromALockedLayer) {
 }
 
 TEST(StrokeHold, FollowsTheBranchItHoldsWhereAStrokePassesItself) {
-  // Out and back, 2 mm apart: the pen comes nearer to the second branch but stays on the first.
+  // The stroke goes out and back, 2 mm apart. The pen comes nearer to the second branch but stays
+  // on the first.
   StrokeData d;
   d.points = {{0, 0},  {20, 0}, {40, 0}, {60, 0}, {70, 0},
               {70, 2}, {60, 2}, {40, 2}, {20, 2}, {0, 2}};

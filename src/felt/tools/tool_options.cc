@@ -31,7 +31,7 @@ tl::unexpected<Error> refuse(const OptionSpec& spec, const OptionValue& value) {
 
 Result<double> number_of(const OptionSpec& spec, const OptionValue& value) {
   const double* number = std::get_if<double>(&value);
-  // Written so that NaN is rejected.
+  // This form of the comparison also rejects NaN.
   if (!number || !(*number >= spec.min && *number <= spec.max)) return refuse(spec, value);
   return *number;
 }
@@ -50,7 +50,7 @@ Result<double> choice_of(const OptionSpec& spec, const OptionValue& value) {
   return static_cast<double>(found - spec.choices.begin());
 }
 
-/// A tool does not know which materials exist; only its session does.
+/// A tool accepts any name, because only the session knows which materials exist.
 Result<double> open_choice_of(const OptionSpec& spec, const OptionValue& value) {
   const std::string* name = std::get_if<std::string>(&value);
   if (!name || !is_material_id(*name)) return refuse(spec, value);

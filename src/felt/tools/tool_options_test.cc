@@ -70,7 +70,7 @@ TEST(OptionValues, NamesTheOptionTheValueAndWhatIsAllowed) {
   EXPECT_EQ(values, before);
 }
 
-// Tests every table of every tool, so that new tools are covered automatically.
+// Tests the option table of every tool, so that new tools are covered automatically.
 
 TEST(EveryTool, HasATableThatMakesSense) {
   std::set<std::string_view> tools;

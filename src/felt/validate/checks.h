@@ -12,7 +12,7 @@
 
 namespace felt {
 
-/// How the pen responded to a small force along an axis, mean over several pushes.
+/// The response of the pen to a small force along an axis; the mean over several pushes.
 struct PushResponse {
   Vec3 moved{};              ///< mm, displacement from a push in - to one in + along the axis
   double uncertainty = 0.0;  ///< mm, its standard error
@@ -21,7 +21,7 @@ struct PushResponse {
 /// Forces below this count as zero.
 inline constexpr double kEpsilonN = 1e-6;
 
-/// The state that checks share: the device, and results of earlier checks.
+/// State shared by the checks: the device, and results of earlier checks.
 struct CheckContext {
   TestSubject& subject;
   TestLoop& loop;
@@ -35,10 +35,10 @@ struct CheckContext {
 
   /// Opens the device, homes it if necessary, and starts a trial in the loop.
   Result<std::unique_ptr<Trial>> begin();
-  /// Returns why forces are not possible: the device has none, or the user did not agree (asks
-  /// once). Empty if they are possible.
+  /// Returns the reason why forces are not possible: the device has no forces, or the user did not
+  /// agree (asks once). Empty if they are possible.
   std::string refusal();
-  /// Returns the axis along which forces move the pen most; nullopt if that was not measured.
+  /// Returns the axis along which forces move the pen most, or nullopt if that was not measured.
   [[nodiscard]] std::optional<int> best_axis() const;
 };
 

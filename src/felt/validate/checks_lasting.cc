@@ -1,4 +1,4 @@
-// Levels 9 and 10: unplugging, and a soak test.
+// Checks of levels 9 and 10: unplugging, and a soak test.
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +32,8 @@ bool wait_for_device(CheckContext& context) {
   return false;
 }
 
-/// When reading began to fail, in s; negative if it did not. came_back: a later read succeeded.
+/// after_s is the time at which reading began to fail, or negative if it did not fail. came_back is
+/// true if a later read succeeded.
 struct Gone {
   double after_s = -1.0;
   DeviceFault fault = DeviceFault::kOther;

@@ -1,4 +1,4 @@
-// Levels 5 and 6: how a small force moves a pen that a person holds.
+// Checks of levels 5 and 6: how a small force moves a pen that a person holds.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,17 +14,19 @@ constexpr int kCirclePairs = 6;
 constexpr double kStillSettleS = 0.25;
 constexpr double kStillMeanS = 0.15;
 constexpr double kCircleSettleS = 0.35;
-constexpr double kCircleS = 1.0;  // one whole circle, whose mean is its centre
+constexpr double kCircleS = 1.0;  // one whole circle; its mean is the centre
 constexpr double kMinMovedMm = 0.04;
-constexpr double kSurely = 3.0;    // in standard errors
-constexpr double kMaxAside = 0.6;  // displacement across the axis, as a share of that along it
+constexpr double kSurely = 3.0;  // in standard errors
+/// Displacement across the axis, as a fraction of the displacement along it.
+constexpr double kMaxAside = 0.6;
 
 constexpr int kSteps = 8;
 constexpr double kStepS = 0.3;
 constexpr double kMinStepMm = 0.1;
-constexpr double kBegun = 0.15;  // share of the final displacement at which the motion has begun
+constexpr double kBegun = 0.15;  // fraction of the final displacement at which the motion has begun
 constexpr double kMaxDeadS = 0.050;
-constexpr double kMaxRinging = 0.3;  // deviation in the last third, as such a share
+/// Deviation in the last third, as a fraction of the final displacement.
+constexpr double kMaxRinging = 0.3;
 
 constexpr const char* kHoldStillWhilePushed =
     "Hold the pen in the air as for writing, loosely, and keep it still. It will push a little "
@@ -39,7 +41,8 @@ std::array<int, 3> shuffled_axes(std::mt19937_64& random) {
   return axes;
 }
 
-/// Pushes in + and in - along one axis repeatedly, and returns the displacement between the two.
+/// Pushes repeatedly in the positive and the negative direction of one axis. Returns the
+/// displacement between the two.
 PushResponse push_along(Trial& trial, int axis, bool in_circles) {
   std::array<Series, 3> apart;
   Vec3 sum{};
@@ -51,7 +54,7 @@ PushResponse push_along(Trial& trial, int axis, bool in_circles) {
     return trial.mean_place(mean_s);
   };
   for (int i = 0; i < pairs && trial.trouble().empty(); ++i) {
-    // The order alternates, + - and - +, so that a slow drift of the hand cancels out.
+    // The order of the two directions alternates, so that a slow drift of the hand cancels out.
     const double first = i % 2 == 0 ? kTestForceN : -kTestForceN;
     const Vec3 there = place_under(first);
     const Vec3 back = place_under(-first);
@@ -94,7 +97,7 @@ int pushed_axes(const CheckContext& context) {
 std::optional<CheckOutcome> push_all(CheckContext& context, bool in_circles) {
   Result<std::unique_ptr<Trial>> trial = context.begin();
   if (!trial) return failed({}, trial.error().message);
-  (*trial)->pass(1.0);  // the person needs a moment
+  (*trial)->pass(1.0);  // the person needs a moment to get ready
   (*trial)->arm();
   std::array<PushResponse, 3> pushes{};
   for (const int axis : shuffled_axes(context.random)) {
@@ -208,7 +211,7 @@ CheckOutcome check_step(CheckContext& context) {
   double begins_s = -1.0, farthest = 0.0;
   for (std::size_t i = curve.size() * 2 / 3; i < curve.size(); ++i) end.add(curve[i].mean());
   const double way = end.mean();
-  // An earlier check tests the sign; this one only tests how soon and how calmly the pen moves.
+  // An earlier check tests the sign. This check tests only how soon and how calmly the pen moves.
   const double facing = way < 0.0 ? -1.0 : 1.0;
   if (std::abs(way) < kMinStepMm) {
     return not_possible("friction holds the pen: a step of 0.3 N moves it by " + figure(way, 2) +

@@ -1,4 +1,4 @@
-// Levels 7 and 8: the safety chain and watchdogs, with this device.
+// Checks of levels 7 and 8: the safety chain and watchdogs, with this device.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@ constexpr double kCreditedPeriods = 2.0;
 
 constexpr double kStallS = 0.100;
 constexpr int kStalls = 4;
-/// Long enough that no three stalls are within 10 s, which would be a hard fault.
+/// Long enough that three stalls never occur within 10 s, because that would be a hard fault.
 constexpr double kBetweenStallsS = 6.0;
 constexpr double kHeldS = 0.4;
 constexpr int kTicksAfter = 5;
@@ -25,7 +25,7 @@ constexpr double kLimp = 0.5;
 constexpr const char* kHoldStill =
     "Hold the pen in the air as for writing, loosely, and keep it still.";
 
-/// The largest force, and the largest rise from tick to tick.
+/// The largest force that was sent, and the largest rise from tick to tick.
 struct Sent {
   double most_n = 0.0;
   double rise_n = 0.0;
@@ -66,8 +66,8 @@ std::optional<double> after_stall(const Trial& trial, int axis) {
   return places.count > 0.0 ? std::optional(places.mean()) : std::nullopt;
 }
 
-/// Returns the largest force sent in the 50 ticks after a stall, except the first two, whose forces
-/// may have been computed before the stall was detected.
+/// Returns the largest force sent in the 50 ticks after a stall, except the first two, because
+/// their forces may have been computed before the stall was detected.
 double sent_after_stall(const Trial& trial) {
   double most = 0.0;
   int since = -1;
@@ -120,7 +120,8 @@ CheckOutcome check_engaging(CheckContext& context) {
   if (auto outcome = hold(context)) return *outcome;
   Result<std::unique_ptr<Trial>> trial = context.begin();
   if (!trial) return failed({}, trial.error().message);
-  // The model already presses before forces are enabled: no force may be sent until it has stopped.
+  // The model already presses before forces are enabled, so no force may be sent until it has
+  // stopped.
   (*trial)->pass(1.0);
   (*trial)->step({0.0, 0.0, kAskedN});
   (*trial)->pass(0.1);

@@ -1,4 +1,4 @@
-// Levels 1 to 4: what a device reports, without any force.
+// Checks of levels 1 to 4: the values that a device reports, without any force.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -8,15 +8,18 @@
 namespace felt {
 namespace {
 
-constexpr double kMaxLatePeriods = 1.0;  // of 99 % of the ticks
+constexpr double kMaxLatePeriods = 1.0;  // 99 % of the ticks must be less late than this
 constexpr double kMaxMissed = 0.01;
 constexpr double kRateWithin = 0.05;
 constexpr double kRestS = 2.0;
-/// RMS deviation from the mean, mm: a few encoder steps, and less than a person could see.
+/// Maximum RMS deviation from the mean: a few encoder steps (kNoiseSteps), and less than a person
+/// could see (kMaxNoiseMm).
 constexpr double kMaxNoiseMm = 0.1;
 constexpr double kNoiseSteps = 2.0;
-constexpr double kWithinReach = 0.5;  // of the size of the workspace, beyond its edge
-constexpr double kMinRoomMm = 1.0;    // added: the z of a planar device comes from touch alone
+/// Permitted distance beyond the edge, as a fraction of the size of the workspace.
+constexpr double kWithinReach = 0.5;
+/// Added to it, because the z of a planar device comes from touch alone.
+constexpr double kMinRoomMm = 1.0;
 constexpr double kFarMm = 5000.0;
 
 bool is_cancelled(const CheckContext& context) {
@@ -27,8 +30,8 @@ std::string milliseconds(double ns) {
   return figure(1e-6 * ns, 2) + " ms";
 }
 
-/// True if the workspace is a box with at least as many extended sides as sensed axes, 3 at most;
-/// that of a planar device is flat.
+/// Returns true if the workspace is a box with at least as many extended sides as sensed axes, at
+/// most 3. The workspace of a planar device is flat.
 bool is_a_workspace(const Capabilities& can) {
   const Vec3 size = can.workspace_max - can.workspace_min;
   int sides = 0;
@@ -59,7 +62,7 @@ std::string nonsense_in(const Capabilities& can) {
   return {};
 }
 
-/// Runs the device in the loop for this long, while nobody touches it.
+/// Runs the device in the loop for this time, while nobody touches it.
 Result<std::unique_ptr<Trial>> at_rest(CheckContext& context, double seconds) {
   Result<std::unique_ptr<Trial>> trial = context.begin();
   if (trial) (*trial)->pass(seconds);
@@ -198,7 +201,7 @@ CheckOutcome check_noise(CheckContext& context) {
   }
   Result<std::unique_ptr<Trial>> trial = at_rest(context, 1.0);
   if (!trial) return failed({}, trial.error().message);
-  (*trial)->forget();  // waits for oscillations to decay
+  (*trial)->forget();  // discards the samples from before, when the pen still oscillated
   (*trial)->pass(kRestS);
   if (!(*trial)->trouble().empty()) return broken(**trial);
   std::array<Series, 3> places;

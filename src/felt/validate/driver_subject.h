@@ -9,7 +9,7 @@ namespace felt {
 /// A driver's device under test, in the frame of the surface.
 class DriverSubject final : public TestSubject {
  public:
-  /// `driver` must outlive this. Uses the profile's plane if it was set with this same unit,
+  /// `driver` must outlive this object. Uses the profile's plane if it was set with the same unit,
   /// otherwise the driver's default plane. Does not use the user's limits.
   DriverSubject(Driver& driver, DeviceDescriptor found, const OpenOptions& options,
                 DeviceProfile profile = {});

@@ -16,7 +16,8 @@ void sleep_for(std::int64_t ns) noexcept {
 
 tl::expected<PenSample, DeviceFault> ProbeDevice::read(std::int64_t now_ns) noexcept {
   const std::int64_t stall_ns = stall_ns_.exchange(kNoStall, std::memory_order_relaxed);
-  // Intentional: it simulates a program that hangs. This is the only place where a tick may sleep.
+  // The sleep is intentional: it simulates a program that hangs. In no other function may a tick
+  // sleep.
   if (stall_ns > 0) sleep_for(stall_ns);
   const auto sample = device_.read(now_ns);
   tick_.now_ns = now_ns;

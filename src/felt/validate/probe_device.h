@@ -10,7 +10,7 @@
 
 namespace felt {
 
-/// What was read from and written to a device at one tick.
+/// The data that was read from and written to a device at one tick.
 struct ProbeTick {
   std::int64_t now_ns = 0;
   PenSample sample;                        ///< as read; the last good one if reading failed
@@ -28,7 +28,7 @@ class ProbeDevice final : public Device {
   static constexpr std::size_t kRingTicks = 8192;
   using Ring = SpscRing<ProbeTick, kRingTicks>;
 
-  /// `device` must outlive this.
+  /// `device` must outlive this object.
   explicit ProbeDevice(Device& device) noexcept : device_(device) {}
 
   [[nodiscard]] std::string_view name() const noexcept override { return device_.name(); }
@@ -46,7 +46,7 @@ class ProbeDevice final : public Device {
   // Edit thread.
   /// Sets the ball that the pen must not leave, from the next tick on.
   void guard(const Vec3& middle_mm, double radius_mm) noexcept;
-  /// Returns true if the pen has left the ball; the force has been zero since.
+  /// Returns true if the pen has left the ball. The force has been zero since.
   [[nodiscard]] bool has_tripped() const noexcept { return tripped_.load(); }
   /// Makes the next read() sleep for this long first, as in a program that hangs. Applies to one
   /// read() only.

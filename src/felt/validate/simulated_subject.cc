@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kAboveSheetMm = 12.0;
 constexpr double kCircleMm = 5.0;
-constexpr double kPressMm = 2.0;                // below the surface, while drawing
-constexpr std::int64_t kReachNs = 500'000'000;  // the time to reach the cable
+constexpr double kPressMm = 2.0;                // depth below the surface while drawing
+constexpr std::int64_t kReachNs = 500'000'000;  // time to reach the cable
 
 }  // namespace
 

@@ -8,17 +8,17 @@
 namespace felt {
 
 struct SimulatedSubjectOptions {
-  /// Simulates the watchdog in the firmware of most devices: without communication for this long,
-  /// the force becomes zero. 0 = no watchdog.
+  /// Time of the simulated watchdog, which most devices have in their firmware: after this time
+  /// without communication the force becomes zero. 0 = no watchdog.
   std::int64_t watchdog_ns = 32'000'000;
 };
 
 /// A simulated device under test and the simulated person who holds it. The person agrees to
-/// everything and does immediately what the test asks. Requires a VirtualTestLoop whose
-/// before_tick() is this class's.
+/// everything and immediately does what the test asks. Requires a VirtualTestLoop with this
+/// object's before_tick().
 class SimulatedSubject final : public TestSubject, public TestPerson {
  public:
-  /// `device` and `hand` (usually the same object) must outlive this.
+  /// `device` and `hand` (usually the same object) must outlive this object.
   SimulatedSubject(Device& device, HandInput& hand, DeviceDescriptor descriptor,
                    const SimulatedSubjectOptions& options = {});
 

@@ -14,7 +14,7 @@
 
 namespace felt {
 
-/// How time passes in a device test. Edit thread; one servo at a time.
+/// Lets time pass in a device test, in virtual or real time. Edit thread only; one servo at a time.
 class TestLoop {
  public:
   TestLoop() = default;
@@ -24,26 +24,26 @@ class TestLoop {
 
   /// Starts ticking the servo. `host` as in RealtimeThread.
   virtual Result<void> start(Servo& servo, LoopHost* host) = 0;
-  /// Ends ticking with zero force. No effect if no servo runs.
+  /// Ends ticking with zero force. Has no effect if no servo runs.
   virtual void stop() noexcept = 0;
-  /// Lets this much time pass, with heartbeats. Calls `turn` every few ms and once at the end. Also
-  /// works while no servo runs.
+  /// Lets `ns` pass, with heartbeats. Calls `turn` every few ms and once at the end. It also works
+  /// while no servo runs.
   virtual void pass(std::int64_t ns, const std::function<void()>& turn) = 0;
-  /// Lets this much time pass without communication with the device; then the next tick follows.
+  /// Lets `ns` pass without communication with the device. The next tick follows.
   virtual void stall(ProbeDevice& probe, std::int64_t ns) = 0;
-  /// Returns a time that grows while time passes, and does not restart with start().
+  /// Returns a time that increases while time passes. It does not restart with start().
   [[nodiscard]] virtual std::int64_t now_ns() const noexcept = 0;
-  /// Returns the statistics of the present servo.
+  /// Returns the statistics of the current servo.
   [[nodiscard]] virtual LoopStats stats() noexcept = 0;
-  /// Returns how time passes, for the report.
+  /// Returns a text that says how time passes, for the report.
   [[nodiscard]] virtual std::string words() = 0;
 };
 
-/// Runs as fast as the processor can, and identically each time: for simulated devices.
+/// Runs as fast as the processor can, and identically each time. It is for simulated devices.
 class VirtualTestLoop final : public TestLoop {
  public:
   /// `before_tick` moves the simulated hand. If `lateness_ns` is given, tick k is late by its entry
-  /// k mod its length; it must outlive this.
+  /// k mod its length; it must outlive this object.
   explicit VirtualTestLoop(std::function<void(std::int64_t now_ns)> before_tick,
                            std::span<const std::int64_t> lateness_ns = {});
 
@@ -67,7 +67,7 @@ class VirtualTestLoop final : public TestLoop {
   LoopStats stats_;
 };
 
-/// Runs in real time, on its own thread or the device's: for real devices.
+/// Runs in real time, on its own thread or the device's. It is for real devices.
 class ThreadTestLoop final : public TestLoop {
  public:
   explicit ThreadTestLoop(const RealtimeOptions& options = {});

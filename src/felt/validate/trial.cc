@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kPushS = 0.15;
 constexpr double kTurnS = 0.004;
-constexpr double kEngagedS = 0.7;  // 4 calm ticks, and the ramp of 0.5 s
+constexpr double kEngagedS = 0.7;  // time for 4 calm ticks and the ramp of 0.5 s
 constexpr double kStillS = 0.2;    // the held position is the mean over this time
 
 /// A constant force.
@@ -47,7 +47,7 @@ Trial::~Trial() {
 }
 
 void Trial::pass(double seconds) {
-  // In slices, so that trouble ends it early.
+  // Runs in short slices, so that it ends early if something goes wrong.
   for (double left = seconds; left > 1e-9 && trouble_.empty(); left -= kTurnS) {
     loop_.pass(std::llround(1e9 * std::min(left, kTurnS)), [this] { turn(); });
   }

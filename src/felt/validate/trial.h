@@ -11,9 +11,10 @@
 
 namespace felt {
 
-/// The largest force that a device test sends, N; the safety chain enforces it.
+/// The maximum force that a device test sends, N. The safety chain enforces it.
 inline constexpr double kTestForceN = 0.3;
-/// How far a held pen may move from where it was held, mm; beyond that, forces are switched off.
+/// Maximum distance of a held pen from its position at the start, mm. Beyond that, forces are
+/// switched off.
 inline constexpr double kHeldWithinMm = 15.0;
 
 /// A device in the haptic loop for one check: servo, safety chain (limit kTestForceN) and probe.

@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// Where the damping is active.
+/// Where the pen must be for the damping to act.
 enum class DampingWhere { kInAir, kOnSheet, kEverywhere };
 
 struct DampingOptions {

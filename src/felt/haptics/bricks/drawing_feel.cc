@@ -11,7 +11,8 @@ namespace felt {
 namespace {
 
 constexpr double kOneSpring = 300.0;
-constexpr double kQuietStepN = 0.025;  // the most that one step of the sensor may change a force by
+/// Maximum change of a force by one step of the position sensor.
+constexpr double kQuietStepN = 0.025;
 constexpr double kSoftest = 200.0;
 constexpr double kMinB = 0.5;
 
@@ -19,8 +20,8 @@ double period_s(const Capabilities& device) noexcept {
   return 1e-9 * static_cast<double>(device.period_ns);
 }
 
-// Limits at which a spring or a damper changes its force by at most kQuietStepN per step of the
-// sensor.
+// Maximum stiffness and damping at which one step of the position sensor changes the force by at
+// most kQuietStepN.
 struct QuietLimits {
   double stiffness_n_per_m = std::numeric_limits<double>::infinity();
   double damping_n_s_per_m = std::numeric_limits<double>::infinity();

@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// Friction of one material on another (docs/design/forces.md#friction; figures in material.cc).
+/// Friction of one material on another (docs/design/forces.md#friction; values in material.cc).
 struct FrictionOptions {
   double coefficient = 0.25;         ///< mu, static = kinetic
   double stiffness_n_per_m = 600.0;  ///< k of the bristle

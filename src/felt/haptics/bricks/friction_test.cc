@@ -14,7 +14,8 @@
 namespace felt::friction_test {
 namespace {
 
-/// Returns the force of a bristle alone, pushed with `normal_n`, at the pen's present position.
+/// Returns the force of only the bristle at the pen's current position, if it is pushed with
+/// `normal_n`.
 Force step(const Friction& friction, ForceMemory& memory, Vec3 position, Vec3 velocity,
            double normal_n, double dt_s = 0.001) {
   memory.begin_tick(dt_s);
@@ -146,7 +147,7 @@ TEST(Friction, OnlyTakesEnergyOnAClosedPath) {
         last = now;
       }
       EXPECT_LE(energy, 1e-6) << radius_mm << " mm, T " << period_s;
-      // Sliding costs mu Fn per distance, except where the bristle reverses (0.42 mm).
+      // Sliding costs mu Fn per distance, except while the bristle reverses (0.42 mm).
       if (radius_mm >= 10.0) {
         EXPECT_NEAR(energy / (-0.25 * length_mm), 1.0, 0.1) << "T " << period_s;
       }
@@ -167,14 +168,14 @@ TEST(Friction, TheBudgetTakesFromSpringAndDamperAlike) {
 }
 
 TEST(Friction, R42_LeaningOnItForFourSecondsDoesNotCreep) {
-  // Half of mu Fn along the surface for 4 s, with a tremor of 8 Hz on top, on the frictionless
-  // device.
+  // Pushes with half of mu Fn along the surface for 4 s, with an additional tremor of 8 Hz, on the
+  // frictionless device.
   for (const double period_s : {0.0002, 0.001, 0.004}) {  // R50
     for (int delay = 0; delay <= 1; ++delay) {
       const rig::Setup setup{rig::kHands[0], rig::kStyluses[0], period_s, delay};
       const PlaneOptions plane = plane_for(surface_materials()[0], setup.capabilities());
-      // As for the pencil: 600 N/m and 2 N s/m, less if the device renders less. At 250 Hz the
-      // safety chain reduces it (R56).
+      // The friction is that of the pencil: 600 N/m and 2 N s/m, or less if the device renders
+      // less. At 250 Hz the safety chain reduces it (R56).
       FrictionOptions friction =
           friction_for(media()[0], surface_materials()[0], setup.capabilities());
       if (period_s > 0.002) {
@@ -198,7 +199,7 @@ TEST(Friction, R42_LeaningOnItForFourSecondsDoesNotCreep) {
   }
 }
 
-/// Moves in three patterns: resting, sliding, strokes back and forth. Returns the worst
+/// Moves in three patterns: at rest, sliding, and strokes back and forth. Returns the worst
 /// high-frequency force.
 double worst_hf(const rig::Setup& setup, const Medium& tool) {
   double worst = 0.0;

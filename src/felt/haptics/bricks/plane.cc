@@ -13,7 +13,7 @@ void follow_speed(const PenSample& sample, ForceMemory& memory) noexcept {
   // Compares instead of subtracting, because the difference of two arbitrary times may overflow.
   const bool fresh = memory.has_last_z && sample.time_ns >= memory.last_z_time_ns &&
                      sample.time_ns - kGapNs <= memory.last_z_time_ns;
-  // Backward Euler, as in VelocityFilter, written without a division by dt so that the jitter of a
+  // Uses backward Euler, as VelocityFilter does. It does not divide by dt, so that the jitter of a
   // short tick does not appear as speed.
   const double way_mm = z_mm - memory.last_z_mm;
   memory.normal_speed_mm_per_s =
@@ -29,8 +29,8 @@ void follow_speed(const PenSample& sample, ForceMemory& memory) noexcept {
 
 Force Plane::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   follow_speed(sample, memory);
-  // Applies the share of the budget first and then the cap, so that the cap is not applied twice if
-  // the safety chain has already included it.
+  // Applies the share of the stiffness budget first and then the cap. In the other order the cap
+  // would be applied twice if the safety chain has already included it in the budget.
   double stiffness = options_.stiffness_n_per_m * memory.scale.normal;
   if (memory.material_cap_n_per_m > 0.0) {
     stiffness = std::min(stiffness, memory.material_cap_n_per_m);

@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// The resistance of a surface (docs/design/forces.md#surfaces; figures in material.cc).
+/// The resistance of a surface (docs/design/forces.md#surfaces; values in material.cc).
 struct PlaneOptions {
   double stiffness_n_per_m = 500.0;
   double damping_n_s_per_m = 2.0;

@@ -27,7 +27,7 @@ RC_GTEST_PROP(Plane, R11_NeverPullsInNorSticksWhateverThePenDoes, ()) {
     RC_ASSERT(force.x == 0.0 && force.y == 0.0);
     RC_ASSERT(memory.normal_force_n == force.z);
     if (z_mm >= 0.0) RC_ASSERT(force.z == 0.0);
-    // At most its spring and 1 N of its damper (500 mm/s).
+    // The force is at most that of the spring plus 1 N of the damper (500 mm/s).
     RC_ASSERT(force.z <=
               memory.spring_force_n + 1e-3 * plane.options().damping_n_s_per_m * 500.0 + 1e-12);
   }
@@ -56,7 +56,7 @@ TEST(Plane, R55_KeepsToTheCapOfTheDevice) {
   EXPECT_DOUBLE_EQ(Plane({.stiffness_n_per_m = 300.0})(at_z(-1.0), memory).z, 0.30);
   memory.scale.normal = 0.25;
   EXPECT_DOUBLE_EQ(Plane({.stiffness_n_per_m = 800.0})(at_z(-1.0), memory).z, 0.2);
-  // A chain that has included the cap in its scale does not apply it twice.
+  // If the safety chain has included the cap in its scale, the cap is not applied twice.
   memory.scale.normal = 360.0 / 800.0;
   EXPECT_DOUBLE_EQ(Plane({.stiffness_n_per_m = 800.0})(at_z(-1.0), memory).z, 0.36);
 }
@@ -79,7 +79,7 @@ TEST(Plane, AJumpAfterAGapIsNoSpeed) {
   ForceMemory memory;
   memory.begin_tick(0.001);
   plane(at_z(20.0, 0.0), memory);
-  memory.begin_tick(0.005);  // the loop clamps 100 ms to this
+  memory.begin_tick(0.005);  // the loop clamps 100 ms to 5 ms
   const Force late = plane(at_z(-1.0, 0.1), memory);
   EXPECT_DOUBLE_EQ(late.z, 0.5);
   memory.begin_tick(0.001);
@@ -88,7 +88,7 @@ TEST(Plane, AJumpAfterAGapIsNoSpeed) {
 }
 
 TEST(Plane, AJitteryTickIsNoSpeedEither) {
-  // One step of the sensor within a tick of 0.2 ms instead of 1 ms.
+  // The sensor changes by one step within a tick of 0.2 ms instead of 1 ms.
   const Plane plane;
   ForceMemory memory;
   memory.begin_tick(0.001);

@@ -75,7 +75,7 @@ SnapWells::SnapWells(std::span<const Point> targets, const WellShape& shape) noe
 Force SnapWells::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   const bool is_alone = count_ == 1;
   const double share = memory.scale.lateral;
-  // Squared for the same reason as in Tether: the core has a long range.
+  // The share is squared for the same reason as in Tether: the core has a long range.
   const WellShape shape = is_alone ? shape_.softened(share * share) : shape_;
   const double scale = is_alone ? 1.0 : share;
   Vec sum{};
@@ -100,8 +100,9 @@ Slopes SnapWells::slopes() const noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     double slope = shape_.core_slope_n_per_m();
     for (std::size_t j = 0; j < count_; ++j) {
-      // If the pen is nearest to i, it is at least half the distance from each other target, whose
-      // force turns with the pen by at most F/d.
+      // If the pen is nearest to target i, its distance d from any other target is at least half
+      // the distance between the two targets. The force of that target turns with the pen by at
+      // most F/d.
       const double away = 0.5 * distance(targets_[i], targets_[j]);
       if (j == i || away >= shape_.radius_mm) continue;
       slope += away > shape_.core_mm ? 1e3 * shape_.force_n / away : shape_.core_slope_n_per_m();

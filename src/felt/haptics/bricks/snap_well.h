@@ -26,11 +26,11 @@ struct WellShape {
   double core_mm = 2.0;    ///< d0
   double rim_mm = 2.0;     ///< w
   double force_n = 0.6;    ///< Fp
-  /// Calms the core beside a bristle at 3 ms of delay. Uses the known velocity, and fades along the
-  /// rim.
+  /// Damping that keeps the core calm in addition to a bristle at 3 ms of delay. It acts on the
+  /// known velocity and fades along the rim.
   double damping_n_s_per_m = 1.0;
 
-  /// Returns F in N, 0 if d <= 0 or d >= M, without the damping.
+  /// Returns F without the damping, in N; 0 if d <= 0 or d >= M.
   [[nodiscard]] double force_at_n(double distance_mm) const noexcept;
   /// Returns the energy needed to pull the pen from the target to a distance, mJ; by default 3.6 mJ
   /// to leave the well.
@@ -47,12 +47,12 @@ struct WellShape {
   [[nodiscard]] double damped_share(double distance_mm) const noexcept;
 };
 
-/// Up to four snap targets. Their forces add, so the sum is continuous and has a potential wherever
-/// the targets are. A tool that wants only the nearest target passes just that one (R43). The
-/// dampings do not add.
+/// Up to four snap targets. Their forces add, so the sum is continuous and has a potential,
+/// independent of the positions of the targets. A tool that wants only the nearest target passes
+/// just that one (R43). The dampings do not add.
 ///
 /// If the share s of the stiffness budget is below 1 (R56), a single well is softened by s^2
-/// (WellShape::softened) and its damping by s, so that it attracts with Fp on slow loops too.
+/// (WellShape::softened) and its damping by s, so that it attracts with Fp on slow loops, too.
 /// Several wells are scaled as a whole and attract less, because a wider core does not bound the
 /// sum of overlapping wells.
 class SnapWells {
@@ -67,7 +67,7 @@ class SnapWells {
   SnapWells() noexcept = default;
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;
-  /// Where wells overlap, slopes add: the slope of the nearest core, and F/d of the others.
+  /// If wells overlap, slopes add: the slope of the nearest core, and F/d of the others.
   [[nodiscard]] Slopes slopes() const noexcept;
 
  private:

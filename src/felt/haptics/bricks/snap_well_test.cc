@@ -32,7 +32,7 @@ TEST(Well, R43_IsZeroAtBothEndsAndContinuous) {
     const double force = shape.force_at_n(d);
     ASSERT_GE(force, 0.0);
     ASSERT_LE(force, 0.6);
-    // 300 N/m in the core, 1.5 Fp/w = 450 N/m in the rim.
+    // The slope is 300 N/m in the core, and at most 1.5 Fp/w = 450 N/m in the rim.
     ASSERT_LE(std::abs(force - last), 0.45e-4 * 1.0001) << d;
     last = force;
   }
@@ -91,13 +91,13 @@ RC_GTEST_PROP(SnapWells, R43_SeveralAreContinuousPassiveAndAsStiffAsTheySay, ())
   constexpr double kStep = 1e-3;
   const double turn = 0.01 * *rc::gen::inRange(0, 628);
   const Vec way{kStep * std::cos(turn), kStep * std::sin(turn)};
-  // Back and forth on the same path: no energy except for rounding.
+  // Moving back and forth on the same path yields no energy, except for rounding.
   const Point start{0.1 * *rc::gen::inRange(0, 200), 0.1 * *rc::gen::inRange(0, 200)};
   for (int i = 0; i < 2000; ++i) {
     const Force a = pull(wells, start + (i * 1.0) * way);
     const Force b = pull(wells, start + (i + 1.0) * way);
     RC_ASSERT(norm(b - a) <= stiffest * kStep);
-    // Along the path: never pulls back harder than its slopes.
+    // Along the path the well never pulls back harder than its slopes allow.
     RC_ASSERT(dot(b - a, {way.x, way.y, 0}) >= -back * kStep * kStep * (1 + 1e-6));
     energy += 0.5 * work_mj(a + b, {way.x, way.y, 0});
     most = std::max(most, norm(b));
@@ -127,7 +127,7 @@ TEST(SnapWells, R43_R56_ASmallerShareOfTheBudgetWidensTheCoreOfOneWell) {
       EXPECT_NEAR(pulls_n(shape, mm, share), level_n * std::min(1.0, mm / core_mm), 1e-12);
     }
   }
-  // Without room for a wider core the force is reduced, and the slope still keeps to the share.
+  // If the core cannot be wider, the force is reduced, and the slope still keeps to the share.
   for (const double share : {0.5, 0.1, 0.0}) {
     const double slope = 1e-3 * share * share * shape.core_slope_n_per_m();
     for (double mm = 0.01; mm < 6.0; mm += 0.03) {

@@ -8,8 +8,8 @@
 namespace felt {
 namespace {
 
-constexpr double kOldestS = 0.25;  // a published curve counts as at most this old
-constexpr double kBriefS = 1e-7;   // below it (1 - exp(-x))/x is 1
+constexpr double kOldestS = 0.25;  // maximum assumed age of a published curve
+constexpr double kBriefS = 1e-7;   // below it, (1 - exp(-x))/x counts as 1
 
 }  // namespace
 
@@ -39,8 +39,9 @@ Force SweepSpring::operator()(const PenSample& sample, ForceMemory& memory) cons
   const double age_s =
       std::clamp(1e-9 * (static_cast<double>(sample.time_ns) - static_cast<double>(curve_.time_ns)),
                  0.0, kOldestS);
-  // Solves V' = v - V/tau with constant v, starting from the published V: `kept` is the share of
-  // that V that remains, and `counts` the share of the displacement since that is added.
+  // Solves V' = v - V/tau with constant v, starting from the published V. `kept` is the fraction of
+  // the published V that remains. `counts` is the fraction of the displacement since then that is
+  // added.
   const double kept = std::exp(-age_s / time_constant_s_);
   const double counts = age_s > kBriefS ? time_constant_s_ / age_s * (1.0 - kept) : 1.0;
   const Vec before = curve_.pen - curve_.curve;

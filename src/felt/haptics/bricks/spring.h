@@ -38,8 +38,8 @@ class EditSpring {
 /// The part of a yielding curve that is near the pen, as a tool saw it at its last sample.
 struct CurveNear {
   Point pen{};               ///< the pen at that sample
-  Point curve{};             ///< the point of the curve nearest to it
-  Vec normal{};              ///< unit, across the curve there; unused if is_end
+  Point curve{};             ///< the point of the curve nearest to the pen
+  Vec normal{};              ///< unit normal of the curve at that point; unused if is_end
   bool is_end = false;       ///< an end or a corner: the pen may deviate in any direction
   std::int64_t time_ns = 0;  ///< of that sample
 };
@@ -50,11 +50,11 @@ struct CurveNear {
 /// force.
 ///
 /// The tool publishes the curve every few milliseconds. Between two publications the force assumes
-/// that the curve goes on yielding as the tool will compute it: V' = v - V/tau, solved for a pen
-/// that has moved in a straight line since. So the force depends on neither rate (R30) and needs no
-/// memory. Samples must be in session time, as `curve.time_ns` is (Servo::set_session_offset). This
-/// is a nonlinear Maxwell element: F v = dU/dt + phi(d) d/tau, so the hand gets back less energy
-/// than it gave.
+/// that the curve continues to yield as the tool will compute it: V' = v - V/tau, solved for a pen
+/// that has moved in a straight line since. So the force does not depend on the rate of the loop or
+/// of the publications (R30), and it needs no memory. Samples must be in session time, as
+/// `curve.time_ns` is (Servo::set_session_offset). This is a nonlinear Maxwell element: F v = dU/dt
+/// + phi(d) d/tau, so the hand gets back less energy than it has put in.
 class SweepSpring {
  public:
   explicit SweepSpring(const CurveNear& curve, const EditOptions& options = {},
@@ -73,7 +73,7 @@ class SweepSpring {
 /// A line that a nib pushes, as a tool saw it at its last sample.
 struct LineUnderNib {
   Point pen{};                   ///< the pen at that sample
-  Vec normal{};                  ///< unit, from the line to the pen; zero if nothing is near
+  Vec normal{};                  ///< unit vector from the line to the pen; zero if no line is near
   double gap_mm = 0.0;           ///< between the nib and the line
   double displacement_mm = 0.0;  ///< how far the line has been pushed there
   double share = 1.0;            ///< 0..1; below 1 if lines push from opposite sides
@@ -82,7 +82,7 @@ struct LineUnderNib {
 /// Resists a nib that pushes lines (R29, eq. 8): phi(d) along the normal, where d is the
 /// displacement of the pushed line. A line stays where it was pushed, so the force remains while
 /// the nib rests against it, and falls to zero within a distance of phi(d)/Kcap when the nib
-/// leaves. The work done on the line is not given back, except over that distance.
+/// leaves. Only over that distance does the hand get back work that it has done on the line.
 class PushSpring {
  public:
   explicit PushSpring(const LineUnderNib& line, const EditOptions& options = {}) noexcept

@@ -47,7 +47,7 @@ TEST(EditSpring, R29_TheSlopeInTwoDimensionsIsBoundedToo) {
   }
 }
 
-/// Surface and spring at rest, in slow and fast loops.
+/// Expects surface and spring to be calm at rest, in slow and fast loops.
 template <class Make>
 void expect_calm(const Make& make, double& worst) {
   for (const double period_s : {0.0002, 0.001}) {
@@ -100,7 +100,7 @@ class GivingLine {
     is_set_ = true;
     const double passed = 1e-9 * static_cast<double>(pen.time_ns - near_.time_ns);
     if (passed >= 0.004) {
-      // In steps that are short compared to tau.
+      // Integrates in steps that are short compared to tau.
       double y = near_.curve.y;
       for (int k = 1; k <= 40; ++k) {
         const double there = lerp(near_.pen, now, (k - 0.5) / 40.0).y;
@@ -234,7 +234,7 @@ TEST(PushSpring, R29_HoldsAtTheLawOfTheDisplacementAndLetsGoOfTheNib) {
     }
     EXPECT_EQ(at(3.0 + 1e3 * kEditLaw.force_n(d) / 300.0 + 1e-9), 0.0);
   }
-  // Nothing near, or a line that has not been pushed yet.
+  // No line is near, or the line has not been pushed yet.
   EXPECT_EQ(norm(PushSpring({})(rig::pen_at({1, 1, -1}, {50, 50, 0}), memory)), 0.0);
   EXPECT_EQ(norm(PushSpring({.normal = {0, 1}})(rig::pen_at({0, 0, -1}, {0, -90, 0}), memory)),
             0.0);

@@ -8,7 +8,7 @@
 namespace felt {
 namespace {
 
-/// Returns true while the nib is on the surface. Sets it under the pen when the pen lands.
+/// Returns true while the nib is on the surface. When the pen lands, sets the nib under the pen.
 bool nib_is_down(const PenSample& sample, Follower& nib) noexcept {
   if (!in_contact(sample)) {
     nib.is_set = false;
@@ -40,9 +40,10 @@ Force Towed::operator()(const PenSample& sample, ForceMemory& memory) const noex
     const double length = norm(rope);
     if (length > options_.rope_mm && length > 0.0) {
       const Vec along = rope / length;
-      // Only along the rope, because a rope does not push sideways.
+      // Damps only along the rope, because a rope does not push sideways.
       const double speed = dot(known_velocity(sample), along);
-      // The damping grows with the stretch; otherwise it would kick when the rope becomes taut.
+      // The damping grows with the stretch. Otherwise its force would jump when the rope becomes
+      // taut.
       const double stretch = length - options_.rope_mm;
       const double taut = std::min(1.0, stretch);
       force = pull_back(options_.law, stretch * along, taut * options_.damping_n_s_per_m,
@@ -61,14 +62,14 @@ Slopes Towed::slopes() const noexcept {
 
 Vec move_mass(const InertiaOptions& options, Follower& mass, Point pen, Vec pen_velocity_mm_per_s,
               double dt_s) noexcept {
-  // The units need no factors until the end: kg mm/s^2 = mN and N/m mm = mN.
+  // No conversion of units is needed until the end: kg mm/s^2 = mN and N/m mm = mN.
   const double k = options.stiffness_n_per_m;
   const double b = options.damping_n_s_per_m;
   const double c = options.drag_n_s_per_m;
   const double m = std::max(options.mass_kg, 1e-3);
   const Vec& u = mass.velocity;
   const Vec offset = pen - mass.position;
-  // Solves the implicit equation of the header for the next velocity. If the pull is above the
+  // Solves the implicit equation in the header for the next velocity. If the pull is above the
   // limit, solves again with the limited pull as a constant.
   Vec next = (m * u + dt_s * (k * offset + b * pen_velocity_mm_per_s)) /
              (m + dt_s * (b + c) + dt_s * dt_s * k);

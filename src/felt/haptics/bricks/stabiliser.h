@@ -11,8 +11,10 @@ namespace felt {
 /// Parameters of a nib on a short rope behind the pen: towed (drag) drawing. It steadies curves in
 /// cases in which friction alone does not (Keefe 2007, docs/design/forces.md#stabilisers).
 struct TowOptions {
-  double rope_mm = 4.0;             ///< slack, within which there is no force and the nib rests
-  double time_constant_s = 0.020;   ///< of the nib's approach when the rope is taut
+  /// Within this distance the rope is slack: no force, and the nib rests.
+  double rope_mm = 4.0;
+  /// Of the motion of the nib towards the pen when the rope is taut.
+  double time_constant_s = 0.020;
   ForceLaw law{.spread_mm = 10.0};  ///< pull of the rope as a function of its stretch
   double damping_n_s_per_m = 1.0;   ///< while the rope is taut
 };

@@ -14,9 +14,9 @@ constexpr double kNoArmMm = 1e-9;
 constexpr double kMinScale = 0.05;
 constexpr double kMaxScale = 20.0;
 
-/// Returns the radius around the centre within which rotation and scale fade: 5 mm at 300 N/m, more
-/// with a softened law, so that F/r, the slope of a full force that turns with the arm, is 2/3 of
-/// Kcap.
+/// Returns the radius around the centre within which the forces of rotation and scale fade. At this
+/// radius F/r, the slope of a full force that turns with the arm, is 2/3 of Kcap. The radius is 5
+/// mm at 300 N/m, and larger for a softened force law.
 double fade_radius_mm(const ForceLaw& law) noexcept {
   constexpr double kShareOfCap = 2.0 / 3.0;
   return std::max(kCentreMm, 1e3 * law.most_n / (kShareOfCap * std::max(law.cap_n_per_m, 1e-3)));
@@ -101,9 +101,9 @@ Vec Tether::translation_pull(Point pen) const noexcept {
 }
 
 double Tether::turn_size_n(double turn_rad, double radius_mm) const noexcept {
-  // Inside the fade radius, uses the distance on its rim. th/sqrt(1 + th^2) replaces th because the
-  // force also turns with the arm, by F/r per distance, which is a slope too. Both together stay
-  // within Kcap, since (1 + th^2)^-3 + th^2/(1 + th^2) <= 1.
+  // Inside the fade radius, uses the distance along its rim. th/sqrt(1 + th^2) replaces th because
+  // the force also turns with the arm, and this adds a slope of F/r. Both slopes together stay
+  // within Kcap, because (1 + th^2)^-3 + th^2/(1 + th^2) <= 1.
   const double way =
       std::max(radius_mm, fade_radius_mm(law_)) * turn_rad / std::sqrt(1.0 + turn_rad * turn_rad);
   return centre_fade(law_, radius_mm) * size_n(sum_ * turn_rad, way);
@@ -114,7 +114,7 @@ double Tether::stepped_size_n(double turn_rad, double radius_mm) const noexcept 
   if (step < 1.0) return 0.0;
   const double here = turn_size_n(step * kTurnStepRad, radius_mm);
   const double last = turn_size_n((step - 1.0) * kTurnStepRad, radius_mm);
-  // As above, the slope may be at most what the turning of the force leaves of Kcap.
+  // As above, the slope may be at most Kcap minus the slope from the turning of the force.
   const double slope = 1e-3 * law_.gain * law_.cap_n_per_m * centre_fade(law_, radius_mm) /
                        std::sqrt(1.0 + turn_rad * turn_rad);
   const double since_mm =
@@ -148,9 +148,9 @@ Vec Tether::scale_pull(Point pen) const noexcept {
 }
 
 Force Tether::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
-  // A share of the budget softens the spring and keeps the level of the law. It is squared because
-  // many lines make a spring with a long range, which a slow loop can render only if it is softer
-  // than its share.
+  // The share of the stiffness budget softens the spring but keeps the force level of the force
+  // law. The share is squared because many lines make a spring with a long range, and a slow loop
+  // can render that only if it is softer than its share.
   const double share = memory.scale.lateral;
   const Tether softened = with_law(law_.softened(share * share));
   const Point pen = on_sheet(sample.position);

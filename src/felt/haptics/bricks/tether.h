@@ -19,8 +19,8 @@ namespace felt {
 ///   scale        S = sum r_i |ln s|     F along the arm, towards s = 1
 ///   |F| = min(l(S), Kcap way)           l with D = 40 mm
 ///
-/// N is the number of anchors, and r_i are their distances from the centre. N or sum r_i is all
-/// that the haptic thread needs to know of the drawing. Without anchors the force is zero.
+/// N is the number of anchors, and r_i are their distances from the centre. The haptic thread needs
+/// only N or sum r_i from the drawing. Without anchors the force is zero.
 ///
 /// `way` is the distance that the pen has moved, defined so that no slope exceeds Kcap (R38): |d|;
 /// r |th|/sqrt(1 + th^2), where th is unwrapped beyond full turns; r0 (1 - min(s, 1/s)), which is
@@ -36,8 +36,8 @@ namespace felt {
 /// A constrained tether resists only the motion that the transform really makes (constrained()): a
 /// translation along the axis of the larger component, or a rotation by whole steps of
 /// kTurnStepRad. When the axis or the step changes, the force starts from its previous value and
-/// changes by at most Kcap times the distance from there. So it never jumps, and nothing pushes
-/// before something has moved.
+/// changes by at most Kcap times the distance from there. So the force never jumps, and it is zero
+/// before anything has moved.
 class Tether {
  public:
   /// Makes a tether without anchors, which has no force.

@@ -161,10 +161,11 @@ struct Stiffest {
   double anywhere = 0.0;
 };
 
-/// In N/mm, with a share of the stiffness budget.
+/// Returns the largest stiffness, N/mm, with a share of the stiffness budget.
 Stiffest stiffest(double share) {
-  // Along the motion that does work: any for a translation, across the arm for a rotation, along it
-  // for a scale. In other directions slightly more is allowed, because the arm turns with the pen.
+  // Measures along the motion that does work: in any direction for a translation, across the arm
+  // for a rotation, along the arm for a scale. In other directions slightly more is allowed,
+  // because the arm turns with the pen.
   Stiffest found;
   constexpr double kH = 1e-5;
   for (int anchors = 1; anchors <= 64; anchors *= 2) {
@@ -176,7 +177,7 @@ Stiffest stiffest(double share) {
                                 Tether::translation({grab, 0}, anchors).constrained(),
                                 Tether::rotation({0, 0}, {grab, 0}, radii, 1).constrained()};
       for (int i = 0; i < 3000; ++i) {
-        // Denser near the grab point and the centre.
+        // The points are denser near the grab point and the centre.
         const double r = 100.0 * (i % 60) * (i % 60) / 3600.0 + 0.013;
         const double angle = 0.37 * i;
         const Point near{(i % 2 == 0 ? grab : 0.0) + r * std::cos(angle), r * std::sin(angle)};
@@ -226,7 +227,7 @@ TEST(Tether, R30_R35_R56_ASmallerShareOfTheBudgetLeavesTheLevelOfTheLaw) {
   const Point pens[] = {{35, 2}, {35, 2}, {15, 13}, {15, 13}, {35, 0}};
   for (std::size_t i = 0; i < std::size(tethers); ++i) {
     const double whole = norm(pull(tethers[i], pens[i]));
-    EXPECT_GT(whole, 0.3) << i;  // where the law is level
+    EXPECT_GT(whole, 0.3) << i;  // where the force law is level
     EXPECT_NEAR(norm(pull(tethers[i], pens[i], 0.75)), whole, 1e-12) << i;
   }
   for (double d = 0.01; d < 60.0; d *= 1.1) {

@@ -18,12 +18,14 @@ enum class TextureLaw {
 
 struct TextureOptions {
   TextureLaw law = TextureLaw::kFriction;
-  double strength = 1.0;           ///< 0..1, share of the grain that is felt (Medium::grain)
-  double wear = 0.0;               ///< 0..1, share of it that a firm push flattens (Medium::wear)
-  double firm_push_n = 2.0;        ///< the push that flattens that share; if not > 0, any push does
+  double strength = 1.0;  ///< 0..1, share of the grain that is felt (Medium::grain)
+  /// 0..1, share of the grain that a firm push flattens (Medium::wear).
+  double wear = 0.0;
+  /// The push that flattens the share `wear`; if it is not > 0, any push does.
+  double firm_push_n = 2.0;
   double friction = 0.25;          ///< mu0 of the friction brick after it
   double bristle_n_per_m = 600.0;  ///< stiffness of that friction
-  double period_s = 0.001;         ///< of the loop; bounds the strength
+  double period_s = 0.001;         ///< period of the loop; it bounds the strength
 };
 
 /// Returns the stiffness that a texture may present at a loop period, N/m: 400 at 1 ms, 800 at 0.2
@@ -31,7 +33,7 @@ struct TextureOptions {
 /// rate below 1 kHz.
 double texture_stiffness_limit_n_per_m(double period_s) noexcept;
 
-/// The grain of the surface as force (R48; docs/design/forces.md#texture).
+/// Renders the grain of the surface as a force (R48; docs/design/forces.md#texture).
 ///
 /// Why the default is friction and not the gradient: a gradient force pushes the pen even at rest,
 /// is a spring (of either sign) that adds to all others along the surface, and with the measured Fn
@@ -47,8 +49,8 @@ double texture_stiffness_limit_n_per_m(double period_s) noexcept;
 /// Bounds. A wave presents the stiffness Fn A (2 pi/lambda)^2. Here it stays within the limit for
 /// the loop's period at every point of the field, not only for its average wave; the bounds come
 /// from the field itself. For pushes above 0.6 N the texture stops growing, because a hand draws
-/// with 0.3 to 1 N, and strength reserved for harder pushes would be missing there. A field that is
-/// too coarse is felt lower than it is.
+/// with 0.3 to 1 N, and strength that is reserved for harder pushes would be missing in that range.
+/// If a field is too coarse, it is rendered lower than it is.
 ///
 /// Wear. A soft medium fills the grain when it is pressed: the rest of the relief decreases with
 /// the push just as it does visually with the tone (relief_left in materials.h). This is a factor
@@ -65,18 +67,18 @@ double texture_stiffness_limit_n_per_m(double period_s) noexcept;
 /// surface is smooth.
 class Texture {
  public:
-  static constexpr double kMaxCountedN = 0.6;  ///< above this push the texture stops growing
+  static constexpr double kMaxCountedN = 0.6;  ///< push above which the texture stops growing, N
 
   explicit Texture(const HeightField* field = nullptr, const TextureOptions& options = {}) noexcept;
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;
-  /// Returns, for kFriction, the part that exceeds the bristle's stiffness; for kGradient, all of
-  /// it.
+  /// Returns the stiffness of the texture. For kFriction, this is only the part that exceeds the
+  /// bristle's stiffness.
   [[nodiscard]] Slopes slopes() const noexcept;
   /// Returns the largest stiffness of the field, as rendered, N/m.
   [[nodiscard]] double stiffness_n_per_m() const noexcept { return stiffness_n_per_m_; }
-  /// Returns the share of the texture that remains at a speed: 1 at rest, 0 from the shortest
-  /// lambda/(4T) on.
+  /// Returns the share of the texture that remains at a speed: 1 at rest, 0 if the speed is at
+  /// least the shortest lambda/(4T).
   [[nodiscard]] double share_at(double speed_mm_per_s, double period_s) const noexcept;
   /// Returns the push that the texture uses, N: at most kMaxCountedN, reduced by wear.
   [[nodiscard]] double counted_push_n(double push_n) const noexcept;

@@ -21,7 +21,7 @@ TEST(Texture, R48_TheLimitIsThatOfTheLoop) {
   EXPECT_DOUBLE_EQ(texture_stiffness_limit_n_per_m(0.0), 800.0);
 }
 
-/// Returns the largest stiffness of a texture in use, from differences along a path of slow motion.
+/// Returns the largest stiffness of a texture, from differences along a path of slow motion.
 double measured_stiffness(const SheetForce& feel, const PlaneOptions& plane, double push_n,
                           bool sliding) {
   const ForceModel model(feel);
@@ -138,7 +138,7 @@ TEST(Texture, R48_IsQuietAtRest) {
 }
 
 TEST(Texture, TheFrictionLawOnlyTakesEnergy) {
-  // Slow circles within the grain: the reason why the friction law is the default.
+  // Slow circles within the grain show why the friction law is the default.
   const SurfaceMaterial& board = *find_surface("blackboard");
   const SheetForce feel =
       make_sheet_force(board, media()[0], rig::Setup{}.capabilities(), surface_grain(board));
@@ -178,7 +178,8 @@ TEST(Texture, CanBeFelt) {
   EXPECT_GT(least, 0.0);
 }
 
-/// Any relief under any medium in any loop, within the range of user-defined files.
+/// An arbitrary relief under an arbitrary medium in an arbitrary loop, within the ranges of
+/// user-defined files.
 struct AnyTexture {
   HeightField field;
   TextureOptions options;
@@ -187,7 +188,7 @@ struct AnyTexture {
 AnyTexture any_texture(TextureLaw law) {
   const auto share = [] { return 0.01 * *rc::gen::inRange(0, 101); };
   const auto character = static_cast<HeightCharacter>(*rc::gen::inRange(0, 5));
-  // Few tiles and many sizes, because a tile takes 20 to 60 ms.
+  // Uses few tiles and many sizes, because a tile takes 20 to 60 ms.
   static std::map<HeightCharacter, HeightField> tiles;
   auto tile = tiles.find(character);
   if (tile == tiles.end()) {
@@ -286,7 +287,7 @@ RC_GTEST_PROP(Texture, R47_APushWearsTheReliefAsItDoesForTheEye, ()) {
 }
 
 RC_GTEST_PROP(Texture, AWornTextureOnlyTakesEnergyOnAnyClosedWay, ()) {
-  // Closed paths with arbitrary pushes, within the grain and across it.
+  // The paths are closed, with arbitrary pushes, within the grain and across it.
   const AnyTexture any = any_texture(TextureLaw::kFriction);
   const double radius_mm = 0.05 + 0.05 * *rc::gen::inRange(0, 100);
   const double wobble = 0.01 * *rc::gen::inRange(0, 100);

@@ -180,9 +180,9 @@ StiffnessScale SafetyChain::budget(const Slopes& slopes) noexcept {
 
 // --- the stages ---------------------------------------------------------------------------------
 
-// After a rejected sample: the last force again, or the next step of a fall. While waiting: no
-// force. Otherwise the stages that depend on the present only (wanted), then the ramps of the
-// state.
+// After a rejected sample, sends the last force again or the next step of a fall. While waiting,
+// sends no force. Otherwise applies the stages that depend on the present only (wanted()), then the
+// ramps of the state.
 Force SafetyChain::limit(const Force& asked, const PenSample& sample) noexcept {
   const Call call = call_;
   call_ = Call::kNone;
@@ -266,8 +266,8 @@ Force SafetyChain::engage(const Force& wanted) noexcept {
   ramp_ = std::min(ramp_ + time_.credited_s / limits_.engage_s, 1.0);
   const Force target = ramp_ * wanted;
   const Force force = limit_rise(sent_, target, credit_n(limits_.engage_rise_n_per_ms));
-  // Engaging ends only when the force has caught up; otherwise the normal rise would let the rest
-  // through immediately.
+  // Engaging ends only when the force has reached the target. Otherwise the faster rise of normal
+  // operation would send the remaining difference immediately.
   const bool has_caught_up = norm(target - force) < limits_.engage_below_n;
   if (ramp_ >= 1.0 && has_caught_up) go_to(SafetyState::kActive);
   return force;

@@ -11,9 +11,9 @@
 
 namespace felt {
 
-/// What the chain lets through.
+/// The state of the chain, which decides which force it sends.
 enum class SafetyState : std::uint8_t {
-  kOff,       ///< not armed: no force
+  kOff,       ///< not armed; no force
   kWaiting,   ///< armed; waits until the commanded force has been small for some ticks
   kEngaging,  ///< the force ramps up after kWaiting
   kActive,    ///< forces as commanded, limited
@@ -59,10 +59,10 @@ struct SafetyReport {
   friend bool operator==(const SafetyReport&, const SafetyReport&) = default;
 };
 
-/// The last stage before a device. Whatever a force model asks for, the output is finite, bounded,
-/// rises slowly, and is zero within one tick of a hard fault (R49, R55, R56). Nothing bypasses it,
-/// because the loop cannot reach a device in any other way. The table in docs/safety.md has the
-/// numbers.
+/// The last stage before a device. For any request of a force model, the output is finite and
+/// bounded, rises slowly, and is zero within one tick of a hard fault (R49, R55, R56). Nothing
+/// bypasses the chain, because the loop has no other access to a device. The table in
+/// docs/safety.md has the numbers.
 ///
 /// One tick, in this order:
 ///   begin(now)          measures dt; checks if the tick is late and the edit thread alive
@@ -74,29 +74,32 @@ struct SafetyReport {
 /// written, call device_failed() after limit(). Calling limit() without begin() and admit() before
 /// it is a hard fault.
 ///
-/// Engaging: the chain waits until the models ask for less than engage_below_n for some ticks. So a
-/// pen that is already below the plane when the user arms the chain, or after a fault, gets no
-/// force until it is lifted. The ramp ends when its time has passed and the force has caught up.
+/// Engaging: the chain waits until the models ask for less than engage_below_n for some ticks. So
+/// if the pen is already below the plane when the user arms the chain, or after a fault, it gets no
+/// force until it is lifted. The ramp ends when its time has passed and the force has reached the
+/// target.
 ///
-/// Haptic thread, unless noted otherwise: bounded, no allocation, no lock. Deterministic.
+/// Call it on the haptic thread, unless noted otherwise. All functions take bounded time, do not
+/// allocate or lock, and are deterministic.
 class SafetyChain {
  public:
   explicit SafetyChain(const SafetyLimits& limits) noexcept;
 
-  /// Enables forces: from kOff or kLatched to kWaiting; no effect in other states. This is the only
-  /// way out of kLatched.
+  /// Enables forces: changes from kOff or kLatched to kWaiting; has no effect in other states.
+  /// Nothing else ends kLatched.
   void arm() noexcept;
-  /// Disables forces, for the user's force-off key or at the end: zero immediately, then kOff
-  /// (kLatched stays).
+  /// Disables forces, for the user's force-off key or at the end. The force is zero immediately.
+  /// Changes to kOff, except from kLatched.
   void disarm() noexcept;
-  /// Reports that the edit thread was alive at this time. The same time again has no effect.
+  /// Reports that the edit thread was alive at this time. A second call with the same time has no
+  /// effect.
   void heartbeat(std::int64_t made_ns) noexcept;
 
   /// Starts a tick. Returns the measured dt in s, clamped to 0.2..5 ms; the first call returns the
   /// period.
   double begin(std::int64_t now_ns) noexcept;
-  /// Reports that the device could not be read or written: a hard fault, unless forces are off
-  /// anyway.
+  /// Reports that the device could not be read or written. This is a hard fault unless forces are
+  /// off anyway.
   void device_failed() noexcept;
   /// Returns true if the sample is accepted. If it returns false, do not evaluate the model; pass
   /// any force to limit(), which returns the force to send. While no force can be output, every
@@ -106,7 +109,7 @@ class SafetyChain {
   /// Returns scales for the bricks that keep the slopes within the budget; friction is reduced
   /// first.
   [[nodiscard]] StiffnessScale budget(const Slopes& slopes) noexcept;
-  /// Returns the force to send: at most limits().peak_force_n long.
+  /// Returns the force to send. Its magnitude is at most limits().peak_force_n.
   Force limit(const Force& asked, const PenSample& sample) noexcept;
 
   [[nodiscard]] const SafetyReport& report() const noexcept { return report_; }

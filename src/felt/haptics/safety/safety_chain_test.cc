@@ -12,7 +12,7 @@
 namespace felt::safety_chain_test {
 namespace {
 
-/// A chain with a regular clock; each tick is one call.
+/// A safety chain with a regular clock. Each tick is one call.
 class Rig {
  public:
   explicit Rig(const SafetyLimits& limits = {}) : chain(limits) {}
@@ -30,7 +30,7 @@ class Rig {
   void ticks(int n, const Force& asked) {
     for (int i = 0; i < n; ++i) tick(asked);
   }
-  /// Returns a chain that is armed, engaged and outputs this force.
+  /// Arms and engages the chain until it outputs this force. Returns the rig.
   Rig& engaged(const Force& asked = {0, 0, 2}) {
     chain.arm();
     ticks(4, {});
@@ -304,7 +304,7 @@ TEST(SafetyChain, APositionThatJumpsHoldsTheForceFor2MillisecondsThenLatches) {
   EXPECT_EQ(back.state(), SafetyState::kActive);
 }
 
-// A device whose answers are late repeats its last sample while the hand moves on.
+// If the answers of a device are late, it repeats its last sample while the hand continues to move.
 TEST(SafetyChain, R49_AHandThatMovesOnDuringASilenceDoesNotJump) {
   for (const int silent_ms : {3, 5, 10, 16, 20}) {
     for (const double mm_per_ms : {0.1, 0.2, 0.5}) {
@@ -393,7 +393,7 @@ TEST(SafetyChain, WarmMotorsAreReported) {
   EXPECT_FALSE(rig.chain.report().motors_are_warm);
 }
 
-// Every state with every event: the complete transition table.
+// Tests every state with every event: the complete transition table.
 TEST(SafetyChain, TheTableOfStatesAndEvents) {
   using S = SafetyState;
   struct Row {

@@ -67,7 +67,7 @@ TEST(HeartbeatWatch, CountsItsOwnTicksAndEachHeartbeatOnce) {
   EXPECT_NEAR(watch.tick(12 * kMs, tick), 0.002, 1e-12) << "the same one is no news";
   watch.beat(999 * kMs);
   EXPECT_EQ(watch.tick(13 * kMs, tick), 0.0);
-  // The clock stands still, but the silence still grows.
+  // The clock stands still, but the measured silence still grows.
   for (int i = 0; i < 10; ++i) silence = watch.tick(13 * kMs, tick);
   EXPECT_NEAR(silence, 0.010, 1e-12);
   watch.restart();

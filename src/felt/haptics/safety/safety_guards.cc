@@ -12,7 +12,8 @@ namespace {
 constexpr double kShortestS = 0.0002;
 constexpr double kLongestS = 0.005;
 
-/// Returns to - from in s. Uses unsigned numbers because their difference does not overflow.
+/// Returns `to` minus `from` in s. Uses unsigned numbers because their difference does not
+/// overflow.
 double seconds_between(std::int64_t from, std::int64_t to) noexcept {
   const auto difference = [](std::int64_t low, std::int64_t high) {
     return 1e-9 *
@@ -61,7 +62,8 @@ double HeartbeatWatch::tick(std::int64_t now_ns, const TickTime& time) noexcept 
   silence_s_ += time.charged_s;
   if (is_new_) {
     is_new_ = false;
-    // A heartbeat that arrives late counts with its age; one from the future counts as made now.
+    // A heartbeat that arrives late counts with its age. A heartbeat from the future counts as sent
+    // now.
     silence_s_ = std::min(silence_s_, std::max(seconds_between(last_beat_ns_, now_ns), 0.0));
   }
   return silence_s_;
@@ -91,7 +93,7 @@ PositionVerdict JumpGuard::judge(const Vec3& position_mm, const TickTime& time) 
                             ? kMaxReachS
                             : std::min(waited_s_ + time.model_s, kMaxReachS);
   waited_s_ = 0.0;
-  // The square of a huge distance is infinite, which correctly counts as too far.
+  // The square of a huge distance may be infinite, which correctly counts as too far.
   if (!has_last_ || norm(position_mm - last_mm_) <= jump_mm_per_s_ * span_s) {
     last_mm_ = position_mm;
     has_last_ = true;
@@ -164,15 +166,15 @@ double sustained_force_n(const SafetyLimits& limits) noexcept {
 MotorGuard::MotorGuard(const SafetyLimits& limits) noexcept
     : tau_s_(0.5 * limits.rms_window_s),
       sustained_n_(limits.continuous_force_n > 0.0 ? sustained_force_n(limits) : 0.0),
-      // A fade from F to s N at `slope` costs (F - s)^2 (F + 2 s)/(3 slope) N^2 s more than holding
-      // s. With the bound F + 2 s <= peak + 2 s this can be solved for F.
+      // A fade from F to s newtons at `slope` costs (F - s)^2 (F + 2 s)/(3 slope) N^2 s more than
+      // holding s. Replacing F + 2 s by its upper bound, peak + 2 s, makes this solvable for F.
       gain_(3.0 * (limits.peak_force_n / limits.rms_fade_s) * tau_s_ /
             (limits.peak_force_n + 2.0 * sustained_n_)) {
-  if (!(gain_ > 0.0)) gain_ = 0.0;  // if there is no peak: 0/0
+  if (!(gain_ > 0.0)) gain_ = 0.0;  // if the peak is 0, it is 0/0
 }
 
 void MotorGuard::heat(double force_n, double duration_s) noexcept {
-  // Implicit, so that the energy balance is correct for any duration.
+  // An implicit step, so that the energy balance is correct for any duration.
   const double share = duration_s / tau_s_;
   mean_square_ = (mean_square_ + share * force_n * force_n) / (1.0 + share);
 }
@@ -181,7 +183,8 @@ double MotorGuard::allowed_n() const noexcept {
   if (!(sustained_n_ > 0.0)) return std::numeric_limits<double>::infinity();
   const double room = std::max(sustained_n_ * sustained_n_ - mean_square_, 0.0);
   const double fading = sustained_n_ + std::sqrt(gain_ * room);
-  // The force that uses up the room within a single tick, for the end of the fade.
+  // The force that uses up the remaining room within a single tick. It decides at the end of the
+  // fade.
   const double in_a_tick = std::sqrt(sustained_n_ * sustained_n_ + room * (tau_s_ / kLongestTickS));
   return std::min(fading, in_a_tick);
 }

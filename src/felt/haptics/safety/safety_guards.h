@@ -10,16 +10,16 @@
 /// The monitors of the safety chain. Each guard has its own state from tick to tick.
 namespace felt {
 
-/// How late a tick came.
+/// Says how late a tick came.
 enum class Lateness : std::uint8_t {
   kOnTime,
   kLate,      ///< more than late_s after the previous tick
   kVeryLate,  ///< more than very_late_s; the motion of the pen in between is unknown
 };
 
-/// The time since the last tick, in three versions. If time is in doubt, the version that gives
-/// less force is used: what lets a force grow is credited with little time, what reduces it is
-/// charged with much.
+/// The time since the last tick, in three versions. If time is in doubt, less force must result. So
+/// stages that let a force grow are credited with little time, and stages that reduce it are
+/// charged with much time.
 struct TickTime {
   double model_s = 0.001;    ///< for the force models: clamped to 0.2..5 ms
   double credited_s = 0.0;   ///< for rises, ramps: at most two periods or 5 ms; 0 if time stops
@@ -27,14 +27,14 @@ struct TickTime {
   Lateness lateness = Lateness::kOnTime;
 };
 
-/// Measures ticks (docs/design/limits.md#tick-time). If time stands still or runs backwards,
-/// nothing is credited; running backwards by t counts as late by t. Real-time safe.
+/// Measures ticks (docs/design/limits.md#tick-time). If time stands still or runs backwards, no
+/// time is credited. Running backwards by t counts as late by t. Real-time safe.
 class TickClock {
  public:
   explicit TickClock(const SafetyLimits& limits) noexcept;
 
-  /// Returns the time since the last tick. The first tick counts as one period. Accepts any two
-  /// times, even the farthest apart.
+  /// Returns the time since the last tick. The first tick counts as one period. Accepts any times,
+  /// even if their difference overflows.
   TickTime tick(std::int64_t now_ns) noexcept;
 
  private:
@@ -45,9 +45,9 @@ class TickClock {
   bool has_last_ = false;
 };
 
-/// Monitors the heartbeats of the edit thread (docs/design/limits.md#edit-side). Silence
-/// is measured on the chain's own clock, so that a clock that stops or jumps cannot hide it. The
-/// same heartbeat seen twice counts once.
+/// Monitors the heartbeats of the edit thread (docs/design/limits.md#edit-side). Silence is
+/// measured on the chain's own clock, so that a clock that stops or jumps cannot hide it. If the
+/// same heartbeat is added twice, it counts once.
 class HeartbeatWatch {
  public:
   /// Adds a heartbeat, with the time at which it was made.
@@ -64,11 +64,11 @@ class HeartbeatWatch {
   bool is_new_ = false;
 };
 
-/// True when every number of the sample is finite.
+/// Returns true if every number of the sample is finite.
 bool is_finite(const PenSample& sample) noexcept;
 
-/// True if a sample contains nothing newer than `last`: the same time, position and velocity. This
-/// does not mean that the pen stands still.
+/// Returns true if a sample is not newer than `last`: it has the same time, position and velocity.
+/// This does not mean that the pen stands still.
 bool repeats(const PenSample& last, const PenSample& sample) noexcept;
 
 /// The result of checking a position.
@@ -80,12 +80,12 @@ enum class PositionVerdict : std::uint8_t {
 
 /// Detects positions that jump by more than 3 mm/ms. A position is accepted if it is within reach
 /// of the last accepted one. The reach is that of one tick, so a lasting jump does not become
-/// plausible by waiting. Ticks without a new sample (wait()) count as part of the next one, because
-/// the pen moves on while a device's answers are late. The reach is that of kMaxReachS at most,
-/// also after a very late tick. A single jump that returns within jump_hold_s is forgiven. Repeated
-/// jumps are not: held time adds up, accepted time reduces the sum by only an eighth of itself, and
-/// a sum of kMaxDoubtS is a fault. So a position that is wrong in every second sample is a fault
-/// after about 20 ms, and one that is wrong in every ninth never is.
+/// plausible by waiting. Ticks without a new sample (wait()) count as part of the next tick,
+/// because the pen continues to move while the answers of a device are late. The reach is at most
+/// that of kMaxReachS, even after a very late tick. A single jump that returns within jump_hold_s
+/// is forgiven. Repeated jumps are not: held time adds up, accepted time reduces the sum by only an
+/// eighth of itself, and a sum of kMaxDoubtS is a fault. So a position that is wrong in every
+/// second sample is a fault after about 20 ms, and one that is wrong in every ninth never is.
 class JumpGuard {
  public:
   static constexpr double kMaxDoubtS = 0.010;
@@ -93,14 +93,14 @@ class JumpGuard {
 
   explicit JumpGuard(const SafetyLimits& limits) noexcept;
 
-  /// Forgets the last position, so that the next one is accepted, and all doubt.
+  /// Forgets the last position, so that the next one is accepted. Also clears all doubt.
   void reset() noexcept {
     has_last_ = is_holding_ = false;
     doubt_s_ = waited_s_ = 0.0;
   }
   /// Counts a tick without a new sample.
   void wait(const TickTime& time) noexcept { waited_s_ += time.model_s; }
-  /// True if there is an accepted position and the last position was not held.
+  /// Returns true if a position has been accepted and the last position was not held.
   [[nodiscard]] bool may_wait() const noexcept { return has_last_ && !is_holding_; }
   PositionVerdict judge(const Vec3& position_mm, const TickTime& time) noexcept;
 
@@ -116,9 +116,9 @@ class JumpGuard {
 };
 
 /// Monitors the speed of the pen: the velocity that the device reports or the speed computed from
-/// its positions, whichever is higher, so that a device that reports no velocity is monitored too.
-/// Positions are compared over at least 0.9 of a period, so that ticks that come in bursts do not
-/// turn one sensor step into a high speed.
+/// its positions, whichever is higher, so that a device that does not report a velocity is
+/// monitored, too. Positions are compared over at least 0.9 of a period, so that ticks that come in
+/// bursts do not turn one sensor step into a high speed.
 class SpeedGuard {
  public:
   explicit SpeedGuard(const SafetyLimits& limits) noexcept;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr SafetyLimits kDefaults;
 
-/// True if value is in 0..largest; false for NaN.
+/// Returns true if value is in 0..largest; false for NaN.
 constexpr bool within(double value, double largest) noexcept {
   return value >= 0.0 && value <= largest;
 }
@@ -54,7 +54,7 @@ bool loop_is_sound(const SafetyLimits& l) noexcept {
          l.delay_ticks >= 0 && l.delay_ticks <= kMaxDelayTicks;
 }
 
-/// Converts bounds at the hand to bounds on the page, without raising any of them.
+/// Converts bounds at the hand to bounds on the page. No bound becomes greater.
 void hold_at_the_hand(SafetyLimits& limits, double scale) noexcept {
   if (!(scale >= kSmallestSheetScale && scale <= kLargestSheetScale)) {
     limits.peak_force_n = 0.0;

@@ -64,7 +64,7 @@ TEST(SafetyLimits, NonsenseFromADeviceMeansNoForce) {
                                    .delay_ticks = -7})));
 }
 
-// The defaults are upper bounds: no number may be raised or missing.
+// The defaults are upper bounds. No number may be greater or missing.
 TEST(SafetyLimits, TheSelfTestFindsEveryNumberThatIsNoneOrTooBold) {
   EXPECT_TRUE(is_sound(SafetyLimits{}));
   double SafetyLimits::*const numbers[] = {&SafetyLimits::peak_force_n,

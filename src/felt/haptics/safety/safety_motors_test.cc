@@ -16,7 +16,7 @@ SafetyLimits touch() {
   return limits;
 }
 
-/// Runs a requested force; returns the largest plain RMS over any 10 s.
+/// Runs the guard with a requested force. Returns the largest plain RMS over any 10 s.
 template <class Wish, class Each>
 double worst_rms(MotorGuard& guard, double seconds, const Wish& wish, const Each& each) {
   std::deque<double> window;

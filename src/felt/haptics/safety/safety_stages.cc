@@ -12,10 +12,10 @@ namespace {
 double length(const Force& f) noexcept {
   const double largest = std::max({std::abs(f.x), std::abs(f.y), std::abs(f.z)});
   if (largest < 1e100) return norm(f);
-  return largest * norm((1.0 / largest) * f);  // may be inf, which is longer than any bound
+  return largest * norm((1.0 / largest) * f);  // may be infinite, which is longer than any bound
 }
 
-/// Returns the share of `wanted` that fits into `room`; both in N/m.
+/// Returns the fraction of `wanted` that fits into `room`; both in N/m.
 double share_of(double wanted, double room) noexcept {
   if (!(wanted >= 0.0)) return 0.0;  // negative or NaN: invalid
   if (wanted <= room) return 1.0;

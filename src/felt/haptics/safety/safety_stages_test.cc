@@ -44,7 +44,7 @@ RC_GTEST_PROP(LimitRise, FallingIsFreeAndGrowingTurningReversingAreNot, ()) {
   const double step = 0.3 * (*rc::gen::inRange(0, 1000)) * 1e-3;
   const Force next = limit_rise(previous, wanted, step);
   RC_ASSERT(norm(next) <= std::max(norm(previous), norm(wanted)) * (1.0 + 1e-12));
-  // Distance to the segment from 0 to `previous`, found by search.
+  // The distance to the segment from 0 to `previous`, found by search.
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= 3000; ++i) nearest = std::min(nearest, norm(next - (i / 3000.0) * previous));
   RC_ASSERT(nearest <= step + 0.002);
@@ -54,7 +54,7 @@ RC_GTEST_PROP(LimitRise, FallingIsFreeAndGrowingTurningReversingAreNot, ()) {
 TEST(LimitRise, Examples) {
   EXPECT_EQ(limit_rise({0, 0, 3}, {0, 0, 0.5}, 0.3), (Force{0, 0, 0.5}));  // falls immediately
   EXPECT_EQ(limit_rise({0, 0, 0}, {0, 0, 3}, 0.3), (Force{0, 0, 0.3}));    // grows by 0.3
-  EXPECT_EQ(limit_rise({0, 0, 3}, {0, 0, -3}, 0.3), (Force{0, 0, -0.3}));  // not kicked back
+  EXPECT_EQ(limit_rise({0, 0, 3}, {0, 0, -3}, 0.3), (Force{0, 0, -0.3}));  // reverses to 0.3 N
   EXPECT_EQ(limit_rise({2, 0, 0}, {0, 2, 0}, 0.3), (Force{0, 0.3, 0}));    // turns via 0
   EXPECT_EQ(limit_rise({0, 0, 1}, {0, 0, 2}, 0.0), (Force{0, 0, 1}));      // time stands still
 }

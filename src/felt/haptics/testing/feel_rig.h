@@ -12,14 +12,14 @@
 #include "felt/haptics/force_model.h"
 #include "felt/haptics/pen_sample.h"
 
-/// Test helper: the bench for testing the force laws of this layer, as they were measured during
-/// design (docs/design/simulation.md#model). It simulates a point mass in 20 us steps, a hand that
-/// pulls it towards a target, Coulomb friction of the device, a position in steps of 0.03 mm, and a
-/// force that is some ticks late and held for a tick. There is no safety chain, because a law must
-/// be calm by itself.
+/// Test helper: a bench that tests the force laws of this layer in the same manner as during design
+/// (docs/design/simulation.md#model). It simulates a point mass in 20 us steps, a hand that pulls
+/// it towards a target, Coulomb friction of the device, a position in steps of 0.03 mm, and a force
+/// that is some ticks late and held for a tick. The bench has no safety chain, because a force law
+/// must be calm by itself.
 ///
-/// Small and intentionally separate from devices/simulated, because two independent simulations
-/// that agree are stronger evidence.
+/// It is small and intentionally independent of devices/simulated, because two independent
+/// simulations that agree are stronger evidence.
 namespace felt::rig {
 
 /// Returns a sample of a pen at a position.
@@ -82,7 +82,8 @@ void for_each_grip(double period_s, int delay_ticks, const Visit& visit) {
 class HighFrequency {
  public:
   explicit HighFrequency(double period_s) {
-    // Bilinear transform of both second-order sections, Q of the fourth order.
+    // Uses the bilinear transform for both second-order sections, with the Q values of a
+    // fourth-order filter.
     const double k = std::tan(3.14159265358979323846 * 30.0 * period_s);
     const std::array<double, 2> q{0.54119610, 1.3065630};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -123,11 +124,11 @@ class HighFrequency {
   std::int64_t count_ = 0;
 };
 
-/// Results measured from `begin_measuring` on.
+/// Results measured since `begin_measuring`.
 struct Figures {
   double hf_n = 0.0;       ///< RMS above 30 Hz, of the worst axis
   double energy_mj = 0.0;  ///< work done on the hand; passive if <= 0
-  Force mean_force;        ///< of the force that acted
+  Force mean_force;        ///< mean of the force that acted
   double mean_size_n = 0.0;
   double max_size_n = 0.0;
 };
@@ -143,8 +144,8 @@ class Bench {
     late_.assign(static_cast<std::size_t>(setup.delay_ticks) + 1, Force{});
   }
 
-  /// Runs the bench. The hand follows `target(t)`, t in s since the start. Calls `each(bench)`
-  /// after each tick.
+  /// Runs the bench. The hand follows `target(t)`, t in s since the start. Calls each(bench) after
+  /// each tick.
   template <class Target, class Each>
   void run(double seconds, const Target& target, const Each& each) {
     const auto steps_per_tick = std::llround(setup_.period_s / kStepS);
@@ -212,7 +213,7 @@ class Bench {
                       setup_.hand.damping_n_s_per_m * (aim_velocity - velocity_) +
                       1e3 * Vec3{acting_.x, acting_.y, acting_.z};
     Vec3 v = velocity_ + (kStepS / mass) * push;
-    // Coulomb friction removes up to this much speed and never reverses it.
+    // Maximum speed that Coulomb friction removes in a step. It never reverses the motion.
     const double most = kStepS * 1e3 * setup_.stylus.friction_n / mass;
     const double speed = norm(v);
     v = speed > most ? ((speed - most) / speed) * v : Vec3{};

@@ -28,7 +28,7 @@ TEST(FeelRig, HighFrequencyPassesWhatIsAbove30Hz) {
 }
 
 TEST(FeelRig, AHeldPenSwingsAsItsEquationSays) {
-  // 75 g on 100 N/m and 1 N s/m, released 5 mm away, without other forces.
+  // A mass of 75 g on 100 N/m and 1 N s/m is released 5 mm away, without other forces.
   const rig::Hand hand{"own", 0.0, 100.0, 1.0};
   const rig::Setup setup{hand, {"own", 0.075, 0.0}};
   rig::Bench bench(setup, ForceModel(), {5, 0, 0});

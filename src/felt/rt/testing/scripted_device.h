@@ -45,14 +45,14 @@ class ScriptedDevice final : public Device {
   std::optional<DeviceFault> read_fault;
   std::optional<DeviceFault> write_fault;
   Force force;                 ///< the last requested force
-  std::optional<Force> holds;  ///< what held_force() returns
+  std::optional<Force> holds;  ///< returned by held_force()
   bool has_arm = false;        ///< set it before the servo is made
   int writes = 0;
   int stops = 0;
   Capabilities abilities;
 };
 
-/// Waits for `condition` without a time limit of its own; only the test's limit applies.
+/// Waits for `condition` without a time limit. Only the limit of the test applies.
 template <class Condition>
 void wait_until(Condition condition) {
   while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));

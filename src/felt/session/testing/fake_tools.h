@@ -26,7 +26,7 @@ struct FakeWall {
 };
 
 /// Draws one straight segment per sample while the pen touches, so that the document contains every
-/// position it received. Shows the line so far as a preview.
+/// position that the tool received. Shows the line so far as a preview.
 class FakePencil : public Tool {
  public:
   static constexpr OptionSpec kOptions[] = {
@@ -43,7 +43,7 @@ class FakePencil : public Tool {
     const bool touches = in_contact(sample);
     if (!touches) {
       waits_for_lift_ = false;
-      // Just above the surface it may be a bounce, so the line waits.
+      // If the pen is just above the surface, this may be a bounce, so the line waits.
       return sample.position.z < 0.5 ? ToolResult{} : finish(scene);
     }
     if (waits_for_lift_) return {};
@@ -103,8 +103,8 @@ class FakePencil : public Tool {
   bool waits_for_lift_ = false;
 };
 
-/// Removes the topmost stroke of the current layer at the touch and reports the edit immediately: a
-/// gesture whose result comes before the pen is lifted.
+/// Removes the topmost stroke of the current layer at the touch and returns the edit immediately,
+/// before the pen is lifted.
 class FakeEraser : public FakePencil {
  public:
   FakeEraser() : FakePencil("eraser", ToolKind::kErases) {}

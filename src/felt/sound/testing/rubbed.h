@@ -6,7 +6,7 @@
 
 #include "felt/sound/rubbing_player.h"
 
-/// For tests and measurements: strokes, and figures that describe a sound.
+/// Helpers for tests and measurements: strokes, and numbers that describe a sound.
 namespace felt {
 
 /// Returns the pair of two built-in materials by their ids.
@@ -14,7 +14,7 @@ inline RubbingPair pair_of(const char* surface, const char* medium) {
   return rubbing_pair(*find_surface(surface), *find_medium(medium));
 }
 
-/// A straight stroke at an even speed and push, with a sample a millisecond, and its sound.
+/// A straight stroke at constant speed and push, with one sample per millisecond.
 struct RubbedStroke {
   double mm_per_s = 150.0;
   double push_n = 0.8;
@@ -45,7 +45,7 @@ inline std::vector<float> sound_of(const RubbingPair& pair, const RubbedStroke& 
   return sound_of(sound, stroke);
 }
 
-/// Returns the sound without its first `seconds`, which have the touch.
+/// Returns the sound without its first `seconds`, which contain the touch.
 inline std::vector<float> after(const std::vector<float>& sound, double seconds) {
   const auto n = static_cast<std::ptrdiff_t>(seconds * RubbingPlayer::kRateHz);
   return {sound.begin() + n, sound.end()};
@@ -57,7 +57,7 @@ inline double rms_of(const std::vector<float>& sound) {
   return std::sqrt(sum / static_cast<double>(sound.size()));
 }
 
-/// Returns the power at a frequency of a block, with a Hann window (Goertzel).
+/// Returns the power of a block at a frequency, with a Hann window (Goertzel).
 inline double power_at(const std::vector<float>& sound, std::size_t from, std::size_t n,
                        double hz) {
   const double w = 2.0 * 3.14159265358979324 * hz / RubbingPlayer::kRateHz;

@@ -19,8 +19,8 @@ StrokePtr share(Stroke stroke) {
   return std::make_shared<const Stroke>(std::move(stroke));
 }
 
-/// Returns true if both ends can go halfway by bending alone. A wider gap is bridged from one end;
-/// the other one stays.
+/// Returns true if both ends can meet halfway by bending alone. A wider gap is bridged from one
+/// end, and the other end stays.
 bool is_small_gap(const Stroke& a, StrokeTip tip_a, const Stroke& b, StrokeTip tip_b) {
   const double gap = distance(tip_point(a, tip_a), tip_point(b, tip_b));
   return 0.5 * gap <= std::min(TipLead(a, tip_a).small_gap_mm(), TipLead(b, tip_b).small_gap_mm());
@@ -37,7 +37,7 @@ Edit close(const Document& document, TipId moved, const Stroke& stroke, Point me
   return StrokeReplacement(document, moved.stroke).with(share(*std::move(ring)), kClose);
 }
 
-/// Makes an edit in which two strokes share a point and keep their positions in the layers.
+/// Makes an edit after which two strokes share a point and keep their positions in the layers.
 Edit share_point(const Document& document, TipId moved, const Stroke& a, TipId to,
                  const Stroke& b) {
   EditBuilder edit(document);

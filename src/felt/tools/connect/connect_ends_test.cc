@@ -123,7 +123,7 @@ TEST(ConnectEnds, OtherLooksLayersAndKeptSeparateShareThePoint) {
       if (place == MeetingPlace::kAtTarget) {
         EXPECT_EQ(two, b);
       }
-      // A second time nothing changes.
+      // The second time nothing changes.
       EXPECT_TRUE(connect_ends(desk.document, {moved, kStart}, {to, kEnd}, {place, keep}).empty());
     }
   }
@@ -149,7 +149,8 @@ TEST(ConnectEnds, LockedAndHiddenLayersAreNotChanged) {
   }
 }
 
-/// How far the ink of the end `moved` is parallel to the target stroke within 0.3 mm, mm.
+/// Returns the length, in mm, over which the ink of the end `moved` is parallel to the target
+/// stroke within 0.3 mm.
 double doubled_mm(const Stroke& one, const Stroke& target) {
   double length = 0.0;
   for (double u = 0.0; u < one.segment_count(); u += 0.005) {
@@ -210,7 +211,7 @@ TEST(ConnectEnds, R45_AWideGapIsBridgedByOneFairCurve) {
 }
 
 TEST(ConnectEnds, R43_AWideGapOfARingIsClosedRound) {
-  // Three quarters of a circle, of radius 30.
+  // Three quarters of a circle with radius 30 mm.
   const double k = 30.0 * 0.5522847498;
   const Stroke arc = Stroke::create({.points = {{30, 0},
                                                 {30, k},

@@ -22,7 +22,7 @@ ConnectFeel dragged_from(Point p) {
   return {.well = {}, .dragged_from = p};
 }
 
-/// Hovering, without forces of surface and friction.
+/// Returns the force on a hovering pen, which is without the forces of surface and friction.
 Force force_at(const ForceModel& model, Point pen) {
   ForceMemory memory;
   memory.begin_tick(0.001);
@@ -52,7 +52,7 @@ TEST(ConnectForce, R43_ZeroAtTheTargetAndFromTheReachOnTowardsItBetween) {
     } else {
       EXPECT_NEAR(towards, 0.0, 1e-6) << d;
     }
-    EXPECT_NEAR(towards, last, 0.0061) << d;  // continuous: at most 0.6 N/mm in steps of 0.01 mm
+    EXPECT_NEAR(towards, last, 0.0061) << d;  // continuous: at most 0.6 N/mm, in steps of 0.01 mm
     last = towards;
     if (d > 2.6 && d < 5.9) {
       EXPECT_NEAR(towards, 0.6, 1e-12);
@@ -87,7 +87,7 @@ TEST(ConnectForce, NeverMoreThanOneNewtonNorSteeperThanThreeHundred) {
       const Point pen{random.uniform(-60, 60), random.uniform(-60, 60)};
       EXPECT_LE(norm(force_at(model, pen)), 1.0 * settings.strength + 1e-12) << seed;
     }
-    // Near the target, where it is steepest: the pull back grows by 0.3 N/mm at most.
+    // Near the target the force is steepest. The pull back grows by at most 0.3 N/mm.
     for (int k = 0; k < 200; ++k) {
       const Point a = well + Vec{random.uniform(-1, 1), random.uniform(-1, 1)};
       const Vec step{random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3)};

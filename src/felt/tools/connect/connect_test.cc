@@ -99,8 +99,8 @@ TEST(Connect, R43_TheHandIsAttractedInTheModesThatSaySo) {
     const bool attracts = mode == std::string_view("force") || mode == std::string_view("both");
     EXPECT_EQ(g.pull_at({49, 1}) > 0.1, attracts) << mode;
     g.pen.along(way({49, 1}, {50, 3}));
-    // The pen is attracted to the point at which the end lies on the target, 1 mm beside it and
-    // below.
+    // The pen is attracted to the point at which the end lies on the target, because the pen
+    // touched 1 mm next to the end.
     EXPECT_EQ(g.pull_at({50, 3}) > 0.3, attracts) << mode;
     if (attracts) {
       EXPECT_LT(g.pull_at({52, 1}), 0.1) << mode;  // only the drag
@@ -109,7 +109,8 @@ TEST(Connect, R43_TheHandIsAttractedInTheModesThatSaySo) {
 }
 
 TEST(Connect, R44_TheOtherEndOfTheStrokeCountsAtOnce) {
-  // An end may be closed immediately, without first moving away, unlike in the pencil.
+  // Unlike with the pencil, the ends of one stroke may be connected immediately, without first
+  // moving away.
   Connect c;
   const StrokeId id = c.desk.add(horseshoe());
   c.pen.up({0, 6});
@@ -131,12 +132,12 @@ TEST(Connect, R44_NothingIsConnectedWithoutBeingAskedTo) {
   c.pen.line({{0, 6}});  // a tap; the other end is out of reach
   EXPECT_EQ(c.desk.document, before);
   c.set("reach_mm", 8.0);
-  // A long press, then lifted.
+  // The pen presses for a long time and is then lifted.
   c.pen.up({0, 6});
   for (int k = 0; k < 600; ++k) c.pen.down({0, 6});
   c.pen.up({0, 6});
   EXPECT_EQ(c.desk.document, before);
-  // Dragged there and back.
+  // The end is dragged there and back.
   c.pen.line(way({0, 6}, {0, 1}) + way({0, 1}, {0, 6}));
   EXPECT_EQ(c.desk.document, before);
   EXPECT_FALSE(c.desk.document.find(id)->closed());

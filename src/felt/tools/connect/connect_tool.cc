@@ -72,7 +72,7 @@ void ConnectTool::find(Point pen, const Scene& scene) {
   shown_ = editable_tips_near(scene, pen, settings_.grab_radius_mm, kMaxShown);
   partner_.reset();
   if (shown_.empty()) return;
-  // Same as for targets: the end shown stays until another is nearer by 1 mm.
+  // As for targets, the end that is shown stays until another is nearer by kHysteresisMm.
   const double limit = shown_.front().distance_mm + SnapFinder::kHysteresisMm;
   const auto kept = std::find_if(shown_.begin(), shown_.end(), [&](const TipHit& hit) {
     return !last.empty() && hit.id == last.front().id && hit.point == last.front().point &&
@@ -101,7 +101,7 @@ ToolResult ConnectTool::move(const PenSample& sample, const Scene& scene) {
   if (!drag_) return {.same_preview = true};
   Drag& d = *drag_;
   d.extend = settings_.extend != ((sample.buttons & kFirstModifier) != 0);
-  // In double, because the difference of two invalid times may overflow 64 bits.
+  // Computed in double, because the difference of two invalid times may overflow 64 bits.
   d.is_long = static_cast<double>(sample.time_ns) - static_cast<double>(d.since_ns) >
               static_cast<double>(kTapNs);
   const Point at = d.from + (on_sheet(sample.position) - d.pen_from);

@@ -13,15 +13,15 @@ namespace {
 
 constexpr double kBendAccuracy = 1e-3;
 
-/// A zero-length handle at a smooth joint gets this length (join.cc), so that it has its own
-/// direction.
+/// A zero-length handle at a smooth joint gets this length (join.cc), so that it has a direction of
+/// its own.
 constexpr double kMinHandleMm = 1e-3;
 
 /// The part of the stroke from the tip to the point where the shift has faded out.
 struct Zone {
   StrokeData data;
   int segments = 0;           // number of segments in the zone
-  std::vector<double> at_mm;  // arc length from the tip to each of its joints
+  std::vector<double> at_mm;  // arc length from the tip to each joint of the zone
 };
 
 class TipBend {
@@ -48,7 +48,8 @@ class TipBend {
     return joints[start_ ? k - 1 : joints.size() - k] == JointKind::kSmooth;
   }
 
-  /// Gives zero-length handles at the tip and at smooth joints a direction before anything moves.
+  /// Gives a direction to zero-length handles at the tip and at smooth joints before anything
+  /// moves.
   void give_direction(int i) {
     if (i > 0 && !is_smooth(i)) return;
     const Point at = point(3 * i);
@@ -78,7 +79,7 @@ class TipBend {
   bool start_;
 };
 
-/// Appends `more`, which begins where `data` ends, with the width and tone there.
+/// Appends `more`. Its first point, width and tone are the last ones of `data`.
 void append(StrokeData& data, const StrokeData& more) {
   const auto n = static_cast<double>(data.points.size() / 3);
   data.points.insert(data.points.end(), more.points.begin() + 1, more.points.end());
@@ -91,8 +92,8 @@ void append(StrokeData& data, const StrokeData& more) {
 }
 
 /// Cuts the stroke at arc length `reach` from the tip, or at the nearest joint if the cut would
-/// leave too short a segment, but not nearer than `least`. Returns nullopt if the stroke is
-/// shorter.
+/// leave too short a segment. The cut is at least `least` from the tip. Returns nullopt if the
+/// stroke is shorter than that.
 std::optional<Zone> zone_of(const Stroke& stroke, StrokeTip tip, double reach, double least) {
   const int n = stroke.segment_count();
   const bool start = tip == StrokeTip::kStart;

@@ -23,7 +23,8 @@ double length_mm(const Stroke& s) {
 }
 
 TEST(TipBend, FollowsItsLawAlongTheStroke) {
-  // A straight line of uneven segments, so that u is not proportional to the length.
+  // A straight line with segments of different lengths, so that u is not proportional to the
+  // length.
   const Stroke line = Stroke::create({.points = {{0, 0},
                                                  {1, 0},
                                                  {9, 0},

@@ -16,17 +16,17 @@ namespace {
 constexpr double kLeadAccuracy = 1e-3;
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-/// A stroke is not extended by less than this; it bends instead.
+/// Minimum length by which a stroke is extended. For a smaller gap it bends instead.
 constexpr double kMinPieceMm = 0.5;
 
-/// Samples of a segment for its bending energy.
+/// Number of samples of a segment from which its bending energy is computed.
 constexpr int kEnergySamples = 24;
 
-/// Strokes of fewer segments are changed as a whole.
+/// Strokes with fewer segments are changed as a whole.
 constexpr int kFewSegments = 48;
 
-/// Returns the number of segments at the end that are long enough for every bend: twice the longest
-/// fade.
+/// Returns how many segments at the end of the stroke are needed for every bend. They are together
+/// at least twice as long as the longest fade.
 int segments_at(const Stroke& stroke, StrokeTip tip) {
   constexpr double kEnoughMm = 2.0 * TipLead::kMaxFadeMm;
   const int n = stroke.segment_count();
@@ -68,8 +68,8 @@ void append(StrokeData& data, const StrokeData& more, JointKind joint) {
   }
 }
 
-/// Returns `stroke` extended at `tip` by `piece`, which begins there, with the width and tone of
-/// the end.
+/// Returns `stroke` extended at `tip` by `piece`, which begins at the tip. The piece has the width
+/// and tone of the tip.
 Result<Stroke> prolonged(const Stroke& stroke, StrokeTip tip, const Cubic& piece) {
   const bool start = tip == StrokeTip::kStart;
   const WidthKnot& ink = start ? stroke.widths().front() : stroke.widths().back();
@@ -84,9 +84,9 @@ Result<Stroke> prolonged(const Stroke& stroke, StrokeTip tip, const Cubic& piece
   return start ? joined(*more, stroke) : joined(stroke, *more);
 }
 
-/// Returns a cubic from the end of `stroke`, along its tangent, to `target`. Its handles are those
-/// of a circular arc, 2/3 chord/(1 + cos), at most the chord. Without an arrival its curvature is
-/// zero at the end.
+/// Returns a cubic from the end of `stroke`, along its tangent, to `target`. Its handles have the
+/// length for a circular arc, 2/3 chord/(1 + cos), but at most that of the chord. If no arrival
+/// direction is given, its curvature at the target is zero.
 Cubic bridge(const Stroke& stroke, StrokeTip tip, Point target, std::optional<Vec> arrival) {
   const Point from = tip_point(stroke, tip);
   const Vec direction = tip_direction(stroke, tip), chord = target - from;
@@ -99,7 +99,7 @@ Cubic bridge(const Stroke& stroke, StrokeTip tip, Point target, std::optional<Ve
   return {{from, out, in, target}};
 }
 
-/// Returns the integral of the squared curvature over the segments, without corners.
+/// Returns the integral of the squared curvature over the segments. Corners do not count.
 double bending_energy(const Stroke& stroke) {
   double energy = 0.0;
   for (int i = 0; i < stroke.segment_count(); ++i) {
@@ -149,8 +149,8 @@ Result<Stroke> TipLead::at(Point target, Vec arrival) const {
   return whole(bends ? one : other);
 }
 
-/// Extends the stroke straight ahead, then bends it by the rest of the shift over a reach that
-/// grows with it. If it is too short for that, bridges the gap with a cubic.
+/// Extends the stroke straight ahead, then bends it by the remaining shift, over a reach that grows
+/// with that shift. If the stroke is too short for that, bridges the gap with a cubic.
 Result<Stroke> TipLead::bent(Point target, std::optional<Vec> arrival) const {
   const Point from = tip_point(part_, tip_);
   const Vec direction = tip_direction(part_, tip_);
@@ -168,7 +168,8 @@ Result<Stroke> TipLead::bent(Point target, std::optional<Vec> arrival) const {
   const double reach =
       std::max(std::min(std::max(kMinFadeMm, kFadePerShift * far), ahead + half),
                std::min(kMinFadePerShift * far, ahead + std::min(1.9 * half, kMaxFadeMm)));
-  // The turn that makes the curvature zero at the end; blended in above the small gap.
+  // The turn that makes the curvature at the end zero. It is blended in if the gap is larger than
+  // small_gap_mm_.
   const double x = std::clamp(gap / small_gap_mm_ - 1.0, 0.0, 1.0);
   const Vec turn =
       arrival ? direction - *arrival : (-1.5 * x * x * (3.0 - 2.0 * x) / reach) * shift;

@@ -26,14 +26,14 @@ Stroke long_stroke(int segments, double length) {
     d.points.insert(d.points.end(), {{x + step / 3, y}, {x + step * 2 / 3, y}, {x + step, 0}});
     if (i > 0) d.joints.push_back(JointKind::kSmooth);
   }
-  // Collinear handles at the joints: the wave is symmetric about each.
+  // The handles at the joints are collinear, because the wave is symmetric about each joint.
   d.widths = {{0.0, 1.0}, {0.3 * segments, 2.0}, {static_cast<double>(segments), 0.5}};
   return Stroke::create(d).value();
 }
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-/// How far the tangent of the whole stroke turns, joints included.
+/// Returns by how much the tangent turns along the whole stroke, including at joints.
 double total_turn_deg(const Stroke& stroke) {
   double turn = 0.0;
   Vec last = tangent(stroke.segment(0), 0.0);
@@ -128,8 +128,8 @@ TEST(TipLead, R45_TheEndGoesThereOnOneFairCurveWithoutCorners) {
           const auto led = lead.at(from + shift);
           ASSERT_TRUE(led) << way << " " << a;
           EXPECT_EQ(tip_point(*led, tip), from + shift);
-          // At most 1.5 times the turn to the target; there and back if it is sideways and near,
-          // because the end then keeps its tangent.
+          // The turn is at most 1.5 times the turn to the target. If the target is sideways and
+          // near, the stroke turns there and back, because its end keeps the tangent.
           EXPECT_LE(added_turn_deg(stroke, *led), 1.5 * std::fabs(a) + 40.0) << way << " " << a;
           EXPECT_LE(largest_joint_deg(*led), 1e-6) << way << " " << a;
         }
@@ -151,7 +151,8 @@ TEST(TipLead, R45_ArrivesInTheDirectionOfTheTarget) {
       EXPECT_LT(angle_between(tip_direction(*led, StrokeTip::kEnd), arrival), 1e-6)
           << a << " " << b;
       EXPECT_LE(largest_joint_deg(*led), 1e-6) << a << " " << b;
-      // Any curve turns towards the target and from there to the arrival; a fair one slightly more.
+      // Any curve turns towards the target and from there to the direction of arrival. A smooth
+      // curve turns slightly more.
       const double needed = std::fabs(a) + std::fabs(std::remainder(b - a, 360.0));
       EXPECT_LE(added_turn_deg(stroke, *led), 1.5 * needed + 20.0) << a << " " << b;
     }
@@ -165,7 +166,7 @@ TEST(TipLead, OfALongStrokeOnlyTheEndChanges) {
     for (const double way : {0.1, 1.0, 20.0, 49.0, 300.0}) {
       const auto led = lead.at(tip_point(stroke, tip) + Vec{0, way});
       ASSERT_TRUE(led);
-      // 450 segments at the other end: the same points, and the same widths.
+      // The 450 segments at the other end keep their points and widths.
       const bool end = tip == StrokeTip::kEnd;
       const auto &a = stroke.data().points, &b = led->data().points;
       const auto skip =

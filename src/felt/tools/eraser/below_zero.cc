@@ -17,7 +17,8 @@ struct Piece {
   double width;
 };
 
-/// Splits at the middle by de Casteljau: `left` becomes the left half, the right half is returned.
+/// Splits a piece at the middle by de Casteljau. `left` becomes the left half; returns the right
+/// half.
 Piece halve(Piece& left, std::size_t n) noexcept {
   Piece right = left;
   left.width *= 0.5;

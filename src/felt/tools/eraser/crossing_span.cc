@@ -10,10 +10,10 @@
 namespace felt {
 namespace {
 
-/// A crossing this near to the touched parameter counts on neither side of it.
+/// A crossing within kHere of the touched parameter does not count on either side.
 constexpr double kHere = 1e-9;
-/// Neighbouring segments always meet at their joint; crossings within this distance count as the
-/// joint.
+/// Neighbouring segments always meet at their joint. Crossings within kSameCrossingMm of the joint
+/// count as the joint.
 constexpr double kSameCrossingMm = 0.01;
 
 }  // namespace
@@ -41,7 +41,7 @@ void StrokeCrossings::start(int segment, const Scene& scene) {
   scene.index.for_each_segment_in(area, [&](StrokeId stroke, int i) {
     if (stroke != id_ || i != segment) work_.candidates.push_back({stroke, i});
   });
-  // Sorted, because the order of the index is not defined.
+  // Sorts the candidates, because the order of the index is not defined.
   std::sort(work_.candidates.begin(), work_.candidates.end());
   meet_itself();
 }
@@ -90,11 +90,11 @@ void StrokeCrossings::meet_tips(const Candidate& with, const Stroke& other, cons
   const auto meet_tip = [&](Point tip) {
     const auto hit = nearest_within(mine, tip, kTeeMm * kTeeMm);
     if (!hit) return;
-    // If the end has passed through, the crossing is in the list already.
+    // If the end extends beyond the curve, its crossing is already in the list.
     for (const double u : work_.places) {
       if (distance(stroke_->position(u), tip) <= kTeeMm) return;
     }
-    // The nearest point may be on the next segment.
+    // The nearest point may be on a neighbouring segment.
     const int next = work_.segment + (hit->t <= 0.0 ? -1 : hit->t >= 1.0 ? 1 : 0);
     if (next != work_.segment && next >= 0 && next < stroke_->segment_count() &&
         nearest(stroke_->segment(next), tip).distance_squared < hit->distance_squared) {
@@ -111,7 +111,7 @@ bool SpanSearch::advance(StrokeCrossings& crossings, const Scene& scene, int& bu
   if (!right_done_ && !go_right(crossings, scene, budget)) return false;
   const Stroke& stroke = crossings.stroke();
   if (!stroke.closed() && from_ <= 0.0 && to_ >= stroke.segment_count()) whole_ = true;
-  // A single crossing, reached from both sides.
+  // Both sides have reached the same crossing, which is the only one.
   if (stroke.closed() && std::fabs(from_ - to_) <= kHere) whole_ = true;
   return true;
 }
@@ -123,7 +123,7 @@ bool SpanSearch::go_left(StrokeCrossings& crossings, const Scene& scene, int& bu
   for (const int last = stroke.closed() ? n : start; left_ <= last; ++left_) {
     const auto* places = crossings.on_segment((start - left_ + n) % n, scene, budget);
     if (!places) return false;
-    // The largest one; on the first segment, the largest one before the touch.
+    // Takes the largest parameter; on the first segment, the largest before the touch.
     auto end = places->end();
     if (left_ == 0) end = std::lower_bound(places->begin(), end, from_ - kHere);
     if (end == places->begin()) continue;

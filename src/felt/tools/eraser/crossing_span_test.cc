@@ -67,7 +67,7 @@ TEST(CrossingSpan, AnEndHalfAMillimetreAwayIsATee) {
   }
   const Fence beyond(0.51, 10);
   EXPECT_TRUE(span_at(beyond.desk, beyond.rail, 0.3).whole);
-  // An end that passes through by less is one crossing, not two.
+  // An end that extends beyond the line by less than that makes one crossing, not two.
   const Fence through(-0.3, 10);
   StrokeCrossings crossings(through.rail, through.desk.document.find(through.rail));
   int budget = 1'000'000;
@@ -90,10 +90,10 @@ TEST(CrossingSpan, WithoutCrossingsTheWholeStrokeGoes) {
           .value();
   const StrokeId closed = desk.add(ring);
   EXPECT_TRUE(span_at(desk, closed, 0.5).whole);
-  // One crossing: there is no other one to stop at.
+  // With a single crossing, the search does not find another one to stop at.
   desk.add(straight_stroke({55, -20}, {55, 0}, 1, 1));
   EXPECT_TRUE(span_at(desk, closed, 0.1).whole);
-  // Two crossings: either side, including the one with the seam.
+  // With two crossings, each side is a span, including the side with the seam.
   desk.add(straight_stroke({55, 0}, {55, 20}, 1, 1));
   const Span right = span_at(desk, closed, 0.9);
   EXPECT_NEAR(right.from, 0.5, 1e-9);
@@ -105,7 +105,7 @@ TEST(CrossingSpan, WithoutCrossingsTheWholeStrokeGoes) {
 }
 
 TEST(CrossingSpan, AStrokeCrossesItselfButNotAtItsJoints) {
-  // A loop of three segments, smooth: its ends cross below.
+  // A smooth loop of three segments. Its ends cross below.
   const Stroke loop = Stroke::create({.points = {{0, 40},
                                                  {10, 30},
                                                  {20, 20},

@@ -16,7 +16,7 @@ void EraserAim::clear() {
 void EraserAim::update(Point pen, std::int64_t time_ns, EraserMode mode,
                        const EraserSettings& settings, const Scene& scene) {
   if (mode == EraserMode::kCrossing) {
-    // In double, because the difference of two invalid times may overflow 64 bits.
+    // Computed in double, because the difference of two invalid times may overflow 64 bits.
     const double age = static_cast<double>(time_ns) - static_cast<double>(since_ns_);
     if (!(age >= 0.0 && age < static_cast<double>(kFreshNs))) {
       clear();

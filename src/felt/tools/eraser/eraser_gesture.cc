@@ -37,7 +37,7 @@ bool EraserGesture::move(Point pen, std::int64_t time_ns, const Scene& scene) {
   const Point from = std::exchange(pen_, pen);
   if (from != pen) sweep(from, pen, scene);
   search(kCrossingBudget, scene);
-  // In double, because the difference of two invalid times may overflow 64 bits.
+  // Computed in double, because the difference of two invalid times may overflow 64 bits.
   const double ms = 1e-6 * (static_cast<double>(time_ns) - static_cast<double>(time_ns_));
   time_ns_ = time_ns;
   cut(static_cast<int>(std::clamp(kCutsPerMs * ms, 1.0 * kCutsPerMs, 1.0 * kMaxCuts)), time_ns,
@@ -74,7 +74,7 @@ void EraserGesture::sweep(Point from, Point to, const Scene& scene) {
   } else {
     scene.index.for_each_segment_in(capsule.bounds(), visit);
   }
-  // Sorted, so that the order does not depend on the index.
+  // Sorts them, so that the order does not depend on the index.
   std::sort(pending_.begin() + static_cast<std::ptrdiff_t>(before), pending_.end(),
             [](const Pending& a, const Pending& b) {
               return a.stroke != b.stroke ? a.stroke < b.stroke : a.touched.from < b.touched.from;
@@ -141,9 +141,9 @@ void EraserGesture::erase(StrokeId id, ParameterSet::Interval part, const Scene&
   if (line.erased.add(part)) mark(id, line);
 }
 
-/// Processes the pending touches in order until the budget is used up: finds the span between
-/// crossings around each and erases it.
-void EraserGesture::search(int budget, const Scene& scene) {
+/// Processes the pending touches in order until the budget is used up. For each touch, finds the
+/// span between the crossings around it and erases it.
+void Erasing::search(int budget, const Scene& scene) {
   while (!pending_.empty() && budget > 0) {
     Pending& next = pending_.front();
     Line& line = line_of(next.stroke, scene);
@@ -167,7 +167,7 @@ void EraserGesture::search(int budget, const Scene& scene) {
 
 bool EraserGesture::Line::is_due(std::int64_t time_ns) const noexcept {
   if (!cut_ns) return true;
-  // In double: see move().
+  // Computed in double, as in move().
   const double since = static_cast<double>(time_ns) - static_cast<double>(*cut_ns);
   return since < 0.0 ||
          since >= static_cast<double>(kCutPauseNs) +

@@ -12,7 +12,7 @@ namespace {
 
 using testing::Desk;
 
-/// Shading with one line: legs of 50 mm, 0.5 mm apart.
+/// Returns shading made with one line: legs of 50 mm, 0.5 mm apart.
 Stroke zigzag(int legs) {
   StrokeData data{.points = {{0, 0}}, .joints = {}, .closed = false, .widths = {}};
   for (int i = 0; i < legs; ++i) {
@@ -30,7 +30,7 @@ TEST(EraserGesture, R39_RubbingOutOneLongLineCostsNoMoreASampleAsItGoesOn) {
   EraserGesture erasing({}, EraserMode::kTouched);
   std::int64_t now = 0;
   erasing.begin({25, -3}, now, desk.scene());
-  // Three times back and forth on each strip of 3 mm, 250 mm/s.
+  // The eraser moves three times back and forth on each strip of 3 mm, at 250 mm/s.
   int shown = 0;
   std::size_t at_half = 0;
   constexpr int kSamples = 6000;

@@ -34,7 +34,7 @@ struct Eraser {
     ASSERT_TRUE(ok) << ok.error().message;
   }
   void choose_mode(const char* mode) { set("mode", std::string(mode)); }
-  /// A pen with buttons, down or up.
+  /// Sends a sample of a pen with buttons, down or up.
   ToolResult at(Point p, double z, std::uint32_t buttons) {
     PenSample s;
     s.time_ns = pen.now_ns += pen.step_ns;
@@ -198,7 +198,7 @@ TEST(Eraser, DotsGoAndClosedStrokesOpen) {
            .widths = {{0, 1}, {2, 1}}})
           .value();
   const StrokeId id = e.desk.add(ring);
-  e.pen.line(way({70, 50}, {90, 50}));  // over the seam
+  e.pen.line(way({70, 50}, {90, 50}));  // across the seam
   ASSERT_EQ(e.desk.strokes().size(), 2u);
   EXPECT_FALSE(e.desk.document.find(id));
   EXPECT_FALSE(e.desk.strokes()[1]->closed());
@@ -287,7 +287,7 @@ TEST(Eraser, CrossingTakesThePartBetweenTheNeighbours) {
     const std::uint32_t buttons = modifier ? kFirstModifier : 0;
     e.at({35, 30.5}, 5, buttons);
     e.at({35, 30.5}, -1, buttons);
-    e.at({35, 30.6}, -1, 0);  // the touch decides
+    e.at({35, 30.6}, -1, 0);  // the button at the touch decides
     e.at({35, 30.6}, 10, 0);
     ASSERT_EQ(e.desk.strokes().size(), 7u);
     const auto strokes = e.desk.strokes();
@@ -388,7 +388,7 @@ TEST(Eraser, RandomGesturesInEveryModeOnlyTakeAwayAndAreTakenBack) {
 }
 
 TEST(Eraser, WhatIsLeftIsShownWithinAFrameOfThePen) {
-  // More strokes at the same time than one sample cuts; then the pen rests.
+  // The pen touches more strokes than one sample can cut. Then the pen rests.
   Eraser e;
   e.set("radius_mm", 20.0);
   for (int i = 0; i < 300; ++i) e.desk.add(straight_stroke({0, 0.1 * i}, {100, 0.1 * i}, 1, 1));
@@ -404,7 +404,7 @@ TEST(Eraser, WhatIsLeftIsShownWithinAFrameOfThePen) {
   EXPECT_EQ(e.desk.strokes().size(), 600u);
 }
 
-/// Like a hand: resting, sliding, rubbing back and forth.
+/// Returns the target of a hand that rests, slides, or rubs back and forth.
 Vec3 hand(int scenario, double time, double aim) {
   const double x = std::min(time / 0.4, 1.0), z = 1 + (aim - 1) * x * x * (3 - 2 * x);
   const double t = std::max(0.0, time - 0.7);

@@ -12,9 +12,9 @@ namespace {
 
 constexpr int kMaxMarches = 1 << 24;
 
-/// Appends the breakpoints that follow the narrowed widths of places[first..last] to kWidthErrorMm
-/// and their tones to kToneError. Greedy: each is as far from its predecessor as these errors
-/// allow.
+/// Appends breakpoints that follow the narrowed widths of places[first..last] within kWidthErrorMm
+/// and their tones within kToneError. The algorithm is greedy: each breakpoint is as far from its
+/// predecessor as these tolerances allow.
 template <class Place>
 void append_profile(const std::vector<Place>& places, std::size_t first, std::size_t last,
                     const Stroke& stroke, std::vector<WidthKnot>& knots) {
@@ -64,7 +64,7 @@ std::vector<WidthKnot> with_narrowed(const Stroke& stroke, const ParameterSet& r
       knots.back().width_mm = std::min(knots.back().width_mm, k.width_mm);
     }
   }
-  // In a hole the width does not matter, so the first and last widths continue to the ends.
+  // In a hole the width does not matter, so the first and the last width are continued to the ends.
   if (knots.front().u > kSame) knots.insert(knots.begin(), knots.front());
   if (knots.back().u < n - kSame) knots.push_back(knots.back());
   knots.front().u = 0.0;
@@ -128,7 +128,7 @@ void InkClearance::append_samples(double from, double to, double add_u,
     }
     const double u = segment + static_cast<double>(s->first.second) / steps;
     if (u < from || u > to) continue;
-    // A joint is sampled on both of its segments.
+    // A joint is sampled twice, on both of its segments. The samples are merged.
     if (!places.empty() && u + add_u <= places.back().u + 1e-9) {
       places.back().clear_mm = std::min(places.back().clear_mm, s->second);
       continue;
@@ -163,7 +163,7 @@ std::vector<InkClearance::Part> InkClearance::parts() const {
       spans.back().to = n + spans.front().to;
       spans.erase(spans.begin());
     } else {
-      // Touched all around: begin at an erased point, if there is one.
+      // The whole closed stroke is touched. Begins at an erased point, if any.
       Part all = part_between(0.0, n);
       const auto gone = std::find_if(all.places.begin(), all.places.end(),
                                      [](const Place& p) { return !stays(p); });
@@ -193,7 +193,7 @@ InkClearance::Run InkClearance::trimmed(const Part& part, Run run) {
     return distance(places[j].point, places[k].point) + places[k].clear_mm - places[j].clear_mm <=
            slack;
   };
-  // Find the first sample whose cap covers all samples after it.
+  // Finds the first sample whose round cap covers all samples after it.
   if (last + 1 < places.size() || part.free_end) {
     const double slack = last + 1 < places.size() ? kLostTipMm : kWidthErrorMm;
     std::size_t j = first, k = first + 1;
@@ -229,8 +229,8 @@ void InkClearance::add_hole(double from, double to, ParameterSet& holes) const {
   }
 }
 
-/// Walks the samples in order: each run that stays is trimmed at its cut ends and gets a width
-/// profile; everything between the runs becomes a hole.
+/// Goes through the samples in order. Each run of remaining samples is trimmed at its cut ends and
+/// gets a width profile. Everything between the runs becomes a hole.
 std::vector<WidthKnot> InkClearance::cut(const Part& part, ParameterSet& holes) const {
   const auto& places = part.places;
   const double n = stroke_->segment_count();

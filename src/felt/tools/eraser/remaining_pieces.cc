@@ -11,12 +11,12 @@ namespace {
 
 using Interval = ParameterSet::Interval;
 
-/// Returns segment i of a stroke; i may exceed the count, through the seam.
+/// Returns segment i of a stroke. On a closed stroke i may exceed the count and wraps around.
 Cubic segment_of(const Stroke& stroke, int i) {
   return stroke.segment(i % stroke.segment_count());
 }
 
-/// Calls visit(curve) for each part of a segment in [from, to] until it returns false.
+/// Calls visit(curve) for each segment, or part of a segment, within `part` until it returns false.
 template <class Visit>
 void for_each_part(const Stroke& stroke, Interval part, Visit visit) {
   for (int i = static_cast<int>(part.from); i < part.to; ++i) {
@@ -40,7 +40,7 @@ bool is_as_long_as(const Stroke& stroke, Interval part, double length_mm) {
   return length >= length_mm;
 }
 
-/// Returns `part` without a too short segment at either end.
+/// Returns `part` without the segments at its ends that are too short.
 Interval without_slivers(const Stroke& stroke, Interval part) {
   const auto is_sliver = [&](int i, double t0, double t1) {
     return control_length(sub_segment(segment_of(stroke, i), t0, t1)) < kMinSegmentMm;
@@ -103,8 +103,8 @@ std::shared_ptr<const Stroke> RemainingPieces::make(Interval part) const {
   if (!is_as_long_as(*stroke_, part, least)) return nullptr;
   auto piece = sub_stroke_of(*stroke_, part);
   if (!piece) {
-    // Rounding kilometres away from the page can make this fail. Whole segments are copied bit for
-    // bit.
+    // This can fail because of rounding if the ink is kilometres away from the page. Then only the
+    // whole segments are used, because they are copied bit for bit.
     const Interval inner{std::ceil(part.from), std::floor(part.to)};
     if (inner.from >= inner.to) return nullptr;
     piece = sub_stroke_of(*stroke_, inner);

@@ -74,7 +74,7 @@ TEST(RemainingPieces, R39_R40_RandomHolesLeaveTheRestAsItWas) {
       }
       ++cuts;
     }
-    // Nothing in the holes remains, and everything outside of them does, except slivers.
+    // Nothing remains in the holes. Outside of the holes everything remains except slivers.
     double kept = 0.0, whole = length_of(*stroke), holes = 0.0;
     for (const auto& piece : pieces) kept += length_of(*piece);
     for (const auto& hole : erased.intervals()) {
@@ -151,7 +151,7 @@ TEST(RemainingPieces, AClosedStrokeIsOpenedAndItsSeamIsNoCut) {
   EXPECT_EQ(open.joint(2), JointKind::kCorner);
   remains.cut(set_of({{0.4, 0.6}, {1.4, 1.6}}));
   EXPECT_EQ(remains.pieces().size(), 2u);
-  remains.cut(set_of({{0.0, 0.2}, {1.8, 2.0}}));  // through the seam
+  remains.cut(set_of({{0.0, 0.2}, {1.8, 2.0}}));  // across the seam
   ASSERT_EQ(remains.pieces().size(), 1u);
   EXPECT_LE(distance(remains.pieces()[0]->position(0), closed->position(0.2)), 1e-12);
   remains.cut(set_of({{0.0, 2.0}}));

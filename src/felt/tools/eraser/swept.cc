@@ -23,7 +23,8 @@ struct Tube {
   }
 };
 
-/// |f - center|^2 - r^2: c_k = sum over i + j = k of C(3,i) C(3,j) / C(6,k) (a_i.a_j - r_i r_j).
+/// Returns the parts with |f - center|^2 - r^2 < 0. The Bernstein coefficients of this polynomial
+/// are c_k = sum over i + j = k of C(3,i) C(3,j) / C(6,k) (a_i.a_j - r_i r_j).
 UnitParts within_disc(const Tube& tube, Point center) noexcept {
   const auto term = [&](std::size_t i, std::size_t j) {
     return dot(tube.curve.p[i] - center, tube.curve.p[j] - center) -
@@ -62,7 +63,8 @@ class Sweep {
   Sweep(const Capsule& capsule, ParameterSet& swept) noexcept
       : capsule_(capsule), axis_(capsule.axis_bounds()), swept_(swept) {}
 
-  /// Adds a piece of a segment from u0 to u1, with the ink's width at both ends.
+  /// Adds a piece of a segment from u0 to u1. The last two arguments are the ink's width at its
+  /// ends.
   void add(const Cubic& curve, double u0, double u1, double width0, double width1) {
     const double half = capsule_.adds_half_width ? 0.5 : 0.0;
     const Tube tube(curve, capsule_.radius_mm + half * width0, capsule_.radius_mm + half * width1);
@@ -74,7 +76,7 @@ class Sweep {
     unite(within_rectangle(tube, capsule_.from, capsule_.to), u0, u1);
   }
 
-  /// Returns false if the capsule is certainly too far away from ink of this width.
+  /// Returns false if the capsule is too far away to touch ink of this width.
   [[nodiscard]] bool may_reach(const Cubic& curve, double width_mm) const noexcept {
     return control_bounds(curve).intersects(axis_.inflated(capsule_.radius_mm + 0.5 * width_mm));
   }

@@ -14,7 +14,8 @@ constexpr std::size_t kMaxStrips = 256;
 constexpr double kChordMm = 0.5;
 constexpr double kMaxChords = 64.0;
 
-/// Returns the tolerance for points on an edge, from rounding; same as in geometry/polyline.h.
+/// Returns the tolerance within which a point counts as on an edge. It allows for rounding and is
+/// the same as in geometry/polyline.h.
 double edge_width(Point a, Point b) noexcept {
   return 4.0 * std::numeric_limits<double>::epsilon() *
          std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(b.x), std::fabs(b.y)});
@@ -29,14 +30,14 @@ bool is_on(Point a, Point b, Point p) noexcept {
   return nearest_on_line(a, b, p).distance_squared <= width * width;
 }
 
-/// Returns true if a ray from p along +x crosses the edge; half-open in y.
+/// Returns true if a ray from p along +x crosses the edge. The edge is half-open in y.
 bool ray_crosses(Point a, Point b, Point p) noexcept {
   if (a.y <= p.y && b.y > p.y) return cross(b - a, p - a) > 0.0;
   if (b.y <= p.y && a.y > p.y) return cross(b - a, p - a) < 0.0;
   return false;
 }
 
-/// Returns true if two line segments share a point; touching counts.
+/// Returns true if two line segments share a point, even if they only touch.
 bool meet(Point a, Point b, Point c, Point d) noexcept {
   const double ac = cross(b - a, c - a), ad = cross(b - a, d - a);
   const double ca = cross(d - c, a - c), cb = cross(d - c, b - c);
@@ -65,8 +66,8 @@ LassoArea::LassoArea(std::vector<Point> outline) : outline_(std::move(outline)) 
   const std::size_t strips = std::clamp<std::size_t>(outline_.size(), 1, kMaxStrips);
   strip_mm_ = bounds_.height() / static_cast<double>(strips);
 
-  // Counting sort of the edges into strips: count, add up, then fill. An edge is in every strip
-  // that it crosses.
+  // Sorts the edges into strips by a counting sort: count, add up, then fill. An edge is in every
+  // strip that it crosses.
   const auto for_each_place = [&](const auto& visit) {
     for (std::size_t i = 0; i < outline_.size(); ++i) {
       const Edge e = edge(i);
@@ -100,7 +101,7 @@ std::span<const std::uint32_t> LassoArea::edges_in(std::size_t strip) const noex
 }
 
 bool LassoArea::contains(Point p) const noexcept {
-  if (!bounds_.contains(p)) return false;  // also if p is not finite
+  if (!bounds_.contains(p)) return false;  // also true if p is not finite
   bool inside = false;
   for (const std::uint32_t i : edges_in(strip_of(p.y))) {
     const Edge e = edge(i);

@@ -18,8 +18,8 @@ struct Grid {
   long x = 0, y = 0;
 };
 
-/// Even-odd test in integers, so that it is exact, along the other axis than the code under test; a
-/// point on an edge is inside.
+/// An even-odd test in integers, so that it is exact. Its ray runs along the other axis than in the
+/// code under test. A point on an edge is inside.
 bool is_inside(const std::vector<Grid>& polygon, Grid p) {
   bool inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -94,7 +94,7 @@ TEST(LassoArea, TouchesWhatComesIn) {
   EXPECT_TRUE(square.touches(straight_stroke({0, 29.8}, {29.8, 0}, 1, 1))) << "over a corner";
   EXPECT_FALSE(square.touches(straight_stroke({0, 9}, {30, 9}, 1, 1))) << "past";
   EXPECT_FALSE(square.touches(straight_stroke({9, 0}, {9, 30}, 1, 1))) << "past";
-  // A thin blade cuts a line between two sampled points.
+  // A thin area cuts a line between two sampled points.
   const LassoArea blade({{15.24, 0}, {15.26, 0}, {15.25, 40}});
   EXPECT_TRUE(blade.touches(straight_stroke({0, 15}, {100, 15}, 1, 1)));
 }

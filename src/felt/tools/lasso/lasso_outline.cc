@@ -7,11 +7,11 @@
 namespace felt {
 namespace {
 
-/// Points nearer than this to the last one are skipped. This and the simplification together stay
-/// within the tolerance.
+/// Points nearer than kSpacingMm to the last point are skipped. This error and that of the
+/// simplification together stay within the tolerance.
 constexpr double kSpacingMm = 0.05;
 constexpr double kSimplifyMm = LassoOutline::kToleranceMm - kSpacingMm;
-/// Number of points that are simplified together: 30 us at worst.
+/// Number of points that are simplified together, which takes at most 30 us.
 constexpr std::size_t kTail = 96;
 
 }  // namespace

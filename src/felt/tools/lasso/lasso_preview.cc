@@ -14,14 +14,15 @@ constexpr std::int64_t kMaxPatches = 40'000;  // a square metre
 constexpr std::size_t kPatchesPerLook = 8;
 constexpr std::size_t kSegmentsPerLook = 64;
 constexpr std::size_t kPointsPerLook = 250;
-/// A longer outline is prepared only in every second, third, ... look().
+/// Maximum number of outline points per look(). A longer outline is prepared only in every second,
+/// third, ... look().
 constexpr std::size_t kOutlinePerLook = 256;
 
 std::int64_t line_of(double mm) {
   return static_cast<std::int64_t>(std::floor(std::clamp(mm, -1e9, 1e9) / kPatchMm));
 }
 
-/// Returns the segments between two marked joints.
+/// Returns the segments that have marked joints at both ends.
 std::vector<Overlay::Span> marked_spans(const Stroke& stroke, const Selection::Marks& marks) {
   std::vector<Overlay::Span> spans;
   for (int i = 0; i < stroke.segment_count(); ++i) {
@@ -48,7 +49,7 @@ void LassoPreview::look(std::span<const Point> outline, const Rect& bounds, Lass
   test_strokes(take, document);
 }
 
-/// Queues the patches within the bounds that were not within the last ones.
+/// Queues the patches that are within these bounds but were not within the previous bounds.
 void LassoPreview::cover(const Rect& bounds) {
   const Patch low{line_of(bounds.x0), line_of(bounds.y0)};
   const Patch high{line_of(bounds.x1) + 1, line_of(bounds.y1) + 1};

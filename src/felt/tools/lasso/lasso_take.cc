@@ -31,7 +31,7 @@ Selection::Marks marks_inside(const Stroke& stroke, const LassoArea& area, Lasso
 Selection taken_by(const LassoArea& area, LassoTake take, const Document& document,
                    const StrokeIndex& index) {
   Selection taken;
-  // Handles may lie outside the ink that is in the index.
+  // The index contains the ink only, but handles may lie outside of it.
   const double reach = take == LassoTake::kPoints ? index.farthest_handle_mm() : 0.0;
   for (const StrokeId id : index.strokes_in(area.bounds().inflated(reach))) {
     const StrokePtr stroke = document.find(id);

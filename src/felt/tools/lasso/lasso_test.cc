@@ -61,7 +61,7 @@ TEST(Lasso, R31_TakesTheControlPointsInside) {
     Lasso lasso;
     fill(lasso.desk, 12);
     testing::RandomStroke random(seed);
-    // A star that crosses itself, in straight lines that simplify to their corners.
+    // A star that crosses itself. Its straight lines are simplified to their corners.
     std::vector<Point> corners;
     for (int i = random.pick(3, 7); i > 0; --i) {
       corners.push_back({random.uniform(-2, 22), random.uniform(-2, 22)});
@@ -101,7 +101,7 @@ TEST(Lasso, R31_TakesHandlesOfALineWhoseInkIsElsewhere) {
                                      .closed = false,
                                      .widths = {{0, 1}, {1, 1}}})
                          .value());
-  lasso.draw(arc({20, 60}, 5, 0, 350));  // the ink comes up to 45 mm only
+  lasso.draw(arc({20, 60}, 5, 0, 350));  // the ink reaches only to 45 mm
   ASSERT_NE(lasso.selection().find(id), nullptr);
   EXPECT_EQ(*lasso.selection().find(id), (Selection::Marks{0, 1, 0, 0}));
 }

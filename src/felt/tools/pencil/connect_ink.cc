@@ -26,7 +26,7 @@ class Connector {
     return std::make_shared<const Stroke>(std::move(stroke));
   }
 
-  /// Moves the ends to their targets; drops targets that cannot be reached.
+  /// Moves the ends to their targets. Drops targets that the ends cannot reach.
   void place_ends() {
     place(StrokeTip::kStart, to_.start, stroke_with_tip(scene_.document, to_.start));
     if (!to_.start && to_.start_meets) move(StrokeTip::kStart, *to_.start_meets);
@@ -83,7 +83,7 @@ class Connector {
     return one.has_value();
   }
 
-  /// Both ends lie on strokes: joins two strokes, or closes one.
+  /// If both ends lie on strokes, joins the two strokes, or closes one stroke.
   bool add_between() {
     const TipId a = *to_.start, b = *to_.end;
     auto one = joined_at(*scene_.document.find(a.stroke), a.tip, ink_, StrokeTip::kStart);

@@ -48,7 +48,7 @@ TEST(ConnectInk, R45_JoinsAtAnyOfTheFourPairsOfEnds) {
       EXPECT_EQ(desk.document.layers()[0].strokes[1], old);  // its id and position
       const Stroke& one = *desk.document.find(old);
       EXPECT_FALSE(one.closed());
-      // Its direction: the existing part keeps it.
+      // The existing part keeps its direction.
       EXPECT_EQ(tip_point(one, opposite(tip)), (tip == kEnd ? Point{0, 0} : Point{50, 0}));
       EXPECT_EQ(tip_point(one, tip), far);
       const int joint = tip == kEnd ? 1 : one.segment_count() - 1;

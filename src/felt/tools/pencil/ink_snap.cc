@@ -20,24 +20,25 @@ using namespace snap_rules;
 constexpr double kRemainingS = 0.12;
 constexpr double kRestingMmPerS = 15.0;
 constexpr double kSlowMmPerS = 100.0;
-/// A faster pen is flicked off the surface or passes by.
+/// If the pen is faster, it is flicked off the surface or passes by.
 constexpr double kMaxEndMmPerS = 150.0;
 constexpr double kMaxCloseMmPerS = 400.0;
 constexpr double kMaxMeetMmPerS = 60.0;
 
-/// A gap this small relative to the extent of an outline is closed from every direction.
+/// If the gap is less than this fraction of the extent of an outline, it is closed from every
+/// direction.
 constexpr double kSureShare = 0.2;
 
 constexpr double kCrossingStepMm = 0.5;
-/// A longer step is a jump, of which at most this many pieces are checked.
+/// A longer step is a jump. At most kMaxCrossingPieces pieces of it are checked.
 constexpr int kMaxCrossingPieces = 32;
-/// A line that crosses another line this near to its end is not heading for any line.
+/// If a line crosses another line within this distance of its end, it is not heading for any line.
 constexpr double kClearMm = 4.0;
 constexpr double kMeetDeg = 35.0;
-/// A line that continues another straight ahead begins at most this far from its end; otherwise it
-/// is a dash.
+/// A line that continues another line straight ahead begins at most kDashMm from its end. If it
+/// begins farther away, it is the next dash of a dashed line.
 constexpr double kDashMm = 0.8, kDashDeg = 40.0;
-/// An attraction ends if the pen moves away from the target by this.
+/// An attraction ends if the pen moves away from the target by kLeaveMm.
 constexpr double kLeaveMm = 1.0;
 /// Reach of the attraction while hovering.
 constexpr double kAirReachMm = 1.4;
@@ -109,7 +110,7 @@ void InkSnap::find_begun_on(const Scene& scene) {
   const StrokePtr stroke = hit ? stroke_with_tip(scene.document, hit->id) : nullptr;
   if (!stroke || is_dot(*stroke)) return;
   begun_on_ = hit->id;
-  // Measures the stroke from its other end to this one; areas are relative to this end.
+  // Measures the stroke from its other end to this end. Areas are relative to this end.
   const bool start = hit->id.tip == StrokeTip::kStart;
   const int n = stroke->segment_count();
   Point last = tip_point(*stroke, opposite(hit->id.tip));
@@ -172,8 +173,8 @@ bool InkSnap::closes(Point target, const Part& before) const noexcept {
 }
 
 /// The shape of an outline is better evidence than the direction of its last millimetre. So the pen
-/// need not head for the start as exactly as for the end of another line, and in a large outline
-/// not at all.
+/// may head for the start less exactly than for the end of another line, and in a large outline its
+/// direction does not matter.
 bool InkSnap::is_closing(Point target, const Part& before, const Aim& aim) const noexcept {
   const double gap = distance(track_.pen(), target);
   const double speed = track_.speed_mm_per_s();
@@ -218,8 +219,8 @@ std::optional<TipHit> InkSnap::nearest_end(const Aim& aim, const Scene& scene) c
   return std::nullopt;
 }
 
-/// Returns the first that applies: the line's own start, the other end of the line it was begun on,
-/// an end of another line, a point on a line just ahead.
+/// Returns the first target that applies: the start of the line itself, the other end of the line
+/// on which it was begun, an end of another line, or a point on a line just ahead.
 std::optional<SnapTarget> InkSnap::find(const Aim& aim, double meet_mm, const Scene& scene) const {
   if (is_drawing_ && is_closing(track_.start(), {}, aim)) return SnapTarget{{}, track_.start()};
   if (begun_on_) {
@@ -266,7 +267,7 @@ bool InkSnap::may_begin_on(const TipId& end, const Scene& scene) const {
   return !is_crowded(scene, {end, at}, StrokeId{});
 }
 
-/// Returns the end that the line was begun on, or else a point on a line just behind its start.
+/// Returns the end on which the line was begun, or else a point on a line just behind its start.
 std::optional<SnapTarget> InkSnap::find_start(const Scene& scene) const {
   const auto direction = track_.first_direction();
   if (!direction || track_.extent_mm() < kDotMm) return std::nullopt;

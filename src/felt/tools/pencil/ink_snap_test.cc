@@ -26,7 +26,7 @@ struct Line {
   std::int64_t now_ns = 0;
   int attracted = 0;  ///< samples with an attraction
 
-  /// Draws along the points at this speed, slowing down to rest over the last 4 mm.
+  /// Draws along the points at this speed and slows down to rest over the last 4 mm.
   void draw(const std::vector<Point>& points, double mm_per_s = 60.0) {
     now_ns += 1'000'000;
     snap.begin(points.front(), now_ns, options, desk.scene());
@@ -101,7 +101,7 @@ TEST(InkSnap, R43_AnEndAttractsThePenThatComesToItSlowly) {
   EXPECT_EQ(slow.snap.target()->tip, (TipId{id, StrokeTip::kStart}));
   ASSERT_TRUE(slow.snap.attraction());
   EXPECT_EQ(slow.snap.attraction()->point, (Point{50, 50}));
-  // Not past it, away from it, or fast.
+  // The pen is not attracted if it moves past the end, away from it, or fast.
   Line past{desk};
   past.draw(way({20, 48}, {80, 48}));
   EXPECT_EQ(past.attracted, 0);
@@ -146,7 +146,7 @@ TEST(InkSnap, R44_ASecondLineClosesTheOutline) {
     Desk desk;
     const Point center{50, 50};
     const double r = 0.5 * diameter;
-    // Half of it as one cubic.
+    // Half of the circle as one cubic.
     StrokeData half = straight_stroke(center - Vec{r, 0}, center + Vec{r, 0}, 1, 1).data();
     half.points = {center - Vec{r, 0}, center + Vec{-r, -4.0 / 3 * r},
                    center + Vec{r, -4.0 / 3 * r}, center + Vec{r, 0}};
@@ -173,7 +173,7 @@ TEST(InkSnap, R43_ALineMayMeetTheMiddleOfAnother) {
   from.draw(way({50.3, 50}, {80, 50}));
   ASSERT_TRUE(from.snap.start_target());
   EXPECT_TRUE(from.snap.start_target()->on_curve);
-  // Not across a hatching.
+  // The pen is not attracted across a hatching.
   for (int i = 1; i < 6; ++i)
     desk.add(straight_stroke({50 - 1.5 * i, 20}, {50 - 1.5 * i, 90}, 1, 1));
   Line across{desk};

@@ -8,11 +8,11 @@ namespace felt {
 namespace {
 
 constexpr double kVelocityTauS = 0.015;
-/// Longer gaps between samples count as this long.
+/// Maximum time step. A longer gap between samples counts as kMaxStepS.
 constexpr double kMaxStepS = 0.1;
 /// Distance between the points at which turns are measured.
 constexpr double kTurnStepMm = 0.5;
-/// Assumed largest turn of a path on its way to a target.
+/// Assumed maximum turn of a path before it reaches a target.
 constexpr double kMaxBend = 45.0 * std::numbers::pi / 180.0;
 
 double turn_between(Vec a, Vec b) noexcept {
@@ -42,7 +42,7 @@ void PenTrack::begin(Point start, std::int64_t time_ns) noexcept {
 }
 
 void PenTrack::push(Point pen, std::int64_t time_ns) noexcept {
-  // In double, because the difference of two invalid times may overflow 64 bits.
+  // Computed in double, because the difference of two invalid times may overflow 64 bits.
   const double dt_s =
       std::min(1e-9 * (static_cast<double>(time_ns) - static_cast<double>(time_ns_)), kMaxStepS);
   if (dt_s > 0.0) {

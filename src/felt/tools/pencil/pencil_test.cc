@@ -28,7 +28,7 @@ struct Pencil {
     ASSERT_TRUE(ok) << ok.error().message;
   }
   void choose(std::string_view id, const char* value) { set(id, std::string(value)); }
-  /// The only stroke.
+  /// Returns the only stroke.
   [[nodiscard]] const Stroke& stroke() const {
     EXPECT_EQ(desk.strokes().size(), 1u);
     return *desk.strokes().at(0);
@@ -158,7 +158,7 @@ TEST(Pencil, ALiftBetweenTwoLinesMakesTwo) {
 TEST(Pencil, ALowSlowLiftLeavesNoTail) {
   Pencil p;
   p.pen.along(way({0, 0}, {20, 0}));
-  // The hand moves on, just above the surface.
+  // The hand continues to move, just above the surface.
   for (const Point q : way({20, 0}, {20, 10}, 0.2)) p.pen.at({q.x, q.y, 0.2});
   EXPECT_EQ(p.pen.commits, 1);
   EXPECT_NEAR(tip_point(p.stroke(), StrokeTip::kEnd).y, 0.0, 0.2);
@@ -175,7 +175,7 @@ TEST(Pencil, CancelLeavesNothingAndWaitsForALift) {
   EXPECT_EQ(p.desk.document, Document());
   p.pen.line(way({0, 0}, {50, 0}));
   EXPECT_EQ(p.desk.strokes().size(), 1u);
-  // While hovering it does not wait.
+  // If the pen only hovers, the line does not wait.
   p.tool.cancel();
   p.pen.line(way({0, 30}, {50, 30}));
   EXPECT_EQ(p.desk.strokes().size(), 2u);
@@ -247,7 +247,8 @@ TEST(Pencil, R43_ARingDrawnToItsStartIsClosed) {
     EXPECT_FALSE(p.stroke().closed()) << mode;
     EXPECT_LE(distance(tip_point(p.stroke(), StrokeTip::kEnd), ring.back()), 0.15);
   }
-  // Farther away than the snap radius: felt, not closed.
+  // If the gap is larger than the snap radius, the user feels the attraction, but the line is not
+  // closed.
   Pencil p;
   p.pen.line(arc({50, 50}, 30, 0, 350));
   EXPECT_FALSE(p.stroke().closed());
@@ -276,7 +277,7 @@ TEST(Pencil, R43_ForceOnlyNeverMovesGeometry) {
 }
 
 TEST(Pencil, R43_TheForceIsZeroAtTheTargetAndOutOfReach) {
-  // The pull towards the end when the pen has come to it slowly, d mm before it.
+  // Returns the pull towards the end on a pen that has come slowly, d mm before the end.
   const auto pull = [](double d, const char* mode) {
     Pencil p;
     p.choose("snap", mode);
@@ -417,7 +418,7 @@ TEST(Pencil, R43_RingsShowWhatAttractsAndWhatWouldSnap) {
   EXPECT_EQ(o.rings[1].center, (Point{50, 50}));
   p.pen.up({49, 50});
   EXPECT_EQ(tip_point(*p.desk.strokes()[1], StrokeTip::kEnd), (Point{50, 50}));
-  // Nothing around the line that was just drawn.
+  // Around the line that was just drawn nothing attracts the pen.
   for (double x = 50; x > 45; x -= 0.1) {
     p.pen.at({x, 50, 2});
     for (const auto& ring : p.overlay().rings) EXPECT_EQ(ring.center, (Point{50, 50}));
@@ -478,7 +479,7 @@ TEST(Pencil, R43_TheLineJustDrawnDoesNotAttractInTheAir) {
   p.pen.step_ns = 10'000'000;
   for (double x = 50; x < 60; x += 0.1) EXPECT_EQ(pull(x), 0.0);
   for (double x = 60; x > 50; x -= 0.1) EXPECT_EQ(pull(x), 0.0);
-  // After another line it does.
+  // After another line it does attract the pen.
   p.pen.line(way({20, 80}, {50, 80}));
   p.pen.at({60, 50, 1});
   double largest = 0.0;
@@ -486,7 +487,7 @@ TEST(Pencil, R43_TheLineJustDrawnDoesNotAttractInTheAir) {
   EXPECT_GT(largest, 0.15);
 }
 
-/// A hatching as in the window: 0.7 to 3 mm apart, with the defaults.
+/// A hatching as drawn in the window, with lines 0.7 to 3 mm apart and default options.
 TEST(Pencil, R43_AHatchingComesOutLineByLine) {
   for (const double spacing : {0.7, 1.0, 1.5, 1.8, 2.0, 3.0}) {
     Pencil p, off;
@@ -543,8 +544,8 @@ TEST(Pencil, R44_SmallCirclesClose) {
   }
 }
 
-/// A tilt that the pen reports overrides the option: WidthMap.
-TEST(Pencil, AMousesPenTiltsAsTheOptionSays) {
+/// A tilt that the pen reports overrides the option (WidthMap).
+TEST(Pencil, AMousesPenLeansAsTheOptionSays) {
   OptionValues values(kPencilOptions);
   EXPECT_EQ(pencil_settings(values).ink.width_map.absent_tilt_deg, 0.0);
   ASSERT_TRUE(values.set("tilt_deg", 70.0));
@@ -556,7 +557,8 @@ TEST(Pencil, AMousesPenTiltsAsTheOptionSays) {
 }
 
 TEST(Pencil, EveryOptionDoesSomething) {
-  // A drawing with an end nearby, tremor and changing pressure; what is seen and felt of it.
+  // Makes a drawing with an end nearby, tremor and changing pressure. Returns a fingerprint of all
+  // ink and forces.
   const auto fingerprint = [](const std::vector<std::pair<const char*, OptionValue>>& options,
                               bool mouse) {
     Pencil p;
@@ -679,7 +681,7 @@ TEST(Pencil, AMillionSamplesAreNoBurden) {
   EXPECT_GT(p.stroke().segment_count(), 1000);
 }
 
-// Robustness: any sequence of samples, options, cancels and undos.
+// Tests robustness with any sequence of samples, options, cancels and undos.
 
 class Hostile {
  public:

@@ -64,8 +64,7 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
   return move(sample, scene);
 }
 
-/// Makes a new fitter only if the widths have changed, so that its buffers are reused from line to
-/// line.
+/// Makes a new fitter only if the widths have changed, so that all lines use the same buffers.
 void PencilTool::make_fitter(const Scene& scene) {
   const InkFitOptions ink = drawn_with(medium_of(scene, settings_.material), settings_.ink);
   if (fitter_ && fitted_widths_ == ink.width_map) return;
@@ -81,7 +80,7 @@ ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   ink.position = stabiliser_.update(pen_point_, sample.time_ns);
   fitter_->push(ink);
   wet_.update(*fitter_, ink);
-  // A sample during a bounce draws ink, but does not snap.
+  // A sample during a bounce draws ink but does not snap.
   if (in_contact(sample)) snap_.update(pen_point_, sample.time_ns, settings_.snap, scene);
   return {};
 }
@@ -100,7 +99,7 @@ ToolResult PencilTool::end(const Scene& scene) {
     StrokeData data = drawn->data();
     data.material = settings_.material;
     data.color = color_;
-    // Still valid, because no invariant involves medium or colour.
+    // The stroke is still valid, because no invariant involves medium or colour.
     if (const auto ink = Stroke::create(std::move(data))) {
       result.commit = connect_ink(*ink, connections(scene), scene);
     }
@@ -183,8 +182,9 @@ std::optional<ToolSize> PencilTool::size() const {
   const double thin = options().number(PencilOption::Row::kMinWidth);
   const double broad = std::max(thin, options().number(PencilOption::Row::kMaxWidth));
   const double mm = thin + (broad - thin) * share_of_mouse(options());
-  const OptionSpec& spec = kPencilOptions[PencilOption::Row::kMaxWidth];
-  // Half of the range, so that the broadest line can scale with it. Options may be set beyond it.
+  const OptionSpec& spec = kPencilOptions[Row::kMaxWidth];
+  // The size covers half of the range, so that the broadest line can scale with it. The options
+  // themselves may be set beyond that.
   return ToolSize{mm, std::min(spec.min, mm), std::max(0.5 * spec.max, mm)};
 }
 

@@ -12,9 +12,9 @@
 namespace felt::snap_rules {
 namespace {
 
-/// Maximum number of ends checked around one; more are a crowd anyway.
+/// Maximum number of ends that are checked around one end. More ends are a crowd anyway.
 constexpr std::size_t kMaxNeighbours = 8;
-/// Hits on one stroke this near to each other count as one, at the joint of two segments.
+/// Hits on one stroke within kJointMm of each other count as one hit, at the joint of two segments.
 constexpr double kJointMm = 0.01;
 
 /// Calls visit(StrokeId, curve, Crossing) for each point where the chord meets a stroke.

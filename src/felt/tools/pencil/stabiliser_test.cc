@@ -12,7 +12,8 @@ namespace {
 constexpr StabiliserOptions kInertia{.kind = StabiliserKind::kInertia};
 constexpr StabiliserOptions kTowed{.kind = StabiliserKind::kTowed};
 
-/// A wave drawn at 100 mm/s, sampled at a rate, with tremor of the given size.
+/// Returns the nib positions of a wave that is drawn at 100 mm/s and sampled at the given rate,
+/// with tremor of the given size.
 std::vector<Point> nibs(const StabiliserOptions& options, double rate_hz, double tremor_mm) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> noise(0.0, tremor_mm);

@@ -49,7 +49,7 @@ void WetInk::add_node(Point pen) {
   ++taken_;
 }
 
-/// Replays the samples of a segment through the width map and ends a piece each time the fraction
+/// Replays the samples of a segment through the width map. A piece ends each time the fraction
 /// 1/pieces of the segment has passed.
 void WetInk::add_segment(const InkFitter& fitter, int i) {
   const Cubic segment = fitter.segment(i);
@@ -73,7 +73,7 @@ void WetInk::add_segment(const InkFitter& fitter, int i) {
     if (t < 1.0 && (t - t0) * pieces >= 1.0) add_piece(t);
   }
   add_piece(1.0);
-  // Keep the node before the tail, because the tail's widths begin between it and the next.
+  // Keeps the node before the tail, because the tail's widths begin between this node and the next.
   while (first_node_ + 1 < nodes_.size() && nodes_[first_node_ + 1].sample <= samples_) {
     ++first_node_;
   }
@@ -92,8 +92,8 @@ InkWidth WetInk::open_width(double path_mm) const {
           a.ink.tone + share * (end.tone - a.ink.tone)};
 }
 
-/// Adds the stable pieces, then the tail. The tail has no samples of its own, so the widths along
-/// the pen's path are mapped to it by relative length.
+/// Adds the stable pieces, then the tail. The tail does not have samples of its own, so the widths
+/// along the pen's path are mapped to the tail by relative length.
 void WetInk::draw(InkFitter& fitter, Overlay& overlay) const {
   overlay.add_stable_ink(stroke_, pieces_);
   const auto tail = fitter.live_tail();

@@ -24,16 +24,16 @@ std::size_t count_written(Overlay& overlay) {
   return written;
 }
 
-/// A minute of scribble at 1 kHz, about 200 mm/s.
+/// Returns a point of a scribble at about 200 mm/s. The test draws for a minute at 1 kHz.
 Point scribble(int ms) {
   const double t = 0.001 * ms;
   return {150.0 + 20.0 * std::sin(9.0 * t) + t, 100.0 + 30.0 * std::sin(7.3 * t)};
 }
 
-/// The cost of a refresh, in segments.
+/// Cost of a refresh, in segments.
 struct Refresh {
   std::size_t copied = 0;    ///< into the overlay
-  std::size_t compared = 0;  ///< at most, by a view that showed the last refresh
+  std::size_t compared = 0;  ///< at most, by a view that has shown the previous refresh
 };
 
 Refresh most_of(const std::vector<Refresh>& refreshes, std::size_t from, std::size_t to) {

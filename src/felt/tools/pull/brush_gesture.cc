@@ -62,7 +62,7 @@ class BrushGesture final : public PullGesture {
   }
 
  private:
-  /// The stroke as it was at the touch.
+  /// Returns true if the stroke is as it was at the touch.
   [[nodiscard]] bool is_home() const noexcept { return displacement_ == Vec{}; }
 
   StrokeReplacement stroke_;

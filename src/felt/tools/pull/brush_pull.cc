@@ -12,16 +12,17 @@ namespace felt {
 namespace {
 
 constexpr double kPullAccuracy = 1e-7;
-/// A handle shorter than kNoHandleMm counts as having no length
-/// (docs/design/editing.md#smooth-joints). At a smooth joint it gets the length kStandingHandleMm,
-/// so that it has its own direction. The curve moves by less than a micrometre.
+/// The length of a handle shorter than kNoHandleMm counts as zero
+/// (docs/design/editing.md#smooth-joints). At a smooth joint this handle gets the length
+/// kStandingHandleMm, so that it has a direction of its own. The curve moves by less than a
+/// micrometre.
 constexpr double kNoHandleMm = 1e-6;
 constexpr double kStandingHandleMm = 1e-3;
-/// Displacements up to this many radii follow the influence within the tolerance. Beyond that the
-/// ink is stretched so far that the same relative error is not visible.
+/// If the displacement is at most kExactRadii radii, the ink follows the influence within the
+/// tolerance. Beyond that the ink is stretched so far that the same relative error is not visible.
 constexpr double kExactRadii = 2.0;
-/// On release, joints may lie at multiples of 1/k of the segments, for each k here; the result with
-/// the fewest segments is used.
+/// On release, joints may lie at multiples of 1/k of the segments. Each k of this list is tried,
+/// and the result with the fewest segments is used.
 constexpr int kFiner[] = {3, 4, 5, 6};
 /// Fraction of the tolerance within which the pull follows the exact displacement.
 constexpr double kPullShare = 0.2;
@@ -29,8 +30,8 @@ constexpr double kPullShare = 0.2;
 constexpr int kMaxRounds = 5;
 /// Minimum handle length of ink that is compressed below the length that I5 requires.
 constexpr double kSliverHandleMm = 0.03;
-/// Those handles move the grab. Correcting that may compress another segment, so both are repeated
-/// up to this often.
+/// Lengthening these handles moves the grabbed point. Correcting that may compress another segment,
+/// so both steps are repeated up to kMendRounds times.
 constexpr int kMendRounds = 4;
 /// Squared sine of the largest angle between two handles that is not corrected: 6e-9 degrees.
 constexpr double kStraight = 1e-20;
@@ -81,7 +82,8 @@ Cubic BrushPull::segment(int i) const noexcept {
   return {{p[0], p[1], p[2], p[3]}};
 }
 
-/// Cuts base_ at the five parameters `places`, whose joint numbers go to joints_, and at `more`.
+/// Cuts base_ at the five parameters `places` and at `more`. Stores the joint numbers of `places`
+/// in joints_.
 void BrushPull::cut(std::span<const double> places, std::span<const double> more) {
   std::vector<std::pair<double, std::size_t>> all;
   for (std::size_t i = 0; i < places.size(); ++i) all.emplace_back(places[i], i);
@@ -93,7 +95,7 @@ void BrushPull::cut(std::span<const double> places, std::span<const double> more
   auto stroke = Stroke::create(base_).and_then(
       [&](const Stroke& base) { return subdivided(base, us, &numbers); });
   if (!stroke) {
-    // A stroke that cannot be cut is pulled by its existing joints.
+    // If the stroke cannot be cut, it is pulled by its existing joints.
     numbers.clear();
     for (const double u : us) numbers.push_back(static_cast<int>(std::lround(u)));
   } else {
@@ -138,8 +140,8 @@ void BrushPull::add_runs(int count, const BrushSide& side, double sign) {
   }
 }
 
-/// Returns the middles of the segments over which a cubic in t misses the influence by more than
-/// `most_error`.
+/// Returns the middles of the segments over which a cubic in t differs from the influence by more
+/// than `most_error`.
 std::vector<double> BrushPull::crooked(double most_error) const {
   std::vector<double> middles;
   for (const Run& run : runs_) {
@@ -194,8 +196,8 @@ void BrushPull::weigh(bool is_whole) {
   }
 }
 
-/// Finds the parameter of the grab. It is a joint, unless cutting there would have made a piece
-/// that is too short.
+/// Finds the parameter of the grab. The grab is at a joint unless a cut there would have made a
+/// piece that is too short.
 void BrushPull::find_grab() {
   const int n = count();
   grab_segment_ = std::min(joints_.grab, n - 1);
@@ -268,7 +270,7 @@ void BrushPull::pull(StrokeData& data, Vec displacement) const {
 }
 
 /// Lengthens the handles of segments that are compressed below the length that I5 requires. No
-/// point moves by more than the handles. Returns true if there was such a segment.
+/// point moves by more than the length of the handles. Returns true if it found such a segment.
 bool BrushPull::keep_lengths(StrokeData& data) const {
   bool any = false;
   const int n = count();

@@ -25,7 +25,7 @@ using testing::RandomStroke;
 using testing::share;
 using testing::straight_stroke;
 
-/// A line of the pencil; a smooth one as drawn by hand, half a millimetre per sample.
+/// Returns a line of the pencil. A smooth line is as drawn by hand, half a millimetre per sample.
 Stroke drawn(std::uint64_t seed, int samples,
              testing::InkShape shape = testing::InkShape::kSmooth) {
   testing::TestInk ink(seed);
@@ -70,7 +70,8 @@ double largest_turn_deg(const Stroke& s) {
   return worst * 180.0 / std::numbers::pi;
 }
 
-/// Every segment of `before` that lies outside joints first..last of `after` is there bit for bit.
+/// Returns true if `after` contains, bit for bit, every segment of `before` that lies outside of
+/// its joints first..last.
 bool keeps_outside(const Stroke& before, const Stroke& after, double first_u, double last_u) {
   const bool wraps = last_u <= first_u;
   for (int i = 0; i < before.segment_count(); ++i) {
@@ -149,8 +150,8 @@ TEST(BrushPull, OutsideTheSpanEveryByteStays) {
 }
 
 TEST(BrushPull, NoPullIsRefused) {
-  // Ink of every kind, with segments hardly longer than I5 requires: those along the pull are
-  // compressed below that.
+  // Ink of every kind with segments hardly longer than I5 requires. The pull compresses the
+  // segments along its direction below that length.
   using testing::InkShape;
   constexpr std::array kShapes = {InkShape::kSmooth, InkShape::kDense,   InkShape::kZigzag,
                                   InkShape::kSpiral, InkShape::kHairpin, InkShape::kFractal};
@@ -183,7 +184,7 @@ TEST(BrushPull, NoPullIsRefused) {
 }
 
 TEST(BrushPull, TheLiftAddsFewSegmentsAndMovesLittle) {
-  // A shaky line has enough segments for a pull already; the lift finds them.
+  // A shaky line already has enough segments for a pull, so the lift adds only few.
   double added = 0.0, moved = 0.0;
   constexpr int kPulls = 60;
   for (std::uint64_t seed = 0; seed < kPulls; ++seed) {
@@ -206,7 +207,7 @@ TEST(BrushPull, TheLiftAddsFewSegmentsAndMovesLittle) {
 }
 
 TEST(BrushReach, EndsWithinTheRadiusOfTheGrab) {
-  // With a corner that is held, too.
+  // Includes strokes with a corner that is held.
   int held = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     SCOPED_TRACE(seed);
@@ -227,7 +228,8 @@ TEST(BrushReach, EndsWithinTheRadiusOfTheGrab) {
 }
 
 TEST(BrushPull, TheInfluenceFallsOffAlongTheInk) {
-  // A straight line of two unequal segments; away from joints, so that the radius is exact.
+  // A straight line of two unequal segments. The pull is away from joints, so that the radius is
+  // exact.
   StrokeData d{.points = {{0, 0}, {20, 0}, {40, 0}, {60, 0}, {80, 0}, {90, 0}, {100, 0}},
                .joints = {JointKind::kSmooth},
                .closed = false,
@@ -240,7 +242,7 @@ TEST(BrushPull, TheInfluenceFallsOffAlongTheInk) {
     const double u = pulled.segment_count() * k / 1000.0;
     const Point p = pulled.position(u);
     EXPECT_NEAR(p.y, 10.0 * influence(std::fabs(p.x - s->position(0.5).x) / 24.0), tolerance);
-    // Widths stay with the ink: here a function of x, by u of the original line.
+    // Widths stay with the ink. Here they are a function of x, by u of the original line.
     const double was = p.x < 60.0 ? 0.0 : 1.0;
     if (std::fabs(p.x - 60.0) > 1e-6 && p.x < 60.0) {
       EXPECT_NEAR(pulled.width_mm(u), 1.0 + (was + p.x / 60.0), 1e-6);
@@ -331,7 +333,7 @@ TEST(BrushPull, R26_EndsAndCornersStayUnlessTakenHoldOf) {
 
 TEST(BrushPull, R26_ClosedStrokesWrapOneAndTwoSegmentsIncluded) {
   for (const int n : {1, 2, 3, 8}) {
-    // A ring of one segment: a drop with a smooth seam.
+    // A closed stroke of one segment: a drop with a smooth seam.
     const Stroke drop = Stroke::create({.points = {{20, 20}, {60, 20}, {-20, 20}, {20, 20}},
                                         .joints = {JointKind::kCorner},
                                         .closed = true,
@@ -368,7 +370,7 @@ TEST(BrushPull, R26_ClosedStrokesWrapOneAndTwoSegmentsIncluded) {
 }
 
 TEST(BrushPull, R28_StandingHandlesDoNoHarm) {
-  // Handles of zero length at both sides of smooth joints, at ends, and everywhere.
+  // Handles of zero length on both sides of smooth joints, at ends, and everywhere.
   StrokeData d{.points = {{0, 0},
                           {0, 0},
                           {20, 5},
@@ -423,7 +425,7 @@ Nearest nearest_on(const Stroke& s, Point p) {
   return best;
 }
 
-/// An instrumented build takes ten times as long and looks for other faults.
+/// An instrumented build takes ten times as long and searches for other faults.
 #ifdef __SANITIZE_ADDRESS__
 constexpr int kManyPulls = 1'000;
 #else
@@ -438,7 +440,7 @@ TEST(BrushPull, R24_TenThousandPullsLeaveAGoodLine) {
   double worst_turn = 0.0, longest = 0.0, least_handle = 1.0;
   int most = 0, refused = 0;
   for (int k = 0; k < kManyPulls; ++k) {
-    // Random pulls to within 2 mm of the original line: out and back, repeatedly.
+    // Random pulls to a position within 2 mm of the original line, repeatedly out and back.
     const double u0 = random.uniform(0.0, s->segment_count());
     const Point home = nearest_on(first, s->position(u0)).point;
     const Point pen = home + Vec{random.uniform(-1.4, 1.4), random.uniform(-1.4, 1.4)};

@@ -9,12 +9,12 @@ namespace felt {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
-/// Pins this close to held ink are held too, and a ring shorter than ten times this moves as a
-/// whole, because there is no room for the influence to fall off.
+/// Pins within kNoRoomMm of held ink are held, too, and a ring shorter than ten times kNoRoomMm
+/// moves as a whole, because the influence does not have enough length to fall off.
 constexpr double kNoRoomMm = 0.1;
-/// If the ends of both sides are this close, they count as one point.
+/// If the ends of both sides are within kRingMeetMm, they count as one point.
 constexpr double kRingMeetMm = 0.01;
-/// A side ends at a joint if there is one in this last part of its radius.
+/// Last fraction of the radius. If it contains a joint, the side ends at that joint.
 constexpr double kJointShare = 0.2;
 
 /// Arc lengths along a stroke to one side of the grab.
@@ -45,7 +45,8 @@ class Side {
     std::sort(ways.begin(), ways.end());
     return ways;
   }
-  /// Returns the largest arc length to a joint between these two, or the longer of them.
+  /// Returns the largest arc length to a joint that is between `shortest` and `longest`; if no
+  /// joint is, returns `longest`.
   [[nodiscard]] double at_joint(double shortest, double longest) const {
     double best = -1.0;
     const int n = stroke_.segment_count();
@@ -86,7 +87,7 @@ BrushSide side_of(const Side& side, const Hold& hold, double most_mm, const Brus
   BrushSide result{.held_mm = hold.held_mm};
   const double end = side.way_to_end() - hold.held_mm;
   if (end <= 0.0) return result;
-  // The radius counts from the grab, so that nothing moves beyond it.
+  // The radius is measured from the grab, so that nothing moves beyond it.
   const double free = std::min(std::max(options.radius_mm - hold.held_mm, kNoRoomMm), most_mm);
   const double pin = hold.pin_mm - hold.held_mm;
   if (pin <= free) {
@@ -124,7 +125,7 @@ BrushReach brush_reach(const Stroke& stroke, const ArcMap& map, double u0,
   reach.before = side_of(before, first, most, options);
   reach.after = side_of(after, last, most, options);
   if (!stroke.closed()) {
-    // The stroke is held up to both ends, or has no room to fall off (a dot).
+    // The stroke is held up to both ends, or too short for the influence to fall off (a dot).
     reach.is_whole = (reach.before.way_mm < kNoRoomMm && reach.after.way_mm < kNoRoomMm) ||
                      map.length_mm() < kNoRoomMm;
   }

@@ -29,8 +29,8 @@ bool lies_on(const Stroke& stroke, Point p) {
   return false;
 }
 
-/// Maps points of a stroke if a part between its ends changes: each keeps its relative arc length
-/// within that part.
+/// Maps points of a stroke after a part between its ends has changed. Each point keeps its relative
+/// arc length within that part.
 class Slide {
  public:
   Slide(const Stroke& before, const ArcMap& before_arc, const Stroke& after)
@@ -48,7 +48,8 @@ class Slide {
   }
 
  private:
-  /// Returns the length from the start (or the end) over which both strokes are equal, in 64ths.
+  /// Returns the length from the start (or the end) over which both strokes are equal. Accuracy:
+  /// 1/64 of the length.
   [[nodiscard]] double same_length_mm(const Stroke& before, bool from_end) const {
     constexpr int kSteps = 64;
     const double length = before_arc_.length_mm(), after_length = after_arc_.length_mm();
@@ -83,7 +84,7 @@ StrokePtr ConnectedPull::pulled(StrokePtr stroke, double u, Point to) {
   return pulled(BrushPull(stroke, u, brush_), stroke, to - stroke->position(u));
 }
 
-/// Pulls ends that lie on strokes of locked layers back to their points.
+/// Pulls ends that lie on strokes of locked layers back to their former positions.
 StrokePtr ConnectedPull::held(const Leader& leader, StrokePtr after) {
   const Stroke& before = *leader.before;
   const double n = before.segment_count();
@@ -95,8 +96,8 @@ StrokePtr ConnectedPull::held(const Leader& leader, StrokePtr after) {
   return after;
 }
 
-/// Returns the new positions of the shared points of a stroke: ends move with the ends, a point
-/// that is still on the curve stays, and any other one slides along.
+/// Returns the new positions of the shared points of a stroke. A point at an end moves with the
+/// end. A point that is still on the curve stays. Any other point slides along the curve.
 std::vector<Point> ConnectedPull::carried(Leader& leader) {
   const Stroke &before = *leader.before, &after = *leader.after;
   const double n = before.segment_count();

@@ -119,7 +119,7 @@ struct Posts {
       posts.insert(desk.add(straight_stroke({x + 40, 70}, {x + 40, 0}, 1, 1)));
     }
   }
-  /// Returns the edit of a gesture that bends each line from `first` on by this much.
+  /// Returns the edit of a gesture that bends each line, beginning with number `first`, by `mm`.
   [[nodiscard]] Edit bent(std::size_t first, double mm) const {
     EditBuilder edit(desk.document);
     for (std::size_t i = first; i < lines.size(); ++i) {

@@ -15,7 +15,7 @@ struct Basis {
         b4(t * t * t) {}
 };
 
-/// S of docs/design/forces.md: 1 at 0, 0 from 1 on, flat at both.
+/// Returns S of docs/design/forces.md: 1 at x = 0, 0 for x >= 1, with zero slope at both.
 double fade(double x) noexcept {
   return x < 1.0 ? 1.0 - x * x * (3.0 - 2.0 * x) : 0.0;
 }
@@ -32,7 +32,7 @@ EditWeights soft_weights(double t, const Compliance& compliance) noexcept {
   const double left = b.b1 + b.b2, right = b.b3 + b.b4;
   const double sum = compliance.left_joint * left * left + compliance.right_joint * right * right +
                      compliance.left_handle * b.b2 * b.b2 + compliance.right_handle * b.b3 * b.b3;
-  // Below this the handles would have to move more than a million times the pull.
+  // If the sum were smaller, the handles would have to move more than a million times the pull.
   if (!(sum > 1e-12)) return {};
   const double alpha = compliance.left_joint * left / sum;
   const double beta = compliance.right_joint * right / sum;
@@ -45,7 +45,7 @@ EditWeights paper_weights(double t, double tau) noexcept {
   const double alpha = fade(t / tau), beta = fade((1.0 - t) / tau);
   const double rest = 1.0 - alpha * (b.b1 + b.b2) - beta * (b.b3 + b.b4);
   const double middle = b.b2 + b.b3;  // 3 t (1 - t)
-  // At the joints the rest falls with t^2, the middle with t, so the limit is 0.
+  // Near a joint `rest` falls with t^2 and `middle` with t, so the limit of their quotient is 0.
   const double c = middle > 0.0 ? rest / middle : 0.0;
   return {{alpha, alpha + c, beta + c, beta}};
 }

@@ -10,7 +10,7 @@
 namespace felt::edit_weights_test {
 namespace {
 
-/// The parameters that R21 names, and some in between.
+/// Returns the parameters that R21 names, and some in between.
 std::vector<double> places() {
   std::vector<double> t{0.0, 1e-9, 1.0 - 1e-9};
   for (int i = 1; i <= 100; ++i) t.push_back(0.01 * i);
@@ -116,7 +116,7 @@ TEST(EditWeights, APinnedJointStaysUnlessItIsNear) {
     EXPECT_GT(w.w[1], soft_weights(t).w[1] - soft_weights(t).w[0]);
   }
   EXPECT_EQ(soft_weights(0.0, {.left_joint = pinned_compliance(0.0)}).w[0], 1.0);
-  // If nothing may move, nothing does.
+  // If no part may move, all weights are zero.
   EXPECT_EQ(soft_weights(0.5, {0, 0, 0, 0}).w, (std::array<double, 4>{}));
 }
 

@@ -42,7 +42,8 @@ class GrabGesture final : public PullGesture {
 
   void draw(Overlay& overlay) const override {
     const bool moved = displacement_ != Vec{};
-    // The snapshot may have fewer joints than the strokes made by at().
+    // Only a moved stroke is drawn, because the snapshot may have fewer joints than the strokes
+    // made by at().
     if (moved) {
       add_span(overlay, *shown_, pull_.first_joint(), pull_.last_joint(), Overlay::Role::kSpan);
     }

@@ -10,8 +10,8 @@
 namespace felt {
 namespace {
 
-/// Divides the strand on both sides of the point at arc length s0, `away_mm` along the stroke from
-/// it.
+/// Divides the strand on both sides of the point at arc length s0, each `away_mm` along the stroke
+/// from that point.
 void divide_around(Strand& strand, const ArcMap& map, double s0, double away_mm) {
   const double length = map.length_mm();
   for (const double side : {-1.0, 1.0}) {
@@ -41,7 +41,7 @@ GrabPull::GrabPull(StrokePtr snapshot, double u0, const GrabOptions& options)
     : snapshot_(std::move(snapshot)), strand_(snapshot_), origin_(snapshot_->position(u0)) {
   u0 = std::clamp(u0, 0.0, static_cast<double>(snapshot_->segment_count()));
   if (options.affected_mm > 0.0) {
-    // A third for the segment, a third for each neighbour.
+    // The segment and its two neighbours each get a third of the length.
     const ArcMap map(*snapshot_);
     const double s0 = map.length_at(u0);
     divide_around(strand_, map, s0, options.affected_mm / 6.0);
@@ -78,8 +78,8 @@ Result<Strand> GrabPull::bent(Vec displacement) const {
     return fail(ErrorCode::kInvalidData, "nothing that may move moves what was taken hold of");
   }
   Strand strand = strand_;
-  // Starts at the current position of the point, because giving zero-length handles a length has
-  // moved it by a micrometre (R21).
+  // Starts at the current position of the point. It has moved by a micrometre when zero-length
+  // handles got a length (R21).
   const Point from = evaluate(strand.segment(place_.segment), place_.t);
   if (!strand.bend(place_.segment, place_.t, weights_, origin_ + displacement - from)) {
     return fail(ErrorCode::kInvalidData, "the pull would fold a segment to nothing");

@@ -26,7 +26,7 @@ std::vector<double> places_of_r21() {
   return t;
 }
 
-/// A circle of n segments, smooth all round.
+/// Returns a circle of n segments with smooth joints.
 StrokePtr circle_of(int n, double radius = 10.0) {
   StrokeData d;
   d.closed = true;
@@ -48,7 +48,7 @@ StrokePtr circle_of(int n, double radius = 10.0) {
   return share(Stroke::create(d).value());
 }
 
-/// A closed stroke of one segment, a drop.
+/// Returns a closed stroke of one segment, a drop.
 StrokePtr drop() {
   return share(Stroke::create({.points = {{10, 10}, {30, 10}, {10, 30}, {10, 10}},
                                .joints = {JointKind::kCorner},
@@ -57,7 +57,7 @@ StrokePtr drop() {
                    .value());
 }
 
-/// An open wave of n smooth segments.
+/// Returns an open wave of n smooth segments.
 StrokePtr wave(int n, double length_mm = 12.0) {
   StrokeData d;
   d.points.push_back({0, 0});
@@ -139,8 +139,8 @@ double nearest_u(const Stroke& stroke, Point p) {
 }
 
 TEST(GrabPull, R24_TwoThousandCommittedPullsDoNotBlowUp) {
-  // Like a user who pulls a line around for an hour: each pull moves a nearby point to a position
-  // near the original line.
+  // Acts like a user who pulls a line around for an hour. Each pull moves a nearby point to a
+  // position near the original line.
   RandomStroke random(2400);
   const StrokePtr first = wave(8);
   StrokePtr stroke = first;
@@ -202,7 +202,7 @@ TEST(GrabPull, Eq7AsPrintedMovesByItsOwnNumbers) {
   const auto& old = stroke->data().points;
   const double w[] = {0.125, 0.375, 0.375, 0.5};
   for (std::size_t k = 0; k < 4; ++k) EXPECT_LE(distance(p[3 + k], old[3 + k] + w[k] * v), 1e-12);
-  // It does not reach the pen: 0.125 * 0.125 + 2 * 0.375 * 0.375 + 0.125 * 0.5.
+  // The curve does not reach the pen: 0.125 * 0.125 + 2 * 0.375 * 0.375 + 0.125 * 0.5.
   const double part = norm(pull.at(v)->position(1.5) - stroke->position(1.5)) / norm(v);
   EXPECT_NEAR(part, 0.359375, 1e-12);
 }
@@ -237,7 +237,8 @@ TEST(GrabPull, R26_CornersStayCornersAndMoveAsAWhole) {
     for (const std::size_t k : {2U, 3U, 4U}) EXPECT_LE(distance(p[k], old[k] + v), 1e-12);
     EXPECT_EQ(bent.joint(1), JointKind::kCorner);
   }
-  // If the middle of a segment is pulled, a corner stays, and so does its other side.
+  // If the middle of a segment is pulled, a corner stays, and the segment on its other side does
+  // not change.
   const Stroke bent = *GrabPull(stroke, 0.5, {}).at(v);
   for (std::size_t k = 3; k < 7; ++k) EXPECT_EQ(bent.data().points[k], stroke->data().points[k]);
 }

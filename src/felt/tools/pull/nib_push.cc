@@ -16,7 +16,7 @@ namespace {
 /// (docs/design/editing.md#sweep).
 constexpr double kLongestHandle = 1.5;
 
-/// R27: the stroke is no nearer than the radius less this, mm.
+/// R27: the distance of the stroke from the nib is at least the radius minus kTouchMm.
 constexpr double kTouchMm = 1e-6;
 
 /// Added to the radius by each correction after the first kExactCorrections, mm.
@@ -45,8 +45,8 @@ Rect box_of(Point a, Point b) noexcept {
   return box;
 }
 
-/// Returns the parameter at which a segment crosses the straight line from a to b, nearest to a.
-/// Uses chords, which is accurate enough to grab the segment.
+/// Returns the parameter of the crossing of a segment with the straight line from a to b that is
+/// nearest to a. Uses chords, which are accurate enough to grab the segment.
 std::optional<double> crossing(const Cubic& c, Point a, Point b) noexcept {
   constexpr int kChords = 16;
   if (!control_bounds(c).intersects(box_of(a, b))) return std::nullopt;
@@ -152,7 +152,8 @@ bool NibPush::clear(Point p, Vec came_from) {
     const double depth = distance(p, met->point);
     Vec n = depth > 1e-9 ? (p - met->point) / depth : came_from;
     if (n == Vec{}) n = perp(tangent(strand_.segment(met->place.segment), met->place.t));
-    // Points that push each other back under the nib get a little more room each time.
+    // If points push each other back under the nib, each correction moves them a little farther
+    // than the radius.
     const double room = k < kExactCorrections ? 0.0 : kRoomMm * (k - kExactCorrections + 1);
     contact_ = p - (radius_mm_ + room) * n;
     if (!displace(*met, *contact_)) break;
@@ -210,7 +211,7 @@ bool NibPush::divide_within(double s_mm, double reach_mm) {
         std::fabs(map_.way(s_mm, material_[static_cast<std::size_t>(i) + 1].s_mm));
     const double length = material_[static_cast<std::size_t>(i) + 1].s_mm -
                           material_[static_cast<std::size_t>(i)].s_mm;
-    // Skip the segment unless one of its ends is within reach or the point s_mm lies on it.
+    // Skips the segment unless one of its ends is within reach or the point at s_mm lies on it.
     if (std::min(to_start, to_end) >= reach_mm && to_start + to_end > length + 1e-6) continue;
     is_in_pieces_[origin] = 1;
     const int most = kMaxSegments - strand_.count() + 1;
@@ -221,8 +222,8 @@ bool NibPush::divide_within(double s_mm, double reach_mm) {
 }
 
 NibPush::Influence NibPush::influence_at(int joint, double s_mm, double reach_mm) const {
-  // On a closed stroke both sides meet at half its length, where the influence must be flat. A
-  // larger reach instead raises the influence everywhere.
+  // On a closed stroke both sides meet at half its length. The influence must be flat there, so a
+  // larger reach raises it everywhere instead.
   const double half = strand_.closed() ? 0.5 * map_.length_mm() : reach_mm;
   const double radius = std::min(reach_mm, half);
   const double base = 1.0 - radius / reach_mm;
@@ -241,8 +242,8 @@ std::array<double, 3> NibPush::weights_at(int joint, const Influence& influence)
   double after = j < n ? length(3 * j, 3 * j + 1) : 0.0;
   if (strand_.closed() && j == 0) before = length(3 * n - 1, 3 * n);
   if (strand_.closed() && j == n) after = length(0, 1);
-  // Both handles turn by the same angle, whatever their current lengths; together as much as the
-  // original ink requires.
+  // Both handles turn by the same angle, independent of their current lengths. Together they turn
+  // as much as the original ink requires.
   const double both = before + after;
   const double turn = both > 0.0 ? influence.slope * material_[j].handles_mm / both : 0.0;
   return {influence.weight - turn * before, influence.weight, influence.weight + turn * after};
@@ -252,7 +253,7 @@ bool NibPush::displace(Nearest at, Point target) {
   const double u = u_of(at.place);
   const double depth = distance(strand_.snapshot()->position(u), target);
   double reach = kReachRadii * radius_mm_ + kReachPerDepth * depth;
-  // If ink would be compressed too much, more of its neighbourhood is moved with it.
+  // If the ink would be compressed too much, tries again with a larger reach.
   for (int trial = 0; trial < kReachTrials; ++trial, reach *= 2.0) {
     if (divide_within(map_.length_at(u), reach)) at.place = strand_.locate(u);
     if (displace_within(reach, at, target)) return true;
@@ -293,7 +294,8 @@ bool NibPush::displace_within(double reach, const Nearest& at, Point target) {
 Result<Stroke> NibPush::finished(Point pen) const {
   Result<Stroke> refitted = with_good_shapes(strand_);
   if (!refitted) return refitted;
-  // The refit may have moved the stroke towards the nib by kRefitToleranceMm, so push once more.
+  // The refit may have moved the stroke towards the nib by kRefitToleranceMm, so the nib pushes
+  // once more.
   NibPush again(std::make_shared<const Stroke>(*std::move(refitted)), radius_mm_);
   again.move(pen, pen);
   if (again.nearest_to(pen, radius_mm_ - kTouchMm) && !nearest_to(pen, radius_mm_ - kTouchMm)) {

@@ -22,7 +22,7 @@ using testing::share;
 
 constexpr double kRadius = 3.0;
 
-/// A smooth line of n segments along x with waves of this height.
+/// Returns a smooth line of n segments along x with waves of this height.
 StrokePtr line(int n, double segment_mm, double wave_mm = 0.0) {
   StrokeData d;
   d.points.push_back({0, 0});
@@ -66,7 +66,7 @@ void go(NibPush& push, const std::vector<Point>& way, double step_mm, Check chec
       const double before = nearest_place(*push.stroke(), next).distance_mm;
       const StrokePtr old = push.stroke();
       const bool moved = push.move(last, next);
-      // No motion without contact, along the step or at its end.
+      // Nothing moves without contact, neither along the step nor at its end.
       if (step_mm <= 0.5 * kRadius && before >= kRadius) {
         ASSERT_FALSE(moved);
       }
@@ -120,13 +120,13 @@ TEST(NibPush, R27_NeverPulls) {
   go(push, {{60, -20}, {60, 5}}, 0.5, [](Point, bool) {});
   const StrokePtr parted = push.stroke();
   EXPECT_NEAR(nearest_place(*parted, {60, 20}).point.y, 8.0, 1e-6);
-  // Away again, on any path through the dent: nothing moves.
+  // Nothing moves when the nib leaves, on any path through the dent.
   go(push, {{60, 5}, {60, -20}, {90, -20}}, 0.5, [&](Point, bool moved) { ASSERT_FALSE(moved); });
   EXPECT_EQ(push.stroke(), parted);
 }
 
 TEST(NibPush, R27_StridesJumpOverNothing) {
-  // 500 mm in one sample: in steps of less than half a radius that would take too many.
+  // The nib moves 500 mm in one sample, which would take too many steps of less than half a radius.
   for (const double x : {60.0, 47.3, 12.0}) {
     NibPush push(line(10, 12.0), kRadius);
     push.move({x, -450}, {x, -450});
@@ -144,7 +144,7 @@ TEST(NibPush, R27_LandingOnALinePartsItToTheSideAwayFromThePen) {
     ASSERT_TRUE(push.move({50, 0}, {50, 0}, {0.0, side}));  // the pen came from that side
     EXPECT_NEAR(nearest_place(*push.stroke(), {50, -5.0 * side}).point.y, -kRadius * side, 1e-2);
   }
-  NibPush push(line(10, 12.0), kRadius);  // no direction: to either side
+  NibPush push(line(10, 12.0), kRadius);  // without a direction, to either side
   ASSERT_TRUE(push.move({50, 0}, {50, 0}));
   EXPECT_GE(nearest_place(*push.stroke(), {50, 0}).distance_mm, kRadius - 1e-6);
 }

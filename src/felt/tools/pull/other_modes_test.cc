@@ -61,7 +61,7 @@ TEST(GrabGesture, R23_BackHomeNothingHasHappened) {
   grab->draw(overlay);
   EXPECT_FALSE(overlay.spans.empty());
   EXPECT_FALSE(overlay.lines.empty());
-  // Back at the start.
+  // The pen is back at the start.
   const auto home = grab->move(pen_at({50, 0.5}), desk.scene());
   ASSERT_TRUE(home);
   EXPECT_EQ(*after(*home, hit.stroke), *desk.document.find(hit.stroke));

@@ -19,7 +19,7 @@ namespace {
 using testing::Desk;
 using testing::straight_stroke;
 
-/// A pull tool in the loop of a device: it gets every sample and publishes its force model every 4
+/// A pull tool in the loop of a device. It gets every sample and publishes its force model every 4
 /// ms.
 struct Loop {
   explicit Loop(const char* mode) {
@@ -42,7 +42,7 @@ struct Loop {
   Force at(Point p, Vec velocity = {}) {
     return give(rig::pen_at({p.x, p.y, -1}, {velocity.x, velocity.y, 0}, 0.001 * ++ms));
   }
-  /// Distance from the curve, as shown, to a point.
+  /// Returns the distance from the curve, as shown, to a point.
   [[nodiscard]] Vec from_curve(Point p) const {
     double best = std::numeric_limits<double>::infinity();
     Vec away;
@@ -54,7 +54,8 @@ struct Loop {
     return away;
   }
 
-  /// Distance from the point of the curve that follows the pen, which the tool shows.
+  /// Returns the distance from the point of the curve that follows the pen. The tool shows this
+  /// point.
   [[nodiscard]] Vec from_handle(Point p) const {
     Overlay overlay;
     tool.draw(overlay);
@@ -129,7 +130,7 @@ TEST(PushForce, R29_IsThatOfHowFarTheLineWasPushedWhateverTheSpeed) {
     for (int i = 1; i <= 120; ++i) {
       for (int k = 0; k < wait_ms; ++k) force = loop.at({70, 60 - 0.1 * i});
       const double pushed = std::max(0.0, 0.1 * i - 7.0);
-      // What the loop does not have at the first touch is corrected within 4 ms.
+      // At the first touch the loop does not know the line yet. This is corrected within 4 ms.
       EXPECT_NEAR(force.y, kEditLaw.force_n(pushed), pushed < 0.5 ? 0.1 : 0.02) << i;
       EXPECT_NEAR(force.x, 0.0, 0.02);
     }
@@ -170,7 +171,7 @@ TEST(PullForce, R30_SweepAndPushAreCalmAndGiveNoEnergy) {
         const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
         const auto target = [&](double t) -> Vec3 {
           const double x = std::min(t / 0.4, 1.0), s = std::max(0.0, t - 0.7);
-          // Without folding the line, because on a fold the nearest point leaps and the loop
+          // The path does not fold the line, because on a fold the nearest point leaps and the loop
           // cross-fades.
           return {100 + 30 * std::sin(0.5 * kTau * s), 54 + 5 * std::sin(kTau * s),
                   1 + (aim - 1) * x};

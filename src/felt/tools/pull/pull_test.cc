@@ -80,7 +80,7 @@ TEST(Pull, R21_WhatIsUnderThePenFollowsItInEverySample) {
   EXPECT_LE(worst, 1e-9);
 }
 
-/// Distance of a preview's curve from the pen, after a touch 5 mm next to the line.
+/// Measures the distance of a preview's curve from the pen, after a touch 5 mm next to the line.
 struct BesideALine : Pull {
   explicit BesideALine(const char* mode) {
     choose("mode", mode);
@@ -103,7 +103,7 @@ TEST(Pull, R21_ALineTouchedFromBesideComesToThePenWithoutAJump) {
     for (double d = 0.05; d <= 60.0; d += 0.05) {
       const double gap = p.gap_at(p.touch + Vec{0.6 * d, 0.8 * d});
       EXPECT_LE(gap, last + 1e-9) << d;
-      EXPECT_LE(last - gap, 1.5 * 0.05 * 1.01) << d;  // what S removes of the offset
+      EXPECT_LE(last - gap, 1.5 * 0.05 * 1.01) << d;  // the part of the offset that S removes
       if (d >= 5.0) {
         EXPECT_LE(gap, 1e-9) << d;
       }
@@ -135,7 +135,7 @@ TEST(Pull, R20_FarFromEveryLineNothingHappens) {
   EXPECT_EQ(p.pen.commits, 0);
   EXPECT_EQ(p.desk.document, before);
   p.pen.down({70, 58.1});
-  p.pen.down({70, 50});  // on the line, but the touch was not
+  p.pen.down({70, 50});  // the pen is on the line, but the touch was not
   const Force force = p.force_at({70, 50});
   EXPECT_EQ(force.x, 0.0);
   EXPECT_EQ(force.y, 0.0);
@@ -152,7 +152,7 @@ TEST(Pull, R23_BackHomeNothingIsCommittedAndRatesDoNotMatter) {
   p.pen.line(way({70, 50}, {90, 80}) + way({90, 80}, {60, 20}) + way({60, 20}, {70, 50}));
   EXPECT_EQ(p.pen.commits, 0);
   EXPECT_EQ(p.desk.document, before);
-  // The same path at 1 kHz and at 60 Hz.
+  // The pen moves along the same path at 1 kHz and at 60 Hz.
   Pull quick, slow;
   const std::vector<Point> all = way({70, 50}, {90, 80}, 0.02);
   quick.pen.line(all);
@@ -327,7 +327,7 @@ TEST(PullForce, R30_IsCalmAndGivesNoEnergy) {
 }
 
 TEST(PullForce, R30_DependsOnTheTotalDisplacementAlone) {
-  // For any path and any sample rate.
+  // This holds for any path and any sample rate.
   for (const double period_s : {0.0002, 0.001, 0.004}) {
     rig::Setup setup;
     setup.period_s = period_s;
@@ -338,7 +338,7 @@ TEST(PullForce, R30_DependsOnTheTotalDisplacementAlone) {
     for (std::int64_t i = 0; i <= ticks; ++i) {
       memory.begin_tick(period_s);
       const double t = static_cast<double>(i) / static_cast<double>(ticks);
-      // Above the surface, so that friction does not add memory of the path.
+      // The pen is above the surface, so that friction does not make the force depend on the path.
       force = model(rig::pen_at({9 * t, 30 * std::sin(kTau * t), 0.1}), memory);
     }
     EXPECT_NEAR(force.x, -kEditLaw.force_n(9.0), 1e-9);

@@ -11,7 +11,7 @@ namespace felt {
 namespace {
 
 constexpr const char* kPushLabel = "Push";
-/// A line farther from the nib than this is not felt, because the force falls to zero within 1
+/// Distance from the nib beyond which a line has no force, because the force falls to zero within 1
 /// N/Kcap.
 constexpr double kFeltMm = 4.0;
 
@@ -28,7 +28,8 @@ class PushGesture final : public PullGesture {
 
   std::optional<Edit> move(const PenSample& pen, const Scene& scene) override {
     const Point now = on_sheet(pen.position);
-    // If the pen lands exactly on a line, it came from the opposite of its velocity.
+    // If the pen lands exactly on a line, the direction from which it came is opposite to its
+    // velocity.
     const Vec came_from = -normalized({pen.velocity.x, pen.velocity.y});
     meet(scene, last_, now);
     bool moved = false;
@@ -83,8 +84,8 @@ class PushGesture final : public PullGesture {
     });
   }
 
-  /// Returns all lines near the nib combined into one, weighted by their forces at this point, so
-  /// that the force does not jump when a line is added or removed.
+  /// Returns one line that combines all lines near the nib. They are weighted by their forces at
+  /// this point, so that the force does not jump when a line is added or removed.
   [[nodiscard]] LineUnderNib line_under_nib() const {
     LineUnderNib sum{.pen = last_}, nearest{.pen = last_, .gap_mm = kFeltMm};
     Vec normals{};
@@ -107,7 +108,7 @@ class PushGesture final : public PullGesture {
         nearest.displacement_mm = under->displacement_mm;
       }
     }
-    // Not felt yet, but the pen may reach it before the next sample.
+    // The line does not exert a force yet, but the pen may reach it before the next sample.
     if (all_n == 0.0) return nearest;
     sum.normal = normalized(normals);
     sum.share = norm(normals) / all_n;

@@ -28,14 +28,15 @@ bool winds(const Cubic& c, double length_mm, const SegmentShape& shape) {
          length_mm > shape.most_winding * distance(c.p[0], c.p[3]);
 }
 
-/// Least-squares fit of both handle lengths, so that a curve with the ends and tangents of `c`
-/// comes nearest to `c`. Each round assigns new parameters to the samples.
+/// A least-squares fit of both handle lengths of a curve that has the ends and tangents of `c` and
+/// is as near to `c` as possible. Each round assigns new parameters to the samples.
 class HandleFit {
  public:
   explicit HandleFit(const Cubic& c)
       : old_(c), start_(tangent(c, 0.0)), end_(tangent(c, 1.0)), now_(c) {}
 
-  /// Returns a curve whose handles are both at least `least_mm`, or nullopt if none is near enough.
+  /// Returns a curve with handles of at least `least_mm`, or nullopt if such a curve is not near
+  /// enough.
   std::optional<Cubic> fit(double least_mm) {
     now_ = with(std::max(least_mm, distance(old_.p[0], old_.p[1])),
                 std::max(least_mm, distance(old_.p[2], old_.p[3])));
@@ -52,7 +53,7 @@ class HandleFit {
   }
   [[nodiscard]] Point sample(int k) const { return evaluate(old_, (k + 1.0) / (kSamples + 1.0)); }
 
-  /// One round: matches samples of the old curve to their nearest points on the new one.
+  /// Computes one round: matches samples of the old curve to their nearest points on the new curve.
   [[nodiscard]] std::pair<double, double> solve() const {
     double aa = 0.0, ab = 0.0, bb = 0.0, ra = 0.0, rb = 0.0;
     for (int k = 0; k < kSamples; ++k) {
@@ -98,7 +99,7 @@ int unwind(Strand& strand, int i) {
   return pieces;
 }
 
-/// Gives a segment with a short handle new handle lengths if that leaves the ink in place.
+/// Gives new handle lengths to a segment with a short handle, if the ink then stays in place.
 void lengthen_handles(const Stroke& stroke, int i, StrokeData& data) {
   const Cubic c = stroke.segment(i);
   const double length = arc_length(c, kLengthAccuracy);
@@ -107,7 +108,7 @@ void lengthen_handles(const Stroke& stroke, int i, StrokeData& data) {
       !is_short(distance(c.p[2], c.p[3]), length, stroke.joint(i + 1), shape)) {
     return;
   }
-  // With a margin, because the length of the new curve differs a little.
+  // Uses a margin, because the length of the new curve differs slightly.
   const std::optional<Cubic> better = HandleFit(c).fit(1.1 * shape.least_handle * length);
   if (!better || winds(*better, length, shape)) return;
   const auto k = 3 * static_cast<std::size_t>(i);
@@ -120,11 +121,11 @@ struct Range {
   int first = 0, count = 0;
 };
 
-/// Returns the runs of changed segments, ascending by `first`; so a run through the seam comes
+/// Returns the runs of changed segments, ascending by `first`. So a run that crosses the seam comes
 /// last.
 std::vector<Range> changed_ranges(const Strand& strand) {
   const int n = strand.count();
-  int start = 0;  // a start that does not cut a run in two
+  int start = 0;  // a start that does not divide a run
   while (strand.closed() && start < n && strand.is_changed(start)) ++start;
   if (start == n) return {{0, n}};
   std::vector<Range> ranges;
@@ -142,14 +143,14 @@ std::vector<Range> changed_ranges(const Strand& strand) {
   return ranges;
 }
 
-/// Returns the stroke with fewer segments in the range; updates the range.
+/// Returns the stroke with fewer segments in the range. Updates the range.
 Stroke merged(const Stroke& stroke, Range& range) {
   const int n = stroke.segment_count();
   const int last = (range.first + range.count - 1) % n + 1;
   auto fewer = with_fewer_segments(stroke, range.first, last, kRefitToleranceMm);
   if (!fewer) return stroke;
   const int now = fewer->segment_count();
-  // If the range goes through the seam, its start shifts by the number of removed segments.
+  // If the range crosses the seam, its start shifts by the number of removed segments.
   if (range.first + range.count > n) range.first = std::max(0, now - (n - range.first));
   range.count = std::clamp(range.count - (n - now), 1, now);
   return *std::move(fewer);
@@ -161,7 +162,7 @@ Stroke mended(const Stroke& stroke, Range range) {
   Strand strand(std::make_shared<const Stroke>(fewer));
   std::vector<int> is_mended;  // by segment of the strand
   const int n = fewer.segment_count();
-  if (strand.count() != n) return fewer;  // a ring of one segment
+  if (strand.count() != n) return fewer;  // a closed stroke of one segment was divided
   for (int k = 0, i = 0; i < n; ++i) {
     const bool inside = (i - range.first + n) % n < range.count;
     const int made = inside ? unwind(strand, k) : 1;
@@ -193,8 +194,8 @@ Result<Stroke> with_good_shapes(const Strand& strand) {
   if (!stroke) return stroke;
   const std::vector<Range> ranges = changed_ranges(strand);
   // Ranges are processed from the last to the first, so that the segment numbers of earlier ranges
-  // stay valid. A range through the seam reaches segments with low numbers, too, so it is processed
-  // at the end, with its start corrected.
+  // stay valid. A range that crosses the seam also contains segments with low numbers, so it is
+  // processed at the end, with its start corrected.
   const bool has_seam =
       !ranges.empty() && ranges.back().first + ranges.back().count > strand.count();
   for (std::size_t k = ranges.size() - (has_seam ? 1 : 0); k-- > 0;) {

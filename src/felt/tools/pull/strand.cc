@@ -9,10 +9,11 @@
 namespace felt {
 namespace {
 
-/// Below this length, shorter handles yield less, because they would turn wildly.
+/// Below this length, the shorter a handle is, the less it yields, because it would turn too fast.
 constexpr double kFreeHandleMm = 0.1;
 
-/// Minimum length of divided segments, so that rounding does not bring them below I5.
+/// Minimum length of divided segments. It is slightly above the minimum of I5, to allow for
+/// rounding.
 constexpr double kMinStrandSegmentMm = 1.001 * kMinSegmentMm;
 
 double handle_compliance(double length_mm, JointKind joint) noexcept {
@@ -123,7 +124,7 @@ Compliance Strand::compliance(int i, double t, bool pins_joints) const noexcept 
 }
 
 bool Strand::bend(int i, double t, const EditWeights& weights, Vec pull) {
-  if (closed() && count() == 1) {  // too short to divide: move it as a whole
+  if (closed() && count() == 1) {  // too short to divide, so it moves as a whole
     for (Point& p : points_) p += pull;
     changed_[0] = 1;
     return is_finite(segment(0));
@@ -164,12 +165,12 @@ bool Strand::shift(int first, std::span<const double> weights, Vec pull) {
   for (int k = 0; k < segments; ++k) {
     Point* p = points_.data() + 3 * static_cast<std::ptrdiff_t>((first + k) % count());
     const double* w = weights.data() + 3 * static_cast<std::ptrdiff_t>(k);
-    // A joint is moved with the segment after it, except the last one.
+    // Each joint moves with the segment after it; the last joint moves with the segment before it.
     const bool is_last = k + 1 == segments && !all_round;
     for (int j = 0; j < (is_last ? 4 : 3); ++j) p[j] += w[j] * pull;
   }
   if (closed()) {
-    // The seam is stored twice; copy the one that was moved.
+    // The point at the seam is stored twice. Copies the one that was moved to the other.
     if (points_.front() != before.front()) points_.back() = points_.front();
     points_.front() = points_.back();
   }
@@ -232,7 +233,7 @@ void Strand::limit_handles(int i, double longest) noexcept {
   Point* p = points_.data() + 3 * static_cast<std::ptrdiff_t>(i);
   const double chord = distance(p[0], p[3]);
   if (std::max(distance(p[0], p[1]), distance(p[2], p[3])) <= longest * chord) return;
-  // Shorter handles also shorten the segment, so this takes a margin and a few rounds.
+  // Shorter handles also shorten the segment, so a margin and several rounds are needed.
   for (int round = 0; round < 8; ++round) {
     const double most = longest * arc_length(segment(i), 1e-3);
     const double left = distance(p[0], p[1]), right = distance(p[3], p[2]);
@@ -243,8 +244,8 @@ void Strand::limit_handles(int i, double longest) noexcept {
   }
 }
 
-/// Rebuilds the widths from the snapshot: each knot keeps its position on the ink, and joints of
-/// divided segments get a knot.
+/// Computes the widths again from the snapshot. Each knot keeps its position on the ink, and joints
+/// of divided segments get a knot.
 void Strand::carry_widths() {
   const auto knots = snapshot_->widths();
   widths_.clear();

@@ -59,7 +59,7 @@ TEST(Strand, SliversAreNotMade) {
   EXPECT_EQ(strand.count(), 5);
 }
 
-/// However a strand is divided, the ink keeps its width and tone.
+/// The ink keeps its width and tone, regardless of how the strand is divided.
 TEST(Strand, WidthAndToneGoWithTheirPlace) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(seed);
@@ -79,7 +79,7 @@ TEST(Strand, WidthAndToneGoWithTheirPlace) {
   }
 }
 
-/// Zero-length handles at smooth joints: R28.
+/// Tests zero-length handles at smooth joints (R28).
 TEST(Strand, R28_StandingHandlesKeepJointsSmooth) {
   // Zero-length handles on both sides of two smooth joints.
   const StrokePtr valid = share(Stroke::create({.points = {{0, 0},
@@ -113,7 +113,7 @@ TEST(Strand, R28_StandingHandlesKeepJointsSmooth) {
 }
 
 TEST(Strand, R28_AHandleThatIsPulledToNothing) {
-  // The pull takes the left handle of the second segment to its joint exactly, or nearly.
+  // The pull moves the left handle of the second segment to its joint, exactly or nearly.
   const StrokePtr stroke =
       share(Stroke::create({.points = {{0, 0}, {3, 0}, {7, 0}, {10, 0}, {13, 0}, {17, 5}, {20, 5}},
                             .joints = {JointKind::kSmooth},
@@ -164,7 +164,8 @@ TEST(Refit, IllShapedSegmentsAreMended) {
     for (int k = 0; k < done->segment_count(); ++k) {
       ill_after += !is_well_shaped(*done, k);
     }
-    // Cusps and loops within a micrometre of their joints keep a bad shape, because the ink has it.
+    // Cusps and loops within a micrometre of their joints keep a bad shape, because the ink itself
+    // has this shape.
     EXPECT_LE(ill_after, ill_before + 2);
     // The ink does not move.
     for (int k = 0; k <= 300; ++k) {

@@ -12,9 +12,9 @@ namespace {
 
 constexpr const char* kRedrawLabel = "Redraw";
 
-/// The path of the pen is processed in steps of this, so that the sample rate has no effect.
+/// Time step in which the path of the pen is processed, so that the sample rate has no effect.
 constexpr double kStepNs = 1e6;
-/// Maximum number of steps per sample; after a longer pause the steps are longer.
+/// Maximum number of steps per sample. After a longer pause the steps are longer.
 constexpr double kMaxSweepSteps = 50.0;
 
 class SweepGesture final : public PullGesture {
@@ -32,7 +32,7 @@ class SweepGesture final : public PullGesture {
 
   std::optional<Edit> move(const PenSample& pen, const Scene& /*scene*/) override {
     const Point now = on_sheet(pen.position);
-    // In double, because the difference of two invalid times may overflow 64 bits.
+    // Computed in double, because the difference of two invalid times may overflow 64 bits.
     const double passed = static_cast<double>(pen.time_ns) - static_cast<double>(last_ns_);
     const SweepPull before = sweep_;
     const bool moved = passed > 0.0 && walk(now, passed);

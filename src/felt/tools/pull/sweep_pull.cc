@@ -11,8 +11,8 @@
 namespace felt {
 namespace {
 
-/// Pieces are divided only if longer than this times kPieceMm, so that new pieces are not divided
-/// again immediately.
+/// Pieces are divided only if they are longer than kTooLong times kPieceMm, so that new pieces are
+/// not divided again immediately.
 constexpr double kTooLong = 1.5;
 
 }  // namespace
@@ -50,12 +50,12 @@ void SweepPull::keep_short() {
   const double u = from + place_.t * (strand_.snapshot_u(place_.segment + 1) - from);
   std::array<int, 3> parts{strand_.previous(place_.segment), place_.segment,
                            strand_.next(place_.segment)};
-  // Highest numbers first, so that the other numbers stay valid.
+  // The highest numbers come first, so that the other numbers stay valid.
   std::sort(parts.rbegin(), parts.rend());
   const auto end = std::unique(parts.begin(), parts.end());
   for (auto i = parts.begin(); i != end; ++i) {
     if (*i < 0 || strand_.count() >= kMaxSegments) continue;
-    // The arc is no longer than its control polygon.
+    // The arc is at most as long as its control polygon.
     if (control_length(strand_.segment(*i)) <= kTooLong * kPieceMm) continue;
     strand_.divide_evenly(*i, kPieceMm, kMaxSegments - strand_.count() + 1);
   }

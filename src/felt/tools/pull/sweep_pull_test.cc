@@ -21,7 +21,7 @@ using testing::RandomStroke;
 using testing::share;
 using testing::straight_stroke;
 
-const double kPart = 1.0 - std::exp(-1.0 / 50.0);  // of a step of 1 ms
+const double kPart = 1.0 - std::exp(-1.0 / 50.0);  // fraction for a step of 1 ms
 
 double farthest(const Stroke& a, const Stroke& b) {
   double far = 0.0;
@@ -58,7 +58,7 @@ TEST(SweepPull, R24_TenThousandTicks) {
         const Cubic c = now->segment(i);
         if (tick == 0 || c == stroke->segment(std::min(i, stroke->segment_count() - 1))) continue;
         const double most = 1.5 * arc_length(c, 1e-4) + 1e-3;
-        // Only segments that the sweep has changed, because strokes may have any handles.
+        // Checks only segments that the sweep has changed, because strokes may have any handles.
         if (seed < 3) {
           ASSERT_LE(distance(c.p[0], c.p[1]), most) << tick;
           ASSERT_LE(distance(c.p[2], c.p[3]), most) << tick;
@@ -71,7 +71,7 @@ TEST(SweepPull, R24_TenThousandTicks) {
 
 TEST(SweepPull, ThePenDrawsTheLineOverAgain) {
   SweepPull sweep(share(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0)), 0.3);
-  // 60 mm/s along a wave that leaves the line and comes back.
+  // The pen moves at 60 mm/s along a wave that leaves the line and comes back.
   const auto pen = [](double x) { return Point{x, 4.0 * std::sin(0.15 * (x - 36.0))}; };
   for (double x = 36.0; x < 36.0 + 2.0 * 3.14159 / 0.15; x += 0.06) sweep.step(pen(x), kPart);
   const Stroke now = *sweep.stroke();
@@ -80,7 +80,7 @@ TEST(SweepPull, ThePenDrawsTheLineOverAgain) {
     for (int i = 0; i < now.segment_count(); ++i) {
       near = std::min(near, nearest(now.segment(i), pen(x)).distance_squared);
     }
-    // It lags by at most tau times the speed across the line, 60 mm/s * .6 * 50 ms.
+    // The curve lags by at most tau times the speed across the line, 60 mm/s * .6 * 50 ms.
     EXPECT_LE(std::sqrt(near), 2.0) << x;
   }
   EXPECT_EQ(now.data().points.front(), (Point{0, 0}));

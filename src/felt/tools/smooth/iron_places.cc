@@ -10,10 +10,11 @@
 namespace felt {
 namespace {
 
-/// Directions are measured over chords of this many places to both sides, 2 mm in all.
+/// Directions are measured over chords of kChord places to each side, 2 mm in total.
 constexpr int kChord = 4;
 
-/// Returns the means over `half` points to both sides, fewer near the ends, which stay.
+/// Returns for each point the mean over `half` points to each side. Near the ends fewer points are
+/// used, and the ends stay in place.
 std::vector<Point> mean_of(const std::vector<Point>& points, std::size_t half) {
   const Point origin = points.front();
   std::vector<Vec> sums{Vec{}};  // prefix sums, relative to origin
@@ -73,7 +74,7 @@ std::vector<IronPlaces::Step> IronPlaces::steps_between(int from_joint, int to_j
       steps[j].length_mm = start + share * length;
     }
   }
-  // A mean flattens bends. 2M - MM adds that error back once.
+  // The mean of the points flattens bends. 2 M - M(M), with M the mean, adds this error back once.
   constexpr auto kHalf = static_cast<std::size_t>(0.5 * kGuideMm / kSpacingMm);
   // If the seam is not a corner, the ink continues across it, so points from the other side are
   // added at both ends.
@@ -159,8 +160,8 @@ bool IronPlaces::is_corner_at(int joint) const {
 bool IronPlaces::turns_at(int joint, double arm_mm) const {
   const double at = map_.start_of(joint), whole = map_.length_mm();
   const double arm = std::min(arm_mm, 0.25 * whole);
-  // From the mean of the near half of an arm to the mean of its far half, so that a single spike
-  // has no effect.
+  // The direction of an arm goes from the mean of its near half to the mean of its far half, so
+  // that a single spike has no effect.
   const auto direction = [&](double side) {
     constexpr int kHalf = 6;
     Vec sum;
@@ -232,7 +233,7 @@ double IronPlaces::from_fixed_mm(int k, double most_mm) const noexcept {
 double IronPlaces::mean_curvature(int k, double window_mm) const {
   const int half = std::max(2, static_cast<int>(0.5 * window_mm / kSpacingMm));
   double sum = 0.0, length = 0.0;
-  // Goes outwards to both sides up to the next fixed place, because a corner is not a bend.
+  // Goes outwards on both sides up to the next fixed place, because a corner is not part of a bend.
   for (const int side : {-1, 1}) {
     for (int i = 0; i < half; ++i) {
       const int from = k + side * i - (side < 0 ? 1 : 0);

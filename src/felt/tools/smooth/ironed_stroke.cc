@@ -8,12 +8,13 @@
 namespace felt {
 namespace {
 
-/// A cut nearer to a joint than this moves to the joint, so that no segment gets too short (I5).
+/// If a cut is within kNearestCutMm of a joint, it moves to the joint, so that no segment gets too
+/// short (I5).
 constexpr double kNearestCutMm = 1.5 * kMinSegmentMm;
 constexpr double kWidthToleranceMm = 0.005;
 
-/// Returns the part [t0, t1] of c. Zero-length handles stay zero, because rounding would give them
-/// a direction.
+/// Returns the part [t0, t1] of c. Sets zero-length handles to zero again, because rounding would
+/// give them a direction.
 Cubic part_of(const Cubic& c, double t0, double t1) {
   Cubic part = sub_segment(c, t0, t1);
   if (t0 == 0.0 && c.p[1] == c.p[0]) {
@@ -82,8 +83,8 @@ Point IronedStroke::point(int k) const {
   return ironed_.doses[i] > 0.0 ? ironed_.points[i] : places_.point(k);
 }
 
-/// Returns the direction at place k from the points: between its neighbours, or at a corner or an
-/// end from a parabola through three points on one side.
+/// Returns the direction at place k, computed from the points: the direction between its neighbours
+/// or, at a corner or an end, that of a parabola through three points on one side.
 Vec IronedStroke::ironed_direction(int k, int side) const {
   const bool is_border =
       (k == now_.first && !now_.from.turns) || (k == now_.last && !now_.to.turns);
@@ -119,7 +120,7 @@ Vec IronedStroke::direction(int k, int side) const {
 bool IronedStroke::try_segment(int from, int to, Vec start, Cubic& c) const {
   std::array<Point, kLongest + 1> points;
   std::array<double, kLongest + 1> ways{};
-  // More places than this are merged into one segment that need not follow them.
+  // A segment over more than kLongest places need not follow them.
   const bool follows = to - from <= kLongest;
   double length = 0.0;
   Point last = point(from);
@@ -159,8 +160,8 @@ IronedStroke::Next IronedStroke::next_segment(int from, Vec start) const {
   return next;
 }
 
-/// Returns the segments from a place to the end of its block or of the stretch, or slightly
-/// farther.
+/// Returns the segments from a place to the end of its block or of the stretch. They may extend
+/// slightly farther.
 std::span<const IronedStroke::Next> IronedStroke::block(int from) {
   const int end = std::min(now_.last, from - from % kLongest + kLongest);
   // Segments that depend on an end of the stretch are not cached, because the stretch grows.

@@ -51,7 +51,7 @@ void Ironing::add(double length_mm, double reach_mm, double dose) {
   }
 }
 
-/// Returns the filter weight at a place to remove waves up to the fraction `share` of wave_mm,
+/// Returns the filter weight at a place that removes waves of at most `share` times wave_mm,
 /// limited by the local bend.
 double Ironing::weight_of(int k, double share) {
   double& longest = longest_[index(k)];
@@ -112,8 +112,8 @@ void Ironing::catch_up() {
   if (places_.closed()) ironed_.back() = ironed_.front();
 }
 
-/// Filters a closed stroke that has a dose everywhere, with an overlap so that the cut has no
-/// effect.
+/// Filters a closed stroke that has a dose everywhere. The row overlaps itself, so that the
+/// position of the cut has no effect.
 void Ironing::catch_up_all_around() {
   const int n = places_.count();
   const int overlap = std::min(n, static_cast<int>(4.0 * options_.wave_mm / 0.25));
@@ -126,7 +126,8 @@ void Ironing::catch_up_all_around() {
   }
 }
 
-/// Filters the stretches that have a dose. `start` is a place without a dose, or the start.
+/// Filters the stretches that have a dose. `start` is a place without a dose, or the start of the
+/// stroke.
 void Ironing::catch_up_stretches(int start) {
   const int n = places_.count(), end = start + n + (places_.closed() ? 0 : 1);
   for (int k = start; k < end;) {
@@ -136,7 +137,7 @@ void Ironing::catch_up_stretches(int start) {
     }
     int last = k;
     while (last < end && is_dosed(last)) ++last;
-    // Include a place without a dose on both sides, or the end of the stroke.
+    // Includes one place without a dose on each side, or the end of the stroke.
     const int from = places_.closed() ? k - 1 : std::max(k - 1, 0);
     const int to = places_.closed() ? last : std::min(last, n);
     filter_new({k, last - 1}, {from, to});

@@ -26,7 +26,7 @@ Stroke ironed(const Stroke& stroke, double dose, const IronOptions& options = {}
   return iron.finished().value_or(stroke);
 }
 
-/// Most of a circle, 300 degrees in arcs of 30, accurate to 1e-6 of the radius.
+/// Returns 300 degrees of a circle in arcs of 30 degrees, accurate to 1e-6 of the radius.
 Stroke arcs(Point center, double radius) {
   const double step = std::numbers::pi / 6, handle = 4.0 / 3.0 * std::tan(step / 4) * radius;
   StrokeData d;
@@ -126,7 +126,7 @@ TEST(Ironing, JitterGoesTheShapeStaysAndSegmentsAreFewer) {
     Jitter jitter;
     double share_left;
   };
-  // Tremor waves as long as they are high displace the ink from its path by themselves, up to 0.09
+  // Waves of tremor that are as long as they are high displace the ink from its path, by up to 0.09
   // mm.
   for (const Ink& ink : {Ink{"jitter", {0.2, 0.0}, 0.41}, Ink{"tremor 3 mm", {0.2, 3.0}, 0.6},
                          Ink{"tremor 6 mm", {0.2, 6.0}, 0.4}}) {
@@ -148,7 +148,8 @@ TEST(Ironing, JitterGoesTheShapeStaysAndSegmentsAreFewer) {
 }
 
 TEST(Ironing, TheCornersOfAShakyLineAreNoCorners) {
-  // As drawn with a mouse: back and forth by 1 mm every few millimetres, with sharp turns.
+  // The line is as drawn with a mouse: back and forth by 1 mm every few millimetres, with sharp
+  // turns.
   for (const double height : {1.3, 1.9}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       SCOPED_TRACE(std::to_string(height) + " mm, seed " + std::to_string(seed));

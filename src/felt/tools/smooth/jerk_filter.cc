@@ -20,7 +20,7 @@ void JerkFilter::apply(std::span<const FilterPlace> row, std::span<Point> out) {
     weights_[j] =
         std::min({row[j].weight, row[j + 1].weight, row[j + 2].weight, row[j + 3].weight});
   }
-  // Solve each stretch of non-zero weights separately.
+  // Solves each stretch of non-zero weights separately.
   for (std::size_t j = 0; j < weights_.size();) {
     if (!(weights_[j] > 0.0)) {
       ++j;
@@ -39,8 +39,8 @@ void JerkFilter::solve(std::span<const FilterPlace> row, std::span<const double>
                        std::span<Point> out) {
   constexpr std::array<double, 4> kJerk = {1.0, -3.0, 3.0, -1.0};
   const std::size_t n = row.size();
-  // Relative to a point of the row, so that rounding depends on distances, not on the position on
-  // the page.
+  // Uses coordinates relative to a point of the row, so that rounding depends on distances and not
+  // on the position on the page.
   const Point origin = row[0].point;
   const auto is_fixed = [&](std::size_t k) { return row[k].is_fixed || k == 0 || k + 1 == n; };
   rows_.assign(n, {1.0, 0.0, 0.0, 0.0, {}});

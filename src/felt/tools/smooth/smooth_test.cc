@@ -37,7 +37,7 @@ struct Smooth {
   }
 };
 
-/// Along the wave of jitter_ink.h, there or back.
+/// Returns points along the wave of jitter_ink.h, forwards or backwards.
 std::vector<Point> along_wave(double from, double to, int steps = 1000) {
   std::vector<Point> points;
   for (int i = 0; i <= steps; ++i)
@@ -102,7 +102,7 @@ TEST(SmoothTool, TheResultDoesNotDependOnTheRateOfTheSamples) {
   for (std::size_t r = 0; r < 2; ++r) {
     for (int i = 0; i <= 500; ++i) {
       const Point p = results[r].position(i / 500.0 * results[r].segment_count());
-      // 0.02 mm, and both were fitted within 0.05 mm.
+      // The tolerance is 0.02 mm, plus 0.05 mm because both were fitted within 0.05 mm.
       EXPECT_LE(std::sqrt(nearest_on_polyline(line, p).distance_squared), 0.07);
     }
   }
@@ -160,7 +160,7 @@ TEST(SmoothTool, HoverShowsRingAndSpan) {
   EXPECT_NEAR(o.spans[0].curve.p[3].x, 60.0, 1e-3);
 }
 
-/// Mean friction of a pen that slides at 50 mm/s under a push.
+/// Returns the mean friction on a pen that slides at 50 mm/s under a push.
 double friction_n(const ForceModel& model, double push_n) {
   ForceMemory memory;
   Force last;
@@ -210,7 +210,7 @@ TEST(SmoothForce, R41_IsCalmInEveryHandAndOnlyTakesEnergy) {
       };
       bench.run(0.6, aim);
       bench.begin_measuring();
-      // Rest and slow rubbing, while the roughness falls as under the iron.
+      // The pen rests and rubs slowly, while the roughness falls as under the iron.
       bench.run(2.4, aim, [&](rig::Bench& b) {
         if (++tick % 12 == 0) {
           b.set_model(make_smooth_force(desk.scene(), 0.2 * std::exp(-0.001 * tick), 1.0));

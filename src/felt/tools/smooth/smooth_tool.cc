@@ -30,7 +30,7 @@ constexpr ToolInfo kSmoothInfo{
             .caption = "Rub along a shaky line to remove the jitter and keep the shape.",
             .seconds = 16.0}};
 constexpr const char* kSmoothLabel = "Smooth";
-/// Largest distance along the line between two applications of the iron within a sample.
+/// Maximum distance along the line between two applications of the iron within one sample.
 constexpr double kIronStepMm = 1.0;
 constexpr double kMaxIronSteps = 100.0;
 /// Longer lines are not ironed, because nobody draws one by hand and it would take too long.
@@ -110,8 +110,8 @@ void SmoothTool::iron(const PenSample& sample, const Scene& scene, bool is_near)
   if (!is_near || !hold_.way_mm() || !(dose > 0.0)) return;
   has_changed_ = true;
   const double way = *hold_.way_mm(), whole = hold_.map().length_mm();
-  // The number of steps is limited, so that a pen that jumps along a long line irons it only in
-  // places.
+  // The number of steps is limited. If the pen jumps along a long line, it irons the line only at
+  // some points.
   const int steps =
       static_cast<int>(std::clamp(std::ceil(std::fabs(way) / kIronStepMm), 1.0, kMaxIronSteps));
   for (int i = 0; i < steps; ++i) {

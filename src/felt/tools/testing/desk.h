@@ -74,7 +74,7 @@ class Pen {
   Pen(Tool& tool, Desk& desk) : tool_(tool), desk_(desk) {}
 
   std::int64_t step_ns = 1'000'000;
-  double depth = 1.0;  ///< in contact; with paper, 1 mm is 0.5 N
+  double depth = 1.0;  ///< depth in contact, mm; on paper 1 mm is 0.5 N
   std::optional<double> pressure;
   int commits = 0;
 
@@ -97,7 +97,7 @@ class Pen {
   }
   void down(Point p) { at({p.x, p.y, -depth}); }
   void up(Point p) { at({p.x, p.y, 10.0}); }
-  /// Moves in contact along points, without lifting.
+  /// Moves in contact along the points, without lifting.
   void along(const std::vector<Point>& way) {
     for (const Point p : way) down(p);
   }

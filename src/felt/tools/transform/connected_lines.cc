@@ -28,7 +28,7 @@ Motion motion_at(const Selection::Marks& marks, double u) {
   return count == 4 ? Motion::kMapped : count == 0 ? Motion::kStays : Motion::kBends;
 }
 
-/// The changes of one stroke that its connections require.
+/// The changes that the connections of one stroke require.
 struct Demand {
   std::vector<double> us;  // parameters of points that are mapped
   std::optional<std::pair<MovedLine::Leader, double>> led;
@@ -101,7 +101,7 @@ std::vector<MovedLine> connected_lines(const Document& document, const StrokeInd
     for (; done < lines.size(); ++done) {
       MovedLine& line = lines[done];
       const auto junctions = junctions_of(document, index, line.id, *line.stroke);
-      // A line that moves as a whole keeps its shape, even if it separates from a locked one.
+      // A line that moves as a whole keeps its shape, even if it separates from a locked line.
       if (!all_marked(line.marks)) {
         for (const Junction& j : junctions) {
           if (!j.editable) hold_end(line, j.u);

@@ -74,7 +74,7 @@ TEST(ConnectedLines, R33_ALineOnWhichAMovedEndStandsBendsThere) {
   EXPECT_EQ(anchors.size(), 2u);
 }
 
-/// A line of a locked layer with an end on the end of `line`.
+/// Adds a line of a locked layer that has an end on the end of `line`.
 StrokeId add_locked(Moved& m) {
   m.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Other"}, 0, 1}}});
   m.layer = LayerId{2};
@@ -88,7 +88,7 @@ TEST(ConnectedLines, R33_ALockedLineHoldsItsEndAndStaysAsItIs) {
   Moved m;
   const StrokeId red = add_locked(m);
   const Stroke before = m.at(red);
-  // The post is connected, so its end moves; its other end lies on the locked line.
+  // The post is connected, so its end moves. Its other end lies on the locked line.
   const StrokeId post = m.add(straight_stroke({0, 0}, {40, 50}, 1, 1));
   const auto anchors = m.move(translation({12, 7}), {1, 1, 0, 0});
   EXPECT_EQ(m.at(red), before);

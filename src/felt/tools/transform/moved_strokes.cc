@@ -17,15 +17,15 @@ bool goes_whole(const Selection::Marks& marks, std::size_t segment) {
   return marks[3 * segment] && marks[3 * segment + 3];
 }
 
-/// Returns the runs of segments with both joints selected, as strokes.
+/// Returns the runs of segments that have both joints selected, as strokes.
 std::vector<StrokePtr> selected_runs(const StrokePtr& stroke, const Selection::Marks& marks) {
   if (all_marked(marks)) return {stroke};
   std::vector<StrokePtr> runs;
   const std::size_t n = marks.size() / 3;
   std::size_t first = 0;
   if (stroke->closed()) {
-    // Start at a gap, so that a run through the seam is not split. There is one, because not all
-    // points are marked.
+    // Starts at a gap, so that a run that crosses the seam is not split. A gap exists because not
+    // all points are marked.
     while (first < n && goes_whole(marks, first)) ++first;
     if (first == n) return {stroke};
   }
@@ -44,7 +44,7 @@ std::vector<StrokePtr> selected_runs(const StrokePtr& stroke, const Selection::M
 }
 
 /// Returns the length of the control polygon of the shortest segment that is mapped as a whole, or
-/// infinity if there is none.
+/// infinity if no segment is.
 double shortest_segment_mm(const Stroke& stroke, const Selection::Marks& marks) {
   double shortest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < stroke.segment_count(); ++i) {
@@ -92,7 +92,7 @@ void MovedStrokes::prepare_originals(const Document& document, const StrokeIndex
 }
 
 void MovedStrokes::prepare_copies(const Document& document, const Selection& selection) {
-  // In drawing order, so that the copies keep their order.
+  // Uses the drawing order, so that the copies keep it.
   EditBuilder originals(document);
   for (const auto& [id, marks] : selection.strokes()) {
     const StrokePtr stroke = document.find(id);
@@ -120,7 +120,7 @@ void MovedStrokes::prepare_copies(const Document& document, const Selection& sel
 void MovedStrokes::add(MovedLine line) {
   const bool is_small = line.stroke->segment_count() == 1 && all_marked(line.marks);
   if (!is_small) {
-    // With a margin for rounding.
+    // The factor allows for rounding.
     const double least =
         (1.0 + 1e-6) * kMinSegmentMm / shortest_segment_mm(*line.stroke, line.marks);
     least_scale_ = std::max(least_scale_, least);
@@ -139,7 +139,7 @@ MovedStrokes::Aim MovedStrokes::aim_of(const Item& item, const Aim& aim,
 StrokePtr MovedStrokes::moved(const Item& item, const Aim& aim) {
   auto stroke = with_marked_moved(*item.before, item.marks, aim.map, aim.width_factor);
   if (!stroke && item.is_small) {
-    // A dot stays a dot: restore the minimum length.
+    // A dot stays a dot: restores the minimum length.
     const Cubic image = apply(aim.map, item.before->segment(0));
     const double length = control_length(image);
     const double grow = length > 0.0 ? 1.001 * kMinSegmentMm / length : 0.0;

@@ -29,7 +29,7 @@ StrokeId add_marked(Desk& desk, Stroke stroke, Selection::Marks marks) {
   return id;
 }
 
-/// Three corners apart: 0-10-20-30 along x.
+/// Returns a line of three segments between corners: 0-10-20-30 along x.
 Stroke three_segments() {
   StrokeData d;
   for (int i = 0; i <= 9; ++i) d.points.push_back({10.0 * i / 3.0, 0.0});

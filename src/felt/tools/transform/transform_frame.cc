@@ -37,7 +37,7 @@ TransformFrame::Handles TransformFrame::handles() const noexcept {
 
 bool TransformFrame::is_centre(Point p) const noexcept {
   if (empty() || distance(p, centre_) > kGripMm) return false;
-  // In a small frame the default centre cannot be grabbed, because moving is more important.
+  // In a small frame the user cannot grab the default centre, because moving is more important.
   const bool is_roomy = std::min(frame_.width(), frame_.height()) >= 6.0 * kGripMm;
   return is_roomy || has_centre_ || !frame_.contains(p);
 }

@@ -65,7 +65,7 @@ bool has_label(const Overlay& overlay, std::string_view text) {
                      [&](const Overlay::Label& l) { return l.text == text; });
 }
 
-// A square of lines 0..40 with its box; the frame is 3 mm larger.
+// Adds a square with the box 0..40. The frame is 3 mm larger.
 StrokeId add_square(Transform& t) {
   StrokeData d;
   const Point corner[] = {{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 0}};
@@ -157,7 +157,7 @@ TEST(Transform, R33_ThereAndBackAgainWithinANanometre) {
     const Document before = t.desk.document;
     const char* mode = seed % 3 == 0 ? "move" : (seed % 3 == 1 ? "rotate" : "scale");
     t.choose("mode", mode);
-    // The centre follows the box of the moved strokes, so drag it to a fixed point.
+    // The centre follows the box of the moved strokes, so the test drags it to a fixed point.
     const Rect box = t.desk.selection.bounds(before);
     const Point c = lerp(Point{box.x0, box.y0}, Point{box.x1, box.y1}, 0.5);
     const Point from = c + Vec{25, 3},
@@ -173,7 +173,7 @@ TEST(Transform, R33_ThereAndBackAgainWithinANanometre) {
         }
       }
     }
-    // Back by the inverse map around the same centre.
+    // Moves back by the inverse map around the same centre.
     TransformDrag drag(seed % 3 == 0   ? TransformKind::kMove
                        : seed % 3 == 1 ? TransformKind::kRotate
                                        : TransformKind::kScale,
@@ -182,7 +182,7 @@ TEST(Transform, R33_ThereAndBackAgainWithinANanometre) {
     if (t.pen.commits == 0) continue;
     const MovedStrokes back(t.desk.document, t.desk.index, t.desk.selection, false);
     const Edit edit = back.finished(*inverse(drag.map()), 1.0, "Back");
-    if (edit.empty()) continue;  // the tool held at an earlier factor
+    if (edit.empty()) continue;  // the tool kept an earlier factor
     t.desk.apply(edit);
     for (const StrokeId id : ids) {
       const auto& was = before.find(id)->data().points;
@@ -319,7 +319,7 @@ TEST(Transform, E15_TheCentreCanBeDraggedAndStaysUntilTheSelectionChanges) {
   EXPECT_LE(distance(t.desk.strokes()[0]->position(2.0), Point{80, 80}), 1e-9);
   t.drag(way({83, 83}, {43 / 43.0 * 41.5, 41.5}));
   EXPECT_LE(distance(t.start_of(id), Point{0, 0}), 1e-9) << "it is still there";
-  // It moves with the selection.
+  // The centre moves with the selection.
   t.drag(way({30, 10}, {30, 20}));
   t.drag(way({43, 53}, {86, 96}));
   EXPECT_LE(distance(t.start_of(id), Point{0, 10}), 1e-9);

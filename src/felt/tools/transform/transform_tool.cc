@@ -74,8 +74,8 @@ void TransformTool::look_at_stroke(Point p, const Scene& scene) {
   under_pen_ = hit ? scene.document.find(hit->stroke) : nullptr;
 }
 
-/// Resets the centre if other points are selected or something else has moved them; updates the
-/// frame.
+/// Updates the frame. Resets the centre if other points are selected or if something other than
+/// this tool has moved them.
 void TransformTool::follow_selection() {
   if (selected_.fingerprint() != centre_is_for_) {
     if (selected_.marks_fingerprint() != moved_marks_) centre_.reset();
@@ -244,7 +244,7 @@ void TransformTool::draw_gesture(Overlay& overlay) const {
   Overlay marked;
   selected_.draw(marked);
   for (Overlay::Span span : marked.spans) {
-    if (span.role != Overlay::Role::kSelected) continue;  // bent: shown by its preview
+    if (span.role != Overlay::Role::kSelected) continue;  // it bends: its preview shows it
     span.curve = apply(map, span.curve);
     overlay.spans.push_back(span);
   }

@@ -8,7 +8,7 @@ namespace felt {
 
 ArcPlaces::ArcPlaces(const Stroke& stroke, const ArcMap& map, double spacing_mm)
     : map_(map), closed_(stroke.closed()), segments_(stroke.segment_count()) {
-  // At least two cells, so that the cells on both sides of a place differ.
+  // Makes at least two cells, so that the cells on the two sides of a place differ.
   count_ = std::max(2L, std::lround(std::min(map.length_mm() / spacing_mm, 1e7)));
   spacing_mm_ = map.length_mm() / static_cast<double>(count_);
   us_.assign(static_cast<std::size_t>(count_ + 1), std::numeric_limits<double>::quiet_NaN());

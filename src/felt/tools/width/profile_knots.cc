@@ -8,7 +8,7 @@
 namespace felt {
 namespace {
 
-/// Longest run of knots that one straight line replaces; bounds the work.
+/// Maximum number of knots that one straight line replaces. It bounds the work.
 constexpr std::size_t kMaxRun = 200;
 
 /// The interval of slopes from a knot that pass within a tolerance of the knots so far.
@@ -24,7 +24,7 @@ struct KnotSlopes {
   }
 };
 
-/// Returns the farthest knot after `i` that a straight line may go to.
+/// Returns the farthest knot after `i` to which a straight line may go.
 std::size_t farthest(std::span<const ProfileKnot> knots, std::size_t i, double tolerance_mm) {
   KnotSlopes widths, tones;
   const WidthKnot from = knots[i].knot;

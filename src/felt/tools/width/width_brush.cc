@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-/// Knots nearer than this in u count as one, because a point cannot have two widths.
+/// Knots within kSamePlace in u count as one, because a point cannot have two widths.
 constexpr double kSamePlace = 1e-9;
 
 }  // namespace
@@ -24,7 +24,8 @@ WidthBrush::WidthBrush(const Stroke& stroke, const ArcMap& map, double reach_mm,
       added_(places_.slot_count(), 0.0) {}
 
 double WidthBrush::limited(double base_mm, double added_mm) const noexcept {
-  // An unchanged place keeps its width, but between two knots of 0.05 mm rounding may give less.
+  // An unchanged place keeps its width. But between two knots of width 0.05 mm rounding may give
+  // less.
   if (added_mm == 0.0) return std::max(base_mm, kMinWidthMm);
   return std::clamp(base_mm + added_mm, kMinWidthMm, std::max(max_width_mm_, base_mm));
 }
@@ -56,7 +57,8 @@ void WidthBrush::add(double u, double length_mm, double amount_mm) {
     if (change == 0.0) continue;
     double& added = added_[places_.slot(k)];
     const double base = width_at(stroke_.widths(), places_.u(static_cast<long>(places_.slot(k))));
-    // Amounts beyond the limits are not accumulated, so that reversing takes effect immediately.
+    // Amounts beyond the limits are not accumulated, so that a change of direction takes effect
+    // immediately.
     added = limited(base, added + change) - base;
   }
 }
@@ -92,7 +94,7 @@ std::vector<WidthKnot> WidthBrush::profile(std::span<const double> pinned) const
   knots.reserve(base.size() + added.size() + pinned.size());
   std::size_t i = 0, j = 0, p = 0;
   const auto added_at = [&](double u) {
-    // Nothing was added before the first and after the last of these knots.
+    // Before the first and after the last of these knots nothing was added.
     return u < added.front().u || u > added.back().u ? 0.0 : width_at(added, u);
   };
   const auto push = [&](const WidthKnot& ink, bool is_base, bool stays) {

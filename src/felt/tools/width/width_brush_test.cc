@@ -15,7 +15,7 @@ namespace {
 using testing::RandomStroke;
 using testing::straight_stroke;
 
-/// Returns the stroke with another profile; the test fails if that breaks an invariant.
+/// Returns the stroke with another profile. The test fails if that breaks an invariant.
 Stroke with_widths(const Stroke& stroke, std::vector<WidthKnot> widths) {
   StrokeData data = stroke.data();
   data.widths = std::move(widths);
@@ -44,7 +44,7 @@ TEST(WidthBrush, R46_WidthAtUChangesByExactlyTheAmountAndNothingBeyondTheReach) 
     for (int i = 0; i <= 500; ++i) {
       const double v = stroke.segment_count() * i / 500.0;
       const double way = std::fabs(map.way(at, map.length_at(v)));
-      // The first place beyond the reach is where the last line of the bump ends.
+      // The last line of the bump ends at the first place beyond the reach.
       if (way > reach + WidthBrush::kSpacingMm) {
         EXPECT_NEAR(result.width_mm(v), stroke.width_mm(v), 1e-9);
         EXPECT_NEAR(result.tone(v), stroke.tone(v), 1e-9);
@@ -60,7 +60,7 @@ TEST(WidthBrush, R46_WidthAtUChangesByExactlyTheAmountAndNothingBeyondTheReach) 
 }
 
 TEST(WidthBrush, ALineTooLongForItsPlacesHasAWidthAllTheSame) {
-  // 500 km: ten million places are farther apart than the reach.
+  // The stroke is 500 km long, so ten million places are farther apart than the reach.
   const Stroke stroke = straight_stroke({0, 0}, {5e8, 0}, 1, 1);
   const ArcMap map(stroke);
   WidthBrush brush(stroke, map, 10.0, 6.0);
@@ -96,7 +96,7 @@ TEST(WidthBrush, R46_WidthsStayWithinTheLimits) {
     for (int i = 0; i <= 600; ++i) {
       const double u = i / 600.0, before = stroke.width_mm(u);
       EXPECT_GE(result.width_mm(u), kMinWidthMm);
-      // Ink broader than 6 mm keeps its width and gets no broader.
+      // Ink broader than 6 mm keeps its width and does not get broader.
       EXPECT_LE(result.width_mm(u), std::max(6.0, before) + WidthBrush::kToleranceMm);
       if (amount > 0) {
         EXPECT_GE(result.width_mm(u), before - 1e-9);
@@ -104,7 +104,8 @@ TEST(WidthBrush, R46_WidthsStayWithinTheLimits) {
         EXPECT_NEAR(result.width_mm(u), kMinWidthMm, WidthBrush::kToleranceMm);
       }
     }
-    // Reversing takes effect immediately, because nothing was accumulated beyond the limit.
+    // A change of direction takes effect immediately, because nothing was accumulated beyond the
+    // limit.
     brush.add(0.25, 15.0, amount > 0 ? -0.5 : 0.5);
     EXPECT_NEAR(brush.width_mm(0.25, 15.0), amount > 0 ? 5.5 : kMinWidthMm + 0.5, 1e-9);
   }
@@ -123,7 +124,8 @@ TEST(WidthBrush, BreakpointsDoNotPileUp) {
       const std::vector<double> pinned{u};
       stroke = with_widths(stroke, brush.profile(pinned));
     }
-    // 104 mm: at most one per half millimetre, plus the pins that no later gesture reached.
+    // The stroke is 104 mm long: at most one knot per half millimetre, plus the pins that no later
+    // gesture reached.
     EXPECT_LE(stroke.widths().size(), 230u);
   }
 }
@@ -156,7 +158,7 @@ TEST(ProfileKnots, AStraightProfileNeedsItsEndsOnly) {
   std::vector<ProfileKnot> knots;
   for (int i = 0; i <= 150; ++i) knots.push_back({{0.125 * i, 1.0 + 0.25 * i, 0.005 * i}, false});
   EXPECT_EQ(thinned(knots, 1e-12).size(), 2u);
-  // A tone with a turning point is not a straight profile.
+  // A tone with a turning point does not fit one straight line.
   for (std::size_t i = 0; i < 75; ++i) knots[i].knot.tone = 0.75 - 0.005 * static_cast<double>(i);
   EXPECT_EQ(thinned(knots, 1e-12).size(), 3u);
 }

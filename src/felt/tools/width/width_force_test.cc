@@ -61,7 +61,7 @@ TEST(WidthForce, R56_TheStiffnessStaysWithinTheBudgetAndTheCapOfTheDevice) {
         if (cap > 0.0) {
           EXPECT_LE(slope, 0.9 * cap + 1e-9);
         }
-        // The measured slope stays within slopes().
+        // The measured slope is at most that of slopes().
         for (double z = 0.0; z < 6.0; z += 0.1) {
           const double rise = force_at(model, {0, 0, -z - 1e-4}).z - force_at(model, {0, 0, -z}).z;
           EXPECT_LE(rise, 1e-3 * slope * 1e-4 + 1e-12);
@@ -77,7 +77,7 @@ TEST(WidthForce, R12_TheStopIsCalmInEveryHand) {
       SCOPED_TRACE(setup.name());
       Desk held;
       held.device = setup.capabilities();
-      held.surface.id = "smooth";  // grain is meant to be felt above 30 Hz
+      held.surface.id = "smooth";  // without grain, which intentionally has forces above 30 Hz
       held.surface.grain_um = 0.0;
       const double plane = plane_for(held.surface, held.device).stiffness_n_per_m;
       rig::Bench bench(setup, make_width_force({}, held.scene(), at_stop(1, 0)));
@@ -157,7 +157,7 @@ TEST(WidthForce, TheFeelStaysTheSameWhileTheStopComes) {
 
 TEST(WidthStop, R13_R46_IsFeltOnPaperOnEveryDevice) {
   const SurfaceMaterial& paper = surface_materials().front();
-  // The 3D Systems Touch and the Novint Falcon leave least.
+  // The 3D Systems Touch and the Novint Falcon leave the least stiffness for a stop.
   Capabilities touch, falcon;
   touch.max_stiffness_n_per_m = 400.0;
   touch.position_step_mm = 0.055;

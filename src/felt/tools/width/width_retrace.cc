@@ -23,7 +23,7 @@ WidthRetrace::WidthRetrace(const Stroke& stroke, const ArcMap& map)
 }
 
 void WidthRetrace::jump(double length_mm, double width_mm) {
-  // Ink in between keeps its width until the pen draws there.
+  // The ink that the pen jumps over keeps its width until the pen draws there.
   at_mm_ = mark_mm_ = has_drawn_ ? at_mm_ + map_.way(at_mm_, length_mm) : length_mm;
   mark_width_ = width_mm;
 }
@@ -128,7 +128,7 @@ std::vector<ProfileKnot> WidthRetrace::new_knots() const {
   return knots;
 }
 
-/// Merges the stroke's breakpoints that the trace does not replace with the drawn ones by u, then
+/// Merges the drawn breakpoints and those of the stroke that the trace does not replace, by u. Then
 /// drops the knots that are not needed.
 std::vector<WidthKnot> WidthRetrace::profile() const {
   const std::span<const WidthKnot> base = stroke_.widths();

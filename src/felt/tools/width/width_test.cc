@@ -46,7 +46,7 @@ struct Width {
   }
 };
 
-/// An arc with a corner and a profile of its own, 80 mm or so.
+/// Returns an arc of about 80 mm with a corner and a profile of its own.
 Stroke wavy() {
   StrokeData d;
   d.points = {{0, 0},    {10, 15}, {20, 15}, {30, 0},  {40, -15},
@@ -56,7 +56,7 @@ Stroke wavy() {
   return Stroke::create(d).value();
 }
 
-/// The width tool changes only widths, neither the curve nor the tone.
+/// Expects that only widths differ, neither the curve nor the tone.
 void expect_same_curve(const Stroke& a, const Stroke& b) {
   EXPECT_EQ(a.data().points, b.data().points);
   EXPECT_EQ(a.data().joints, b.data().joints);
@@ -121,7 +121,7 @@ TEST(WidthTool, R46_TheResultDoesNotDependOnTheRateOfTheSamples) {
     EXPECT_GT(most, 0.03);
     for (int i = 0; i <= 1000; ++i) {
       const double u = 0.001 * i, exact = results[2].width_mm(u);
-      // Each profile is itself thinned out within 0.01 mm.
+      // Each profile has been thinned within 0.01 mm.
       EXPECT_NEAR(results[0].width_mm(u), exact, 0.01 * most + 0.02) << u;
       EXPECT_NEAR(results[1].width_mm(u), exact, 0.01 * most + 0.02) << u;
     }
@@ -157,7 +157,7 @@ TEST(WidthTool, AClockThatJumpsOrRunsBackChangesNothingMuch) {
   }
   const auto done = w.tool.finish(w.desk.scene());
   ASSERT_TRUE(done.commit);
-  // Two steps of 50 ms and one of 1 ms, at 3 mm/s.
+  // The brush made two steps of 50 ms and one of 1 ms, at 3 mm/s.
   EXPECT_NEAR(done.commit->changes[0].after->width_mm(0.5), 2.0 + 3.0 * 0.101, 1e-9);
 }
 
@@ -251,7 +251,7 @@ TEST(WidthTool, RetraceGoesBackwardsTooAndUpToTheEnds) {
   Width w;
   w.mode("retrace");
   w.desk.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
-  // Back from the end, pressing less and less.
+  // The pen draws back from the end and presses less and less.
   w.pen.up({60, 0});
   for (int i = 0; i <= 600; ++i) {
     w.pen.give({.time_ns = w.pen.now_ns += 1'000'000,
@@ -262,7 +262,7 @@ TEST(WidthTool, RetraceGoesBackwardsTooAndUpToTheEnds) {
   }
   w.pen.up({0, 0});
   ASSERT_EQ(w.pen.commits, 1);
-  // 20 ms of low-pass are 2 mm here.
+  // The low-pass of 20 ms delays the width by 2 mm here.
   for (int i = 0; i <= 60; ++i) {
     EXPECT_NEAR(w.stroke().width_mm(i / 60.0), 0.3 + 5.7 * i / 60.0, 0.3) << i;
   }
@@ -284,7 +284,7 @@ TEST(WidthTool, RetracingTheSamePartTwiceKeepsTheSecondWithoutAStep) {
   EXPECT_NEAR(after.width_mm(55 / 80.0), 0.3 + 5.7 * 0.9, 0.06);
   for (int i = 1; i <= 800; ++i) {
     const double step = after.width_mm(i / 800.0) - after.width_mm((i - 1) / 800.0);
-    EXPECT_LE(std::fabs(step), 0.45) << i;  // 4 mm over 2 mm at most, sampled every 0.1 mm
+    EXPECT_LE(std::fabs(step), 0.45) << i;  // at most 4 mm over 2 mm, sampled every 0.1 mm
   }
 }
 
@@ -329,7 +329,7 @@ TEST(WidthTool, ScaleTakesTheSelectedLinesAlongButNotThoseOfLockedLayers) {
   for (const StrokeId id : {c, d}) EXPECT_EQ(w.desk.document.find(id)->width_mm(1.0), 2.0);
   w.desk.undo();
   for (const StrokeId id : {a, b}) EXPECT_EQ(w.desk.document.find(id)->width_mm(1.0), 2.0);
-  // A line that is not selected is scaled alone.
+  // A line that is not selected is scaled without the others.
   w.pen.line(way({20, 90}, {20, 70}));
   EXPECT_NEAR(w.desk.document.find(c)->width_mm(1.0), 4.0, 1e-9);
   EXPECT_EQ(w.desk.document.find(a)->width_mm(1.0), 2.0);

@@ -37,10 +37,10 @@ constexpr ToolInfo kWidthInfo{
             .caption = "Press on a finished line to make it broader.",
             .seconds = 14.0}};
 constexpr std::string_view kWidthLabel = "Width";
-/// Largest distance along the line between two applications of the brush within a sample.
+/// Maximum distance along the line between two applications of the brush within one sample.
 constexpr double kBrushStepMm = 1.0;
 constexpr double kMaxBrushSteps = 200.0;  // farther than a hand moves in a sample
-/// Time constant of the stops, so that the hand feels no edge.
+/// Time constant of the stops. It prevents an edge that the hand could feel.
 constexpr double kStopSeconds = 0.030;
 /// Maximum number of lines marked while several are scaled.
 constexpr std::size_t kMaxMarked = 64;
@@ -101,8 +101,8 @@ ToolResult WidthTool::take(const PenSample& sample, const Scene& scene) {
   return {};
 }
 
-/// Sets edit_ to the held line and, in the mode `scale` if it is selected, all other selected
-/// lines.
+/// Sets edit_ to the held line. In the mode `scale`, if that line is selected, adds all other
+/// selected lines.
 void WidthTool::find_lines(const Scene& scene) {
   EditBuilder builder(scene.document);
   std::size_t points = hold_.stroke()->data().points.size();
@@ -115,7 +115,7 @@ void WidthTool::find_lines(const Scene& scene) {
     }
   }
   edit_ = std::move(builder).build(std::string(kWidthLabel));
-  // The held line first; the others keep their order.
+  // Puts the held line first. The others keep their order.
   const auto held = std::find_if(edit_.changes.begin(), edit_.changes.end(),
                                  [&](const StrokeChange& c) { return c.id == hold_.id(); });
   std::rotate(edit_.changes.begin(), held, held + 1);
@@ -212,8 +212,8 @@ void WidthTool::update_stops(double seconds) {
   const double width = width_here();
   const auto nearness = [](double room_mm) { return bump(std::max(0.0, room_mm) / kStopMm); };
   const double broadest = nearness(settings_.map.max_mm - width);
-  // A line of normal width is always within 1 mm of the thinnest, so half of kStopMm is enough
-  // there.
+  // A line of normal width is always within 1 mm of the thinnest, so at this limit the stop begins
+  // at half of kStopMm.
   const double thinnest = nearness(2.0 * (width - kMinWidthMm));
   WidthStops aim;
   aim.harder = direction_ == WidthDirection::kThinner ? thinnest : broadest;
@@ -237,7 +237,7 @@ void WidthTool::set_widths(StrokeChange& change, std::vector<WidthKnot> widths) 
   }
   StrokeData data = change.before->data();
   data.widths = std::move(widths);
-  // If a profile is not valid, the last valid one stays.
+  // If the profile is not valid, the last valid one is kept.
   if (auto made = Stroke::create(std::move(data))) {
     change.after = std::make_shared<const Stroke>(*std::move(made));
   }

@@ -14,7 +14,7 @@
 
 namespace felt::testing {
 
-/// A curve by its parameter 0..1.
+/// A curve as a function of its parameter 0..1.
 using Way = std::function<Point(double)>;
 
 inline Way circle_arc(Point center, double radius, double from_deg, double to_deg) {
@@ -23,7 +23,7 @@ inline Way circle_arc(Point center, double radius, double from_deg, double to_de
     return center + radius * Vec{std::cos(a), std::sin(a)};
   };
 }
-/// Two periods of a wave of 50 mm.
+/// Returns two periods of a wave of 50 mm.
 inline Way wave() {
   return [](double t) { return Point{100 * t, 50 + 8 * std::sin(4 * std::numbers::pi * t)}; };
 }
@@ -31,11 +31,12 @@ inline Way wave() {
 /// How the hand deviates from its path.
 struct Jitter {
   double rms_mm = 0.2;
-  /// 0: independent samples; otherwise waves of about this length, as from tremor.
+  /// If 0, the samples are independent; otherwise they form waves of about this length, as from
+  /// tremor.
   double wave_mm = 0.0;
 };
 
-/// Returns ink along a path, a sample every quarter millimetre, as the pencil would fit it.
+/// Returns ink along a path as the pencil would fit it, with a sample every quarter millimetre.
 inline Stroke jittery(const Way& way, const Jitter& jitter, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0.0, 1.0);
@@ -43,7 +44,7 @@ inline Stroke jittery(const Way& way, const Jitter& jitter, std::uint64_t seed) 
   double length = 0.0;
   for (int i = 0; i < 1000; ++i) length += distance(way(0.001 * i), way(0.001 * (i + 1)));
   const int n = std::max(4, static_cast<int>(4.0 * length));
-  // Two waves per axis, a tenth shorter and a tenth longer.
+  // Adds two waves per axis, one a tenth shorter and one a tenth longer.
   double phases[4], sizes[4];
   for (double& p : phases) p = 2.0 * std::numbers::pi * uniform(random);
   for (double& s : sizes) s = 0.7 + 0.6 * uniform(random);
