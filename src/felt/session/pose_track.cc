@@ -69,8 +69,8 @@ std::optional<double> pressure_between(const ScriptPose& a, const ScriptPose& b,
 }
 
 /// Interpolates the tilt only if it is known in both poses.
-std::optional<double> lean_between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns) {
-  if (!a.lean_deg || !b.lean_deg) return a.lean_deg;
+std::optional<double> tilt_between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns) {
+  if (!a.tilt_deg || !b.tilt_deg) return a.tilt_deg;
   // lerp() returns exactly the same number for a tilt that does not change.
   return std::lerp(*a.tilt_deg, *b.tilt_deg, part(now_ns, a.time_ns, b.time_ns));
 }

@@ -18,7 +18,7 @@ struct ScriptPose {
   std::uint32_t buttons = 0;
   /// If true, a hand aims at the position; otherwise it is the position of the pen.
   bool by_hand = false;
-  std::optional<double> lean_deg{};
+  std::optional<double> tilt_deg{};
 
   friend constexpr bool operator==(const ScriptPose&, const ScriptPose&) noexcept = default;
 };
