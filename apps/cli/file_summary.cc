@@ -63,7 +63,7 @@ std::string page_text(const Imported& opened) {
 }
 
 /// Returns a line for each layer, starting with the lowest. A line contains the number for
-/// --layers, the name and the visibility.
+/// --layers, the number of strokes, the name, and whether the layer is hidden or locked.
 std::string layers_text(const Imported& opened) {
   std::string text;
   int place = 0;

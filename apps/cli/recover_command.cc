@@ -82,7 +82,7 @@ int list_record_copies(const RecoverArguments& args) {
 }
 
 /// Reports folders that do not exist, because their names are probably mistyped. Returns false if
-/// one does not exist.
+/// an error was reported.
 bool check_folders(const RecoverArguments& args, Console& console) {
   for (const std::string& folder : args.from) {
     std::error_code error;

@@ -46,17 +46,17 @@ class ShortText {
   std::uint8_t size_ = 0;
 };
 
-/// The state of an open device. Trivially copyable: written on the haptic thread, read on the edit
-/// thread through a LatestValue.
+/// The state of an open device. It is trivially copyable, because the haptic thread writes it and
+/// the edit thread reads it through a LatestValue.
 struct DeviceStatus {
-  std::optional<DeviceFault> fault;       ///< active now; empty if the device works
+  std::optional<DeviceFault> fault;       ///< the current fault; nullopt if the device works
   std::optional<DeviceFault> last_fault;  ///< the newest, even if it is over
   ShortText vendor_words;                 ///< the maker's own text for the newest fault, verbatim
   std::int64_t vendor_code = 0;           ///< the maker's number for it
   ShortText notice;  ///< newest message that is not a fault: a flat battery, a filter of the device
                      ///< that changes our forces
   std::uint64_t faults = 0;                 ///< since it was opened
-  std::uint64_t reads = 0;                  ///< successful ones since it was opened
+  std::uint64_t reads = 0;                  ///< successful reads since it was opened
   std::optional<double> motor_temperature;  ///< 0 cold .. 1 too warm, the warmest motor
   double rate_hz = 0.0;                     ///< rate that the device reports; 0: unknown
 };

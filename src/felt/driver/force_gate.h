@@ -35,20 +35,20 @@ class ForceGate {
   explicit ForceGate(const Capabilities& device) noexcept;
 
   struct Passed {
-    Force force;             ///< what to send
-    bool was_finite = true;  ///< false: NaN or infinity was asked, and the force is zero
-    bool was_cut = false;    ///< more was asked than is allowed, or it rose too fast
+    Force force;             ///< the force to send
+    bool was_finite = true;  ///< false if NaN or infinity was requested; the force is then zero
+    bool was_cut = false;    ///< the requested force was larger than allowed, or rose too fast
   };
   /// Returns the force that may be sent at `now_ns`, and assumes that it is held until the next
-  /// call. A clock that stands still or goes back counts as no time.
+  /// call. If the clock stands still or goes back, no time is counted.
   Passed pass(const Force& asked, std::int64_t now_ns) noexcept;
   /// Sets the force that was sent instead of the one that pass() returned last. Requires that it is
   /// not larger.
   void sent_less(const Force& force) noexcept { held_ = force; }
-  /// Records that the device was stopped, or let go by itself: it holds no force.
+  /// Records that the device holds no force, because it was stopped or has stopped by itself.
   void let_go() noexcept { held_ = {}; }
 
-  /// Returns the force that the device was last ordered to hold.
+  /// Returns the force that was last sent to the device.
   [[nodiscard]] const Force& held() const noexcept { return held_; }
   /// Returns the largest force that pass() allows, N: min(advised, 0.9 of the nominal maximum).
   [[nodiscard]] double most_n() const noexcept { return most_n_; }
