@@ -170,8 +170,7 @@ class OverlayPen {
   double far_units_;
 };
 
-/// Draws wet ink segment by segment. This is less exact than for finished ink, but good enough
-/// here.
+/// Draws each segment of wet ink as a stroke of its own, which is good enough for a picture.
 void draw_wet_ink(const Overlay& overlay, const View& view, Pixels pixels, Rasterizer& rasterizer) {
   for (const Overlay::InkSegment& wet : overlay.ink) {
     StrokeData data;
