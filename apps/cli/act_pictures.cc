@@ -38,7 +38,8 @@ Rect difference(const Document& a, const Document& b) {
   return box;
 }
 
-/// Returns the part of the page around `box` that a panel shows: neither upright nor very long.
+/// Returns the part of the page around `box` that a panel shows. It is at least as wide as high,
+/// but not very wide.
 Rect panel_around(const Rect& box) {
   const Rect roomy = box.inflated(kAroundMm);
   const double half_width = 0.5 * std::max({roomy.width(), roomy.height(), kMinMm});
@@ -74,7 +75,7 @@ void ActPictures::see(const Session& session, const PenSample& pen) {
 Result<Image> ActPictures::draw(const Session& after, int width_px) const {
   if (!before_ || !in_work_) return fail(ErrorCode::kInvalidData, tool_ + " never touched");
   std::array<SessionView, 3> views{*before_, *in_work_, view_of(after, std::nullopt)};
-  // If nothing was changed, the selection is the result, so its overlay stays.
+  // If the document did not change, the result is the selection, so its overlay stays.
   if (!(views[0].document == views[2].document)) views[2].overlay.clear();
   constexpr std::array kCaptions{"before", "in work", "after"};
   Rect box = difference(before_->document, views[2].document);

@@ -10,13 +10,14 @@
 
 namespace felt::cli {
 
-/// Watches one act of the demonstration and makes its picture: before | in progress, with the
-/// tool's overlay | after, of the part of the page where something happened.
+/// Watches one act of the demonstration and makes its picture. The picture has three panels that
+/// show the changed part of the page: before, in progress with the tool's overlay, and after.
 ///
-/// "Before" is when the act's tool first touches; "in progress" is the last moment of that gesture.
+/// "Before" is the moment at which the act's tool first touches; "in progress" is the last moment
+/// of that gesture.
 class ActPictures {
  public:
-  /// `act` is a name like "2-pull", which is about the tool "pull".
+  /// `act` is a name like "2-pull", for an act with the tool "pull".
   explicit ActPictures(std::string_view act);
 
   /// Call it every few milliseconds while the act is played.

@@ -44,7 +44,7 @@ void* allocate_aligned(std::size_t size, std::align_val_t alignment) {
 }  // namespace felt::cli
 
 #ifndef FELT_SANITIZED
-// The array and nothrow forms call these by default ([new.delete] of the standard).
+// By default the array and nothrow forms call these operators ([new.delete] of the C++ standard).
 void* operator new(std::size_t size) {
   return felt::cli::allocate(size);
 }

@@ -5,9 +5,9 @@
 #include "console.h"
 #include "felt/base/result.h"
 
-/// The sub-commands. Each function adds one to the program, with its options and its help. It runs
-/// if the command line names it, reports errors through `console`, and throws UsageError for
-/// contradictory options.
+/// The sub-commands. Each function adds one sub-command to the program, with its options and its
+/// help. The sub-command runs if the command line names it, reports errors through `console`, and
+/// throws UsageError if options contradict each other.
 namespace felt::cli {
 
 void add_fit_command(CLI::App& app, Console& console);
@@ -26,8 +26,8 @@ void add_doctor_command(CLI::App& app, Console& console);
 void add_device_test_command(CLI::App& app, Console& console);
 void add_record_command(CLI::App& app, Console& console);
 
-/// An invalid command line: the message is shown and the exit code is 2. If a file named there is
-/// damaged, the exit code is 1 instead.
+/// Thrown if the command line is invalid: the message is shown and the exit code is 2. If a file
+/// that it names is damaged, the exit code is 1 instead.
 class UsageError : public CLI::Error {
  public:
   explicit UsageError(const std::string& message) : CLI::Error("UsageError", message, 2) {}
@@ -38,11 +38,11 @@ class UsageError : public CLI::Error {
 /// Accepts a number from `low` to `high`. Unlike CLI::Range it rejects NaN.
 CLI::Validator number_between(double low, double high);
 
-/// Accepts any text but "".
+/// Accepts any text that is not empty.
 CLI::Validator not_empty();
 
-/// Accepts a whole number from 0 to 2^64 - 1. CLI11 itself accepts -1 and numbers that are too
-/// large.
+/// Accepts a whole number from 0 to 2^64 - 1. This check is needed because CLI11 itself accepts -1
+/// and numbers that are too large.
 CLI::Validator whole_number();
 
 /// Returns a footer with examples, one on each line, below a title.

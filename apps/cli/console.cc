@@ -16,21 +16,21 @@ namespace {
 
 constexpr int kBarCells = 24;
 constexpr std::size_t kMaxKinds =
-    100;  // kinds of messages that are counted; all others share one more count
+    100;  // maximum number of kinds that are counted; all others share one count
 
 bool can_redraw_stderr() {
   const char* terminal = std::getenv("TERM");
   return isatty(STDERR_FILENO) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
-/// Returns "65,997".
+/// Returns a number with commas, such as "65,997".
 std::string with_commas(std::int64_t number) {
   std::string text = std::to_string(number);
   for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
   return text;
 }
 
-/// The bar uses only characters and no colour, so NO_COLOR does not affect it.
+/// Returns a progress bar. It does not use colour, so NO_COLOR does not affect it.
 std::string bar(double fraction) {
   const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * kBarCells);
   return "[" + std::string(static_cast<std::size_t>(filled), '#') +

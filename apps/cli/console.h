@@ -7,9 +7,10 @@
 
 namespace felt::cli {
 
-/// Reports to the user at the terminal: errors, notices, and a progress line during work.
-/// Everything goes to stderr, because stdout carries data. Each message is one line, with control
-/// characters escaped. A message that cannot be written is dropped (print.h). Thread: main only.
+/// Shows errors, notices, and a progress line during work to the user at the terminal. Everything
+/// is written to stderr, because stdout carries data. Each message is one line, with control
+/// characters escaped. A message that cannot be written is dropped (print.h). Used on the main
+/// thread only.
 class Console {
  public:
   /// The progress line is shown if stderr is a terminal that can erase a line.
@@ -18,37 +19,37 @@ class Console {
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
-  /// --quiet: no progress line, no notices. Errors are always shown.
+  /// Hides the progress line and notices (--quiet). Errors are always shown.
   void set_quiet() noexcept {
     shows_progress_ = false;
     shows_notices_ = false;
   }
-  /// --strict: a notice is an error.
+  /// Makes every notice an error (--strict).
   void set_strict() noexcept { strict_ = true; }
 
   /// Prints "feltline: message" and records a failure.
   void error(const std::string& message);
-  /// Prints "feltline: message": a part of a file is not supported, and the rest is processed. This
-  /// is not a failure unless --strict.
+  /// Prints "feltline: message". Used if a part of a file is not supported and the rest is
+  /// processed. This counts as a failure only with --strict.
   void notice(const std::string& message);
-  /// Reports a record of a file that could not be read, or not be written to the output: prints
-  /// "feltline: name:line: what" (without the line if it is 0). Of the messages that differ only in
-  /// numbers and names, the first kShownOfAKind of each file are printed; end_records() counts the
-  /// rest.
+  /// Reports a record of a file that could not be read, or could not be written to the output.
+  /// Prints "feltline: name:line: what", without the line if it is 0. Messages of a file that
+  /// differ only in numbers and names are of one kind; the first kShownOfAKind of each kind are
+  /// printed, and end_records() prints the number of the others.
   void record_error(const std::string& name, std::int64_t line, const std::string& what);
   /// Prints the number of messages of each kind that were not printed: "name: ... and 65,997 more
   /// like it".
   void end_records();
   static constexpr std::int64_t kShownOfAKind = 3;
-  /// Records a failure that stdout describes.
+  /// Records a failure without a message, because stdout already describes it.
   void set_failed() noexcept { failed_ = true; }
   /// Returns true if an error was reported; the exit code is then 1.
   [[nodiscard]] bool failed() const noexcept { return failed_; }
 
-  /// Shows the progress of `what`: `done` of `total` bytes (0: unknown) and `strokes` strokes.
-  /// Draws at most ten times a second, and nothing during the first half second.
+  /// Shows the progress of `what`: `done` of `total` bytes (0 if unknown) and `strokes` strokes.
+  /// Draws at most ten times a second, and does not draw during the first half second.
   void progress(const char* what, std::int64_t done, std::int64_t total, std::int64_t strokes);
-  /// Shows a status line that the next one replaces, at most ten times a second.
+  /// Shows a status line, at most ten times a second. Each line replaces the one before.
   void status(const std::string& line);
   /// Removes the progress line.
   void end_progress();

@@ -12,8 +12,8 @@
 namespace felt::cli {
 namespace {
 
-/// The command line as written. `render` and `convert` do the same work; `render` only makes
-/// pictures and shows the options accordingly.
+/// The options and arguments of the command line. `render` and `convert` do the same work, but
+/// `render` only makes pictures, and its help shows only the options for pictures.
 struct ConvertArguments {
   std::string input;
   std::string output;
@@ -41,7 +41,7 @@ void add_options(CLI::App& command, ConvertArguments& args, const char* output_h
   args.picture.add_grain_to(command);
 }
 
-/// Converts lines without keeping all of them in memory.
+/// Converts lines one by one, so that they do not have to be in memory together.
 void convert_lines(const Input& input, const ConvertArguments& args, Format format,
                    const PictureOptions& picture, Console& console) {
   if (!args.layers.empty() && args.layers != "all" && args.layers != "visible") {
@@ -57,7 +57,7 @@ void convert_lines(const Input& input, const ConvertArguments& args, Format form
     if (!appended) console.error(appended.error().message);
     return appended.has_value();
   });
-  // Keeps an older file rather than replacing it with an empty one.
+  // Keeps an older file instead of replacing it by an empty file.
   if (!read || (empty && console.failed())) return;
   if (Result<void> done = output->finish(); !done) console.error(done.error().message);
 }
@@ -65,7 +65,7 @@ void convert_lines(const Input& input, const ConvertArguments& args, Format form
 /// Prints a notice about hidden layers if the format cannot hide them.
 void note_hidden_layers(const Document& document, Format format, const std::string& output,
                         Console& console) {
-  // A picture shows what is seen; that needs no word.
+  // A picture only shows visible layers anyway, so it does not need a notice.
   const FormatTraits& traits = traits_of(format);
   if (format != Format::kXopp && (traits.layers || traits.picture)) return;
   std::size_t strokes = 0;
@@ -83,7 +83,8 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
   Result<Imported> opened = input.read_drawing({.salvage = args.salvage});
   if (!opened) return console.error(input.name() + ": " + opened.error().message);
   if (!tell_notices(input.name(), opened->report, console)) return;
-  // A drawing of ours may be empty. For others, keep an older file rather than write an empty one.
+  // A drawing written by Feltline may be empty. For other files, keeps an older output instead of
+  // replacing it by an empty file.
   if (opened->drawing.document.stroke_count() == 0 && !opened->is_exact) {
     return console.error(input.name() + ": holds no strokes");
   }
@@ -103,7 +104,7 @@ void convert(const ConvertArguments& args, Format format, Console& console) {
   if (!picture) throw UsageError(picture.error());
   const Result<Input> input = Input::open(args.input);
   if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
-  // Compressed output, and output that shows the drawing's surface, cannot be streamed.
+  // Output that is compressed, or that shows the drawing's surface, cannot be streamed.
   const bool is_stream =
       input->is_lines() && !is_compressed_name(args.output) && !picture->wants_grain;
   if (is_stream) return convert_lines(*input, args, format, *picture, console);

@@ -11,7 +11,7 @@
 namespace felt::cli {
 namespace {
 
-/// Returns the layer with a number or a name; layers.size() if there is none.
+/// Returns the index of the layer with this number or name, or layers.size() if it does not exist.
 std::size_t find_layer(std::string_view text, std::span<const Layer> layers) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -34,7 +34,7 @@ tl::unexpected<Error> no_layer(std::string_view text, std::span<const Layer> lay
               "--layers: there is no layer '" + std::string(text) + "'; there are " + there);
 }
 
-/// Returns which layers are kept, by index.
+/// Returns for each layer whether it is kept.
 Result<std::vector<bool>> chosen_layers(const std::string& text, std::span<const Layer> layers) {
   std::vector<bool> chosen(layers.size(), text == "all");
   if (text == "all") return chosen;

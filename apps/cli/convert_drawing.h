@@ -7,10 +7,11 @@
 
 namespace felt::cli {
 
-/// Keeps the layers in `text` (of --layers). "visible" drops hidden ones, "all" makes all visible.
-/// Otherwise `text` is the numbers of the layers, separated by commas ("1,3"), with 1 for the
-/// lowest, or the name of one layer; they become visible. "" changes nothing. Fails if there is no
-/// such layer; the message lists them.
+/// Removes all layers except those in `text`, the value of --layers. "visible" removes hidden
+/// layers; "all" keeps all layers and makes them visible. Otherwise `text` contains the numbers of
+/// layers, separated by commas ("1,3"), with 1 for the lowest, or the name of one layer; these
+/// layers become visible. An empty text changes nothing. Fails if a layer does not exist; the
+/// message lists the layers.
 Result<void> choose_layers(const std::string& text, Drawing& drawing);
 
 }  // namespace felt::cli

@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-constexpr double kStepS = 0.04;  // between two events of a path
+constexpr double kStepS = 0.04;  // time between two events of a path
 constexpr double kHoverMm = 5.0;
 constexpr double kAirMmPerS = 180.0;
 constexpr double kEngageS = 0.8;  // time until forces are on
@@ -19,12 +19,13 @@ double rounded(double v, double step) {
   return std::round(v / step) * step;
 }
 
-/// Goes smoothly from 0 to 1, with zero speed and acceleration at both ends.
+/// Returns a value that rises smoothly from 0 to 1 while `t` does, with zero speed and acceleration
+/// at both ends.
 double eased(double t) {
   return t * t * t * (10.0 + t * (6.0 * t - 15.0));
 }
 
-/// Returns a smooth curve through points (Catmull-Rom), as closely spaced points.
+/// Returns closely spaced points on a smooth curve (Catmull-Rom) through `via`.
 std::vector<Point> smooth_way(const std::vector<Point>& via) {
   constexpr int kSteps = 16;
   std::vector<Point> way{via.front()};
@@ -59,8 +60,8 @@ void DemoAct::draw(WritingHand& hand, const std::vector<Gesture>& gestures, int&
   SampleSet set{"", {}};
   for (const Gesture& gesture : gestures) {
     set.strokes.push_back({"demo-" + std::to_string(++count), hand.draw(gesture)});
-    // The player lets the hand travel to the stroke and draw it at this pace; the next movement
-    // comes after that.
+    // When the script is played, the hand moves to the stroke and draws it at this pace. The next
+    // movement comes after that.
     const auto& samples = set.strokes.back().samples;
     drawing_s_ +=
         2.5 + 1.2e-9 * static_cast<double>(samples.back().time_ns - samples.front().time_ns);

@@ -13,24 +13,26 @@ namespace felt {
 /// a hand needs to feel something. Paths are smooth and unhurried; times are computed.
 class DemoAct {
  public:
-  /// Depth of a press by default: 0.3 N in a typical hand on paper.
+  /// Default depth of a press. It gives 0.3 N in a typical hand on paper.
   static constexpr double kLightMm = 2.0;
 
   void tool(const char* id);
   void set(const char* id, const OptionValue& value);
-  /// Adds lines for the pencil, as if recorded from a hand. Numbers them from `count` on.
+  /// Adds lines for the pencil, drawn by `hand` as if they were recorded. Numbers them from `count`
+  /// on.
   void draw(WritingHand& hand, const std::vector<Gesture>& gestures, int& count);
 
-  /// Moves through the air and waits a moment above the point.
+  /// Adds a movement through the air and a moment of rest above the point.
   void hover(Point at);
   void press(double depth_mm = kLightMm);
-  /// Moves through these points, starting at the hand's position.
+  /// Adds a movement through these points, starting at the hand's position.
   void along(const std::vector<Point>& via, double mm_per_s = 30.0);
   void wait(double seconds);
   void lift();
-  /// Touches for a moment.
+  /// Adds a short touch at this point.
   void tap(Point at);
-  /// Adds a whole gesture: down at the first point, along the others, a moment of rest, up.
+  /// Adds a whole gesture: the pen touches at the first point, moves along the others, rests for a
+  /// moment, and lifts.
   void gesture(const std::vector<Point>& via, double mm_per_s = 30.0, double depth_mm = kLightMm);
 
   [[nodiscard]] const std::string& text() const noexcept { return text_; }

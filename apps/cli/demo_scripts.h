@@ -5,8 +5,9 @@
 
 namespace felt::cli {
 
-/// An act of the demonstration: a script from a tool's folder, compiled into the program so that it
-/// needs no file. The name is that of the file, "1-pencil". Acts are sorted by name.
+/// An act of the demonstration: a script from a tool's folder. It is compiled into the program, so
+/// that the file is not needed. Its name is that of the file, for example "1-pencil". Acts are
+/// sorted by name.
 struct DemoScript {
   std::string_view name;
   std::string_view text;

@@ -24,7 +24,7 @@ std::string number_or_dash(double value) {
   return value > 0.0 ? json_number(value) : "-";
 }
 
-/// Returns force devices first, then those that only play cues.
+/// Returns the real devices: first those with force, then those that only play cues.
 std::vector<DeviceDescriptor> real_devices(const std::vector<DriverLook>& looks) {
   std::vector<DeviceDescriptor> devices;
   for (const DeviceKind kind : {DeviceKind::kForce, DeviceKind::kCue}) {
@@ -58,7 +58,7 @@ std::string count_words(const std::vector<DeviceDescriptor>& devices) {
                         : fmt::format("{} haptic devices are connected.", connected);
 }
 
-/// Prints the connected devices, and the drivers that failed in their vendor's software.
+/// Prints the connected devices, and the drivers that failed in the vendor's software.
 void print_real(const std::vector<DriverLook>& looks, const TextStyle& style) {
   using Align = TextTable::Align;
   const std::vector<DeviceDescriptor> devices = real_devices(looks);

@@ -27,7 +27,7 @@ constexpr const char* kDoctorExamples =
     "feltline doctor --fix --dry-run\n"
     "feltline doctor --fix";
 
-/// Returns all drivers, or those that were named.
+/// Returns the drivers that the user named, or all drivers.
 std::vector<std::unique_ptr<Driver>> wanted_drivers(const std::vector<std::string>& names) {
   std::vector<std::unique_ptr<Driver>> all = make_drivers();
   if (names.empty()) return all;
@@ -54,7 +54,8 @@ DoctorReport examine(const DoctorArguments& args) {
   return report;
 }
 
-/// Returns true if this file may be written. Somebody else's file needs separate consent.
+/// Returns true if this file may be written. For a file that Feltline did not write, asks the user
+/// separately.
 bool is_agreed(const PlannedFix& fix, bool agreed_to_all, Console& console) {
   if (fix.state == PlannedFix::State::kSame) return false;
   if (fix.state != PlannedFix::State::kForeign) return agreed_to_all;

@@ -43,13 +43,14 @@ std::size_t width_of(const TextStyle& style) {
   return style.width == 0 ? kPlainWidth : std::min(style.width, kWidest);
 }
 
-/// Returns a sentence, wrapped, for a line that is already at `column`.
+/// Returns a wrapped sentence for a line that is already filled up to `column`.
 std::string sentence(const std::string& text, std::size_t column, const TextStyle& style) {
   const std::size_t width = std::max<std::size_t>(width_of(style), column + 24) - column;
   return wrapped(text, width, column) + "\n";
 }
 
-/// Returns lines unchanged but indented. A line that repeats the previous one is omitted.
+/// Returns the lines with an indent, otherwise unchanged. Omits a line that repeats the previous
+/// one.
 std::string verbatim(const std::string& text, std::size_t column) {
   std::string lines, last;
   for (std::size_t at = 0; at < text.size();) {
@@ -133,7 +134,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Returns a paragraph about the families that are absent.
+/// Returns a paragraph about the families of devices that are not on this computer.
 std::string absent_text(const DoctorReport& report, const TextStyle& style) {
   if (report.is_named) return {};
   std::size_t longest = 0;

@@ -23,15 +23,15 @@ namespace {
 
 constexpr double kMarginMm = 5.0;
 
-/// Returns the area of all ink and a margin, as for a stream of strokes.
+/// Returns the area of all ink and a margin. It is the same as for a stream of strokes.
 Rect ink_area(const Drawing& drawing, Format format) {
   const Rect ink = ink_bounds(drawing.document);
   if (format == Format::kSvg) return picture_area(ink, std::nullopt, kMarginMm);
   return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(kMarginMm);
 }
 
-/// Returns the area that a picture shows; none: the page. Sets the drawing's page to the requested
-/// one.
+/// Sets the drawing's page to the requested page. Returns the area that a picture shows, or nullopt
+/// if it shows the page.
 Result<std::optional<Rect>> shown_area(Drawing& drawing, Format format,
                                        const PictureOptions& picture) {
   const bool is_picture = traits_of(format).picture;
@@ -50,7 +50,7 @@ Result<std::optional<Rect>> shown_area(Drawing& drawing, Format format,
   return picture.sheet;  // a picture may have any size
 }
 
-/// Returns the options for writing. Sets the drawing's page to the requested one.
+/// Sets the drawing's page to the requested page. Returns the options for writing.
 Result<WriteOptions> write_options(Drawing& drawing, Format format, PictureOptions picture) {
   if (auto ok = use_surface_of(drawing, picture); !ok) return tl::unexpected(ok.error());
   WriteOptions options;
@@ -69,7 +69,7 @@ Result<WriteOptions> write_options(Drawing& drawing, Format format, PictureOptio
   return options;
 }
 
-/// One part of a file, and the result of making it.
+/// A part of a file, and the result of making it.
 struct PartWork {
   std::size_t number = 0;
   [[nodiscard]] static std::size_t bytes() { return 0; }
@@ -158,8 +158,8 @@ Result<void> DrawingOutput::write(Drawing drawing) {
     if (!bytes) return tl::unexpected(with_context(bytes.error(), name));
     return output_.save(*bytes);
   }
-  // Lines are the same as in a stream, without a header, so that the output of `convert` does not
-  // depend on the kind of input.
+  // Writes the same lines as for a stream of strokes, without a header, so that the output of
+  // `convert` does not depend on the kind of input.
   Result<std::unique_ptr<DrawingParts>> parts = format_ == Format::kNdjson
                                                     ? line_parts(drawing, LineHeader::kLeftOut)
                                                     : drawing_parts(drawing, format_, *options);
@@ -197,7 +197,8 @@ Result<void> DrawingOutput::finish() {
   return format_ == Format::kPng ? finish_png() : finish_drawing();
 }
 
-/// Reserves space for the head, because it contains the size of the picture, which is known last.
+/// Reserves space for the head of the file. The head is written last, because it contains the size
+/// of the picture.
 Result<void> DrawingOutput::begin_svg() {
   if (std::exchange(has_begun_, true)) return {};
   std::string text(kSvgHeadBytes, ' ');

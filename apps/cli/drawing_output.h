@@ -13,45 +13,37 @@
 
 namespace felt::cli {
 
-/// Strokes encoded for an output, by a worker.
+/// Strokes that a worker has encoded for an output.
 struct EncodedStrokes {
   std::string text;  ///< elements of an SVG file; for the other formats lines of .ndjson
-  Rect bounds;       ///< of their ink
+  Rect bounds;       ///< bounds of the strokes' ink
   void clear() { *this = {}; }
 };
 
-/// Encodes a stroke for an output of that format. `number` must be different for each stroke. Fails
-/// if the format cannot hold the stroke; `out` does not change then.
+/// Encodes a stroke for an output of that format and appends it to `out`. `number` must be
+/// different for each stroke. Fails if the format cannot hold the stroke; `out` is then unchanged.
 Result<void> encode(const NamedStroke& stroke, std::int64_t number, Format format,
                     EncodedStrokes& out);
 
-/// What a DrawingOutput receives: a whole drawing by write(), or single strokes by append().
-enum class OutputUse { kWhole, kStrokes };
-
-/// Returns the format that encode() must get for strokes that go to this output. Only .ndjson and
-/// uncompressed .svg are written stroke by stroke; for other outputs strokes are kept as lines.
-Format stroke_format(const std::string& path, Format format);
-
-/// The output of a drawing: either as a whole with write(), or stroke by stroke with append() and
-/// then finish(). No file appears under the output's name before write() or finish() is done.
+/// Writes a drawing to a file, either as a whole with write(), or stroke by stroke with append()
+/// and then finish(). The file gets its name when write() or finish() succeeds, not before.
 ///
-/// A whole drawing keeps more than its strokes if the format can hold it: layers, including hidden
-/// ones, its surface, its page (unless the picture options specify another), and the texts of its
+/// If the format supports them, a whole drawing is written with its layers, including hidden ones,
+/// its surface, its page (unless the picture options specify another), and the texts of its
 /// materials. Single strokes have neither layers nor a page. For .ndjson, .svg and .png, memory
-/// does not grow with their number; for the other formats they are collected in a drawing with one
-/// layer first.
+/// does not grow with their number; for the other formats they are first collected in a drawing
+/// with one layer.
 class DrawingOutput {
  public:
-  /// The picture options apply to all formats but .ndjson. With OutputUse::kStrokes an .svg on
-  /// stdout appears only when it is complete, because its first line has its size. Fails if the
-  /// path cannot be written.
+  /// Creates the output. The picture options apply to all formats except .ndjson. Fails if the path
+  /// cannot be written.
   static Result<DrawingOutput> create(const std::string& path, Format format,
                                       const PictureOptions& picture,
                                       OutputUse use = OutputUse::kWhole);
 
-  /// Writes a whole drawing. Call once. Fails if the format cannot hold it, if grain is requested
-  /// and the surface is unknown, or if writing fails. Messages begin with the path if they are
-  /// about the file.
+  /// Writes a whole drawing. Call it only once. Fails if the format cannot hold the drawing, if
+  /// grain is requested and the surface is unknown, or if writing fails. A message about the file
+  /// begins with its path.
   Result<void> write(Drawing drawing);
 
   /// Appends strokes that encode() made for stroke_format(). Requires OutputUse::kStrokes.
@@ -73,7 +65,7 @@ class DrawingOutput {
   Format stroke_format_;
   PictureOptions picture_;
   Output output_;
-  // About the appended strokes.
+  // These describe the appended strokes.
   bool has_begun_ = false;
   Rect ink_;
   StrokeSpool spool_;

@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kGlance{2};
-constexpr std::size_t kMaxWords = 600;  // of the text that a library wrote to stderr
+constexpr std::size_t kMaxWords = 600;  // length of the text that is kept from a library's stderr
 
 void put(Packer& packer, const DeviceDescriptor& device) {
   for (const std::string* text : {&device.id, &device.driver, &device.label, &device.model,
@@ -84,7 +84,7 @@ std::string look(Driver& driver, const SystemView& system, LookFor what) {
   return packer.bytes();
 }
 
-/// A file in memory that disappears when it is closed everywhere.
+/// A file in memory that is deleted when all processes have closed it.
 class Scratch {
  public:
   explicit Scratch(const char* name) : fd_(memfd_create(name, MFD_CLOEXEC)) {}
@@ -115,7 +115,7 @@ class Scratch {
   int fd_;
 };
 
-/// A driver that looks for devices in another process.
+/// A driver that looks for devices in a process of its own.
 struct Looker {
   Scratch answer{"feltline-answer"};
   Scratch words{"feltline-words"};
@@ -178,7 +178,7 @@ DriverLook result_of(const Driver& driver, const Looker& looker, std::chrono::mi
   return look;
 }
 
-/// Waits until all have ended or time is up, then kills the others.
+/// Waits until all processes have ended, at most until `until`, and then kills the others.
 void wait_for(std::vector<Looker>& lookers, Clock::time_point until) {
   for (Looker& looker : lookers) {
     if (looker.pid < 0) continue;

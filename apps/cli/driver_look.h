@@ -11,23 +11,23 @@ namespace felt::cli {
 
 /// The devices and findings of a driver.
 struct DriverLook {
-  std::string name, label;  ///< the driver's
+  std::string name, label;  ///< of the driver
   std::vector<DeviceDescriptor> devices;
-  std::vector<Finding> findings;  ///< if requested
+  std::vector<Finding> findings;  ///< empty unless requested
 };
 
 enum class LookFor {
-  kDevices,   ///< Driver::find
-  kFindings,  ///< Driver::diagnose as well
+  kDevices,   ///< calls Driver::find
+  kFindings,  ///< calls Driver::find and Driver::diagnose
 };
 
-/// Longer than any driver needs that complies with the rules in Driver.
+/// Time limit for a driver. A driver that follows the rules in Driver needs less.
 inline constexpr std::chrono::milliseconds kLookTime{15'000};
 
-/// Asks every driver, each in its own process, because a vendor's library may crash, hang, end the
-/// program or overwrite our output, and none of that may affect us. If a driver fails like that,
-/// this is a finding of its own, with the last text that it wrote to stderr. Requires that no other
-/// thread runs.
+/// Asks every driver for its devices. Each driver runs in its own process, because a vendor's
+/// library may crash, hang, end the program or overwrite our output. If that happens, the driver's
+/// result contains a finding about it, with the last text that the process wrote to stderr.
+/// Requires that no other thread runs.
 std::vector<DriverLook> look_at_drivers(const std::vector<std::unique_ptr<Driver>>& drivers,
                                         const SystemView& system, LookFor what,
                                         std::chrono::milliseconds most = kLookTime);

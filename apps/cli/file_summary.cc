@@ -16,7 +16,7 @@
 namespace felt::cli {
 namespace {
 
-/// The figures in output order, each with its key and its text.
+/// The figures of a summary in output order, each with its key and its text.
 using Figures = std::vector<std::pair<const char*, std::string>>;
 
 std::string number(double value) {
@@ -62,8 +62,8 @@ std::string page_text(const Imported& opened) {
                                  : "none";
 }
 
-/// Returns a line for each layer, lowest first: its name for --layers, its own name and its
-/// visibility.
+/// Returns a line for each layer, starting with the lowest. A line contains the number for
+/// --layers, the number of strokes, the name, and whether the layer is hidden or locked.
 std::string layers_text(const Imported& opened) {
   std::string text;
   int place = 0;
@@ -85,7 +85,8 @@ std::string layers_json(const Imported& opened) {
   return json_array(layers);
 }
 
-/// Returns the recordings in the drawing; none if they are damaged, which replay reports.
+/// Returns the recordings in the drawing. Returns an empty list if they are damaged; `replay`
+/// reports that as an error.
 std::vector<RecordingInfo> recordings(const Imported& opened) {
   return recordings_of(opened.drawing).value_or(std::vector<RecordingInfo>());
 }

@@ -18,7 +18,7 @@
 namespace felt::cli {
 namespace {
 
-/// The command line as written.
+/// The options and arguments of the command line.
 struct FitArguments {
   std::vector<std::string> inputs;
   std::string output;
@@ -51,7 +51,7 @@ std::string media_names() {
   return names;
 }
 
-/// Returns the error in the id of a medium, or "".
+/// Returns the error message if the id is not that of a known medium, or an empty string if it is.
 std::string check_medium(const std::string& id) {
   const Medium* medium = find_medium(id);
   if (medium && medium->draws) return {};
@@ -76,7 +76,7 @@ void add_width_options(CLI::App& command, FitArguments& args) {
       ->check(number_between(kMinWidthMm, 1000.0));
 }
 
-/// Returns the settings on the command line for the medium and its widths.
+/// Returns the settings for the medium and its widths from the command line.
 InkFitOptions ink_of(const FitArguments& args) {
   InkFitOptions ink;
   const Medium* medium = args.material.empty() ? nullptr : find_medium(args.material);
@@ -130,7 +130,7 @@ void add_options(CLI::App& command, FitArguments& args) {
   args.picture.add_to(command);
 }
 
-/// The settings after parsing the command line.
+/// The parsed settings of the command line.
 struct FitPlan {
   FitSettings settings;
   std::optional<Format> format;  // of the output
@@ -168,7 +168,8 @@ FitPlan plan_of(const FitArguments& args, Console& console) {
   return plan;
 }
 
-/// Fits all inputs into `output` (none: only counts). Returns false if the output failed.
+/// Fits all inputs and writes them to `output`; without an output, only counts them. Returns false
+/// if writing failed.
 bool fit_all(const FitArguments& args, const FitPlan& plan, DrawingOutput* output, Console& console,
              FitStats& stats) {
   FitSource source(args.inputs, plan.settings);
@@ -201,7 +202,7 @@ void run_fit(const FitArguments& args, Console& console) {
   }
   FitStats stats;
   if (!fit_all(args, plan, output ? &*output : nullptr, console, stats)) return;
-  // Keeps an older file rather than replacing it with an empty one.
+  // Keeps an older file instead of replacing it by an empty file.
   if (stats.strokes == 0 && console.failed()) return;
   if (output) {
     if (Result<void> done = output->finish(); !done) return console.error(done.error().message);

@@ -6,10 +6,11 @@
 namespace felt::cli {
 namespace {
 
-/// Large enough that the cost of passing a batch is negligible, small enough to distribute evenly.
+/// The size of a batch. It is large enough that the cost of passing a batch is negligible, and
+/// small enough that the work is distributed evenly.
 constexpr std::size_t kFitBatchBytes = std::size_t{64} << 10;
 
-/// Returns true if the first stroke is a fitted one; then all are.
+/// Returns true if the first stroke is already fitted. All other strokes are then fitted, too.
 bool is_sketch(const LineBatch& lines) {
   for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 2); ++i) {  // 0 may be a header
     const std::string_view text = lines.line(i).text();

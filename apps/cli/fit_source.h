@@ -9,18 +9,19 @@
 
 namespace felt::cli {
 
-/// All inputs of `fit`, one after the other: lines in batches for the workers; other formats of pen
-/// samples as a whole, fitted with the given settings.
+/// Reads all inputs of `fit`, one after the other. Lines are read in batches for the workers. Other
+/// formats of pen samples are read as a whole, and fitted with the given settings.
 class FitSource {
  public:
   FitSource(const std::vector<std::string>& paths, const FitSettings& settings)
       : paths_(paths), settings_(settings) {}
 
-  /// Replaces the content of `item`. Returns false after the end of all inputs. If an input cannot
-  /// be opened or read completely, or is empty, the item has a failure and no lines.
+  /// Reads the next item and replaces the content of `item` by it. Returns false after the last
+  /// input. If an input cannot be opened or read completely, or is empty, the item has a failure
+  /// and no lines.
   bool next(FitItem& item);
 
-  /// Returns the progress, for the progress line. The total is 0 while a size is unknown.
+  /// These return the progress for the progress line. The total is 0 while a size is unknown.
   [[nodiscard]] std::int64_t bytes_read() const noexcept;
   [[nodiscard]] std::int64_t total_bytes() const noexcept { return total_bytes_; }
 
@@ -33,7 +34,7 @@ class FitSource {
   std::size_t next_path_ = 0;
   std::optional<Input> input_;
   std::optional<LineReader> reader_;
-  std::int64_t records_ = 0;  // of all inputs
+  std::int64_t records_ = 0;  // number in all inputs
   bool input_is_empty_ = true;
   std::int64_t bytes_of_ended_ = 0;
   std::int64_t total_bytes_ = 0;

@@ -14,7 +14,7 @@
 namespace felt::cli {
 namespace {
 
-/// Returns the median time between two readings of the clock with nothing in between.
+/// Returns the median time between two consecutive readings of the clock.
 std::int64_t measure_clock_cost() {
   std::array<std::int64_t, 501> costs{};
   for (std::int64_t& cost : costs) {

@@ -11,7 +11,7 @@
 
 namespace felt::cli {
 
-/// The counts of `fit --stats`. Those of several workers can be added.
+/// The counts of `fit --stats`. The counts of several workers can be added.
 struct FitStats {
   std::int64_t strokes = 0;
   std::int64_t samples = 0;
@@ -21,19 +21,19 @@ struct FitStats {
   double error_sum_mm = 0.0;
   std::int64_t fit_ns = 0;       ///< thread CPU time from pen-down to pen-up
   std::int64_t refine_ns = 0;    ///< thread CPU time of the refinement
-  std::int64_t allocations = 0;  ///< while samples are added, after warm-up
+  std::int64_t allocations = 0;  ///< allocations while samples are added, after warm-up
   Histogram calls;               ///< thread CPU time of the call for a single sample
 
   void add(const FitStats& other) noexcept;
 };
 
-/// Returns one line of JSON, as defined for the command line.
+/// Returns the counts as one line of JSON, as defined for the command line.
 std::string stats_json(const FitStats& stats);
 
-/// Returns `sum` per `count`, or 0 if there is nothing to count.
+/// Returns `sum` / `count`, or 0 if `count` is 0.
 double per(double sum, std::int64_t count) noexcept;
 
-/// Returns the CPU time of the calling thread in ns. Other programs do not influence it.
+/// Returns the CPU time of the calling thread in ns. It does not depend on other programs.
 std::int64_t thread_cpu_ns() noexcept;
 
 /// Measures the cost of fitting one stroke, and how closely the curve follows the samples.
@@ -41,16 +41,16 @@ class StrokeMeter {
  public:
   explicit StrokeMeter(const InkFitOptions& options);
 
-  /// Times the call of the fitter for every single sample, and counts the allocations in these
-  /// calls.
+  /// Measures the time of each call of the fitter, which adds one sample, and counts the
+  /// allocations in these calls.
   ///
-  /// The stroke is fitted kRuns times, and for each call the shortest of its times counts: it does
-  /// the same work in each run, and any additional time is caused by the machine (interrupts, cold
-  /// caches). Allocations are those of the last run, when the buffers have reached their final
-  /// size; there should be none then.
+  /// The stroke is fitted kRuns times, and the shortest time of each call is used. A call does the
+  /// same work in each run, so additional time is caused by the machine (interrupts, cold caches).
+  /// Allocations are counted in the last run, when the buffers have reached their final size; the
+  /// count should then be 0.
   void measure_calls(std::span<const InkSample> samples, FitStats& stats);
 
-  /// Adds the distance from each sample to the nearest point of the whole curve.
+  /// Adds to `stats` the distance from each sample to the nearest point of the whole curve.
   void measure_error(std::span<const InkSample> samples, const Stroke& stroke, FitStats& stats);
 
  private:
@@ -59,7 +59,7 @@ class StrokeMeter {
 
   InkFitter fitter_;
   std::int64_t clock_cost_ns_;
-  std::vector<std::int64_t> least_ns_;  // for each sample of one stroke
+  std::vector<std::int64_t> least_ns_;  // shortest time for each sample of one stroke
   std::vector<BvhSegment> segments_;
   SegmentBvh tree_;
 };

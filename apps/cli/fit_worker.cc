@@ -11,8 +11,8 @@
 namespace felt::cli {
 namespace {
 
-/// Difference between the numbers of strokes on the same line, so that they differ from those of
-/// all other lines.
+/// Difference between the numbers of consecutive strokes on the same line. It is so large that the
+/// numbers differ from those of all other lines.
 constexpr std::int64_t kNumberStep = std::int64_t{1} << 32;
 
 int count_corners(const Stroke& stroke) {
@@ -43,7 +43,8 @@ void FitWorker::operator()(const FitItem& item, FitOutput& output) {
   if (item.failure) output.errors.push_back({0, item.failure->message});
 }
 
-/// Processes a whole input. The reader of its format has fitted the samples already.
+/// Processes an input that was read as a whole. The reader of its format has already fitted the
+/// samples.
 void FitWorker::process_whole(const FitItem& item, const Imported& imported, FitOutput& output) {
   for (const ImportNotice& notice : imported.report.notices()) {
     output.notices.push_back(item.name + ": " + notice_text(notice));
@@ -77,7 +78,8 @@ Result<void> FitWorker::process(const NdjsonLine& line, std::int64_t record, Fit
   }
 }
 
-// Processes a drawing of Quick, Draw!: several strokes on a line, named KEY.1, KEY.2, ...
+// Processes a drawing of Quick, Draw!. It has several strokes on a line; they are named KEY.1,
+// KEY.2 and so on.
 Result<void> FitWorker::process_drawing(const NdjsonLine& line, std::int64_t record,
                                         FitOutput& output) {
   QuickdrawRecord drawing;

@@ -19,8 +19,8 @@ struct FitSettings {
   InkFitOptions ink;
   double mm_per_unit = 1.0;
   bool refine = true;
-  bool measure = false;          ///< fill in all of FitStats, which takes about five times as long
-  std::optional<Format> format;  ///< stroke_format() of the output; if absent, encodes nothing
+  bool measure = false;          ///< set all of FitStats, which takes about five times as long
+  std::optional<Format> format;  ///< of the output; nullopt: results are not encoded
 };
 
 /// The work for one call of a worker: some lines of one input, or a whole input of another format.
@@ -45,22 +45,22 @@ struct FitError {
 struct FitOutput {
   std::string name;  ///< of the input, for errors
   EncodedStrokes sketch;
-  std::vector<FitError> errors;      ///< in order of the lines
+  std::vector<FitError> errors;      ///< in the order of the lines
   std::vector<std::string> notices;  ///< complete messages
   FitStats stats;
 };
 
-/// Parses raw strokes, fits them, encodes the result. Use one for each thread. The output depends
-/// only on the lines.
+/// Parses raw strokes, fits them and encodes the result. Each thread needs its own FitWorker. The
+/// output depends only on the lines.
 class FitWorker {
  public:
   explicit FitWorker(const FitSettings& settings);
 
-  /// Replaces the content of `output` by the result for `item`. A bad record becomes an error in
-  /// it.
+  /// Replaces the content of `output` by the result for `item`. If a record is bad, adds an error
+  /// to `output`.
   void operator()(const FitItem& item, FitOutput& output);
 
-  /// Fits one stroke: `samples` in mm.
+  /// Fits one stroke. `samples` are in mm.
   Result<Stroke> fit(std::span<const InkSample> samples, FitStats& stats);
 
  private:

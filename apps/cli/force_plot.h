@@ -11,20 +11,20 @@
 
 namespace felt::cli {
 
-/// Collects the data for a plot of a replay in bounded memory: pose, width, every force term, the
-/// requested and the sent force.
+/// Collects the data for a plot of a replay in bounded memory: pose, width, every force term, and
+/// the requested and sent forces.
 class ForcePlot {
  public:
-  /// Ticks are `period_s` apart. The first tick sets the start.
+  /// Takes the time between ticks, `period_s`. The plot starts at the first tick.
   ForcePlot(double period_s, const SafetyLimits& limits);
 
-  /// Adds one tick. `width_mm` is the width of its ink; none if it leaves no ink.
+  /// Adds one tick. `width_mm` is the width of its ink, or nullopt if it leaves no ink.
   void add(const TickReport& tick, std::optional<double> width_mm);
 
   /// Sets the texts above the plot.
   void set_title(std::string title, std::string note);
-  /// Shows this time interval, and the whole recording in a strip above. Without it, everything is
-  /// shown.
+  /// Sets the time interval that the plot shows; a strip above shows the whole recording. If this
+  /// is not called, the plot shows the whole recording.
   void set_span(const PlotSpan& span) { span_ = span; }
   /// Returns the interval of the whole recording.
   [[nodiscard]] PlotSpan whole() const noexcept;

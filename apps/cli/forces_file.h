@@ -9,10 +9,10 @@
 
 namespace felt::cli {
 
-/// The file of `--forces`. Nothing appears under its name before `finish`.
+/// Writes the file of `--forces`. The file gets its name when finish() succeeds, not before.
 class ForcesFile {
  public:
-  /// Fails if the file cannot be written. Messages begin with its name.
+  /// Creates the file. Fails if it cannot be written. Messages begin with its name.
   static Result<ForcesFile> create(const std::string& path) {
     Result<Output> output = Output::create(path);
     if (!output) return tl::unexpected(output.error());
@@ -21,11 +21,11 @@ class ForcesFile {
     return ForcesFile(*std::move(output), *std::move(csv));
   }
 
-  /// Adds a tick. `pressure` 0..1 determines the width.
+  /// Adds a tick. `pressure` is 0..1 and determines the width of the ink.
   Result<void> add(const TickReport& tick, std::optional<double> pressure) {
     return csv_.add(tick, pressure);
   }
-  /// Completes the file. Call once.
+  /// Completes the file. Call it only once.
   Result<void> finish() {
     const Result<void> done =
         csv_.finish([this](std::string_view bytes) { return output_.write(bytes); });

@@ -9,8 +9,9 @@ namespace felt::cli {
 
 using Format = FileFormat;
 
-/// Returns the format of an output: `name` (of --to) if given, otherwise by the extension of
-/// `path`. "-" and devices are .ndjson. On failure the message lists the formats.
+/// Returns the format of an output: `name` (the value of --to) if given, otherwise the format of
+/// the extension of `path`. "-" and devices have the format .ndjson. Fails if the format is
+/// unknown; the message lists the formats.
 Result<Format> output_format(const std::string& path, const std::string& name);
 
 }  // namespace felt::cli

@@ -9,7 +9,8 @@
 namespace felt::cli {
 namespace {
 
-/// The standard streams have their own names, which resolve to the files behind them.
+/// Returns the path of an input or output. "-" becomes the path `stream` of a standard stream,
+/// which resolves to the file that the stream is redirected to.
 std::string name_of(const std::string& path, const char* stream) {
   return path == "-" ? stream : path;
 }

@@ -23,7 +23,8 @@ struct InfoArguments {
   bool json = false;
 };
 
-/// Sums up the records of a file of either kind. The first record determines the kind.
+/// Summarizes the records of a file. The first record determines whether it contains a sketch or
+/// raw pen strokes.
 class Summarizer {
  public:
   explicit Summarizer(FileSummary& summary) : summary_(summary) {}
@@ -98,7 +99,7 @@ bool summarize_whole(const Input& input, Console& console, FileSummary& summary)
   return true;
 }
 
-/// Returns false if nothing could be read.
+/// Summarizes the file at `path`. Returns false if nothing could be read.
 bool summarize(const std::string& path, Console& console, FileSummary& summary) {
   const Result<Input> input = Input::open(path);
   if (!input) {

@@ -24,15 +24,15 @@ tl::unexpected<Error> cannot_open(int error) {
   return fail(code, std::generic_category().message(error));
 }
 
-/// Returns true for a device that never ends, like /dev/zero. Terminals end with Ctrl-D, and
-/// /dev/null ends immediately.
+/// Returns true if the input is a device that never ends, like /dev/zero. Terminals end with
+/// Ctrl-D, and /dev/null ends immediately, so this returns false for them.
 bool is_endless(const struct stat& status, int fd) {
   if (S_ISBLK(status.st_mode)) return true;
   return S_ISCHR(status.st_mode) && ::isatty(fd) == 0 && status.st_rdev != makedev(1, 3);
 }
 
-/// Returns true for an input without a name that shows its format. A stream is lines unless its
-/// first bytes show another format.
+/// Returns true if the input is a stream, without an extension that shows its format. A stream is
+/// read as lines unless its first bytes show another format.
 bool is_stream(const std::string& path) {
   return path == "-" || path.rfind("/dev/", 0) == 0;
 }
@@ -77,7 +77,8 @@ Result<void> Input::read_head() {
     if (!more) return tl::unexpected(more.error());
     if (*more == 0) break;
     have += *more;
-    // A pipe may deliver its lines slowly, and the format shows in the very first bytes.
+    // Does not wait for more bytes, because a pipe may deliver its lines slowly, and the first
+    // bytes already show the format.
     if (format_of_bytes({head_.data(), have}) == FileFormat::kNdjson) break;
   }
   head_.resize(have);
@@ -88,8 +89,8 @@ Result<void> Input::find_kind(const std::string& path) {
   if (is_stream(path) && !format_of_bytes(head_)) return {};
   const bool has_ending = format_of_path(path).has_value();
   const std::string file = path.substr(path.find_last_of('/') + 1);
-  // A file without extension and magic bytes is treated as lines; their reader reports what is
-  // wrong.
+  // A file without extension and magic bytes is read as lines. If that is wrong, the reader of
+  // lines reports it.
   if (!has_ending && !format_of_bytes(head_) && file.find('.', 1) == std::string::npos) return {};
   const Result<FileFormat> format = readable_format(head_, path);
   if (!format) return tl::unexpected(format.error());
@@ -117,8 +118,8 @@ Result<std::string> Input::read_all(std::size_t most) const {
   };
   if (static_cast<std::uint64_t>(size_bytes_) > most) return too_large();
   std::string bytes = head_;
-  // One block more than the file, because the end is found by reading, which must not double the
-  // memory.
+  // Reserves one block more than the size of the file. Otherwise the last read, which finds the end
+  // of the file, would double the memory.
   if (size_bytes_ > 0) bytes.reserve(static_cast<std::size_t>(size_bytes_) + kBlockBytes);
   const ReadBytes read = read_descriptor(fd_);
   for (std::size_t more = head_.size(); more > 0;) {

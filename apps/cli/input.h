@@ -10,14 +10,15 @@
 namespace felt::cli {
 
 /// An input on the command line: a file, a pipe, or stdin as "-". The destructor closes it. The
-/// first bytes are read immediately to detect the format; the rest is read on demand, once.
+/// first bytes are read immediately to detect the format; the rest is read when requested, only
+/// once.
 class Input {
  public:
-  /// Fails if the file is missing, unreadable, a folder, or of an unsupported format. The message
-  /// contains only the reason.
+  /// Opens an input. Fails if the file is missing, unreadable, a folder, or of an unsupported
+  /// format. The message contains only the reason, not the name.
   static Result<Input> open(const std::string& path);
-  /// Same, for a name inside a file, such as an import of a script. Also fails if it is not a
-  /// regular file, because a pipe could block.
+  /// Opens an input that is named inside a file, such as an import of a script. Fails like open(),
+  /// and also if the input is not a regular file, because a pipe could block.
   static Result<Input> open_regular(const std::string& path);
   Input(Input&& other) noexcept;
   ~Input();
@@ -27,14 +28,16 @@ class Input {
   /// Returns the size in bytes if it is known in advance, else 0.
   [[nodiscard]] std::int64_t size_bytes() const noexcept { return size_bytes_; }
   [[nodiscard]] FileFormat format() const noexcept { return format_; }
-  /// Returns true for lines of strokes, which need not be in memory together. Anything else is read
-  /// as a whole.
+  /// Returns true if the input consists of lines with strokes, which can be read one by one. Other
+  /// inputs are read as a whole.
   [[nodiscard]] bool is_lines() const noexcept { return is_lines_; }
-  /// Returns true for lines of Quick, Draw! drawings, which fit also reads one by one.
+  /// Returns true if the input consists of lines with Quick, Draw! drawings. `fit` also reads these
+  /// one by one.
   [[nodiscard]] bool is_quickdraw() const noexcept { return is_quickdraw_; }
   /// Returns a reader of all bytes. The input must not move while they are read.
   [[nodiscard]] ReadBytes reader() const;
-  /// Reads everything as a drawing. The message of an error contains only the reason.
+  /// Reads the whole input as a drawing. Fails if that is not possible; the message contains only
+  /// the reason, not the name.
   [[nodiscard]] Result<Imported> read_drawing(const ReadOptions& options) const;
 
  private:
@@ -53,7 +56,7 @@ class Input {
   bool is_quickdraw_ = false;
 };
 
-/// Returns "stdin" for "-", else the path.
+/// Returns "stdin" for "-", and otherwise the path.
 std::string input_name(const std::string& path);
 
 }  // namespace felt::cli

@@ -12,15 +12,15 @@ namespace {
 volatile std::sig_atomic_t asked = 0;
 volatile std::sig_atomic_t pause_asked = 0;
 
-// timeout(1) signals the program and then its group. A signal that soon after another is the same
-// request.
+// Maximum time between two signals that count as one request. timeout(1) signals the program, and
+// immediately afterwards its group.
 constexpr std::int64_t kSameWishNs = 300'000'000;
 std::atomic<std::int64_t> asked_ns{0};
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
 std::int64_t now_ns() noexcept {
   timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);  // may be called in a handler
+  clock_gettime(CLOCK_MONOTONIC, &now);  // allowed in a signal handler
   return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
@@ -39,7 +39,7 @@ extern "C" void note_pause(int) {
 
 void set(void (*handler)(int), std::initializer_list<int> signals) {
   struct sigaction action {};
-  action.sa_handler = handler;  // no SA_RESTART, so that a question at the terminal ends too
+  action.sa_handler = handler;  // without SA_RESTART, so that a question at the terminal also ends
   sigemptyset(&action.sa_mask);
   for (const int signal : signals) sigaction(signal, &action, nullptr);
 }

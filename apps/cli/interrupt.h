@@ -4,17 +4,17 @@
 
 namespace felt::cli {
 
-/// What Ctrl-Z (SIGTSTP) requests while an Interrupt exists. A device without a watchdog would keep
-/// its last torque while the program is suspended.
+/// The reaction to Ctrl-Z (SIGTSTP) while an Interrupt exists. The program is not simply suspended,
+/// because a device without a watchdog would then keep its last torque.
 enum class OnSuspend : std::uint8_t {
-  kEnd,    ///< the end of the program, like Ctrl-C
-  kPause,  ///< wants_pause(): the caller switches forces off and calls pause()
+  kEnd,    ///< requests the end of the program, like Ctrl-C
+  kPause,  ///< sets wants_pause(); the caller then switches forces off and calls pause()
 };
 
-/// While an Interrupt exists, Ctrl-C (and Ctrl-backslash, SIGTERM, a closed terminal) requests an
-/// end instead of ending the program, so that forces are switched off and results are kept. A
-/// second one, at least 0.3 s later, ends the program as usual. Reading or writing a terminal from
-/// the background fails instead of suspending the program.
+/// While an Interrupt exists, Ctrl-C (and Ctrl-backslash, SIGTERM, a closed terminal) does not end
+/// the program but requests its end, so that the program can switch forces off and keep results. A
+/// second Ctrl-C, at least 0.3 s later, ends the program as usual. If the program reads or writes a
+/// terminal from the background, that fails instead of suspending the program.
 class Interrupt {
  public:
   explicit Interrupt(OnSuspend on_suspend = OnSuspend::kEnd);
@@ -24,7 +24,7 @@ class Interrupt {
 
   [[nodiscard]] static bool was_asked() noexcept;
   [[nodiscard]] static bool wants_pause() noexcept;
-  /// Suspends the program; returns when it continues (SIGCONT).
+  /// Suspends the program. Returns when the program continues (SIGCONT).
   static void pause() noexcept;
 };
 

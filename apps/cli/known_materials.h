@@ -5,17 +5,18 @@
 
 namespace felt::cli {
 
-/// Returns the surfaces and media that are known: the built-in ones, and those in the folders of
+/// Returns the known surfaces and media: the built-in ones, and those in the folders of
 /// material_folders().
 MaterialLibrary own_materials();
-/// Same, but reads them on first use. Prints a notice for each invalid file, once.
+/// Returns the result of own_materials(), which is only called on first use. Prints one notice for
+/// each invalid file.
 const MaterialLibrary& known_materials(Console& console);
 
-/// Returns one of these surfaces by its id, or one from a file NAME.toml. Fails if there is none;
-/// the message begins with `text`.
+/// Returns the surface that `text` specifies: the id of a known surface, or a file NAME.toml. Fails
+/// if neither exists; the message begins with `text`.
 Result<SurfaceMaterial> find_sheet(const std::string& text, const Materials& known);
 
-/// Loads a picture that is next to the text of a material.
+/// Loads a picture that belongs to the text of a material.
 Result<HeightPicture> load_height_picture(const std::string& path);
 
 }  // namespace felt::cli

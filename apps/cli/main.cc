@@ -53,7 +53,8 @@ void add_commands(CLI::App& app, Console& console) {
   add_bench_command(app, console);
 }
 
-/// CLI11 reports an unknown command as a missing one.
+/// Throws a usage error for an unknown command. This is needed because CLI11 itself reports that
+/// the command is missing.
 void check_command_name(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -62,8 +63,8 @@ void check_command_name(const CLI::App& app, int argc, char** argv) {
   throw UsageError(fmt::format("there is no command '{}'", argv[1]));
 }
 
-/// Returns the lines of an error, each safe for a terminal, because they contain typed text and
-/// text from files.
+/// Returns the lines of an error. Control characters are escaped, because the lines contain text
+/// from the command line and from files.
 std::string usage_text(const CLI::Error& error) {
   std::string text;
   for (std::string_view rest = error.what();;) {
@@ -83,8 +84,8 @@ int report_usage(const CLI::App& app, const CLI::Error& error) {
 }
 
 int run(int argc, char** argv) {
-  // If the reader of our output has closed it, the program ends silently, even if our parent
-  // ignores SIGPIPE.
+  // If the reader of our output closes the pipe, the program ends silently, even if the parent
+  // process ignores SIGPIPE.
   std::signal(SIGPIPE, SIG_DFL);
   std::signal(SIGXFSZ, SIG_IGN);  // beyond `ulimit -f`, writing fails with an error message
   Console console;

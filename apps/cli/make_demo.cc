@@ -12,8 +12,8 @@
 namespace felt {
 namespace {
 
-/// A part of a circle that begins at `from` turns (0 is right, a quarter is down), slightly uneven,
-/// as if drawn by hand.
+/// Returns a part of a circle that begins at `from` turns (0 is right, a quarter is down). It is
+/// slightly uneven, as if drawn by hand.
 Gesture arc(Point center, double radius_mm, double from, double turns, double pressure) {
   Gesture gesture{.via = {}, .pressure = pressure, .end_pressure = 0.45};
   const int steps = std::max(4, static_cast<int>(std::abs(turns) * 16.0));
@@ -26,7 +26,8 @@ Gesture arc(Point center, double radius_mm, double from, double turns, double pr
   return gesture;
 }
 
-/// A ball of wool next to the cat. Its outline ends 1.5 mm before its start: snapping closes it.
+/// Returns a ball of wool next to the cat. Its outline ends 1.5 mm before its start, and snapping
+/// closes it.
 std::vector<Gesture> ball_of_wool() {
   const Point center{14.5, 111.0};
   constexpr double kRadius = 10.2;
@@ -37,13 +38,13 @@ std::vector<Gesture> ball_of_wool() {
     for (const Vec& offset : offsets) gesture.via.push_back(center + offset);
     ball.push_back(std::move(gesture));
   };
-  // Wound in one direction, then in the other on top.
+  // The thread is wound in one direction, and then over it in the other direction.
   thread({{-9.2, -2.4}, {-6.2, -5.2}, {-2.6, -9.2}});
   thread({{-9.0, 2.2}, {-5.0, -2.8}, {1.2, -9.0}});
   thread({{-7.8, 5.2}, {-3.4, -0.8}, {4.4, -5.2}, {8.2, -4.8}});
   thread({{-4.8, 8.2}, {-0.6, 2.2}, {5.6, -1.6}, {9.0, -1.0}});
   thread({{-0.8, 9.2}, {3.0, 4.8}, {6.8, 2.4}, {8.8, 2.8}});
-  // The loose end.
+  // This is the loose end of the thread.
   ball.push_back({.via = {{20.5, 119.2},
                           {24.6, 123.4},
                           {30.6, 125.6},
@@ -56,14 +57,15 @@ std::vector<Gesture> ball_of_wool() {
   return ball;
 }
 
-/// Fine lines that get wider with pressure: the tool's own width is for broad strokes.
+/// Selects fine lines that get wider with pressure, because the tool's default width is for broad
+/// strokes.
 void fine_pencil(DemoAct& act) {
   act.set("pencil.min_width_mm", 0.25);
   act.set("pencil.max_width_mm", 2.2);
   act.set("pencil.gamma", 1.2);
 }
 
-/// A line drawn by a trembling hand.
+/// Returns a line drawn by a trembling hand.
 std::vector<Gesture> shaky_line() {
   return {{.via = {{22, 130}, {38, 131.5}, {58, 130.5}, {80, 132}, {104, 130}, {119, 131.5}},
            .pressure = 0.5,
@@ -71,7 +73,7 @@ std::vector<Gesture> shaky_line() {
            .end_pressure = 0.4}};
 }
 
-/// A fish, whose outline ends 7 mm from where it began.
+/// Returns a fish with an outline that ends 7 mm from its start.
 std::vector<Gesture> fish() {
   const Vec at{2.0, 74.0};
   std::vector<Gesture> fish;
@@ -100,7 +102,8 @@ std::vector<Gesture> fish() {
   return fish;
 }
 
-/// The first act: the ball of wool, whose outline snaps shut, and the cat, with the pencil.
+/// Returns the first act: the pencil draws the cat and the ball of wool, and snapping closes the
+/// ball's outline.
 std::string pencil_act() {
   WritingHand hand({.seed = 3});
   int count = 0;
@@ -114,7 +117,7 @@ std::string pencil_act() {
   return act.text();
 }
 
-/// The tip of an ear is pulled out, and the back is made rounder.
+/// Returns the act in which the tip of an ear is pulled out, and the back is made rounder.
 std::string pull_act() {
   DemoAct act;
   act.tool("pull");
@@ -128,7 +131,7 @@ std::string pull_act() {
   return act.text();
 }
 
-/// A trembling line becomes smooth where the iron passes: all but its last part.
+/// Returns the act in which a trembling line is smoothed, except its last part.
 std::string smooth_act() {
   WritingHand hand({.tremor_mm = 0.28, .wander_mm = 0.3, .seed = 5});
   int count = 100;
@@ -144,7 +147,7 @@ std::string smooth_act() {
   return act.text();
 }
 
-/// A line of the tail is made wider.
+/// Returns the act in which a line of the tail is made wider.
 std::string width_act() {
   DemoAct act;
   act.tool("width");
@@ -155,7 +158,7 @@ std::string width_act() {
   return act.text();
 }
 
-/// A whisker is erased as far as the cheek, another one completely.
+/// Returns the act in which a whisker is erased as far as the cheek, and another one completely.
 std::string eraser_act() {
   DemoAct act;
   act.tool("eraser");
@@ -167,7 +170,7 @@ std::string eraser_act() {
   return act.text();
 }
 
-/// A loop around the ball selects whole lines.
+/// Returns the act in which a loop around the ball selects whole lines.
 std::string lasso_act() {
   DemoAct act;
   act.tool("lasso");
@@ -184,7 +187,8 @@ std::string lasso_act() {
   return act.text();
 }
 
-/// The head is rotated: a lasso around it, then a drag around its middle. The flanks hold it.
+/// Returns the act in which the head is selected by a lasso and rotated by a drag around its
+/// middle. The flanks stay attached and resist.
 std::string transform_act() {
   DemoAct act;
   act.tool("lasso");
@@ -207,7 +211,8 @@ std::string transform_act() {
   return act.text();
 }
 
-/// A fish is drawn with an open outline; its end is moved to its beginning and closes it.
+/// Returns the act in which a fish is drawn with an open outline, and the end of the outline is
+/// moved to its start, which closes it.
 std::string connect_act() {
   WritingHand hand({.seed = 8});
   int count = 200;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kBuiltIn = "Feltline";
 
-/// One material and its location; empty for a built-in one.
+/// A material and its location. The location is empty for a built-in material.
 struct Row {
   AnyMaterial material;
   std::string path;
@@ -122,7 +122,8 @@ void list(bool as_json, Console& console) {
   for (const Row& row : rows_of(library)) print("{}", row_json(row));
 }
 
-/// Finds a surface or medium by its id. Fails if there is none; the message lists them.
+/// Returns the surface or medium with this id. Fails if it does not exist; the message lists the
+/// known ids.
 Result<AnyMaterial> find_any(const std::string& id, Console& console) {
   std::string known;
   for (const Row& row : rows_of(known_materials(console))) {

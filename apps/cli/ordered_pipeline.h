@@ -8,23 +8,23 @@
 
 namespace felt::cli {
 
-/// Distributes work over threads and returns the results in the order of the items, in bounded
-/// memory: any number of items uses a fixed number of slots. The results do not depend on the
-/// number of threads.
+/// Distributes work over threads and returns the results in the order of the items. The number of
+/// slots for items is fixed, so memory is bounded. The results do not depend on the number of
+/// threads.
 ///
-/// `Item` and `Output` are default constructible and reused from item to item, so that they keep
-/// their buffers. `Item::bytes()` returns the size of an item.
+/// `Item` and `Output` must be default constructible. The same objects are used again for later
+/// items, so that they keep their buffers. `Item::bytes()` returns the size of an item.
 template <class Item, class Output>
 class OrderedPipeline {
  public:
-  /// Uses `jobs` >= 1 threads. With 1, everything runs on the caller's thread.
+  /// Uses `jobs` >= 1 threads. If `jobs` is 1, everything runs on the caller's thread.
   explicit OrderedPipeline(int jobs)
       : jobs_(jobs), slots_(jobs == 1 ? 1 : 4 * static_cast<std::size_t>(jobs) + 4) {}
 
   /// Calls `next(item)` to fill an item and `take(output)` to handle a result, both on the caller's
-  /// thread, until `next` returns false. Each thread has its own function object from
-  /// `make_worker()`, which turns an item into its output: `worker(item, output)`. Ends early if
-  /// `take` returns false.
+  /// thread, until `next` returns false. Each thread gets its own function object from
+  /// `make_worker()` and calls it to turn an item into its output: `worker(item, output)`. Ends
+  /// early if `take` returns false.
   template <class MakeWorker, class Next, class Take>
   void run(MakeWorker&& make_worker, Next&& next, Take&& take) {
     if (jobs_ == 1) {
@@ -51,7 +51,7 @@ class OrderedPipeline {
     Output output;
     bool done = false;
   };
-  /// Stops the workers in its destructor.
+  /// A guard with a destructor that stops the workers.
   struct Stop {
     OrderedPipeline& pipeline;
     ~Stop() {
@@ -62,8 +62,8 @@ class OrderedPipeline {
       pipeline.work_waits_.notify_all();
     }
   };
-  /// Further items are only taken while those not yet handled hold less than this together, so the
-  /// sum exceeds it by at most one item.
+  /// Limit for the total size of the items that are not yet handled. A further item is only filled
+  /// while the total is below this limit, so it exceeds the limit by at most one item.
   static constexpr std::size_t kMaxBytesInFlight = std::size_t{64} << 20;
 
   Slot& slot(std::size_t sequence) { return slots_[sequence % slots_.size()]; }

@@ -13,7 +13,7 @@
 namespace felt::cli {
 namespace {
 
-/// Returns true for a pipe, a terminal or a device, which cannot be replaced by a finished file.
+/// Returns true for a pipe, a terminal or a device, because a finished file cannot replace it.
 bool is_written_directly(const std::string& path) {
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);

@@ -9,15 +9,16 @@
 
 namespace felt::cli {
 
-/// An output on the command line. A file appears under its name only when it is complete
-/// (`commit`); until then, and after any failure, the previous file stays. Stdout ("-") and special
-/// files (a pipe, /dev/null) are written as the data arrives.
+/// An output on the command line. A file gets its name only when it is complete (commit()); until
+/// then, and after a failure, the previous file of that name stays. Stdout ("-") and special files
+/// (a pipe, /dev/null) are written immediately.
 class Output {
  public:
-  /// Fails if the path cannot be written, or is a folder. Messages start with the name.
+  /// Creates the output. Fails if the path cannot be written or is a folder. Messages start with
+  /// the name.
   static Result<Output> create(const std::string& path);
-  /// Same, for a file whose first bytes are known only at the end. A special file receives all data
-  /// at `commit`.
+  /// Creates an output that allows overwrite(), for formats with first bytes that are known only at
+  /// the end. A special file receives all data in commit().
   static Result<Output> create_for_overwrite(const std::string& path);
   Output(Output&& other) noexcept;
   ~Output();
@@ -25,17 +26,17 @@ class Output {
   Result<void> write(std::string_view bytes);
   /// Replaces the first bytes of the file. Requires create_for_overwrite().
   Result<void> overwrite(std::string_view bytes);
-  /// Completes the file and gives it its name.
+  /// Completes the file and gives it its name. Fails if that is not possible.
   Result<void> commit();
-  /// Writes and commits. `save` also reads the file back and compares it with these bytes; it is
-  /// for a user's work that exists nowhere else (save_file).
+  /// Writes these bytes and commits. save() also reads the file back and compares it with the bytes
+  /// (save_file); use it for a user's work that exists nowhere else.
   Result<void> write_all(std::string_view bytes);
   Result<void> save(std::string_view bytes);
 
  private:
   explicit Output(std::string name) : name_(std::move(name)) {}
   std::string name_;
-  int fd_ = -1;  // if written directly
+  int fd_ = -1;  // used if written directly
   std::optional<AtomicFile> file_;
 };
 

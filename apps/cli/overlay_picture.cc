@@ -21,14 +21,14 @@ using Role = Overlay::Role;
 
 constexpr double kUnitsPerInch = 150.0;
 constexpr double kOverlayMarginMm = 5.0;
-constexpr double kBandMm = 1.6;  // a marked span is this much wider than its ink
+constexpr double kBandMm = 1.6;  // width that the band of a marked span adds to its ink
 constexpr double kTextSize = 8.0;
 constexpr Rgba kTextColor{30, 30, 34, 255};
 constexpr Rgba kTextHalo{255, 255, 255, 225};
 constexpr Rgba kPenColor{20, 20, 24, 255};
 
-/// Mixes the colour with white. The result is opaque, so that pieces of a band do not show where
-/// they overlap.
+/// Mixes the colour with white. The result is opaque, so that overlaps of the pieces of a band are
+/// not visible.
 Rgba pale(Rgba color, double share) {
   const auto mixed = [share](std::uint8_t c) {
     return static_cast<std::uint8_t>(std::lround(255.0 + share * (c - 255.0)));
@@ -36,7 +36,7 @@ Rgba pale(Rgba color, double share) {
   return {mixed(color.r), mixed(color.g), mixed(color.b), 255};
 }
 
-/// Replaces text by characters that the font has: plain ASCII.
+/// Converts text to plain ASCII, because the font has no other characters.
 std::string ascii(const std::string& text) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kSpelled{
       {{"\u00b0", " deg"}, {"\u00d7", "x"}, {"\u2192", "->"}, {"\u00b1", "+-"}}};
@@ -57,7 +57,7 @@ std::string ascii(const std::string& text) {
   return plain;
 }
 
-/// Draws the overlay: positions in mm, widths in units of the picture.
+/// Draws the overlay. Positions are in mm, widths in units of the picture.
 class OverlayPen {
  public:
   OverlayPen(Pixels target, const View& view, double px_per_unit)
@@ -91,8 +91,8 @@ class OverlayPen {
 
  private:
   [[nodiscard]] Vec units(Point p) const { return (1.0 / px_per_unit_) * view_.to_px(p); }
-  /// Returns true for a point so far away that it is not visible, and that dashes to it would never
-  /// end.
+  /// Returns true if a point is so far away that it is not visible. Drawing a dashed line to it
+  /// would never end.
   [[nodiscard]] bool is_far(Vec p) const {
     return !(std::abs(p.x) < far_units_ && std::abs(p.y) < far_units_);
   }
@@ -154,9 +154,9 @@ class OverlayPen {
   void label(const Overlay::Label& label) {
     const std::string text = ascii(label.text);
     const Vec place = units(label.at);
-    if (!shows(place)) return;  // otherwise half a word could stand at the edge
+    if (!shows(place)) return;  // otherwise half a word could be visible at the edge
     Vec at = place + Vec{6.0, -6.0};
-    // On the other side of the point if it does not fit into the picture.
+    // Draws the label on the other side of the point if it does not fit into the picture.
     const double width = canvas_.text_width(text, kTextSize);
     if (at.x + width > width_units_) at.x = std::max(2.0, at.x - width - 12.0);
     canvas_.text(at, text, {kTextSize, kTextHalo, PlotAlign::kLeft, 4.2});
@@ -170,7 +170,7 @@ class OverlayPen {
   double far_units_;
 };
 
-/// Draws wet ink segment by segment, which is good enough for a picture.
+/// Draws each segment of wet ink as a stroke of its own, which is good enough for a picture.
 void draw_wet_ink(const Overlay& overlay, const View& view, Pixels pixels, Rasterizer& rasterizer) {
   for (const Overlay::InkSegment& wet : overlay.ink) {
     StrokeData data;
@@ -191,7 +191,7 @@ SessionView view_of(const Session& session, std::optional<Point> pen) {
   view.pen = pen;
   session.draw(view.overlay);
   view.document = session.document();
-  // An invalid preview is a bug of the tool, which its commit will report.
+  // If the preview is invalid, that is a bug of the tool, and its commit will report it.
   if (session.preview()) (void)view.document.apply(*session.preview());
   return view;
 }

@@ -14,23 +14,23 @@ namespace felt::cli {
 struct SessionView {
   Document document;
   Overlay overlay;
-  std::optional<Point> pen;  ///< none: the pen is not drawn
+  std::optional<Point> pen;  ///< nullopt if the pen is not drawn
 };
 
-/// Returns a copy of that state.
+/// Returns a copy of the session's visible state, with the pen at `pen`.
 SessionView view_of(const Session& session, std::optional<Point> pen);
 
-/// Returns the part of the page that contains all of it.
+/// Returns the smallest part of the page that contains everything in `view`.
 Rect bounds_of(const SessionView& view);
 
-/// Returns the colour of a role, opaque, from the palette that is distinguishable with any colour
-/// vision (plot_color). Roles that never occur in the same tool may share a colour.
+/// Returns the opaque colour of a role. It is one of plot_color(), which are distinguishable with
+/// any colour vision. Roles that never occur in the same tool may share a colour.
 Rgba role_color(Overlay::Role role) noexcept;
 
 /// Draws a view: marked spans as broad bands below the ink; rings, tethers, vectors (with an arrow
-/// head), outlines, dots and labels above it; the pen on top. Lines keep their width in the picture
-/// for any part of the page, `scale` times 1/150 inch per unit. Labels are ASCII; a degree sign
-/// becomes "deg". Fails like render_page.
+/// head), outlines, dots and labels above it; the pen on top. The width of overlay lines does not
+/// depend on the size of the shown part of the page; a unit of it is `scale` times 1/150 inch.
+/// Labels are ASCII; a degree sign becomes "deg". Fails like render_page().
 Result<Image> draw_view(const SessionView& view, const PictureOptions& options, double scale = 1.0);
 
 }  // namespace felt::cli

@@ -9,7 +9,8 @@
 
 namespace felt::cli {
 
-/// Encodes values as bytes, for a process and its own child. Not a file format.
+/// Encodes values as bytes, to send them from a child process to its parent. This is not a file
+/// format.
 class Packer {
  public:
   void put(std::string_view text) {
@@ -27,8 +28,8 @@ class Packer {
   std::string bytes_;
 };
 
-/// Decodes what a Packer encoded. Missing values read as empty, and is_good() then stays false: the
-/// child may have died while it wrote.
+/// Decodes the bytes of a Packer. If values are missing, for example because the child died while
+/// it wrote, they are decoded as empty, and is_good() stays false.
 class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
@@ -50,7 +51,7 @@ class Unpacker {
       return value;
     }
   }
-  /// Reads the number of elements that follow, each of at least one byte.
+  /// Reads the number of elements that follow. Each element has at least one byte.
   std::size_t take_count() {
     const auto count = take<std::uint64_t>();
     if (count > rest_.size()) return give_up(), std::size_t{0};

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kMaxPageMm = 1e5;
 
-/// DIN A0..A6 in mm, upright.
+/// The DIN sizes A0 to A6 in mm, upright.
 constexpr std::array<Vec, 7> kSizesA = {Vec{841, 1189}, {594, 841}, {420, 594}, {297, 420},
                                         {210, 297},     {148, 210}, {105, 148}};
 

@@ -21,14 +21,16 @@ namespace felt::cli {
 
 class Console;
 
-/// How pictures of a sketch (.png, .svg) look.
+/// Options for pictures of a sketch (.png, .svg).
 struct PictureOptions {
-  double dpi = 300.0;         ///< of a .png
-  std::optional<Rect> sheet;  ///< none: the drawing's own page; without one, all ink and a margin
-  bool fit = false;           ///< --page fit: all ink and a margin, even if there is a page
-  std::optional<Rgba> paper;  ///< none: white in a .png, nothing in an .svg
+  double dpi = 300.0;  ///< of a .png
+  /// The shown area. If nullopt, it is the drawing's page; if the drawing has no page, it is all
+  /// ink and a margin.
+  std::optional<Rect> sheet;
+  bool fit = false;           ///< --page fit: shows all ink and a margin, even if a page exists
+  std::optional<Rgba> paper;  ///< nullopt: white in a .png, transparent in an .svg
   std::shared_ptr<const HeightField> own_relief{};  ///< a user-defined picture, used as the relief
-  const HeightField* relief = nullptr;              ///< of --surface; null: smooth
+  const HeightField* relief = nullptr;              ///< of --surface; null if smooth
   Grain grain;               ///< the relief shown in the ink; default: solid ink
   bool has_surface = false;  ///< --surface sets the relief
   bool wants_grain = false;  ///< --grain: also in .svg and .pdf, and for the drawing's own surface
@@ -37,7 +39,7 @@ struct PictureOptions {
   Materials materials = Materials::built_in();
 };
 
-/// The options as written, before parsing.
+/// The picture options of the command line, before they are parsed.
 struct PictureArguments {
   double dpi = 300.0;
   std::string page;
@@ -50,13 +52,13 @@ struct PictureArguments {
   void add_to(CLI::App& command);
   /// Adds --grain and --grain-dpi, for commands that read a drawing as a whole.
   void add_grain_to(CLI::App& command);
-  /// Returns the options, parsed. Errors in user-defined materials are only shown as notices. Fails
+  /// Returns the parsed options. Errors in user-defined materials are only shown as notices. Fails
   /// with a usage error if an option is invalid.
   [[nodiscard]] Result<PictureOptions> parse(Console& console) const;
 };
 
-/// Parses "" or "fit" (both: none), a DIN A size such as "A4" or "A4-landscape" (A0 to A6), or
-/// "WxH" in mm.
+/// Parses a page size: a DIN A size such as "A4" or "A4-landscape" (A0 to A6), or "WxH" in mm.
+/// Returns nullopt for an empty text and for "fit".
 Result<std::optional<Rect>> parse_page(const std::string& text);
 
 /// Returns the page of a drawing with that size. Fails if the size is not allowed.
@@ -65,17 +67,18 @@ Result<SheetPage> sheet_page(const Rect& sheet, Rgba paper);
 /// Parses "#rrggbb", "#rrggbbaa", "white" or "transparent".
 Result<Rgba> parse_paper(const std::string& text);
 
-/// Converts the default colour of a surface or a medium, 0xRRGGBB, to that of ink and pages.
+/// Converts the default colour of a surface or a medium from 0xRRGGBB to Rgba.
 Rgba usual_color(std::uint32_t rgb) noexcept;
 
 /// Returns the ids of surface_materials(): "paper, rough-paper, ... or glass".
 std::string surface_names();
-/// Sets the relief to that of one of options.materials, by id, or to a file NAME.png or NAME.toml.
-/// Sets the grain to that relief, with the media of options.materials. "" changes nothing.
+/// Sets the relief that `text` specifies: the id of a surface in options.materials, or a file
+/// NAME.png or NAME.toml. Sets the grain to that relief, with the media of options.materials. An
+/// empty text changes nothing.
 Result<void> parse_surface(const std::string& text, PictureOptions& options);
 
 /// Adds the media in the drawing to the grain. If grain is requested without a surface, uses the
-/// drawing's surface, or paper if it has none. Fails if the surface is unknown.
+/// drawing's surface, or paper if the drawing has no surface. Fails if the surface is unknown.
 Result<void> use_surface_of(const Drawing& drawing, PictureOptions& options);
 
 }  // namespace felt::cli

@@ -12,8 +12,8 @@
 namespace felt::cli {
 namespace {
 
-/// Blocks SIGPIPE for this thread during its lifetime, and discards one caused by a write: a closed
-/// stdout ends the program by that signal, a closed stderr must not.
+/// Blocks SIGPIPE for this thread during its lifetime, and discards a SIGPIPE that a write caused.
+/// A closed stdout ends the program by that signal, but a closed stderr must not.
 class WithoutSigpipe {
  public:
   WithoutSigpipe() noexcept {
@@ -40,7 +40,8 @@ class WithoutSigpipe {
 }  // namespace
 
 void print_text(std::string_view text) noexcept {
-  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stdout));  // see stdout_is_whole()
+  // stdout_is_whole() reports errors.
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stdout));
 }
 
 void say_text(std::string_view text) noexcept {

@@ -8,13 +8,13 @@
 
 namespace felt::cli {
 
-/// Writes to stdout. A failure to write is reported once, at the end of the program.
+/// Writes to stdout. If writing fails, that is reported once, at the end of the program.
 void print_text(std::string_view text) noexcept;
-/// Writes to stderr. Messages that cannot be written (a full disk, a closed pipe, a closed
-/// terminal) are dropped: they never end the program or its work.
+/// Writes to stderr. If a message cannot be written (a full disk, a closed pipe, a closed
+/// terminal), it is dropped, and the program continues.
 void say_text(std::string_view text) noexcept;
 
-/// Same, with a format string.
+/// Writes to stderr with a format string.
 template <typename... Values>
 void print(fmt::format_string<Values...> format, Values&&... values) {
   print_text(fmt::format(format, std::forward<Values>(values)...));
@@ -27,11 +27,11 @@ void say(fmt::format_string<Values...> format, Values&&... values) {
 /// Flushes stdout. Returns false if any printed text did not reach it.
 bool stdout_is_whole() noexcept;
 
-/// Asks the user at the terminal, on stderr. Returns true only for "y" or "yes", and false if stdin
-/// is not a terminal.
+/// Asks the user a question on stderr and reads the answer from stdin. Returns true only for "y" or
+/// "yes". Returns false if stdin is not a terminal.
 bool ask(const std::string& question);
 
-/// Returns true if stdin is a terminal, so that somebody can answer.
+/// Returns true if stdin is a terminal, so that the user can answer.
 bool somebody_is_there();
 
 /// Returns true if Enter was pressed at the terminal since the last call.

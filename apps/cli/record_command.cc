@@ -47,7 +47,7 @@ constexpr const char* kRecordExamples =
     "      --forces forces.csv --seconds 60 --set pencil.max_width_mm=3\n"
     "feltline replay events.ndjson --as-recorded -o again.svg";
 
-/// The outputs of a recording besides the sketch.
+/// The outputs of a recording other than the sketch.
 struct RecordOutputs {
   std::optional<DrawingOutput> drawing;
   std::optional<Output> events;
@@ -100,7 +100,8 @@ void set_options(const RecordArguments& args, Session& session) {
   }
 }
 
-/// Writes the drawing to another file if its own cannot be written, because it exists nowhere else.
+/// Writes the drawing to another file. Called if its own file cannot be written, because the
+/// drawing would otherwise be lost.
 Result<void> rescue(const Error& error, const Session& session) {
   std::error_code none;
   const std::string path = std::filesystem::temp_directory_path(none).string() +
@@ -130,9 +131,9 @@ bool agrees_to_forces(const RecordArguments& args) {
   return ask("Do you agree?");
 }
 
-/// Ends the program without destructors and exit handlers. A thread of ours is stuck in a vendor's
-/// call and uses the objects that would be destroyed; exit code of the vendor's libraries may wait
-/// for it forever.
+/// Ends the program without destructors and exit handlers. Used if one of our threads is stuck in a
+/// call of a vendor's library: the thread still uses the objects that would be destroyed, and exit
+/// handlers of the library may wait for it forever.
 [[noreturn]] void end_at_once() {
   std::fflush(stdout);
   std::fflush(stderr);
@@ -184,7 +185,7 @@ RecordOptions record_options(const RecordArguments& args, const Rect& page, Cons
     say("{}\n", instructions);
     return !asks || ask("Ready?");
   };
-  // Not a notice, because --quiet must not hide what the user agrees to.
+  // This is not printed as a notice, because --quiet must not hide a text to which the user agrees.
   options.ask_consent = [&console] {
     console.end_progress();
     say("{}\nEnter again: you agree to forces.\n", kConsent);

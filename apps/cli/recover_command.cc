@@ -37,7 +37,8 @@ std::string time_text(std::int64_t seconds) {
                      local.tm_mday, local.tm_hour, local.tm_min, local.tm_sec);
 }
 
-/// Returns "harbour" for "harbour.felt". The result never leads to another folder.
+/// Returns the file name without its extension: "harbour" for "harbour.felt". The result never
+/// contains a path to another folder.
 std::string stem_of(const Recovered& recovered) {
   std::string stem = fs::path(recovered.name).filename().string();
   if (stem.size() > 5 && stem.ends_with(".felt")) stem.resize(stem.size() - 5);
@@ -64,7 +65,7 @@ Result<std::string> write_new(const std::string& folder, const Recovered& recove
   return fail(ErrorCode::kIo, stem + ").felt: there are too many of this name");
 }
 
-/// Lists the copies that `feltline record` left behind, which convert can read. Returns their
+/// Lists the copies that `feltline record` left behind. `convert` can read them. Returns their
 /// number.
 int list_record_copies(const RecoverArguments& args) {
   std::error_code none;
@@ -80,7 +81,8 @@ int list_record_copies(const RecoverArguments& args) {
   return static_cast<int>(copies.size());
 }
 
-/// A folder that does not exist is a mistyped name, not one without drawings.
+/// Reports folders that do not exist, because their names are probably mistyped. Returns false if
+/// an error was reported.
 bool check_folders(const RecoverArguments& args, Console& console) {
   for (const std::string& folder : args.from) {
     std::error_code error;

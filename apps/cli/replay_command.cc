@@ -34,7 +34,7 @@ namespace {
 
 constexpr double kPlotDpi = 192.0;  // two pixels per unit, 96 units per inch
 
-/// The command line as written.
+/// The options and arguments of the command line.
 struct ReplayCommandArguments {
   std::vector<std::string> scripts;
   std::string output, to;
@@ -115,18 +115,18 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
   args.picture.add_grain_to(command);
 }
 
-/// The outputs of a replay; each may be absent.
+/// The outputs of a replay. Each is optional.
 struct ReplayOutputs {
   std::optional<DrawingOutput> drawing;
-  std::optional<Output> view;  ///< instead of `drawing` if the overlay is to be shown
+  std::optional<Output> view;  ///< used instead of `drawing` to show the overlay
   PictureOptions picture;
-  std::optional<SessionView> stopped;        ///< the state in progress when the play was stopped,
-  std::optional<Document> stopped_document;  ///< and the document with it
+  std::optional<SessionView> stopped;        ///< state when the replay was stopped
+  std::optional<Document> stopped_document;  ///< document when the replay was stopped
   std::optional<ForcesFile> forces;
   std::optional<ForcePlot> plot;
   std::unique_ptr<ReplaySound> sound;  ///< on the heap because it is large
   std::optional<FeltRecorder> recorder;
-  const ScriptRun* run = nullptr;  ///< while it plays, for its progress
+  const ReplayRun* run = nullptr;  ///< set while the replay runs, to show its progress
 };
 
 void check_recording(const ReplayCommandArguments& args) {
@@ -139,7 +139,7 @@ void check_recording(const ReplayCommandArguments& args) {
   }
 }
 
-/// Checks that no file is both read and written, or written twice.
+/// Throws a usage error if a file is both read and written, or is written twice.
 void check_files(const ReplayCommandArguments& args, Console& console) {
   std::vector<std::string> inputs = args.scripts;
   if (!args.on.empty()) inputs.push_back(args.on);
@@ -166,8 +166,8 @@ void check_outputs(const ReplayCommandArguments& args) {
   }
 }
 
-/// Returns the options of pictures. The page has the colour of the selected surface, unless another
-/// colour is given.
+/// Returns the options of pictures. The page has the colour of the selected surface, unless the
+/// user specified another colour.
 PictureOptions picture_of(const ReplayCommandArguments& args, const Materials& known,
                           Console& console) {
   Result<PictureOptions> picture = args.picture.parse(console);
@@ -177,7 +177,7 @@ PictureOptions picture_of(const ReplayCommandArguments& args, const Materials& k
   return *std::move(picture);
 }
 
-/// Opens the output of -o.
+/// Opens the output of the option -o.
 Result<void> open_drawing(const ReplayCommandArguments& args, const ReplaySettings& settings,
                           Console& console, ReplayOutputs& outputs) {
   const Result<Format> format = output_format(args.output, args.to);
@@ -233,7 +233,7 @@ std::string text_of(const OptionValue& value) {
   return number ? fmt::format("{}", *number) : std::get<std::string>(value);
 }
 
-/// Sets the options of the drawing of --on, then those on the command line.
+/// Sets the options of the drawing that --on names, and then those of the command line.
 void set_options(const ReplayCommandArguments& args, const Drawing& start, ReplayMachine& machine) {
   const auto set = [&machine](const char* from, const std::string& id, const std::string& value) {
     const Result<void> done = machine.set_option(id, value);
@@ -243,7 +243,7 @@ void set_options(const ReplayCommandArguments& args, const Drawing& start, Repla
   for (const auto& [id, value] : options_of(start, known)) set("--on", id, value);
   if (!args.sheet.empty()) set("--sheet", "sheet.material", args.sheet);
   if (!args.medium.empty()) {
-    // Fails with a list if there is none with that name.
+    // If a medium of that name does not exist, this fails with a list of media.
     set("--medium", drawing_option(machine.session(), "material"), args.medium);
     const Medium& medium = *known.find_medium(args.medium);
     for (const SetOption& option : options_for_medium(machine.session(), medium)) {
@@ -268,7 +268,7 @@ Result<void> play_scripts(const ReplayCommandArguments& args, ScriptRun& run) {
   return run.play();
 }
 
-/// Writes the picture with overlay.
+/// Writes the picture with the overlay.
 Result<void> write_view(const SessionView& view, ReplayOutputs& outputs) {
   const Result<Image> image = draw_view(view, outputs.picture);
   if (!image) return tl::unexpected(image.error());
@@ -351,7 +351,7 @@ ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOu
   return observer;
 }
 
-/// Refuses options that have no meaning without device, hand and loop.
+/// Throws a usage error for options that need a device, a hand and a loop.
 void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& command) {
   for (const char* option : {"--forces", "--plot", "--stats", "--device", "--hand", "--rate",
                              "--delay", "--no-force", "--seed", "--sheet", "--medium", "--set",
@@ -370,7 +370,7 @@ void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& comma
   }
 }
 
-/// Returns the sample of the pen as recorded.
+/// Converts a recorded event of the pen to a sample.
 PenSample sample_of(std::int64_t time_ns, const PenEvent& pen) {
   PenSample sample;
   sample.time_ns = time_ns;
@@ -379,12 +379,12 @@ PenSample sample_of(std::int64_t time_ns, const PenEvent& pen) {
   return sample;
 }
 
-/// Returns the drawing of --on, or an empty one.
+/// Returns the drawing that --on names, or an empty drawing without that option.
 Result<Drawing> start_of(const ReplayCommandArguments& args) {
   return args.on.empty() ? Drawing{.has_page = false} : read_start(args.on);
 }
 
-/// Starts a session with the surface and colour of a drawing.
+/// Sets the surface and colour of a drawing in a session.
 Result<void> take_up(const Drawing& start, Session& session) {
   for (const auto& [id, value] : options_of(start, session.materials())) {
     if (Result<void> done = session.apply({0, SetOption{id, value}}); !done) return done;
@@ -392,7 +392,8 @@ Result<void> take_up(const Drawing& start, Session& session) {
   return {};
 }
 
-/// Plays the recording and writes the resulting drawing. `heard`: the result of writing its sound.
+/// Plays the recording and writes the resulting drawing. `heard` is the result of writing its
+/// sound.
 Result<void> draw_recorded(const ReplayCommandArguments& args, Drawing start,
                            const Result<void>& heard, Session& session, ReplayOutputs& outputs,
                            Console& console) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
 
-/// Returns the folder of a path with its slash; "" for the working directory.
+/// Returns the folder of a path, with its slash. Returns an empty string for the working directory.
 std::string folder_of(const std::string& path) {
   return path.substr(0, path.find_last_of('/') + 1);
 }
@@ -23,7 +23,7 @@ tl::unexpected<Error> input_error(const std::string& path, const Error& error) {
   return fail(error.code, input_name(path) + ": " + error.message);
 }
 
-/// Reads an input that is not lines of strokes.
+/// Reads an input that does not consist of lines with strokes.
 Result<Drawing> read_whole(const Input& input) {
   Result<Imported> opened = input.read_drawing({});
   if (opened) return std::move(opened->drawing);
@@ -52,7 +52,7 @@ Result<std::vector<StrokePtr>> read_lines(const Input& input) {
   }
 }
 
-/// Applies the newest recording of a drawing, and returns the other content of that drawing.
+/// Applies the newest recording in a drawing, and returns the other content of that drawing.
 Result<Drawing> apply_drawing(const Input& input, const ReadImport& read_import, Session& session) {
   const Result<Imported> opened = input.read_drawing({});
   if (!opened) return tl::unexpected(with_context(opened.error(), input.name()));

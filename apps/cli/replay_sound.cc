@@ -27,12 +27,12 @@ std::string header_of(std::uint32_t samples) {
   append(bytes, 36 + data, 4);
   bytes += "WAVEfmt ";
   append(bytes, 16, 4);
-  append(bytes, 1, 2);  // PCM
-  append(bytes, 1, 2);  // channel
+  append(bytes, 1, 2);  // format: PCM
+  append(bytes, 1, 2);  // number of channels
   append(bytes, WavFile::kRateHz, 4);
   append(bytes, 2 * WavFile::kRateHz, 4);
   append(bytes, 2, 2);   // bytes per sample of all channels
-  append(bytes, 16, 2);  // bits
+  append(bytes, 16, 2);  // bits per sample
   bytes += "data";
   append(bytes, data, 4);
   return bytes;
@@ -106,7 +106,7 @@ Result<void> ReplaySound::add(const PenSample& pen) {
   return render(sound_.ready());
 }
 
-/// Lets the last touch fade out and completes the file.
+/// Adds the fade-out of the last touch and completes the file.
 Result<void> ReplaySound::finish() {
   constexpr auto kTail =
       static_cast<std::size_t>(RubbingSynth::kSilentAfterS * RubbingPlayer::kRateHz);

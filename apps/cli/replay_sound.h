@@ -14,19 +14,21 @@
 
 namespace felt::cli {
 
-/// A sound file that every player reads: RIFF/WAVE, PCM, 16 bit, one channel, 48 kHz. The file
-/// begins with its length, so samples are kept in an unnamed temporary file, and memory does not
-/// grow with them. Nothing appears under the file's name before `finish`.
+/// Writes a sound file in a format that every player reads: RIFF/WAVE, PCM, 16 bit, one channel, 48
+/// kHz. The file begins with its length, which is known last. Therefore samples are first written
+/// to an unnamed temporary file, and memory does not grow with their number. The file gets its name
+/// when finish() succeeds, not before.
 class WavFile {
  public:
   static constexpr std::uint32_t kRateHz = 48000;
-  /// About 12 hours, the limit of a 32-bit header.
+  /// Maximum number of samples, because sizes in the header have 32 bits. It lasts about 12 hours.
   static constexpr std::uint64_t kMaxSamples = 0x7FFFFF00u;
 
   /// Fails if the file cannot be written. Messages begin with its name.
   static Result<WavFile> create(const std::string& path);
 
-  /// Adds samples, clipped to -1..1. Fails if the disk is full, or beyond kMaxSamples.
+  /// Adds samples, clipped to -1..1. Fails if the disk is full, or if there would be more than
+  /// kMaxSamples.
   Result<void> add(std::span<const float> samples);
   /// Completes the file. Call once.
   Result<void> finish();
@@ -40,12 +42,12 @@ class WavFile {
 
   Output output_;
   std::unique_ptr<std::FILE, Close> spool_;
-  std::string bytes_;  // not yet in the temporary file
+  std::string bytes_;  // bytes that are not yet in the temporary file
   std::uint64_t count_ = 0;
 };
 
-/// The file of `replay --sound`: the sound of a session's pen, in virtual time, from its first
-/// sample to its last.
+/// Writes the file of `replay --sound`: the sound of a session's pen in virtual time, from its
+/// first sample to its last.
 class ReplaySound {
  public:
   /// Fails if the file cannot be written. Messages begin with its name.
@@ -54,7 +56,7 @@ class ReplaySound {
   /// Sets the session that provides tool and surface. Call before the first add(). The session must
   /// outlive the last add().
   void begin(const Session& session) { pen_.emplace(session); }
-  /// Adds a sample of the pen. Fails as WavFile does.
+  /// Adds a sample of the pen. Fails like WavFile::add().
   Result<void> add(const PenSample& pen);
   /// Completes the file. Call once.
   Result<void> finish();

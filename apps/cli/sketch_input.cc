@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kSketchBatchBytes = std::size_t{64} << 10;
 
-/// Adds one line to a piece. Adds nothing for a header.
+/// Adds one line to a piece. Skips a header.
 Result<void> add_line(LineStrokes& strokes, const NdjsonLine& line, std::int64_t number,
                       Format format, EncodedStrokes& piece) {
   Result<std::optional<NamedStroke>> stroke = strokes.read(line);

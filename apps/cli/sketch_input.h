@@ -9,14 +9,14 @@
 
 namespace felt::cli {
 
-/// Reads an input that is_lines(), encodes it for an output of that format, and passes it to `take`
-/// in pieces of some strokes. Raw pen samples become ink. Bad records, and strokes that the format
-/// cannot hold, are reported and skipped. Returns false if `take` returned false.
+/// Reads an input for which is_lines() is true, encodes it for an output of that format, and passes
+/// it to `take` in pieces of some strokes. Raw pen samples become ink. Bad records, and strokes
+/// that the format cannot hold, are reported and skipped. Returns false if `take` returned false.
 bool for_each_piece(const Input& input, Format format, Console& console,
                     const std::function<bool(const EncodedStrokes&)>& take);
 
-/// Prints a notice for each kind of unsupported content in the file of that name. Returns false if
-/// the console counts that as a failure.
+/// Prints a notice for each kind of unsupported content in the file called `name`. Returns false if
+/// the console counts a notice as a failure.
 bool tell_notices(const std::string& name, const ImportReport& report, Console& console);
 
 }  // namespace felt::cli

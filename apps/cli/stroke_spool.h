@@ -10,21 +10,22 @@
 
 namespace felt::cli {
 
-/// Keeps strokes in an unnamed temporary file until the last one was added, so that not all of them
-/// are in memory.
+/// Collects strokes in an unnamed temporary file, so that they do not have to be in memory
+/// together.
 class StrokeSpool {
  public:
-  /// Adds strokes, as lines of append_sketch_line.
+  /// Adds strokes in the form of lines from append_sketch_line().
   Result<void> add_lines(std::string_view lines);
 
-  /// Calls `handle` with each stroke in the order added; stops at the first error.
+  /// Calls `handle` with each stroke in the order in which they were added. Stops at the first
+  /// error and returns it.
   Result<void> for_each(const std::function<Result<void>(NamedStroke)>& handle);
 
  private:
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  std::unique_ptr<std::FILE, Close> file_;  // opened for the first line
+  std::unique_ptr<std::FILE, Close> file_;  // opened when the first line is added
 };
 
 }  // namespace felt::cli

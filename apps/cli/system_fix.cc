@@ -35,7 +35,8 @@ bool is_allowed(std::string_view path) {
   return false;
 }
 
-/// If several devices need a line in the same file, the file is written once.
+/// Adds a fix to the list. If several devices need a line in the same file, combines their fixes,
+/// so that the file is written once.
 void add_fix(std::vector<SystemFix>& fixes, const SystemFix& fix) {
   const auto same = std::find_if(fixes.begin(), fixes.end(),
                                  [&fix](const SystemFix& other) { return other.path == fix.path; });
@@ -96,7 +97,8 @@ Result<void> run(const std::vector<std::string>& command) {
   return fail(ErrorCode::kIo, "'" + shown(command) + "' failed");
 }
 
-/// Returns the command prefix for running as root; empty if we are root. Fails if there is none.
+/// Returns the words that must precede a command so that it runs as root, or an empty list if the
+/// program already runs as root. Fails if neither sudo nor pkexec exists.
 Result<std::vector<std::string>> as_root() {
   if (geteuid() == 0) return std::vector<std::string>{};
   for (const char* folder : {"/usr/bin/", "/bin/", "/usr/local/bin/"}) {
@@ -121,7 +123,7 @@ Result<void> write_here(const PlannedFix& fix) {
   return {};
 }
 
-/// A temporary file of ours that root then copies.
+/// A temporary file that the user owns and that a command then copies as root.
 class TemporaryFile {
  public:
   explicit TemporaryFile(std::string_view content) {
@@ -129,7 +131,7 @@ class TemporaryFile {
     const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
     path_ = (folder / "feltline-fix-XXXXXX").string();
     if (error) {
-      errno = error.value();  // for the message; is_good() is false
+      errno = error.value();  // for the error message; is_good() returns false
       return;
     }
     fd_ = mkstemp(path_.data());
@@ -162,12 +164,12 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Returns our file unchanged, with the missing lines at its end. Permissions from an earlier run
-/// stay, for a device that is not plugged in now or for another user.
+/// Returns the present content of our file with the missing lines appended. Lines of an earlier run
+/// stay, because they may be for a device that is not plugged in now, or for another user.
 std::string with_missing_lines(const std::string& present, const std::string& wanted) {
   std::vector<std::string_view> there = lines_of(present);
   std::string missing;
-  bool says_something = false;  // it has more than comments
+  bool says_something = false;  // a missing line is not a comment
   for (const std::string_view line : lines_of(wanted)) {
     if (line.empty() || std::find(there.begin(), there.end(), line) != there.end()) continue;
     there.push_back(line);

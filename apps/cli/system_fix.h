@@ -11,34 +11,34 @@ namespace felt::cli {
 /// A file that `doctor --fix` would write.
 struct PlannedFix {
   enum class State {
-    kNew,      ///< no file exists
+    kNew,      ///< the file does not exist
     kSame,     ///< the file has the right content
-    kOurs,     ///< our file, incomplete: it keeps its lines and gets the missing ones
-    kForeign,  ///< written by somebody else: not changed unless the user agrees
+    kOurs,     ///< our file, but lines are missing; they are added, the others stay
+    kForeign,  ///< not written by Feltline; changed only if the user agrees
   };
   std::string path;      ///< with the prefix
-  std::string content;   ///< with our mark
-  std::string activate;  ///< command that activates it; empty: none
+  std::string content;   ///< with Feltline's mark
+  std::string activate;  ///< command that activates it; empty if not needed
   State state = State::kNew;
 };
 
-/// Returns the files that the findings' fixes need, each once, with its current state. A file of
-/// ours keeps its lines, because findings are only about devices that are connected now and about
-/// this user. Paths begin with `prefix`; if it is not "", nothing is activated. Fails for a fix
-/// that we refuse: outside the folders for such files, or with a command of its own. The check is
-/// needed because the findings come from a process with a vendor's library, and the fixes run as
-/// root.
+/// Returns the files that the fixes of the findings would write, each once, with its current state.
+/// A file that Feltline wrote earlier keeps its lines, because the findings are only about the
+/// devices that are connected now and about this user. Paths begin with `prefix`; if it is not
+/// empty, nothing is activated. Fails if a fix is not allowed: if its file is outside the folders
+/// for such files, or if it has a command of its own. The check is needed because the findings come
+/// from a process with a vendor's library, and the fixes run as root.
 Result<std::vector<PlannedFix>> plan_fixes(const DoctorReport& report, const SystemView& system,
                                            const std::string& prefix);
 
-/// Returns a description of the planned changes, for the user to decide.
+/// Returns a description of the planned changes, so that the user can decide.
 std::string plan_text(const std::vector<PlannedFix>& fixes);
 
-/// Writes the file: directly if `prefix` was given or we are root, otherwise through sudo or
-/// pkexec, which ask. Prints each command that it runs on stderr. Fails if a step fails; earlier
-/// steps are not undone.
+/// Writes the file. Writes directly if the prefix is set or the user is root; otherwise runs sudo
+/// or pkexec, which ask for a password. Prints each command that it runs to stderr. Fails if a step
+/// fails; earlier steps are not undone.
 Result<void> write_fix(const PlannedFix& fix, bool has_prefix);
-/// Runs the commands that activate files, each once.
+/// Runs the commands that activate the files. Runs each command once.
 Result<void> activate_fixes(const std::vector<PlannedFix>& written);
 
 }  // namespace felt::cli

@@ -82,7 +82,8 @@ std::vector<std::size_t> TextTable::widths() const {
   return widths;
 }
 
-/// `room`: columns in which the last cell wraps; 0: no limit.
+/// Returns one line of the table. `room` is the width in which the last cell wraps; 0 means
+/// unlimited.
 std::string TextTable::line(const std::vector<std::string>& cells,
                             const std::vector<std::size_t>& widths, std::size_t room) const {
   std::string text;

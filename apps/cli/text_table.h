@@ -5,11 +5,12 @@
 
 namespace felt::cli {
 
-/// The style of stdout: for a person at a terminal, or for another program.
+/// The style of text on stdout, which depends on whether it is for a user at a terminal or for
+/// another program.
 struct TextStyle {
   bool is_terminal = false;
   bool emphasis = false;  ///< bold headings; never with NO_COLOR, on a dumb terminal or in a pipe
-  std::size_t width = 0;  ///< columns to wrap at; 0: no limit
+  std::size_t width = 0;  ///< columns at which lines wrap; 0: unlimited
 
   /// Returns the style of this program's stdout.
   static TextStyle of_stdout();
@@ -18,11 +19,11 @@ struct TextStyle {
 /// Returns a heading in this style.
 std::string heading(const std::string& text, const TextStyle& style);
 
-/// Wraps text at spaces into lines of at most `width` (0: one line). All lines but the first are
-/// indented.
+/// Wraps text at spaces into lines of at most `width` columns; 0 gives one line. All lines except
+/// the first are indented.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
 
-/// Aligned columns, each as wide as needed. Numbers are right-aligned.
+/// A table of text with aligned columns, each as wide as needed. Numbers are right-aligned.
 class TextTable {
  public:
   enum class Align { kLeft, kRight };
@@ -35,8 +36,8 @@ class TextTable {
 
   /// Adds a row with one cell for each column. The text must be ASCII.
   void add_row(std::vector<std::string> cells);
-  /// Returns the whole table below a line of column names. The last column wraps if the style is
-  /// narrow.
+  /// Returns the whole table below a line of column names. The last column wraps if the width of
+  /// the style is too small.
   [[nodiscard]] std::string text(const TextStyle& style) const;
 
  private:

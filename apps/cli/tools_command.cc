@@ -40,7 +40,8 @@ std::string allowed_of(const OptionSpec& option, const Materials& known) {
          (option.unit.empty() ? "" : " " + std::string(option.unit));
 }
 
-/// On a narrower terminal, the description of an option is below it.
+/// Minimum number of columns at which the description of an option is beside it; on a narrower
+/// terminal it is below.
 constexpr std::size_t kWideEnough = 110;
 constexpr std::size_t kHelpIndent = 6;
 

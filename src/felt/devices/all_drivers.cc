@@ -1,4 +1,4 @@
-// The only file that lists all folders with drivers: a new driver needs one line here.
+// This is the only file that lists all folders with drivers. A new driver needs one line here.
 #include "felt/devices/cue/cue_driver.h"
 #include "felt/devices/drivers.h"
 #include "felt/devices/evdev/evdev_driver.h"

@@ -29,8 +29,8 @@ std::int64_t monotonic_ns() noexcept {
   return std::int64_t{now.tv_sec} * kSecond + now.tv_nsec;
 }
 
-// Waits until `until_ns` on the monotonic clock. Returns false if the descriptor was not ready in
-// time. Errors of the descriptor show in the transfer that follows.
+// Waits until the descriptor is ready, at most until `until_ns` on the monotonic clock. Returns
+// false if it was not ready in time. The transfer that follows reports errors of the descriptor.
 bool wait_for(int descriptor, short events, std::int64_t until_ns) noexcept {
   for (;;) {
     const std::int64_t left_ns = std::max<std::int64_t>(0, until_ns - monotonic_ns());
@@ -90,7 +90,7 @@ std::optional<Address> numeric_address(const std::string& host, std::uint16_t po
   return std::nullopt;
 }
 
-// Returns 0, or errno.
+// Connects the socket to the address. Returns 0, or errno.
 int connect_within(int socket, const Address& address, std::int64_t within_ns) {
   const std::int64_t until_ns = monotonic_ns() + within_ns;
   if (::connect(socket, reinterpret_cast<const sockaddr*>(&address.storage), address.size) == 0) {
@@ -104,7 +104,7 @@ int connect_within(int socket, const Address& address, std::int64_t within_ns) {
   return error;
 }
 
-// Returns 0, or errno.
+// Sets the port to raw mode, in which bytes are not changed. Returns 0, or errno.
 int make_raw(int port) {
   if (flock(port, LOCK_EX | LOCK_NB) != 0) return errno;
   if (ioctl(port, TIOCEXCL) != 0) return errno;
@@ -112,9 +112,10 @@ int make_raw(int port) {
   if (tcgetattr(port, &settings) != 0) return errno;
   cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
-  settings.c_cc[VMIN] = 1;  // so that "nothing there" (EAGAIN) and "unplugged" (0) differ
+  settings.c_cc[VMIN] = 1;  // so that read() returns EAGAIN if nothing waits, and 0 if unplugged
   settings.c_cc[VTIME] = 0;
-  // Has no effect on USB, but must never be 1200: that rate sends boards into their boot loader.
+  // The rate has no effect on USB, but must never be 1200, because that starts the boot loader of
+  // many boards.
   cfsetspeed(&settings, B115200);
   if (tcsetattr(port, TCSANOW, &settings) != 0) return errno;
   return tcflush(port, TCIOFLUSH) == 0 ? 0 : errno;
@@ -159,7 +160,7 @@ tl::expected<void, StreamFault> DescriptorStream::send(std::span<const std::byte
     }
     if (wait_for(descriptor_, POLLOUT, until_ns)) continue;
     if (sent == 0) return tl::unexpected(StreamFault::kTimedOut);
-    return end(StreamFault::kFailed, ETIMEDOUT);  // half a message cannot be undone
+    return end(StreamFault::kFailed, ETIMEDOUT);  // the sent part of a message cannot be undone
   }
   return {};
 }

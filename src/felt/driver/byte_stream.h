@@ -13,11 +13,12 @@
 
 namespace felt {
 
-/// Why a transfer failed. An enumeration, because the haptic thread must not allocate strings.
+/// Why a transfer failed. This is an enumeration, because the haptic thread must not allocate
+/// strings.
 enum class StreamFault : std::uint8_t {
-  kTimedOut,  ///< the time is over; nothing was lost, and the caller may retry
+  kTimedOut,  ///< the time was too short; nothing was lost, and the caller may retry
   kClosed,    ///< the peer closed the stream, or the device was unplugged
-  kFailed,    ///< the system refused, see last_errno(); or only a part was sent
+  kFailed,    ///< the system reported an error (last_errno()), or only a part was sent
 };
 
 /// A byte stream to a device or its service that is used on the haptic thread: a socket, a serial
@@ -33,27 +34,28 @@ class ByteStream {
   ByteStream& operator=(const ByteStream&) = delete;
   virtual ~ByteStream() = default;
 
-  /// Sends all bytes within `within_ns` (0: only if they can be sent without waiting). kTimedOut:
-  /// nothing was sent.
+  /// Sends all bytes within `within_ns`. If that is 0, sends them only if it need not wait. Fails
+  /// with kTimedOut if nothing was sent.
   virtual tl::expected<void, StreamFault> send(std::span<const std::byte> bytes,
                                                std::int64_t within_ns) noexcept = 0;
-  /// Receives between 1 and `room.size()` bytes. 0 ns does not wait. Waits for the first byte only:
-  /// a caller that needs more calls again with the time that is left (StreamDeadline).
+  /// Receives between 1 and `room.size()` bytes. Waits for the first byte only, and not at all if
+  /// `within_ns` is 0. A caller that needs more bytes calls it again with the remaining time
+  /// (StreamDeadline).
   virtual tl::expected<std::size_t, StreamFault> receive(std::span<std::byte> room,
                                                          std::int64_t within_ns) noexcept = 0;
   /// Returns the errno of the newest kFailed, or 0 if no call has failed.
   [[nodiscard]] virtual int last_errno() const noexcept { return 0; }
-  /// Starts a process (PortGuard) that sends `last_words` when nothing has been sent for
-  /// `patience_ns`, or when this program ends for any reason. Replaces an earlier guard, which
-  /// sends its own words as it ends; empty words only end that one. Returns false if no guard runs.
-  /// Used on the edit thread.
+  /// Starts a guard process (PortGuard) that sends `last_words` if nothing has been sent for
+  /// `patience_ns`, or if this program ends for any reason. Ends an earlier guard first, which then
+  /// sends its own last words. If `last_words` is empty, only ends the earlier guard. Returns true
+  /// if a guard runs now. Used on the edit thread.
   virtual bool keep_guard(std::span<const std::byte> last_words, std::int64_t patience_ns) {
     static_cast<void>(last_words);
     static_cast<void>(patience_ns);
     return false;
   }
-  /// Returns false if the guard of keep_guard() has ended unexpectedly. This is detected by the
-  /// next send(). The sender's thread.
+  /// Returns false if the guard of keep_guard() has ended unexpectedly, which the next send()
+  /// detects. Used on the thread that calls send().
   [[nodiscard]] virtual bool is_guarded() const noexcept { return true; }
 };
 
@@ -80,7 +82,7 @@ class DescriptorStream : public ByteStream {
   [[nodiscard]] int last_errno() const noexcept override { return errno_; }
 
  protected:
-  /// Takes ownership of `descriptor`. `is_socket`: write() would raise SIGPIPE.
+  /// Takes ownership of `descriptor`. `is_socket` is true if write() would raise SIGPIPE.
   DescriptorStream(int descriptor, bool is_socket) noexcept
       : descriptor_(descriptor), is_socket_(is_socket) {}
   [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
@@ -91,16 +93,16 @@ class DescriptorStream : public ByteStream {
   int descriptor_;
   bool is_socket_;
   bool is_over_ = false;
-  StreamFault fault_ = StreamFault::kClosed;  // if is_over_
+  StreamFault fault_ = StreamFault::kClosed;  // valid if is_over_
   int errno_ = 0;
 };
 
 /// A TCP connection with Nagle's algorithm disabled.
 class TcpStream final : public DescriptorStream {
  public:
-  /// Connects, on the edit thread. `host` is "localhost" (IPv4 first, then IPv6) or a numeric
-  /// address; names are not looked up, because that could block for a minute. Fails with the
-  /// system's message.
+  /// Connects to a port. `host` is "localhost" (IPv4 first, then IPv6) or a numeric address; other
+  /// names are not looked up, because that could block for a minute. Fails with the system's
+  /// message. Used on the edit thread.
   static Result<std::unique_ptr<ByteStream>> connect(const std::string& host, std::uint16_t port,
                                                      std::int64_t within_ns);
 
@@ -112,8 +114,8 @@ class TcpStream final : public DescriptorStream {
 /// waiting.
 class SerialStream final : public DescriptorStream {
  public:
-  /// Opens a port, on the edit thread. Fails if it does not exist, is in use by another program, is
-  /// not a serial port, or access is denied; with the system's message.
+  /// Opens a port. Fails with the system's message if the port does not exist, is in use by another
+  /// program, is not a serial port, or if access is denied. Used on the edit thread.
   static Result<std::unique_ptr<ByteStream>> open(const std::string& path);
 
   tl::expected<void, StreamFault> send(std::span<const std::byte> bytes,
@@ -128,10 +130,10 @@ class SerialStream final : public DescriptorStream {
   bool is_guarded_ = true;
 };
 
-/// How a driver connects to a service; tests pass a fake.
+/// The function with which a driver connects to a service; tests pass a fake.
 using TcpConnect = std::function<Result<std::unique_ptr<ByteStream>>(
     const std::string& host, std::uint16_t port, std::int64_t within_ns)>;
-/// How a driver opens a serial port.
+/// The function with which a driver opens a serial port; tests pass a fake.
 using SerialOpen = std::function<Result<std::unique_ptr<ByteStream>>(const std::string& path)>;
 
 }  // namespace felt

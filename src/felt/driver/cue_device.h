@@ -11,9 +11,9 @@ namespace felt {
 struct DeviceDescriptor;
 
 /// A device that plays waveforms instead of forces: a haptic pen, a mouse, a touchpad, a game
-/// controller (docs/design/devices.md#kinds-of-devices: every tool feeds both classes). Usually
-/// driven by a CueLaw, at most 50 times a second; drivers skip cues that come too fast for the
-/// device. Used on the edit thread. The destructor silences and closes it.
+/// controller (docs/design/devices.md#kinds-of-devices: every tool feeds both classes). A CueLaw
+/// usually calls it, at most 50 times a second; drivers skip cues that come too fast for the
+/// device. Used on the edit thread. The destructor silences and closes the device.
 class CueDevice {
  public:
   CueDevice() = default;
@@ -24,10 +24,11 @@ class CueDevice {
   [[nodiscard]] virtual const DeviceDescriptor& descriptor() const noexcept = 0;
   /// Returns true if the device plays this waveform, directly or as the nearest one it supports.
   [[nodiscard]] virtual bool plays(CueWaveform waveform) const noexcept = 0;
-  /// Plays a cue. `now_ns` is any clock that never goes back. Fails with kDisconnected, then
-  /// permanently; with kOther if the device refuses this cue but may accept others.
+  /// Plays a cue. `now_ns` is the time of any clock that never goes back. Fails with kOther if the
+  /// device refuses this cue but may accept others, and with kDisconnected, then permanently, if
+  /// the device is disconnected.
   virtual tl::expected<void, DeviceFault> play(const Cue& cue, std::int64_t now_ns) noexcept = 0;
-  /// Silences the device immediately. Must work in any state.
+  /// Silences the device immediately. An implementation must do this in every state.
   virtual void stop() noexcept = 0;
 };
 

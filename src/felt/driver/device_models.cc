@@ -12,8 +12,8 @@ constexpr Capabilities in_box(Vec3 size_mm, Capabilities device) {
   return device;
 }
 
-// The workspace in CHAI3D's table is a sphere. Uses the largest cube in it, so that all of the
-// workspace can be reached.
+// Returns `device` with the largest cube in this sphere as its workspace. The workspaces in
+// CHAI3D's table are spheres; in the cube, every position can be reached.
 constexpr Capabilities in_sphere(double radius_mm, const Capabilities& device) {
   const double side_mm = 2.0 * radius_mm / 1.7320508075688772;
   return in_box({side_mm, side_mm, side_mm}, device);
@@ -42,7 +42,7 @@ constexpr Capabilities kOmega{.max_force_n = 12.0,
                               .max_damping_n_s_per_m = 30.0,
                               .position_step_mm = 0.01,
                               .period_ns = 250'000};
-// The continuous force of these is unknown: half of the peak.
+// The continuous force of these devices is unknown; half of the peak is assumed.
 constexpr Capabilities kSigma{.max_force_n = 12.0,
                               .continuous_force_n = 6.0,
                               .advised_force_n = 6.0,
@@ -209,7 +209,7 @@ constexpr std::array<DeviceModel, 23> kModels{{
     {.id = "2diy",
      .label = "Haply 2DIY",
      .maker = kHaply,
-     // The range of its two arms of 50 and 70 mm, in front of the motors.
+     // The workspace is the range of its two arms of 50 and 70 mm, in front of the motors.
      .capabilities = {.sensed_axes = 2,
                       .actuated_axes = 2,
                       .max_force_n = 2.0,

@@ -7,19 +7,20 @@
 
 namespace felt {
 
-/// A model of force device that people own, and its limits. All figures of devices are in this
-/// table; the simulated styluses use them, too.
+/// A model of force device, and its limits. All figures of devices are in the table of
+/// device_models(); the simulated styluses use them, too.
 struct DeviceModel {
   std::string_view id;     ///< "omega.3": DeviceDescriptor::model, and the key in settings
   std::string_view label;  ///< for the user, with the maker: "Force Dimension omega.3"
   std::string_view maker;  ///< "Force Dimension"
-  /// In the device's own axes (see the README of the driver's folder), with the workspace around
-  /// its own origin as the driver reports it. period_ns is the nominal rate.
+  /// The capabilities in the device's own axes (see the README of the driver's folder). The
+  /// workspace is around the device's own origin, as the driver reports it; period_ns is the
+  /// nominal period.
   Capabilities capabilities;
-  /// Where the figures are from. A figure that nobody could check on a data sheet is called an
-  /// estimate. If the device itself reports better figures, a driver only ever lowers forces.
+  /// The source of the figures. A figure that could not be checked on a data sheet is called an
+  /// estimate. If the device itself reports other figures, a driver may only lower the forces.
   std::string_view source;
-  /// True if one of our drivers opens it. The others are listed for reference.
+  /// True if one of our drivers can open it. Other models are listed for reference.
   bool is_driven = true;
 };
 

@@ -19,8 +19,8 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kMaxProfileBytes = 64 * 1024;
-constexpr std::size_t kLongestName = 120;  // of a file, without its fingerprint
-constexpr std::size_t kLongestText = 200;  // of a value
+constexpr std::size_t kLongestName = 120;  // length of a file name, without its fingerprint
+constexpr std::size_t kLongestText = 200;  // length of a value
 constexpr double kMaxProfileNumber = 1e6;
 constexpr double kLargestAreaMm = 1e4;
 
@@ -117,7 +117,7 @@ Result<void> set_area(PlaneParts& parts, std::string_view text) {
   return {};
 }
 
-/// Sets a part of a plane. Returns false if `key` is not a key of a plane.
+/// Sets the part of a plane with this key. Returns false if `key` does not belong to a plane.
 Result<bool> set_part(PlaneParts& parts, std::string_view key, std::string_view text) {
   Result<void> done;
   if (key == "plane_x" || key == "plane_y" || key == "plane_z") {
@@ -137,7 +137,7 @@ Result<bool> set_part(PlaneParts& parts, std::string_view key, std::string_view 
   return true;
 }
 
-/// Sets a value. Returns false if `key` is unknown.
+/// Sets the value with this key. Returns false if `key` is unknown.
 Result<bool> set_value(DeviceProfile& profile, HandParts& parts, std::string_view key,
                        std::string_view text) {
   Result<void> done;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kMaxFileBytes = 64 * 1024;
 constexpr std::int64_t kListensNs =
-    1'000'000'000;  // because a host that is down does not answer at all
+    1'000'000'000;  // limit, because a host that is down does not answer
 
 std::string group_name(gid_t id) {
   const group* entry = getgrgid(id);

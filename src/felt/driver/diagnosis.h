@@ -12,17 +12,18 @@ namespace felt {
 
 enum class FindingLevel : std::uint8_t {
   kOk,       ///< present and working
-  kAbsent,   ///< nothing of this maker is here: no problem for a user who has no such device
+  kAbsent,   ///< neither device nor software of this maker was found; this is not a problem
   kWarning,  ///< works, but not as well as it could
-  kProblem,  ///< does not work: `steps` say what to do
+  kProblem,  ///< does not work; `steps` tell the user how to repair it
 };
 
-/// A file that needs root to write, and its content: for `doctor --fix`.
+/// A file that only root may write, and its content. `doctor --fix` writes it.
 struct SystemFix {
   std::string path;  ///< "/etc/udev/rules.d/70-feltline-novint.rules"
   std::string
       content;  ///< the whole file; a first line that marks it as ours is added (kOurFileMark)
-  /// Shell command that activates it, as root; empty: only a step of the user can.
+  /// The shell command that activates the file, run as root. It is empty if only a step of the user
+  /// can activate it.
   std::string activate;
 };
 
@@ -31,26 +32,28 @@ struct Finding {
   FindingLevel level = FindingLevel::kOk;
   std::string what;          ///< "The OpenHaptics library was not found."
   std::string details = {};  ///< verbatim: dlerror(), errno's text, a version; may be empty
-  /// What to do, in order, one action each: a sentence, followed by the command, if there is one,
-  /// on a line of its own so that it can be copied: "Install the library that it needs:\nsudo apt
-  /// install libncurses5".
+  /// The actions that the user should do, in this order. Each is a sentence. If it needs a command,
+  /// the command follows on a line of its own so that it can be copied: "Install the library that
+  /// it needs:\nsudo apt install libncurses5".
   std::vector<std::string> steps = {};
-  /// Written by `doctor --fix`; mention it in a step: "Let Feltline do it:\nfeltline doctor --fix".
+  /// The file that `doctor --fix` writes. If it is set, a step must mention it: "Let Feltline do
+  /// it:\nfeltline doctor --fix".
   std::optional<SystemFix> fix = {};
 };
 
-/// The first line of every file that `doctor --fix` writes. Files that start with it are ours to
-/// change.
+/// The first line of every file that `doctor --fix` writes. Feltline may change the files that
+/// start with it.
 inline constexpr std::string_view kOurFileMark =
     "# Written by 'feltline doctor --fix', which may write it anew.\n";
-/// Applies udev rules to devices that are already plugged in: SystemFix::activate of rule files.
+/// The command that applies udev rules to devices that are already plugged in. It is the
+/// SystemFix::activate of rule files.
 inline constexpr std::string_view kReloadUdev =
     "udevadm control --reload-rules && udevadm trigger --subsystem-match=usb"
     " --subsystem-match=hidraw --subsystem-match=tty --subsystem-match=input";
 
-/// The system as a diagnosis sees it, so that tests can substitute another one: files, the user,
-/// environment variables, whether a library loads, whether a port is listened on. Reads only;
-/// changes nothing. Used on the edit thread.
+/// The interface through which a diagnosis reads the system: files, the user, environment
+/// variables, libraries that can be loaded and TCP ports that are open. Tests substitute another
+/// system. It does not change anything. Used on the edit thread.
 class SystemView {
  public:
   virtual ~SystemView() = default;
@@ -61,8 +64,8 @@ class SystemView {
   /// Returns the first 64 KiB of a file, or nullopt if it cannot be read.
   [[nodiscard]] virtual std::optional<std::string> read(std::string_view path) const = 0;
   [[nodiscard]] virtual bool exists(std::string_view path) const = 0;
-  /// Succeeds if this user may read and write the file. Fails with kNotFound, or kIo with errno's
-  /// text.
+  /// Succeeds if this user may read and write the file. Fails with kNotFound, or with kIo and the
+  /// text of errno.
   [[nodiscard]] virtual Result<void> may_use(std::string_view path) const = 0;
   /// Returns the resolved target of a link; empty if `path` is not a link.
   [[nodiscard]] virtual std::string resolve(std::string_view path) const = 0;

@@ -46,17 +46,17 @@ class ShortText {
   std::uint8_t size_ = 0;
 };
 
-/// The state of an open device. Trivially copyable: written on the haptic thread, read on the edit
-/// thread through a LatestValue.
+/// The state of an open device. It is trivially copyable, because the haptic thread writes it and
+/// the edit thread reads it through a LatestValue.
 struct DeviceStatus {
-  std::optional<DeviceFault> fault;       ///< active now; empty if the device works
+  std::optional<DeviceFault> fault;       ///< the current fault; nullopt if the device works
   std::optional<DeviceFault> last_fault;  ///< the newest, even if it is over
   ShortText vendor_words;                 ///< the maker's own text for the newest fault, verbatim
   std::int64_t vendor_code = 0;           ///< the maker's number for it
   ShortText notice;  ///< newest message that is not a fault: a flat battery, a filter of the device
                      ///< that changes our forces
   std::uint64_t faults = 0;                 ///< since it was opened
-  std::uint64_t reads = 0;                  ///< successful ones since it was opened
+  std::uint64_t reads = 0;                  ///< successful reads since it was opened
   std::optional<double> motor_temperature;  ///< 0 cold .. 1 too warm, the warmest motor
   double rate_hz = 0.0;                     ///< rate that the device reports; 0: unknown
 };
@@ -69,53 +69,54 @@ enum class DeviceKind : std::uint8_t {
 
 /// A device that a driver has found, open or not.
 struct DeviceDescriptor {
-  /// "driver:what", unique on this machine and the same each time the device is plugged in. Used in
-  /// settings and by `--device`: "haply:049D", "openhaptics:default".
+  /// The id has the form "driver:what": "haply:049D", "openhaptics:default". It is unique on this
+  /// machine and the same each time the device is plugged in. Used in settings and by `--device`.
   std::string id;
   std::string driver;  ///< "openhaptics"
   DeviceKind kind = DeviceKind::kForce;
   std::string label;    ///< for the user: "3D Systems Touch"
-  std::string model;    ///< id of device_models(); empty: unknown
-  std::string serial;   ///< empty: unknown
-  std::string version;  ///< of library, service or firmware, as reported; empty: unknown
-  /// True if it is known to be connected; false if the maker's software cannot check without
-  /// opening it.
+  std::string model;    ///< id of device_models(); empty if unknown
+  std::string serial;   ///< empty if unknown
+  std::string version;  ///< reported version of library, service or firmware; empty if unknown
+  /// True if the device is known to be connected; false if the maker's software cannot check that
+  /// without opening it.
   bool is_connected = true;
-  /// True if it reports positions in its own frame: the user must calibrate the drawing plane.
+  /// True if the device has its own frame, so that the user must calibrate the drawing plane.
   bool has_own_frame = true;
   Capabilities capabilities;  ///< as far as known while it is closed
 };
 
-/// What a device needs to find its reference position.
+/// The way in which a device finds its reference position.
 enum class Homing : std::uint8_t {
-  kNone,      ///< nothing
-  kByItself,  ///< its arm moves by itself: hands off, and only if the user agrees
+  kNone,      ///< homing is not needed
+  kByItself,  ///< the arm moves by itself; the user must agree first and keep the hands off
   kRestPose,  ///< the user moves the arm to its rest pose
   kInkwell,   ///< the user puts the stylus into its inkwell
 };
 
 struct OpenOptions {
-  /// For a device that moves in the plane only and cannot sense contact: the pen starts down, or
-  /// else stays up until DriverDevice::set_pen_down() is called (a key is held).
+  /// For a device that moves only in the plane and cannot sense contact: if true, the pen is down
+  /// from the start; if false, it is up until DriverDevice::set_pen_down() is called (a key is
+  /// held).
   bool pen_begins_down = true;
 };
 
-/// A device that a driver has opened. The destructor closes it, without force.
+/// A device that a driver has opened. The destructor sets the force to zero and closes the device.
 ///
 /// Values are in the device's own frame, in mm and N, with the maker's axes; `OpenDevice` maps them
 /// to the page. If a device accepts no force at the moment (its button, a guard, warm motors),
 /// write() returns kForcesOff or kOverheated, but read() still works and drawing goes on. After
-/// read() has returned kDisconnected it does so permanently: the owner closes the device and opens
-/// what Driver::find() returns. Every driver limits forces again behind the safety chain
-/// (ForceGate), so that it never asks for more than its row of device_models() allows. Threads:
-/// read(), write(), stop() as in Device; the rest on the edit thread.
+/// read() has returned kDisconnected it does so permanently; the owner then closes the device and
+/// opens a device that Driver::find() returns. Every driver limits forces again behind the safety
+/// chain (ForceGate), so that no force exceeds the limits in device_models(). read(), write() and
+/// stop() are used on the thread that Device requires, all other functions on the edit thread.
 class DriverDevice : public Device {
  public:
   [[nodiscard]] virtual const DeviceDescriptor& descriptor() const noexcept = 0;
   [[nodiscard]] bool is_arm() const noexcept override { return true; }
-  /// Returns the newest status; cheap.
+  /// Returns the newest status. This is cheap.
   [[nodiscard]] virtual DeviceStatus status() noexcept = 0;
-  /// Returns the maker's own servo loop, which must run this device; null: any thread may.
+  /// Returns the maker's own servo loop if it must run this device, or null if any thread may.
   [[nodiscard]] virtual LoopHost* loop_host() noexcept { return nullptr; }
   /// Sets whether the pen touches, for a device that cannot sense it (sensed_axes is 2, no
   /// pressure). Samples are then just below or above the plane, z = -0.25 or 0.25 mm in the
@@ -125,20 +126,20 @@ class DriverDevice : public Device {
     static_cast<void>(is_down);
     return false;
   }
-  /// Returns what the device needs before read() returns anything but kNotCalibrated. Only while no
-  /// loop runs.
+  /// Returns how the device must be homed; until then read() returns kNotCalibrated. Requires that
+  /// no loop runs.
   [[nodiscard]] virtual Homing homing() noexcept { return Homing::kNone; }
-  /// Returns what the user should do for it, or will see happen, in one or two sentences. Empty for
-  /// kNone.
+  /// Returns one or two sentences that tell the user how to home the device, or how it will move.
+  /// Empty for kNone.
   [[nodiscard]] virtual std::string homing_words() { return {}; }
-  /// Homes the device: call it after the user agreed to kByItself, or while the user holds it as
-  /// asked. Blocks for some seconds at most. Requires that no loop runs. Fails with the maker's
-  /// message and what to try.
+  /// Homes the device. Call it after the user has agreed to kByItself, or while the user holds the
+  /// device as homing_words() asks. Blocks for some seconds at most. Requires that no loop runs.
+  /// Fails with the maker's message and a suggestion for the user.
   virtual Result<void> find_home() { return {}; }
 };
 
-/// The interface to one maker's devices. Constructing one costs and touches nothing: libraries are
-/// loaded and ports opened on demand. Used on the edit thread.
+/// The interface to one maker's devices. The constructor is cheap, because libraries are loaded and
+/// ports are opened only when needed. Used on the edit thread.
 class Driver {
  public:
   Driver() = default;
@@ -146,32 +147,32 @@ class Driver {
   Driver& operator=(const Driver&) = delete;
   virtual ~Driver() = default;
 
-  /// "openhaptics", "forcedimension", "haply", "pantograph", "evdev", "cue".
+  /// Returns "openhaptics", "forcedimension", "haply", "pantograph", "evdev" or "cue".
   [[nodiscard]] virtual std::string_view name() const noexcept = 0;
-  /// For the user: "3D Systems (OpenHaptics)".
+  /// Returns the name for the user: "3D Systems (OpenHaptics)".
   [[nodiscard]] virtual std::string_view label() const noexcept = 0;
-  /// Returns the devices that are present. Takes some ms at most and is called once a second while
-  /// a list is shown; must not disturb open devices. Empty if the maker's library or service is
-  /// missing: diagnose() says why.
+  /// Returns the devices that are present, or an empty list if the maker's library or service is
+  /// missing (see diagnose()). It is called once a second while a list is shown, so it must take at
+  /// most some ms and must not disturb open devices.
   virtual std::vector<DeviceDescriptor> find() = 0;
-  /// Opens a force device that find() returned. Fails with what is wrong, the maker's message and
-  /// the next step; then nothing moves and nothing stays open.
+  /// Opens a force device that find() returned. Fails with the reason, the maker's message and the
+  /// next step for the user; the device has then not moved, and is not left open.
   virtual Result<std::unique_ptr<DriverDevice>> open(const DeviceDescriptor& device,
                                                      const OpenOptions& options) = 0;
-  /// Opens a cue device; otherwise the same as open().
+  /// Opens a cue device that find() returned. Fails like open().
   virtual Result<std::unique_ptr<CueDevice>> open_cue(const DeviceDescriptor& device);
-  /// Returns the drawing plane for the usual place of the device on a desk, until the user has
-  /// calibrated one. The centre of the reachable part of the plane is the page's (0, 0). By
-  /// default: a right-handed frame with x to the right, y up and z towards the user, and the page
-  /// upright in front of the device, like an easel.
+  /// Returns the drawing plane that is used until the user has calibrated one. It is for the usual
+  /// position of the device on a desk. The centre of the reachable part of the plane is the page's
+  /// (0, 0). The default is for a right-handed frame with x to the right, y up and z towards the
+  /// user; the page is upright in front of the device, like an easel.
   [[nodiscard]] virtual PlaneCalibration default_plane(const DeviceDescriptor& device,
                                                        const OpenOptions& options) const {
     static_cast<void>(device), static_cast<void>(options);
     return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}}, {});
   }
-  /// Returns what is present, what is missing, and the exact next step, for a user who knows
-  /// nothing about drivers; in the order in which to fix things. Uses the system only through
-  /// `system`.
+  /// Returns findings about present and missing parts, with the exact next step for a user who
+  /// knows nothing about drivers. They are in the order in which problems should be solved. Uses
+  /// the system only through `system`.
   virtual std::vector<Finding> diagnose(const SystemView& system) = 0;
 };
 

@@ -10,15 +10,14 @@
 
 namespace felt {
 
-/// Tells when a library is unloaded.
+/// The time at which a library is unloaded.
 enum class LibraryLife : std::uint8_t {
-  kAsLongAsUsed,     ///< with its last user
-  kAsLongAsProgram,  ///< never: for libraries with threads of their own, whose code must stay
-                     ///< loaded
+  kAsLongAsUsed,     ///< when its last DynamicLibrary is destroyed
+  kAsLongAsProgram,  ///< never, because the library has threads that need its code
 };
 
-/// A library that is loaded at run time, because it may be absent: a device maker's. Its symbols
-/// are invisible to other libraries and bound lazily. Used on the edit thread.
+/// A library of a device maker. It is loaded at run time, because it may be absent. Its symbols are
+/// invisible to other libraries and bound lazily. Used on the edit thread.
 ///
 ///   auto library = DynamicLibrary::open(names, LibraryLife::kAsLongAsProgram);
 ///   if (!library) return fail(library.error()...);
@@ -27,11 +26,12 @@ enum class LibraryLife : std::uint8_t {
 ///   if (auto all = symbols.done(); !all) ...
 class DynamicLibrary {
  public:
-  /// Loads the first of `names` that can be loaded. Plain names ("libHD.so") are searched where the
-  /// system keeps libraries; names with a slash are paths.
+  /// Loads the first of `names` that can be loaded. Plain names ("libHD.so") are searched in the
+  /// system's library folders; names with a slash are paths.
   ///
-  /// Fails with kNotFound; the message has each name with the loader's text, because it names
-  /// missing dependencies ("libncurses.so.5: cannot open shared object file ...").
+  /// Fails with kNotFound if none can be loaded. The message contains each name with the loader's
+  /// text, which names missing dependencies ("libncurses.so.5: cannot open shared object file
+  /// ...").
   static Result<DynamicLibrary> open(std::span<const std::string> names, LibraryLife life);
 
   DynamicLibrary(DynamicLibrary&& other) noexcept
@@ -43,7 +43,7 @@ class DynamicLibrary {
 
   /// Returns the name that was loaded.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
-  /// Returns the file that was loaded; the name if the system does not say.
+  /// Returns the path of the loaded file, or the name if the system does not report the path.
   [[nodiscard]] std::string path() const;
   /// Returns the address of a function, or null.
   [[nodiscard]] void* symbol(const char* name) const noexcept;
@@ -57,26 +57,28 @@ class DynamicLibrary {
   std::string name_;
 };
 
-/// Looks up functions by name, each into a pointer of its type, and collects the missing ones, so
-/// that the message names all of them.
+/// Looks up functions by name and stores each in a pointer of its type. Collects the missing ones,
+/// so that the error message names all of them.
 class SymbolLoader {
  public:
   /// `library` must outlive this.
   explicit SymbolLoader(const DynamicLibrary& library) noexcept : library_(library) {}
 
-  /// Looks up a required function; null and remembered as missing if it is absent.
+  /// Looks up a required function. If it is absent, sets the pointer to null and records the
+  /// function as missing.
   template <class Function>
   void require(Function*& function, const char* name) {
     if (!find(function, name)) missing_.emplace_back(name);
   }
-  /// Looks up a function that older versions lack; null, and false, if it is absent.
+  /// Looks up a function that older versions do not have. If it is absent, sets the pointer to null
+  /// and returns false.
   template <class Function>
   bool find(Function*& function, const char* name) noexcept {
     function = reinterpret_cast<Function*>(library_.symbol(name));
     return function != nullptr;
   }
-  /// Fails with kUnsupported if required functions are missing; names the library's file and all of
-  /// them.
+  /// Fails with kUnsupported if required functions are missing. The message names the library's
+  /// file and all missing functions.
   [[nodiscard]] Result<void> done() const;
 
  private:

@@ -11,7 +11,8 @@
 namespace felt {
 namespace {
 
-/// From Linux 6.18; older headers have no such member in the union.
+/// The bytes of a haptic effect, from Linux 6.18. Older headers do not have this member of the
+/// union.
 struct HapticBytes {
   std::uint16_t hid_usage;
   std::uint16_t vendor_id;

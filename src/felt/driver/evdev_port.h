@@ -26,7 +26,8 @@ struct EvdevAxis {
 
 /// A spring, damper or friction along one axis, in the kernel's units: positions -32767..32767 over
 /// the range of the axis, saturations 0..65535 and coefficients -32767..32767 of the device's full
-/// force. Positive coefficients pull to the centre, or brake.
+/// force. A positive coefficient of a spring pulls to the centre; that of a damper or friction
+/// brakes.
 struct EvdevCondition {
   std::uint16_t right_saturation = 0, left_saturation = 0;
   std::int16_t right_coefficient = 0, left_coefficient = 0;
@@ -39,24 +40,25 @@ struct EvdevCondition {
 /// evdev_codes.h) are used.
 struct EvdevEffect {
   std::uint16_t type = 0;
-  std::int16_t id = -1;  ///< -1: a new effect; else this one is replaced, and keeps playing
+  std::int16_t id =
+      -1;  ///< -1 for a new effect; otherwise the effect to replace, which keeps playing
   /// Direction of a constant force: 0 towards the user, 0x4000 left, 0x8000 away, 0xC000 right.
   std::uint16_t direction = 0;
-  std::uint16_t length_ms = 0;                 ///< 0: until stopped
+  std::uint16_t length_ms = 0;                 ///< 0 plays until stopped
   std::array<EvdevCondition, 2> conditions{};  ///< of x and y
   std::int16_t level = 0;                      ///< of a constant
-  std::uint16_t strong = 0, weak = 0;          ///< of a rumble: both motors
-  std::uint16_t hid_usage = 0;                 ///< of a haptic: the waveform of page 0x0E
-  std::uint16_t intensity_percent = 0;         ///< the same, 0..100
+  std::uint16_t strong = 0, weak = 0;          ///< motors of a rumble
+  std::uint16_t hid_usage = 0;                 ///< of a haptic effect; waveform of page 0x0E
+  std::uint16_t intensity_percent = 0;         ///< of a haptic effect, 0..100
   friend constexpr bool operator==(const EvdevEffect&, const EvdevEffect&) = default;
 };
 
 /// An open input device of the kernel (/dev/input/eventN), or in tests a fake. Errors are errno
-/// numbers: ENODEV is permanent.
+/// numbers; ENODEV is permanent.
 ///
-/// next() never waits and may be called on the haptic thread. Everything else waits for the
+/// next() never waits and may be called on the haptic thread. All other functions wait for the
 /// kernel's lock of the device, which an upload holds until its transfer is over. Two threads may
-/// call different functions at the same time. Closing stops and erases all effects.
+/// call different functions at the same time. Closing the port stops and erases all effects.
 class EvdevPort {
  public:
   EvdevPort() = default;
@@ -71,10 +73,12 @@ class EvdevPort {
   virtual tl::expected<bool, int> key(std::uint16_t code) noexcept = 0;
   /// Returns how many effects the device can hold.
   virtual tl::expected<int, int> slots() noexcept = 0;
-  /// Uploads an effect and returns its id. ENOSPC: no free slot; EINVAL: not a type of this device.
+  /// Uploads an effect and returns its id. Fails with ENOSPC if all slots are used, and with EINVAL
+  /// if the device does not support this type.
   virtual tl::expected<std::int16_t, int> upload(const EvdevEffect& effect) noexcept = 0;
   virtual tl::expected<void, int> erase(std::int16_t id) noexcept = 0;
-  /// Writes an event to the device: {kFf, id, times to play (0 = stop)}, {kFf, kFfGain, 0..65535}.
+  /// Writes an event to the device: {kFf, id, number of plays (0 stops)} or {kFf, kFfGain,
+  /// 0..65535}.
   virtual tl::expected<void, int> send(const EvdevEvent& event) noexcept = 0;
 };
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double kShareOfNominal = 0.9;  // docs/design/limits.md#peak
 constexpr double kFadeS = 0.1;
 constexpr double kRoundingN =
-    1e-9;  // for the rotation into the device's frame, and the chain's own clock
+    1e-9;  // margin for the rotation into the device's frame, and for the chain's clock
 
 double sane(double value) noexcept {
   return std::isfinite(value) && value > 0.0 ? value : 0.0;
@@ -23,14 +23,14 @@ double most_for(const Capabilities& device) noexcept {
   return device.advised_force_n == 0.0 ? most_n : std::min(most_n, sane(device.advised_force_n));
 }
 
-// The same credit as in the chain (TickClock): two periods, at most 5 ms.
+// Returns the same credit as the chain's TickClock: two periods, at most 5 ms.
 double longest_credit_for(const Capabilities& device) noexcept {
   constexpr double kMaxMs = 5.0;
   return std::clamp(2e-6 * static_cast<double>(device.period_ns), 0.0, kMaxMs);
 }
 
-// Limits the RMS over any 10 s to the full rating; the chain limits it to 80 %. The fade is ten
-// times as steep as the chain's, so that the chain's limit is lower at every temperature.
+// Returns limits that allow the full rated RMS over any 10 s; the chain limits it to 80 %. The fade
+// is ten times as steep as the chain's, so that the chain's limit is lower at every temperature.
 SafetyLimits motor_limits(const Capabilities& device, double most_n) noexcept {
   SafetyLimits limits;
   limits.peak_force_n = most_n;
@@ -46,8 +46,8 @@ ForceGate::ForceGate(const Capabilities& device) noexcept
       longest_credit_ms_(longest_credit_for(device)),
       motors_(motor_limits(device, most_n_)) {}
 
-// Heats the motor model for the time that the last force was held. Returns the time that counts for
-// the rise.
+// Updates the motor model with the last force and the time for which it was held. Returns the part
+// of that time during which the force may rise, ms.
 double ForceGate::credit_ms(std::int64_t now_ns) noexcept {
   if (!held_since_ns_) {
     held_since_ns_ = now_ns;
@@ -63,14 +63,14 @@ double ForceGate::credit_ms(std::int64_t now_ns) noexcept {
 
 // Shortens the force to the limit, keeping its direction.
 Force ForceGate::shortened(const Force& asked) const noexcept {
-  // Relative to the largest component, so that the norm of a finite force cannot overflow.
+  // Divides by the largest component first, so that the norm of a finite force cannot overflow.
   const double part_n = std::max({std::abs(asked.x), std::abs(asked.y), std::abs(asked.z)});
   if (part_n == 0.0) return {};
   const Force direction{asked.x / part_n, asked.y / part_n, asked.z / part_n};
   const double length = norm(direction);
   const double allowed_n = std::min(most_n_, motors_.allowed_n());
   if (part_n * length <= allowed_n) return asked;
-  // Slightly less, so that rounding cannot make it longer than allowed.
+  // Uses slightly less than the limit, so that rounding cannot exceed it.
   return (allowed_n * (1.0 - 1e-14) / length) * direction;
 }
 

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::int64_t kNsPerMs = 1'000'000;
 constexpr std::int64_t kMaxWaitMs = 10'000;
-constexpr std::size_t kMaxReportBytes = 4096;  // of one report: an ioctl's length has 12 bits
+constexpr std::size_t kMaxReportBytes =
+    4096;  // length of one report; an ioctl's length has 12 bits
 
 class HidrawFile final : public HidrawPort {
  public:

@@ -57,7 +57,7 @@ std::vector<std::string> numbered(const SystemView& system, const std::string& f
   return names;
 }
 
-/// Returns the value of `key` in lines KEY=value.
+/// Returns the value of `key` in a text with lines KEY=value.
 std::string_view value_of(std::string_view lines, std::string_view key) {
   while (!lines.empty()) {
     const std::size_t end = std::min(lines.find('\n'), lines.size());
@@ -137,7 +137,7 @@ std::vector<HidrawNode> hidraw_nodes(const SystemView& system) {
     node.path = "/dev/" + name;
     node.name = shown_name(value_of(about, "HID_NAME"));
     node.unique = shown_name(value_of(about, "HID_UNIQ"));
-    // HID_ID=0003:0000046D:0000C548
+    // Example: HID_ID=0003:0000046D:0000C548
     const std::string_view id = value_of(about, "HID_ID");
     if (id.size() == 22 && id[4] == ':' && id[13] == ':') {
       node.vendor = hex16(id.substr(9, 4));

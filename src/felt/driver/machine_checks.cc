@@ -9,10 +9,10 @@
 namespace felt {
 namespace {
 
-// capabilities(7).
+// The number of CAP_IPC_LOCK (capabilities(7)).
 constexpr int kCapIpcLock = 14;
 constexpr int kCapSysNice = 23;
-/// RealtimeOptions::fifo_priority: the loop asks for no higher one.
+/// The priority that the loop requests (RealtimeOptions::fifo_priority).
 constexpr int kWantedPriority = 80;
 /// The first kernel with hid-haptic (kernel documentation, "HID haptic").
 constexpr KernelVersion kKernelWithHaptics{6, 18};
@@ -21,7 +21,7 @@ constexpr const char* kLetFeltline = "Let Feltline write the permission:\nfeltli
 constexpr const char* kLogInAgain =
     "Log out and in again (or restart the computer): limits are given at the log-in.";
 
-/// Returns the text behind a name in a file of lines such as /proc/self/status, without blanks
+/// Returns the text after a name in a file of lines such as /proc/self/status, without the blanks
 /// around it.
 std::string_view field_of(std::string_view text, std::string_view name) {
   std::size_t at = text.starts_with(name) ? 0 : text.find("\n" + std::string(name));
@@ -41,8 +41,8 @@ bool has_capability(const SystemView& system, int bit) {
   return error == std::errc() && ((bits >> bit) & 1U) != 0;
 }
 
-/// Returns the soft limit as in proc_pid_limits(5); -1 for "unlimited", nullopt if it is
-/// unknown.
+/// Returns the soft limit of this name (proc_pid_limits(5)), -1 for "unlimited", or nullopt if it
+/// is unknown.
 std::optional<std::int64_t> soft_limit(const SystemView& system, std::string_view name) {
   const std::string limits = system.read("/proc/self/limits").value_or("");
   const std::string_view value = field_of(limits, name);
@@ -63,7 +63,8 @@ bool may_lock_memory(const SystemView& system) {
   return has_capability(system, kCapIpcLock) || soft_limit(system, "Max locked memory") == -1;
 }
 
-/// Returns true if the name is safe in a limits file: any other text could add lines of its own.
+/// Returns true if the name can be written to a limits file. Other texts could add lines of their
+/// own.
 bool is_plain(const std::string& user) {
   return !user.empty() && user.size() <= 32 && std::all_of(user.begin(), user.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -108,13 +109,13 @@ std::string nearest(const SystemView& system, std::string folder) {
 
 std::string xdg_folder(const SystemView& system, const char* variable, const char* below_home) {
   const std::string set = system.environment(variable).value_or("");
-  if (set.starts_with('/')) return set + "/feltline";  // others are ignored (XDG)
+  if (set.starts_with('/')) return set + "/feltline";  // other paths are ignored (XDG)
   const std::string home = system.environment("HOME").value_or("");
   return home.starts_with('/') ? home + below_home + "/feltline" : std::string();
 }
 
-/// Returns the command that lets the user write to a folder. Only a folder below their home is
-/// theirs to change; for any other the answer is to ask the administrator.
+/// Returns the command that lets the user write to a folder. For a folder outside the user's home,
+/// returns the advice to ask the administrator.
 std::string way_into(const SystemView& system, const std::string& folder) {
   const std::string home = system.environment("HOME").value_or("");
   const bool is_theirs = home.size() > 1 && folder.starts_with(home + "/") &&

@@ -11,19 +11,20 @@ namespace felt {
 inline constexpr std::string_view kLimitsFile = "/etc/security/limits.d/70-feltline.conf";
 
 /// Checks the computer itself, independent of devices: whether the force loop may run in real time
-/// with its memory locked, whether settings and unsaved drawings can be stored, whether there is a
-/// screen, whether the kernel supports haptic touchpads, and whether something gives rights to
+/// with its memory locked, whether settings and unsaved drawings can be stored, whether a screen
+/// exists, whether the kernel supports haptic touchpads, and whether a service grants access to
 /// devices that are plugged in. Uses the system only through `system`.
 std::vector<Finding> diagnose_machine(const SystemView& system);
 
-/// Major and minor number of a text like "6.1.0-13-amd64"; zeros if it is no such text.
+/// The major and minor number of a text like "6.1.0-13-amd64"; both are 0 if the text has another
+/// form.
 struct KernelVersion {
   int major = 0, minor = 0;
   friend auto operator<=>(const KernelVersion&, const KernelVersion&) = default;
 };
 KernelVersion kernel_version(const SystemView& system);
 
-/// Returns the lines of limits.d(5) that grant a user what the force loop needs.
+/// Returns the lines of limits.d(5) that grant a user the rights that the force loop needs.
 std::string limits_lines(const std::string& user);
 
 }  // namespace felt

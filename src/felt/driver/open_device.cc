@@ -51,7 +51,7 @@ OpenDevice::~OpenDevice() {
 
 void OpenDevice::set_profile(DeviceProfile profile) {
   if (descriptor().has_own_frame) {
-    // Another unit of the same model stands somewhere else.
+    // Another unit of the same model has another position and plane.
     forget_planes_of_another(profile, descriptor().serial);
     plane_ = profile.plane.value_or(default_plane_);
   }

@@ -21,37 +21,38 @@ struct DeviceSetup {
   OpenOptions open = {};
   /// The user's settings; planes that were set with another unit are ignored.
   DeviceProfile profile = {};
-  /// Without a plane of the user, the middle of what the device reaches is put on the middle of
-  /// this page. Without a page the driver's default plane is used as it is.
+  /// If the user has not set a plane, the driver's default plane is moved so that the centre of the
+  /// reachable area is the centre of this page. Without a page the default plane is used unchanged.
   std::optional<Rect> page = {};
-  /// Held while the device finds its home and while it is closed, if other threads talk to the same
-  /// driver.
+  /// A mutex for drivers that other threads also use. It is locked during homing and while the
+  /// device is closed.
   std::shared_ptr<std::timed_mutex> driver_lock = {};
 };
 
-/// An open device as the window, the command line and the device test use it: in the frame of the
-/// surface and within the user's limits. One OpenDevice is between the servo and each device.
+/// A device in use, in the frame of the page and within the limits that its user has set. The
+/// servo, the window, the command line and the device test use each device through an OpenDevice.
 ///
 /// Positions and velocities are mapped into the frame of the surface, and forces out of it by the
 /// inverse rotation. So +z lifts the pen off the surface however the plane is tilted. Pressure,
 /// buttons, times and faults pass unchanged. If the device reports the axis of the pen, its tilt is
 /// measured against this plane. Otherwise the tilt that the device reports is kept.
 ///
-/// Threads: read(), between(), write(), held_force() and stop() as in Device, and as real-time safe
-/// as the device's own; set_pen_down() any; the rest on the edit thread.
+/// read(), between(), write(), held_force() and stop() are used on the thread that Device requires,
+/// and are as real-time safe as the device's own. set_pen_down() may be called from any thread. All
+/// other functions are used on the edit thread.
 class OpenDevice final : public Device {
  public:
-  /// How long the destructor waits for the driver. A device whose driver does not come back is
+  /// Time that the destructor waits for the driver. If the driver does not return, the device is
   /// abandoned (felt/rt/abandon.h).
   static constexpr std::chrono::seconds kClosePatience{3};
 
   /// Opens a device that the driver has found. Fails as Driver::open() does.
   static Result<std::unique_ptr<OpenDevice>> open(Driver& driver, const DeviceDescriptor& found,
                                                   const DeviceSetup& setup);
-  /// A device that its driver has opened, with Driver::default_plane().
+  /// Takes a device that its driver has opened, and Driver::default_plane().
   OpenDevice(std::unique_ptr<DriverDevice> device, const PlaneCalibration& default_plane,
              const DeviceSetup& setup);
-  /// A device without a driver, which must outlive this.
+  /// Uses a device without a driver. `device` must outlive this.
   explicit OpenDevice(Device& device, const PlaneCalibration& plane = {});
   ~OpenDevice() override;
 

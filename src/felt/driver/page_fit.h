@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// The part of the drawing plane that the user draws in.
+/// The part of the drawing plane in which the user draws.
 struct DrawingArea {
   Vec3 middle_mm;          ///< in the device's frame
   double width_mm = 0.0;   ///< along the page's x, as the hand moves
@@ -16,14 +16,14 @@ struct DrawingArea {
   friend constexpr bool operator==(const DrawingArea&, const DrawingArea&) noexcept = default;
 };
 
-/// Returns the reachable area through the centre of the device's workspace: along each axis of the
-/// page, as far as a straight line stays within the box.
+/// Returns the reachable area around the centre of the device's workspace. Along each axis of the
+/// page it extends as far as a straight line through the centre stays within the workspace.
 DrawingArea reach_of(const PlaneCalibration& plane, const Capabilities& device) noexcept;
 
 /// Returns `plane` moved so that the centre of `area` is the centre of `page`. `scale` is
-/// millimetres on the page per millimetre of the hand, clamped to 0.5..2; without it, the smallest
-/// scale in this range with which the whole page can be reached. The page does not move towards the
-/// hand or away from it.
+/// millimetres on the page per millimetre of the hand, clamped to 0.5..2. Without `scale`, uses the
+/// smallest scale in this range with which the whole page can be reached. The page does not move
+/// towards the hand or away from it.
 PlaneCalibration fit_to_page(const PlaneCalibration& plane, const DrawingArea& area,
                              const Rect& page, std::optional<double> scale) noexcept;
 

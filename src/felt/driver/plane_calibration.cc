@@ -22,8 +22,8 @@ bool is_near(const Vec3& a) noexcept {
   return is_finite(a) && std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}) <= kMaxCornerMm;
 }
 
-/// Eigenvectors and eigenvalues of a symmetric matrix, by Jacobi rotations, the largest value
-/// first.
+/// The eigenvectors and eigenvalues of a symmetric matrix, by Jacobi rotations. The largest value
+/// comes first.
 struct Axes {
   std::array<Vec3, 3> vectors;
   std::array<double, 3> values;
@@ -103,7 +103,7 @@ Result<void> check(std::span<const PlaneTouch> touches) {
 /// without a mirror.
 struct Turn {
   double a = 1.0, b = 0.0;  // cosine and sine
-  double gain = 0.0;        // sum of products: the larger, the smaller the residual
+  double gain = 0.0;        // sum of products; a larger sum means a smaller residual
 };
 
 Turn best_turn(std::span<const PlaneTouch> touches, const Vec3& middle, Point sheet_middle,

@@ -12,17 +12,17 @@
 
 namespace felt {
 
-/// Position of the drawing plane in front of a device: the map from the device's frame to the frame
-/// of the surface (R55: "a driver maps into it"). It has a rotation, an offset and one scale for
-/// all directions. The frame of the surface (x right, y down, z towards the hand) is left-handed.
-/// Most devices' frames are right-handed, so the map usually mirrors.
+/// The position of the drawing plane in front of a device, as a map from the device's frame to the
+/// page's (R55: "a driver maps into it"). The map consists of a rotation, an offset, and one scale
+/// for all directions. The page's frame (x right, y down, z towards the hand) is left-handed, and
+/// most devices' frames are right-handed, so the map usually mirrors.
 ///
 /// With the rotation R and the scale s (mm on the page per mm of the hand, 0.5..2, usually 1):
 ///
 ///   position  x = s R p + o        velocity  v = s R u        force  f = R^T F, so |f| = |F|
 ///
-/// Forces are not scaled: a newton that a tool asks for is a newton at the hand, and every limit in
-/// newtons holds where the motors are. What follows from that, at the hand:
+/// Forces are not scaled: a newton that a tool requests is a newton at the hand, and every limit in
+/// newtons holds at the motors. This has these effects at the hand:
 ///   - stiffness k = s K and damping b = s B, because 1 mm of the hand is s mm on the page: the
 ///     page may ask for K <= k/s, and limits_for() lowers its budgets in the same way;
 ///   - depth: a force F = K d lets the pen sink in by d/s at the hand;
@@ -31,10 +31,10 @@ namespace felt {
 ///   - work f u = F V / s: a force model that is passive on the page (it never gives out more work
 ///     than was put in) is passive at the hand, because the factor 1/s is positive and constant.
 ///
-/// Value type; trivially copyable; the maps are real-time safe.
+/// A value type that is trivially copyable. The maps are real-time safe.
 class PlaneCalibration {
  public:
-  /// The identity: device and page have the same frame.
+  /// Makes the identity, for a device that has the frame of the page.
   constexpr PlaneCalibration() noexcept = default;
   /// Restores a map from stored rows(), offset() and scale(). Returns nullopt if it is invalid: the
   /// axes are not of length 1 and at right angles within 1e-6, a number is not finite or exceeds
@@ -57,7 +57,7 @@ class PlaneCalibration {
     const double share = 1.0 / scale_;
     return (share * v.x) * rows_[0] + (share * v.y) * rows_[1] + (share * v.z) * rows_[2];
   }
-  /// Maps a force: rotated, never scaled.
+  /// Maps a force. Rotates it, but does not scale it.
   [[nodiscard]] constexpr Force turn_to_device(const Force& f) const noexcept {
     const Vec3 v = f.x * rows_[0] + f.y * rows_[1] + f.z * rows_[2];
     return {v.x, v.y, v.z};
@@ -90,7 +90,7 @@ class PlaneCalibration {
   double scale_ = 1.0;
 };
 
-/// A position that the pen touched, and where it is on the page.
+/// A position that the pen touched in the device's frame, and its position on the page.
 struct PlaneTouch {
   Vec3 device_mm;
   Point sheet_mm;
@@ -105,15 +105,15 @@ struct PlaneFit {
   double worst_mm = 0.0;  ///< the largest of these distances
 };
 
-/// Returns touches from three corners of the wanted drawing area, which then lies with its upper
-/// left corner at `origin`, so that the user need not measure. If the corner is not a right angle,
-/// the difference shows in the residual of the fit.
+/// Returns touches from three corners of the wanted drawing area, so that the user need not
+/// measure. The upper left corner of the area becomes `origin` on the page. If the angle at the
+/// corner is not a right angle, the residual of the fit is larger.
 std::array<PlaneTouch, 3> corner_touches(const Vec3& upper_left, const Vec3& upper_right,
                                          const Vec3& lower_left, Point origin);
 
-/// Finds the rigid map that fits the touches best: the plane with the least squares of distances,
-/// and the rotation within it with the least squares (Procrustes). `device` is the handedness of
-/// its frame, because three touches cannot tell above from below.
+/// Returns the rigid map that fits the touches best: the least-squares plane, and the least-squares
+/// rotation within it (Procrustes). `device` is the handedness of the device's frame. It is needed
+/// because three touches do not show which side of the plane is above.
 ///
 /// Fails if there are fewer than three touches, one is not finite or exceeds 1e6 mm, two are closer
 /// than kMinApartMm, or all are closer than kMinBesideMm to one line.

@@ -18,7 +18,8 @@
 namespace felt {
 namespace {
 
-constexpr int kTries = 20;  // for the last words; each waits until the port accepts more
+constexpr int kTries =
+    20;  // attempts to send the last message; each waits until the port accepts more
 constexpr int kTryMs = 50;
 
 struct Watch {
@@ -116,7 +117,7 @@ PortGuard::~PortGuard() {
 
 bool PortGuard::beat() noexcept {
   const char life = 1;
-  // The socket may be full if the guard has had no time to read: then enough beats are waiting.
+  // The socket may be full if the guard had no time to read. Enough heartbeats then wait in it.
   const ssize_t sent = ::send(connection_, &life, 1, MSG_DONTWAIT | MSG_NOSIGNAL);
   return sent >= 0 || (errno != EPIPE && errno != ECONNRESET);
 }

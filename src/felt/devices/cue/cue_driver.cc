@@ -37,15 +37,15 @@ std::optional<HapticReports> reports_of(const HidrawNode& node) {
   return descriptor ? HapticReports::find(*descriptor) : std::nullopt;
 }
 
-/// Returns true for the node that carries HID++, because a mouse has several nodes.
+/// Returns true if the node carries HID++. A mouse has several nodes.
 bool speaks_hidpp(const HidrawNode& node) {
   const Result<HidDescriptor> descriptor = read_hid_descriptor(bytes_of(node.descriptor));
   return descriptor && descriptor->report_bytes(HidReportKind::kOutput, HidppMouse::kLongReport) ==
                            HidppMouse::kBytes;
 }
 
-/// Returns a udev rule that matches by the kernel's name of the HID device, which exists on every
-/// bus.
+/// Returns a udev rule that matches the kernel's name of the HID device, because that name exists
+/// on every bus.
 std::string hidraw_rule(const HidrawNode& node) {
   std::string both = vendor_and_product(node.vendor, node.product);
   std::transform(both.begin(), both.end(), both.begin(), [](char c) {
@@ -64,8 +64,8 @@ bool is_haptic_pad(const InputNode& node) {
   return node.effects[evdev::kFfHaptic];
 }
 
-/// Returns true if the kernel's own driver plays waveforms on this device, so that it need not be
-/// bypassed.
+/// Returns true if the kernel's own driver plays waveforms on this device. It is then used instead
+/// of raw reports.
 bool is_the_kernels(const HidrawNode& node, const std::vector<InputNode>& inputs) {
   return !node.hid.empty() &&
          std::any_of(inputs.begin(), inputs.end(), [&](const InputNode& input) {
@@ -202,8 +202,7 @@ class CueDriver final : public Driver {
     descriptor.kind = DeviceKind::kCue;
     descriptor.label = found.label;
     descriptor.serial = found.serial;
-    // Which devices are paired with a receiver is only known by asking it, which find() must not
-    // do.
+    // Only the receiver knows which devices are paired with it, and find() must not ask it.
     descriptor.is_connected = found.route != CueRoute::kReceiver;
     descriptor.has_own_frame = false;
     return descriptor;
@@ -255,7 +254,7 @@ class CueDriver final : public Driver {
                                      : " is connected and can be used."),
           .details = found.path};
     }
-    // A receiver may have no mouse with haptics at all, and then nothing is wrong.
+    // It is not an error if a receiver has no mouse with haptics.
     const bool is_receiver = found.route == CueRoute::kReceiver;
     return {.level = is_receiver ? FindingLevel::kWarning : FindingLevel::kProblem,
             .what = is_receiver ? "A Logitech Bolt receiver is connected that you are not allowed "

@@ -11,7 +11,7 @@
 namespace felt {
 
 struct CueOptions {
-  /// The system in which to look for devices; null: this machine.
+  /// The system in which to look for devices; null means this machine.
   const SystemView* system = nullptr;
   /// The function that opens device nodes.
   std::function<Result<std::unique_ptr<HidrawPort>>(const std::string& path)> open_hidraw =
@@ -20,8 +20,8 @@ struct CueOptions {
       felt::open_evdev;
 };
 
-/// Makes the driver of haptic pens, touchpads, mice and game controllers: everything that plays
-/// waveforms (README.md). find() only reads sysfs and opens nothing.
+/// Makes the driver of all devices that play waveforms: haptic pens, touchpads, mice and game
+/// controllers (README.md). find() only reads sysfs and does not open devices.
 std::unique_ptr<Driver> make_cue_driver(CueOptions options = {});
 
 }  // namespace felt

@@ -14,7 +14,7 @@ class CuePacer {
   explicit constexpr CuePacer(double at_once = 5.0, double per_second = 15.0) noexcept
       : most_(at_once), per_ns_(per_second * 1e-9), left_(at_once) {}
 
-  /// Returns true if this cue may be played. A clock that goes back counts as no time.
+  /// Returns true if a cue may be played now. If the clock goes back, no time is counted.
   constexpr bool take(std::int64_t now_ns) noexcept {
     const double passed_ns =
         has_last_ ? static_cast<double>(now_ns) - static_cast<double>(last_ns_) : 0.0;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr auto kHumMs = static_cast<std::uint16_t>(kCueHoldNs / 1'000'000);
 constexpr std::uint16_t kTickMs = 40;
-constexpr double kWeakest = 0.15;  // a motor does not turn below this
+constexpr double kWeakest = 0.15;  // the minimum strength at which a motor turns
 
 /// Returns true for waveforms of the touchpad itself. Uploading one would disable the touchpad's
 /// own clicks, because the kernel then leaves pressing and releasing to the program (cover letter
@@ -41,7 +41,7 @@ bool EvdevCues::plays(CueWaveform waveform) const noexcept {
   });
 }
 
-/// The light motor hums high and the heavy one low, so a pencil uses only the light one.
+/// Uses only the light motor for a pencil, because it hums higher than the heavy motor.
 EvdevEffect EvdevCues::rumble_of(const Cue& cue) const noexcept {
   EvdevEffect effect;
   effect.type = evdev::kFfRumble;
@@ -84,7 +84,7 @@ tl::expected<void, int> EvdevCues::play_haptic(const Cue& cue, Slot slot) noexce
   return {};
 }
 
-/// An effect that the kernel refused to end counts as playing, and is ended next time.
+/// Ends an effect. If the kernel refuses, the effect counts as playing and is ended next time.
 void EvdevCues::end(Slot slot) noexcept {
   if (!playing_[slot] || is_gone_) return;
   const auto sent = port_->send({evdev::kFf, static_cast<std::uint16_t>(ids_[slot]), 0});

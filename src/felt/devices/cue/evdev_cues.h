@@ -20,7 +20,8 @@ class EvdevCues final : public CueDevice {
   ~EvdevCues() override;
 
   [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }
-  /// For a touchpad this is only known after playing; a refused waveform is not tried again.
+  /// Returns true if the device plays this waveform. For a touchpad this is only known after
+  /// playing it; a refused waveform is not tried again.
   [[nodiscard]] bool plays(CueWaveform waveform) const noexcept override;
   tl::expected<void, DeviceFault> play(const Cue& cue, std::int64_t now_ns) noexcept override;
   void stop() noexcept override;
@@ -38,7 +39,7 @@ class EvdevCues final : public CueDevice {
   DeviceDescriptor descriptor_;
   std::array<std::int16_t, kSlots> ids_{-1, -1};
   std::bitset<kSlots> playing_;
-  std::bitset<16> refused_;  // waveforms
+  std::bitset<16> refused_;  // waveforms that the device refused
   CuePacer pacer_{5.0, 25.0};
   bool is_gone_ = false;
 };

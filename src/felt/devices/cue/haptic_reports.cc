@@ -14,7 +14,7 @@ struct Relatives {
 
 using enum CueWaveform;
 
-// Brush, eraser: HID Usage Tables 1.4, after 0x100E.
+// The entries for brush and eraser come from HID Usage Tables 1.4, after 0x100E.
 constexpr std::array<Relatives, 14> kWaveforms{{
     {kNone, 0x1002, {kNone, kNone, kNone, kNone}},
     {kInk, 0x100B, {kInk, kPencil, kMarker, kBuzz}},

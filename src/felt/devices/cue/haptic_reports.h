@@ -34,34 +34,37 @@ inline constexpr std::uint32_t kMouse = hid_usage(0x01, 0x02);
 /// Returns the number of a waveform on page 0x0E: 0x1003 is a click. Returns 0x1002 (stop) for
 /// kNone.
 std::uint16_t hid_waveform(CueWaveform waveform) noexcept;
-/// Returns the waveforms that may replace one, nearest first; the first is the waveform itself.
+/// Returns the waveforms that may replace this one, nearest first. The first is the waveform
+/// itself.
 std::span<const CueWaveform> nearest_waveforms(CueWaveform waveform) noexcept;
 
-/// The haptic controller of a HID device: the layout of its reports. Builds output reports for the
-/// manual trigger only; nothing else of the device is ever written.
+/// The layout of the reports of a HID device's haptic controller. Builds output reports only for
+/// the manual trigger; no other setting of the device is ever written.
 class HapticReports {
  public:
   /// Returns nullopt if the descriptor has no controller with a manual trigger in an output report.
   static std::optional<HapticReports> find(const HidDescriptor& descriptor);
 
-  /// Asks the device for the waveforms of its ordinals, by feature report. Fails with errno.
+  /// Asks the device for the waveforms of its ordinals with a feature report. Fails with errno.
   tl::expected<void, int> ask(HidrawPort& port);
 
-  /// Returns the ordinal of a waveform or of the nearest one that the device has; 0: none.
+  /// Returns the ordinal of a waveform, or of the nearest waveform that the device has, or 0 if it
+  /// has neither.
   [[nodiscard]] std::uint32_t ordinal(CueWaveform waveform) const noexcept;
-  /// Returns the reported duration of one play, ms; 0: unknown.
+  /// Returns the reported duration of one play, ms, or 0 if unknown.
   [[nodiscard]] std::uint32_t duration_ms(std::uint32_t ordinal) const noexcept;
-  /// Returns the output report for a cue, starting with the report's number; empty if the device
-  /// cannot play it. A continuous cue is cut off after `hold_ms` if the device supports it.
+  /// Returns the output report for a cue, starting with the report's number, or an empty span if
+  /// the device cannot play the cue. A continuous cue ends after `hold_ms` if the device supports
+  /// that.
   [[nodiscard]] std::span<const std::uint8_t> play(const Cue& cue, std::uint32_t hold_ms) noexcept;
   [[nodiscard]] bool cuts_off_by_itself() const noexcept { return cutoff_.has_value(); }
 
-  /// Returns the kind of device it belongs to, as a text for the user.
+  /// Returns the kind of the device as a text for the user.
   [[nodiscard]] std::string_view kind() const noexcept { return kind_; }
   [[nodiscard]] bool is_touchpad() const noexcept { return is_touchpad_; }
 
  private:
-  static constexpr std::uint32_t kStop = 2;  ///< ordinal by HUTRR63; 1 is none
+  static constexpr std::uint32_t kStop = 2;  ///< ordinal in HUTRR63, which uses 1 for "none"
   static constexpr std::uint32_t kFirstListed = 3;
   static constexpr std::uint32_t kMaxOrdinals = 64;
 

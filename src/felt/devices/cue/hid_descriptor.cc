@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 16;
 constexpr std::size_t kMaxPushed = 8;
-constexpr std::size_t kMaxUsages = 256;  // before one main item
+constexpr std::size_t kMaxUsages = 256;  // maximum number before one main item
 constexpr std::uint32_t kMaxCount = 4096;
 constexpr std::uint32_t kMaxSize = 4096;
 
@@ -290,7 +290,8 @@ std::int64_t hid_value(std::span<const std::uint8_t> report, const HidField& fie
 
 void set_hid_value(std::span<std::uint8_t> report, const HidField& field,
                    std::int64_t value) noexcept {
-  // The field's range and that of its bits; a device may declare more than the bits can hold.
+  // Limits the value to the field's range and to the range of its bits, because a device may
+  // declare a larger range than the bits can hold.
   const bool has_sign = field.minimum < 0;
   const std::int64_t most = (std::int64_t{1} << (field.bits - (has_sign ? 1 : 0))) - 1;
   const std::int64_t least = has_sign ? -most - 1 : 0;

@@ -20,7 +20,7 @@ enum class HidReportKind : std::uint8_t { kInput, kOutput, kFeature };
 /// A numeric field in a report.
 struct HidField {
   HidReportKind kind = HidReportKind::kInput;
-  std::uint8_t report = 0;  ///< its number; 0: the device does not number them
+  std::uint8_t report = 0;  ///< number of the report; 0 if not numbered
   std::uint32_t usage = 0;
   std::uint32_t collection = 0;   ///< usage of the innermost named collection around it
   std::uint32_t application = 0;  ///< usage of the outermost collection
@@ -39,8 +39,8 @@ struct HidField {
 struct HidDescriptor {
   std::vector<HidField> fields;
 
-  /// Returns the size of a report in bytes, with its number and padding; 0 if the
-  /// device has no such report.
+  /// Returns the size of a report in bytes, with its number and padding, or 0 if the device does
+  /// not have this report.
   [[nodiscard]] std::size_t report_bytes(HidReportKind kind, std::uint8_t report) const noexcept;
   [[nodiscard]] bool numbers_reports() const noexcept { return is_numbered; }
 
@@ -53,15 +53,15 @@ struct HidDescriptor {
 /// device is not trusted: depth, fields and bits are bounded, and an invalid item is an error.
 /// Fails with the reason and the byte position.
 Result<HidDescriptor> read_hid_descriptor(std::span<const std::uint8_t> bytes);
-inline constexpr std::size_t kMaxHidBytes = 4096;   ///< of a descriptor, the kernel's limit
-inline constexpr std::size_t kMaxHidFields = 1024;  ///< that are kept
+inline constexpr std::size_t kMaxHidBytes = 4096;   ///< descriptor size; the kernel's limit
+inline constexpr std::size_t kMaxHidFields = 1024;  ///< fields that are kept
 inline constexpr std::size_t kMaxReportBits = 65536;
 
-/// Returns the value of a field in a report that begins with its number; 0 if the report is too
+/// Returns the value of a field in a report that begins with its number, or 0 if the report is too
 /// short. The value is signed if the field's minimum is negative.
 std::int64_t hid_value(std::span<const std::uint8_t> report, const HidField& field) noexcept;
-/// Sets the value, clamped to the range of the field. Bits beyond the end of a short report are not
-/// written.
+/// Sets the value of a field in a report. Clamps the value to the range of the field. Does not
+/// write bits beyond the end of a short report.
 void set_hid_value(std::span<std::uint8_t> report, const HidField& field,
                    std::int64_t value) noexcept;
 

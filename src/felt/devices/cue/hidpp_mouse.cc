@@ -10,8 +10,8 @@ namespace felt {
 namespace {
 
 constexpr std::int64_t kWaitNs = 50'000'000;
-constexpr int kMaxWaits = 5;     // without an answer
-constexpr int kMaxForeign = 64;  // messages of other programs, between request and answer
+constexpr int kMaxWaits = 5;     // waits without an answer
+constexpr int kMaxForeign = 64;  // messages of other programs between request and answer
 constexpr std::uint8_t kRoot = 0x00;
 constexpr std::uint8_t kGetFeature = 0, kGetCapabilities = 0, kPlay = 4;
 constexpr std::uint8_t kRefused = 0xFF, kRefusedByReceiver = 0x8F;
@@ -21,8 +21,8 @@ struct MouseTick {
   std::array<std::uint8_t, 3> numbers;  ///< best first
 };
 
-// Numbers with Solaar's names: 0 sharp and 1 damp change of state, 2 sharp, 3 damp, 4 subtle
-// collision, 0x1B whisper.
+// The waveforms' numbers, with the names that Solaar uses: 0 sharp and 1 damp change of state, 2
+// sharp, 3 damp and 4 subtle collision, 0x1B whisper.
 constexpr std::array<MouseTick, 4> kTicks{{
     {CueWaveform::kClick, {1, 0, 3}},
     {CueWaveform::kHover, {0x1B, 4, 1}},
@@ -73,7 +73,7 @@ tl::expected<void, int> HidppMouse::find_haptics() noexcept {
   const auto feature = ask(kRoot, kGetFeature, kHaptics);
   if (!feature) return tl::unexpected(feature.error());
   feature_ = (*feature)[4];
-  if (feature_ == 0) return tl::unexpected(EPROTO);  // the device has no such feature
+  if (feature_ == 0) return tl::unexpected(EPROTO);  // the device does not have the feature
   const auto capabilities = ask(feature_, kGetCapabilities, 0);
   if (!capabilities) return tl::unexpected(capabilities.error());
   for (std::size_t i = 0; i < 4; ++i) waveforms_ = waveforms_ << 8 | (*capabilities)[4 + 4 + i];

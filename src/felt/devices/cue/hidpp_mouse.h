@@ -12,10 +12,10 @@
 
 namespace felt {
 
-/// Logitech's HID++ 2.0, limited to the parts that a haptic mouse needs: long reports of 20 bytes,
-/// number 0x11, {device, feature, function and software, 16 bytes}. Messages of Solaar or another
-/// program to the same device have another software number and are ignored. Nothing is ever stored
-/// in the device: its strength stays as its owner set it.
+/// A haptic mouse that uses Logitech's HID++ 2.0. Only a part of the protocol is needed: long
+/// reports of 20 bytes, number 0x11, {device, feature, function and software, 16 bytes}. Messages
+/// of Solaar or another program to the same device have another software number and are ignored. No
+/// setting of the device is changed, so its strength stays as its owner set it.
 ///
 /// Feature 0x19B0, haptics, as found by other projects (Solaar, OpenLogi): function 0 lists the
 /// available waveforms, function 4 plays one.
@@ -28,8 +28,8 @@ class HidppMouse final : public CueDevice {
   static constexpr std::uint8_t kMaxPaired = 6;   ///< of a receiver: 1..6
   static constexpr std::uint8_t kSoftware = 0x5;  ///< ours; Solaar uses 0xB..0xF
 
-  /// Looks for a mouse with haptics, at the receiver's numbers or directly; takes some 0.25 s for
-  /// each number that does not answer. Fails if no mouse answers, or with errno's text.
+  /// Looks for a mouse with haptics, at the receiver's numbers or directly. Takes about 0.25 s for
+  /// each number that does not answer. Fails with the text of errno, or if no mouse answers.
   static Result<std::unique_ptr<CueDevice>> open(std::unique_ptr<HidrawPort> port, bool is_receiver,
                                                  DeviceDescriptor descriptor);
 
@@ -49,8 +49,8 @@ class HidppMouse final : public CueDevice {
   HidppMouse(std::unique_ptr<HidrawPort> port, std::uint8_t device, DeviceDescriptor descriptor)
       : port_(std::move(port)), device_(device), descriptor_(std::move(descriptor)) {}
 
-  /// Sends a request and returns the report that answers it. Fails with errno; ETIMEDOUT, or EPROTO
-  /// if the device refuses.
+  /// Sends a request and returns the report that answers it. Fails with errno, for example with
+  /// ETIMEDOUT, or with EPROTO if the device refuses.
   tl::expected<Report, int> ask(std::uint8_t feature, std::uint8_t function,
                                 std::uint16_t argument) noexcept;
   [[nodiscard]] Report request(std::uint8_t feature, std::uint8_t function) const noexcept;

@@ -28,8 +28,8 @@ bool EffectKeeper::is_silenced() const noexcept {
   return epoch_.load(std::memory_order_seq_cst) != served_epoch_;
 }
 
-/// Plays an effect, or stops it if `times` is 0. Does nothing for an effect that was not uploaded,
-/// because it cannot push.
+/// Plays an effect, or stops it if `times` is 0. Does nothing if the effect was not uploaded,
+/// because it then has no force.
 bool EffectKeeper::play(std::size_t kind, int times) noexcept {
   const std::int16_t id = ids_[kind];
   if (id < 0) return true;
@@ -38,7 +38,7 @@ bool EffectKeeper::play(std::size_t kind, int times) noexcept {
   return sent.has_value();
 }
 
-/// An effect that could not be stopped counts as playing, and is stopped next time.
+/// Stops an effect. If that fails, the effect counts as playing and is stopped next time.
 void EffectKeeper::stop(std::size_t kind) noexcept {
   if (there_.plays[kind] && play(kind, 0)) there_.plays[kind] = false;
 }
@@ -65,7 +65,7 @@ bool EffectKeeper::update(std::size_t kind, const EffectPlan& plan, bool must_pl
     there_.effects[kind] = plan.effects[kind];
   }
   if (there_.plays[kind] && !must_play) return true;
-  // The upload may have taken long.
+  // Silence may have been requested during the upload, because uploads may take long.
   if (is_silenced()) return false;
   there_.plays[kind] = true;  // a play that returned an error may still have reached the device
   return play(kind, 1);
@@ -104,7 +104,7 @@ void EffectKeeper::renew(std::int64_t now_ns) noexcept {
     all_well = update(kind, plan, is_due);
   }
   if (all_well) error_.store(0, std::memory_order_relaxed);
-  // A part of the effects would be the wrong force; and silence() may have been called meanwhile.
+  // If only some effects play, the force is wrong. silence() may also have been called meanwhile.
   if (!all_well || is_silenced()) stop_all();
 }
 

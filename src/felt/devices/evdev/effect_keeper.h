@@ -18,22 +18,23 @@ namespace felt {
 /// Only the worker writes to the device, because a write to an event node waits for the kernel's
 /// lock of that device, which an upload holds for as long as its transfer takes. So silence() only
 /// sets a request. The worker checks it before each play, after each upload, and whenever it
-/// serves: effects stop within kLookNs and the transfer in progress. If the worker is blocked, in
-/// the kernel or otherwise, effects end by themselves, kEffectMs after the device accepted the last
-/// upload or play: this limit depends on no other part.
+/// serves, so effects stop within kLookNs plus the time of the transfer in progress. If the worker
+/// is blocked, in the kernel or elsewhere, effects end by themselves, kEffectMs after the device
+/// accepted the last upload or play. This limit does not depend on any other part of the program.
 class EffectKeeper {
  public:
   static constexpr std::int64_t kPlayAgainNs = 40'000'000;  ///< well before kEffectMs
   static constexpr std::int64_t kUploadNs = 8'000'000;      ///< minimum time between two uploads
 
-  /// `port` must outlive this. Effects never push with more than `most_n` together, not even
-  /// between two uploads, provided that no single plan does.
+  /// `port` must outlive this. If no plan pushes with more than `most_n`, the effects together
+  /// never do, not even between two uploads.
   EffectKeeper(EvdevPort& port, const StickForces& stick, double most_n) noexcept
       : port_(port), stick_(stick), most_n_(most_n) {}
 
   // These are called on the haptic thread.
   void want(const EffectPlan& plan) noexcept;
-  /// Requests zero force, effective when the worker next checks. Does nothing if no plan is wanted.
+  /// Requests zero force. The worker stops the effects when it next checks. Does nothing if no plan
+  /// is wanted.
   void silence() noexcept;
   /// Returns the errno of the newest request that the device refused since the last success, or 0.
   /// Safe to call from any thread.
@@ -60,8 +61,8 @@ class EffectKeeper {
   StickForces stick_;
   double most_n_;
   LatestValue<EffectPlan> plans_;
-  // Incremented by each want() after a silence(), and each silence() after a want(): odd while
-  // wanted.
+  // Incremented by each want() after a silence(), and by each silence() after a want(). So it is
+  // odd while a plan is wanted.
   std::atomic<std::uint32_t> epoch_{0};
   std::atomic<int> error_{0};
   // Used by the worker only.

@@ -8,8 +8,9 @@ namespace {
 
 constexpr double kFull = 32767.0;
 constexpr double kFullSaturation = 65535.0;
-constexpr double kMinN = 0.01;   // less cannot be felt
-constexpr double kGrowN = 0.05;  // most that a spring may grow beyond its current force
+constexpr double kMinN = 0.01;  // a smaller force cannot be felt
+constexpr double kGrowN =
+    0.05;  // maximum by which a spring's force may grow beyond its current one
 constexpr double kAlmost = 0.9998;
 constexpr double kTurn = 65536.0 / 6.283185307179586;
 
@@ -50,7 +51,8 @@ AxisPlan plan_axis(const AxisFit& fit, const StickForces& stick) noexcept {
     plan.spring_n = std::abs(fit.force_n) + kGrowN;
     return plan;
   }
-  // Nearly constant: the stiffest possible spring, centred at the end of the travel.
+  // The force is nearly constant: uses the stiffest possible spring, centred at the end of the
+  // travel.
   plan.stiffness_n_per_mm = stick.full_force_n / stick.half_way_mm;
   plan.center_mm = std::copysign(stick.half_way_mm, fit.force_n);
   plan.spring_n = std::abs(fit.force_n);
@@ -106,7 +108,7 @@ EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& sti
   const double worst_n = std::hypot(axes[0].most_n(), axes[1].most_n());
   EffectPlan plan;
   if (!std::isfinite(worst_n) || !(most_n > 0.0)) return plan;
-  // Slightly less, because a constant's direction has only 16 bits.
+  // Uses slightly less than the maximum, because a constant's direction has only 16 bits.
   const double share = worst_n > kAlmost * most_n ? kAlmost * most_n / worst_n : 1.0;
   for (AxisPlan& axis : axes) {
     axis.spring_n *= share;
@@ -124,7 +126,8 @@ EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& sti
   friction.type = stick.effects[evdev::kFfFriction] ? evdev::kFfFriction : evdev::kFfDamper;
   friction.conditions = {friction_of(axes[0], stick), friction_of(axes[1], stick)};
   if (friction.type == evdev::kFfDamper) {
-    // The speed for full force is unknown: as steep as possible, and saturated.
+    // The speed for full force is unknown, so the coefficient is as steep as possible, and
+    // saturated.
     for (EvdevCondition& c : friction.conditions) {
       const bool brakes = c.right_saturation > 0;
       c.right_coefficient = c.left_coefficient = brakes ? signed16(1.0) : std::int16_t{0};
@@ -137,7 +140,7 @@ EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& sti
   constant.type = evdev::kFfConstant;
   constant.level =
       static_cast<std::int16_t>(std::min(std::hypot(x, y) / stick.full_force_n, 1.0) * kFull);
-  // 0 towards the user (+y); a quarter turn is to the left (-x).
+  // A direction of 0 is towards the user (+y), and a quarter turn is to the left (-x).
   constant.direction = static_cast<std::uint16_t>(
       static_cast<std::int32_t>(std::lround(std::atan2(-x, y) * kTurn)) & 0xFFFF);
   plan.plays[EffectPlan::kConstant] = std::hypot(x, y) > kMinN;

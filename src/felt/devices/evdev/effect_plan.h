@@ -14,11 +14,11 @@ namespace felt {
 struct StickForces {
   std::bitset<evdev::kFfCount> effects;  ///< kinds that it supports
   double full_force_n = 10.0;            ///< at the grip, with all motors
-  double half_way_mm = 45.0;             ///< of the grip from the centre to an end: position 32767
+  double half_way_mm = 45.0;             ///< travel of the grip from the centre to position 32767
   bool has_y = true;                     ///< a wheel has x only
 };
 
-/// Effects that together make a force; at most one of each kind, in this order.
+/// Effects that together make a force. At most one of each kind can play.
 struct EffectPlan {
   enum Kind : std::uint8_t { kSpring, kFriction, kConstant };
   static constexpr std::size_t kKinds = 3;
@@ -28,12 +28,12 @@ struct EffectPlan {
   friend bool operator==(const EffectPlan&, const EffectPlan&) = default;
 };
 
-/// Returns which parts of a force such a stick can render by itself.
+/// Returns the parts of a force that this stick can render by itself.
 FitAbility ability_of(const StickForces& stick) noexcept;
 
 /// Returns effects that render the fits until the next ones arrive, on a stick with its centre at
-/// (0, 0). Together they never push with more than `most_n`, wherever the grip moves meanwhile:
-/// their saturations guarantee it, and all are scaled down by the same factor if necessary.
+/// (0, 0). Together they never push with more than `most_n`, whatever the grip's motion: their
+/// saturations guarantee that, and all are scaled down by the same factor if necessary.
 ///
 /// Condition effects are preferred: their direction does not depend on how a kernel driver
 /// interprets the direction field, and if the program hangs, a spring remains a spring. A force
@@ -47,13 +47,13 @@ FitAbility ability_of(const StickForces& stick) noexcept;
 EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& stick,
                         double most_n) noexcept;
 
-/// Returns the largest possible force, N, at any position of the grip, if each effect is that of
-/// one plan or the other, because effects are uploaded one after another.
+/// Returns the largest possible force, N, at any position of the grip, if each effect comes from
+/// either of two plans. This happens because effects are uploaded one after another.
 double strongest_n(const EffectPlan& one, const EffectPlan& other,
                    const StickForces& stick) noexcept;
 
-/// All effects end by themselves after this time unless they are played again, so that a program
-/// that hangs leaves no force.
+/// Duration of all effects. They end by themselves unless they are played again, so that no force
+/// remains if the program hangs.
 inline constexpr std::uint16_t kEffectMs = 100;
 
 }  // namespace felt

@@ -51,7 +51,8 @@ Finding not_allowed(const FoundStick& stick, const std::string& words, const std
                            .activate = std::string(kReloadUdev)}};
 }
 
-/// Returns true for a stick or wheel without motors that the kernel can use; not for game pads.
+/// Returns true for a stick or wheel without motors that the kernel can use, and false for game
+/// pads.
 bool is_without_motors(const InputNode& node) {
   return node.axes[evdev::kAbsX] && node.keys[evdev::kButtonTrigger] && node.effects.none();
 }
@@ -97,7 +98,7 @@ class EvdevDriver final : public Driver {
   std::vector<Finding> diagnose(const SystemView& system) override {
     std::vector<Finding> findings;
     const std::vector<FoundStick> sticks = sticks_of(system);
-    std::string rules;  // of all devices that need one, because they share a file
+    std::string rules;  // for all devices that need a rule, because they share a file
     for (const FoundStick& stick : sticks) {
       if (!system.may_use(stick.node.path)) rules += rules_of(stick.node);
     }
@@ -163,7 +164,7 @@ class EvdevDriver final : public Driver {
       return refused(ENOSPC,
                      "it keeps " + std::to_string(*slots) + " effects, and three are needed");
     }
-    // Switches off the device's own forces: only the drawing's forces remain.
+    // Switches off the device's own forces, so that only the drawing's forces act.
     const auto set = [&](std::uint16_t what, std::int32_t value) {
       return !stick.kind.forces.effects[what] || port->send({evdev::kFf, what, value});
     };

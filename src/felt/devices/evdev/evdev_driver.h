@@ -11,7 +11,7 @@
 namespace felt {
 
 struct EvdevOptions {
-  /// The system in which to look for devices; null: this machine.
+  /// The system in which to look for devices; null means this machine.
   const SystemView* system = nullptr;
   /// The function that opens a device node.
   std::function<Result<std::unique_ptr<EvdevPort>>(const std::string& path)> open = open_evdev;
@@ -20,19 +20,19 @@ struct EvdevOptions {
   bool has_thread = true;
 };
 
-/// Additional interface of this driver's devices.
+/// An additional interface of this driver's devices.
 class EffectServed {
  public:
   virtual ~EffectServed() = default;
-  /// Does the periodic work of the thread, each kLookNs: stops effects if requested, and uploads
-  /// each kServeNs. Must not be called on the haptic thread.
+  /// Does the periodic work of the thread, which calls it every kLookNs: stops effects if
+  /// requested, and uploads effects every kServeNs. Must not be called on the haptic thread.
   virtual void serve(std::int64_t now_ns) noexcept = 0;
 };
 
 /// Makes the driver of joysticks and wheels with force feedback, through the kernel's input
-/// interface. These devices render few springs and frictions at a low rate, not 1000 forces a
-/// second (README.md). Each open device has a thread that does all writing: uploads, at most 125
-/// times a second, and stops.
+/// interface. These devices render a few springs and frictions at a low rate instead of 1000 forces
+/// a second (README.md). Each open device has a thread that does all writing: it uploads effects,
+/// at most 125 times a second, and stops them.
 std::unique_ptr<Driver> make_evdev_driver(EvdevOptions options = {});
 inline constexpr std::int64_t kServeNs = 8'000'000;
 inline constexpr std::int64_t kLookNs = 1'000'000;

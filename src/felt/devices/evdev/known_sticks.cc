@@ -14,8 +14,8 @@ struct KnownStick {
   double full_force_n;  ///< at the grip or rim
 };
 
-// Torque from makers' data sheets or press tests, over a rim of 0.14 m; for sticks, force at the
-// grip. All of them are estimates, rather too high.
+// For wheels, the torque from makers' data sheets or press tests at a rim with a radius of 0.14 m;
+// for sticks, the force at the grip. All of them are estimates that are probably too high.
 constexpr std::array<KnownStick, 8> kKnown{{
     {0x045E, 0x001B, "Microsoft SideWinder Force Feedback 2", false, 8.0},
     {0x046D, 0xC286, "Logitech Force 3D Pro", false, 6.0},
@@ -30,7 +30,7 @@ constexpr std::array<KnownStick, 8> kKnown{{
 constexpr double kUnknownStickN = 10.0;
 constexpr double kUnknownWheelN = 60.0;
 constexpr double kStickHalfWayMm = 45.0;
-constexpr double kWheelHalfWayMm = 120.0;  // of the rim; more turns are compressed into it
+constexpr double kWheelHalfWayMm = 120.0;  // travel of the rim; larger turns are compressed into it
 
 bool has_word(std::string_view text, std::string_view word) {
   const auto at =
@@ -39,7 +39,7 @@ bool has_word(std::string_view text, std::string_view word) {
   return at != text.end();
 }
 
-/// Returns the first button that exists among those under the fingers on a grip.
+/// Returns the first existing button of those that are under the fingers on a grip.
 std::optional<std::uint16_t> contact_button(const InputNode& node) {
   for (const std::uint16_t first :
        {evdev::kButtonTrigger, evdev::kButtonSouth, evdev::kButtonGearDown}) {

@@ -19,12 +19,12 @@ struct StickKind {
   bool is_known = false;  ///< its strength is from the table; otherwise it is assumed to be strong
 };
 
-/// Returns nullopt if the device has no axis, no button for the pen, or no force along an axis: a
-/// game pad that only rumbles is a cue device.
+/// Returns the description of a device. Returns nullopt if the device has no axis, no button for
+/// the pen, or no force along an axis; for example, a game pad that only rumbles is a cue device.
 ///
-/// The kernel does not report how strong a device's motors are. A device that is not in the table
-/// counts as the strongest of its kind, so that it may get less force than intended, but never
-/// more: 10 N for a stick, 60 N at the rim of a wheel (8 N m, direct drive).
+/// The kernel does not report the strength of a device's motors. A device that is not in the table
+/// is treated as the strongest of its kind: 10 N for a stick, 60 N at the rim of a wheel (8 N m,
+/// direct drive). So it may get less force than intended, but never more.
 std::optional<StickKind> stick_kind(const InputNode& node);
 
 }  // namespace felt

@@ -7,13 +7,13 @@
 namespace felt {
 namespace {
 
-// Unknowns: force, stiffness, friction.
+// The unknowns are force, stiffness and friction.
 constexpr std::size_t kUnknowns = 3;
 using Row = std::array<double, kUnknowns>;
 
-constexpr double kSlowMmPerS = 5.0;  // below it, the sign of the motion means little
+constexpr double kSlowMmPerS = 5.0;  // below this speed the sign of the motion is unreliable
 constexpr double kNoiseN = 0.02;     // expected residual of the force law
-// Typical size of each: N, N/mm, N.
+// The typical size of each unknown: N, N/mm, N.
 constexpr Row kUsual{0.3, 1.0, 1.0};
 
 double sign_of(double speed_mm_per_s) noexcept {
@@ -25,7 +25,8 @@ struct Sums {
   Row force{};
 };
 
-/// Solves for the wanted unknowns by Cholesky; the ridge makes the matrix positive definite.
+/// Solves for the wanted unknowns by Cholesky decomposition; the ridge makes the matrix positive
+/// definite.
 Row solve(const Sums& sums, const std::array<bool, kUnknowns>& wanted) noexcept {
   std::array<Row, kUnknowns> lower{};
   Row result{};
@@ -79,8 +80,8 @@ Sums sums_of(std::span<const FitSample> samples, double origin_mm) noexcept {
 
 }  // namespace
 
-// Solves for force, stiffness and friction. An unknown that comes out negative is removed and the
-// rest fitted again; a stiffness beyond the device's is fixed at its limit. Last, force and
+// Solves for force, stiffness and friction. If an unknown is negative, it is removed and the others
+// are fitted again; a stiffness beyond the device's limit is set to that limit. Last, force and
 // friction are adjusted so that the force law passes through the newest sample.
 AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noexcept {
   const auto newest = std::find_if(samples.rbegin(), samples.rend(), is_usable);
@@ -91,7 +92,7 @@ AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noex
   std::array<bool, kUnknowns> wanted{true, can.spring, can.friction};
   Row law = solve(sums, wanted);
   for (int round = 0; round < 2 && (law[1] < 0.0 || law[2] < 0.0); ++round) {
-    wanted[law[1] < law[2] ? 1 : 2] = false;  // the more active one, which would add energy
+    wanted[law[1] < law[2] ? 1 : 2] = false;  // the more negative unknown, which would add energy
     law = solve(sums, wanted);
   }
   if (law[1] > can.most_stiffness_n_per_mm) {
@@ -104,8 +105,8 @@ AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noex
     law[1] = stiffness;
   }
   fit.stiffness_n_per_mm = std::max(law[1], 0.0);
-  // Limits friction to the part of the force that opposes the motion now, so that the force law
-  // never pushes with more than was asked for, in whatever direction the grip moves.
+  // Limits friction to the part of the force that opposes the current motion, so that the force law
+  // never exceeds the requested force, whatever the direction of the motion.
   const double against_n = -newest->force_n * sign_of(newest->speed_mm_per_s);
   fit.friction_n = std::clamp(law[2], 0.0, std::max(against_n, 0.0));
   fit.force_n = newest->force_n + fit.friction_n * sign_of(newest->speed_mm_per_s);

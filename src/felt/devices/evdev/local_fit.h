@@ -4,7 +4,7 @@
 
 namespace felt {
 
-/// The force asked for on one axis at one tick.
+/// The requested force on one axis at one tick.
 struct FitSample {
   double position_mm = 0.0;
   double speed_mm_per_s = 0.0;
@@ -29,17 +29,19 @@ struct AxisFit {
   double friction_n = 0.0;          ///< dissipates energy; never negative
 };
 
-/// Fits such a force law to the force of the last milliseconds, by regularised least squares in
-/// which newer samples weigh more (a third for each kFitForgets of them). If the samples leave a
-/// choice, prior knowledge decides: without motion there is no stiffness, and a force that always
-/// opposes the motion is mostly friction, so of two explanations that fit equally well the
-/// dissipative one is chosen. The force law passes exactly through the newest sample, so that the
-/// fit adds no delay, and its friction is at most the part of the force that opposes the motion
-/// there: in whatever direction the grip moves, |force_n| + friction_n exceeds the last force asked
-/// for by at most a quarter. Samples are oldest first; without samples the force is zero. Samples
+/// Fits the force law of AxisFit to the forces of the last milliseconds. Uses regularised least
+/// squares; newer samples have more weight (by a third for each kFitForgets of them). If several
+/// force laws fit equally well, prior knowledge decides: the stiffness is zero without motion, and
+/// a force that always opposes the motion is mostly friction. So the dissipative force law is
+/// chosen.
+///
+/// The force law passes exactly through the newest sample, so the fit adds no delay. Its friction
+/// is at most the part of the force that opposes the motion at that sample. So |force_n| +
+/// friction_n exceeds the last requested force by at most a quarter, whatever the direction of
+/// motion. Samples are ordered from oldest to newest; without samples the force is zero. Samples
 /// that are not finite are left out.
 ///
-/// Real-time safe; linear in the number of samples, with a small constant.
+/// Real-time safe. The time is linear in the number of samples, with a small constant.
 AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noexcept;
 inline constexpr int kFitForgets = 12;
 

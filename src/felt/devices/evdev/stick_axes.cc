@@ -121,8 +121,8 @@ void StickAxes::glide_to(std::int64_t now_ns) noexcept {
 void StickAxes::report(std::int64_t now_ns) noexcept {
   glide_to(now_ns);
   const Said newest = said();
-  // A touch or lift must not be lost if it arrives while the previous report is still being
-  // approached.
+  // A touch or lift must not be lost if it arrives while the position still moves towards that of
+  // the previous report.
   if (newest.touches != to_.touches && now_.touches != to_.touches) {
     now_.touches = to_.touches;
     now_.pressure = to_.pressure;
@@ -134,7 +134,7 @@ void StickAxes::report(std::int64_t now_ns) noexcept {
 
 tl::expected<void, int> StickAxes::listen(EvdevPort& port, std::int64_t now_ns) noexcept {
   EvdevEvent event;
-  // Events that wait meanwhile are newer than the answer, or agree with it.
+  // Events that arrive meanwhile are newer than the answer, or agree with it.
   for (int i = 0; i < kMaxEvents && !needs_asking(); ++i) {
     const auto more = port.next(event);
     if (!more) return tl::unexpected(more.error());

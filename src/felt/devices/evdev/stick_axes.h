@@ -11,9 +11,9 @@ namespace felt {
 /// The axes and buttons of a stick and their use.
 struct StickLayout {
   std::uint16_t x = evdev::kAbsX;
-  std::optional<std::uint16_t> y = evdev::kAbsY;  ///< none: a wheel
+  std::optional<std::uint16_t> y = evdev::kAbsY;  ///< nullopt for a wheel
   std::optional<std::uint16_t> pressure = {};     ///< a lever or pedal for the pressure
-  std::uint16_t contact = evdev::kButtonTrigger;  ///< the pen is down while it is held
+  std::uint16_t contact = evdev::kButtonTrigger;  ///< button; the pen is down while it is held
   double half_way_mm = 45.0;                      ///< from the centre to an end
 };
 
@@ -29,21 +29,20 @@ struct StickStand {
 /// because the kernel answers only when no upload is in progress.
 StickStand ask_stick(EvdevPort& port, const StickLayout& layout) noexcept;
 
-/// Converts the events of an input device into a pen: the grip's position in mm, x to the right, y
-/// towards the user, the centre at (0, 0).
+/// Converts the events of an input device into pen samples. The pen's position is the grip's, in
+/// mm, with x to the right, y towards the user, and (0, 0) at the centre.
 ///
-/// The pen is down while the contact button is held: then z is -2 mm times the pressure, else 0.8
-/// mm. The pressure is that of the lever, at least kMinPressure; without a lever it is
-/// kUsualPressure. The button after the contact button is bit 0, the next bit 1 (tools:
-/// kFirstModifier, kSecondModifier).
+/// The pen is down while the contact button is held. Its z is then -2 mm times the pressure, and
+/// otherwise 0.8 mm. The pressure is that of the lever, at least kMinPressure, or kUsualPressure if
+/// the device has no lever. The button after the contact button sets bit 0, and the next button bit
+/// 1 (tools: kFirstModifier, kSecondModifier).
 ///
 /// Sticks usually report every 8 ms, and their position jumps between reports. Here the pen moves
 /// evenly to a reported position within kGlideNs, and the buttons of the report take effect when it
 /// arrives, so that position, contact and velocity stay consistent, about 8 ms late.
 ///
-/// When the kernel says that events were lost, no more events are read until another thread has
-/// asked for the state of axes and buttons: needs_asking(), then take(). Events that arrive
-/// meanwhile wait.
+/// If the kernel reports that events were lost, needs_asking() returns true, and events wait until
+/// another thread has asked for the state of axes and buttons and take() has set it.
 ///
 /// Used on the haptic thread after begin(). Does not allocate, and makes no kernel call except
 /// reading the next event, which never waits.
@@ -54,7 +53,7 @@ class StickAxes {
   static constexpr double kMinPressure = 0.02;
   static constexpr double kDepthMm = 2.0;  ///< at full pressure
   static constexpr double kHoverMm = 0.8;  ///< clearly lifted, but no jump away from the surface
-  static constexpr int kMaxEvents = 64;    ///< handled in one read; the rest in the next
+  static constexpr int kMaxEvents = 64;    ///< handled in one read; the others wait
   static constexpr double kCutoffHz = 30.0;
   static constexpr std::int64_t kStaleNs = 50'000'000;
 
@@ -69,9 +68,9 @@ class StickAxes {
   /// Returns true if the wait for the state has been so long that the last position is no longer
   /// valid.
   [[nodiscard]] bool is_stale(std::int64_t now_ns) const noexcept;
-  /// Sets the state after lost events. Fails with stand.error, and then still waits.
+  /// Sets the state after events were lost. Fails with stand.error; events then still wait.
   tl::expected<void, int> take(const StickStand& stand, std::int64_t now_ns) noexcept;
-  /// Returns the pen at this time.
+  /// Returns the pen sample at this time.
   PenSample sample(std::int64_t now_ns) noexcept;
 
   /// Returns the smallest step of the position along x, mm.
@@ -84,7 +83,7 @@ class StickAxes {
     void take(const EvdevAxis& axis) noexcept {
       minimum = axis.minimum, maximum = axis.maximum, flat = axis.flat, value = axis.value;
     }
-    /// Returns the value, -1..1 around the centre, 0 within the dead zone.
+    /// Returns the value as -1..1, with 0 in the dead zone around the centre.
     [[nodiscard]] double centered() const noexcept;
     /// Returns the value as a part of the range, 0..1.
     [[nodiscard]] double share() const noexcept;
@@ -95,7 +94,7 @@ class StickAxes {
     std::uint32_t buttons = 0;
   };
 
-  /// Lost events: kSkips until the current report ends, then kAsks.
+  /// The state after events were lost: kSkips until the current report ends, then kAsks.
   enum class Loss : std::uint8_t { kNone, kSkips, kAsks };
 
   void hear(const EvdevEvent& event) noexcept;

@@ -47,7 +47,7 @@ constexpr bool means_gone(int error) noexcept {
 
 Capabilities capabilities_of(const StickKind& kind, double step_mm) noexcept {
   Capabilities can = find_device_model(kind.is_wheel ? "ff-wheel" : "ff-stick")->capabilities;
-  // The strength of this device, if known: never more than the row of device_models().
+  // Uses the strength of this device if known, but never more than that in device_models().
   can.max_force_n = std::min(can.max_force_n, kind.forces.full_force_n);
   can.max_stiffness_n_per_m =
       std::min(can.max_stiffness_n_per_m, 1e3 * ability_of(kind.forces).most_stiffness_n_per_mm);
@@ -100,7 +100,7 @@ void StickDevice::serve(std::int64_t now_ns) noexcept {
   answers_.publish({question, stand});
 }
 
-/// Reads the stick's events; after lost events, the worker's answer.
+/// Reads the stick's events, or, after events were lost, the worker's answer.
 tl::expected<void, int> StickDevice::hear(std::int64_t now_ns) noexcept {
   answers_.update();
   const Answer& answer = answers_.get();

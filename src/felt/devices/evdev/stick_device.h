@@ -21,8 +21,8 @@ Capabilities capabilities_of(const StickKind& kind, double step_mm) noexcept;
 ///
 /// The haptic thread never waits for the kernel: read() reads waiting events; write() and stop()
 /// post requests to the worker (effect_keeper.h), which checks every millisecond. So a force ends
-/// within about 1 ms and the transfer in progress; if the worker is blocked, after kEffectMs at the
-/// latest, because effects end by themselves.
+/// within about 1 ms plus the time of the transfer in progress. If the worker is blocked, it ends
+/// after kEffectMs at the latest, because effects end by themselves.
 class StickDevice final : public DriverDevice, public EffectServed {
  public:
   /// Requires an open port whose axes have been read. Starts the thread.
@@ -46,7 +46,7 @@ class StickDevice final : public DriverDevice, public EffectServed {
  private:
   static constexpr std::size_t kWindow = 24;  ///< samples used in a fit
 
-  /// The worker's answer, and the question it belongs to.
+  /// The worker's answer, and the number of its question.
   struct Answer {
     std::uint32_t question = 0;
     StickStand stand;
@@ -75,7 +75,7 @@ class StickDevice final : public DriverDevice, public EffectServed {
   bool is_gone_ = false;
   DeviceStatus status_;
   LatestValue<DeviceStatus> statuses_;
-  std::atomic<std::uint32_t> questions_{0};  // requests for the axes' state, after lost events
+  std::atomic<std::uint32_t> questions_{0};  // number of requests for the axes' state
   LatestValue<Answer> answers_;
   std::uint32_t answered_ = 0;  // used by the worker
   std::atomic<bool> is_over_{false};

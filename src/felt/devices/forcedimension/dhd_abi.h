@@ -8,13 +8,13 @@
 ///
 /// Every function of one device takes its number as last argument, although the maker's header
 /// hides it behind a default value: a pointer type without it would make the function read an
-/// undefined value. Plain C functions; those that return an int return -1 for an error, otherwise 0
-/// or a positive notice.
+/// undefined value. All are plain C functions. A function that returns an int returns -1 for an
+/// error, and otherwise 0 or a positive notice.
 namespace felt::dhd {
 
 using Id = char;
 
-/// dhdErrorGetLast(), of the calling thread.
+/// Results of dhdErrorGetLast(), which returns the last error of the calling thread.
 enum Error : int {
   kNoError = 0,
   kError = 1,
@@ -37,16 +37,16 @@ enum Error : int {
   kErrorInvalid = 21,
 };
 
-/// Returned instead of 0; not errors.
-inline constexpr int kTimeGuard = 1;       ///< asked too soon: the last answer is repeated
+/// Notices that functions return instead of 0. They are not errors.
+inline constexpr int kTimeGuard = 1;       ///< called too soon; the last answer is repeated
 inline constexpr int kMotorSaturated = 2;  ///< the motors give their maximum
 inline constexpr int kFailed = -1;
 
 inline constexpr int kOff = 0;
 inline constexpr int kOn = 1;
 
-/// Indices of the array that dhdGetStatus() fills. It has room for more than the 17 of SDK 3.17,
-/// because a newer library writes as many as it has.
+/// Indices of the array that dhdGetStatus() fills. Our array is larger than the 17 elements of SDK
+/// 3.17, because a newer library may write more.
 inline constexpr int kStatusSize = 17;
 inline constexpr int kStatusRoom = 64;
 enum StatusIndex : int {
@@ -80,11 +80,11 @@ enum ForceOffCause : int {
   kCauseDeadMan = 6,  ///< nobody holds it
 };
 
-/// Unit of the watchdog's limit, which is a byte: 31.9 ms is the longest.
+/// Unit of the watchdog's limit. The limit is a byte, so it is at most 31.9 ms.
 inline constexpr std::int64_t kWatchdogUnitNs = 125'000;
 inline constexpr unsigned char kWatchdog31Ms = 248;
 
-// The types of the functions, named without "dhd" or "drd".
+// The types of the functions, named like the functions but without "dhd" or "drd".
 using GetDeviceCount = int();
 using OpenId = int(Id index);
 using Close = int(Id);

@@ -20,7 +20,7 @@ bool is_sane(const Vec3& v) noexcept {
 }  // namespace
 
 DhdDevice::~DhdDevice() {
-  // In every state: no force holds, and the arm is braked.
+  // Does this in every state, so that no force stays in effect and the arm is braked.
   static_cast<void>(send({}));
   api_.stop(id_);
   library_->close(id_);
@@ -97,8 +97,8 @@ void DhdDevice::look_at_status() noexcept {
   }
 }
 
-// DRD knows exactly, but asking it costs another transfer, so it is only asked when the flag in the
-// status changes, in either direction.
+// Asks DRD whether the device is homed. Each question costs another transfer, so this only asks
+// when the flag in the status changes, in either direction.
 void DhdDevice::look_whether_home(bool reset_flag) noexcept {
   if (!api_.has_drd()) {
     is_home_ = !reset_flag;

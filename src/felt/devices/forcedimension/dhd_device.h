@@ -15,29 +15,30 @@
 
 namespace felt::dhd {
 
-/// An open device. Values are in its own axes: x towards the user, y right, z up.
+/// An open device. Values are in the device's own axes: x towards the user, y right, z up.
 ///
 /// The motors have three states. *Braked*: we switched them off (initially, and after stop()); the
 /// arm is damped by its own windings. *Live*: forces are enabled, and each write() sends one.
 /// *Taken*: the device switched them off by itself; reading goes on, and write() returns
-/// kForcesOff. If the user switched them off (force button, grip), only the user switches them on
-/// again. If a guard of the device did, we enable them again: after its watchdog as soon as no
-/// force is asked for, after the others if no force was asked for during kRestNs and the arm is
-/// slow.
+/// kForcesOff. If the user switched the motors off (force button, grip), only the user can switch
+/// them on again. If a guard of the device switched them off, this object enables them again. After
+/// the watchdog it does so as soon as no force is requested; after other guards it also waits until
+/// no force was requested for kRestNs and the arm is slow.
 ///
 /// Velocities are computed here from positions, as for the simulated devices (VelocityFilter),
 /// because all proofs of the forces' stability assume it. The library's own velocity is the mean of
-/// 20 ms, which is 8 ms later, and damping with it feels different (ink up to 0.53 mm elsewhere in
-/// the scenarios, instead of 0.02 mm).
+/// 20 ms, which is 8 ms later, and damping with it feels different (in the scenarios ink is
+/// displaced by up to 0.53 mm, instead of 0.02 mm).
 ///
-/// The library compensates gravity within each force command, so it needs a write() each tick, even
-/// of zero; without one the device's watchdog brakes after 31 ms.
+/// The library compensates gravity within each force command, so each tick needs a write(), even if
+/// the force is zero; otherwise the device's watchdog brakes after 31 ms.
 class DhdDevice final : public DriverDevice {
  public:
   static constexpr std::int64_t kRestNs = 500'000'000;
   /// Time after a fault before the motors are enabled again.
   static constexpr std::int64_t kRetryNs = 50'000'000;
-  /// The controller's state is read at each n-th read(), and after a gap of this length.
+  /// The controller's state is read at each kStatusEvery-th read(), and after a gap of
+  /// kGapNs.
   static constexpr unsigned kStatusEvery = 2;
   static constexpr std::int64_t kGapNs = 5'000'000;
 
@@ -97,8 +98,8 @@ class DhdDevice final : public DriverDevice {
   ForceGate gate_;
 
   Motors motors_ = Motors::kBraked;
-  int cause_ = kCauseNone;           // while taken
-  std::int64_t quiet_since_ns_ = 0;  // while taken: start of the time without a requested force
+  int cause_ = kCauseNone;           // valid while taken
+  std::int64_t quiet_since_ns_ = 0;  // start of the time without a requested force, while taken
   std::optional<std::int64_t> failed_ns_;
   std::optional<DeviceFault> read_fault_, write_fault_;
   VelocityFilter velocity_;

@@ -79,7 +79,7 @@ Finding permission_of(const SystemView& system, const UsbDevice& device) {
 }
 
 bool is_not_found(std::string_view words, const std::string& name) {
-  // The library itself is missing; for a missing dependency the loader names that instead.
+  // The library itself is missing. If a dependency is missing, the loader names the dependency.
   return words.find(name + ": cannot open shared object file: No such file") !=
          std::string_view::npos;
 }
@@ -105,7 +105,7 @@ std::vector<std::string> sdk_steps() {
           "Look again:\nfeltline doctor forcedimension"};
 }
 
-// The library loads, but it is not the one that the driver needs.
+// Reports a library that can be loaded but is not the one that the driver needs.
 Finding strange_library(const std::string& refusal) {
   Finding finding{
       FindingLevel::kProblem,

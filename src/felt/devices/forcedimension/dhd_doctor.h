@@ -7,11 +7,11 @@
 
 namespace felt::dhd {
 
-/// Returns what is present of Force Dimension and Novint, what is missing, and the next step: the
-/// devices on USB, the permission to use them, the library. `named` as in library_names();
-/// `last_refusal` is the library's message when this program could not open a device, or empty;
-/// `library_refusal` is the reason why the driver rejected a library that loads (it lacks
-/// functions), or empty.
+/// Checks the devices of Force Dimension and Novint on USB, the permission to use them, and the
+/// library. Returns the findings with the next step for the user. `named` is as in library_names().
+/// `last_refusal` is the library's message if this program could not open a device, or empty.
+/// `library_refusal` is the reason why the driver rejected a library that can be loaded (functions
+/// are missing), or empty.
 std::vector<Finding> diagnose(const SystemView& system, const std::string& named,
                               const std::string& last_refusal,
                               const std::string& library_refusal = {});

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kStems{"libdrd.so", "libdhd.so"};
 
-// Appends the files of a folder that are this library, of any version; the plain name first, then
-// the newest by name.
+// Appends the files in a folder that are this library, in any version: first the name without a
+// version, then the others, newest name first.
 void add_files(const SystemView& system, const std::string& folder, std::string_view stem,
                std::vector<std::string>& names) {
   std::vector<std::string> found = system.list(folder);
@@ -24,8 +24,9 @@ void add_files(const SystemView& system, const std::string& folder, std::string_
   for (const std::string& name : found) names.push_back(folder + "/" + name);
 }
 
-// Appends the library folders of an unpacked SDK: lib, and in lib or lib/release those of a system
-// and compiler ("lin-x86_64-gcc"). Those for other processors fail to load and are skipped.
+// Appends the library folders of an unpacked SDK: lib, and the folders in lib and lib/release that
+// are named after a system and compiler ("lin-x86_64-gcc"). Libraries for other processors cannot
+// be loaded and are skipped later.
 void add_sdk_folders(const SystemView& system, const std::string& sdk,
                      std::vector<std::string>& folders) {
   for (const char* lib : {"/lib/release", "/lib"}) {

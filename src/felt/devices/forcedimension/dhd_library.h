@@ -19,10 +19,11 @@ namespace felt::dhd {
 /// SDK's folders ($FDSDK, $FORCEDIM_SDK, its lib/release/lin-MACHINE-COMPILER), ~/.local/lib,
 /// /usr/local/lib, and plain names for the system's search. libdrd comes before libdhd, because it
 /// can home by itself. `named` is the driver's option or $FELT_FORCEDIMENSION_LIBRARY; if it is
-/// set, only that is tried.
+/// set, only that name is returned.
 std::vector<std::string> library_names(const SystemView& system, const std::string& named);
 
-/// The library's functions. Those marked "or null" are absent from libdhd or from older libraries.
+/// The library's functions. A function marked "or null" is absent from libdhd or from older
+/// libraries.
 struct Api {
   GetDeviceCount* get_device_count = nullptr;
   OpenId* open_id = nullptr;  ///< drdOpenID if it exists
@@ -60,40 +61,41 @@ struct Api {
   [[nodiscard]] bool has_drd() const noexcept { return drd_auto_init != nullptr; }
 };
 
-/// What a device reports about itself.
+/// The description that a device reports.
 struct Identity {
   int type = 0;
   std::string name;                      ///< given by the library; may be empty
-  std::optional<unsigned short> serial;  ///< older devices have none
+  std::optional<unsigned short> serial;  ///< nullopt for older devices
 };
 
-/// The loaded library, and which devices are open. There is one object per library file and
-/// program, because the library itself opens the same device twice, and closing it once would close
-/// it for both. Edit thread, or any thread, because it has its own lock.
+/// The loaded library with its open devices. A program has only one object per library file. This
+/// is needed because the library itself would open a device twice, and closing it once would close
+/// it for both users. Safe to call from any thread, because the object has its own lock.
 class Library {
  public:
-  /// Loads the library, or returns the object that exists. Fails with kNotFound and the loader's
-  /// text for each name, or with kUnsupported if functions are missing.
+  /// Loads the library, or returns the existing object. Fails with kNotFound and the loader's text
+  /// for each name if no library can be loaded, or with kUnsupported if functions are missing.
   static Result<std::shared_ptr<Library>> load(const std::vector<std::string>& names);
 
   [[nodiscard]] const Api& api() const noexcept { return api_; }
-  /// Returns the library's file, and its version: "3.17.5", or empty if unknown.
+  /// These return the library's file, and its version, for example "3.17.5" or empty if unknown.
   [[nodiscard]] std::string path() const { return library_.path(); }
   [[nodiscard]] std::string version() const;
   /// Returns the calling thread's last error with the library's text: "device already in use (error
   /// 20)".
   [[nodiscard]] std::string last_words() const;
 
-  /// Returns how many devices are connected, including those that other programs use; a negative
-  /// number counts as none.
+  /// Returns the number of connected devices, including those that other programs use. A negative
+  /// number means 0.
   [[nodiscard]] int count() const;
   /// Identifies the device at this index of the list. Opens it briefly if it is not open in this
-  /// program; nothing moves. Fails with the library's text if it cannot be opened.
+  /// program; the arm does not move. Fails with the library's text if the device cannot be opened.
   Result<Identity> identify(int index);
-  /// Opens a device. Fails with the library's text; kInvalidArgument: it is open in this program.
+  /// Opens a device. Fails with the library's text, or with kInvalidArgument if the device is
+  /// already open in this program.
   Result<Id> open(int index);
   void close(Id id) noexcept;
-  /// Returns how often a device was closed: after that, another one may be at its index.
+  /// Returns how often a device was closed. After that, another device may have its index.
   [[nodiscard]] std::uint64_t closings() const noexcept { return closings_.load(); }
 
  private:

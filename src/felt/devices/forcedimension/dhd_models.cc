@@ -8,7 +8,7 @@ namespace {
 constexpr ForceCall kGripper = ForceCall::kForceAndGripper;
 constexpr ForceCall kAll = ForceCall::kForceTorqueAndGripper;
 
-// dhdc.h of SDK 3.17; 110 and 111 from CHAI3D.
+// The numbers come from dhdc.h of SDK 3.17; 110 and 111 come from CHAI3D.
 constexpr std::array kTypes{
     SystemType{33, "omega.3", "Force Dimension omega.3"},
     SystemType{34, "omega.6", "Force Dimension omega.6"},

@@ -8,22 +8,22 @@ namespace felt::dhd {
 /// The call that sets a device's force, chosen so that unused motors are set to zero.
 enum class ForceCall : std::uint8_t {
   kForce,                  ///< only the base has motors
-  kForceAndGripper,        ///< the gripper has one, too
-  kForceTorqueAndGripper,  ///< and the wrist
+  kForceAndGripper,        ///< base and gripper have motors
+  kForceTorqueAndGripper,  ///< base, gripper and wrist have motors
 };
 
 /// The meaning of a number of dhdGetSystemType().
 struct SystemType {
   int number = 0;
   std::string_view model;  ///< id of device_models()
-  std::string_view label;  ///< for the user; empty: ask the library for the name
+  std::string_view label;  ///< for the user; if empty, the library's name is used
   ForceCall call = ForceCall::kForce;
-  /// Its second button is the one under the finger (omega.3 of type 110; CHAI3D's CDeltaDevices).
+  /// True if the second button is under the finger (omega.3 of type 110; CHAI3D's CDeltaDevices).
   bool second_button_is_first = false;
 };
 
-/// Returns the type of a number. An unknown number counts as a device with three axes and the
-/// lowest limits (CHAI3D has twenty more numbers than the maker's header).
+/// Returns the type with this number. An unknown number is treated as a device with three axes and
+/// the lowest limits (CHAI3D has twenty more numbers than the maker's header).
 SystemType system_type_of(int number) noexcept;
 
 }  // namespace felt::dhd

@@ -33,12 +33,12 @@ void DhdDevice::look_at_motors(const std::array<int, kStatusRoom>& status) noexc
   const bool is_on = status[kStatusForce] != 0;
   const int cause = is_on ? kCauseNone : status[kStatusForceOffCause];
   if (motors_ == Motors::kTaken) {
-    if (is_on) motors_ = Motors::kLive;  // only zero was sent meanwhile
+    if (is_on) motors_ = Motors::kLive;  // safe, because only zero was sent meanwhile
     return;
   }
   if (is_on) return;
-  // Motors that we braked are also reported as off; then it only matters whether the user switched
-  // them off.
+  // Motors that we braked are also reported as off. In that case this only handles that the user
+  // switched them off.
   if (motors_ == Motors::kBraked && !is_a_persons(cause)) return;
   if (cause == kCauseSoftware) {  // our own stop, whose answer was lost
     motors_ = Motors::kBraked;
@@ -79,7 +79,7 @@ tl::expected<void, DeviceFault> DhdDevice::write_taken(bool asks) noexcept {
   if (may_take_back(asks)) {
     quiet_since_ns_ = now_ns_;
     if (auto on = enable(); !on) return write_failed(on.error());
-    return {};  // the next status tells whether it worked
+    return {};  // the next status shows whether it worked
   }
   gate_.let_go();
   // Sends zero, so that no old force holds when the device enables its motors again.
@@ -90,12 +90,12 @@ tl::expected<void, DeviceFault> DhdDevice::write_taken(bool asks) noexcept {
 tl::expected<void, DeviceFault> DhdDevice::write_braked(bool asks) noexcept {
   const std::int64_t since_ns = now_ns_ - failed_ns_.value_or(now_ns_ - kRetryNs);
   if (since_ns < 0 || since_ns >= kRetryNs) {
-    look_at_status();  // the user may have switched them off meanwhile
+    look_at_status();  // the user may have switched the motors off meanwhile
     if (motors_ == Motors::kTaken) return tl::unexpected(DeviceFault::kForcesOff);
     if (auto on = enable(); !on) return write_failed(on.error());
     return {};
   }
-  // A request for zero force succeeds, because the motors give none.
+  // A request for zero force succeeds, because the motors give no force.
   gate_.let_go();
   if (asks) return tl::unexpected(write_fault_.value_or(DeviceFault::kForcesOff));
   return {};
@@ -105,7 +105,8 @@ void DhdDevice::stop() noexcept {
   gate_.let_go();
   if (motors_ == Motors::kBraked) return;
   static_cast<void>(send({}));
-  // Taken motors are braked already, and our own stop would hide the cause.
+  // Reads the status only if the motors are live: otherwise they are braked already, and our own
+  // stop would hide the cause.
   if (motors_ == Motors::kLive) look_at_status();
   if (motors_ == Motors::kLive) brake();
 }
@@ -125,7 +126,7 @@ tl::expected<void, DeviceFault> DhdDevice::send(const Force& f) noexcept {
   } else {
     done = api_.set_force(f.x, f.y, f.z, id_);
   }
-  if (done < 0) return tl::unexpected(vendor_fault());  // kMotorSaturated is no fault
+  if (done < 0) return tl::unexpected(vendor_fault());  // kMotorSaturated is not a fault
   return {};
 }
 

@@ -35,8 +35,8 @@ void DhdDevice::set_up(std::optional<double> pen_mass_kg) {
       (api_.set_effector_mass == nullptr || api_.set_effector_mass(*pen_mass_kg, id_) < 0)) {
     notice = "the mass of the pen was not taken";
   }
-  // The watchdog counts from the last force command; controllers with firmware before 3.0 have
-  // none. The guard against speed keeps the maker's setting.
+  // The watchdog counts from the last force command; controllers with firmware before 3.0 do not
+  // have it. The guard against speed keeps the maker's setting.
   bool is_watched = false;
   for (int i = 0; i < kTries && !is_watched && api_.set_watchdog != nullptr; ++i) {
     // Tries several times, because the expert mode is shared by the whole program: the tick of

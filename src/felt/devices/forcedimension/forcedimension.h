@@ -9,11 +9,12 @@
 namespace felt {
 
 struct ForceDimensionOptions {
-  /// File of the library; empty: $FELT_FORCEDIMENSION_LIBRARY, or else a search.
+  /// The file of the library. If empty, $FELT_FORCEDIMENSION_LIBRARY is used if set; otherwise the
+  /// library is searched.
   std::string library;
-  /// Mass of the part, such as a pen, that is mounted in place of the device's own end, kg, 0..0.5;
-  /// the library compensates this weight. Unset: $FELT_FORCEDIMENSION_PEN_KG, or else the maker's
-  /// assumption.
+  /// Mass of a part, such as a pen, that replaces the device's own end, kg, 0..0.5. The library
+  /// compensates its weight. If nullopt, $FELT_FORCEDIMENSION_PEN_KG is used if set, and otherwise
+  /// the maker's assumption.
   std::optional<double> pen_mass_kg;
 };
 

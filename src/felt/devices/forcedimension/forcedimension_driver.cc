@@ -18,7 +18,7 @@ constexpr int kMaxDevices = 64;
 constexpr int kLookAgainAfter = 5;
 constexpr double kHeaviestPenKg = 0.5;
 
-// Parses "0.035"; nullopt if it is not a plausible mass.
+// Parses a mass such as "0.035". Returns nullopt if it is not plausible.
 std::optional<double> mass_from(const std::optional<std::string>& text) {
   double kg = 0.0;
   if (!text) return std::nullopt;
@@ -89,8 +89,8 @@ class ForceDimensionDriver final : public Driver {
 
  private:
   Result<void> load();
-  // Returns why an existing library is not used. Only for this computer, because nothing can be
-  // loaded from another.
+  // Returns the reason why an existing library is not used, or an empty string. Does this only if
+  // `system` is this computer, because a library of another one cannot be loaded.
   std::string library_refusal(const SystemView& system) {
     if (&system != &this_system()) return {};
     const auto loaded = load();
@@ -103,7 +103,7 @@ class ForceDimensionDriver final : public Driver {
   std::vector<Listed> listed_;  // by index in the library's list
   int counted_ = 0;             // number of devices at that time
   int passed_over_ = 0;
-  std::uint64_t closings_ = 0;  // the same for closings
+  std::uint64_t closings_ = 0;  // number of closings at that time
   std::string last_refusal_;
 };
 
@@ -126,7 +126,7 @@ void ForceDimensionDriver::look() {
     const Result<dhd::Identity> identity = library_->identify(i);
     listed_.push_back(identity ? listed_as(*identity, version) : listed_as_busy(version));
     if (!identity) last_refusal_ = identity.error().message;
-    // Older devices have no serial number: the second of a kind gets ":falcon-2".
+    // Older devices have no serial number, so the second device of a kind gets ":falcon-2".
     std::string& id = listed_.back().descriptor.id;
     const std::string first = id;
     const auto is_taken = [&] {
@@ -159,7 +159,7 @@ Result<std::unique_ptr<DriverDevice>> ForceDimensionDriver::open(const DeviceDes
   if (auto loaded = load(); !loaded) {
     return fail(loaded.error().code, "Force Dimension's library: " + loaded.error().message);
   }
-  // Identifies all again, because another device may be at this index by now.
+  // Identifies all devices again, because another one may have this index now.
   counted_ = std::clamp(library_->count(), 0, kMaxDevices);
   look();
   const auto at = std::find_if(listed_.begin(), listed_.end(), [&](const Listed& listed) {
@@ -184,8 +184,9 @@ Result<std::unique_ptr<DriverDevice>> ForceDimensionDriver::open(const DeviceDes
 
 PlaneCalibration ForceDimensionDriver::default_plane(const DeviceDescriptor&,
                                                      const OpenOptions&) const {
-  // The base stands upright behind the pen, and the page in front of it like an easel: right is y,
-  // down is -z, and towards the hand is x. A right-handed frame: the map mirrors.
+  // The base stands upright behind the pen, and the page stands in front of it like an easel: right
+  // is y, down is -z, and towards the hand is x. The device's frame is right-handed and the page's
+  // is left-handed, so the map mirrors.
   return *PlaneCalibration::from({Vec3{0, 1, 0}, Vec3{0, 0, -1}, Vec3{1, 0, 0}}, {});
 }
 

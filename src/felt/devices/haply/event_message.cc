@@ -41,8 +41,8 @@ bool is_serious(std::string_view level) noexcept {
 EventKind safety_kind(const Raw& raw) noexcept {
   if (raw.safety_type == "ebrake_triggered") return EventKind::kBrakeOn;
   if (raw.safety_type == "ebrake_released") return EventKind::kBrakeOff;
-  // A change of the guard's stage is reported in both directions: up as a warning, down as
-  // information.
+  // The service reports each change of the guard's stage: as a warning if the stage rises, as
+  // information if it falls.
   if (raw.safety_type == "fod_stage_changed" && raw.level != "warning" && !is_serious(raw.level)) {
     return EventKind::kNotice;
   }
@@ -52,7 +52,7 @@ EventKind safety_kind(const Raw& raw) noexcept {
 EventKind kind_of(const Raw& raw, bool is_ours) noexcept {
   if (raw.name == "device-battery-low" || raw.name == "device-battery-critical" ||
       raw.name == "device-sleep") {
-    return EventKind::kNotice;  // of a grip, which has its own id
+    return EventKind::kNotice;  // about a grip, which has its own id
   }
   if (!is_ours) return EventKind::kNone;
   if (raw.name == "device-safety-triggered") return safety_kind(raw);

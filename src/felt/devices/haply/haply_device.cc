@@ -11,11 +11,11 @@
 namespace felt::haply {
 namespace {
 
-constexpr int kMaxMessages = 16;  // read in one tick
+constexpr int kMaxMessages = 16;  // messages read in one tick
 constexpr int kMaxEvents = 4;
 constexpr double kNsPerS = 1e9;
 
-// While the user puts the pen into its inkwell.
+// Number of attempts while the user puts the pen into its inkwell.
 constexpr int kHomingTries = 500;
 constexpr std::chrono::milliseconds kHomingPause{10};
 constexpr std::int64_t kHomingWaitNs = 50'000'000;
@@ -96,9 +96,9 @@ tl::unexpected<DeviceFault> HaplyDevice::gone(std::string_view words) noexcept {
   return failed(DeviceFault::kDisconnected, gone_words_);
 }
 
-// Sends zero force in every state of ours, because the service must not hold a force: a service
-// that stood still and was given up as silent may go on after all. Reads waiting answers first,
-// because they allow a message whose force cannot add up with that of an unanswered one.
+// Sends zero force in every state of this object, because the service must not hold a force: even a
+// service that was treated as disconnected may continue later. Reads the waiting answers first,
+// because a message may only be sent after them (RequestWindow).
 void HaplyDevice::let_go() noexcept {
   gate_.let_go();
   for (int i = 0; i < kMaxMessages && !window_.is_clear() && !window_.may_let_go(); ++i) {
@@ -107,8 +107,8 @@ void HaplyDevice::let_go() noexcept {
   if (window_.is_clear() || window_.may_let_go()) send({});
 }
 
-// Sends what the gate allows of this force if the window is open. Otherwise the force of the last
-// message holds, unless the new force is zero.
+// If the window is open, sends this force, limited by the gate. Otherwise the force of the last
+// message stays in effect, unless the new force is zero.
 void HaplyDevice::put(const Force& force) noexcept {
   const ForceGate before = gate_;
   if (window_.is_clear()) {
@@ -141,8 +141,8 @@ HaplyDevice::Heard HaplyDevice::hear(std::int64_t within_ns) noexcept {
   return read_state(*message, inventory_.id, grip_id_, state_) ? Heard::kState : Heard::kBad;
 }
 
-// Returns the newest state. Reads everything that waits, even more messages than were requested,
-// because states would otherwise stay old. Waits only for the first.
+// Reads all waiting messages and returns the result of the newest. Reads even more messages than
+// were requested, because the states would otherwise lag behind. Waits only for the first one.
 HaplyDevice::Heard HaplyDevice::hear_all(std::int64_t within_ns) noexcept {
   Heard newest = hear(within_ns);
   for (int i = 1; i < kMaxMessages; ++i) {
@@ -231,7 +231,7 @@ tl::expected<PenSample, DeviceFault> HaplyDevice::nothing_heard() noexcept {
   return sample_;
 }
 
-// Updates the time. The clock may go back, or stand still.
+// Updates the time. Accepts a clock that goes back or stands still.
 void HaplyDevice::wait_until(std::int64_t now_ns) noexcept {
   const double ns = static_cast<double>(now_ns) - static_cast<double>(now_ns_);
   const auto longest = static_cast<double>(ServicePace::kMaxTickNs);
@@ -241,7 +241,7 @@ void HaplyDevice::wait_until(std::int64_t now_ns) noexcept {
   window_.wait(tick_ns_);
 }
 
-// Updates the pace; sets the message for the user while forces are off.
+// Updates the pace, and sets the message for the user while forces are off.
 void HaplyDevice::follow_pace(bool has_state) noexcept {
   pace_.tick(tick_ns_, has_state);
   if (!pace_.is_off()) {
@@ -254,8 +254,8 @@ void HaplyDevice::follow_pace(bool has_state) noexcept {
   }
 }
 
-// Returns the age of the received state, s: it was made when the message was sent. Returns 0 if the
-// age is implausible because the clock jumped or the loop stood still.
+// Returns the age of the received state, s, which is the time since the message was sent. Returns 0
+// if the age is implausible because the clock jumped or the loop stood still.
 double HaplyDevice::ahead_s(std::int64_t now_ns) const noexcept {
   const double age_s = (static_cast<double>(now_ns) - static_cast<double>(sent_ns_)) / kNsPerS;
   const double most_s = 2e-9 * static_cast<double>(descriptor_.capabilities.period_ns);
@@ -306,7 +306,7 @@ void HaplyDevice::take_state() noexcept {
   has_sample_ = true;
 }
 
-// Returns the reason why no force is sent; nullopt if there is none.
+// Returns the reason why no force is sent, or nullopt if forces are sent.
 std::optional<ShortText> HaplyDevice::no_force_words() const noexcept {
   if (force_stopped_) return force_stopped_;
   if (brake_is_on_) return brake_words_;

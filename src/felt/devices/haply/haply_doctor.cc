@@ -15,8 +15,8 @@ constexpr const char* kUnitFiles[] = {
     "/etc/systemd/system/haply-inverse-service.service",
 };
 constexpr const char* kConfigFolder = "/etc/haply-inverse-service";
-constexpr int kOldest = 3001;  // first with the messages that we use
-constexpr int kUsual = 3005;   // first whose presets are sure to put the origin in the centre
+constexpr int kOldest = 3001;  // first version with the messages that we use
+constexpr int kUsual = 3005;   // first version with presets that put the origin in the centre
 constexpr int kTooNew = 4000;
 
 bool has_unit(const SystemView& system) {

@@ -15,7 +15,7 @@ namespace haply {
 namespace {
 
 constexpr std::int64_t kFindNs =
-    100'000'000;  // an unresponsive service costs this much once in a while
+    100'000'000;  // maximum wait for an unresponsive service, which is only tried now and then
 constexpr std::int64_t kOpenNs = 1'000'000'000;
 constexpr int kFindsToSkip = 10;
 

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kMaxListedId = 64;
 constexpr std::size_t kMaxDevices = 16;
 
-// Returns true if the id is safe, unescaped, in a command and in our own ids.
+// Returns true if the id can be used without escapes in a command and in our own ids.
 bool is_plain_id(std::string_view id) {
   const auto is_plain = [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
@@ -19,7 +19,7 @@ bool is_plain_id(std::string_view id) {
   return !id.empty() && id.size() <= kMaxListedId && std::all_of(id.begin(), id.end(), is_plain);
 }
 
-// Reads the next value if it is a string; skips any other.
+// Reads the next value into `text` if it is a string, and skips any other value.
 bool read_text(JsonScanner& json, std::string& text) {
   JsonScanner ahead = json;
   if (ahead.next() != JsonToken::kString) return json.skip_value();
@@ -36,7 +36,7 @@ bool read_number(JsonScanner& json, std::optional<double>& number) {
   return true;
 }
 
-// Calls `read(key)` for each key if the next value is an object; skips any other.
+// Calls `read(key)` for each key if the next value is an object, and skips any other value.
 template <class Read>
 bool walk_if_object(JsonScanner& json, Read read) {
   JsonScanner ahead = json;

@@ -19,8 +19,9 @@ std::size_t digits(std::string_view text, std::size_t at) noexcept {
   return at;
 }
 
-// Returns the length of the number at the beginning of `text`; 0 if it has none. The grammar is
-// narrower than that of from_chars: no leading zeros, a digit on both sides of the point.
+// Returns the length of the number at the beginning of `text`, or 0 if `text` does not begin with a
+// number. JSON's grammar is narrower than that of from_chars: it does not allow leading zeros, and
+// requires a digit on both sides of the point.
 std::size_t number_end(std::string_view text) noexcept {
   std::size_t at = text.starts_with('-') ? 1 : 0;
   const std::size_t whole = digits(text, at);

@@ -118,7 +118,7 @@ Result<std::string> http_get(const TcpConnect& connect, const Address& address,
   if (first.find(" 200") == std::string::npos) {
     return fail(ErrorCode::kInvalidData, where + ": \"" + first + "\"");
   }
-  // The body is one object, however it is divided into chunks.
+  // The body is one object, even if it comes in several chunks.
   const std::size_t begin = answer.find('{'), end = answer.rfind('}');
   if (begin == std::string::npos || end == std::string::npos || end < begin) {
     return fail(ErrorCode::kInvalidData, where + ": the answer is not JSON");

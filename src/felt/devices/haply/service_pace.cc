@@ -5,8 +5,8 @@
 namespace felt::haply {
 namespace {
 
-constexpr double kAverageOf = 32.0;          // ticks or states
-constexpr double kLongestInterval = 20.0e6;  // ns, longest that counts for the average
+constexpr double kAverageOf = 32.0;          // number of ticks or states in an average
+constexpr double kLongestInterval = 20.0e6;  // ns; longer intervals count as this
 
 }  // namespace
 
@@ -25,9 +25,9 @@ void ServicePace::follow_interval(bool has_state) noexcept {
   if (!is_timely) timely_ns_ = 0;
 }
 
-// The share becomes zero immediately after kHoldNs without a state, and falls along a ramp while
-// the service is slow; otherwise it rises along the same ramp. At zero the pace is off until states
-// have been timely for kTimelyNs.
+// The share becomes zero immediately after kHoldNs without a state. While the service is slow, the
+// share falls along a ramp; otherwise it rises along the same ramp. Once the share is zero, the
+// pace is off until states have come in time for kTimelyNs.
 void ServicePace::tick(std::int64_t ns, bool has_state) noexcept {
   ns = std::clamp<std::int64_t>(ns, 0, kMaxTickNs);
   const auto dt_ns = static_cast<double>(ns);

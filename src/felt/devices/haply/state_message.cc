@@ -40,8 +40,9 @@ bool read_buttons(JsonScanner& json, std::uint32_t& buttons) noexcept {
 }
 
 // Reads a quaternion {w, x, y, z} and sets `axis` to the direction to which it rotates the grip's
-// own y axis, along which the handle points. An invalid one (a null, a missing number, a length
-// that is not 1) leaves `axis` unset, because grips without such a sensor are not a fault.
+// own y axis, along which the handle points. If the quaternion is invalid (null, a missing number,
+// or a length that is not 1), `axis` is not set. That is not an error, because some grips do not
+// have this sensor.
 bool read_grip_axis(JsonScanner& json, std::optional<Vec3>& axis) noexcept {
   constexpr double kMaxOff = 0.1;
   constexpr std::string_view kParts = "wxyz";
@@ -74,7 +75,8 @@ bool read_grip_axis(JsonScanner& json, std::optional<Vec3>& axis) noexcept {
   return true;
 }
 
-// The fields of an entry, stored before its owner is known, because its id may come last.
+// The fields of an entry of the message. They are stored until the entry's id is known, because the
+// id may come last.
 struct Entry {
   std::string_view id;
   State state;
@@ -133,7 +135,7 @@ char* append(char* at, std::string_view text) noexcept {
 }
 
 char* append(char* at, double number) noexcept {
-  constexpr int kDecimals = 6;  // micronewtons
+  constexpr int kDecimals = 6;  // gives micronewtons
   constexpr double kMax = 1e6;
   const double bounded = std::isfinite(number) ? std::min(std::max(number, -kMax), kMax) : 0.0;
   constexpr std::size_t kMaxDigits = 20;

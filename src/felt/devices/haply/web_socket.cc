@@ -10,14 +10,14 @@
 namespace felt::haply {
 namespace {
 
-// RFC 6455, section 5.2.
+// Opcodes and bits of a frame (RFC 6455, section 5.2).
 constexpr std::uint8_t kContinuation = 0x0, kText = 0x1, kClose = 0x8, kPing = 0x9, kPong = 0xA;
 constexpr std::uint8_t kLastBit = 0x80, kReservedBits = 0x70, kOpcodeBits = 0x0F;
 constexpr std::uint8_t kMaskBit = 0x80, kLengthBits = 0x7F;
 constexpr std::uint8_t kLength16 = 126, kLength64 = 127;
 constexpr std::size_t kMaxControl = 125;
 constexpr std::int64_t kControlNs = 100'000;    // time limit for sending a pong or a close frame
-constexpr std::size_t kMaxOpeningBytes = 8192;  // of the handshake
+constexpr std::size_t kMaxOpeningBytes = 8192;  // limit of the server's handshake
 
 std::uint8_t byte_of(char c) noexcept {
   return static_cast<std::uint8_t>(c);
@@ -102,8 +102,8 @@ Result<void> WebSocket::shake_hands(const std::string& host, std::int64_t within
   return {};
 }
 
-// Reads the HTTP answer. Returns its size including the empty line at its end; bytes behind it stay
-// for receive().
+// Reads the HTTP answer. Returns its size including the empty line at its end. Bytes that follow it
+// stay in the buffer for receive().
 Result<std::size_t> WebSocket::take_answer(std::int64_t within_ns) {
   const StreamDeadline deadline(within_ns);
   for (;;) {
@@ -125,7 +125,8 @@ WebSocket::Step WebSocket::end(SocketFault fault) noexcept {
   return Step::kOver;
 }
 
-// Appends more received bytes. Returns false if none came in time, or the stream ended.
+// Receives more bytes and appends them. Returns false if no bytes came in time, or if the stream
+// ended.
 bool WebSocket::fill(std::int64_t within_ns) noexcept {
   if (begin_ > 0) {
     std::memmove(received_.data(), received_.data() + begin_, end_ - begin_);

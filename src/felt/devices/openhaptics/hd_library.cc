@@ -14,9 +14,9 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kMaxErrorsCleared =
-    64;  // so that a library with endless errors cannot block us
+    64;  // limit, so that a library with endless errors cannot block us
 
-// Never freed, because a thread of the library may still use it.
+// Returns the "C" locale. It is never freed, because a thread of the library may still use it.
 locale_t plain_locale() noexcept {
   static const locale_t locale = newlocale(LC_NUMERIC_MASK, "C", nullptr);
   return locale;

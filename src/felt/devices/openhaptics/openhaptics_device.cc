@@ -1,4 +1,4 @@
-// The work of a tick. All of it runs on the scheduler's thread.
+// The functions of a tick. They run on the scheduler's thread.
 #include "felt/devices/openhaptics/openhaptics_device.h"
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kMaxErrorsRead = 16;  // read in one go; more wait for the next time
+constexpr std::size_t kMaxErrorsRead = 16;  // errors read in one call; the others wait
 constexpr std::uint64_t kStatusEvery = 16;  // ticks
 constexpr double kFarthestMm = 1e5;         // larger positions are invalid
 constexpr double kFastestMmPerS = 1e6;
 constexpr unsigned kButtonBits = 0xF;
-constexpr double kMinAxis = 0.5;    // the nominal length is 1; far from it, it is invalid
-constexpr std::size_t kMotors = 6;  // three or six; the library fills those that exist
+constexpr double kMinAxis = 0.5;    // the axis is invalid if its length is far from 1
+constexpr std::size_t kMotors = 6;  // maximum; the library fills the values of existing motors
 
 bool is_believable(const PenSample& pen) noexcept {
   const auto within = [](const Vec3& v, double most) {
@@ -49,7 +49,7 @@ tl::expected<PenSample, DeviceFault> OpenHapticsDevice::read(std::int64_t now_ns
   if (!tick_is_open_) {
     return refuse(DeviceFault::kOther, "read outside of the loop of the device's own software");
   }
-  if (frame_ == Frame::kDone) return last_;  // one frame per tick: repeats its sample
+  if (frame_ == Frame::kDone) return last_;  // a tick has only one frame: repeats its sample
   now_ns_ = now_ns;
   if (frame_ == Frame::kNotYet) open_frame();
   last_ = sense(now_ns);
@@ -97,8 +97,8 @@ void OpenHapticsDevice::sense_state() noexcept {
   unsigned char state = hd::kFalse;
   if (senses_.safety_switch) {
     call_.get_booleans(hd::parameter::kSafetySwitch, &state);
-    // A device without a switch always reports it as open, so it only counts after it was seen
-    // closed.
+    // A device without a switch always reports it as open. Therefore the switch is only used after
+    // it was closed once.
     is_held_ = state != hd::kFalse || !has_safety_switch_;
     has_safety_switch_ = has_safety_switch_ || state != hd::kFalse;
   }
@@ -148,7 +148,7 @@ tl::expected<void, DeviceFault> OpenHapticsDevice::write(const Force& asked) noe
     close_frame(force);
     fault = graver(fault, drain());
   } else {
-    // There is no frame left to send the force in; all that remains is to switch the output off.
+    // The frame is over, so the force cannot be sent any more; switches the output off instead.
     let_go();
     if (force != Force{}) {
       fault = graver(fault, DeviceFault::kOther);
@@ -193,8 +193,8 @@ void OpenHapticsDevice::close_frame(const Force& force) noexcept {
   frame_ = Frame::kDone;
 }
 
-// Switches the force output off immediately, inside or outside of a tick, because there may be no
-// frame left to send zero in.
+// Switches the force output off immediately, inside or outside of a tick. Sending zero is not
+// enough, because the tick's frame may be over.
 void OpenHapticsDevice::let_go() noexcept {
   call_.disable(hd::capability::kForceOutput);
   is_output_on_ = false;
@@ -216,7 +216,7 @@ std::optional<DeviceFault> OpenHapticsDevice::drain() noexcept {
   hd::ErrorInfo told{};
   drain_errors(call_, kMaxErrorsRead, [&](const hd::ErrorInfo& error) {
     const std::optional<DeviceFault> with = graver(gravest, fault_of(error.code));
-    if (with != gravest) told = error;  // keeps the newest of the gravest ones
+    if (with != gravest) told = error;  // keeps the newest of the most serious errors
     gravest = with;
   });
   if (gravest) {

@@ -94,8 +94,8 @@ std::string udev_rules() {
 
 // The result of trying to load the library.
 struct LibraryLook {
-  std::string found;  // the name that loads
-  std::string tried;  // the errors of all others, with the loader's text
+  std::string found;  // the name that could be loaded
+  std::string tried;  // the loader's errors for all other names
   const Part* part = nullptr;
   bool is_there_but_broken = false;
 };
@@ -113,7 +113,7 @@ LibraryLook look_for_library(const SystemView& system, std::span<const std::stri
     for (const Part& part : kParts) {
       if (words.find(part.file) != std::string::npos && look.part == nullptr) look.part = &part;
     }
-    // The loader's message begins with the missing file: if that is not `name`, a dependency is
+    // The loader's message begins with the missing file. If that is not `name`, a dependency is
     // missing or something else is wrong.
     const bool is_absent = words.starts_with(name + ": cannot open shared object file: No such");
     look.is_there_but_broken = look.is_there_but_broken || !is_absent;
@@ -141,7 +141,7 @@ Finding broken_library(const LibraryLook& look) {
   return finding;
 }
 
-// The library loads, but it is not the one that the driver needs.
+// Reports a library that can be loaded but is not the one that the driver needs.
 Finding strange_library(const LibraryLook& look, const std::string& refusal) {
   return {
       .level = FindingLevel::kProblem,

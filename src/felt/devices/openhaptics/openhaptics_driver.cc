@@ -21,8 +21,8 @@ constexpr std::string_view kDeviceVariable = "FELT_OPENHAPTICS_DEVICE";
 constexpr std::string_view kDefaultId = "openhaptics:default";
 constexpr unsigned long kRateHz = 1000;
 
-// The library's own protections of the hand: switched on, even if another program switched them
-// off.
+// The library's own protections of the hand. They are switched on, because another program may have
+// switched them off.
 constexpr std::array kProtections{
     hd::capability::kMaxForceClamping,     hd::capability::kForceRamping,
     hd::capability::kSoftwareForceLimit,   hd::capability::kOneFrameLimit,
@@ -112,8 +112,8 @@ class OpenHapticsDriver final : public Driver {
     return named.empty() ? openhaptics_library_names() : std::vector<std::string>{named};
   }
 
-  // Returns why an existing library is not used. Only for this computer, because nothing can be
-  // loaded from another.
+  // Returns the reason why an existing library is not used, or an empty string. Does this only if
+  // `system` is this computer, because a library of another one cannot be loaded.
   std::string refusal(const SystemView& system) {
     if (&system != &this_system()) return {};
     const auto loaded = load();
@@ -127,7 +127,8 @@ class OpenHapticsDriver final : public Driver {
     return loaded;
   }
 
-  // Returns the description of a closed device, with what it reported when it was last open.
+  // Returns the description of a closed device, with the values that it reported when it was last
+  // open.
   [[nodiscard]] DeviceDescriptor closed(std::string id) const {
     DeviceDescriptor device;
     if (const auto known = known_.find(id); known != known_.end()) {
@@ -143,7 +144,8 @@ class OpenHapticsDriver final : public Driver {
     return device;
   }
 
-  // The maker's name for "the first device" differs between drivers, and none works everywhere.
+  // Returns the names to try. The maker's name for "the first device" differs between drivers, so
+  // several are tried.
   [[nodiscard]] std::vector<std::optional<std::string>> names_for(std::string_view id) const {
     if (id != kDefaultId) return {name_in(id)};
     std::vector<std::optional<std::string>> names{std::nullopt, "Default PHANToM",
@@ -191,7 +193,7 @@ class OpenHapticsDriver final : public Driver {
       if (call.is_enabled(protection) == hd::kFalse) call.enable(protection);
     }
     call.set_scheduler_rate(kRateHz);
-    forget_errors(call);  // if it cannot be set, it stays unchanged
+    forget_errors(call);  // it is not an error if it cannot be set
     device.capabilities = openhaptics_capabilities(model.capabilities, limits_of(call));
     open_id_ = device.id;
     known_[device.id] = device;

@@ -1,4 +1,5 @@
-// The device's work outside of ticks: its loop, homing and end. Edit thread, except serve().
+// The functions of the device outside of ticks: its loop, homing and destructor. They run on the
+// edit thread, except serve().
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -13,7 +14,7 @@ using std::chrono::milliseconds;
 
 constexpr int kMaxHomingMs = 4000;
 constexpr int kHomingStepMs = 10;
-constexpr int kMaxWaitMs = 1000;  // for a call that is in progress after the scheduler has stopped
+constexpr int kMaxWaitMs = 1000;  // wait for a call that is in progress when the scheduler stops
 
 // Returns the texts of all errors except force errors, which are handled in the ticks.
 std::string hindrances(const HdFunctions& call) {
@@ -54,8 +55,8 @@ OpenHapticsDevice::~OpenHapticsDevice() {
   library_->give_back();
 }
 
-// Finds out which sensors exist. Outside of a frame the library answers with the values of the last
-// one, which is enough to see whether it supports the parameter.
+// Finds out which sensors exist. Outside of a frame the library returns the values of the last
+// frame, which is enough to see whether it supports the parameter.
 OpenHapticsDevice::Senses OpenHapticsDevice::find_senses() const noexcept {
   const auto knows = [this](auto ask) {
     drain_errors(call_, 64, [](const hd::ErrorInfo&) {});
@@ -127,9 +128,9 @@ Result<void> OpenHapticsDevice::start_loop(Tick tick, void* context) {
 
 void OpenHapticsDevice::stop_loop() noexcept {
   if (!std::exchange(loop_runs_, false)) return;
-  // Must be first, so that a call that begins now does nothing: serve() sets is_in_callback_ before
-  // it reads is_serving_, and this function writes is_serving_ before it reads is_in_callback_ (all
-  // sequentially consistent).
+  // This must come first, so that a call that begins now does nothing: serve() sets is_in_callback_
+  // before it reads is_serving_, and this function writes is_serving_ before it reads
+  // is_in_callback_ (all sequentially consistent).
   is_serving_.store(false);
   call_.stop_scheduler();
   for (int i = 0; i < kMaxWaitMs && is_in_callback_.load(); ++i) {
@@ -137,14 +138,14 @@ void OpenHapticsDevice::stop_loop() noexcept {
   }
   call_.unschedule(callback_);
   drain_errors(call_, 64, [](const hd::ErrorInfo&) {});
-  publish();  // nobody else publishes now
+  publish();  // safe, because the scheduler's thread does not publish now
 }
 
 hd::Enum OpenHapticsDevice::style() const noexcept {
   int styles = 0;
   call_.get_integers(hd::parameter::kCalibrationStyle, &styles);
   const auto bits = static_cast<hd::Enum>(styles);
-  // The style that needs the least work of the user comes first.
+  // Prefers the style that needs the least work of the user.
   if ((bits & hd::calibration::kAuto) != 0) return hd::calibration::kAuto;
   if ((bits & hd::calibration::kInkwell) != 0) return hd::calibration::kInkwell;
   return hd::calibration::kEncoderReset;
@@ -154,7 +155,7 @@ Homing OpenHapticsDevice::homing() noexcept {
   const PlainNumbers plain;
   const hd::Enum how = style();
   hd::Enum state = call_.check_calibration();
-  if (state == hd::calibration::kNeedsUpdate) {  // it has all the data that it needs
+  if (state == hd::calibration::kNeedsUpdate) {  // the library has all the data for it
     call_.update_calibration(how);
     state = call_.check_calibration();
   }

@@ -11,15 +11,15 @@
 namespace felt {
 namespace {
 
-constexpr double kLargestMm = 2000.0;  // largest believed coordinate of a workspace
-constexpr double kSmallestMm = 10.0;   // smallest believed side
+constexpr double kLargestMm = 2000.0;  // largest plausible coordinate of a workspace
+constexpr double kSmallestMm = 10.0;   // smallest plausible side of a workspace
 
 struct Word {
   std::string_view word;  // lower case
   std::string_view model;
 };
 
-// The first match counts. "Geomagic Touch X" matches two, so longer ones come first.
+// The first match counts. "Geomagic Touch X" matches two rows, so longer words come first.
 constexpr std::array kWords{Word{"touch x", "touch-x"}, Word{"touchx", "touch-x"},
                             Word{"touch", "touch"},     Word{"omni", "omni"},
                             Word{"desktop", "desktop"}, Word{"premium 3", "premium-3.0"},
@@ -30,7 +30,7 @@ bool contains(std::string_view text, std::string_view lower_word) noexcept {
                      [](char a, char b) { return ascii_lower(a) == b; }) != text.end();
 }
 
-// Returns the lower of two limits; a missing or invalid one is ignored.
+// Returns the lower of two limits. Ignores a limit that is missing or invalid.
 double lesser(double row, double said) noexcept {
   if (!std::isfinite(said) || said <= 0.0) return row;
   return row > 0.0 ? std::min(row, said) : said;

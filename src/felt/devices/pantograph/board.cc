@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint8_t kReset = 0, kSetup = 1, kTorques = 2;
 constexpr double kRadPerDeg = 0.017453292519943295;
-constexpr double kMaxDeg = 1080.0;  // three turns: no arm can turn so far
+constexpr double kMaxDeg = 1080.0;  // three turns; an arm cannot turn so far
 
 constexpr std::array<BoardModel, 3> kModels{{
     {.id = "v1",
@@ -47,7 +47,7 @@ float get_float(std::span<const std::byte> bytes) noexcept {
   return std::bit_cast<float>(bits);
 }
 
-// The board stores values by port, so they are sent in the order of ports.
+// Returns the motors' indices in the order of their ports, in which the board expects their values.
 std::array<std::size_t, 2> by_port(const BoardModel& model) noexcept {
   const bool in_order = model.motors[0].port < model.motors[1].port;
   return in_order ? std::array<std::size_t, 2>{0, 1} : std::array<std::size_t, 2>{1, 0};

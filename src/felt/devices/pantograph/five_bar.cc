@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kMetresPerMm = 0.001;
 constexpr double kMinElbowGap =
-    0.02;  // of a forearm: if closer, the position of the handle is undefined
+    0.02;  // part of a forearm's length; if closer, the position of the handle is undefined
 
 double cross(const Vec3& a, const Vec3& b) noexcept {
   return a.x * b.y - a.y * b.x;
@@ -18,7 +18,7 @@ double flat_dot(const Vec3& a, const Vec3& b) noexcept {
   return a.x * b.x + a.y * b.y;
 }
 
-// Smooth, so that forces do not jump.
+// Rises from 0 at `from` to 1 at `to`. It is smooth, so that forces do not jump.
 double smooth_step(double from, double to, double v) noexcept {
   const double t = std::clamp((v - from) / (to - from), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
@@ -35,7 +35,7 @@ std::optional<FiveBar> FiveBar::at(const FiveBarSize& size,
   const Vec3 half = 0.5 * (b - a);
   const double half_gap = std::hypot(half.x, half.y);
   const double forearm = size.forearm_mm;
-  // Also false for NaN.
+  // Written so that NaN is rejected, too.
   if (!(half_gap >= kMinElbowGap * forearm && half_gap <= forearm)) return std::nullopt;
   const double height = std::sqrt(forearm * forearm - half_gap * half_gap) / half_gap;
 

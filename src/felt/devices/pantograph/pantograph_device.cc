@@ -11,7 +11,7 @@ namespace felt::pantograph {
 namespace {
 
 constexpr double kLess =
-    1.0 - 3e-6;  // so that rounding to the board's floats cannot increase a torque
+    1.0 - 3e-6;  // margin, so that rounding to the board's floats cannot increase a torque
 constexpr int kMaxUnanswered = 4;
 constexpr int kMaxPieces = 8;  // pieces in which one answer may arrive
 constexpr double kNsPerS = 1e9;
@@ -20,8 +20,8 @@ constexpr std::int64_t kSetUpNs = 300'000'000;
 constexpr int kSetUpTries = 4;
 constexpr std::int64_t kResetPauseNs = 100'000'000;
 
-// The smallest gain of all makes, because a board of another make could turn the same number into
-// too much torque.
+// Returns the smallest gain of all versions. It is used for every board, because a board of another
+// version than expected could turn the same number into too much torque.
 double least_gain() noexcept {
   double least = 1.0;
   for (const BoardModel& model : board_models()) least = std::min(least, model.gain);
@@ -84,7 +84,7 @@ bool PantographDevice::send(const std::array<double, 2>& torques_nm) noexcept {
   return true;
 }
 
-// Discards everything that waits, because it answers no current request.
+// Discards all waiting bytes, because they do not answer the current request.
 void PantographDevice::throw_away() noexcept {
   filled_ = 0;
   unanswered_ = 0;
@@ -108,14 +108,15 @@ PantographDevice::Heard PantographDevice::take_reply() noexcept {
   return Heard::kAngles;
 }
 
-// Returns the newest complete answer; kBad after the first invalid one.
+// Reads the waiting answers. Returns the result of the newest complete answer, or kBad after the
+// first invalid one.
 PantographDevice::Heard PantographDevice::take_replies(Heard newest) noexcept {
   while (filled_ >= kReplyBytes && newest != Heard::kBad) newest = take_reply();
   return newest;
 }
 
-// Returns the newest answer. Reads answers to frames that we did not send, too, because the guard's
-// frames are also answered. Waits only for the first.
+// Reads all waiting answers and returns the result of the newest. This includes answers to the
+// guard's frames, which this object did not send. Waits only for the first answer.
 PantographDevice::Heard PantographDevice::hear(std::int64_t within_ns) noexcept {
   const StreamDeadline deadline(within_ns);
   Heard newest = Heard::kNothing;
@@ -149,14 +150,14 @@ tl::expected<PenSample, DeviceFault> PantographDevice::nothing_heard(Heard heard
   return sample_;
 }
 
-// Estimates position and velocity from encoder positions with steps of some hundredths of a
-// millimetre: a critically damped alpha-beta filter, which has no lag in steady movement (Brookner,
-// Tracking and Kalman Filtering Made Easy, 1998, section 1.2).
+// Estimates position and velocity from encoder positions, which have steps of some hundredths of a
+// millimetre. Uses a critically damped alpha-beta filter, which has no lag in steady movement
+// (Brookner, Tracking and Kalman Filtering Made Easy, 1998, section 1.2).
 void PantographDevice::follow(const Vec3& measured, double step_s) noexcept {
   constexpr double kRadPerS = 6.283185307179586 * 80.0;
   constexpr double kForgetS = 0.02;
   constexpr double kJumpMm =
-      0.5;  // no hand moves so far in a tick: passed on unfiltered, for the safety chain
+      0.5;  // a hand cannot move so far in a tick; passed on unfiltered, for the safety chain
   const Vec3 expected = place_ + step_s * velocity_;
   const Vec3 error = measured - expected;
   const bool follows = has_place_ && step_s >= 0.0 && step_s < kForgetS && norm(error) < kJumpMm;
@@ -241,8 +242,9 @@ tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noex
   return {};
 }
 
-// Sends zero torques, also to a board that was given up as silent, because it may still receive. A
-// board that is not set up gets a reset instead: it must not receive torques, not even zero.
+// Sends zero torques, even to a board that was treated as disconnected, because it may still
+// receive. Sends a reset instead to a board that is not set up, because that must not receive
+// torques, not even zero.
 void PantographDevice::let_go(int tries) noexcept {
   gate_.let_go();
   const auto nothing = torque_frame(model_, {});
@@ -253,7 +255,7 @@ void PantographDevice::let_go(int tries) noexcept {
     const auto sent = port_->send(frame, kSendNs);
     if (sent) {
       sent_ = {};
-      if (!is_set_up_) return;  // a reset is not answered
+      if (!is_set_up_) return;  // the board does not answer a reset
       unanswered_ = std::min(unanswered_ + 1, kMaxUnanswered);
       sent_ns_ = now_ns_;
       return;
@@ -280,7 +282,8 @@ std::string PantographDevice::homing_words() {
 }
 
 Result<void> PantographDevice::set_up() {
-  // Nothing is sent for a while below, and a board that restarts must not receive torques.
+  // Removes the guard, because nothing is sent for a while below, and a board that restarts must
+  // not receive torques.
   static_cast<void>(port_->keep_guard({}, 0));
   is_set_up_ = false;
   sent_ = {};

@@ -17,7 +17,7 @@ DeviceDescriptor descriptor_of(const Port& port, const BoardModel& model) {
   found.driver = "pantograph";
   found.label = std::string(model.label);
   found.model = "2diy";
-  found.is_connected = false;  // not known without opening it
+  found.is_connected = false;  // unknown until the board is opened
   found.capabilities = find_device_model("2diy")->capabilities;
   found.capabilities.workspace_min = model.reach_min;
   found.capabilities.workspace_max = model.reach_max;
@@ -66,7 +66,7 @@ class PantographDriver final : public Driver {
   std::vector<Finding> diagnose(const SystemView& system) override { return examine(system); }
 
  private:
-  /// Calls `visit` for each port and each possible make, until it returns true.
+  /// Calls `visit` for each port and each possible version, until `visit` returns true.
   template <class Visit>
   void each(const Visit& visit) const {
     for (const Port& port : find_ports(*options_.system)) {

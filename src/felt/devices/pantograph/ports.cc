@@ -87,7 +87,7 @@ std::vector<Port> find_ports(const SystemView& system) {
   if (const auto named = system.environment(kPortVariable); named && !named->empty()) {
     Port port{.path = *named, .name = {}, .model = {}};
     const std::size_t colon = named->rfind(':');
-    // Paths in by-id contain colons, too.
+    // A colon may also be part of a path in /dev/serial/by-id.
     if (colon != std::string::npos && find_board_model(named->substr(colon + 1)) != nullptr) {
       port.path = named->substr(0, colon);
       port.model = named->substr(colon + 1);

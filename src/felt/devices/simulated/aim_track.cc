@@ -6,10 +6,10 @@
 namespace felt {
 namespace {
 
-/// Each aim removes 1/128 of the delay that it did not need: after some 100 aims a burst has little
-/// effect.
+/// Each aim removes 1/128 of the delay that it did not need, so a burst has little effect after
+/// about 100 aims.
 constexpr std::int64_t kForgetting = 128;
-/// Older times are not plausible.
+/// Maximum plausible age of an aim.
 constexpr std::int64_t kOldestNs = 10'000'000'000;
 
 double pressure_of(const Aim& aim) noexcept {
@@ -18,13 +18,15 @@ double pressure_of(const Aim& aim) noexcept {
 
 }  // namespace
 
-/// Stops at the newest aim, because nothing is known beyond it: a resting pen waits there.
+/// Returns the playback time. It stops at the newest aim, because the track knows nothing beyond
+/// it: a resting pen waits there.
 std::int64_t AimTrack::played_ns(std::int64_t now_ns) noexcept {
   return played_ns_ = std::max(played_ns_, std::min(now_ns - delay_ns_, newest_ns_));
 }
 
-// The delay grows immediately to the age that this aim has when it can be played (with `joins`, the
-// start of the interpolation towards it), and decays slowly when less is needed.
+// The delay grows immediately to the age that this aim has when it can be played (with `joins`: to
+// the age of the start of the interpolation towards it). It decays slowly while a shorter delay is
+// enough.
 void AimTrack::push(const StampedAim& aim, std::int64_t now_ns) noexcept {
   std::int64_t time_ns = std::clamp(aim.time_ns, now_ns - kOldestNs, now_ns);
   std::int64_t way_ns = 0;

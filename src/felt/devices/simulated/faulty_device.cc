@@ -129,7 +129,7 @@ void FaultyDevice::distort(PenSample& sample, const FaultWindow& window) noexcep
       sample = last_;
       break;
     default:
-      break;  // the others do not change samples
+      break;  // the other faults do not change samples
   }
 }
 
@@ -137,7 +137,7 @@ tl::expected<PenSample, DeviceFault> FaultyDevice::read(std::int64_t now_ns) noe
   now_ns_ = now_ns;
   ++reads_;
   if (active(InjectedFault::kUnplugged) != nullptr) device_.stop();
-  auto sample = device_.read(now_ns);  // always read, so that the device goes on
+  auto sample = device_.read(now_ns);  // always reads, so that the device continues to run
   if (active(InjectedFault::kReadError) != nullptr ||
       active(InjectedFault::kUnplugged) != nullptr) {
     return tl::unexpected(DeviceFault::kDisconnected);

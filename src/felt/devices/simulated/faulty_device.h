@@ -13,7 +13,7 @@ namespace felt {
 enum class InjectedFault : std::uint8_t {
   kReadError,      ///< read() returns kDisconnected
   kWriteError,     ///< write() returns kDisconnected; the force in effect stays
-  kUnplugged,      ///< both, and no force
+  kUnplugged,      ///< read() and write() return kDisconnected, and no force acts
   kNotFinite,      ///< NaN in the position
   kInfinite,       ///< infinity in the velocity
   kJump,           ///< the position is shifted by `amount` mm along x
@@ -25,17 +25,17 @@ enum class InjectedFault : std::uint8_t {
   kTimeBackwards,  ///< sample times `amount` ms early
   kForceIgnored,   ///< write() succeeds and does nothing
   kButtonBounce,   ///< button 0 flips at each read
-  kForcesOff,      ///< write() returns kForcesOff (its own button, guard, watchdog); no force acts
-  kWarmMotors,     ///< write() returns kOverheated, and no force acts
-  kUncalibrated,   ///< read() returns kNotCalibrated: it lost its reference position
-  kButtonStuck,    ///< button 0 is always down
-  kDenormal,       ///< z and the velocity are the smallest denormal numbers
-  kNoAnswer,       ///< no new data: the last sample, with its old time; writes are lost
-  kJumpOften,      ///< every second sample is shifted by `amount` mm along x
-  kSlowAnswers,    ///< a service needs `amount` ms for each answer
-  kLostAnswers,    ///< a service answers only every second message
-  kBurstAnswers,   ///< a service handles all waiting messages every `amount` ms
-  kLateAnswer,     ///< a service answers one message `amount` ms late
+  kForcesOff,     ///< write() returns kForcesOff, as if its own button or guard had acted; no force
+  kWarmMotors,    ///< write() returns kOverheated, and no force acts
+  kUncalibrated,  ///< read() returns kNotCalibrated: the device lost its reference position
+  kButtonStuck,   ///< button 0 is always down
+  kDenormal,      ///< z and the velocity are the smallest denormal numbers
+  kNoAnswer,      ///< no new data: the last sample, with its old time; writes are lost
+  kJumpOften,     ///< every second sample is shifted by `amount` mm along x
+  kSlowAnswers,   ///< a service needs `amount` ms for each answer
+  kLostAnswers,   ///< a service answers only every second message
+  kBurstAnswers,  ///< a service handles all waiting messages every `amount` ms
+  kLateAnswer,    ///< a service answers one message `amount` ms late
 };
 
 /// Returns true for faults that only a device behind a service can have. FaultyDevice ignores them.
@@ -48,7 +48,7 @@ std::span<const InjectedFault> injected_faults() noexcept;
 /// Returns "read-error" and so on, for reports and command lines.
 std::string_view name_of(InjectedFault fault) noexcept;
 
-/// One fault and the time in which it is active.
+/// A fault and the time in which it is active.
 struct FaultWindow {
   InjectedFault fault = InjectedFault::kReadError;
   std::int64_t from_ns = 0;
@@ -82,7 +82,7 @@ class FaultyDevice final : public Device {
   std::vector<FaultWindow> schedule_;
   std::int64_t now_ns_ = 0;
   std::uint64_t reads_ = 0;
-  PenSample last_;  // as returned
+  PenSample last_;  // the last sample that was returned
 };
 
 }  // namespace felt

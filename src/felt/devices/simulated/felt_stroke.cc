@@ -16,9 +16,9 @@ namespace felt {
 namespace {
 
 constexpr double kHoverMm = 3.0;
-constexpr double kArmedS = 0.8;  // the safety chain has engaged by then
+constexpr double kArmedS = 0.8;  // after this time the safety chain passes full forces
 constexpr double kLandedS = 1.3;
-constexpr double kStillS = 0.2;  // before it moves
+constexpr double kStillS = 0.2;  // rest before the pen moves
 
 // The tremor of the hand: three sines of 6 to 12 Hz, 0.03 mm each.
 class Tremor {
@@ -53,7 +53,8 @@ double smooth(double from_s, double until_s, double t_s) {
   return t * t * t * (10.0 + t * (6.0 * t - 15.0));
 }
 
-// Returns the distance along a leg that starts at 0, mm; full speed after a tenth of a second.
+// Returns the distance along a leg, mm, at a time since its start. The pen reaches full speed after
+// a tenth of a second.
 double way_mm(double speed, double t_s) {
   constexpr double kRampS = 0.1;
   if (t_s <= 0.0) return 0.0;
@@ -78,8 +79,8 @@ StrokeForces draw_stroke(const StrokePlan& plan) {
   servo->publish(ForceModel(make_sheet_force(*plan.surface, *plan.tool, can, grain)));
   servo->arm();
 
-  // To press with this force the hand must aim this deep, because its spring and the surface's are
-  // in series.
+  // The depth at which the hand must aim to press with this force. The springs of the hand and the
+  // surface are in series.
   const double sheet_n_per_m = plane_for(*plan.surface, can).stiffness_n_per_m;
   const double depth_mm =
       1e3 * plan.press_n * (1.0 / sheet_n_per_m + 1.0 / plan.hand->stiffness_n_per_m);

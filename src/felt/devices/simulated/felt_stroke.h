@@ -10,8 +10,8 @@
 
 namespace felt {
 
-/// A stroke that the simulated hand draws to feel a surface: it comes down, moves along x, turns
-/// and moves along y.
+/// A stroke that the simulated hand draws to feel a surface. The pen comes down, moves along x,
+/// turns and moves along y.
 struct StrokePlan {
   const StylusPreset* device = nullptr;
   const SimulatedHand* hand = nullptr;
@@ -22,7 +22,7 @@ struct StrokePlan {
   double speed_mm_per_s = 80.0;
   double press_n = 0.6;
   double leg_mm = 40.0;  ///< length of each of the two legs
-  double rest_s = 0.0;  ///< extra time, beyond the usual 0.2 s, that it holds still before it moves
+  double rest_s = 0.0;   ///< extra time, beyond the usual 0.2 s, that the pen rests before it moves
   std::uint32_t seed = 0;  ///< start point and tremor of the hand; 0: no tremor
 };
 
@@ -30,8 +30,8 @@ struct StrokePlan {
 struct StrokeForces {
   double period_s = 0.001;
   double leg_s = 0.0;           ///< time for each of the two legs, at full speed
-  std::vector<Force> touching;  ///< while it comes down, from the first contact on
-  std::vector<Force> resting;   ///< while it holds still
+  std::vector<Force> touching;  ///< while the pen comes down, from the first contact on
+  std::vector<Force> resting;   ///< while the pen rests
   std::vector<Force> along_x;   ///< the middle nine tenths of the first leg
   std::vector<Force> along_y;   ///< the middle nine tenths of the second leg
   bool is_sound = true;         ///< the safety chain found nothing wrong
@@ -42,8 +42,8 @@ struct StrokeForces {
 StrokeForces draw_stroke(const StrokePlan& plan);
 
 /// Returns the vibration in a force: RMS above 30 Hz over all axes, N
-/// (docs/design/simulation.md#measures). Skips the first tenth of a second; returns 0 if there is
-/// no more than that.
+/// (docs/design/simulation.md#measures). Skips the first tenth of a second; returns 0 if the forces
+/// last no longer than that.
 double force_above_30_hz_n(std::span<const Force> forces, double period_s);
 
 }  // namespace felt

@@ -8,13 +8,14 @@ namespace {
 
 constexpr double kStepMm = 0.05;
 constexpr double kSpeedAtUnitCurvature = 40.0;  // mm/s in a circle of 1 mm
-constexpr double kFloorCurvature = 0.01;    // 1/mm: straight lines are drawn like circles of 100 mm
+constexpr double kFloorCurvature = 0.01;    // 1/mm; straight lines are drawn like circles of 100 mm
 constexpr double kEndSpeed = 12.0;          // mm/s when the pen touches and leaves the surface
 constexpr double kSlowest = 4.0;            // mm/s, in corners
 constexpr double kAcceleration = 2000.0;    // mm/s^2
-constexpr std::size_t kCurvatureReach = 6;  // steps to either side
+constexpr std::size_t kCurvatureReach = 6;  // steps to each side over which curvature is measured
 
-// Catmull-Rom by Barry and Goldman's pyramid, knots at sqrt of the chord; b to c for t in [0, 1].
+// Evaluates the Catmull-Rom spline from b (t = 0) to c (t = 1) by Barry and Goldman's pyramid. The
+// knots are spaced by the square roots of the chords.
 Point catmull_rom(Point a, Point b, Point c, Point d, double t) {
   const auto gap = [](Point p, Point q) { return std::max(std::sqrt(distance(p, q)), 1e-6); };
   const double t1 = gap(a, b), t2 = t1 + gap(b, c), t3 = t2 + gap(c, d);
@@ -26,8 +27,8 @@ Point catmull_rom(Point a, Point b, Point c, Point d, double t) {
   return blend(blend(a1, a2, 0.0, t2), blend(a2, a3, t1, t3), t1, t2);
 }
 
-// Returns a point to precede a, b, c on their circle: b and c mirrored. If the turn is sharp,
-// continues straight.
+// Returns the point before a, b, c on their circle, by mirroring b and c. If the turn is sharp,
+// returns a point on the straight continuation.
 Point before(Point a, Point b, Point c) {
   const Vec along = normalized(b - a);
   if (dot(c - b, along) <= 0.0) return a - (b - a);
@@ -71,8 +72,8 @@ std::vector<TimedPoint> pace(std::span<const Point> path, double tempo) {
   std::vector<double> speed(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double by_curve = kSpeedAtUnitCurvature / std::cbrt(curvature(path, i) + kFloorCurvature);
-    // A corner turns within one step. Its curvature over the whole reach would be too small and let
-    // the hand pass too fast.
+    // A corner turns within one step. Measured over the whole reach its curvature would be too
+    // small, and the hand would pass it too fast.
     const bool corner =
         i > 0 && i + 1 < n && angle_between(path[i] - path[i - 1], path[i + 1] - path[i]) > 0.6;
     const bool end = i == 0 || i + 1 == n;

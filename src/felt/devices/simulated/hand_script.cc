@@ -12,18 +12,18 @@ namespace {
 constexpr double kAirSpeed = 250.0;           // mm/s on average, in the air
 constexpr double kTravelS = 0.12;             // shortest movement in the air
 constexpr double kLandS = 0.15;               // from hovering to the first pressure
-constexpr double kLiftS = 0.12;               // and back up
-constexpr double kSettleS = 0.03;             // before the pen moves off, and before it lifts
-constexpr double kShortestS = 0.06;           // of a stroke: a dot
+constexpr double kLiftS = 0.12;               // from the last pressure to hovering
+constexpr double kSettleS = 0.03;             // rest before the pen moves, and before it lifts
+constexpr double kShortestS = 0.06;           // shortest stroke, for example a dot
 constexpr double kLookS = 0.008;              // window for the speed and acceleration of the plan
-constexpr double kFrictionFromSpeed = 5.0;    // mm/s: below it, friction counts less
+constexpr double kFrictionFromSpeed = 5.0;    // mm/s; friction counts less below it
 constexpr double kMinContactPressure = 1e-3;  // smallest pressure that counts as contact
 
 double press_n(const HandScriptOptions& options, double pressure) noexcept {
   return options.light_n + std::clamp(pressure, 0.0, 1.0) * (options.full_n - options.light_n);
 }
 
-// Planned position of the pen, and its pressure there.
+// A planned position of the pen and the pressure at that position.
 struct PenPlan {
   Vec3 pen;
   double pressure = 0.0;  // 0 in the air
@@ -67,7 +67,7 @@ class PenPlanner {
     return {knot.position.x, knot.position.y, -depth_mm};
   }
 
-  // Moves to `to` with minimum jerk; pressure 0 is in the air.
+  // Plans a movement to `to` with minimum jerk; pressure 0 means in the air.
   void glide(const Vec3& to, double duration_s, double pressure) {
     const Vec3 from = plan_.back().pen;
     const int steps = std::max(1, static_cast<int>(std::ceil(duration_s / interval_s_)));
@@ -91,12 +91,13 @@ class PenPlanner {
 
   const HandScriptOptions& options_;
   double interval_s_;
-  std::optional<double> tilt_deg_;  // in the air, and while the pen rests
+  std::optional<double> lean_deg_;  // tilt in the air, and while the pen rests
   std::vector<PenPlan> plan_;
 };
 
-// Makes the aims that move a pen along a plan. Pen and hand are a known mass on a known spring and
-// damper, with known forces F, so the hand aims ahead by e = aim - pen to compensate:
+// Makes the aims that move a pen along a plan. The mass m of pen and hand, the hand's spring k and
+// damper b and the forces F are known. The hand compensates for them by aiming ahead of the pen, by
+// e = aim - pen with
 //   b e' + k e = m x'' - F
 class AimMaker {
  public:
@@ -147,9 +148,9 @@ class AimMaker {
     if (depth_mm > 0.0) {
       const double plane_n = 1e-3 * options_.plane_n_per_m * depth_mm;
       push += options_.friction * plane_n * Vec3{way.x, way.y, 0.0};
-      // A resting pen must stay pressed although friction may act either way, so it is pressed
-      // harder by the friction. Not while the pen slides, because Coulomb friction then acts along
-      // the motion.
+      // A resting pen must stay pressed although friction may act in both directions, so the push
+      // is larger by the friction. A sliding pen does not need this, because Coulomb friction then
+      // acts along the motion.
       push.z -= plane_n + options_.device_friction_n * (1.0 - norm(way));
     }
     return push;

@@ -12,14 +12,16 @@ namespace felt {
 ///
 ///   m x'' = F + k (s - x) + b (s' - x') - d x' - friction        s: the hand's aim
 ///
-/// with m, d and the Coulomb friction of the stylus, and mass, k and b of the hand. A hand also
-/// bears the stylus' weight; without a hand, the weight pulls it down. Steps are implicit midpoint:
-/// the energy of the linear part balances exactly for every step length, the error is of order h^2
-/// (at the default step below 1e-4 of the movement), and no matrix exponential is needed, because
-/// its last bits depend on the machine. Friction acts against the mean velocity of the step and
-/// stops the body if it can: if |F| <= friction, the body stays exactly at rest.
+/// m is the mass of stylus and hand; d and the Coulomb friction are the stylus'; k and b are the
+/// hand's. A hand also bears the stylus' weight; without a hand, the weight pulls the stylus down.
 ///
-/// The ends of the workspace are walls without bounce. Haptic thread: real-time safe.
+/// A step uses the implicit midpoint rule: the energy of the linear part balances exactly for every
+/// step length, and the error is of order h^2 (at the default step below 1e-4 of the movement). A
+/// matrix exponential would be exact, but its last bits depend on the machine. Friction acts
+/// against the mean velocity of the step and stops the body if it is large enough: if |F| <=
+/// friction, a resting body stays exactly at rest.
+///
+/// The ends of the workspace are walls without bounce. Used on the haptic thread; real-time safe.
 class HeldBody {
  public:
   HeldBody(const StylusMechanics& mechanics, const Vec3& workspace_min,
@@ -29,16 +31,16 @@ class HeldBody {
   void hold(const std::optional<SimulatedHand>& hand) noexcept;
   /// Moves the stylus to a position, at rest.
   void place(const Vec3& position_mm) noexcept;
-  /// Advances by h_s > 0 under a constant force, while the hand's aim moves evenly between the two
-  /// positions.
+  /// Advances the time by h_s > 0. The force is constant, and the hand's aim moves evenly between
+  /// the two positions.
   void step(double h_s, const Vec3& aim_from_mm, const Vec3& aim_to_mm,
             const Force& force) noexcept;
 
   [[nodiscard]] const Vec3& position() const noexcept { return position_; }
   [[nodiscard]] const Vec3& velocity() const noexcept { return velocity_; }  ///< mm/s
   [[nodiscard]] bool is_held() const noexcept { return held_; }
-  /// Returns the energy that friction and damping have left to dissipate, mJ: of the motion, and of
-  /// the hand's spring to the aim.
+  /// Returns the energy of the motion and of the hand's spring, mJ. Friction and damping dissipate
+  /// it.
   [[nodiscard]] double energy_mj(const Vec3& aim_mm) const noexcept;
 
  private:
@@ -49,10 +51,10 @@ class HeldBody {
   StylusMechanics mechanics_;
   Vec3 min_, max_;
   bool held_ = false;
-  // In N, mm and s: mass in N s^2/mm, and so on.
+  // These are in N, mm and s: mass in N s^2/mm, and so on.
   double mass_ = 0.0, spring_ = 0.0, hand_damping_ = 0.0, damping_ = 0.0;
   double prepared_for_s_ = 0.0;
-  double keep_ = 0.0;           // part of the velocity that remains
+  double keep_ = 0.0;           // factor of the velocity in a step
   double gain_ = 0.0;           // mm/s per N
   double friction_step_ = 0.0;  // mm/s of mean velocity that friction can remove
   Vec3 position_, velocity_;

@@ -10,8 +10,8 @@ bool changes_contact(const Aim& a, const Aim& b) noexcept {
          (a.target_mm.z < 0.0) != (b.target_mm.z < 0.0);
 }
 
-// Starts at the current position and takes as long as the last aim lasted, or longer if the top
-// speed requires it.
+// The aim starts at its current position. The movement takes as long as the previous aim was valid,
+// or longer if the top speed requires it.
 void MovingAim::set(const Aim& aim, std::int64_t now_ns, std::int64_t least_ns) noexcept {
   if (!is_set_) {
     is_set_ = true;

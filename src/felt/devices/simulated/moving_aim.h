@@ -10,31 +10,31 @@ namespace felt {
 /// Returns true if the change from `a` to `b` starts or ends a contact or a button press.
 bool changes_contact(const Aim& a, const Aim& b) noexcept;
 
-/// Interpolates a hand's aim between the aims that it is given. A tablet reports its position 133
-/// times a second, but the loop asks 1000 times or more: the aim moves evenly to the new position,
-/// in the time since the last one was given, at most 10 ms. Without this the aim would be a
-/// staircase, which the hand would feel and the safety chain would treat as jumps.
+/// Moves a hand's aim evenly between the reported aims. A tablet reports its position 133 times a
+/// second, but the loop reads it 1000 times or more. The aim moves to a new position in the time
+/// that passed between the last two reports, at most 10 ms. Otherwise it would move in steps, which
+/// the hand would feel and the safety chain would treat as jumps.
 ///
-/// A hand with mass does not jump either: it moves at most at 500 mm/s, which is faster than
-/// writing (docs/design/limits.md#speed) and slower than the speed at which the safety chain
-/// brakes.
+/// The aim of a hand with mass moves at most at 500 mm/s. That is faster than writing
+/// (docs/design/limits.md#speed) and slower than the speed at which the safety chain brakes.
 ///
-/// Pressure, buttons and tilt change when the aim arrives, so that a pen that is put down draws
-/// from there and not from its earlier position; or with the next aim if that comes first, so that
-/// nothing is lost. A caller that asks after each set() sees the values of every aim.
+/// Pressure, buttons and tilt change when the aim arrives at its position, so that a pen that is
+/// put down starts to draw there and not at its earlier position. If the next aim comes first, they
+/// change at that moment, so that no change is lost. A caller that calls shown() after each set()
+/// receives the values of every aim.
 class MovingAim {
  public:
   static constexpr std::int64_t kLongestNs = 10'000'000;
   static constexpr double kHandSpeedMmPerS = 500.0;
 
-  /// 0: no limit of speed.
+  /// The speed of the aim is at most `top_speed_mm_per_s`; 0 means unlimited.
   explicit MovingAim(double top_speed_mm_per_s = kHandSpeedMmPerS) noexcept
       : top_speed_mm_per_s_(top_speed_mm_per_s) {}
 
-  /// Sets a new aim from now on; `least_ns` is the time until the loop asks next. The first aim is
-  /// reached immediately.
+  /// Sets a new aim from now on. `least_ns` is the time until the next read, and the aim moves for
+  /// at least that time. The first aim is reached immediately.
   void set(const Aim& aim, std::int64_t now_ns, std::int64_t least_ns) noexcept;
-  /// Handles a clock that was set back to `now_ns`: the aim has arrived.
+  /// Handles a clock that was set back to `now_ns`: the aim counts as arrived.
   void restart(std::int64_t now_ns) noexcept { start_ns_ = end_ns_ = now_ns; }
   /// Returns the position of the aim.
   [[nodiscard]] Vec3 at(std::int64_t time_ns) const noexcept;
@@ -47,7 +47,7 @@ class MovingAim {
   double top_speed_mm_per_s_;
   bool is_set_ = false;
   bool newest_is_shown_ = false;  // the values of the newest aim have been returned
-  bool owes_one_ = false;         // shown_ has not been returned yet
+  bool owes_one_ = false;         // shown_ must still be returned once
   Vec3 from_mm_;
   Aim to_, shown_;
   std::int64_t start_ns_ = 0, end_ns_ = 0;

@@ -9,13 +9,13 @@ namespace {
 constexpr double kSpeedTimeS = 0.05;
 constexpr double kFastMmPerS = 300.0;
 constexpr double kSlowPressure = 0.8, kFastPressure = 0.2;
-constexpr double kMinTouchPressure = 1e-3;  // of a touching pen
+constexpr double kMinTouchPressure = 1e-3;  // pressure of a touching pen
 
 }  // namespace
 
 double PointerHand::pressure_of(const PointerEvent& event) noexcept {
   if (last_) {
-    // In double, because the difference of two arbitrary times may not fit into 64 bits.
+    // Subtracts in double, because the difference of two arbitrary times may not fit into 64 bits.
     const double dt_s =
         1e-9 * (static_cast<double>(event.time_ns) - static_cast<double>(last_->time_ns));
     if (dt_s > 0.0) {

@@ -11,24 +11,24 @@ namespace felt {
 
 /// An event of a mouse or a tablet.
 struct PointerEvent {
-  std::int64_t time_ns = 0;          ///< when it happened, on the loop's clock
+  std::int64_t time_ns = 0;          ///< on the loop's clock
   Point position{};                  ///< on the page, mm
-  bool touching = false;             ///< the button is down, or the pen is on the tablet
+  bool touching = false;             ///< the mouse button is down, or the pen is on the tablet
   std::optional<double> pressure{};  ///< 0..1, tablets only
   std::uint32_t buttons = 0;
   std::optional<double> tilt_deg{};  ///< tilt from the upright, 0..90; some tablets only
 };
 
-/// The pressure of a pointer that senses none (R18).
+/// The pressure for a pointer that cannot sense it (R18).
 enum class MousePressure : std::uint8_t {
-  kConstant,  ///< absent_pressure, 0.5 unless it is set
-  kBySpeed,   ///< slower is harder: 0.8 at rest down to 0.2 at 300 mm/s and more
+  kConstant,  ///< absent_pressure; the default is 0.5
+  kBySpeed,   ///< slower is harder: from 0.8 at rest down to 0.2 at 300 mm/s and more
 };
 
-/// Maps mouse and tablet to a hand: every event becomes an aim of the simulated hand
-/// (docs/design/loop.md#data-flow). On a device that pushes back, pressure sets how deep the hand
-/// aims, so that surface and hand balance at the force for that pressure; without forces it is
-/// passed through. Tilt is always passed through.
+/// Converts each event of mouse or tablet to an aim of the simulated hand
+/// (docs/design/loop.md#data-flow). On a device that pushes back, pressure sets how far below the
+/// surface the hand aims, so that it presses with the force for that pressure. On a device without
+/// forces, pressure is passed on unchanged. Tilt is always passed on unchanged.
 ///
 /// For use by one thread at a time.
 class PointerHand {
@@ -38,7 +38,7 @@ class PointerHand {
               MousePressure mouse = MousePressure::kConstant) noexcept
       : hand_(hand), options_(options), mouse_(mouse) {}
 
-  /// Handles the next event. Ignored if its position is not finite.
+  /// Handles the next event. Ignores it if its position is not finite.
   void point(const PointerEvent& event) noexcept;
   /// Sets the pressure of pointers without a sensor, from the next event on.
   void set_mouse(MousePressure mouse) noexcept { mouse_ = mouse; }

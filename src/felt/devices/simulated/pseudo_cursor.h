@@ -7,31 +7,32 @@ namespace felt {
 struct PseudoCursorOptions {
   bool on = true;
   double gain = 1.0;        ///< shown displacement per mm that the force moves the pen
-  double most_mm = 3.0;     ///< a tablet is absolute: with more, pen and cursor would separate
-  double release_s = 0.05;  ///< from the largest displacement to none, after the force ends
+  double most_mm = 3.0;     ///< maximum; if larger, cursor and pen on a tablet would separate
+  double release_s = 0.05;  ///< time from the maximum to 0 after the force ends
 };
 
-/// Shows forces to the eye if the hand cannot feel them (docs/design/devices.md#pseudo-haptics;
-/// Lecuyer et al. 2004: a cursor that lags behind or runs ahead of the hand is perceived as a
-/// slope). The cursor is shown at the hand's position plus a bounded part of the displacement of
-/// the simulated pen by the simulated force.
+/// Shows forces by displacing the cursor, for users whose device has no force
+/// (docs/design/devices.md#pseudo-haptics). A cursor that lags behind or runs ahead of the hand is
+/// perceived as a slope (Lecuyer et al. 2004). The displacement is that of the simulated pen by the
+/// simulated force, times a gain and limited.
 ///
-/// It is off while a pen draws on a tablet, because ink must appear under the pen's tip; when the
-/// pen lifts, the displacement is released evenly. If values are not finite the cursor is at the
-/// hand.
+/// The displacement is 0 while a pen draws on a tablet, because ink must appear under the pen's
+/// tip. When the force ends, the displacement falls evenly to 0. If values are not finite, the
+/// cursor is at the hand's position.
 class PseudoCursor {
  public:
   explicit PseudoCursor(const PseudoCursorOptions& options = {}) noexcept : options_(options) {}
 
-  /// What the pen does.
+  /// The current use of the pen.
   enum class Use {
-    kInAir,      ///< there is no force to show
-    kFeeling,    ///< pressing, pulling, near something that attracts
+    kInAir,      ///< without force
+    kFeeling,    ///< pressing, pulling, or near something that attracts
     kTabletInk,  ///< drawing with a pen on a tablet
   };
 
-  /// Returns the position of the cursor. `hand`: the position that mouse or tablet report;
-  /// `stylus`: the simulated pen, moved by the forces; dt_s: time since the last call.
+  /// Returns the position of the cursor. `hand` is the position that mouse or tablet report,
+  /// `stylus` the position of the simulated pen, which the forces move, and `dt_s` the time since
+  /// the last call.
   Point update(Point hand, Point stylus, Use use, double dt_s) noexcept;
 
   void set_options(const PseudoCursorOptions& options) noexcept { options_ = options; }

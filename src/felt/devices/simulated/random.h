@@ -4,9 +4,9 @@
 
 namespace felt {
 
-/// SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
-/// The standard library's distributions differ between implementations; this gives the same
-/// numbers everywhere.
+/// A random number generator: SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number
+/// generators", OOPSLA 2014). It gives the same numbers everywhere; the distributions of the
+/// standard library differ between implementations.
 class Random {
  public:
   explicit Random(std::uint64_t seed) noexcept : state_(seed) {}

@@ -37,15 +37,17 @@ void give_pace(std::vector<ScriptKnot>& knots) {
   for (std::size_t i = 0; i < knots.size(); ++i) knots[i].t_s = timed[place[i]].t_s;
 }
 
-// Returns the time from one point to the next: the recorded one, within the limits of a hand.
+// Returns the time from one point to the next. It is the recorded time, limited to the speeds and
+// pauses of a hand.
 double seconds_between(const RecordedPoint& a, const RecordedPoint& b) {
-  // In double, because the difference of two arbitrary times may not fit into 64 bits.
+  // Subtracts in double, because the difference of two arbitrary times may not fit into 64 bits.
   const double dt_s = 1e-9 * (static_cast<double>(*b.time_ns) - static_cast<double>(*a.time_ns));
   const double least_s = distance(a.position, b.position) / kTopSpeed;
   return std::clamp(dt_s, least_s, std::max(kPauseS, least_s));
 }
 
-// Returns true if the times of a stroke are usable: all present, never going back, not all equal.
+// Returns true if the times of a stroke are usable: all are present, they never decrease, and they
+// are not all equal.
 bool has_pace(const RecordedPath& usable) {
   for (std::size_t i = 0; i < usable.size(); ++i) {
     if (!usable[i].time_ns) return false;

@@ -10,7 +10,7 @@
 
 namespace felt {
 
-/// A point of a stroke to draw: every field is finite, times start at 0 and never go back.
+/// A point of a stroke to draw. Every field is finite; times start at 0 and never decrease.
 struct ScriptKnot {
   Point position;
   double pressure = 0.5;
@@ -18,12 +18,12 @@ struct ScriptKnot {
   std::optional<double> tilt_deg{};
 };
 
-/// Returns the knots of a recording (hand_script.h says how its times are used); empty if none of
-/// its points is usable.
+/// Returns the knots of a recorded stroke. script_hand() says how its times are used. The result is
+/// empty if all points are unusable.
 std::vector<ScriptKnot> knots_of(const RecordedPath& path, double absent_pressure);
 
-/// Interpolates a stroke linearly between its knots, at growing times. Requires at least one knot;
-/// the knots must outlive it.
+/// Interpolates a stroke linearly between its knots, at increasing times. Requires at least one
+/// knot. The knots must outlive the reader.
 class KnotReader {
  public:
   explicit KnotReader(const std::vector<ScriptKnot>& knots) : knots_(knots) {}

@@ -18,7 +18,7 @@ constexpr std::int64_t kLongestNs = 100'000'000;
 constexpr double kStartHeightMm = 20.0;
 constexpr double kAimBeyondMm = 100.0;
 
-// A device with a body has the aim of a hand, whose speed is limited.
+// Returns the aim for a device. If the device has a body, the aim's speed is limited like a hand's.
 MovingAim aim_for(const Capabilities& device) noexcept {
   return MovingAim(device.has_force() ? MovingAim::kHandSpeedMmPerS : 0.0);
 }
@@ -39,7 +39,7 @@ Vec3 start_of(const Capabilities& device) noexcept {
 
 }  // namespace
 
-/// The body, and the aims on their way to it.
+/// The body, and the aims that it has not reached yet.
 struct SimulatedStylus::Parts {
   explicit Parts(const StylusPreset& preset)
       : body(preset.mechanics, preset.capabilities.workspace_min,
@@ -199,7 +199,8 @@ PenSample SimulatedStylus::sample_of(const Aim& aim, std::int64_t time_ns) noexc
   return sample;
 }
 
-/// Returns every due aim as a sample of its own; if none is due, a sample on the way to the next.
+/// Returns every due aim as a sample of its own. If no aim is due, returns a sample between the
+/// last aim and the next.
 PenSample SimulatedStylus::read_track(std::int64_t now_ns) noexcept {
   std::array<Aim, kMaxSamples> aims;
   std::array<std::int64_t, kMaxSamples> times_ns{};

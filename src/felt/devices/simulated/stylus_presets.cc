@@ -16,15 +16,15 @@ constexpr std::array<SimulatedHand, 4> kHands{{
 
 constexpr double kOverlapMm = 10.0;
 
-// Returns `device` with a workspace of this size, placed as the header says.
+// Returns `device` with a workspace of this size, at the position that stylus_presets() describes.
 constexpr Capabilities with_workspace(Vec3 size_mm, Capabilities device) {
   device.workspace_min = {-kOverlapMm, -kOverlapMm, -0.5 * size_mm.z};
   device.workspace_max = device.workspace_min + size_mm;
   return device;
 }
 
-// Converts a workspace from the axes of a model; the page is upright in front of the user in both
-// cases.
+// These convert a workspace from the axes of a model. In both cases the page is upright in front of
+// the user.
 constexpr Vec3 as_axes_are(const Vec3& size) {
   return size;
 }
@@ -38,9 +38,9 @@ Capabilities of_model(std::string_view id, Vec3 (*turn)(const Vec3&) = as_axes_a
   return with_workspace(turn(device.workspace_max - device.workspace_min), device);
 }
 
-// Not a real device: as weak as the touch, and harder to keep stable than any. Advised force,
-// limits and step are chosen so that a light, frictionless pen meets everything that the chain lets
-// through.
+// Returns the capabilities of an invented device that is as weak as the Touch, and harder to keep
+// stable than any real device. Advised force, limits and step are chosen so that a light,
+// frictionless pen meets every force that the safety chain passes.
 Capabilities of_worst() noexcept {
   Capabilities device = of_model("touch");
   device.advised_force_n = 3.0;

@@ -9,7 +9,7 @@ namespace felt {
 
 /// A hand as the stylus feels it: a mass that moves with the stylus, and a spring and a damper
 /// between the stylus and the hand's aim (docs/design/simulation.md#hands). The four hands cover
-/// the range of people; none is measured.
+/// the range of people; their values are not measured.
 struct SimulatedHand {
   std::string_view name{};
   double mass_kg = 0.03;
@@ -17,24 +17,24 @@ struct SimulatedHand {
   double damping_n_s_per_m = 3.0;
 };
 
-/// Returns the hands light, soft, typical, firm (docs/design/simulation.md#hands).
+/// Returns the four hands: light, soft, typical and firm (docs/design/simulation.md#hands).
 std::span<const SimulatedHand> simulated_hands() noexcept;
 /// Returns the hand with this name, or null.
 const SimulatedHand* find_hand(std::string_view name) noexcept;
 /// Returns the default hand: typical.
 const SimulatedHand& typical_hand() noexcept;
 
-/// The mechanical properties of a stylus that the hand has to overcome. All at the tip, the same in
-/// every direction.
+/// The mechanical properties of a stylus that the hand has to overcome. They are measured at the
+/// tip and are the same in every direction.
 struct StylusMechanics {
   double mass_kg = 0.0;
-  double friction_n = 0.0;         ///< Coulomb: it sticks up to this force
-  double viscous_n_s_per_m = 0.0;  ///< grows with speed
-  double weight_n = 0.0;           ///< weight that the device's balancing leaves; the hand bears it
+  double friction_n = 0.0;         ///< Coulomb friction: the stylus sticks up to this force
+  double viscous_n_s_per_m = 0.0;  ///< viscous friction, proportional to speed
+  double weight_n = 0.0;           ///< weight that the device does not balance; the hand bears it
 };
 
-/// A model of device to simulate. If a number is not from a maker or from code that drives the
-/// device, `source` says "estimate": good enough for tests, but not a data sheet.
+/// A device model to simulate. If a number comes neither from the maker nor from code that drives
+/// the device, `source` says "estimate": good enough for tests, but not for a data sheet.
 struct StylusPreset {
   std::string_view name;  ///< "touch"
   std::string_view label;
@@ -43,14 +43,14 @@ struct StylusPreset {
   Capabilities capabilities;
 };
 
-/// Returns all presets: worst, touch, touch-x, premium, falcon, omega, inverse3, and two without
-/// force, whose pen is exactly at the aim: mouse, tablet. The workspaces extend 10 mm beyond the
-/// left and upper edge of the page, and lie half above, half below the drawing plane.
+/// Returns all presets: worst, touch, touch-x, premium, falcon, omega, inverse3, mouse and tablet.
+/// The last two have no force; their pen is exactly at the aim. The workspaces extend 10 mm beyond
+/// the left and upper edge of the page; half of each is above the drawing plane, half below.
 std::span<const StylusPreset> stylus_presets() noexcept;
 /// Returns the preset with this name, or null.
 const StylusPreset* find_stylus_preset(std::string_view name) noexcept;
 
-/// Moves the workspace sideways to centre it above this position of the page.
+/// Moves the workspace of `device` sideways to centre it above this position of the page.
 void center_workspace(Capabilities& device, Point middle_mm) noexcept;
 
 }  // namespace felt

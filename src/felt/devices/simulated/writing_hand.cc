@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kGridS = 0.001;   // the aim is smoothed on a grid of 1 ms
 constexpr int kMuscleHalfMs = 20;  // half of the smoothing window
-constexpr double kRiseS = 0.05;    // pressure at pen-down
-constexpr double kFallS = 0.07;    // and at pen-up
+constexpr double kRiseS = 0.05;    // rise of the pressure at pen-down
+constexpr double kFallS = 0.07;    // fall of the pressure at pen-up
 constexpr double kDotS = 0.09;     // duration of a dot
 
 double smooth_step(double x) {
@@ -43,8 +43,8 @@ std::vector<Point> on_grid(const std::vector<TimedPoint>& aim) {
   return grid;
 }
 
-// Smooths with a raised-cosine window over time; the aim stands still before the start and after
-// the end.
+// Smooths the aim with a raised-cosine window over time. Before its start and after its end the aim
+// counts as standing still.
 std::vector<Point> through_muscles(const std::vector<Point>& aim) {
   const auto last = static_cast<std::ptrdiff_t>(aim.size()) - 1;
   std::vector<Point> moved;
@@ -63,8 +63,8 @@ std::vector<Point> through_muscles(const std::vector<Point>& aim) {
   return moved;
 }
 
-// Returns a factor of pressure: higher for slow strokes and strokes towards the body (down the
-// page).
+// Returns a factor for the pressure. It is higher for slow strokes and for strokes towards the body
+// (down the page).
 double effort(Vec velocity_mm_s) {
   const double speed = norm(velocity_mm_s);
   const double slow = std::pow(60.0 / std::max(speed, 10.0), 0.12);
@@ -100,7 +100,8 @@ Vec WritingHand::value(const Noise& noise, double t_s) noexcept {
   return sum;
 }
 
-// Pauses are whole sampling intervals, because the tablet's clock runs on while the pen is up.
+// Advances the time by a whole number of sampling intervals, because the tablet's clock continues
+// to run while the pen is up.
 void WritingHand::rest_until_start_of(Point start) {
   if (!last_) return;
   const double pause_s = random_.between(0.12, 0.25) + distance(*last_, start) / 300.0;

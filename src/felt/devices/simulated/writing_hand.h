@@ -10,8 +10,8 @@
 
 namespace felt {
 
-/// One report of a tablet about the hand. It has the same fields as an InkSample, all present,
-/// because devices do not depend on the ink layer.
+/// A pen sample that a tablet would report. It is not an InkSample, because devices do not depend
+/// on the ink layer, but has the same fields, all of them present.
 struct HandSample {
   Point position;            ///< mm, page frame
   double pressure = 0.0;     ///< above 0 up to 1
@@ -20,8 +20,8 @@ struct HandSample {
   friend constexpr bool operator==(const HandSample&, const HandSample&) noexcept = default;
 };
 
-/// The intention of one stroke: points that the pen passes through. A point given twice in a row is
-/// a corner; a single point is a dot.
+/// The plan of one stroke: points that the pen passes through. A point given twice in a row is a
+/// corner; a single point is a dot.
 struct Gesture {
   std::vector<Point> via;
   double pressure = 0.5;  ///< level in the middle of the stroke
@@ -33,10 +33,10 @@ struct Gesture {
 /// The properties of a hand and its tablet.
 struct HandOptions {
   std::int64_t interval_ns = 7'500'000;  ///< between samples: 133 Hz
-  double resolution_mm = 0.03;           ///< positions are multiples of it; 0 = not quantised
-  double pressure_step = 1.0 / 1024.0;   ///< the same for pressure
-  double tremor_mm = 0.03;               ///< rms of physiological tremor, 8-12 Hz, per axis
-  double wander_mm = 0.12;               ///< rms of slow wandering around the aim, below 2.5 Hz
+  double resolution_mm = 0.03;           ///< positions are multiples of it; 0: not quantised
+  double pressure_step = 1.0 / 1024.0;   ///< pressures are multiples of it; 0: not quantised
+  double tremor_mm = 0.03;               ///< RMS of physiological tremor, 8-12 Hz, per axis
+  double wander_mm = 0.12;               ///< RMS of slow wandering around the aim, below 2.5 Hz
   std::uint64_t seed = 1;
 };
 

@@ -9,7 +9,7 @@ Gesture contour(Via via, double pressure = 0.55) {
   return {.via = std::move(via), .pressure = pressure, .end_pressure = 0.3};
 }
 
-// Returns a quick, light, tapering stroke: fur, whiskers.
+// Returns a quick, light, tapering stroke for fur and whiskers.
 Gesture flick(Via via, double pressure = 0.35) {
   return {.via = std::move(via), .pressure = pressure, .tempo = 1.7, .end_pressure = 0.08};
 }

@@ -6,13 +6,13 @@
 namespace felt {
 namespace {
 
-// Letters between joins at (0, .2) and (advance, .2); x-height 1, y up, drawn upright and slanted
-// later. A point given twice is a corner.
+// A letter from its join at (0, .2) to the next at (advance, .2). The x-height is 1, y points up,
+// and the letter is upright; it is slanted later. A point given twice is a corner.
 struct Letter {
   char name;
   double advance;
   std::span<const Point> via;
-  std::span<const Point> after;  // cross bar or dot, drawn when the word is done
+  std::span<const Point> after;  // cross bar or dot, drawn after the word
 };
 
 constexpr Point kE[] = {{.36, .42}, {.60, .78}, {.40, 1.02}, {.17, .68}, {.20, .24}, {.46, -.02}};

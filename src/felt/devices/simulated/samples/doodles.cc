@@ -22,7 +22,7 @@ std::string word(Random& random) {
   return letters;
 }
 
-// A random walk with gentle turns and an occasional corner.
+// Returns a random walk with gentle turns and occasional corners.
 Gesture doodle(Random& random, Point at) {
   Gesture g{.via = {at}};
   const double step_mm = random.between(1.5, 12.0), bend_rad = random.between(0.2, 1.3);
@@ -36,8 +36,8 @@ Gesture doodle(Random& random, Point at) {
   return g;
 }
 
-// Returns one exercise, word or doodle. Random numbers are drawn one by one, because the order in
-// which a compiler evaluates arguments is unspecified.
+// Returns one exercise, word or doodle. Random numbers are generated one by one, because the order
+// in which a compiler evaluates arguments is unspecified.
 std::vector<Gesture> anything(Random& random, Point at) {
   const int kind = whole_between(random, 0, 7), count = whole_between(random, 1, 9);
   const double size = random.between(0.0, 1.0), other = random.between(-1.0, 1.0);

@@ -23,8 +23,8 @@ struct SampleSet {
 /// cat.ndjson, handwriting.ndjson, page.ndjson.
 std::vector<SampleSet> make_sample_sets();
 
-/// Returns the set as raw stroke lines, {"id":..,"points":[[x,y,pressure,t_ms],..]}: mm with 2
-/// decimals, pressure with 3, milliseconds with 1.
+/// Returns the set as raw stroke lines, {"id":..,"points":[[x,y,pressure,t_ms],..]}. Positions are
+/// in mm with 2 decimals; pressure has 3 decimals, and milliseconds have 1.
 std::string to_ndjson(const SampleSet& set);
 
 }  // namespace felt
