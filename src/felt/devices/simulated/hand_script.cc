@@ -91,7 +91,7 @@ class PenPlanner {
 
   const HandScriptOptions& options_;
   double interval_s_;
-  std::optional<double> lean_deg_;  // tilt in the air, and while the pen rests
+  std::optional<double> tilt_deg_;  // tilt in the air, and while the pen rests
   std::vector<PenPlan> plan_;
 };
 
