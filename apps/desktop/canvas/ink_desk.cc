@@ -10,7 +10,7 @@ namespace {
 
 constexpr PixelRect kWhole{0, 0, kTileSide, kTileSide};
 
-/// The edge of a stroke may ink pixels this far from its geometry.
+/// The edge of a stroke may colour pixels up to kEdgePx from its geometry.
 constexpr double kEdgePx = 2.0;
 
 PixelRect united(PixelRect a, PixelRect b) noexcept {
@@ -19,14 +19,14 @@ PixelRect united(PixelRect a, PixelRect b) noexcept {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
 }
 
-/// Returns the whole pixels around an area; clamps far ones so that they fit integers.
+/// Returns the whole pixels around an area. Clamps distant ones so that they fit integers.
 PlaneRect pixels_around(const Rect& px) noexcept {
   const auto whole = [](double x) { return static_cast<std::int64_t>(std::clamp(x, -1e15, 1e15)); };
   return {whole(std::floor(px.x0 - kEdgePx)), whole(std::floor(px.y0 - kEdgePx)),
           whole(std::ceil(px.x1 + kEdgePx)), whole(std::ceil(px.y1 + kEdgePx))};
 }
 
-/// Returns the part of a tile that lies in an area of its plane.
+/// Returns the part of a tile that lies in `area` of its plane.
 PixelRect part_of(TilePlace place, const PlaneRect& area) noexcept {
   const PlaneRect tile = rect_of(place), both = tile.intersected(area);
   if (both.empty()) return {};
@@ -67,7 +67,7 @@ void InkDesk::open(const Document& document) {
 void InkDesk::apply(const Edit& edit) {
   InkDamage areas;
   drop_splits();
-  // The document did not accept an edit that is invalid here; the preview is gone in any case.
+  // The document refused the edit, so it is invalid here, too. The preview ends in any case.
   static_cast<void>(scene_->apply(edit, areas));
   damage(areas);
 }
@@ -112,7 +112,7 @@ std::size_t InkDesk::tile_count() const noexcept {
   return count;
 }
 
-/// Ends the preview. Tiles whose pixels were rounded for speed are drawn again.
+/// Ends the preview. Draws tiles again whose pixels were rounded for speed.
 void InkDesk::drop_splits() {
   for (auto& [id, plane] : planes_) {
     for (auto& [place, tile] : plane.tiles) {
@@ -151,19 +151,20 @@ void InkDesk::damage(Tile& tile, PixelRect part) {
   ++tile.damages;
 }
 
-/// An edit marks the parts of existing tiles that it changes as dirty. plan() chooses one tile:
-/// first outdated ones in the view, then missing ones in the view, then what covers new ink, then a
-/// ring around the view while memory lasts, at last outdated tiles of other planes. work() paints
-/// the dirty part, stroke by stroke, into a new picture, which replaces the old one when it is
-/// finished. If an interrupted picture became outdated, the next attempt is not interrupted, so
-/// that a tile appears even while edits arrive all the time.
+/// How tiles are updated: an edit marks the parts of existing tiles that it changes as dirty.
+/// plan() chooses one tile. It prefers outdated tiles in the view, then missing tiles in the view,
+/// then tiles of the layers that cover new ink, then a ring around the view if memory permits, and
+/// at last outdated tiles of other planes. work() paints the dirty part, stroke by stroke, into a
+/// new picture, which replaces the old one when it is finished. If an interrupted picture became
+/// outdated, the next attempt is not interrupted, so that the tile appears even if edits arrive
+/// continuously.
 InkDesk::Need InkDesk::plan() {
   choice_ = choose();
   return choice_.need;
 }
 
-/// Returns the tile in an area that needs work and lies nearest to the middle of the view. Tiles
-/// that exist but are outdated come first.
+/// Returns that tile in `area` which needs work and is nearest to the middle of the view. Existing
+/// but outdated tiles come first.
 std::optional<InkDesk::Choice> InkDesk::nearest(const Plane& plane, const PlaneRect& area,
                                                 bool only_made) const {
   if (area.empty()) return std::nullopt;
@@ -186,8 +187,8 @@ std::optional<InkDesk::Choice> InkDesk::nearest(const Plane& plane, const PlaneR
   return best;
 }
 
-/// Returns a tile of what covers new ink. Comes after the view's own tiles, because only that ink
-/// needs it.
+/// Returns a tile of the layers that cover new ink. It has lower priority than the view's own
+/// tiles, because only new ink needs it.
 std::optional<InkDesk::Choice> InkDesk::choose_over() const {
   const auto over = planes_.find(over_);
   if (over == planes_.end()) return std::nullopt;
@@ -213,7 +214,7 @@ InkDesk::Choice InkDesk::choose() const {
     }
   }
   if (!scene_->previewed().empty()) return {};
-  // Other planes, which may be shown again, or scaled, when the view changes.
+  // Other planes are updated because the view may show them again, or show them scaled.
   for (const auto& [id, other] : planes_) {
     for (const auto& [place, tile] : other.tiles) {
       if (tile.is_made && !tile.dirty.empty()) return {Need::kAround, id, place};
@@ -237,7 +238,7 @@ InkDesk::Begun InkDesk::begin(const Choice& choice, Plane& plane, Tile& tile) {
   return begun;
 }
 
-/// Returns false if it was interrupted.
+/// Returns false if painting was interrupted.
 bool InkDesk::paint(Plane& plane, Tile& tile, Begun& begun,
                     const std::function<bool()>& should_stop) {
   const Pixels pixels = pixels_of(*begun.picture);
@@ -287,7 +288,7 @@ void InkDesk::work(std::uint64_t order, const std::function<bool()>& should_stop
   drop_old(news);
 }
 
-/// Drops the tiles that were not used for longest, until the rest fits.
+/// Drops the tiles that were unused for the longest time until the others fit the memory limit.
 void InkDesk::drop_old(std::vector<TileNews>& news) {
   while (bytes_ > most_bytes_) {
     Plane* in = nullptr;
