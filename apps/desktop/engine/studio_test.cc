@@ -621,7 +621,8 @@ TEST(KeptOptions, ChoicesForAFewGesturesAreNotKept) {
   for (const char* id : {"transform.duplicate", "transform.constrain", "lasso.combine"}) {
     EXPECT_FALSE(settings.value(QStringLiteral("options/") + QString::fromLatin1(id)).isValid());
   }
-  settings.set(QStringLiteral("options/transform.duplicate"), true);  // stored by an earlier version
+  settings.set(QStringLiteral("options/transform.duplicate"),
+               true);  // stored by an earlier version
   Studio next({.live = false});
   const KeptOptions again(next);
   EXPECT_EQ(next.session().option("transform.duplicate").value(), OptionValue(false));
