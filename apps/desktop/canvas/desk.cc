@@ -12,7 +12,7 @@ constexpr double kShadowDownPx = 2.0;
 constexpr std::array<double, 8> kShadowPx{2, 4, 7, 10, 13, 16, 19, 22};  // widths of the layered
                                                                          // outlines: twice the
                                                                          // reach of the shadow
-constexpr int kShadowAlpha = 6;                                          // of each layer
+constexpr int kShadowAlpha = 6;                                          // alpha of each layer
 
 }  // namespace
 

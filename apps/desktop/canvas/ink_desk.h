@@ -15,7 +15,7 @@ namespace felt::desktop {
 /// work. Not thread-safe.
 class InkDesk {
  public:
-  /// How urgent the next work is.
+  /// The urgency of the next piece of work.
   enum class Need { kRepair, kMissing, kAround, kNone };
 
   /// `most_bytes` is the approximate memory limit of all tiles. Tiles of the view are kept even
@@ -55,7 +55,7 @@ class InkDesk {
     PlaneSpec spec;
     std::map<TilePlace, Tile> tiles;
   };
-  /// A tile whose painting was interrupted.
+  /// A tile with a painting that was interrupted.
   struct Begun {
     std::uint64_t plane = 0;
     TilePlace place;

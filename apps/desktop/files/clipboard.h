@@ -19,9 +19,9 @@ inline constexpr const char* kStrokesMime = "application/x-feltline-strokes";
 /// media as a JSON array of strings. It is added to kStrokesMime if needed.
 inline constexpr const char* kMaterialsMime = "application/x-feltline-materials";
 
-/// Returns clipboard data for the visible strokes of a drawing and its materials: in Feltline's
-/// own types, as image/svg+xml, and as a picture at 300 dots per inch (fewer if the picture would
-/// be very large). SVG and picture are made on request.
+/// Returns clipboard data for the visible strokes of a drawing and its materials. The data has
+/// Feltline's own types, image/svg+xml, and a picture at 300 dots per inch (fewer if the picture
+/// would be very large). SVG and picture are made on request.
 std::unique_ptr<QMimeData> strokes_mime(Drawing drawing);
 /// Returns SVG or picture alone, for programs that would otherwise choose the wrong one.
 std::unique_ptr<QMimeData> svg_mime(const Drawing& drawing);

@@ -6,10 +6,10 @@
 
 namespace felt::desktop {
 
-/// A plot of the predicted feel of a stroke of 40 mm with even pressure: the force against the pen
-/// along the path, and the band around its mean within which the hand does not feel a change (0.04
-/// N on both sides). The parts outside of the band are filled: they are the grain that the hand
-/// feels.
+/// A plot of the predicted feel of a stroke of 40 mm with even pressure. It shows the force
+/// against the pen along the path, and a band around the mean of the force. The hand does not feel
+/// a change within the band, which extends 0.04 N to both sides. The parts outside of the band are
+/// filled: they are the grain that the hand feels.
 class FeltPlot : public QWidget {
   Q_OBJECT
 

@@ -125,7 +125,7 @@ class MaterialDesk : public QObject {
 
     friend bool operator==(const State&, const State&) = default;
   };
-  /// Whether a change to a state without the material also deletes its file.
+  /// Tells whether a change to a state without the material also deletes its file.
   enum class FileFate { kStays, kGoes };
 
   [[nodiscard]] State state() const;

@@ -16,13 +16,14 @@ namespace felt::desktop {
 /// that a recording replays in the same way. Calls take_usual_color() if the medium differs from
 /// the previous one. Returns false if an event was refused; then `refused` says why.
 bool take_medium(Studio& studio, const std::string& id);
-/// Does the same for a click. It also applies the medium to the selected lines, and reports a
-/// change of the colour of new ink to the user.
+/// Does the same for a click. It also applies the medium to the selected lines. If the colour of
+/// new ink changed, it reports this to the user.
 bool choose_medium(Studio& studio, const std::string& id);
 
-/// Sets the colour of new ink to the usual colour of the current medium, 0xRRGGBB, if it still is
-/// the usual colour of the medium `before`, or black as in a new drawing. Any other colour was
-/// chosen by the user and stays. Returns false if that was refused; then `refused` says why.
+/// Sets the colour of new ink to `now`, the usual colour of the current medium, 0xRRGGBB. Does so
+/// only if the colour is still the usual one of the previous medium, `before`, or black as in a
+/// new drawing. Any other colour was chosen by the user and stays. Returns false if that was
+/// refused; then `refused` says why.
 bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now);
 
 /// Shows the media for drawing as pictures: a stroke of each, from light to hard, on the current

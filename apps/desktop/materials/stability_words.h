@@ -6,7 +6,7 @@
 
 namespace felt::desktop {
 
-/// Whether a device can render a material.
+/// How well a device can render a material.
 enum class StabilityLevel {
   kGiven,    ///< completely and without trembling
   kLess,     ///< with reduced values, or close to a perceptible tremble

@@ -20,10 +20,10 @@ double contrast_of(Rgba a, Rgba b);
 /// Returns the colour that results from `color` over the opaque `ground`.
 Rgba seen_on(Rgba color, Rgba ground);
 
-/// Shows the colour of new ink: a field of shades, its number and its opacity; recently used
-/// colours; palettes, both built-in ones and .gpl files, which are opened by a button or dropped
-/// here; and the contrast to the paper. Applies SetOption events of sheet.color, and shows changes
-/// that come from elsewhere.
+/// Shows the colour of new ink with a field of shades, its number and its opacity. Also shows
+/// recently used colours, palettes, and the contrast to the paper. Palettes are built in or .gpl
+/// files, which the user opens by a button or drops here. Applies SetOption events of sheet.color,
+/// and shows changes that come from elsewhere.
 class ColorsPanel : public QWidget {
   Q_OBJECT
 

@@ -9,11 +9,11 @@
 namespace felt::desktop {
 
 /// Lets the user draw with keys alone. The arrows move the pen, faster the longer the key is held;
-/// Shift makes fine steps. Return, Enter or Insert puts the pen down and lifts it, but only after
-/// an arrow has moved it or Tab or F6 has moved the focus here, so that an Enter meant for a text
-/// field draws nothing. Escape cancels the gesture. Steps are counted, not timed, so that the same
-/// keys make the same line. The view scrolls with the pen. The arguments of the constructor must
-/// outlive it.
+/// Shift makes fine steps. Return, Enter or Insert puts the pen down and lifts it. This works only
+/// after an arrow has moved the pen or Tab or F6 has moved the focus here, so that an Enter meant
+/// for a text field draws nothing. Escape cancels the gesture. Steps are counted, not timed, so
+/// that the same keys make the same line. The view scrolls with the pen. The arguments of the
+/// constructor must outlive it.
 ///
 /// If the device cannot sense contact, its pen counts as touching while Return, Enter or Insert is
 /// held.

@@ -10,9 +10,9 @@
 
 namespace felt::desktop {
 
-/// The hand over a canvas. Mouse, tablet, finger or keys move it, one source at a time: the source
-/// that has put the pen down keeps it until it is lifted, but the tablet takes precedence over the
-/// others.
+/// The hand over a canvas. Mouse, tablet, finger or keys move it, one source at a time. The source
+/// that has put the pen down keeps the hand until the pen is lifted, but the tablet takes
+/// precedence over the others.
 ///
 /// A borrowed tool is given back after the session has seen the pen lifted, so that the end of the
 /// line belongs to the tool that drew it. The canvas must outlive it. Use it in Qt's main thread.

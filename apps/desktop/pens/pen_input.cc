@@ -108,9 +108,9 @@ void PenInput::come(QPointF px) {
   canvas_.set_pen_visible(true);
 }
 
-/// Moves the focus to the canvas, so that its keys (Space, Shift, the letters of the tools) work
-/// when the pointer enters it, also after a click on a medium or a slider. The focus stays if the
-/// user is typing text.
+/// Moves the focus to the canvas when the pointer enters it, also after a click on a medium or a
+/// slider, so that the canvas's keys work (Space, Shift, the letters of the tools). The focus
+/// stays if the user is typing text.
 void PenInput::take_focus() {
   QWidget* focus = QApplication::focusWidget();
   if (!focus || focus == &canvas_ || focus->window() != canvas_.window()) return;

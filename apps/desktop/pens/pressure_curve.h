@@ -4,9 +4,9 @@
 
 namespace felt::desktop {
 
-/// The curve that maps a tablet's pressure to the pressure that the user wants: a cubic from (0,
-/// 0) to (1, 1) with two handles in the unit square, so that it never falls. Below a threshold the
-/// pen does not touch. A value type.
+/// The curve that maps a tablet's pressure to the pressure that the user wants. It is a cubic in
+/// the unit square from corner to corner, with two handles in the square, so that it never falls.
+/// Below a threshold the pen does not touch. A value type.
 class PressureCurve {
  public:
   static constexpr double kMaxThreshold = 0.5;

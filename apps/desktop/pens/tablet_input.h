@@ -28,8 +28,8 @@ class TabletInput : public QObject {
   void take(const QTabletEvent& event);
   /// Handles a pen that left the range: its gesture ends as if the pen had been lifted.
   void leave();
-  /// Handles that the window is no longer active: ends the gesture in the same way, and treats all
-  /// buttons as released.
+  /// Ends the gesture in the same way, and treats all buttons as released. Called when the window
+  /// is no longer active.
   void let_go();
   /// Returns true if the pen is over the tablet, or was there a moment ago. A touch then counts as
   /// a palm.
