@@ -24,8 +24,8 @@ class Instance : public QObject {
   /// `key` is for tests; "" means this user on this display.
   explicit Instance(const QString& key = {}, QObject* parent = nullptr);
 
-  /// Passes the files to the first process. Returns true if another process has received them and
-  /// shows itself; an empty list asks it for an empty drawing. Returns false if no other process
+  /// Passes the files to the first process and returns true if that process has received them. It
+  /// opens them, or only shows its window if the list is empty. Returns false if no other process
   /// exists; then this process is the first from now on.
   bool hand_over(const QStringList& files);
   [[nodiscard]] bool is_first() const { return server_.isListening(); }

@@ -60,7 +60,7 @@ QPainterPath path_of(const Stroke& stroke) {
   return path;
 }
 
-/// Paints the ink of a stroke as a picture of its grain mask.
+/// Paints a stroke as a picture of its ink, which has the size of its grain mask.
 void paint_grained(QPainter& painter, const Stroke& stroke, const Grain& grain,
                    const GrainMask& mask, Rasterizer& rasterizer) {
   QImage image(mask.width, mask.height, QImage::Format_RGBA8888_Premultiplied);

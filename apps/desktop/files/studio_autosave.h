@@ -64,7 +64,7 @@ class StudioAutosave : public QObject {
   std::function<Drawing()> current_;
   std::optional<Autosave> autosave_;
   QTimer head_timer_;
-  std::set<std::string> media_;  // ids of the media that the autosave has the text of
+  std::set<std::string> media_;  // ids of the media with texts in the autosave
   bool is_discarded_ = false;
 };
 

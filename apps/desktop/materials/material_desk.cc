@@ -152,9 +152,9 @@ void MaterialDesk::tell_now() {
   if (color != medium.color_rgb) take_usual_color(studio_, medium.color_rgb, color);
 }
 
-/// Updates the selection and the list of user-defined materials after another drawing was opened. The
-/// materials that came with the old and the new drawing determine which user-defined materials are
-/// in use.
+/// Updates the selection and the list of user-defined materials after another drawing was opened.
+/// The materials that came with the old and the new drawing determine which user-defined materials
+/// are in use.
 void MaterialDesk::follow_drawing() {
   if (is_withheld_) tell_now();
   if (!own_of(key_) && !find_in(studio_.materials(), key_)) {
