@@ -21,7 +21,7 @@ struct DriverFindings {
   std::vector<Finding> findings;
 };
 
-/// The drivers of real devices. It finds the devices that are plugged in, and opens them
+/// Manages the drivers of real devices: finds the devices that are plugged in, and opens them
 /// (PenDriver).
 ///
 /// It searches for devices only while a `Watching` exists, because a list is shown or a lost

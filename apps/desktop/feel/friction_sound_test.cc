@@ -83,7 +83,7 @@ TEST(FrictionSound, WhatIsDrawnIsHeardAndWhatHoversIsNot) {
   feed.volume = 0.0F;
   static_cast<void>(heard(0.6));
   EXPECT_LT(peak(heard(0.6)), 1e-4F);
-  // No samples arrive any more: the sound ends soon, and does not return.
+  // No samples arrive any more: the sound ends soon and does not start again.
   static_cast<void>(read(samples, 4800));
   EXPECT_EQ(peak(read(samples, 48000)), 0.0F);
 }

@@ -209,8 +209,7 @@ void MainWindow::make_panels() {
   add_color_actions(*actions_, *colors);
   files_->set_looks(looks_of(*canvas_, *colors));
   add_panel(QStringLiteral("history"), tr("History"), new HistoryPanel(*studio_));
-  // The panel scrolls, because its text may need many lines on a small screen, and the window must
-  // keep its size.
+  // The panel scrolls on a small screen, because its text may need many lines.
   add_panel(QStringLiteral("forces"), tr("Forces"),
             scrolled(new ForcePanel(*studio_), tr("Forces")));
 }
@@ -356,8 +355,7 @@ void MainWindow::go_to_next_part() {
 }
 
 void MainWindow::show_title() {
-  // Qt replaces "[*]" in a window title by the mark of unsaved changes. "[*][*]" is shown as
-  // "[*]".
+  // Qt replaces "[*]" in a window title by the mark of unsaved changes; "[*][*]" appears as "[*]".
   QString name = files_->display_name();
   name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
   if (files_->is_read_only()) name += tr(" (read-only)");
