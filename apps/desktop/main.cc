@@ -45,7 +45,8 @@ bool has_display(std::span<char*> arguments) {
          has(arguments, {"-platform", "--platform"});
 }
 
-/// Qt would abort, with a core file, where the display does not answer.
+/// Prints a message of Qt. After a fatal message, ends the program; Qt itself would abort with a
+/// core file, for example if the display does not answer.
 void say_and_leave(QtMsgType type, const QMessageLogContext&, const QString& text) {
   std::fprintf(stderr, "%s\n", qPrintable(text));
   if (type != QtFatalMsg) return;
@@ -53,7 +54,7 @@ void say_and_leave(QtMsgType type, const QMessageLogContext&, const QString& tex
   std::_Exit(1);
 }
 
-/// Answers that need no display. True: that was all.
+/// Handles the options that need no display. Returns true if the program has nothing else to do.
 bool answer(int argc, char** argv) {
   const std::span arguments(argv, std::size_t(argc));
   const bool wants_help = has(arguments, {"--help", "-h"});
@@ -83,7 +84,8 @@ void dress() {
   QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("org.feltline.Feltline"), ours));
 }
 
-/// Another start wants these files here, or only to see the program.
+/// Handles another start of the program, which passes files to open here, or only asks to show a
+/// window.
 void serve(Windows& windows, const QStringList& files) {
   for (const QString& file : files) {
     bring_forward(*windows.open_file(file));
@@ -102,7 +104,7 @@ int run(const StartOptions& options) {
   if (!is_apart && instance.hand_over(options.files)) return 0;
   DriverWatch drivers(felt::make_drivers());
   StudioOptions studio;
-  studio.device = chosen_pen_device();  // one of a driver is used once it is found
+  studio.device = chosen_pen_device();  // if a driver provides it, it is used once it is found
   const std::unique_ptr<RecordingFile> recording = record_into(options.record, studio);
   Windows windows(std::move(studio));
   QObject::connect(&instance, &Instance::wanted, &windows,
@@ -128,7 +130,7 @@ int run(const StartOptions& options) {
   const SignalWatch signals;
   QObject::connect(&signals, &SignalWatch::asked, &windows, [&windows] {
     windows.let_go();
-    QApplication::exit(0);  // of every dialog, too
+    QApplication::exit(0);  // also ends the event loops of dialogs
   });
   const int code = QApplication::exec();
   windows.end();
@@ -144,7 +146,7 @@ int main(int argc, char** argv) {
   const std::span arguments(argv, std::size_t(argc));
   const bool is_picture = has(arguments, {"--screenshot"});
   if (is_picture && !is_set("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  // Nobody's settings, and not those of the picture before.
+  // Uses neither the user's settings nor those of the previous picture.
   std::optional<QTemporaryDir> nobodys;
   if (is_picture) {
     if (nobodys.emplace().isValid()) qputenv("HOME", nobodys->path().toLocal8Bit());

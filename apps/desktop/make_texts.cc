@@ -1,5 +1,5 @@
-// Writes the texts of the library's tables as a source that lupdate reads: make_texts FILE.
-// translations/update.sh calls it. The library knows these texts in English only; the program
+// Writes the texts of the library's tables as a source that lupdate reads. Usage: make_texts FILE.
+// translations/update.sh calls it. The library contains these texts only in English; the program
 // translates them when it shows them (engine/tool_texts.h).
 #include <QtGlobal>
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace felt {
 namespace {
 
-/// The labels of edits that no tool makes.
+/// Labels of the edits that are not made by tools.
 constexpr const char* kEdits[] = {
     QT_TRANSLATE_NOOP("edits", "Add layer"),    QT_TRANSLATE_NOOP("edits", "Delete"),
     QT_TRANSLATE_NOOP("edits", "Duplicate"),    QT_TRANSLATE_NOOP("edits", "Hide layer"),
@@ -29,14 +29,14 @@ constexpr const char* kEdits[] = {
     QT_TRANSLATE_NOOP("edits", "Show layer"),   QT_TRANSLATE_NOOP("edits", "Unlock layer"),
 };
 
-/// The texts of one context, without repetition.
+/// The texts of one context, each once.
 using Texts = std::set<std::string, std::less<>>;
 
 void add(Texts& texts, std::string_view text) {
   if (!text.empty()) texts.emplace(text);
 }
 
-/// Of options and of the fields of materials.
+/// Adds the texts of options and of the fields of materials.
 template <class Row>
 void add_table(Texts& texts, std::span<const Row> table) {
   for (const Row& row : table) {

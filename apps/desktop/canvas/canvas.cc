@@ -14,16 +14,14 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kPlaceMs = 40;     // between two `place_changed`
-constexpr double kDearMs = 1.0;  // a refresh and its paint that take less may come again
-                                 // immediately
+constexpr int kPlaceMs = 40;     // time between two `place_changed`
+constexpr double kDearMs = 1.0;  // if a refresh and its paint take less, the next one is immediate
 constexpr double kMaxPaceMs = 33;
-constexpr int kLongSegments = 400;  // a longer stroke takes a while to appear in the picture of the
-                                    // ink
+constexpr int kLongSegments = 400;  // the tiles need some time to show a longer stroke
 constexpr int kDryMs = 8;
-constexpr int kSizeMs = 1200;  // shows the ring of a changed size for this long
+constexpr int kSizeMs = 1200;  // shows the ring of a changed size for this time
 
-/// A cross with an open middle, dark with a light rim: visible on any paper, and exact.
+/// Returns a cross with an open middle, dark with a light rim: visible on any paper, and precise.
 QCursor make_pen_cursor() {
   constexpr int kSize = 19, kMiddle = kSize / 2, kOpen = 3;
   QPixmap picture(kSize, kSize);
@@ -41,7 +39,7 @@ QCursor make_pen_cursor() {
   return QCursor(picture, kMiddle, kMiddle);
 }
 
-/// Enlarges a region to whole device pixels, because pixels that its edge cuts would not be
+/// Enlarges a region to whole device pixels. Pixels that its edge cuts would otherwise not be
 /// repainted.
 QRegion whole_pixels(const QRegion& region, double dpr) {
   if (std::abs(dpr - std::round(dpr)) < 1e-6) return region;
@@ -179,7 +177,7 @@ void Canvas::set_outline_mode(bool on) {
   update();
 }
 
-/// Called if everything moved: lays everything out and paints it again.
+/// Lays everything out and paints it again. Called if everything has moved.
 void Canvas::lay_out() {
   dpr_ = devicePixelRatioF();
   ink_.set_view(view_, dpr_);
@@ -190,7 +188,7 @@ void Canvas::lay_out() {
   update();
 }
 
-/// Puts new ink below the ink of the layers above the current one.
+/// Tells the ink view to put new ink below the ink of the layers above the current one.
 void Canvas::take_layers() {
   const Session& session = studio_.session();
   const auto& layers = session.document().layers();
@@ -232,7 +230,7 @@ void Canvas::flush() {
   const double begin_ms = static_cast<double>(clock_.nsecsElapsed()) * 1e-6;
   refresh();
   const double cost_ms = static_cast<double>(clock_.nsecsElapsed()) * 1e-6 - begin_ms + paint_ms_;
-  // Waits between two pictures, so that the pen's samples are read however slow painting is.
+  // Waits between two pictures, so that the pen's samples are read even if painting is slow.
   if (studio_.loop().thread() && cost_ms > kDearMs) {
     pace_.start(static_cast<int>(std::min(2.0 * cost_ms, kMaxPaceMs)));
   }
@@ -244,7 +242,7 @@ void Canvas::refresh() {
   const Session& session = studio_.session();
   ink_.show(session.preview());
   session.draw(s.overlay);
-  // The line itself shows its width.
+  // Removes the size ring, because the line itself shows its width.
   if (in_contact(studio_.pen().sample)) s.size_ring.stop();
   if (s.size_ring.isActive()) add_size_ring();
   QRegion dirty(s.bands.update(s.overlay.spans));
@@ -276,8 +274,8 @@ void Canvas::on_edit(const Edit& edit) {
   Shown& s = *shown_;
   ink_.apply(edit);
   take_layers();
-  // The ink that was wet is in the document. If its strokes take the tiles a while, it stays
-  // visible until the tiles have them: it dries.
+  // The ink that was wet is in the document. If the tiles need some time to show its strokes, it
+  // stays visible until then: it dries.
   const auto is_long = [](const StrokeChange& change) {
     return change.after && change.after->segment_count() > kLongSegments;
   };

@@ -9,13 +9,14 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kMaxParts = 6;  // if there are more, their bounding rectangle is painted
+constexpr int kMaxParts = 6;  // if there are more, paint their bounding rectangle
 
 /// Splits a region of the widget into rectangles that are painted one after the other. Qt clips
-/// painting to whole device pixels. At a fractional scale a rectangle may end within a device pixel
-/// and would cover it in part, so that the previous picture would shine through. So one bounding
-/// rectangle is used, a little enlarged; Qt's clipping leaves the rest unchanged. Several enlarged
-/// rectangles would overlap and paint ink with alpha twice.
+/// painting to whole device pixels. At a fractional scale, a rectangle may end within a device
+/// pixel and cover it only in part, so that the previous picture would shine through. In this case
+/// the function returns one slightly enlarged bounding rectangle; Qt's clipping leaves the rest
+/// unchanged. Several enlarged rectangles would overlap, and ink with alpha would be painted
+/// twice.
 QList<QRect> parts_of(const QRegion& region, double dpr) {
   const bool is_whole = std::abs(dpr - std::round(dpr)) < 1e-6;
   if (!is_whole) return {region.boundingRect().adjusted(-2, -2, 2, 2)};
@@ -75,7 +76,8 @@ void Canvas::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painting_ = event->region();
-  ink_.paint(painter, {});  // also takes what the worker has finished since, in this part too
+  ink_.paint(painter, {});  // also accepts the tiles that the worker has finished since, including
+                            // those of this part
   painting_ = {};
   paint_ground(painter, event->region());
   paint_marks(painter, event->region());
@@ -89,7 +91,7 @@ void Canvas::paintEvent(QPaintEvent* event) {
   paint_ms_ = static_cast<double>(clock_.nsecsElapsed() - begin_ns) * 1e-6;
 }
 
-/// Paints background, paper, bands and ink (pictures), part by part.
+/// Paints background, paper, bands and ink, which are pictures, rectangle by rectangle.
 void Canvas::paint_ground(QPainter& painter, const QRegion& region) {
   Shown& s = *shown_;
   const QList<QRect> parts = parts_of(region, dpr_);
@@ -107,7 +109,7 @@ void Canvas::paint_ground(QPainter& painter, const QRegion& region) {
   painter.setClipping(false);
 }
 
-/// Paints lines and texts, each once for the whole region, to which Qt clips them.
+/// Paints lines and texts. Each is painted once for the whole region, to which Qt clips it.
 void Canvas::paint_marks(QPainter& painter, const QRegion& region) {
   Shown& s = *shown_;
   if (s.shows_first_minute && region.intersects(s.first_minute.area(size(), font()))) {

@@ -15,17 +15,17 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kFeltN = 0.02;   // smallest force that is meant to be felt
-constexpr double kShrink = 0.35;  // shrinks the nib by this at an attraction of 1 N
+constexpr double kFeltN = 0.02;   // smallest force that the user should feel
+constexpr double kShrink = 0.35;  // shrinks the nib by this share at an attraction of 1 N
 
-/// Returns the width of the line that a mouse would draw, or 0 if the current tool draws none.
+/// Returns the width of the line that a mouse would draw, or 0 if the current tool draws no line.
 double drawn_width_mm(const Session& session) {
   if (session.tool().info().kind != ToolKind::kDraws) return 0.0;
   const std::optional<ToolSize> size = session.tool().size();
   return size ? size->mm : 0.0;
 }
 
-/// Returns "Shift", as this system names the key.
+/// Returns the system's name of a modifier key, such as "Shift".
 QString key_name(Qt::KeyboardModifier modifier) {
   QString name = QKeySequence(static_cast<int>(modifier)).toString(QKeySequence::NativeText);
   while (name.endsWith(QLatin1Char('+'))) name.chop(1);
@@ -80,9 +80,9 @@ PenMark Canvas::pen_mark(const PenState& pen) {
   return mark;
 }
 
-/// Returns the radius of the dot that the tool would draw, smaller if something attracts it.
-/// Returns 0 while ink flows, and for tools that do not draw, because these show their reach
-/// themselves.
+/// Returns the radius of the dot that the tool would draw; smaller if something attracts the pen.
+/// Returns 0 while ink flows. Also returns 0 for tools that do not draw, because these show their
+/// reach themselves.
 double Canvas::nib_radius_px(double pull_n) const {
   const Session& session = studio_.session();
   const Shown& s = *shown_;
@@ -94,7 +94,7 @@ double Canvas::nib_radius_px(double pull_n) const {
   return std::max(2.5, 0.5 * width * view_.px_per_mm() * shrunk);
 }
 
-/// Shows the size of the current tool for a moment after it changed.
+/// Shows the size of the current tool for kSizeMs after it changed.
 void Canvas::show_size(const QString& option_id) {
   const bool is_size = option_id.endsWith(QLatin1String("_width_mm")) ||
                        option_id.endsWith(QLatin1String("radius_mm"));
@@ -103,7 +103,7 @@ void Canvas::show_size(const QString& option_id) {
   refresh_soon();
 }
 
-/// Adds the ring around the pointer, or in the middle while the pointer is elsewhere.
+/// Adds the ring around the pointer, or in the middle if the pointer is not over the canvas.
 void Canvas::add_size_ring() {
   const PenState& pen = studio_.pen();
   const Point at =

@@ -5,15 +5,16 @@
 /// The canvas's settings (engine/settings.h), with their defaults.
 namespace felt::desktop::canvas_keys {
 
-/// Show the nib held back by the forces, as a visual substitute for feeling them.
+/// True if forces hold the shown nib back, as a visual substitute for feeling them.
 inline constexpr auto kPseudoHaptics = "canvas/pseudo_haptics";
 inline constexpr bool kPseudoHapticsDefault = true;
 
-/// Show direction and strength of the force as an arrow at the nib.
+/// True if an arrow at the nib shows direction and strength of the force.
 inline constexpr auto kForceArrow = "canvas/force_arrow";
 inline constexpr bool kForceArrowDefault = true;
 
-/// Show the relief of the surface in dry ink. Pictures can show it; outlines in files cannot.
+/// True if dry ink shows the relief of the surface. Pictures can show it; outlines in files
+/// cannot.
 inline constexpr auto kGrain = kShowsGrain;
 inline constexpr bool kGrainDefault = kShowsGrainDefault;
 

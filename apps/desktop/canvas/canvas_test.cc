@@ -62,8 +62,8 @@ void draw_something(Sitting& sitting) {
   sitting.draw({{60, 150}, {140, 120}, {200, 160}}, 0.4);
 }
 
-/// For any tool and any action, repainting only what changed gives the same picture as a full
-/// repaint.
+/// For any tool and any action, a repaint of only the changed part gives the same picture as a
+/// full repaint.
 TEST(Canvas, PaintingWhatChangedIsPaintingEverything) {
   const char* const tools[] = {"pencil", "pull",  "smooth",    "width",
                                "eraser", "lasso", "transform", "connect"};
@@ -73,7 +73,7 @@ TEST(Canvas, PaintingWhatChangedIsPaintingEverything) {
     Sitting sitting({520, 380},
                     seed == 2 ? QStringLiteral("simulated:touch") : QStringLiteral("tablet"));
     draw_something(sitting);
-    if (seed == 3) {  // below other ink
+    if (seed == 3) {  // new ink lies below other ink
       const LayerId low = sitting.studio.session().layer();
       sitting.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}});
       draw_something(sitting);
@@ -123,7 +123,7 @@ TEST(Canvas, RepaintsLittleWhileInkFlows) {
   }
 }
 
-/// The difference between the line while it is drawn and the line in the document.
+/// Returns the difference between the line while it is drawn and the line in the document.
 Apart jump_at_pen_up(Sitting& sitting, const std::vector<Point>& way) {
   sitting.canvas.set_pen_visible(false);
   sitting.go(way.front(), false);
@@ -132,11 +132,12 @@ Apart jump_at_pen_up(Sitting& sitting, const std::vector<Point>& way) {
   for (const Point& p : way) sitting.go(p, true, pressure = 1.1 - pressure);
   sitting.canvas.flush();
   const QImage wet = sitting.anew();
-  // Time for the pen to stop, because its last moments draw no ink.
+  // Gives the pen time to stop, because its last moments draw no ink.
   sitting.studio.apply(SelectTool{"eraser"});
   EXPECT_EQ(sitting.studio.session().document().stroke_count(), 1u);
   const QImage dry = sitting.anew();
-  // Compared in pixels of the widget, because the final width fit changes less than the eye sees.
+  // Compared in pixels of the widget, because the final width fit makes differences that are too
+  // small to see.
   const QSize seen = sitting.canvas.size();
   const auto as_seen = [&](const QImage& image) {
     return image.scaled(seen, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -144,7 +145,7 @@ Apart jump_at_pen_up(Sitting& sitting, const std::vector<Point>& way) {
   return apart(as_seen(wet), as_seen(dry));
 }
 
-/// Switches the grain of the surface off for its lifetime, so that ink has the colour of its
+/// Switches the grain of the surface off while it exists, so that ink has the colour of its
 /// strokes.
 struct SolidInk {
   SolidInk() { Settings::the().set(canvas_keys::kGrain, false); }
@@ -175,7 +176,7 @@ TEST(Canvas, WetInkIsTheInkThatDries) {
     const Apart off = jump_at_pen_up(sitting, loops);
     const double dpr = sitting.canvas.devicePixelRatioF();
     const int inked = qRound(apart(empty, sitting.anew()).many / (dpr * dpr));
-    EXPECT_GT(inked, 2000);  // there is a line to compare
+    EXPECT_GT(inked, 2000);  // a line was drawn that can be compared
     EXPECT_LE(off.many, inked / 200)
         << color << ": " << off.most << " at " << off.where.x() << "," << off.where.y();
   }
@@ -189,8 +190,9 @@ void draw_evenly(Sitting& sitting, double width_mm) {
   sitting.option("pencil.refine", false);
 }
 
-/// For a line of one width only the end is fitted again: the rest stays, pixel for pixel, at any
-/// scale of the screen; at most `most` pixels may change. Returns the picture with the wet line.
+/// Expects that wet ink does not jump when it enters the document. For a line of constant width,
+/// only the end is fitted again; the rest stays the same, pixel for pixel, at any scale of the
+/// screen. At most `most` pixels may change. Returns the picture with the wet line.
 QImage expect_no_jump(Sitting& sitting, const std::vector<Point>& way, int most = 0) {
   sitting.canvas.set_pen_visible(false);
   const std::size_t before = sitting.studio.session().document().stroke_count();
@@ -202,12 +204,12 @@ QImage expect_no_jump(Sitting& sitting, const std::vector<Point>& way, int most 
   QImage all = sitting.anew();
   sitting.studio.apply(SelectTool{"eraser"});
   EXPECT_EQ(sitting.studio.session().document().stroke_count(), before + 1);
-  // The very next frame, and the one with all tiles.
+  // Checks the very next frame, and the frame with all tiles.
   for (int frame = 0; frame < 2; ++frame) {
     QImage wet = all;
     QImage dry = frame == 0 ? sitting.canvas.grab().toImage().convertToFormat(QImage::Format_RGB32)
                             : sitting.anew();
-    for (QImage* image : {&wet, &dry}) {  // all but the end
+    for (QImage* image : {&wet, &dry}) {  // clears the end of the line
       image->setDevicePixelRatio(sitting.canvas.devicePixelRatioF());
       QPainter painter(image);
       painter.setBrush(Qt::black);
@@ -234,7 +236,7 @@ TEST(Canvas, WetInkOfOneWidthDriesWhereItIs) {
   expect_no_jump(sitting, loops);
 }
 
-/// With the grain of the surface, on rough paper and on glass: the same grain at the same points.
+/// Tests rough paper and glass: wet and dry ink have the same grain at the same points.
 TEST(Canvas, R47_WetInkOfEveryMediumDriesAsItLooks) {
   std::vector<Point> loops;
   for (int i = 0; i <= 60; ++i) {
@@ -249,14 +251,14 @@ TEST(Canvas, R47_WetInkOfEveryMediumDriesAsItLooks) {
     sitting.option("sheet.material", std::string(medium.look.rim > 0.0 ? "glass" : "rough-paper"));
     sitting.option("sheet.color", std::string("#20242c"));
     sitting.option("pencil.material", medium.id);
-    // Hairs are as thin as pixels: where a line crosses itself, either pass may show, 250 of
-    // 20,000.
+    // Hairs are as thin as pixels. Where a line crosses itself, either pass may be visible, in 250
+    // of 20,000 pixels.
     expect_no_jump(sitting, loops, medium.look.streaks > 0.0 ? 250 : 0);
   }
   Settings::the().set(canvas_keys::kGrain, canvas_keys::kGrainDefault);
 }
 
-/// Ink drawn in a layer appears below the ink of the layers above it from its first sample on.
+/// Ink in a layer is shown below the ink of the layers above it from its first sample on.
 TEST(Canvas, WetInkLiesBelowTheLayersAboveIt) {
   const SolidInk solid;
   Sitting sitting;
@@ -280,7 +282,7 @@ TEST(Canvas, WetInkLiesBelowTheLayersAboveIt) {
   EXPECT_EQ(color_at(below, {100, 100}), QColor("#c02020"));
   EXPECT_EQ(color_at(below, {80, 100}), QColor("#202020"));
   EXPECT_NEAR(color_at(below, {150, 100}).blue(), 0.5 * (0xc0 + 0x20), 2);
-  // Ink that is hidden, removed or below does not cover it.
+  // Ink that is hidden, removed or below new ink does not cover it.
   sitting.studio.apply(LayerEvent{LayerEvent::Do::kHide, high});
   const QImage alone = expect_no_jump(sitting, {{40, 120}, {180, 120}, {260, 170}});
   EXPECT_EQ(color_at(alone, {100, 120}), QColor("#202020"));
@@ -294,8 +296,8 @@ TEST(Canvas, WetInkLiesBelowTheLayersAboveIt) {
   const QImage turned = expect_no_jump(sitting, {{40, 80}, {180, 80}, {260, 130}});
   EXPECT_EQ(color_at(turned, {100, 80}), QColor("#c02020"));
   sitting.studio.apply(LayerEvent{LayerEvent::Do::kUse, high});
-  // The straight part after the corner is fitted again as a whole at pen-up, so it is short enough
-  // here to lie within the end that is not compared.
+  // At pen-up, the whole straight part after the corner is fitted again. It is short enough here
+  // to lie within the end that is not compared.
   const QImage over = expect_no_jump(sitting, {{40, 160}, {235, 160}, {255, 172}});
   EXPECT_EQ(color_at(over, {100, 160}), QColor("#202020"));
 }
@@ -403,7 +405,7 @@ TEST(Canvas, ViewChangesAreNoStepOfUndo) {
   EXPECT_TRUE(sitting.canvas.view_text().contains(QStringLiteral("mirrored")));
 }
 
-/// With a stylus that forces move, the nib is shown between the hand and where the forces hold it.
+/// If forces move the stylus, the nib is shown between the hand and the stylus.
 TEST(Canvas, ShowsTheNibThatForcesHoldBackUnlessSwitchedOff) {
   const QString key = QString::fromLatin1(canvas_keys::kPseudoHaptics);
   Settings::the().set(QString::fromLatin1(canvas_keys::kForceArrow), false);
@@ -463,7 +465,7 @@ double thread_cpu_us() {
 }
 
 /// Measures and prints the cost of a sample on a large screen, for a line of many metres that
-/// crosses itself again and again. Does not judge it, because a loaded machine is slow.
+/// crosses itself again and again. Expects no limit, because a busy machine is slow.
 TEST(Canvas, CostOfASampleOfALongLine) {
   Sitting sitting({1920, 1080});
   sitting.option("pencil.max_width_mm", 3.0);
@@ -505,7 +507,7 @@ TEST(Canvas, AnotherSizeIsShownAtThePointer) {
   desk.canvas.flush();
   const QImage ring = desk.anew();
   EXPECT_NE(ring, before);
-  // At the edge of a line drawn with the mouse.
+  // The point is at the edge of a line that was drawn with the mouse.
   const double radius_mm = 0.5 * (0.3 + 0.5 * (12.0 - 0.3));
   const QPoint edge = desk.canvas.view().to_px({100 + radius_mm, 100}).toPoint();
   int other = 0;

@@ -7,7 +7,7 @@
 namespace felt::desktop {
 namespace {
 
-/// Returns the vector turned clockwise; exact for multiples of 90 degrees.
+/// Returns the vector turned clockwise. The result is exact for multiples of 90 degrees.
 Vec turned(Vec v, double degrees) {
   if (degrees == 0.0) return v;
   if (std::abs(degrees) == 180.0) return -v;
@@ -72,7 +72,7 @@ void CanvasView::set_angle(double degrees) {
 
 void CanvasView::mirror() {
   mirrored_ = !mirrored_;
-  set_angle(-angle_deg_);  // a tilt to the left becomes one to the right
+  set_angle(-angle_deg_);  // a rotation to the left becomes one to the right
 }
 
 void CanvasView::fit(const Rect& mm, double margin_px) {

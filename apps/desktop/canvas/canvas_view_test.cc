@@ -111,7 +111,7 @@ TEST(CanvasView, FitShowsAllOfItHoweverTurned) {
     const Rect box{x, y, x + dice.between(5, 800), y + dice.between(5, 800)};
     view.fit(box, 24.0);
     const QRectF inside = QRectF({0, 0}, view.size()).adjusted(23.9, 23.9, -23.9, -23.9);
-    double nearest = 1e9;  // one side touches the margin: the scale is not smaller than needed
+    double nearest = 1e9;  // one side touches the margin, so the scale is not smaller than needed
     for (const Point p :
          {Point{box.x0, box.y0}, {box.x1, box.y0}, {box.x0, box.y1}, {box.x1, box.y1}}) {
       const QPointF px = view.to_px(p);

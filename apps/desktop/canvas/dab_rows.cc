@@ -11,9 +11,9 @@
 namespace felt::desktop {
 namespace {
 
-/// If a row is cut this far outside of a part, the cut is not visible inside.
+/// If a row is cut kSeamPx outside of a part, the cut is not visible inside the part.
 constexpr double kSeamPx = 2.0;
-/// Farther away nothing can be seen, and numbers lose precision.
+/// Points farther away than kFarPx are not visible, and their numbers lose precision.
 constexpr double kFarPx = 1e7;
 
 bool is_near(const Cubic& c) {
@@ -59,7 +59,7 @@ void DabRows::add(const Overlay::InkSegment& segment, double least_px) {
   Piece piece;
   piece.begins_row =
       pieces_.empty() || pieces_.back().box.empty() || distance(dabs_.back().center, c.p[0]) > 1e-3;
-  if (!is_near(c)) {  // the segment keeps its index, but nothing of it is visible
+  if (!is_near(c)) {  // the segment keeps its index although it is not visible
     piece.first = dabs_.size();
     piece.begins_row = true;
     dabs_.push_back({c.p[0], 0.0});
@@ -105,7 +105,7 @@ std::size_t DabRows::end_of(std::size_t piece) const noexcept {
   return pieces_[piece + 1].first + (pieces_[piece + 1].begins_row ? 0 : 1);
 }
 
-/// Joins neighbouring segments that touch the part into one stretch, and outlines each stretch
+/// Joins neighbouring segments that touch the part into one sequence, and outlines each sequence
 /// separately. The box of the part is enlarged by kSeamPx, so that the cut ends lie outside.
 void DabRows::trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out, std::size_t from,
                     std::size_t to) const {

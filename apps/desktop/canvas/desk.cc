@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kShadowDownPx = 2.0;
 constexpr std::array<double, 8> kShadowPx{2, 4, 7, 10, 13, 16, 19, 22};  // widths of the layered
-                                                                         // outlines, twice their
-                                                                         // reach
-constexpr int kShadowAlpha = 6;                                          // of each layer
+                                                                         // outlines: twice the
+                                                                         // reach of the shadow
+constexpr int kShadowAlpha = 6;                                          // alpha of each layer
 
 }  // namespace
 
@@ -51,8 +51,8 @@ void Desk::paint(QPainter& painter, const QRect& part, const CanvasView& view) c
   painter.drawPolygon(sheet);
 }
 
-/// Paints a shadow that fades outwards. In a dark theme a hairline separates paper of the same
-/// colour.
+/// Paints a shadow that fades outwards. In a dark theme, also paints a hairline, because the paper
+/// may have the colour of the background.
 void Desk::paint_edge(QPainter& painter, const QPolygonF& sheet) const {
   painter.setBrush(Qt::NoBrush);
   const QPolygonF below = sheet.translated(0, kShadowDownPx);

@@ -10,8 +10,9 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kTitleSize = 1.7, kTextSize = 1.15;  // times the size of the program's font
-constexpr double kQuiet = 0.62;                       // share of the ink's colour
+constexpr double kTitleSize = 1.7, kTextSize = 1.15;  // factors of the program's font size
+constexpr double kQuiet = 0.62;                       // share of the ink's colour in the text's
+                                                      // colour
 
 QString first_minute_text(const char* text) {
   return QCoreApplication::translate("FirstMinute", text);

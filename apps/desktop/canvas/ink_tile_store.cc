@@ -10,7 +10,7 @@ namespace {
 
 constexpr PixelRect kWhole{0, 0, kTileSide, kTileSide};
 
-/// The edge of a stroke may ink pixels this far from its geometry.
+/// The edge of a stroke may colour pixels up to kEdgePx from its geometry.
 constexpr double kEdgePx = 2.0;
 
 PixelRect united(PixelRect a, PixelRect b) noexcept {
@@ -19,14 +19,14 @@ PixelRect united(PixelRect a, PixelRect b) noexcept {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
 }
 
-/// Returns the whole pixels around an area; clamps far ones so that they fit integers.
+/// Returns the whole pixels around an area. Clamps distant ones so that they fit integers.
 PlaneRect pixels_around(const Rect& px) noexcept {
   const auto whole = [](double x) { return static_cast<std::int64_t>(std::clamp(x, -1e15, 1e15)); };
   return {whole(std::floor(px.x0 - kEdgePx)), whole(std::floor(px.y0 - kEdgePx)),
           whole(std::ceil(px.x1 + kEdgePx)), whole(std::ceil(px.y1 + kEdgePx))};
 }
 
-/// Returns the part of a tile that lies in an area of its plane.
+/// Returns the part of a tile that lies in `area` of its plane.
 PixelRect part_of(TilePlace place, const PlaneRect& area) noexcept {
   const PlaneRect tile = rect_of(place), both = tile.intersected(area);
   if (both.empty()) return {};
@@ -67,7 +67,7 @@ void InkTileStore::open(const Document& document) {
 void InkTileStore::apply(const Edit& edit) {
   InkDamage areas;
   drop_splits();
-  // The document did not accept an edit that is invalid here; the preview is gone in any case.
+  // The document refused the edit, so it is invalid here, too. The preview ends in any case.
   static_cast<void>(scene_->apply(edit, areas));
   damage(areas);
 }
@@ -112,8 +112,8 @@ std::size_t InkTileStore::tile_count() const noexcept {
   return count;
 }
 
-/// Ends the preview. Tiles whose pixels were rounded for speed are drawn again.
-void InkTileStore::drop_splits() {
+/// Ends the preview. Draws tiles again whose pixels were rounded for speed.
+void InkDesk::drop_splits() {
   for (auto& [id, plane] : planes_) {
     for (auto& [place, tile] : plane.tiles) {
       if (tile.split && tile.split->is_rounded) damage(tile, kWhole);
@@ -151,21 +151,22 @@ void InkTileStore::damage(Tile& tile, PixelRect part) {
   ++tile.damages;
 }
 
-/// An edit marks the parts of existing tiles that it changes as dirty. plan() chooses one tile:
-/// first outdated ones in the view, then missing ones in the view, then what covers new ink, then a
-/// ring around the view while memory lasts, at last outdated tiles of other planes. work() paints
-/// the dirty part, stroke by stroke, into a new picture, which replaces the old one when it is
-/// finished. If an interrupted picture became outdated, the next attempt is not interrupted, so
-/// that a tile appears even while edits arrive all the time.
-InkTileStore::Need InkTileStore::plan() {
+/// How tiles are updated: an edit marks the parts of existing tiles that it changes as dirty.
+/// plan() chooses one tile. It prefers outdated tiles in the view, then missing tiles in the view,
+/// then tiles of the layers that cover new ink, then a ring around the view if memory permits, and
+/// at last outdated tiles of other planes. work() paints the dirty part, stroke by stroke, into a
+/// new picture, which replaces the old one when it is finished. If an interrupted picture became
+/// outdated, the next attempt is not interrupted, so that the tile appears even if edits arrive
+/// continuously.
+InkDesk::Need InkDesk::plan() {
   choice_ = choose();
   return choice_.need;
 }
 
-/// Returns the tile in an area that needs work and lies nearest to the middle of the view. Tiles
-/// that exist but are outdated come first.
-std::optional<InkTileStore::Choice> InkTileStore::nearest(const Plane& plane, const PlaneRect& area,
-                                                          bool only_made) const {
+/// Returns that tile in `area` which needs work and is nearest to the middle of the view. Existing
+/// but outdated tiles come first.
+std::optional<InkDesk::Choice> InkDesk::nearest(const Plane& plane, const PlaneRect& area,
+                                                bool only_made) const {
   if (area.empty()) return std::nullopt;
   const TileRange range = TileRange::of(area);
   const double x0 = 0.5 * static_cast<double>(seen_.x0 + seen_.x1) / kTileSide - 0.5;
@@ -186,9 +187,9 @@ std::optional<InkTileStore::Choice> InkTileStore::nearest(const Plane& plane, co
   return best;
 }
 
-/// Returns a tile of what covers new ink. Comes after the view's own tiles, because only that ink
-/// needs it.
-std::optional<InkTileStore::Choice> InkTileStore::choose_over() const {
+/// Returns a tile of the layers that cover new ink. It has lower priority than the view's own
+/// tiles, because only new ink needs it.
+std::optional<InkDesk::Choice> InkDesk::choose_over() const {
   const auto over = planes_.find(over_);
   if (over == planes_.end()) return std::nullopt;
   const auto wrong = nearest(over->second, seen_, true);
@@ -213,7 +214,7 @@ InkTileStore::Choice InkTileStore::choose() const {
     }
   }
   if (!scene_->previewed().empty()) return {};
-  // Other planes, which may be shown again, or scaled, when the view changes.
+  // Other planes are updated because the view may show them again, or show them scaled.
   for (const auto& [id, other] : planes_) {
     for (const auto& [place, tile] : other.tiles) {
       if (tile.is_made && !tile.dirty.empty()) return {Need::kAround, id, place};
@@ -237,9 +238,9 @@ InkTileStore::Begun InkTileStore::begin(const Choice& choice, Plane& plane, Tile
   return begun;
 }
 
-/// Returns false if it was interrupted.
-bool InkTileStore::paint(Plane& plane, Tile& tile, Begun& begun,
-                         const std::function<bool()>& should_stop) {
+/// Returns false if painting was interrupted.
+bool InkDesk::paint(Plane& plane, Tile& tile, Begun& begun,
+                    const std::function<bool()>& should_stop) {
   const Pixels pixels = pixels_of(*begun.picture);
   const InkStyle& style = plane.spec.style;
   if (begun.job.next == 0) {
@@ -287,8 +288,8 @@ void InkTileStore::work(std::uint64_t order, const std::function<bool()>& should
   drop_old(news);
 }
 
-/// Drops the tiles that were not used for longest, until the rest fits.
-void InkTileStore::drop_old(std::vector<TileNews>& news) {
+/// Drops the tiles that were unused for the longest time until the others fit the memory limit.
+void InkDesk::drop_old(std::vector<TileNews>& news) {
   while (bytes_ > most_bytes_) {
     Plane* in = nullptr;
     std::map<TilePlace, Tile>::iterator oldest;

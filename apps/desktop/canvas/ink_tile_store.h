@@ -15,7 +15,7 @@ namespace felt::desktop {
 /// work. Not thread-safe.
 class InkTileStore {
  public:
-  /// How urgent the next work is.
+  /// The urgency of the next piece of work.
   enum class Need { kRepair, kMissing, kAround, kNone };
 
   /// `most_bytes` is the approximate memory limit of all tiles. Tiles of the view are kept even
@@ -56,7 +56,7 @@ class InkTileStore {
     PlaneSpec spec;
     std::map<TilePlace, Tile> tiles;
   };
-  /// A tile whose painting was interrupted.
+  /// A tile with a painting that was interrupted.
   struct Begun {
     std::uint64_t plane = 0;
     TilePlace place;

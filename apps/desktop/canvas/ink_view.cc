@@ -15,18 +15,19 @@
 namespace felt::desktop {
 namespace {
 
-/// A stroke that was just drawn must appear in the very next frame: painting waits this long for
-/// the worker, which usually needs a fraction of it.
+/// A new stroke must appear in the very next frame. Painting therefore waits for the worker, at
+/// most kPatience; the worker usually needs a fraction of it.
 constexpr std::chrono::microseconds kPatience{2000};
 
-/// Most strokes of one edit that are painted here if the worker is late.
+/// Maximum number of strokes of one edit that are painted here if the worker is late.
 constexpr std::size_t kMaxFresh = 8;
 constexpr int kMaxFreshSegments = 400;
 
-/// Most planes that are kept, for returning to an earlier view and as stand-ins for missing tiles.
+/// Maximum number of planes. Old planes are kept to return to an earlier view, and to fill missing
+/// tiles.
 constexpr std::size_t kMaxPlanes = 6;
 
-/// Farther away than this from the first view of a plane, another plane begins.
+/// If the view is farther than kFarthestPx from the first view of a plane, a new plane begins.
 constexpr double kFarthestPx = 1e9;
 
 constexpr double kHairPx = 1.0;
@@ -58,7 +59,7 @@ struct InkView::State {
     std::uint64_t style = 0;
     std::map<TilePlace, Tile> tiles;
   };
-  /// A stroke that may be missing from the tiles.
+  /// A stroke that the tiles may not contain yet.
   struct Fresh {
     std::uint64_t order = 0;
     StrokeId id;
@@ -95,19 +96,19 @@ struct InkView::State {
   bool is_outline = false;
   std::uint64_t style = 0;  // counts changes of grain and outline mode
   std::uint64_t last_plane = 0;
-  std::vector<Plane> planes;       // the current one last
+  std::vector<Plane> planes;       // the last one is current
   std::optional<LayerId> new_ink;  // the layer of new ink, if other layers cover it
-  std::optional<Plane> over;       // these layers, in the view of the current plane
-  std::int64_t left = 0, top = 0;  // of the widget, in pixels of the plane
+  std::optional<Plane> over;       // the plane of these layers, in the view of the current plane
+  std::int64_t left = 0, top = 0;  // corner of the widget, in pixels of the plane
   std::map<LayerId, bool> visible;
   std::vector<Fresh> fresh;
   TilePainter strokes;
   bool is_previewing = false;
-  std::uint64_t opened = 0;  // the order that set the document
+  std::uint64_t opened = 0;  // number of the order that set the document
   InkWorker worker;          // last, so that its thread ends first
 };
 
-/// Selects the plane of this scale, angle and style, or makes a new one.
+/// Selects the plane of the present scale, angle and style, or makes a new one.
 void InkView::State::choose_plane() {
   const View now = DeviceView{view, dpr, {}}.as_view();
   const auto is_same = [&](const Plane& plane) {
@@ -124,8 +125,8 @@ void InkView::State::choose_plane() {
     const InkStyle look{grain, is_outline ? kHairPx * std::max(1.0, dpr) : 0.0};
     planes.push_back({{++last_plane, now, look}, style, {}});
     if (planes.size() > kMaxPlanes) {
-      // Drops the plane that can stand in least. So the last full picture stays while the user
-      // zooms faster than tiles are made.
+      // Drops the plane that covers the least of the view. Therefore the last complete picture
+      // stays if the user zooms faster than tiles are made.
       const auto least = std::min_element(
           planes.begin(), planes.end() - 1,
           [&](const Plane& a, const Plane& b) { return covered(a, now) < covered(b, now); });
@@ -192,7 +193,7 @@ void InkView::apply(const Edit& edit) {
   for (const LayerChange& c : edit.layers) {
     if (c.after) s.visible[c.id] = c.after->visible;
   }
-  if (!edit.layers.empty() && s.over) {  // what lies above may have changed
+  if (!edit.layers.empty() && s.over) {  // the layers above may have changed
     s.drop_over();
     s.ask();
   }
@@ -285,7 +286,7 @@ void InkView::finish() {
   take_news();
 }
 
-/// Takes the worker's tiles and emits which parts of the widget they change.
+/// Accepts the worker's tiles and emits the parts of the widget that they change.
 void InkView::take_news() {
   State& s = *state_;
   const PlaneRect seen = s.seen();
@@ -318,7 +319,7 @@ void InkView::take_news() {
   }
 }
 
-/// Handles a tile of what covers new ink.
+/// Accepts a tile of the layers that cover new ink.
 void InkView::take_over(TileNews& news) {
   State& s = *state_;
   if (!news.is_there) {
@@ -328,14 +329,14 @@ void InkView::take_over(TileNews& news) {
   if (news.order < s.opened) return;
   const bool is_first = s.over->tiles.count(news.place) == 0;
   s.over->tiles[news.place] = {std::move(news.picture), news.order};
-  // Ink drawn since then was painted without it.
+  // Ink that was drawn since then was painted without this tile.
   const PlaneRect part = rect_of(news.place).intersected(s.seen());
   if (is_first && !part.empty()) Q_EMIT changed(s.on_widget(part));
 }
 
-/// Waits a little for the worker, copies the tiles of the current plane, fills the missing ones
-/// from the plane that covers most of the view, and paints new strokes over tiles that are older
-/// than they are.
+/// Waits a little for the worker and copies the tiles of the current plane. Fills missing tiles
+/// from the plane that covers most of the view. Paints new strokes over tiles that are older than
+/// these strokes.
 void InkView::paint(QPainter& painter, const QRect& part) {
   State& s = *state_;
   if (s.planes.empty()) return;
@@ -346,7 +347,7 @@ void InkView::paint(QPainter& painter, const QRect& part) {
   const QRect device = device_rect(part, s.dpr);
   painter.save();
   painter.setClipRect(part, Qt::IntersectClip);
-  painter.scale(1.0 / s.dpr, 1.0 / s.dpr);  // from here on in device pixels
+  painter.scale(1.0 / s.dpr, 1.0 / s.dpr);  // the following code uses device pixels
   painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
   QRegion missing;
   s.copy_tiles(painter, s.planes.back(), device, missing);
@@ -379,7 +380,7 @@ void InkView::State::copy_tiles(QPainter& painter, const Plane& plane, const QRe
   }
 }
 
-/// Returns roughly which share of a view the tiles of another plane can show, 0..1.
+/// Returns the approximate share of a view that the tiles of another plane can show, 0..1.
 double InkView::State::covered(const Plane& plane, const View& from) const {
   const double width = view.size().width() * dpr, height = view.size().height() * dpr;
   const Rect seen = plane.spec.view.area_px(from.area_mm({0, 0}, {width, height}));
@@ -421,7 +422,7 @@ void InkView::State::paint_others(QPainter& painter, const QRegion& missing) {
   painter.restore();
 }
 
-/// Paints strokes that were just drawn over the tiles that do not have them yet.
+/// Paints new strokes over the tiles that do not contain them yet.
 void InkView::State::paint_fresh(QPainter& painter, Plane& plane, const QRect& device) {
   const View seen = plane.spec.view.from({static_cast<double>(left), static_cast<double>(top)});
   for (const Fresh& f : fresh) {

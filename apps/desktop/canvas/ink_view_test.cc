@@ -18,7 +18,7 @@ namespace {
 
 constexpr QSize kSize(300, 220);
 
-/// The expected picture: every visible stroke, drawn directly, one after another.
+/// Returns the expected picture: every visible stroke, drawn directly, in their sequence.
 QImage drawn_straight(const Document& document, const QTransform& to_px, double dpr, bool outline,
                       QSize size = kSize) {
   QImage image(size * dpr, QImage::Format_ARGB32_Premultiplied);
@@ -57,7 +57,7 @@ QImage painted(InkView& ink, double dpr, QSize size = kSize) {
 
 struct Difference {
   int worst = 0;
-  int pixels = 0;  // number that differ by more than 2
+  int pixels = 0;  // number of pixels that differ by more than 2
 };
 
 Difference difference(const QImage& a, const QImage& b) {
@@ -93,7 +93,7 @@ CanvasView random_view(testing::RandomStroke& random) {
   return view;
 }
 
-/// Random documents, edits and previews in random views: the incremental picture equals a full
+/// For random documents, edits, previews and views, the incremental picture equals that of a full
 /// repaint.
 TEST(InkView, IncrementalPictureIsTheFullOne) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -143,8 +143,8 @@ StrokePtr line(Point a, Point b, double width, Rgba color = {0, 0, 0, 255}) {
   return std::make_shared<const Stroke>(Stroke::create(std::move(data)).value());
 }
 
-/// Parallel lines across the view, some transparent, and one that crosses them all in the middle of
-/// the order.
+/// Returns parallel lines across the view, some transparent, and one line that crosses them all
+/// and lies in the middle of the stack.
 Document lattice(int lines) {
   Document document;
   EditBuilder builder(document);
@@ -202,7 +202,7 @@ TEST(InkView, WhatWasShownStaysWhenItIsCommittedInEveryFrame) {
   EXPECT_LE(difference(painted(ink, 1.0), full).worst, 2);
 }
 
-/// For any load of the worker, the stroke that was just drawn is in the next frame.
+/// The next frame contains the new stroke, even if the worker is busy.
 TEST(InkView, AStrokeIsSeenAsSoonAsItIsThere) {
   Document document = lattice(30);
   InkView ink;
@@ -320,7 +320,7 @@ TEST(InkView, TheEndsOfTheWorldAndAnEmptyWidget) {
   }
 }
 
-/// The worker can be ended during any work.
+/// The worker can be ended while it does any work.
 TEST(InkView, EndsInTheMiddle) {
   const Document document = lattice(200);
   for (int round = 0; round < 60; ++round) {

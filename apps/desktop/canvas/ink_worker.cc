@@ -24,7 +24,8 @@ std::uint64_t InkWorker::post(Order order) {
   std::uint64_t number = 0;
   {
     const std::lock_guard lock(mutex_);
-    // Of two views or previews in a row the first would never be seen.
+    // If two views or previews follow each other, the first would never be visible and is
+    // replaced.
     if (!orders_.empty() && orders_.back().index() == order.index() &&
         (std::holds_alternative<Look>(order) ||
          std::holds_alternative<std::optional<Edit>>(order))) {
@@ -76,7 +77,8 @@ void InkWorker::wait(Stage stage) {
   has_stage_.wait(lock, [&] { return stage_ >= stage; });
 }
 
-/// Waits for orders if no other work is pending. Returns false at the end.
+/// Takes the waiting orders. If nothing else is to do, waits for them. Returns false when the
+/// thread must end.
 bool InkWorker::take_orders(std::deque<Order>& orders, std::uint64_t& last) {
   std::unique_lock lock(mutex_);
   if (is_idle_) has_orders_.wait(lock, [&] { return !orders_.empty() || quits_; });
@@ -90,7 +92,7 @@ void InkWorker::set_stage(Stage stage, std::uint64_t order) {
   {
     const std::lock_guard lock(mutex_);
     repaired_ = order;
-    if (order != posted_) return;  // another order has arrived since
+    if (order != posted_) return;  // another order has arrived meanwhile
     stage_ = stage;
   }
   has_stage_.notify_all();

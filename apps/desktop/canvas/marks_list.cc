@@ -14,14 +14,14 @@ using Kind = Mark::Kind;
 
 constexpr int kPointsOfAPart = 24;  // a long line is split into parts, which are compared and
                                     // painted separately
-constexpr double kAroundPx = 4.0;   // halo, line width and edges, around the points of a mark
-constexpr double kBeyondPx = 64.0;  // around the widget: a mark farther out is not visible
+constexpr double kAroundPx = 4.0;   // margin around a mark's points for halo, line width and edges
+constexpr double kBeyondPx = 64.0;  // margin around the widget; marks beyond it are not visible
 constexpr double kDotPx = 7.0;
 constexpr double kPlateGapPx = 10.0;
 constexpr double kPlatePadPx = 4.0;
-constexpr double kArrowPx = 46.0;    // length for an infinite force
-constexpr double kArrowHalfN = 0.7;  // force at half that length
-constexpr double kMinForceN = 0.02;  // a smaller force is not shown
+constexpr double kArrowPx = 46.0;    // length of the arrow for an infinite force
+constexpr double kArrowHalfN = 0.7;  // the force at half that length
+constexpr double kMinForceN = 0.02;  // smaller forces are not shown
 constexpr double kBarPx = 26.0;
 constexpr double kBarAsidePx = 15.0;
 
@@ -85,7 +85,7 @@ class Lister {
     mark.box = around(mark.points, kDotPx);
     marks_.push_back(mark);
   }
-  /// Places a label beside its point, on the side where the widget has room.
+  /// Places a label beside its point, on the side on which the widget has space.
   void label(const Overlay::Label& label) {
     const QPointF at = view_.to_px(label.at);
     if (!seen_.contains(at)) return;
@@ -104,9 +104,9 @@ class Lister {
   }
 
  private:
-  /// Adds the visible part of a line in pieces, each with the phase of its dashes. So a long line
-  /// that grows is repainted only at its end, and dashes of a line across ten screens are not
-  /// computed.
+  /// Adds the visible part of a line in pieces, each with the phase of its dashes. Therefore a
+  /// growing long line is repainted only at its end, and the dashes of the invisible part of a
+  /// line are not computed.
   void lines(const QPolygonF& points, Overlay::Role role) {
     Mark part{Kind::kLines, role, {}};
     double length = 0.0;

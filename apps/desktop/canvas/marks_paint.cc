@@ -14,8 +14,8 @@ using Kind = Mark::Kind;
 
 constexpr double kDash = 4.5, kGap = 3.6;
 constexpr double kMaxDashedPx =
-    4000.0;                      // a larger ring looks like a line, and its dashes cost much
-constexpr double kHaloPx = 1.5;  // beside a line, on either side
+    4000.0;                      // a larger ring looks like a line, and its dashes take long
+constexpr double kHaloPx = 1.5;  // width of the halo on each side of a line
 
 QPen halo_pen(double width, const MarkLook& look) {
   return {look.halo(), width + 2 * kHaloPx, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin};
@@ -80,7 +80,7 @@ void paint_label(QPainter& painter, const Mark& mark, const MarkLook& look, cons
   painter.drawText(plate, Qt::AlignCenter, mark.text);
 }
 
-/// Paints a thin ring as large as the line would be, and its middle.
+/// Paints a thin ring with the diameter of the line that would be drawn, and its centre.
 void paint_nib(QPainter& painter, const Mark& mark, const MarkLook& look) {
   const QPointF at = mark.points[0];
   if (mark.size > 0.0) {
@@ -104,7 +104,7 @@ void paint_hand(QPainter& painter, const Mark& mark, const MarkLook& look) {
   painter.drawEllipse(mark.points[0], 2.0, 2.0);
 }
 
-/// Paints a bar, filled from its foot: how hard the surface pushes the pen out.
+/// Paints a bar that is filled from its foot; it shows how hard the surface pushes the pen out.
 void paint_normal(QPainter& painter, const Mark& mark, const MarkLook& look) {
   const QLineF whole(mark.points[0], mark.points[1]);
   QPen pen(look.halo(), 6.0, Qt::SolidLine, Qt::RoundCap);

@@ -106,7 +106,7 @@ TEST(Marks, EveryRoleIsSeenOnLightAndOnDarkPaper) {
   }
 }
 
-/// A mark paints nothing outside of its box; otherwise a partial repaint would leave remains.
+/// A mark paints only within its box; otherwise a partial repaint would leave remains.
 TEST(Marks, KeepToTheirBoxes) {
   Overlay overlay;
   using Role = Overlay::Role;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kZoomStep = 1.25;
 constexpr double kTurnStepDeg = 15.0;
-constexpr double kScrollShare = 0.15;  // share of the smaller side of the canvas
+constexpr double kScrollShare = 0.15;  // relative to the shorter side of the canvas
 
 QString view_text(const char* text) {
   return QCoreApplication::translate("ViewActions", text);
@@ -113,7 +113,7 @@ void add_scrolling(Actions& actions, Canvas& canvas) {
            });
 }
 
-/// Adds a switch for a setting; the canvas follows the settings.
+/// Adds a switch for a setting. The canvas follows the setting.
 void add_setting(Actions& actions, const char* name, const char* text, const char* tip,
                  const char* key, bool fallback) {
   const QString setting = QString::fromLatin1(key);

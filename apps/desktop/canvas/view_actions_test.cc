@@ -27,7 +27,7 @@ class ViewActions : public ::testing::Test {
 
 TEST_F(ViewActions, AreAllInWordsAndNoKeyIsTakenTwice) {
   QMap<QString, QString> taken;
-  // Keys used elsewhere: sizes, arrows for the keyboard pen, letters of tools.
+  // These keys are used elsewhere: sizes, arrows for the keyboard pen, letters of tools.
   for (const char* key : {"[", "]", "Left", "Right", "Up", "Down", "Space", "Tab", "Esc", "X",  "H",
                           "P", "E", "V",    "A",     "W",  "S",    "C",     "T",   "F1",  "F11"}) {
     taken[QString::fromLatin1(key)] = QStringLiteral("of others");

@@ -10,11 +10,11 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kOutlinePx = 1.0;  // device-independent, of outline mode
-constexpr double kBandPx = 7.0;     // wider than its ink by this
+constexpr double kOutlinePx = 1.0;  // line width in outline mode, device-independent pixels
+constexpr double kBandPx = 7.0;     // a band is wider than its ink by kBandPx
 constexpr double kMinBandPx = 9.0;
 
-/// Returns how many elements at the start of both are equal.
+/// Returns how many elements at the start of both sequences are equal.
 template <class T>
 std::size_t common(std::span<const T> a, std::span<const T> b) {
   const std::size_t most = std::min(a.size(), b.size());
@@ -23,7 +23,7 @@ std::size_t common(std::span<const T> a, std::span<const T> b) {
   return n;
 }
 
-/// Draws pixel for pixel, as tiles are drawn, also at fractional scales.
+/// Draws pixel for pixel, also at fractional scales, as tiles are drawn.
 void draw_pixels(QPainter& painter, const QImage& image, const PixelRect& pixels, double dpr) {
   painter.save();
   painter.scale(1.0 / dpr, 1.0 / dpr);
@@ -93,10 +93,10 @@ void WetInkView::set_outline_mode(bool on) {
   set_view(view_);
 }
 
-/// n counts the segments at the start that are unchanged: those that both overlays call stable, and
-/// then those that compare equal. All later ones are replaced. Segments that two changes in a row
-/// have left alone move into the mask (settle()); if the mask has a segment that changed, it is
-/// dropped.
+/// n is the number of unchanged segments at the start: those that both overlays call stable,
+/// followed by those that compare equal. All later segments are replaced. Segments that two
+/// consecutive updates did not change move into the mask (settle()). If a segment that is in the
+/// mask changes, the mask is dropped.
 QRegion WetInkView::update(const Overlay& overlay) {
   using Ink = std::span<const Overlay::InkSegment>;
   const Ink ink(overlay.ink);
@@ -119,7 +119,7 @@ QRegion WetInkView::update(const Overlay& overlay) {
     add(wet_, segment);
   }
   box.extend(wet_.dabs.bounds(n));
-  // Segments that two changes left as they are will stay, so they go into the mask. There they may
+  // Segments that two updates did not change will stay, so they go into the mask. There they may
   // look minimally different, so their area is repainted.
   const std::size_t settled = wet_.settled;
   if (changes) settle(wet_, std::min(std::exchange(wet_.firm, n), n));
@@ -188,7 +188,7 @@ void WetInkView::paint_row(QPainter& painter, const QRect& part, const Row& row,
   draw_pixels(painter, image, pixels, view_.dpr);
 }
 
-/// Collects how hard the pen pressed on the pixels of a part.
+/// Accumulates how hard the pen pressed on each pixel of `pixels`.
 void WetInkView::lay(const PixelRect& pixels, const Row& row, double edge) {
   pressure_.begin(pixels, edge);
   row.dabs.ways(pixels, [&](std::span<const Dab> dabs) {
@@ -200,7 +200,7 @@ void WetInkView::lay(const PixelRect& pixels, const Row& row, double edge) {
   });
 }
 
-/// Turns coverage, this or the mask's if larger, into colour.
+/// Turns coverage into colour. For each pixel, uses the mask's coverage if it is larger.
 void WetInkView::ink_pixels(QImage& image, const PixelRect& pixels, const Row& row) {
   const auto look = outline_mode_ ? nullptr : grain_.look(row.material, view_.px_per_mm());
   std::optional<InkShade> shade;

@@ -10,7 +10,7 @@ namespace {
 constexpr QSize kSize{400, 300};
 constexpr std::size_t kOpen = 3;  // provisional segments at the end of a line
 
-/// Segment i of a line that crosses itself, or of its provisional end.
+/// Returns segment i of a line that crosses itself, or of its provisional end.
 Overlay::InkSegment segment(std::size_t i, bool is_open) {
   const auto at = [&](double u) {
     const double r = is_open ? 31.0 : 30.0;
@@ -21,7 +21,7 @@ Overlay::InkSegment segment(std::size_t i, bool is_open) {
   return {{{a, lerp(a, b, 1.0 / 3.0), lerp(a, b, 2.0 / 3.0), b}}, 1.0, 1.5};
 }
 
-/// Shows the first n segments of a stroke; the last ones are provisional.
+/// Adds the first n segments of a stroke to the overlay; the last ones are provisional.
 void show(Overlay& overlay, std::uint64_t stroke, std::size_t n) {
   std::vector<Overlay::InkSegment> stable;
   for (std::size_t i = 0; i + kOpen < n; ++i) stable.push_back(segment(i, false));
@@ -47,7 +47,7 @@ QImage picture(WetInkView& ink) {
   return image;
 }
 
-/// Stable segments are not read again: here they are overwritten.
+/// Stable segments are not read again. To show this, the test overwrites them.
 TEST(WetInkView, LooksOnlyAtInkThatIsNotStable) {
   WetInkView ink = view_of_the_sheet(), expected = view_of_the_sheet();
   Overlay overlay;
@@ -55,7 +55,7 @@ TEST(WetInkView, LooksOnlyAtInkThatIsNotStable) {
   for (std::size_t n = 1; n < 200; n += 1 + n % 3) {
     show(overlay, 1, n);
     Overlay unknown = overlay, spoiled = overlay;
-    unknown.ink_stroke = 0;  // no stroke id: everything is compared
+    unknown.ink_stroke = 0;  // without a stroke id, everything is compared
     const QRegion changed = expected.update(unknown);
     for (std::size_t i = 0; i < stable; ++i) spoiled.ink[i] = segment(7 * i, true);
     EXPECT_EQ(ink.update(spoiled), changed);

@@ -14,7 +14,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr int kLookMs = 20;
-constexpr double kGoodMm = 2.0;  // an error at a corner up to this cannot be felt
+constexpr double kGoodMm = 2.0;  // an error at a corner of at most kGoodMm cannot be felt
 constexpr QSize kPicturePx{240, 180};
 constexpr int kPictureMargin = 26;
 constexpr double kCornerPx = 7, kNextPx = 11, kPenPx = 4;
@@ -61,9 +61,10 @@ CalibrationDialog::CalibrationDialog(std::unique_ptr<PenDevice> device, Point mi
     ServoOptions options;
     options.period_ns = device_->device().capabilities().period_ns;
     options.limits = limits_for(device_->device().capabilities());
-    servo_ = std::make_unique<Servo>(device_->device(), options);  // never armed: no force
+    servo_ = std::make_unique<Servo>(device_->device(), options);  // the servo is never armed and
+                                                                   // so sends no force
     loop_ = std::make_unique<RealtimeThread>(*servo_, RealtimeOptions{.lock_memory = false}, host);
-    static_cast<void>(loop_->start());  // if it fails, the dialog reports that no samples arrive
+    static_cast<void>(loop_->start());  // if this fails, the dialog reports that no samples arrive
   }
   clock_.start();
   connect(&timer_, &QTimer::timeout, this, &CalibrationDialog::look);
@@ -77,7 +78,8 @@ CalibrationDialog::~CalibrationDialog() {
 
 std::unique_ptr<PenDevice> CalibrationDialog::take_device() {
   timer_.stop();
-  if (loop_ && !loop_->stop()) {  // it is unresponsive, but may still return at any time
+  if (loop_ && !loop_->stop()) {  // the device is unresponsive, but its call may still return at
+                                  // any time
     abandon(std::move(loop_), std::move(servo_), std::move(device_));
     return nullptr;
   }
@@ -93,7 +95,7 @@ void CalibrationDialog::run(Studio& studio, QWidget* parent) {
       open_pen_device(QString::fromLatin1(kPenDeviceDefault), page);
   if (!mouse) return;
   std::unique_ptr<PenDevice> used = studio.loop().use_device(*std::move(mouse));
-  if (!used) return;  // it is unresponsive; the studio has reported it
+  if (!used) return;  // the device is unresponsive; the studio has reported it
   const QString label = used->info().label;
   CalibrationDialog dialog(std::move(used), {0.5 * (page.x0 + page.x1), 0.5 * (page.y0 + page.y1)},
                            parent);
@@ -135,8 +137,8 @@ std::uint32_t CalibrationDialog::read() {
   }
   place_.reset();
   if (sample && is_finite(sample->position)) place_ = old_.to_device(sample->position);
-  // A device that moves only in the plane is in it: its pen, up or down, reports a height just
-  // above or below.
+  // If the device moves only in the plane, the pen is in the plane. It reports a height just above
+  // or below it to tell whether it is lifted.
   if (place_ && device_->device().capabilities().sensed_axes == 2) place_->z = 0.0;
   const std::uint32_t before = std::exchange(buttons_, sample ? sample->buttons : 0);
   return buttons_ & ~before;
@@ -149,7 +151,7 @@ void CalibrationDialog::look() {
 }
 
 void CalibrationDialog::take() {
-  read();  // reads the present position, not the one of the last look()
+  read();  // reads the present position, because that of the last look() may be outdated
   if (!place_ || corners_.size() == kCorners) return;
   corners_.push_back(*place_);
   if (corners_.size() == kCorners) {
@@ -200,7 +202,7 @@ void CalibrationDialog::tell() {
   take_->setEnabled(place_.has_value() && corners_.size() < kCorners);
   again_->setEnabled(!corners_.empty());
   keep_->setEnabled(found_.has_value());
-  // Space and Enter always trigger the next step, because one hand holds the pen.
+  // Space and Enter must always trigger the next step, because one hand holds the pen.
   if (take_->isEnabled() && !could_take) take_->setFocus();
   if (keep_->isEnabled() && could_take && !take_->isEnabled()) keep_->setFocus();
   if (!place_) {
@@ -220,7 +222,7 @@ void CalibrationDialog::tell() {
                       .arg(found_->calibration.to_sheet(p).z, 0, 'f', 1));
 }
 
-/// Returns a point as seen from the user's seat; before the plane is known, with the device's usual
+/// Returns a point as the user sees it. Before the plane is known, uses the device's default
 /// plane.
 QPointF CalibrationDialog::in_picture(const Vec3& device_mm) const {
   const bool is_known = found_.has_value();
@@ -245,7 +247,7 @@ void CalibrationDialog::draw() {
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor line = palette().color(QPalette::WindowText),
                highlight = palette().color(QPalette::Highlight);
-  // The area: as touched once it is known, otherwise the reach of the device.
+  // The rectangle is the touched area once it is known, otherwise the reach of the device.
   QRectF sheet(0, 0, kPicturePx.width() - 2.0 * kPictureMargin,
                kPicturePx.height() - 2.0 * kPictureMargin);
   sheet.moveCenter(QPointF(0.5 * kPicturePx.width(), 0.5 * kPicturePx.height()));
@@ -275,7 +277,7 @@ void CalibrationDialog::draw() {
     const QPointF at(std::clamp(raw.x(), all.left(), all.right()),
                      std::clamp(raw.y(), all.top(), all.bottom()));
     painter.setPen(QPen(highlight, 1.6));
-    painter.drawLine(at, at + QPointF(11, -15));  // the pen, with its tip at its position
+    painter.drawLine(at, at + QPointF(11, -15));  // the pen, with its tip at the reported position
     painter.setBrush(highlight);
     painter.drawEllipse(at, kPenPx, kPenPx);
   }

@@ -1,5 +1,5 @@
-// Complete sessions of a user with every driver's real code and a fake of its vendor's side: the
-// window's studio, its DeviceCare, and the drivers' benches (tests/devices/drivers).
+// Complete sessions of a user with every driver's real code and a simulated vendor's side: the
+// window's studio, its DeviceCare, and the drivers' test benches (tests/devices/drivers).
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -15,7 +15,8 @@
 namespace felt::desktop::device_benches_test {
 namespace {
 
-/// The bench's device, opened as the window's driver opens one; it ticks with the studio.
+/// The bench's device, opened as the window's driver opens a device. Its ticks follow the studio's
+/// time.
 class BenchPen final : public DriverDevice {
  public:
   BenchPen(DriverBench& bench, const Studio*& studio) : bench_(bench), studio_(studio) {}
@@ -25,7 +26,7 @@ class BenchPen final : public DriverDevice {
     return inner().capabilities();
   }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
-    // The fake's clock does not restart with each loop.
+    // The bench's clock does not restart with each loop.
     const std::int64_t bench_ns = studio_->now_ns();
     bench_.before_tick(bench_ns);
     auto sample = inner().read(bench_ns);
@@ -108,14 +109,14 @@ struct Sitting {
       EXPECT_TRUE(looked.wait(5000));
     }
   }
-  /// Moves the hand evenly from its position, and delivers the signals.
+  /// Moves the hand evenly from its present position, and delivers the signals.
   void move_to(double x, double y, double z, std::int64_t ms) {
     const Vec3 to = middle + Vec3{x, y, z - middle.z}, from = hand;
     for (std::int64_t i = 1; i <= ms; ++i) {
       hand = from + (double(i) / double(ms)) * (to - from);
       bench->hand().aim(hand, {}, 0);
       studio->advance(kMs);
-      // The fake advances even while it is not read.
+      // The bench advances even while nothing reads it.
       if (studio->loop().device().info().id != id) bench->before_tick(studio->now_ns());
     }
     QCoreApplication::processEvents();
@@ -146,7 +147,7 @@ TEST_P(Benches, UnpluggedMidLineTheInkIsKeptAndItComesBackWithoutForce) {
   at.move_to(-20, 0, -6, 700);
   ASSERT_EQ(at.studio->loop().device().info().id, at.id) << at.said();
   EXPECT_TRUE(at.studio->session().gesture_in_work());
-  const std::size_t before = at.strokes();  // a light arm bounces when it lands, and makes a dot
+  const std::size_t before = at.strokes();  // a light arm bounces when it lands, and draws a dot
   at.move_to(10, 10, -6, 900);
   EXPECT_EQ(at.studio->loop().device().info().id, QStringLiteral("tablet"));
   EXPECT_GT(at.strokes(), before) << "the ink up to the fault";
@@ -154,7 +155,8 @@ TEST_P(Benches, UnpluggedMidLineTheInkIsKeptAndItComesBackWithoutForce) {
   EXPECT_NE(at.said().find("is no longer connected."), std::string::npos) << at.said();
   at.move_to(0, 30, 10, 1500);
   EXPECT_EQ(at.strokes(), kept) << "the hand is not read";
-  // Reconnects automatically if the driver can find it without opening it, otherwise by the button.
+  // The device reconnects automatically if the driver can find it without opening it; otherwise
+  // the user presses the button.
   at.look();
   QTest::qWait(2 * DeviceCare::kCalmMs + 100);
   if (at.studio->loop().device().info().id != at.id) at.notice->press(0);

@@ -12,7 +12,8 @@
 namespace felt::desktop {
 namespace {
 
-/// A device that is lost again this soon after an automatic reconnection is not reconnected again.
+/// A device that fails again within kSteadyMs after an automatic reconnection is not reconnected
+/// again.
 constexpr qint64 kSteadyMs = 5000;
 
 /// Returns true if the pen cannot be read, or its position is unknown.
@@ -38,7 +39,7 @@ DeviceCare::DeviceCare(Studio& studio, DeviceNotice& notice, QWidget* window)
     if (status.reads == reads_) return let_go(*status.fault, status);
     say_no_force(*status.fault, status);
   });
-  // Queued, because the signal may come during painting, when a device must not be replaced.
+  // Queued, because the signal may be emitted while painting, when a device must not be replaced.
   connect(&studio_.loop(), &HapticLoop::device_status_changed, this, &DeviceCare::hear,
           Qt::QueuedConnection);
   connect(&studio_.loop(), &HapticLoop::device_changed, this, [this] {
@@ -71,7 +72,7 @@ bool DeviceCare::use(const QString& id, QWidget* parent) {
   return true;
 }
 
-/// Handles the present status, because the reported one may be outdated.
+/// Handles the present status, because the status in the signal may be outdated.
 void DeviceCare::hear() {
   const DeviceStatus status = studio_.loop().device_status();
   if (status.fault && ends_reading(*status.fault)) return let_go(*status.fault, status);
@@ -81,15 +82,15 @@ void DeviceCare::hear() {
     return patience_.start();
   }
   patience_.stop();
-  // When forces are off, the device has nothing to refuse and the fault ends, so the last fault is
-  // checked.
+  // When forces are off, the device has nothing to refuse, and the fault ends. Therefore the last
+  // fault is checked.
   if (status.last_fault && takes_no_force(*status.last_fault)) {
     say_no_force(*status.last_fault, status);
   }
   if (!status.fault) say_notice(status);
 }
 
-/// Shows each notice once: a flat battery, a service that has stopped sending events.
+/// Shows each notice once, such as a flat battery or a service that has stopped sending events.
 void DeviceCare::say_notice(const DeviceStatus& status) {
   if (std::exchange(said_notice_, status.notice) == status.notice || status.notice.empty()) return;
   const PenDeviceInfo info = studio_.loop().device().info();
@@ -101,7 +102,7 @@ void DeviceCare::say_notice(const DeviceStatus& status) {
 
 void DeviceCare::let_go(DeviceFault fault, const DeviceStatus& status) {
   const PenDeviceInfo info = studio_.loop().device().info();
-  if (studio_.loop().device().hand()) return;  // a simulated one cannot be plugged in again
+  if (studio_.loop().device().hand()) return;  // a simulated device cannot be plugged in again
   const DeviceWords words = words_for(fault, info.label, status, false);
   // Ends the gesture as if the pen had been lifted, and closes the device.
   if (!studio_.use_device(QString::fromLatin1(kPenDeviceDefault))) return;
@@ -146,7 +147,7 @@ void DeviceCare::stop_waiting() {
 void DeviceCare::look() {
   if (waits_for_.isEmpty()) return;
   const PenDeviceInfo* seen = DriverWatch::the()->find(waits_for_);
-  // When it was unplugged, an earlier failure no longer counts.
+  // When the device was unplugged, an earlier failure no longer counts.
   if (!seen) has_failed_ = false;
   if (!seen || !seen->is_connected || has_failed_ || PenDevice::is_open(waits_for_)) {
     return calm_.stop();

@@ -34,12 +34,13 @@ std::vector<std::unique_ptr<Driver>> drivers_of(const std::shared_ptr<ScriptedAr
   return drivers;
 }
 
-/// A fixture: a window's studio with a device that the test connects and disconnects; virtual time.
+/// A fixture: a window's studio with a device that the test connects and disconnects, in virtual
+/// time.
 struct Desk {
   Desk() {
     QFile::remove(profile_path(kArm));
     Settings::the().reset(QString::fromLatin1(kPenDeviceKey));
-    // Its frame is that of the page: the pen is at the positions that the tests set.
+    // The device's frame is that of the page, so the pen is at the positions that the test sets.
     DeviceProfile profile;
     profile.device_id = kArm.toStdString();
     profile.plane = PlaneCalibration{};
@@ -51,9 +52,9 @@ struct Desk {
     Settings::the().reset(QString::fromLatin1(kPenDeviceKey));
   }
 
-  /// Waits until the connected devices were found.
+  /// Waits until the connected devices are found.
   void look() {
-    // Twice, because one search may have been running already.
+    // Waits for two searches, because the first may already have been running.
     for (int i = 0; i < 2; ++i) {
       QSignalSpy looked(&watch, &DriverWatch::looked);
       watch.look();
@@ -66,7 +67,7 @@ struct Desk {
     studio.advance(ms * kMs);
     QCoreApplication::processEvents();
   }
-  /// Moves steadily, because jumps of a real device are rejected.
+  /// Moves at a constant speed, because jumps of a real device are rejected.
   void move_to(double x, double y, double z) {
     const Vec3 from = arm->at.position;
     constexpr int kSteps = 100;
@@ -83,7 +84,7 @@ struct Desk {
     move_to(arm->at.position.x, arm->at.position.y, 20);
     studio.advance(40 * kMs);
   }
-  /// Waits as long as the timers need once the pen is up.
+  /// Waits as long as the timers need after the pen was lifted.
   void calm() { QTest::qWait(2 * DeviceCare::kCalmMs + 100); }
   [[nodiscard]] std::string device() { return studio.loop().device().info().id.toStdString(); }
   [[nodiscard]] std::size_t strokes() const { return studio.session().document().stroke_count(); }
@@ -132,7 +133,7 @@ TEST(DeviceCare, APersonDrawsUnplugsMidLineAndDrawsOn) {
   desk.arm->vendor_words = "HD_COMM_ERROR: no answer from the arm";
   desk.arm->is_plugged_in = false;
   desk.go_on(40);
-  // The drawn part is a stroke, forces are off, and the mouse draws.
+  // The drawn part is a stroke, forces are off, and the mouse can draw.
   EXPECT_EQ(desk.strokes(), 1u);
   EXPECT_EQ(desk.device(), "tablet");
   EXPECT_EQ(desk.arm->sent, Force{});
@@ -150,9 +151,10 @@ TEST(DeviceCare, APersonDrawsUnplugsMidLineAndDrawsOn) {
   point(60, false);
   desk.go_on(100);
   EXPECT_EQ(desk.strokes(), 2u);
-  // When it is plugged in again, it is used as soon as the pen is up, without forces.
+  // When the device is plugged in again, it is used as soon as the pen is lifted, without forces.
   desk.arm->is_plugged_in = true;
-  desk.pen_at(120, 20, 20);  // not at the end of the first line, which it would continue
+  desk.pen_at(120, 20, 20);  // away from the end of the first line, which it would otherwise
+                             // continue
   desk.look();
   desk.calm();
   EXPECT_EQ(desk.device(), "scripted:1");
@@ -242,7 +244,7 @@ TEST(DeviceCare, ForcesThatTheDeviceSwitchesOffDoNotEndTheDrawing) {
     desk.draw_to(80, 50);
     desk.lift();
     EXPECT_EQ(desk.strokes(), 1u);
-    // It works again, and the user confirms.
+    // The device works again, and the user confirms.
     desk.arm->write_fault.reset();
     desk.notice->press(0);
     desk.go_on(1000);
@@ -270,7 +272,7 @@ TEST(DeviceCare, ShowsTheNoticesOfTheDevice) {
   EXPECT_FALSE(desk.notice->isVisibleTo(&desk.window)) << "each notice is shown once";
 }
 
-/// The arm works again, and only the button of the notice opens it.
+/// Lets the arm work again and expects that only the button of the notice opens it.
 void expect_opened_by_its_button_only(Desk& desk) {
   desk.arm->read_fault.reset();
   desk.look();
@@ -296,7 +298,7 @@ TEST(DeviceCare, AFaultThatPassesIsWaitedOutAndOneThatStaysLetsGo) {
   desk.go_on(40);
   QTest::qWait(DeviceCare::kPatienceMs + 100);
   EXPECT_EQ(desk.device(), "tablet");
-  // It is still plugged in: only the user can try again.
+  // The device is still plugged in: only the user can try again.
   expect_opened_by_its_button_only(desk);
 }
 
@@ -341,7 +343,7 @@ TEST(DeviceCare, TheChosenOneIsUsedWhenItComes) {
   QTest::qWait(2 * DeviceCare::kCalmMs + 100);
   EXPECT_EQ(studio.loop().device().info().id, kArm);
   EXPECT_FALSE(studio.loop().forces_are_on());
-  // Another window must not get it.
+  // Another window cannot open the device.
   EXPECT_FALSE(first.care->use(kArm, nullptr));
   EXPECT_NE(first.said().find("in another window"), std::string::npos);
 }
@@ -358,7 +360,8 @@ TEST(DeviceCare, AnArmThatMovesByItselfNeedsAYes) {
   EXPECT_TRUE(desk.care->use(kArm, nullptr));
   EXPECT_EQ(desk.arm->homed, 1);
   EXPECT_EQ(desk.device(), "scripted:1");
-  // When it is lost and reconnected, it needs homing again: by a button, never automatically.
+  // When the device is unplugged and plugged in again, it needs homing again, by a button and
+  // never automatically.
   desk.arm->is_plugged_in = false;
   desk.go_on(40);
   desk.look();

@@ -11,7 +11,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr int kNoticeIconPx = 18;
-constexpr int kIndentPx = 24;  // below the text, which stands beside the icon
+constexpr int kIndentPx = 24;  // the text stands beside the icon
 
 }  // namespace
 
@@ -28,7 +28,7 @@ DeviceNotice::DeviceNotice(QLabel* vendor, QWidget* parent)
 void DeviceNotice::say(DeviceMessage message) {
   message_ = std::move(message);
   while (QLayoutItem* item = extras().takeAt(0)) {
-    item->widget()->deleteLater();  // deferred, because it may be the pressed button
+    item->widget()->deleteLater();  // deferred, because the signal may come from this button
     item->widget()->hide();
     delete item;
   }

@@ -225,7 +225,7 @@ void DevicePage::tell_rows() {
     if (!row->is_real) {
       item->setText(name);
       QPixmap nothing(QSize(kPageIconPx, kPageIconPx) *
-                      devicePixelRatioF());  // so that names align
+                      devicePixelRatioF());  // gives all names the same start
       nothing.fill(Qt::transparent);
       item->setIcon(in_use ? icon(FeelLevel::kOn) : QIcon(nothing));
       continue;
@@ -281,8 +281,8 @@ void DevicePage::use() {
   } else if (id != studio_.loop().device().info().id && studio_.use_device(id)) {
     Settings::the().set(QString::fromLatin1(kPenDeviceKey), id);
   }
-  // A device that mouse and tablet lead is used by selecting its row; if it did not open, selects
-  // the one in use.
+  // A device that mouse and tablet move is used when its row is selected. If it did not open,
+  // selects the row of the device in use.
   const Row* now = row_of(id);
   if (now && !now->is_real) choose(studio_.loop().device().info().id);
   tell_rows();
@@ -329,7 +329,7 @@ void DevicePage::tell() {
   pad_->use(is_led ? now.id : QString(), studio_.loop().strength(), studio_.loop().force_limit());
 }
 
-/// Lists the cue devices that were found, and the chosen one even if it is missing.
+/// Lists the cue devices that were found, and the chosen device even if it is missing.
 void DevicePage::list_cues() {
   const QString chosen = Settings::the().text(QString::fromLatin1(kCueDeviceKey));
   cue_->clear();

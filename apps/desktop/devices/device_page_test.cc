@@ -22,7 +22,7 @@
 namespace felt::desktop::device_page_test {
 namespace {
 
-/// A user's device with its own frame, which any studio can use immediately.
+/// A user's device with its own frame that any studio can use immediately.
 struct FakeDriver {
   FakeDriver() {
     arm->descriptor.id = "fake:1";
@@ -57,8 +57,8 @@ struct FakeDriver {
                                }});
 };
 
-// A page tilted by 40 degrees in front of a device whose y points up and whose z points to the
-// user.
+// Returns a page tilted by 40 degrees in front of a device whose y axis points up and whose z axis
+// points to the user.
 PlaneCalibration leaning() {
   const double c = std::cos(0.698), s = std::sin(0.698);
   return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -c, s}, Vec3{0, s, c}}, {100, 80, 12});
@@ -217,7 +217,7 @@ TEST(CalibrationDialog, ThreeCornersFindTheLeaningPlane) {
   touch(driver, dialog, {50, 140, 0});
   ASSERT_TRUE(dialog.found().has_value());
   const PlaneCalibration& map = dialog.found()->calibration;
-  // The same plane and directions; the area lies around the requested middle.
+  // Plane and directions are the same; the area lies around the requested centre.
   const Vec3 p{77, 66, 5};
   EXPECT_NEAR(norm(map.to_sheet(leaning().to_device(p)) - (p + Vec3{23.5, 15, 0})), 0.0, 1e-6);
   EXPECT_LT(dialog.found()->worst_mm, 1e-6);
@@ -331,7 +331,7 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
   limit->setValue(99.0);
   EXPECT_LE(limit->value(), limits_for(driver.arm->descriptor.capabilities).peak_force_n + 1e-9);
   EXPECT_FALSE(profile_of(driver.id)->force_limit_n.has_value());
-  // The whole page: a Touch reaches 160 mm of 210 or 297.
+  // A Touch reaches 160 mm of the page's 210 or 297 mm.
   settings->fit();
   EXPECT_GT(studio.loop().device().device().capabilities().sheet_scale, 1.5);
   const Rect page_area = studio.page().area();
@@ -340,8 +340,8 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
               0.5 * (page_area.x0 + page_area.x1), 1e-6);
 }
 
-// A field that cannot show such a low general limit must not raise it when another field is
-// changed.
+// The general limit may be too low for the field to show. Changing another field must not raise
+// it.
 TEST(DevicePage, TheStiffestSheetLeavesTheForceLimitsAlone) {
   FakeDriver driver;
   Studio studio(by_hand());
@@ -359,7 +359,7 @@ TEST(DevicePage, TheStiffestSheetLeavesTheForceLimitsAlone) {
   EXPECT_EQ(studio.loop().force_limit(), 0.0);
 }
 
-// A stick or a wheel has no plane to calibrate, but it pushes a hand like any other device.
+// A stick or a wheel has no plane to calibrate, but it pushes a hand as any other device does.
 TEST(DevicePage, APersonsLimitsHoldForADeviceWithoutAPlane) {
   FakeDriver driver;
   driver.arm->descriptor.has_own_frame = false;
@@ -399,7 +399,7 @@ TEST(CalibrationDialog, ADeviceThatMovesInThePlaneOnlyIsInIt) {
   CalibrationDialog dialog(*open_pen_device(driver.id), {125, 90});
   dialog.show();
   for (const Vec3& corner : {Vec3{50, 140, 0.25}, Vec3{200, 140, 0.25}, Vec3{50, 40, 0.25}}) {
-    driver.arm->at.position = corner;  // the pen is up, because no key is held
+    driver.arm->at.position = corner;  // the pen is up because no key is held
     dialog.take();
   }
   ASSERT_TRUE(dialog.found().has_value());

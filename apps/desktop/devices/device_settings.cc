@@ -20,7 +20,7 @@ constexpr double kLimitStep = 0.1;  // N
 constexpr int kStiffnessStep = 50;  // N/m
 constexpr int kPercentStep = 5;
 
-/// Returns the largest force that the device's own table allows, independent of the user's limits.
+/// Returns the largest force that the device's own table allows, regardless of the user's limits.
 double most_of(const Capabilities& device) {
   return limits_for(device).peak_force_n;
 }
@@ -131,7 +131,7 @@ void DeviceSettings::tell() {
   const PenDeviceInfo* seen = watch ? watch->find(info.id) : nullptr;
   name_->setPlaceholderText(seen ? seen->label : info.label);
   hand_->setCurrentIndex(profile.left_handed ? 1 : 0);
-  // Uses the device's own limits, because the present setting must not lower the range.
+  // Uses the device's own limits, because the user's present limit must not reduce the range.
   const double most = most_of(info.capabilities);
   limit_->setMaximum(std::max(most, kMinForceLimitN));
   limit_->setValue(std::min(profile.force_limit_n.value_or(most), studio_.loop().force_limit()));
@@ -183,7 +183,7 @@ void DeviceSettings::set_limit(double limit) {
   if (!kept) return;
   const double most = most_of(studio_.loop().device().info().capabilities);
   kept->force_limit_n = limit < most - 0.5 * kLimitStep ? std::optional(limit) : std::nullopt;
-  // A limit set here applies to this device, so a lower general limit is raised.
+  // The user expects a limit that is set here to apply, so a lower general limit is raised.
   if (limit > studio_.loop().force_limit()) {
     studio_.loop().set_force_limit(limit);
     Settings::the().set(QString::fromLatin1(feel_keys::kForceLimit), studio_.loop().force_limit());

@@ -31,7 +31,8 @@ QString sign_of(FindingLevel level) {
   return {};
 }
 
-/// Sorts drivers: those with a problem first, then working ones, then those without anything.
+/// Returns the rank for sorting drivers: first those with a problem, then working ones, then those
+/// that found nothing.
 int rank_of(const DriverFindings& driver) {
   int rank = 2;
   for (const Finding& finding : driver.findings) {

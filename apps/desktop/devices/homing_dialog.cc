@@ -104,7 +104,7 @@ void HomingDialog::ask() {
     words += QStringLiteral("\n\n") + QString::fromStdString(more);
   }
   words_->setText(words);
-  // Enter never starts the movement of an arm.
+  // The default button never starts the movement of an arm, so that Enter does not start it.
   QPushButton* usual = homing_ == Homing::kByItself ? not_now_ : go_;
   for (QPushButton* button : {go_, not_now_}) {
     button->setAutoDefault(button == usual);

@@ -11,7 +11,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kPxPerN = 24.0;     // of the arrow
+constexpr double kPxPerN = 24.0;     // length of the arrow
 constexpr double kMinShownN = 0.03;  // shorter arrows would only flicker
 constexpr std::size_t kTrail = 600;
 

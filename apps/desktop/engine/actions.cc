@@ -17,7 +17,7 @@ QString key_of(const QString& name) {
 }  // namespace
 
 Actions::Actions(QWidget* window) : QObject(window), window_(window) {
-  // Every window has its own table; a key that is set in one applies to all.
+  // Every window has its own table, but a key that is set in one window applies to all.
   connect(&Settings::the(), &Settings::changed, this, [this](const QString& key) {
     if (!key.startsWith(kShortcutPrefix)) return;
     if (QAction* action = find(key.mid(kShortcutPrefix.size()))) take_keys(action);
@@ -29,7 +29,7 @@ void Actions::take_keys(QAction* action) {
   const QVariant chosen = Settings::the().value(key_of(name));
   QList<QKeySequence> keys = defaults_[name];
   if (chosen.isValid()) keys = QKeySequence::listFromString(chosen.toString());
-  keys.removeAll(QKeySequence());  // an empty text is read as this
+  keys.removeAll(QKeySequence());  // an empty text is read as an empty sequence
   action->setShortcuts(keys);
   const QString tip = action->statusTip();
   const QString shown = action->shortcut().toString(QKeySequence::NativeText);

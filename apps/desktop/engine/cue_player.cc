@@ -11,11 +11,11 @@
 namespace felt::desktop {
 namespace {
 
-constexpr std::int64_t kLookNs = 16'000'000;  // between two checks of what the session shows
+constexpr std::int64_t kLookNs = 16'000'000;  // time between two checks of what the session shows
 constexpr int kIdleMs = 150;
 constexpr int kAgainMs = 2000;
-/// Checking costs little; an attempt to open a device that refuses may block the window for a
-/// second.
+/// Maximum interval between attempts, in ms. Checking costs little, but an attempt to open a
+/// device that refuses may block the window for a second.
 constexpr int kMaxAgainMs = 60'000;
 
 struct AddedCueDriver {
@@ -32,7 +32,8 @@ std::vector<AddedCueDriver>& cue_drivers() {
   return all;
 }
 
-/// Returns the driver and the descriptor of an id; null if the device is not connected now.
+/// Returns the driver and the descriptor of an id; the driver is null if the device is not
+/// connected.
 std::pair<Driver*, DeviceDescriptor> find_cue_device(const std::string& id) {
   for (const AddedCueDriver& added : cue_drivers()) {
     if (!id.starts_with(std::string(added.driver->name()) + ":")) continue;
@@ -107,8 +108,9 @@ void CuePlayer::follow_setting() {
   again_.start(refusal_.tries++ == 0 ? kAgainMs : std::min(2 * again_.interval(), kMaxAgainMs));
 }
 
-/// A device that is connected but does not open may do so soon, because its permissions are set
-/// after its file appears, and a mouse may sleep behind its receiver.
+/// Tries again to open the chosen device. If it is connected but does not open, it may open soon,
+/// because its permissions are set after its file appears, and a mouse may sleep behind its
+/// receiver.
 void CuePlayer::look_again() {
   const QString id = Settings::the().text(QString::fromLatin1(kCueDeviceKey));
   if (find_cue_device(id.toStdString()).first) return follow_setting();

@@ -19,7 +19,7 @@ struct Played {
   Cue cue;
 };
 
-/// The state that a device that plays into memory shares with the test.
+/// The state that the test shares with a device that only records what it plays.
 struct Tape {
   std::mutex mutex;
   std::vector<Played> played;
@@ -227,7 +227,7 @@ TEST_F(CuePlayerTest, ADeviceThatDoesNotOpenSaysWhy) {
   EXPECT_TRUE(refused[1][0].toString().contains(QStringLiteral("tape:other")));
 }
 
-// Right after a device was plugged in, its permissions may still be missing.
+// Right after a device is plugged in, its permissions may still be missing.
 TEST_F(CuePlayerTest, ADeviceThatDoesNotOpenAtFirstIsTriedAgain) {
   tape_.refuses = true;
   choose();
@@ -257,7 +257,8 @@ TEST_F(CuePlayerTest, AnUnpluggedOneIsLetGoAndComesBack) {
   EXPECT_EQ(player_->in_use(), QStringLiteral("tape:pen"));
 }
 
-/// With the thread: only cues that are too old are dropped, and the last order is silence.
+/// With the thread, only cues that are too old are dropped, and the last command silences the
+/// device.
 TEST(CueThread, PlaysOnAThreadOfItsOwn) {
   Tape tape;
   std::atomic<int> faults{0};

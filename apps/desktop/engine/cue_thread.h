@@ -12,8 +12,8 @@
 
 namespace felt::desktop {
 
-/// Plays on a cue device on its own thread, because a transfer to a sleeping mouse or to a pen on
-/// a slow bus may take long, and a window must not wait. If more than kMaxWaiting cues wait, only
+/// Plays on a cue device on its own thread. A transfer to a sleeping mouse or to a pen on a slow
+/// bus may take long, and a window must not wait for it. If more than kMaxWaiting cues wait, only
 /// the last kMaxWaiting are played.
 ///
 /// Call all functions on one thread. `on_fault` is called once, on the playing thread; nothing is

@@ -24,7 +24,8 @@ bool is_in_snap_ring(const Overlay& overlay, Point pen, double slack) {
 }  // namespace
 
 std::optional<CueEvent> CueWatch::look(const Session& session, const PenSample& pen) {
-  constexpr double kLetGo = 1.5;  // hysteresis: factor of the distance
+  constexpr double kLetGo = 1.5;  // hysteresis: a handle stays reached up to this factor of
+                                  // kFoundMm
   const Point at{pen.position.x, pen.position.y};
   session.draw(overlay_);
   const bool is_down = session.gesture_in_work();

@@ -7,9 +7,10 @@
 
 namespace felt::desktop {
 
-/// Finds the events of a session that the hand should feel: a tool grabbed something or found
-/// nothing to grab, an end reached the point where it would snap, a hovering pen reached a handle.
-/// Uses only what the session shows on the screen. Not thread-safe, but can be used in any thread.
+/// Finds the events of a session that the hand should feel. The events are: a tool grabbed
+/// something or found nothing to grab; an end reached the point where it would snap; a hovering
+/// pen reached a handle. Uses only what the session shows on the screen. Not thread-safe, but
+/// usable in any thread.
 class CueWatch {
  public:
   /// A handle counts as reached if it is nearer to the pen than `kFoundMm`, until it is farther

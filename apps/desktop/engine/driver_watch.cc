@@ -33,20 +33,20 @@ PenDeviceInfo info_of(const DeviceDescriptor& device) {
 
 }  // namespace
 
-/// A driver, and the lock of the call that uses it.
+/// A driver, and the lock for the call that uses it.
 struct DriverWatch::Slot {
   std::unique_ptr<Driver> driver;
   std::timed_mutex busy;
-  std::atomic<bool> is_stuck{false};  // its library hangs: it is not called any more
+  std::atomic<bool> is_stuck{false};  // the library hangs: never call it again
 };
 
-/// The state that the search thread shares with the watch. A thread that hangs may outlive the
+/// The state that the search thread shares with the watch. A hanging search thread may outlive the
 /// watch.
 struct DriverWatch::Looking {
   std::vector<std::shared_ptr<Slot>> slots;
   std::atomic<std::size_t> at{0};  // the driver that is being asked
   std::mutex mutex;
-  DriverWatch* watch = nullptr;  // null: the result is not wanted any more
+  DriverWatch* watch = nullptr;  // null if the result is no longer needed
 
   /// Asks all drivers that answer, one after the other.
   template <class Ask>
@@ -58,7 +58,7 @@ struct DriverWatch::Looking {
       ask(*slots[i]);
     }
   }
-  /// Calls `answer` with the watch on the main thread, unless the result is not wanted any more.
+  /// Calls `answer` with the watch on the main thread, unless the result is no longer needed.
   template <class Answer>
   void tell(Answer answer) {
     const std::lock_guard lock(mutex);
@@ -101,7 +101,7 @@ void DriverWatch::begin_looking() {
   looking_->watch = this;
 }
 
-/// Abandons the search thread because a library hangs; its result is ignored.
+/// Abandons the search thread because a library hangs; the thread's result is ignored.
 void DriverWatch::give_up_looking() {
   looking_->slots[looking_->at]->is_stuck = true;
   {
@@ -134,8 +134,8 @@ bool DriverWatch::knows(const QString& id) const noexcept {
   return slot_of(id) != nullptr;
 }
 
-/// Starts a search, unless one is running. If that one has run for `stuck_ms_`, abandons it with
-/// its thread and starts another thread, without the driver that hangs.
+/// Starts a search unless one is running. If that search has run for `stuck_ms_`, abandons it with
+/// its thread and starts another thread without the driver that hangs.
 void DriverWatch::look() {
   if (std::exchange(is_looking_, true)) {
     if (since_look_.elapsed() < stuck_ms_ || slots_.empty()) return;
@@ -194,7 +194,7 @@ Result<std::unique_ptr<OpenDevice>> DriverWatch::open(const QString& id, DeviceS
     return fail(ErrorCode::kIo, "the driver \"" + std::string(slot->driver->name()) +
                                     "\" does not answer: unplug the device and plug it in again");
   }
-  setup.driver_lock = {slot, &slot->busy};  // keeps the driver, too
+  setup.driver_lock = {slot, &slot->busy};  // also keeps the driver alive
   return OpenDevice::open(*slot->driver, *device, setup);
 }
 

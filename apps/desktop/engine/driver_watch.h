@@ -21,14 +21,14 @@ struct DriverFindings {
   std::vector<Finding> findings;
 };
 
-/// The drivers of real devices. It finds the devices that are plugged in, and opens them
+/// Manages the drivers of real devices: finds the devices that are plugged in, and opens them
 /// (PenDriver).
 ///
-/// It searches for devices only while a `Watching` exists (because a list is shown or a lost
-/// device may return): once a second, on its own thread, so that a slow library blocks no window.
-/// Only one call at a time uses the drivers; opening waits for a running search, at most
-/// kPatienceMs. If the library of a driver has not answered for `stuck_ms`, that driver is no
-/// longer used, and the search continues without it. A device whose library hangs while it is
+/// It searches for devices only while a `Watching` exists, because a list is shown or a lost
+/// device may return. A search runs once a second, on its own thread, so that a slow library
+/// blocks no window. Only one call at a time uses the drivers; opening waits for a running search,
+/// at most kPatienceMs. If the library of a driver has not answered for `stuck_ms`, that driver is
+/// no longer used, and the search continues without it. A device whose library hangs while it is
 /// closed is disconnected, too (OpenDevice). Each process has one DriverWatch, made before the
 /// first window. Use it in the main thread.
 class DriverWatch : public QObject {

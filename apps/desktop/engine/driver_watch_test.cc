@@ -10,7 +10,7 @@
 namespace felt::desktop::driver_watch_test {
 namespace {
 
-/// Blocks a library call until the test opens it.
+/// Blocks a library call until the test calls open().
 struct Gate {
   std::mutex mutex;
   std::condition_variable changed;
@@ -76,7 +76,7 @@ TEST(DriverWatch, ALibraryThatHangsIsGivenUpAndTheOthersAreFound) {
     ASSERT_TRUE(looked.wait(20'000));
     EXPECT_EQ(watch.found().size(), 1U);
   }
-  gate.open();  // the call returns after all, but nothing waits for it
+  gate.open();  // the call returns at last, but nothing waits for it
 }
 
 TEST(DriverWatch, EndsAlthoughALibraryHangs) {

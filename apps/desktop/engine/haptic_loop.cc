@@ -12,17 +12,20 @@
 namespace felt::desktop {
 namespace {
 
-// Ticks between two emissions of `due`.
+// Number of ticks between two emissions of `due`.
 constexpr int kNear = 1;
 constexpr int kFar = 4;
 constexpr int kResting = 16;
-constexpr std::int64_t kAfterTickNs = 60'000;     // usually the tick is over by then
-constexpr int kMaxLateLooks = 4;                  // after that many checks, waits for the next tick
-constexpr std::int64_t kNearNs = 100'000'000;     // since the pen was moved
-constexpr std::int64_t kRestingNs = 500'000'000;  // same
-constexpr std::int64_t kStatusNs = 20'000'000;    // quick enough for an eye, and negligible work
+constexpr std::int64_t kAfterTickNs = 60'000;     // delay after which the tick is usually finished
+constexpr int kMaxLateLooks = 4;                  // after kMaxLateLooks checks, wait for the next
+                                                  // tick
+constexpr std::int64_t kNearNs = 100'000'000;     // the pen counts as near for this time after it
+                                                  // was moved
+constexpr std::int64_t kRestingNs = 500'000'000;  // the pen counts as resting after this time
+                                                  // without motion
+constexpr std::int64_t kStatusNs = 20'000'000;    // quick enough for the eye, and negligible work
 
-/// Ids of unresponsive devices, over all windows.
+/// Returns the ids of unresponsive devices of all windows.
 std::vector<QString>& unresponsive_ids() {
   static std::vector<QString> ids;
   return ids;
@@ -31,7 +34,7 @@ std::vector<QString>& unresponsive_ids() {
 std::unique_ptr<PenDevice> open_or_tablet(const QString& id) {
   Result<std::unique_ptr<PenDevice>> device = open_pen_device(id);
   if (!device) device = open_pen_device(QString::fromLatin1(kPenDeviceDefault));
-  return *std::move(device);  // the tablet is always there
+  return *std::move(device);  // opening the tablet never fails
 }
 
 }  // namespace
@@ -53,7 +56,7 @@ UseDevice HapticLoop::used_device() const {
 
 std::unique_ptr<PenDevice> HapticLoop::use_device(std::unique_ptr<PenDevice> device) {
   const bool has_stopped = stop();
-  servo_.reset();  // it refers to the old device
+  servo_.reset();  // the servo refers to the old device
   device_.swap(device);
   restart_with_device();
   return has_stopped ? std::move(device) : nullptr;
@@ -70,7 +73,7 @@ void HapticLoop::restart_with_device() {
   reported_faults_ = 0;
   reported_fault_.reset();
   reported_notice_ =
-      device_->device().status().notice;  // the code that opened the device has shown this one
+      device_->device().status().notice;  // the code that opened the device has shown this notice
   Q_EMIT device_replaced();
   start();
   Q_EMIT device_changed();
@@ -146,8 +149,8 @@ void HapticLoop::set_force_limit(double newton) {
   newton = std::clamp(newton, 0.0, SafetyLimits{}.peak_force_n);
   if (std::exchange(force_limit_n_, newton) == newton) return;
   if (!stop()) return restart_with_device();
-  // After a fault only the user may switch forces on again, also after a fault that the last
-  // samples reported and that was not yet shown.
+  // After a fault only the user may switch forces on again. This includes a fault that the last
+  // samples reported but that was not shown yet.
   const bool may_be_on = forces_on_ && servo_->latest().safety.state != SafetyState::kLatched;
   Q_EMIT force_limit_changed(newton);
   start();
@@ -189,13 +192,13 @@ bool HapticLoop::stop() {
   std::optional<std::int64_t> end_ns;
   if (thread_) {
     const bool has_stopped = thread_->stop();
-    end_ns = now_ns();  // after its last tick
+    end_ns = now_ns();  // the time after its last tick
     if (!has_stopped) hanging = std::move(thread_);
     thread_.reset();
   }
   is_running_ = false;
   Q_EMIT stopped();
-  start_ns_ = end_ns.value_or(start_ns_);  // after the last samples of that loop
+  start_ns_ = end_ns.value_or(start_ns_);  // later than the last samples of the previous loop
   if (!hanging) return true;
   disconnect_device(std::move(hanging));
   return false;
@@ -205,7 +208,7 @@ void HapticLoop::wake() {
   last_event_ns_ = now_ns();
   if (!thread_ || !thread_->is_paused()) return;
   is_running_ = true;
-  Q_EMIT started();  // first, so that the servo does not miss a sign of life
+  Q_EMIT started();  // emitted first, so that the servo gets its sign of life in time
   thread_->resume();
   set_timer(next_tick_ns() + kAfterTickNs);
 }
@@ -239,15 +242,15 @@ bool HapticLoop::read_samples(const std::function<void(PenSample&)>& handle) {
       handle(sample);
     }
   }
-  // A device that fails gives no samples, but the user must know.
+  // If a device fails, it delivers no samples, but the user must be informed.
   const TickReport& tick = servo_->latest();
   const bool is_other = std::exchange(reported_safety_, tick.safety.state) != tick.safety.state;
   if (any || is_other) Q_EMIT ticked(tick);
   return any;
 }
 
-/// Sets the timer to right after a tick, so that a sample is seen some hundred microseconds after
-/// it was read. If a tick is late, checks again soon.
+/// Sets the timer to a time right after a tick, so that a sample is handled some hundred
+/// microseconds after the device was read. If a tick is late, the next check comes soon.
 void HapticLoop::schedule(bool has_samples, PenActivity activity) {
   if (!options_.live) return;
   const std::int64_t now = now_ns();

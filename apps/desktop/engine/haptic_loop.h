@@ -41,7 +41,7 @@ class HapticLoop : public QObject {
   };
   /// The activity of the pen, for schedule().
   enum class PenActivity {
-    kNone,     ///< nothing: the loop may pause
+    kNone,     ///< the pen does nothing: the loop may pause
     kGesture,  ///< a gesture is active above the surface
     kContact,  ///< the pen touches the surface
   };

@@ -20,8 +20,8 @@ QString option_key(const std::string& id) {
   return QLatin1String(kOptionPrefix) + QString::fromStdString(id);
 }
 
-/// Returns nothing if the stored value has another type or is out of range, because another version
-/// stored it or it was edited.
+/// Returns nullopt if the stored value has another type or is out of range. This happens if
+/// another version stored it or a user edited it.
 std::optional<OptionValue> value_of(const QVariant& stored, const OptionSpec& spec,
                                     const Materials& known) {
   if (!stored.isValid()) return {};

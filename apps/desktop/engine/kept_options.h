@@ -7,8 +7,8 @@
 namespace felt::desktop {
 
 /// Keeps the options of all tools (medium, widths, snapping, stabiliser, eraser mode, ...) and the
-/// colour of new ink in the settings, so that the next window and the next start begin with them.
-/// An option that has its initial value is not stored, so that a later version can change the
+/// colour of new ink in the settings. The next window and the next start begin with them. An
+/// option that has its initial value is not stored, so that a later version can change the
 /// default. Stored values that are no longer valid are ignored. Two kinds of options are not kept:
 /// the colour that comes with an opened drawing (Studio::open), and choices for a few gestures
 /// (transform.duplicate, lasso.combine, ...).

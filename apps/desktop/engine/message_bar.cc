@@ -31,7 +31,7 @@ MessageBar::MessageBar(QWidget* details, const QString& tip, QWidget* parent)
   connect(details_, &QToolButton::toggled, details, &QWidget::setVisible);
   connect(details_, &QToolButton::toggled, this, &MessageBar::details_toggled);
   auto* close = new QToolButton(this);
-  close->setText(QStringLiteral("✕"));  // has the colour of the theme, unlike the style's icon
+  close->setText(QStringLiteral("✕"));  // unlike an icon, text has the colour of the theme
   close->setAutoRaise(true);
   close->setToolTip(tr("Close this message"));
   close->setAccessibleName(tr("Close this message"));

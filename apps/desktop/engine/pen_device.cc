@@ -13,7 +13,8 @@
 namespace felt::desktop {
 namespace {
 
-/// Half the workspace, in mm, so large that the device reaches every point of the page.
+/// Half the size of the workspace, in mm. It is so large that the device reaches every point of
+/// the page.
 constexpr double kEndlessMm = 1e10;
 constexpr auto kTablet = "tablet";
 constexpr auto kSimulated = "simulated:";
@@ -28,13 +29,13 @@ std::vector<AddedDriver>& drivers() {
   return added;
 }
 
-/// Ids of the drivers' devices that are open, over all windows.
+/// Returns the ids of the drivers' devices that are open in any window.
 std::vector<QString>& open_ids() {
   static std::vector<QString> ids;
   return ids;
 }
 
-/// "3D Systems Touch (Phantom Omni)" becomes "Touch", the name its users say.
+/// Returns the name that users say: "Touch" for "3D Systems Touch (Phantom Omni)".
 QString model_of(QString label) {
   label = label.section(QLatin1String(" ("), 0, 0).section(QLatin1Char(':'), 0, 0);
   for (const char* maker : {"3D Systems ", "Novint ", "Force Dimension ", "Haply "}) {
@@ -67,7 +68,7 @@ PenDeviceInfo info_of(const StylusPreset& preset) {
   return info;
 }
 
-/// Only one of mouse and tablet is offered, because a user who draws with both does not want to
+/// Returns false for one of mouse and tablet, because a user who draws with both does not want to
 /// choose, and a pen without pressure draws the same with either.
 bool is_offered(const StylusPreset& preset) {
   return preset.capabilities.has_force() || preset.name == kTablet;
@@ -153,8 +154,8 @@ std::vector<PenDeviceInfo> pen_devices() {
   for (const StylusPreset& preset : stylus_presets()) {
     if (preset.capabilities.has_force()) devices.push_back(info_of(preset));
   }
-  // The device that is the worst case for forces goes last, because it should not be anyone's first
-  // choice.
+  // The device that is the worst case for forces is listed last, because nobody should choose it
+  // first.
   std::stable_partition(devices.begin(), devices.end(), [](const PenDeviceInfo& info) {
     return info.id != QLatin1String("simulated:worst");
   });

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kLongestMs = 50;
 
-/// "a/b.ndjson" -> "a/b-2.ndjson"
+/// Returns the path with a number: "a/b-2.ndjson" for "a/b.ndjson".
 QString numbered(const QString& path, int number) {
   if (number < 2) return path;
   const QFileInfo info(path);

@@ -13,9 +13,9 @@
 namespace felt::desktop {
 namespace {
 
-constexpr std::int64_t kProcessNs = 4'000'000;  // of a studio that is not live
+constexpr std::int64_t kProcessNs = 4'000'000;  // period of a studio that is not live
 
-/// Returns the pressure to use if a hand does not sense it: the tool's own option if it has one.
+/// Returns the pressure to use if a hand does not sense it. A tool may define it by an option.
 double absent_pressure(const Session& session) {
   const Result<OptionValue> value =
       session.option(std::string(session.tool().info().id) + ".mouse_pressure");
@@ -41,8 +41,8 @@ Studio::~Studio() {
   loop_.disconnect(this);
 }
 
-/// These slots are the first of each signal, so that slots connected later find the session up to
-/// date.
+/// Connects the studio to its loop. These slots are the first of each signal, so that slots that
+/// are connected later find an updated session.
 void Studio::connect_loop() {
   connect(&loop_, &HapticLoop::due, this, &Studio::process);
   connect(&loop_, &HapticLoop::started, this, &Studio::publish);
@@ -73,11 +73,13 @@ void Studio::make_session(Document document, std::span<const std::string> materi
     Q_EMIT edit_applied(edit);
   };
   auto session = std::make_unique<Session>(make_tools(), std::move(options));
-  // Applied as events, so that a recording has everything that the drawing depends on.
+  // The device is set by an event, so that a recording contains everything that determines the
+  // drawing.
   static_cast<void>(session->apply({event_time_ns(), loop_.used_device()}));
   const std::unique_ptr<Session> before = std::exchange(session_, std::move(session));
   of_drawing_.clear();
-  add_materials_of_drawing(materials);  // before the options, which may name one of them
+  add_materials_of_drawing(materials);  // must precede the options, which may name one of the
+                                        // materials
   const std::int64_t now_ns = event_time_ns();
   if (before) {
     copy_options(*before, *session_, now_ns);
@@ -88,7 +90,7 @@ void Studio::make_session(Document document, std::span<const std::string> materi
   reported_layer_ = session_->layer();
 }
 
-/// This program starts with other options than the library's defaults.
+/// Applies the initial options of this program that differ from the library's defaults.
 void Studio::apply_first_options(std::int64_t now_ns) {
   for (const auto& tool : session_->tools()) {
     const std::string owner(tool->info().id);
@@ -146,7 +148,8 @@ void Studio::set_saved(const ChangeMark& mark) {
   update_modified();
 }
 
-/// After undoing everything since the last save, or redoing it, the drawing has no unsaved changes.
+/// Updates is_modified(). When everything since the last save was undone, or redone, it is false
+/// again.
 void Studio::update_modified() {
   report_modified(has_other_changes_ || session_->history().position() != saved_position_);
 }
@@ -160,8 +163,8 @@ bool Studio::apply(decltype(Event::what) what) {
   drain();
   const auto* option = std::get_if<SetOption>(&what);
   const QString option_id = option ? QString::fromStdString(option->id) : QString();
-  // The surface and its colour are saved with the drawing, so changing them is an unsaved change,
-  // unless the drawing is empty.
+  // The surface and its colour are saved with the drawing. Therefore a change of them is an
+  // unsaved change, unless the drawing is empty.
   const bool is_of_drawing =
       option_id.startsWith(QLatin1String("sheet.")) && session_->document().stroke_count() > 0;
   const OptionValue before =
@@ -185,7 +188,7 @@ bool Studio::apply(decltype(Event::what) what) {
 
 void Studio::finish_gesture() {
   process();
-  // Uses an event that ends gestures, so that a recording has it.
+  // The gesture is ended by an event, so that a recording contains it.
   if (session_->gesture_in_work()) apply(loop_.used_device());
 }
 
@@ -235,7 +238,7 @@ void Studio::process() {
   report_changes();
   loop_.schedule(has_samples, pen_activity());
   in_process_ = false;
-  loop_.check_device();  // last: a slot may change a device that fails
+  loop_.check_device();  // last, because a slot may replace a device that fails
 }
 
 void Studio::advance(std::int64_t ns) {
@@ -251,16 +254,17 @@ void Studio::advance(std::int64_t ns) {
   process();
 }
 
-/// Returns the time for an event: after the samples that the session has handled, and usually
-/// before those that the loop is about to deliver, because a recording has one order.
+/// Returns the time for an event. It lies after the samples that the session has handled, and
+/// usually before those that the loop will deliver next, because the events of a recording have
+/// increasing times.
 std::int64_t Studio::event_time_ns() {
   constexpr std::int64_t kInTransitNs = 5'000'000;
   return last_event_ns_ = std::max(last_event_ns_, now_ns() - kInTransitNs);
 }
 
-/// Clears the selection at the first touch of the pencil (a paste is selected, too), so that a
-/// colour chosen for the next line does not change the selected ones. Done by an event, so that a
-/// recording has it.
+/// Clears the selection when the pencil first touches, so that a colour that is chosen for the
+/// next line does not change the selected lines, such as a paste. Uses an event, so that a
+/// recording contains it.
 void Studio::deselect_for_drawing(const PenSample& sample) {
   const bool begins = !std::exchange(was_in_contact_, in_contact(sample)) && in_contact(sample);
   if (!begins || session_->selection().empty() || session_->tool().info().kind != ToolKind::kDraws)
@@ -282,7 +286,7 @@ void Studio::handle_sample(PenSample& sample) {
   Q_EMIT sampled(sample);
 }
 
-/// Handles all waiting samples. Returns false if there were none.
+/// Handles all waiting samples. Returns false if no samples were waiting.
 bool Studio::drain() {
   return loop_.read_samples([this](PenSample& sample) { handle_sample(sample); });
 }
@@ -293,7 +297,7 @@ HapticLoop::PenActivity Studio::pen_activity() const {
                                      : HapticLoop::PenActivity::kNone;
 }
 
-/// Slots may look at everything, and may call back.
+/// Emits the signals for what changed. Their slots may call any function of the studio.
 void Studio::report_changes() {
   for (const Edit& edit : std::exchange(edits_, {})) {
     update_modified();

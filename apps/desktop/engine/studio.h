@@ -36,7 +36,7 @@ struct PenState {
 ///   studio.apply(SelectTool{"pull"});                       // everything else, as events
 ///   connect(&studio, &Studio::edited, ...);
 ///
-/// Qt's main thread only.
+/// Use it only in Qt's main thread.
 class Studio : public QObject {
   Q_OBJECT
 

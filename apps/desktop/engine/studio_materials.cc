@@ -1,4 +1,4 @@
-// The materials of a studio, and its page, whose surface is one of them.
+// The part of Studio for the materials, and for the page, which names its surface.
 #include <algorithm>
 #include <set>
 #include <string_view>
@@ -14,7 +14,7 @@ bool is_same_one(const AnyMaterial& a, const AnyMaterial& b) {
   return a.index() == b.index() && id_of(a) == id_of(b);
 }
 
-/// Returns the material of the same kind and id, or nothing.
+/// Returns the material of the same kind and id, or nullopt.
 std::optional<AnyMaterial> find_in(const Materials& materials, const AnyMaterial& like) {
   if (std::holds_alternative<SurfaceMaterial>(like)) {
     const SurfaceMaterial* sheet = materials.find_surface(id_of(like));
@@ -24,12 +24,13 @@ std::optional<AnyMaterial> find_in(const Materials& materials, const AnyMaterial
   return medium ? std::optional<AnyMaterial>(*medium) : std::nullopt;
 }
 
-/// Returns true if it is not one of Feltline's own: the user's, or one that came with the drawing.
+/// Returns true if the material is not one of Feltline's own: the user made it, or it came with
+/// the drawing.
 bool is_own(const std::optional<AnyMaterial>& material) {
   return material && find_in(Materials::built_in(), *material) != material;
 }
 
-/// Returns the paper of a page whose surface changed. `before` is null if it is not known.
+/// Returns the paper colour of a page whose surface changed. `before` is null if it is unknown.
 Rgba paper_on(const SurfaceMaterial& now, Rgba paper, const SurfaceMaterial* before) {
   const auto was = before ? std::optional(before->color_rgb) : std::nullopt;
   return usual_color(paper, was, now.color_rgb, SheetPage{}.paper);
@@ -52,7 +53,7 @@ void Studio::set_user_materials(const Materials& known) {
   Q_EMIT materials_changed();
 }
 
-/// Handles a change of the colour of the page's surface.
+/// Updates the paper after the colour of the page's surface changed.
 void Studio::update_paper(const std::optional<AnyMaterial>& before, const AnyMaterial& now) {
   const auto* old = before ? std::get_if<SurfaceMaterial>(&*before) : nullptr;
   const auto* sheet = std::get_if<SurfaceMaterial>(&now);
@@ -61,10 +62,10 @@ void Studio::update_paper(const std::optional<AnyMaterial>& before, const AnyMat
   if (std::exchange(page_.paper, paper) != paper) Q_EMIT page_changed();
 }
 
-/// True if the drawing would look or feel different with another one.
+/// Returns true if other figures of the material would make the drawing look or feel different.
 bool Studio::is_drawn_with(const AnyMaterial& material) const {
   const Document& document = session_->document();
-  if (document.stroke_count() == 0) return false;  // nothing to lose
+  if (document.stroke_count() == 0) return false;  // an empty drawing cannot change
   if (std::holds_alternative<SurfaceMaterial>(material)) {
     return session_->sheet().material().id == id_of(material);
   }
@@ -76,7 +77,7 @@ bool Studio::is_drawn_with(const AnyMaterial& material) const {
   return false;
 }
 
-/// Applies the material to the session and adds it to those that can be chosen.
+/// Applies the material to the session and adds it to the materials that can be chosen.
 void Studio::add_material(const std::string& text) {
   Result<AnyMaterial> material = read_material(text);
   if (!material || find_in(options_.materials, *material) == *material) return;
@@ -148,8 +149,8 @@ void Studio::set_page(const SheetPage& page) {
   Q_EMIT page_changed();
 }
 
-/// Sets the page, and the session's surface to the one that it names. Returns true if that is
-/// another surface than before.
+/// Sets the page, and sets the session's surface to the surface that the page names. Returns true
+/// if the surface changed.
 bool Studio::apply_page(const SheetPage& page) {
   page_ = page;
   const OptionValue wanted(page_.surface);
@@ -162,7 +163,7 @@ bool Studio::apply_page(const SheetPage& page) {
   return false;
 }
 
-/// Makes the surface that the user has chosen, and its colour, those of the page.
+/// Stores the surface that the user has chosen, and its colour, in the page.
 void Studio::set_surface_of_page() {
   const SurfaceMaterial& sheet = session_->sheet().material();
   const std::string before = std::exchange(page_.surface, sheet.id);

@@ -112,7 +112,7 @@ TEST(StudioMaterials, ADrawingIsOpenedWithItsOwnPaper) {
     EXPECT_EQ(studio.page(), page_of(surface));
     EXPECT_FALSE(studio.is_modified());
   }
-  // The surface is not known by name, so only white counts as an unchosen paper.
+  // The surface has no known id, so only white counts as a paper that the user did not choose.
   ASSERT_TRUE(choose(studio, "glass"));
   EXPECT_EQ(studio.page().paper, color_of("glass"));
 }
@@ -169,7 +169,8 @@ TEST(StudioMaterials, AMediumThatIsAnotherOneHereStaysAndIsNamed) {
   EXPECT_EQ(*studio.session().materials().find_medium("pencil"), *find_medium("pencil"));
 }
 
-// The tool's options stay, also the medium that came with both the last drawing and this one.
+// The tool's options stay, including a medium that came with both the previous drawing and this
+// one.
 TEST(StudioMaterials, OptionsMayNameWhatTheNextDrawingBrings) {
   std::vector<Event> events;
   std::size_t begin = 0;
@@ -185,7 +186,7 @@ TEST(StudioMaterials, OptionsMayNameWhatTheNextDrawingBrings) {
   EXPECT_EQ(studio.session().option("pencil.material").value(),
             OptionValue(std::string("soft-chalk")));
   EXPECT_EQ(studio.session().sheet().material(), slate(0.5));
-  // A recording of the second session has every material that it names.
+  // A recording of the second session contains every material that it names.
   Session replayed(make_tools(), {});
   for (std::size_t i = begin; i < events.size(); ++i) {
     EXPECT_TRUE(replayed.apply(events[i])) << i;
@@ -193,7 +194,7 @@ TEST(StudioMaterials, OptionsMayNameWhatTheNextDrawingBrings) {
   }
   EXPECT_EQ(replayed.option("pencil.material").value(), OptionValue(std::string("soft-chalk")));
   EXPECT_EQ(replayed.sheet().material(), slate(0.5));
-  // A drawing that does not bring the medium: the pencil has its first one again.
+  // This drawing does not contain the medium, so the pencil has its initial one again.
   studio.open(Document{}, SheetPage{});
   EXPECT_EQ(studio.session().option("pencil.material").value(), OptionValue(std::string("pencil")));
 }

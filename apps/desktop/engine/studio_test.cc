@@ -31,10 +31,10 @@
 namespace felt::desktop::studio_test {
 namespace {
 
-/// A studio on a virtual clock that keeps everything its session receives.
+/// A studio on a virtual clock that keeps everything that its session receives.
 struct Desk {
   std::vector<Event> events;
-  std::vector<std::size_t> begins;  // of sessions, in events
+  std::vector<std::size_t> begins;  // index of the first event of each session
   Studio studio;
 
   explicit Desk(const QString& device = QStringLiteral("tablet")) : studio(options(device)) {}
@@ -54,7 +54,7 @@ struct Desk {
     studio.point({studio.now_ns(), at, pressure > 0.0, pressure, 0});
   }
   void wait(std::int64_t ms) { studio.advance(ms * kMs); }
-  /// A stroke of the tablet, 5 ms an event.
+  /// Draws a stroke with the tablet, one event every 5 ms.
   void draw(Point from, Point to, double pressure = 0.5) {
     point(from, 0.0);
     wait(20);
@@ -76,7 +76,8 @@ struct Desk {
   }
 };
 
-/// The drawing that results if the events are written, read and applied to another session.
+/// Returns the drawing that results if the events are written, read and applied to another
+/// session.
 std::string as_recorded(std::span<const Event> events, Document start = {}) {
   std::string text;
   for (const Event& event : events) append_event_line(text, event);
@@ -151,7 +152,7 @@ TEST(Studio, EventsAreToldInOrderOfTime) {
   }
 }
 
-// Opening another drawing keeps tool and options, and its recording has them.
+// Opening another drawing keeps tool and options, and the recording contains them.
 TEST(Studio, OpenKeepsToolAndOptions) {
   Desk desk;
   desk.studio.apply(SelectTool{"eraser"});
@@ -193,7 +194,7 @@ TEST(Studio, BorrowingNests) {
   EXPECT_EQ(tool(), "pencil");
 }
 
-// The session's time goes on when the device changes, and earlier ink stays.
+// The session's time continues when the device changes, and earlier ink stays.
 TEST(Studio, TimeGoesOnWhenTheDeviceChanges) {
   Desk desk;
   desk.draw({10, 10}, {60, 20});
@@ -211,7 +212,7 @@ TEST(Studio, TimeGoesOnWhenTheDeviceChanges) {
   EXPECT_EQ(as_recorded(desk.events), desk.drawing());
 }
 
-// Between two publications, force models advance by the age of the data that the tool used.
+// Between two publications, force models extrapolate by the age of the data that the tool used.
 TEST(Studio, R30_TheLoopOfADeviceThatComesLaterKnowsTheSessionsTime) {
   Desk desk;
   desk.wait(10'000);
@@ -252,7 +253,7 @@ TEST(Studio, R14_TheSessionAndItsRecordingKnowTheForceLimit) {
   EXPECT_EQ(desk.studio.session().device(), touch);
 }
 
-// The loop fills its queue while the window is busy: it has room for 16 s of samples.
+// While the window is busy, the loop fills its queue, which has space for samples of 16 s.
 TEST(Studio, SixteenSecondsWithoutATurnLoseNothing) {
   Desk desk;
   desk.point({10, 10}, 0.5);
@@ -346,7 +347,7 @@ TEST(Studio, ADeviceThatHangsIsGivenUpAndTheDrawingGoesOn) {
   call.hangs = false;
   while (call.stops == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 
-  // The same when another device replaces it: there is none to be returned.
+  // The result is the same when another device replaces it: no device is returned.
   EXPECT_NE(studio.loop().use_device(HangingPen::open(call)), nullptr);
   call.is_in = false;
   call.hangs = true;
@@ -397,7 +398,7 @@ TEST(RecordingFile, WritesEachSessionIntoAFileOfItsOwn) {
 TEST(Studio, TheSheetOfADrawingIsPartOfIt) {
   Studio studio({.live = false});
   studio.apply(SetOption{"sheet.material", std::string("felt")});
-  EXPECT_FALSE(studio.is_modified());  // nothing is drawn
+  EXPECT_FALSE(studio.is_modified());  // nothing was drawn
   studio.point({studio.now_ns(), {30, 40}, true, 0.5});
   studio.advance(100'000'000);
   studio.point({studio.now_ns(), {60, 40}, true, 0.5});
@@ -408,12 +409,12 @@ TEST(Studio, TheSheetOfADrawingIsPartOfIt) {
   ASSERT_GT(studio.session().document().stroke_count(), 0u);
   studio.set_modified(false);
   studio.apply(SetOption{"sheet.material", std::string("felt")});
-  EXPECT_FALSE(studio.is_modified());  // back to the saved state
+  EXPECT_FALSE(studio.is_modified());  // the saved state again
   studio.apply(SetOption{"sheet.color", std::string("#2040a0")});
   EXPECT_TRUE(studio.is_modified());
 }
 
-// A drawing names its surface; if it names none, the user's choice stays.
+// A page names its surface. If it names none, the surface that the user chose stays.
 TEST(Studio, ThePageKnowsItsSurface) {
   Studio studio({.live = false});
   const auto felt_on = [&studio] { return studio.session().sheet().material().id; };
@@ -427,7 +428,7 @@ TEST(Studio, ThePageKnowsItsSurface) {
   EXPECT_EQ(studio.page().surface, "felt");
 
   SheetPage page;
-  studio.open(Document{}, page);  // from before there were surfaces
+  studio.open(Document{}, page);  // as a file that was written before surfaces existed
   EXPECT_EQ(felt_on(), "felt");
   EXPECT_EQ(studio.page().surface, "");
 
@@ -442,7 +443,7 @@ TEST(Studio, ThePageKnowsItsSurface) {
   page.surface = "moon dust";
   studio.open(Document{}, page);
   EXPECT_EQ(felt_on(), "glass");
-  EXPECT_EQ(studio.page().surface, "moon dust");  // is saved unchanged
+  EXPECT_EQ(studio.page().surface, "moon dust");  // saved unchanged
   EXPECT_FALSE(studio.is_modified());
   ASSERT_EQ(refused.size(), 1U);
   EXPECT_TRUE(refused[0].contains(QStringLiteral("moon dust")));
@@ -453,7 +454,7 @@ TEST(Studio, ThePageKnowsItsSurface) {
   EXPECT_TRUE(studio.is_modified());
 }
 
-// A user-defined material applies immediately, as an event if it changed, and survives open().
+// A user-defined material applies immediately, by an event if it changed, and survives open().
 TEST(Studio, KnowsAPersonsOwnMaterials) {
   Materials known = Materials::built_in();
   known.put(slate(0.5));
@@ -533,7 +534,7 @@ TEST(Studio, BeginsWithASmoothThinLineInTheColourOfItsMedium) {
             medium->color_rgb);
 }
 
-/// The simulated hand presses so hard that the width is that of the tablet's pressure, for any
+/// The simulated hand presses so hard that the width equals that of the tablet's pressure, for any
 /// force limit of the device and any stiffness of the surface.
 TEST(Studio, R18_APressureDrawsTheSameWidthOnEveryDeviceAndSurface) {
   const auto width_mm = [](const char* device, const char* surface, double pressure) {
@@ -573,7 +574,7 @@ TEST(Studio, WithoutMotorsTheLoopSleepsUntilTheNextEvent) {
     return done();
   };
   ASSERT_TRUE(until([&] { return studio.loop().thread()->is_paused(); }));
-  QTest::qWait(50);  // lets pending ticks arrive
+  QTest::qWait(50);  // waits for pending ticks
   const int before = samples;
   QTest::qWait(300);
   EXPECT_EQ(samples, before) << "no tick, no turn";
@@ -597,7 +598,7 @@ TEST(Studio, DrawingEndsTheSelectionThatAPasteMade) {
   Desk desk;
   desk.draw({20, 20}, {60, 20});
   desk.studio.apply(SelectStrokes{});
-  desk.studio.apply(DuplicateEvent{});  // the copy is selected, as what is pasted or imported is
+  desk.studio.apply(DuplicateEvent{});  // the copy is selected, as after a paste or an import
   ASSERT_FALSE(desk.studio.session().selection().empty());
   desk.studio.apply(SelectTool{"lasso"});
   desk.studio.apply(SelectTool{"pencil"});
@@ -620,7 +621,8 @@ TEST(KeptOptions, ChoicesForAFewGesturesAreNotKept) {
   for (const char* id : {"transform.duplicate", "transform.constrain", "lasso.combine"}) {
     EXPECT_FALSE(settings.value(QStringLiteral("options/") + QString::fromLatin1(id)).isValid());
   }
-  settings.set(QStringLiteral("options/transform.duplicate"), true);  // of an earlier version
+  settings.set(QStringLiteral("options/transform.duplicate"),
+               true);  // stored by an earlier version
   Studio next({.live = false});
   const KeptOptions again(next);
   EXPECT_EQ(next.session().option("transform.duplicate").value(), OptionValue(false));

@@ -26,12 +26,12 @@ TickTimer::TickTimer(QObject* parent)
 }
 
 TickTimer::~TickTimer() {
-  delete notifier_;  // before the descriptor that it watches is closed
+  delete notifier_;  // before its file descriptor is closed
   if (fd_ >= 0) close(fd_);
 }
 
 void TickTimer::start(std::int64_t in_ns) {
-  in_ns = std::max<std::int64_t>(in_ns, 1);  // 0 would stop it
+  in_ns = std::max<std::int64_t>(in_ns, 1);  // 0 would stop the timer
   itimerspec shot{};
   shot.it_value.tv_sec = in_ns / kSecond;
   shot.it_value.tv_nsec = in_ns % kSecond;
@@ -48,7 +48,7 @@ void TickTimer::stop() {
 
 void TickTimer::take() {
   std::uint64_t shots = 0;
-  // A failed read means that the timer was restarted after it had fired.
+  // A failed read means that the timer had fired but was then restarted.
   if (read(fd_, &shots, sizeof shots) == sizeof shots) Q_EMIT due();
 }
 

@@ -19,7 +19,8 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kStrengthStep = 0.1;
-/// A release may be missed if another program takes the focus, so one is assumed after this time.
+/// The program may miss a release if another program takes the focus, so it assumes one after this
+/// time.
 constexpr int kForgetDownMs = 300;
 
 QString material_of(const Studio& studio) {
@@ -78,7 +79,7 @@ void add_materials(Actions& actions, Studio& studio, QWidget* window) {
     group->addAction(action);
     QObject::connect(&studio, &Studio::option_changed, action, [action, id, &studio] {
       if (id != material_of(studio) || action->isChecked()) return;
-      action->setChecked(true);  // already the surface, so choosing it changes nothing
+      action->setChecked(true);  // choosing the present surface again changes nothing
     });
   }
 }  // the window owns the group: NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks)
@@ -100,7 +101,8 @@ void fill_own_sheets(QMenu& menu, Studio& studio) {
   }
 }
 
-/// Adds a submenu of surfaces that the user made or a drawing brought; visible if there are any.
+/// Adds a submenu of the surfaces that the user made or that came with a drawing. It is visible if
+/// such surfaces exist.
 void add_own_sheets(Actions& actions, Studio& studio, QWidget* window) {
   auto* menu = new QMenu(window);
   QAction* action =
@@ -139,7 +141,7 @@ void add_sound(Actions& actions, Studio& studio, QWidget* window) {
                    });
 }
 
-/// Lets a haptic pen, mouse or touchpad follow the drawing once the user has chosen one.
+/// Plays cues on a haptic pen, mouse or touchpad, if the user has chosen one.
 void add_cues(Studio& studio, QWidget* window) {
   auto* cues = new CuePlayer(studio, window);
   QObject::connect(cues, &CuePlayer::refused, &studio, &Studio::refused);
@@ -207,10 +209,11 @@ bool DoubleEscape::eventFilter(QObject* watched, QEvent* event) {
   return false;  // the key keeps its other effects
 }
 
-/// Called several times for one press: for ShortcutOverride, for the key event, for the window and
-/// for the widget in it.
+/// Handles one press of Escape. It is called several times for the same press: for
+/// ShortcutOverride, for the key event, for the window and for the widget in it.
 void DoubleEscape::press() {
-  // Esc closes an open menu; leaving nested menus that way must not switch the forces off.
+  // Esc closes an open menu. If a user closes several nested menus, forces must not be switched
+  // off.
   if (QApplication::activePopupWidget()) return since_.invalidate();
   if (is_down_ && since_.isValid() && since_.elapsed() < kForgetDownMs) return;
   is_down_ = true;

@@ -11,7 +11,7 @@
 namespace felt::desktop {
 namespace {
 
-// Colours of paper and ink, independent of the theme.
+// The colours of paper and ink do not depend on the theme.
 constexpr QColor kPaper(0xff, 0xff, 0xff), kInk(0x23, 0x26, 0x2d);
 constexpr QColor kStopOnLight(0xc0, 0x32, 0x26), kStopOnDark(0xff, 0x7d, 0x6e);
 constexpr double kStopTint = 0.14;
@@ -27,7 +27,7 @@ QPixmap blank(QSize size, qreal dpr) {
   return pixmap;
 }
 
-// All icons are drawn in a square of 16 units.
+// All icons are drawn in a square of 16 x 16 units.
 void draw_check(QPainter& painter) {
   painter.drawEllipse(QRectF(1.5, 1.5, 13, 13));
   painter.drawPolyline(QPolygonF{{4.7, 8.3}, {7.2, 10.9}, {11.4, 5.5}});
@@ -84,7 +84,7 @@ QPixmap material_swatch(const SurfaceMaterial& material, QSize size, qreal dpr) 
     const double across = std::abs(2.0 * (y + 0.5) / pixels.height() - 1.0);
     for (int x = 0; x < pixels.width(); ++x) {
       const double along = (x + 0.5) / pixels.width();
-      // A wide stroke: blank above and below it, fading in from the left.
+      // The stroke is wide, with blank paper above and below it, and fades in from the left.
       const double within = std::clamp((0.72 - across) * pixels.height() / 4.0, 0.0, 1.0);
       const double pressure = 0.05 + 0.75 * along;
       const double seen = 0.85 * within * grain.alpha({mm * x, mm * y}, pressure, "pencil") *
@@ -99,7 +99,7 @@ QPixmap material_swatch(const SurfaceMaterial& material, QSize size, qreal dpr) 
   return QPixmap::fromImage(image);
 }
 
-/// Adds an outline, because white paper on a white button would have no edge.
+/// Adds an outline, because white paper on a white button would have no visible edge.
 QPixmap outlined(QPixmap swatch) {
   QPainter painter(&swatch);
   painter.setPen(QPen(QColor(0, 0, 0, 70), 1.0));
@@ -107,7 +107,7 @@ QPixmap outlined(QPixmap swatch) {
   return swatch;
 }
 
-/// Adds the frame of a chosen swatch.
+/// Adds the frame that shows that a swatch is chosen.
 QPixmap framed(QPixmap swatch, const QPalette& palette) {
   QPainter painter(&swatch);
   painter.setRenderHint(QPainter::Antialiasing);

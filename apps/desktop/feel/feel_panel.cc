@@ -19,7 +19,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr QSize kSwatchPx{64, 26};
-constexpr int kRoomPx = 8;  // around picture and text
+constexpr int kRoomPx = 8;  // margin around picture and text
 constexpr int kPanelIconPx = 22;
 constexpr int kScaleStep = 5, kScalePage = 20;
 
@@ -72,7 +72,7 @@ FeelPanel::FeelPanel(Studio& studio, QWidget* parent)
   make_reliefs();
 }
 
-/// Makes the reliefs on another thread, because each takes some 10 ms.
+/// Makes the pictures of the reliefs on another thread, because each takes some 10 ms.
 void FeelPanel::make_reliefs() {
   const std::span<const SurfaceMaterial> all = studio_.materials().surfaces();
   maker_.start([this, surfaces = std::vector<SurfaceMaterial>(all.begin(), all.end())] {
@@ -142,7 +142,7 @@ void FeelPanel::fill_materials() {
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize(kSwatchPx);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    // Some styles underestimate the text below a picture and would cut it off.
+    // Some styles reserve too little height for the text below a picture and would cut it off.
     button->setMinimumHeight(kSwatchPx.height() + button->fontMetrics().height() + kRoomPx);
     button->setFocusPolicy(Qt::StrongFocus);
     materials_->addButton(button, i);
@@ -167,7 +167,7 @@ QAbstractButton* FeelPanel::button_of(const std::string& id) const {
 void FeelPanel::tell_forces() {
   SafetyReport safety = studio_.loop().tick().safety;
   told_state_ = safety.state;
-  // Forces were switched on and no tick has come yet: do not show "off" while a force may come.
+  // Forces were switched on, but no tick has arrived. Do not show "off" while a force may come.
   if (studio_.loop().forces_are_on() && safety.state == SafetyState::kOff) {
     safety.state = SafetyState::kEngaging;
   }
@@ -175,7 +175,7 @@ void FeelPanel::tell_forces() {
   const bool on = studio_.loop().forces_are_on();
   const SafetyWords words =
       words_for(safety, has_motors, on, studio_.loop().device_status().last_fault);
-  // The button shows what it does, the line below it the present state.
+  // The button shows its effect, the line below it the present state.
   forces_->setText(on ? tr("Stop forces") : tr("Switch forces on"));
   forces_->setIcon(
       on ? stop_icon(palette(), kPanelIconPx, devicePixelRatioF())

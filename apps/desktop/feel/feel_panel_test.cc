@@ -90,7 +90,7 @@ TEST(FeelPanel, StrengthIsKeptAndReachesTheLoop) {
     EXPECT_EQ(window.panel->findChild<QSpinBox*>()->value(), 40);
     window.studio.advance(100'000'000);
     EXPECT_DOUBLE_EQ(window.studio.loop().tick().strength, 0.4);
-    // Another device keeps it.
+    // Another device keeps the strength.
     ASSERT_TRUE(window.studio.use_device(QStringLiteral("simulated:omega")));
     window.studio.advance(100'000'000);
     EXPECT_DOUBLE_EQ(window.studio.loop().tick().strength, 0.4);

@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::array<double, 6> kTops{0.5, 1.0, 2.0, 3.0, 5.0, 10.0};  // N
 constexpr std::int64_t kBinsToMark = 50;
-constexpr std::int64_t kBinsToBridge = 20;  // gaps of up to this many bins without a tick are
-                                            // bridged by a line
+constexpr std::int64_t kBinsToBridge = 20;  // a line bridges gaps of up to kBinsToBridge bins
+                                            // without a tick
 constexpr double kMinContrast = 3.0;        // WCAG 2.1 for graphics
 
-/// Returns red, green and blue, 0..1.
+/// Returns red, green and blue, each 0..1.
 std::array<double, 3> channels(const QColor& color) {
   return {static_cast<double>(color.redF()), static_cast<double>(color.greenF()),
           static_cast<double>(color.blueF())};
@@ -35,7 +35,8 @@ double contrast(const QColor& a, const QColor& b) {
   return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
-/// Returns the same hue, moved towards black or white until it is visible on the background.
+/// Returns `color` with the same hue, moved towards black or white until it is visible on
+/// `ground`.
 QColor seen_on(const QColor& ground, QColor color) {
   const double towards = luminance(ground) < 0.2 ? 1.0 : 0.0;
   for (int i = 0; i < 20 && contrast(color, ground) < kMinContrast; ++i) {
@@ -223,7 +224,8 @@ std::int64_t ForceGraph::column_of(std::int64_t bin) const {
   return (bin + 1) * lines_.width() / std::int64_t{ForceHistory::kBins};
 }
 
-/// Bins that can still grow are left out, a delay of about 10 ms.
+/// Draws the lines up to the newest complete bin. Bins that may still grow are left out, which
+/// delays the plot by about 10 ms.
 void ForceGraph::bring_lines_up(QSizeF size) {
   const std::int64_t to = history_->newest() - 1;
   const bool anew = lines_.isNull() || to < drawn_to_ ||
@@ -239,7 +241,7 @@ void ForceGraph::bring_lines_up(QSizeF size) {
   drawn_to_ = to;
 }
 
-/// Draws the bins after `from` up to `to`, at the right end of the picture.
+/// Draws the bins after `from`, up to and including `to`, at the right end of the picture.
 void ForceGraph::draw_lines(std::int64_t from, std::int64_t to) {
   const qreal dpr = lines_.devicePixelRatio();
   const qreal width = lines_.width() / dpr, height = lines_.height() / dpr;
@@ -262,7 +264,7 @@ void ForceGraph::draw_track(QPainter& painter, std::size_t track, std::int64_t f
   const TrackStyle style = track_style(track, palette());
   const qreal dpr = lines_.devicePixelRatio();
   const qreal height = lines_.height() / dpr, right = lines_.width() / dpr;
-  // Starts at the last point before these bins, so that lines continue where they ended.
+  // Start at the last point before these bins, so that lines continue where they ended.
   std::int64_t first = from;
   while (first > from - kBinsToBridge && history_->at(track, first) < 0.0F) --first;
   std::array<QPointF, ForceHistory::kBins + kBinsToBridge + 1> line;
@@ -273,7 +275,8 @@ void ForceGraph::draw_track(QPainter& painter, std::size_t track, std::int64_t f
     if (value < 0.0F) continue;
     const QPointF at(right - static_cast<qreal>(column_of(to) - column_of(bin)) / dpr,
                      height * (1.0 - static_cast<double>(value) / top_n_));
-    // Staggers the marks of different tracks. They are drawn a bit to the left, so that each fits.
+    // Stagger the marks of different tracks. Marks are drawn a little to the left, so that they
+    // fit in.
     const std::int64_t turn = bin + 13 * static_cast<std::int64_t>(track);
     if (bin > from && turn % kBinsToMark == 0 && value > 0.0F) marks[marked++] = at;
     line[points++] = at;

@@ -30,7 +30,7 @@ class ForceHistory {
   [[nodiscard]] bool is_empty() const noexcept { return newest_ < 0; }
   /// Returns the number of tracks that have appeared so far.
   [[nodiscard]] std::size_t tracks() const noexcept { return tracks_; }
-  /// Returns "asked", "sent", or the name of the brick.
+  /// Returns "asked", "sent", or the name of the force term.
   [[nodiscard]] const char* name(std::size_t track) const noexcept { return names_[track]; }
   /// Returns the number of the newest bin, counted from time 0; negative if the history is empty.
   /// Later ticks may still increase its values.

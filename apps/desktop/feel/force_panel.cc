@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kFrameMs = 33;       // between two repaints of the plot
 constexpr int kWordsMs = 250;      // between two updates of the numbers
-constexpr int kTablesToTell = 12;  // 3 s
+constexpr int kTablesToTell = 12;  // 3 s between two announcements
 constexpr int kStopIconPx = 22;
 constexpr int kNameColumn = 0, kNowColumn = 1, kMaxColumn = 2;
 
@@ -187,7 +187,8 @@ void ForcePanel::tell_table() {
     table_->item(row, kMaxColumn)->setText(newton(history_.most(track)));
     ++row;
   }
-  // Announced to screen readers, but seldom, because they would read nothing else.
+  // The state is announced to screen readers only rarely, because they would otherwise read
+  // nothing else.
   if (++told_tables_ % kTablesToTell != 1) return;
   graph_->setAccessibleDescription(
       tr("Requested: %L1 N, recently at most %L2 N. The table lists each force.")
@@ -233,7 +234,7 @@ void ForcePanel::tell_loop() {
 }
 
 void ForcePanel::resizeEvent(QResizeEvent* event) {
-  // Side by side if there is room, otherwise one below the other.
+  // Shows plot and table side by side if the panel is wide enough, otherwise one below the other.
   const bool wide = width() > 2 * height() && width() > 90 * fontMetrics().averageCharWidth();
   layout_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   QWidget::resizeEvent(event);
@@ -253,7 +254,7 @@ void ForcePanel::hideEvent(QHideEvent* event) {
 
 void ForcePanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) {
-    state_->clear();  // their icons have the colours of the old palette
+    state_->clear();  // its icons have the colours of the old palette
     table_->setRowCount(0);
     tell();
   }

@@ -13,10 +13,10 @@
 
 namespace felt::desktop {
 
-/// Shows what the pen feels: a plot of each term of the force, their sum and the sent force; a
-/// table of the same values, which is the legend; the state of the safety chain in words; and the
-/// timing of the loop. Repaints at most 30 times a second, and only while it is visible and values
-/// change.
+/// Shows what the pen feels. A plot shows each term of the force, their sum and the sent force. A
+/// table of the same values is the legend. Also shows the state of the safety chain in words and
+/// the timing of the loop. Repaints at most 30 times a second, and only while it is visible and
+/// values change.
 class ForcePanel : public QWidget {
   Q_OBJECT
 

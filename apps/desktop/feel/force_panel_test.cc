@@ -25,8 +25,8 @@ TickReport tick_at(std::int64_t time_ns, double plane_n, double friction_n = 0.0
   return tick;
 }
 
-// For any timing of ticks, a bin shows the largest of its ticks, and nothing older than the history
-// is left.
+// For any timing of ticks, a bin has the maximum of its ticks, and ticks older than the history
+// are removed.
 TEST(ForceHistory, KeepsThePeakOfEachBinAndForgetsInTime) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
@@ -73,7 +73,7 @@ TEST(ForceHistory, TermsAreKnownByNameAndShownAsFelt) {
   EXPECT_FLOAT_EQ(history.now(3), 0.2F);
   history.add(tick_at(30 * kMs, 1.0));
   EXPECT_FLOAT_EQ(history.now(3), 0.0F) << "a term that is absent is none";
-  history.add(tick_at(kMs, 2.0));  // another loop's clock
+  history.add(tick_at(kMs, 2.0));  // the clock of another loop
   EXPECT_EQ(history.tracks(), 3u);
 }
 
@@ -150,7 +150,7 @@ TEST(ForcePanel, ShowsWhatTheLoopDoesInAPlotAndInATable) {
   EXPECT_FALSE(panel.grab().isNull());
 }
 
-// A plot drawn incrementally looks like one drawn at once.
+// A plot that is drawn incrementally looks like one that is drawn completely.
 TEST(ForceGraph, IsTheSameDrawnBitByBitOrAtOnce) {
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(seed);
@@ -172,7 +172,7 @@ TEST(ForceGraph, IsTheSameDrawnBitByBitOrAtOnce) {
     ForceGraph at_once(*history);
     at_once.resize(bit_by_bit.size());
     const QImage a = bit_by_bit.grab().toImage(), b = at_once.grab().toImage();
-    // Lines meet at a seam: some pixels beside a line differ a little.
+    // At a seam of two parts of a line, some pixels differ a little.
     int far_off = 0;
     for (int y = 0; y < a.height(); ++y) {
       for (int x = 0; x < a.width(); ++x) {

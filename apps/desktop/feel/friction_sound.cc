@@ -19,12 +19,12 @@ namespace felt::desktop {
 #ifdef FELT_HAS_SOUND
 namespace {
 
-/// Buffer requested from the sound device. With RubbedSamples::kBehindS, the latency from the pen
-/// to the device is some 45 ms; the device may add its own.
+/// Buffer requested from the sound device. Together with RubbedSamples::kBehindS, the latency from
+/// the pen to the device is some 45 ms. The device may have an additional latency.
 constexpr int kBufferMs = 25;
 
-/// Returns the format with 48 kHz and one channel that the device accepts; not valid if it accepts
-/// none.
+/// Returns the format with 48 kHz and one channel that the device accepts; an invalid format if it
+/// accepts none.
 QAudioFormat format_for(const QAudioDevice& device) {
   QAudioFormat format;
   format.setSampleRate(int(RubbingPlayer::kRateHz));
@@ -38,8 +38,8 @@ QAudioFormat format_for(const QAudioDevice& device) {
 
 }  // namespace
 
-/// Plays on its own thread, so that a busy window causes no drop-outs, and a hanging sound service
-/// does not block drawing.
+/// Plays on its own thread, so that a busy window does not interrupt the sound, and a hanging
+/// sound service does not block drawing.
 class FrictionSound::Player {
  public:
   explicit Player(RubbedFeed& feed) : feed_(feed) {
@@ -62,7 +62,7 @@ class FrictionSound::Player {
                      [this] { follow_device(); });
     follow_device();
   }
-  /// Plays on the current default device.
+  /// Plays on the present default device.
   void follow_device() {
     const QAudioDevice device = QMediaDevices::defaultAudioOutput();
     if (sink_ && device.id() == in_use_) return;
@@ -92,10 +92,10 @@ class FrictionSound::Player {
   }
 
   RubbedFeed& feed_;
-  QObject here_;  // in the main thread: calls queued to it are dropped when it is destroyed
+  QObject here_;  // lives in the main thread: calls queued to it are dropped when it is destroyed
   QThread thread_;
   QObject on_thread_;
-  // Used by the thread only.
+  // Only the thread uses the following members.
   std::unique_ptr<QMediaDevices> devices_;
   std::unique_ptr<RubbedSamples> samples_;
   std::unique_ptr<QAudioSink> sink_;
@@ -142,7 +142,7 @@ void SoundState::set(State state) {
 }
 
 FrictionSound::FrictionSound(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
-  static_cast<void>(SoundState::the());  // created on this thread
+  static_cast<void>(SoundState::the());  // makes sure that the object is made on this thread
   connect(&Settings::the(), &Settings::changed, this, &FrictionSound::follow);
   follow(QString::fromLatin1(feel_keys::kSoundVolume));
   follow(QString::fromLatin1(feel_keys::kSound));
@@ -154,7 +154,7 @@ void FrictionSound::follow(const QString& key) {
   const Settings& settings = Settings::the();
   if (key == QLatin1String(feel_keys::kSoundVolume)) {
     const double share = std::clamp(settings.number(key, feel_keys::kSoundVolumeDefault), 0.0, 1.0);
-    // Squared to match hearing: half the range is some 12 dB less.
+    // Squared to match hearing: half the range reduces the level by some 12 dB.
     feed_.volume.store(float(share * share), std::memory_order_relaxed);
   }
   if (key != QLatin1String(feel_keys::kSound)) return;

@@ -20,7 +20,7 @@ StudioOptions still() {
   return {.device = QStringLiteral("tablet"), .live = false};
 }
 
-/// Draws a stroke with mouse or tablet, with movements above the surface before and after.
+/// Draws a stroke with mouse or tablet, with hover movements before and after it.
 void draw(Studio& studio, int ms, double pressure = 0.6) {
   for (int i = 0; i < ms; i += 4) {
     studio.point({studio.now_ns(), {20.0 + 0.15 * i, 30.0}, pressure > 0.0, pressure});
@@ -83,7 +83,7 @@ TEST(FrictionSound, WhatIsDrawnIsHeardAndWhatHoversIsNot) {
   feed.volume = 0.0F;
   static_cast<void>(heard(0.6));
   EXPECT_LT(peak(heard(0.6)), 1e-4F);
-  // No samples arrive any more: silent soon, and permanently.
+  // No samples arrive any more: the sound ends soon and does not start again.
   static_cast<void>(read(samples, 4800));
   EXPECT_EQ(peak(read(samples, 48000)), 0.0F);
 }
@@ -104,8 +104,8 @@ TEST(FrictionSound, ADeviceOf16BitsHearsTheSame) {
   }
 }
 
-// Headphones are plugged in: another device continues to read, with the current pair of surface and
-// medium.
+// When headphones are plugged in, another device continues to read, with the current pair of
+// surface and medium.
 TEST(FrictionSound, AnotherDeviceHearsThePairThatIsInUse) {
   Studio studio(still());
   studio.apply(SetOption{"sheet.material", OptionValue(std::string("canvas"))});
@@ -144,8 +144,8 @@ TEST(FrictionSound, FollowsTheSheetAndAnotherDrawing) {
   }());
 }
 
-// Off by default; on a machine without a sound device a message says so, and drawing works as
-// before.
+// Sound is off by default. On a machine without a sound device, a message says so, and drawing
+// works as before.
 TEST(FrictionSound, IsOffAtFirstAndWorksWithoutASoundDevice) {
   Settings::the().reset(QString::fromLatin1(feel_keys::kSound));
   Studio studio(still());

@@ -37,7 +37,8 @@ constexpr std::array<Name, 10> kMedia{{
     {"eraser", QT_TRANSLATE_NOOP("Material", "Eraser")},
 }};
 
-/// A label of a built-in material is translated by its id, unless it was changed.
+/// Returns the label of a material. The label of a built-in material is translated by its id,
+/// unless the user changed it.
 template <std::size_t kCount>
 QString label_of(const std::array<Name, kCount>& names, std::string_view id,
                  std::string_view label) {

@@ -15,7 +15,7 @@ PenFeed::PenFeed(Studio& studio, RubbedFeed& feed)
 }
 
 void PenFeed::take(const PenSample& sample) {
-  // A full queue means that no device reads; then lost samples do not matter.
+  // If the queue is full, no sound device reads it, and lost samples do not matter.
   static_cast<void>(feed_.samples.push(pen_.sample(sample)));
   if (pen_.pair() == told_) return;
   told_ = pen_.pair();
@@ -31,7 +31,7 @@ qint64 RubbedSamples::bytesAvailable() const {
 }
 
 void RubbedSamples::take_news() {
-  // A previous reader may have taken the value; a new device needs it from the start.
+  // A previous reader may have consumed the value, but a new device needs it from the start.
   static_cast<void>(feed_.pair.update());
   sound_.set_pair(feed_.pair.get());
   std::array<RubbingSample, 64> batch;
@@ -42,7 +42,7 @@ void RubbedSamples::take_news() {
 }
 
 qint64 RubbedSamples::readData(char* data, qint64 most) {
-  constexpr float kFollow = 0.002F;  // 10 ms
+  constexpr float kFollow = 0.002F;  // time constant 10 ms
   take_news();
   const qint64 size = is_float_ ? sizeof(float) : sizeof(std::int16_t);
   std::array<float, 256> block{};

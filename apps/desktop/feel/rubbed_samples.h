@@ -20,7 +20,7 @@ struct RubbedFeed {
   std::atomic<float> volume{0.5F};  ///< factor of the sound, 0..1
 };
 
-/// Sends every sample of a studio's pen to a feed. Qt's main thread.
+/// Sends every sample of a studio's pen to a feed. Use it in Qt's main thread.
 class PenFeed : public QObject {
   Q_OBJECT
 

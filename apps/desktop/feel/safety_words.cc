@@ -10,7 +10,7 @@
 namespace felt::desktop {
 namespace {
 
-/// Returns what limits the force at present.
+/// Returns a text about the present limits of the force.
 QString limits_in_words(std::uint32_t limited_by) {
   struct Stage {
     SafetyStage bit;

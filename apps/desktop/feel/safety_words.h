@@ -27,7 +27,8 @@ SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted,
 /// Returns in half a sentence why the force was removed: "the pen jumped". Empty for kNone.
 QString words_for(SafetyFault fault);
 
-/// Returns the label of a force term. `name` is the name of its brick: "plane" -> "Surface".
+/// Returns the label of a force term for the user. `name` is its internal name: "plane" ->
+/// "Surface".
 QString term_label(const char* name);
 
 }  // namespace felt::desktop

@@ -27,7 +27,7 @@ namespace {
 constexpr double kDpi = 300.0;
 constexpr double kMaxPixels = 16e6;
 constexpr double kMarginMm = 1.0;
-// Allows for JSON, in which a byte of a text takes at most two.
+// JSON needs at most two bytes for each byte of a text.
 constexpr std::size_t kMaxMaterialsBytes =
     limits::kMaxMaterialTexts * (2 * limits::kMaxMaterialTextBytes + 3) + 2;
 const QString kSvgMime = QStringLiteral("image/svg+xml");
@@ -49,7 +49,8 @@ QByteArray json_of(std::span<const std::string> texts) {
   return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
 
-/// Skips entries that are not texts or exceed the limits of a drawing.
+/// Returns the texts of a JSON array. Skips entries that are not texts or exceed the limits of a
+/// drawing.
 std::vector<std::string> texts_in(const QByteArray& json) {
   std::vector<std::string> texts;
   if (static_cast<std::size_t>(json.size()) > kMaxMaterialsBytes) return texts;
@@ -61,7 +62,8 @@ std::vector<std::string> texts_in(const QByteArray& json) {
   return texts;
 }
 
-/// A drawing with materials is written whole, so that the SVG includes them.
+/// Returns the strokes as SVG. If the drawing has materials, writes the whole drawing, so that the
+/// SVG contains the materials.
 QByteArray svg_of(const Drawing& drawing) {
   const SvgOptions options{.margin_mm = kMarginMm};
   const Result<std::string> text =
@@ -89,8 +91,8 @@ const QStringList& drawing_types() {
   return types;
 }
 
-/// Returns true if the text is a drawing, for example an SVG copied from an editor or a page's
-/// source.
+/// Returns true if the text is a drawing, such as an SVG copied from an editor or from the source
+/// of a web page.
 bool is_drawing_text(const QByteArray& text) {
   const auto format = format_of_bytes(
       {text.constData(), std::min<std::size_t>(std::size_t(text.size()), kFormatHeadBytes)});
@@ -98,8 +100,8 @@ bool is_drawing_text(const QByteArray& text) {
          format == FileFormat::kNdjson;
 }
 
-/// Strokes that become SVG and pixels only when another program asks for them, because most copies
-/// are pasted here, and a large picture takes longer than a keystroke may.
+/// Clipboard data that makes SVG and pixels only when another program requests them. Most copies
+/// are pasted in Feltline, and making a large picture would delay the copy command too much.
 class PromisedStrokes final : public QMimeData {
  public:
   explicit PromisedStrokes(Drawing drawing) : drawing_(std::move(drawing)) {}

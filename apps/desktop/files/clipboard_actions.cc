@@ -23,7 +23,7 @@ void put(std::unique_ptr<QMimeData> data) {
   QGuiApplication::clipboard()->setMimeData(data.release());
 }
 
-/// Identifies our strokes on a clipboard.
+/// Returns a hash that identifies Feltline's strokes on a clipboard.
 QByteArray fingerprint(const QMimeData& data) {
   return QCryptographicHash::hash(data.data(QString::fromLatin1(kStrokesMime)),
                                   QCryptographicHash::Sha1);
@@ -73,8 +73,8 @@ Drawing ClipboardActions::chosen() const {
       [&](StrokeId id) { return selection.empty() || selection.find(id) != nullptr; });
 }
 
-/// Returns the visible strokes for which `keep` is true, with their media as they are now, because
-/// these may have changed by the time of the paste, here or in another program.
+/// Returns the visible strokes for which `keep` is true, with their media as they are now. The
+/// media may have changed by the time of the paste, here or in another program.
 Drawing ClipboardActions::drawing_with(const std::function<bool(StrokeId)>& keep) const {
   const Document& document = studio_.session().document();
   DrawingBuilder builder;
@@ -106,7 +106,7 @@ void ClipboardActions::copy() {
 }
 
 void ClipboardActions::cut() {
-  // Cuts only the strokes that are wholly selected, because Delete removes only these.
+  // Cuts only the strokes that are selected as a whole, because Delete removes only these.
   const Selection& selection = studio_.session().selection();
   Drawing whole = drawing_with([&](StrokeId id) { return selection.is_whole(id); });
   if (whole.document.stroke_count() == 0) {
@@ -114,7 +114,7 @@ void ClipboardActions::cut() {
     return;
   }
   remember_and_put(std::move(whole));
-  pastes_ = -1;  // pasted at their own place
+  pastes_ = -1;  // the next paste has no offset
   studio_.apply(DeleteEvent{});
 }
 

@@ -15,9 +15,9 @@
 namespace felt::desktop {
 
 /// Copy, cut and paste of strokes: "edit.copy", "edit.cut", "edit.paste", "edit.copy_as_svg",
-/// "edit.copy_as_png". Copies the selected strokes as a whole, or all visible ones if nothing is
-/// selected, with the media that Feltline does not ship. A paste is one step of undo; strokes that
-/// were copied in this window are pasted a little beside the originals.
+/// "edit.copy_as_png". Copies the selected strokes as a whole, or all visible strokes if nothing
+/// is selected, together with the media that Feltline does not ship. A paste is one step of undo.
+/// Strokes that were copied in this window are pasted with a small offset from the originals.
 class ClipboardActions : public QObject {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class ClipboardActions : public QObject {
   ClipboardActions(Studio& studio, Actions& actions, FileDialogs& dialogs, QWidget* window);
 
  Q_SIGNALS:
-  /// Strokes were pasted; `report` lists what on the clipboard is not supported.
+  /// Emitted when strokes were pasted; `report` lists the unsupported content of the clipboard.
   void taken(const QString& name, const felt::ImportReport& report);
 
  private:
@@ -41,8 +41,8 @@ class ClipboardActions : public QObject {
   FileDialogs& dialogs_;
   QWidget* window_;
   QAction* cut_;
-  QByteArray copied_;  // fingerprint of what this window copied
-  int pastes_ = 0;     // since the last copy or cut here
+  QByteArray copied_;  // fingerprint of the strokes that this window copied
+  int pastes_ = 0;     // number of pastes since the last copy or cut here
 };
 
 }  // namespace felt::desktop

@@ -112,7 +112,7 @@ TEST(Clipboard, MediaGoAlongWithTheStrokes) {
     ASSERT_EQ(taken.count(), 1);
     EXPECT_TRUE(qvariant_cast<felt::ImportReport>(taken.at(0).at(1)).empty()) << copy;
   }
-  // A medium with other figures stays, and the user is told.
+  // A medium that has other figures here stays, and the user is informed.
   TestDesk other;
   other.studio.apply(UseMaterial{write_material(soft_chalk(0.6))});
   QSignalSpy taken(other.files, &FileActions::taken);
@@ -125,7 +125,7 @@ TEST(Clipboard, MediaGoAlongWithTheStrokes) {
 
 TEST(Clipboard, TextsOfMaterialsThatNobodyVouchesFor) {
   TestDesk desk;
-  desk.draw_with("soft-chalk");  // not known
+  desk.draw_with("soft-chalk");  // this medium is unknown
   const Drawing drawing{.document = desk.document()};
   EXPECT_FALSE(strokes_mime(drawing)->hasFormat(QString::fromLatin1(kMaterialsMime)));
   const auto pasted = [&drawing](const QByteArray& materials) {
@@ -148,7 +148,7 @@ TEST(Clipboard, TextsOfMaterialsThatNobodyVouchesFor) {
   QByteArray many = "[\"0\"";
   for (int i = 1; i < 200; ++i) many += ",\"" + QByteArray::number(i) + "\"";
   EXPECT_EQ(pasted(many + "]").size(), 64u);
-  // An invalid text of a material, and one out of range, leave the strokes as they are.
+  // An invalid text of a material, or one out of range, does not affect the strokes.
   Drawing odd = drawing;
   odd.materials = {"hello", "kind = \"medium\"\nid = \"soft-chalk\"\nmu = 1e9"};
   QGuiApplication::clipboard()->setMimeData(strokes_mime(odd).release());

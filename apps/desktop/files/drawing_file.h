@@ -12,21 +12,21 @@ namespace felt::desktop {
 /// Returns the file extension of a format: ".felt".
 QString suffix_of(FileFormat format);
 
-/// Returns the path with the format's extension, unchanged if it already has one of that format.
+/// Returns the path with the extension of the format; unchanged if it already has one of them.
 QString with_suffix(const QString& path, FileFormat format);
 
-/// Reads a drawing of any format, chosen by content, with a report of unsupported content. With
-/// `salvage`, reads as much as possible of a damaged .felt file. The error names the file, the
-/// place and the reason. Fails if the path is not a regular file, for example a pipe, on which the
-/// window would wait. Safe to call from any thread.
+/// Reads a drawing of any format and reports unsupported content. The format is detected from the
+/// content. With `salvage`, reads as much as possible of a damaged .felt file. The error names the
+/// file, the position and the reason. Fails if the path is not a regular file, for example a pipe,
+/// because reading it might block the window. Safe to call from any thread.
 Result<Imported> open_drawing(const QString& path, bool salvage = false);
 
-/// Reads it without the report.
+/// Reads a drawing without the report.
 Result<Drawing> read_drawing(const QString& path);
 
-/// Writes a drawing whole or not at all, and durably, in the format of the path's extension.
-/// Formats without layers get the strokes of visible layers. The error names the file and the
-/// reason. Safe to call from any thread.
+/// Writes a drawing in the format of the path's extension, durably, and either completely or not
+/// at all. If the format has no layers, writes the strokes of visible layers. The error names the
+/// file and the reason. Safe to call from any thread.
 Result<void> write_drawing(const QString& path, const Drawing& drawing);
 
 }  // namespace felt::desktop

@@ -29,12 +29,12 @@ namespace felt::desktop {
 namespace {
 
 constexpr QSize kPreviewSize(280, 220);
-constexpr int kCheck = 8;  // chequered squares that show transparency
-// A preview of more strokes would take too long. The ones drawn last are shown, because they are on
-// top.
+constexpr int kCheck = 8;  // size of the chequered squares that show transparency
+// A preview of more strokes would take too long. It shows the strokes that were drawn last,
+// because they are on top.
 constexpr std::size_t kMaxPreviewStrokes = 5000;
 
-/// Returns the formats of export: all that can be written except our own, which is saved.
+/// Returns the formats for export: all that can be written except .felt, which is for saving.
 std::vector<const FormatTraits*> export_formats() {
   std::vector<const FormatTraits*> rows;
   for (const FormatTraits& row : format_table()) {
@@ -43,7 +43,7 @@ std::vector<const FormatTraits*> export_formats() {
   return rows;
 }
 
-/// Paints the picture over chequered squares that show where it is transparent.
+/// Paints the picture over chequered squares, which show where it is transparent.
 QPixmap on_squares(const QImage& picture, double ratio) {
   QPixmap pixmap(picture.size());
   pixmap.fill(Qt::white);

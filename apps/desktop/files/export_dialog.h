@@ -15,8 +15,8 @@ class QLabel;
 
 namespace felt::desktop {
 
-/// Asks how the drawing is exported, and shows a small picture and the resulting size. Remembers
-/// the choices.
+/// Asks how to export the drawing, and shows a small picture and the resulting size. The settings
+/// keep the choices.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class ExportDialog : public QDialog {
 
   std::vector<StrokePtr> strokes_;
   SheetPage page_;
-  std::optional<Grain> sheet_grain_;  // none: the surface is not known here
+  std::optional<Grain> sheet_grain_;  // nullopt if the surface is not known here
   QComboBox* format_;
   QComboBox* area_;
   QDoubleSpinBox* dpi_;

@@ -42,20 +42,20 @@ QDateTime changed_at(const QString& path) {
   return info.exists() ? info.lastModified() : QDateTime();
 }
 
-/// Returns the usual paper of a new page of that surface.
+/// Returns the usual paper colour of a new page with that surface.
 Rgba usual_paper(const SurfaceMaterial& surface) {
   return usual_color(SheetPage{}.paper, {}, surface.color_rgb, SheetPage{}.paper);
 }
 
-/// Returns true if Save may write to the file again: it is ours, by content and by extension.
+/// Returns true if Save may overwrite the file: it is a .felt file by content and by extension.
 bool is_own_file(const Imported& opened, const QString& path) {
-  // A damaged file is not overwritten, because more of it may be recovered some day.
+  // A damaged file is not overwritten, because later versions may recover more of it.
   return opened.is_exact && opened.format == FileFormat::kFelt &&
          format_of_path(path.toStdString()) == FileFormat::kFelt;
 }
 
-/// Returns the materials that its file contains: also the medium of the tool, because a crash may
-/// happen during the first stroke.
+/// Returns the materials for the drawing's file. They include the medium of the tool, because a
+/// crash may happen during the first stroke.
 std::vector<std::string> own_materials(const Session& session, const Drawing& drawing) {
   const std::vector<std::string> also{drawing_medium(session)};
   return texts_of_used(drawing.document, drawing.page.surface, session.materials(), also);
@@ -110,7 +110,7 @@ void FileActions::add_file_actions(Actions& actions) {
 bool FileActions::is_read_only() const {
   constexpr auto kAnyWriter = QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther;
   const QFileInfo info(path_);
-  // A user with all rights is told, too, if the file is write-protected for everyone.
+  // Also reports a file that is write-protected for everyone to a user who has all rights.
   return info.exists() && (!info.isWritable() || !(info.permissions() & kAnyWriter));
 }
 
@@ -143,12 +143,12 @@ Drawing FileActions::drawing() const {
 void FileActions::start_new() {
   if (!may_replace()) return;
   Drawing fresh;
-  // Keeps a page that the user set up here, but not the page of a file that was opened.
+  // Keeps a page that the user set up here, but not the page that came with an opened file.
   if (!has_page_of_file_) fresh.page = studio_.page();
   fresh.page.surface = studio_.session().sheet().material().id;
   if (has_page_of_file_) fresh.page.paper = usual_paper(studio_.session().sheet().material());
   fresh.color = studio_.session().sheet().color();
-  // Surface and medium stay, even if only the previous drawing brought them.
+  // Surface and medium stay, even if they came only with the previous drawing.
   fresh.materials = own_materials(studio_.session(), fresh);
   show(std::move(fresh), {}, {});
 }
@@ -159,7 +159,7 @@ void FileActions::ask_open() {
   if (!path.isEmpty()) open(path);
 }
 
-/// Reads a file on the worker's thread. For a damaged .felt file, offers the part that can be read.
+/// Reads a file on the worker's thread. If a .felt file is damaged, offers the readable part.
 Result<Imported> FileActions::read(const QString& path) {
   Result<Imported> opened = fail(ErrorCode::kIo, ""), rescued = opened;
   worker_.start([&, path] {
@@ -184,7 +184,7 @@ bool FileActions::open(const QString& given) {
   worker_.wait();
   Result<Imported> opened = read(path);
   if (opened) {
-    // Asks about unsaved changes only after the file could be read.
+    // The user is asked about unsaved changes only after the file could be read.
     const QDateTime read_at = changed_at(path);
     if (!may_replace()) return false;
     if (changed_at(path) != read_at) opened = read(path);  // the user has just saved to this file
@@ -221,7 +221,7 @@ void FileActions::adopt(Drawing drawing, const QString& name) {
 
 void FileActions::show(Drawing drawing, const QString& path, const QString& name) {
   const LayerId layer = drawing.layer;
-  // Set before the signals of open(), so that slots see the right name.
+  // Set before open() emits its signals, so that slots see the right name.
   path_ = path;
   name_ = name;
   has_page_of_file_ = false;
@@ -241,7 +241,7 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
   Q_EMIT drawing_changed();
 }
 
-/// Handles a drawing that other code opened, for example an example: it has no file.
+/// Handles a drawing without a file that other code opened, such as an example.
 void FileActions::hear_opened() {
   if (is_showing_) return;
   extras_ = {};
@@ -298,7 +298,8 @@ bool FileActions::eventFilter(QObject* object, QEvent* event) {
     const QStringList paths = local_files(drop->mimeData());
     if (paths.isEmpty()) return false;
     drop->acceptProposedAction();
-    // Done later, because the program that drags waits for the answer, and a dialog may open.
+    // Queued, because the program from which the user drags waits for the answer, and a dialog may
+    // open.
     QMetaObject::invokeMethod(
         this, [this, paths] { take_dropped(paths); }, Qt::QueuedConnection);
     return true;
@@ -365,7 +366,9 @@ void FileActions::end_save(const QString& path, const ChangeMark& mark, const Re
   Q_EMIT saved(true);
 }
 
-/// After a save it saves once more if a gesture ended while the file was being written.
+/// Asks what to do with unsaved changes, and waits until they are saved. Returns true if another
+/// drawing may replace this one. If a gesture ended while the file was being written, saves once
+/// more.
 bool FileActions::may_replace() {
   worker_.wait();
   studio_.finish_gesture();  // a line in progress is a change, too
@@ -380,7 +383,7 @@ bool FileActions::may_replace() {
   }
   if (!save()) return false;
   worker_.wait();
-  // A gesture that ended while the file was being written is not in the file.
+  // The file does not contain a gesture that ended while it was being written.
   studio_.finish_gesture();
   if (!last_save_failed_ && studio_.is_modified()) {
     begin_save(path_);
@@ -428,13 +431,13 @@ void FileActions::fill_recent_menu() {
   recent_menu_->clear();
   int number = 0;
   for (const QString& path : std::as_const(recent)) {
-    // Doubles ampersands, so that the menu shows them.
+    // Ampersands are doubled, because a menu would interpret single ones.
     QString name = QFileInfo(path).fileName();
     name.replace(QLatin1Char('&'), QStringLiteral("&&"));
     const QString mark = ++number < 10 ? QStringLiteral("&%1  ").arg(number) : QString();
     QAction* action = recent_menu_->addAction(mark + name);
     action->setStatusTip(path);
-    // Done later, because opening fills this menu again and deletes the action.
+    // Queued, because opening a file fills this menu again and deletes the action.
     connect(
         action, &QAction::triggered, this, [this, path] { open(path); }, Qt::QueuedConnection);
   }

@@ -25,72 +25,72 @@ class QMenu;
 
 namespace felt::desktop {
 
-/// The parts of a drawing's file that other parts of the window own: its palette and its view.
+/// Access to those parts of a drawing's file that other parts of the window own: palette and view.
 struct DrawingLooks {
-  std::function<void(Drawing&)> tell = {};        ///< adds them to a drawing
-  std::function<void(const Drawing&)> show = {};  ///< shows those of a drawing
+  std::function<void(Drawing&)> tell = {};        ///< adds palette and view to a drawing
+  std::function<void(const Drawing&)> show = {};  ///< shows palette and view of a drawing
 };
 
 /// The file of a window, and all commands for files: new, open, recent, save, save as, import,
-/// export, copy as a picture, page, print. Adds its actions ("file.open", "edit.copy"). Asks before
-/// anything unsaved is lost.
+/// export, copy as a picture, page, print. Adds its actions ("file.open", "edit.copy"). Asks the
+/// user before unsaved changes are lost.
 ///
 /// Files are written from a copy on another thread (FileWorker), so that the pen never waits. A
-/// drawing counts as saved when its bytes are on the disk. `path()` is always a .felt file. A
-/// drawing that was opened from another format, or from a .felt file with another extension, has no
-/// path yet, so that Save never overwrites its source. `taken` reports what in a file is not
-/// supported.
+/// drawing counts as saved when its bytes are on the disk. `path()` is always a .felt file. If a
+/// drawing was opened from another format, or from a .felt file with another extension, it has no
+/// path yet, so that Save never overwrites its source. `taken` reports the unsupported content of
+/// a file.
 class FileActions : public QObject {
   Q_OBJECT
 
  public:
-  /// `dialogs` are for tests; null: the native dialogs.
+  /// `dialogs` are for tests; if null, the native dialogs are used.
   FileActions(Studio& studio, Actions& actions, QWidget* window,
               std::unique_ptr<FileDialogs> dialogs = nullptr);
   ~FileActions() override;
 
   /// Returns the path, or "" for a drawing without a name.
   [[nodiscard]] const QString& path() const noexcept { return path_; }
-  /// Returns a name for titles: the file's, or that of a drawing without a file.
+  /// Returns a name for titles: the file's, or the name of a drawing without a file.
   [[nodiscard]] QString display_name() const;
-  /// Returns true if the drawing's file exists and may not be written.
+  /// Returns true if the drawing's file exists and is write-protected.
   [[nodiscard]] bool is_read_only() const;
-  /// Returns true if nothing was drawn, opened or saved here, so that another drawing may replace
-  /// it.
+  /// Returns true if nothing was drawn, opened or saved in this window, so that another drawing
+  /// may replace the empty one.
   [[nodiscard]] bool is_pristine() const;
 
-  /// Opens a file here; asks about unsaved changes after the file was read. Returns false if it was
-  /// not opened; an error has been shown to the user.
+  /// Opens a file here. If the drawing has unsaved changes, asks about them after the file was
+  /// read. Returns false if the file was not opened; the error has been shown to the user.
   bool open(const QString& path);
   /// Starts to save. Returns false if the user cancelled. `saved` reports the result.
   bool save();
   bool save_as();
-  /// Asks whether to save, discard or cancel, and waits for running saves. Returns true if the
+  /// Asks whether to save, discard or cancel, and waits for saves in progress. Returns true if the
   /// window may close.
   bool may_close();
   /// Adds the strokes of another file, as one step of undo, with their media (added_strokes.h).
   bool import(const QString& path);
-  /// Opens the first file if this window is pristine; imports the others.
+  /// Opens the first file if this window is pristine. Imports all others.
   void take_dropped(const QStringList& paths);
-  /// Shows a drawing without a file, for example an example, under this name and without unsaved
-  /// changes. Does not ask, so requires that the window is pristine.
+  /// Shows a drawing that has no file, such as an example, under this name and without unsaved
+  /// changes. Does not ask the user; requires that the window is pristine.
   void show_unsaved(Document document, const SheetPage& page, const QString& name);
-  /// Shows a recovered drawing: it has unsaved changes and this name, but no file.
+  /// Shows a recovered drawing. It has this name and unsaved changes, but no file.
   void adopt(Drawing drawing, const QString& name);
 
   void set_looks(DrawingLooks looks) { looks_ = std::move(looks); }
 
-  /// Starts the autosave of the drawing. The window of a live studio calls it itself.
+  /// Starts the autosave of the drawing. If the studio is live, the window calls this itself.
   void start_autosave(const QStringList& roots);
   [[nodiscard]] StudioAutosave* autosave() const noexcept { return autosave_.get(); }
-  /// If a crash left drawings behind, asks what to do with them.
+  /// If a crash left drawings behind, asks the user what to do with them.
   void offer_recovery(const QStringList& roots);
 
   /// Returns the menu "Open recent", kept up to date; the window owns it.
   [[nodiscard]] QMenu* recent_menu() const noexcept { return recent_menu_; }
   /// Waits until no file is being written.
   void finish_writing() { worker_.wait(); }
-  /// Returns the whole drawing, to be written elsewhere.
+  /// Returns the whole drawing, so that the caller can write it to another file.
   [[nodiscard]] Drawing drawing() const;
   [[nodiscard]] FileWorker& worker() noexcept { return worker_; }
   /// Returns the folder in which file dialogs of this drawing start.
@@ -99,14 +99,14 @@ class FileActions : public QObject {
 
  Q_SIGNALS:
   void path_changed(const QString& path);
-  /// The save to `path()` ended; `done`: it succeeded.
+  /// The save to `path()` has ended; `done` is true if it succeeded.
   void saved(bool done);
-  /// Another drawing is shown: opened, new or recovered. Emitted after Studio::opened.
+  /// Emitted after Studio::opened when another drawing is shown: opened, new or recovered.
   void drawing_changed();
-  /// A file was opened, imported or pasted from; its report may be empty. `name` is shown to the
-  /// user.
+  /// A file was opened or imported, or strokes were pasted; the report may be empty. `name` is
+  /// shown to the user.
   void taken(const QString& name, const felt::ImportReport& report);
-  /// Asks for another window for that file, "" for an empty drawing.
+  /// Asks for another window that shows that file; "" for an empty drawing.
   void wants_window(const QString& path);
 
  protected:
@@ -138,19 +138,19 @@ class FileActions : public QObject {
   std::unique_ptr<FileDialogs> dialogs_;
   FileWorker worker_;
   std::unique_ptr<StudioAutosave> autosave_;
-  std::vector<AbandonedAutosave> rescued_;  // until their drawings are saved
+  std::vector<AbandonedAutosave> rescued_;  // kept until their drawings are saved
   QPointer<QLabel> warning_;                // shown while the autosave fails
   QMenu* recent_menu_;
   QString path_;
-  QString name_;    // of a drawing without a path; "" is "Untitled"
-  QString folder_;  // of the file that was opened or saved last
+  QString name_;    // name of a drawing without a path; "" is "Untitled"
+  QString folder_;  // folder of the file that was opened or saved last
   DrawingLooks looks_;
-  std::shared_ptr<const DrawingExtras> extras_;  // the content of its file that is only carried
-                                                 // along
-  QDateTime seen_on_disk_;                       // of path_, when it was read or written here
+  std::shared_ptr<const DrawingExtras> extras_;  // content of the file that Feltline does not use
+                                                 // but writes again
+  QDateTime seen_on_disk_;                       // time of path_ when it was read or written here
   int saves_in_work_ = 0;
   bool last_save_failed_ = false, is_showing_ = false;
-  bool has_page_of_file_ = false;  // the page came with a file that was opened
+  bool has_page_of_file_ = false;  // true if the page came with an opened file
 };
 
 }  // namespace felt::desktop

@@ -1,4 +1,4 @@
-// The crash recovery of FileActions.
+// The part of FileActions for crash recovery.
 #include <QFileInfo>
 #include <QLabel>
 #include <QStatusBar>
@@ -17,7 +17,7 @@ void FileActions::start_autosave(const QStringList& roots) {
   autosave_->begin(display_name(), path_);
 }
 
-/// Called in the first window of a process, once it is shown.
+/// Offers recovery once per process. Called in the first window after it was shown.
 void FileActions::offer_once() {
   static bool is_done = false;
   if (std::exchange(is_done, true)) return;
@@ -40,7 +40,8 @@ void FileActions::show_offers(std::vector<RecoveryOffer> offers) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &RecoveryDialog::recover_wanted, this,
           [this, dialog] { take_over(std::move(dialog->chosen())); });
-  // Keeps the recovered drawing, because the user may still want it after a look at the saved one.
+  // The autosave is kept, because the user may still want to recover it after seeing the saved
+  // drawing.
   connect(dialog, &RecoveryDialog::open_wanted, this, [this](const QString& path) { open(path); });
   dialog->open();
 }
@@ -54,7 +55,7 @@ void FileActions::take_over(RecoveryOffer offer) {
     folder_ = QFileInfo(QString::fromStdString(recovered.path)).path();
   }
   adopt(std::move(recovered.drawing), tr("Recovered %1").arg(name));
-  // Kept until its drawing is in a file, so that a second crash does not lose it.
+  // Kept until a file contains the drawing, so that a second crash does not lose it.
   rescued_.push_back(std::move(offer.store));
 }
 
@@ -64,7 +65,7 @@ void FileActions::forget_rescued() {
   }
 }
 
-/// Shows a warning that stays as long as the autosave fails and blocks nothing.
+/// Shows a warning while the autosave fails. The warning does not block work.
 void FileActions::show_status(const AutosaveStatus& status) {
   delete warning_;
   auto* bar = window_->findChild<QStatusBar*>();

@@ -59,7 +59,7 @@ TEST(FileActions, PaletteViewAndRecordingsTravelWithTheFile) {
   ASSERT_TRUE(write_felt(desk.at("made.felt").toStdString(), made));
 
   TestDesk other;
-  Drawing looks;  // of the window
+  Drawing looks;  // palette and view of the window
   other.files->set_looks({.tell =
                               [&](Drawing& d) {
                                 d.palette = looks.palette;
@@ -80,7 +80,7 @@ TEST(FileActions, PaletteViewAndRecordingsTravelWithTheFile) {
   EXPECT_EQ(saved.palette, made.palette);
   EXPECT_EQ(saved.view->px_per_mm, 2.0);
   EXPECT_EQ(recordings_of(saved).value().size(), 1u);
-  // Another drawing does not keep them.
+  // Another drawing does not keep palette and view.
   other.files->show_unsaved(Document(), SheetPage(), QStringLiteral("Example"));
   EXPECT_EQ(other.files->drawing().extras, nullptr);
 }
@@ -190,7 +190,8 @@ TEST(FileActions, WhatIsDrawnDuringASaveStaysUnsaved) {
   EXPECT_EQ(read_drawing(desk.at("a.felt")).value().document.stroke_count(), 3u);
 }
 
-// Undo and redo while the file is being written: the file has the state at the start of the save.
+// Undo and redo while the file is being written: the file contains the state at the start of the
+// save.
 TEST(FileActions, UndoDuringASaveIsAnUnsavedChange) {
   TestDesk desk;
   desk.draw(1);
@@ -275,7 +276,7 @@ TEST(FileActions, WhatEndsDuringTheLastSaveIsSavedBeforeTheWindowGoes) {
   desk.draw(1);
   desk.person->unsaved = FileDialogs::Unsaved::kSave;
   desk.person->next = desk.at("late.felt");
-  // Runs in the event loop, that is, while the file is being written.
+  // Runs in the event loop while the file is being written.
   QMetaObject::invokeMethod(
       &desk.studio, [&desk] { desk.draw(2); }, Qt::QueuedConnection);
   EXPECT_TRUE(desk.files->may_close());
@@ -310,8 +311,8 @@ TEST(FileActions, ANameThatGetsItsEndingDoesNotReplaceAFileUnasked) {
   desk.files->save_as();
   desk.files->finish_writing();
   desk.draw(2);
-  // The dialog asked about "a 1.2", which does not exist. "a 1.2.felt" does, so that is asked about
-  // next.
+  // The dialog asked about "a 1.2", which does not exist. Because "a 1.2.felt" exists, the program
+  // then asks about that file.
   desk.person->next = desk.at("a 1.2");
   desk.person->then = desk.at("b.felt");
   EXPECT_TRUE(desk.files->save_as());
@@ -345,7 +346,7 @@ TEST(FileActions, DroppedFilesOpenOrAreAdded) {
   EXPECT_EQ(other.document().stroke_count(), 3u);
 }
 
-/// Notes as Xournal++ writes them, uncompressed.
+/// Notes as Xournal++ writes them, without compression.
 const char* const kNotes =
     "<?xml version=\"1.0\" standalone=\"no\"?>\n<xournal creator=\"t\" fileversion=\"4\">\n"
     "<page width=\"595\" height=\"842\">\n<background type=\"solid\" color=\"#ffffffff\" "
@@ -374,8 +375,8 @@ TEST(FileActions, NotesOfAnotherProgramAreDroppedDrawnOnSavedAndOpenedAgain) {
   ASSERT_EQ(report.notices().size(), 1u);
   EXPECT_EQ(report.notices()[0].line, 7);
   desk.draw(3, 1);
-  // Save asks for a name, because a notes file could not hold the whole drawing; the file stays as
-  // it was.
+  // Save asks for a name, because a notes file cannot contain the whole drawing. The file does not
+  // change.
   desk.save_as("notes");
   EXPECT_EQ(desk.person->suggested, desk.at("notes.felt"));
   EXPECT_EQ(desk.files->path(), desk.at("notes.felt"));
@@ -396,7 +397,7 @@ TEST(FileActions, WhatADamagedDrawingStillHoldsIsOfferedAndTheFileLeftAlone) {
   bytes.resize(bytes.size() - bytes.size() / 4);
   ASSERT_TRUE(write_file(path.toStdString(), bytes));
   TestDesk other;
-  EXPECT_FALSE(other.files->open(path));  // the user declines
+  EXPECT_FALSE(other.files->open(path));  // the user cancels
   EXPECT_EQ(other.person->errors.size(), 1);
   other.person->salvage = true;
   ASSERT_TRUE(other.files->open(path));

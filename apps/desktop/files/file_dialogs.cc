@@ -44,7 +44,7 @@ QString FileDialogs::save_name(QWidget* window, const QString& title, const QStr
                                const QString& filters, const QString& suffix) {
   QFileDialog dialog(window, title, QFileInfo(path).path(), filters);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
-  // The dialog itself appends it, so that it asks about the name that is written.
+  // The dialog appends the suffix, so that its question is about the name that is written.
   dialog.setDefaultSuffix(suffix);
   dialog.selectFile(QFileInfo(path).fileName());
   return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
@@ -116,7 +116,7 @@ void FileDialogs::show_save_error(QWidget* window, const QString& what, const QS
   QMessageBox* box = error_box(window, what, why, details);
   QPushButton* elsewhere = box->addButton(tr("Save &as…"), QMessageBox::AcceptRole);
   box->setDefaultButton(elsewhere);
-  // Queued, so that the message box is gone before the file dialog opens.
+  // Queued, so that the message box is closed before the file dialog opens.
   QObject::connect(elsewhere, &QPushButton::clicked, window, std::move(save_as),
                    Qt::QueuedConnection);
   box->open();

@@ -9,7 +9,7 @@
 
 namespace felt::desktop {
 
-/// Questions to the user about files. The native dialogs; tests override them.
+/// Questions to the user about files. Uses the native dialogs; tests override them.
 class FileDialogs {
  public:
   enum class Unsaved { kSave, kDiscard, kCancel };
@@ -17,32 +17,32 @@ class FileDialogs {
 
   virtual ~FileDialogs() = default;
 
-  /// Asks for a file to open. Returns "" if none was chosen. `filters` as for QFileDialog.
+  /// Asks for a file to open. Returns "" if the user chose none. `filters` are as for QFileDialog.
   virtual QString open_name(QWidget* window, const QString& title, const QString& folder,
                             const QString& filters);
   virtual QStringList open_names(QWidget* window, const QString& title, const QString& folder,
                                  const QString& filters);
-  /// Asks for a name to save to, and before an existing file is replaced. Appends `suffix`
-  /// (".felt") if the name has no extension.
+  /// Asks for a name to save to. Asks for confirmation before an existing file is replaced.
+  /// Appends `suffix` (".felt") if the name has no extension.
   virtual QString save_name(QWidget* window, const QString& title, const QString& path,
                             const QString& filters, const QString& suffix);
-  /// Returns the name to write: the result of save_name with the extension of the format. If that
-  /// is another file than the one the dialog asked about and it exists ("a 1.2", "a 1.2.felt"),
-  /// asks again.
+  /// Returns the name to write: the result of save_name with the extension of the format. Asks
+  /// again if the extension makes it the name of another existing file, about which the dialog did
+  /// not ask ("a 1.2", "a 1.2.felt").
   QString name_to_write(QWidget* window, const QString& title, const QString& path,
                         FileFormat format);
   /// Asks what to do with unsaved changes of a drawing that is about to be closed.
   virtual Unsaved ask_unsaved(QWidget* window, const QString& name);
-  /// Asks about a file that another program changed since it was read.
+  /// Asks what to do with a file that another program changed since it was read.
   virtual Overwrite ask_overwrite(QWidget* window, const QString& name);
-  /// Tells that a drawing is damaged and that `strokes` of it can be recovered. Returns true to
-  /// show them.
+  /// Reports that a drawing is damaged and that `strokes` of its strokes can be recovered. Returns
+  /// true if the user wants to see them.
   virtual bool ask_salvage(QWidget* window, const QString& name, const QString& why, int strokes);
-  /// Shows an error until it is closed; the program goes on. `details` are the library's own
-  /// message.
+  /// Shows an error until the user closes it, without blocking the program. `details` is the
+  /// library's own message.
   virtual void show_error(QWidget* window, const QString& what, const QString& why,
                           const QString& details);
-  /// Shows an error with a button that saves elsewhere.
+  /// Shows an error with a button to save to another file.
   virtual void show_save_error(QWidget* window, const QString& what, const QString& why,
                                const QString& details, std::function<void()> save_as);
 };

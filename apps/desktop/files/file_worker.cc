@@ -46,7 +46,7 @@ void FileWorker::run() {
     waiting_.pop_front();
     lock.unlock();
     Answer answer = work();
-    work = nullptr;  // frees what it holds on this thread, because a drawing has many strokes
+    work = nullptr;  // frees the captured data on this thread, because a drawing has many strokes
     lock.lock();
     answers_.push_back(std::move(answer));
     QMetaObject::invokeMethod(this, &FileWorker::deliver, Qt::QueuedConnection);

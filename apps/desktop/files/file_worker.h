@@ -9,9 +9,9 @@
 
 namespace felt::desktop {
 
-/// Does work on files on another thread, one piece after another, so that the pen never waits for a
-/// disk. The function that a piece of work returns is called on the thread of this object (Qt's
-/// main thread), from the event loop or in wait().
+/// Runs work on files on another thread, in sequence, so that the pen never waits for a disk. Each
+/// piece of work returns a function, which is called on the thread of this object (Qt's main
+/// thread), from the event loop or in wait().
 ///
 ///   worker.start([copy = std::move(drawing)] {          // on the other thread
 ///     auto done = write(copy);
@@ -25,13 +25,13 @@ class FileWorker : public QObject {
   using Work = std::function<Answer()>;
 
   explicit FileWorker(QObject* parent = nullptr);
-  /// Waits for all started work; drops answers that were not yet delivered.
+  /// Waits for all started work; drops the functions that were not called yet.
   ~FileWorker() override;
 
   void start(Work work);
   [[nodiscard]] bool is_busy() const;
-  /// Waits until all work is done and all answers were delivered. The window is painted meanwhile,
-  /// but gets no input.
+  /// Waits until all work is done and all returned functions were called. Meanwhile the window is
+  /// painted but gets no input.
   void wait();
 
  Q_SIGNALS:
@@ -45,7 +45,7 @@ class FileWorker : public QObject {
   std::condition_variable wake_;
   std::deque<Work> waiting_;
   std::deque<Answer> answers_;
-  int in_work_ = 0;  // number of pieces that wait, run, or have an undelivered answer
+  int in_work_ = 0;  // number of pieces that wait, run, or whose function was not called yet
   bool stop_ = false;
   std::thread thread_;
 };

@@ -5,7 +5,7 @@
 /// The settings of files (engine/settings.h), with their defaults.
 namespace felt::desktop::files_keys {
 
-/// Folder of the last file that was opened or saved; "" is the user's documents folder.
+/// Folder of the last file that was opened or saved; "" means the user's documents folder.
 inline const QString kLastFolder = QStringLiteral("files/last_folder");
 /// Recent files, the newest first: a list of absolute paths.
 inline const QString kRecent = QStringLiteral("files/recent");

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kContext = "felt::desktop::Formats";
 
-/// The texts of the table, repeated here so that the translators' tool finds them.
+/// The texts of the table, repeated here so that the translation tool finds them.
 constexpr const char* kWords[] = {
     QT_TRANSLATE_NOOP("felt::desktop::Formats", "Feltline drawing"),
     QT_TRANSLATE_NOOP("felt::desktop::Formats", "Everything, exactly."),
@@ -43,7 +43,7 @@ QString translated(std::string_view text) {
   return QCoreApplication::translate(kContext, std::string(text).c_str());
 }
 
-/// "*.svg *.svgz"
+/// Returns file name patterns such as "*.svg *.svgz".
 QString patterns_of(const FormatTraits& row) {
   QStringList patterns;
   for (const std::string_view ending : row.endings) {

@@ -7,12 +7,12 @@
 
 namespace felt::desktop {
 
-/// Returns the title of format_traits in the user's language.
+/// Returns the format's title from format_traits in the user's language.
 QString format_title(FileFormat format);
-/// Returns one sentence on what a file of this format keeps of a drawing.
+/// Returns one sentence about the parts of a drawing that a file of this format keeps.
 QString format_kept(FileFormat format);
 
-/// Returns all texts of the table, for translators; a test compares them.
+/// Returns all texts of the table, for translators. A test compares them with the table.
 std::span<const char* const> format_words();
 
 /// Returns the filters of dialogs that open a drawing: all readable files, each format, all files.

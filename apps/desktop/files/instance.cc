@@ -20,12 +20,12 @@ constexpr int kWaitMs = 2000;
 constexpr qint64 kMaxBytes = 1 << 20;
 constexpr char kTaken = '1';
 
-/// Uses the runtime folder if it exists and belongs to the user; sockets elsewhere have short
-/// names.
+/// Returns the name of the socket. It is in the runtime folder if that exists and belongs to the
+/// user; otherwise it is a short name.
 QString socket_name(const QString& key) {
   QString text = key;
   if (text.isEmpty()) {
-    // On platforms without a visible window each process works alone.
+    // If the platform has no visible windows, each process works alone.
     const QString platform = QGuiApplication::platformName();
     if (platform == QStringLiteral("offscreen") || platform == QStringLiteral("minimal")) return {};
     text = QString::number(::getuid()) + QLatin1Char('|') + qEnvironmentVariable("DISPLAY") +
@@ -49,17 +49,18 @@ Instance::Instance(const QString& key, QObject* parent) : QObject(parent), name_
   });
 }
 
-/// Connects to the first process and sends it the paths; it answers with one byte. Without an
-/// answer this process listens on the socket itself. A lock file keeps two starts apart.
+/// Connects to the first process and sends it the paths. The first process answers with one byte.
+/// If no answer comes, this process listens on the socket itself. A lock file serialises
+/// simultaneous starts.
 bool Instance::hand_over(const QStringList& files) {
   if (is_first() || name_.isEmpty()) return false;
-  // Serialises two starts at the same moment.
+  // Serialises two simultaneous starts.
   QLockFile start(name_ + QStringLiteral(".lock"));
   start.tryLock(kWaitMs);
   QStringList paths;
   for (const QString& file : files) paths.push_back(QFileInfo(file).absoluteFilePath());
   if (tell_first(paths)) return true;
-  // No process answers, so the socket is a dead process's.
+  // If no process answers, the socket was left behind by a dead process.
   QLocalServer::removeServer(name_);
   server_.listen(name_);
   return false;
@@ -92,11 +93,11 @@ void Instance::take(QLocalSocket* socket) {
     QStringList files;
     in >> magic >> files;
     if (magic != 0 && magic != kMagic) return socket->abort();
-    if (!in.commitTransaction()) return;  // incomplete: waits for the rest
+    if (!in.commitTransaction()) return;  // the message is incomplete: wait for the rest
     socket->write(QByteArray(1, kTaken));
     socket->flush();
     socket->disconnectFromServer();
-    // Queued, so that the caller is answered before a dialog can open.
+    // Queued, so that the caller gets its answer before a dialog can open.
     QMetaObject::invokeMethod(
         this, [this, files] { Q_EMIT wanted(files); }, Qt::QueuedConnection);
   });

@@ -9,29 +9,30 @@ class QLocalSocket;
 
 namespace felt::desktop {
 
-/// Keeps to one process per user and display, so that a file is open in only one window:
+/// Ensures that each user has one process per display, so that a file is open in only one window:
 ///
 ///   Instance instance;
 ///   if (instance.hand_over(files)) return 0;     // the first process takes them
 ///   connect(&instance, &Instance::wanted, ...);  // open each, or raise the window that has it
 ///
-/// A socket left behind by a crash is replaced. If no socket can be made, each process works alone.
+/// A socket left behind by a crash is replaced. If a socket cannot be made, each process works
+/// alone.
 class Instance : public QObject {
   Q_OBJECT
 
  public:
-  /// `key` is for tests; "" stands for this user on this display.
+  /// `key` is for tests; "" means this user on this display.
   explicit Instance(const QString& key = {}, QObject* parent = nullptr);
 
-  /// Passes the files to the first process. Returns true if another process has them now (none: an
-  /// empty drawing) and shows itself. Returns false if there is none; this is the first process
-  /// from now on.
+  /// Passes the files to the first process and returns true if that process has received them. It
+  /// opens them, or only shows its window if the list is empty. Returns false if no other process
+  /// exists; then this process is the first from now on.
   bool hand_over(const QStringList& files);
   [[nodiscard]] bool is_first() const { return server_.isListening(); }
 
  Q_SIGNALS:
-  /// Another start passes these files, as absolute paths; none: the program should only show
-  /// itself.
+  /// Another start of the program passes these absolute paths. If the list is empty, the program
+  /// should only show itself.
   void wanted(const QStringList& files);
 
  private:

@@ -21,7 +21,7 @@ TEST(Instance, TheSecondHandsItsFilesToTheFirst) {
   EXPECT_TRUE(first.is_first());
   QSignalSpy wanted(&first, &Instance::wanted);
   bool taken = false;
-  // A thread in place of another process: it waits while the loop of the first runs.
+  // A thread acts as another process: it waits while the loop of the first process runs.
   std::thread other([&] {
     Instance second(key);
     taken = second.hand_over({QStringLiteral("/tmp/ä b.felt"), QStringLiteral("c.felt")});

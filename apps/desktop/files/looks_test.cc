@@ -42,7 +42,7 @@ void check_names(const QDialog& dialog) {
   }
 }
 
-/// Returns an offer with a file, one without and a damaged one.
+/// Returns three offers: with a file, without a file, and damaged.
 std::vector<RecoveryOffer> offers_like(TestDesk& desk) {
   std::vector<RecoveryOffer> offers;
   const QDateTime now = QDateTime::currentDateTime();

@@ -60,7 +60,7 @@ void NoticeBar::show_words(const QString& words) {
   say(words, false);
 }
 
-/// Sets the height to that of its rows, at most kRowsShown.
+/// Sets the height so that the rows fit, but at most kRowsShown of them.
 void NoticeBar::fit_list() {
   const int rows = std::min(list_->topLevelItemCount(), kRowsShown);
   const int row_height = std::max(list_->sizeHintForRow(0), fontMetrics().height());

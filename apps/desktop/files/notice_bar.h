@@ -8,7 +8,7 @@ class QTreeWidget;
 namespace felt::desktop {
 
 /// Shows which parts of a file are not supported: one line above the canvas, and on demand a list
-/// of what and where. Another file's report replaces it.
+/// of the parts and their positions. The report of another file replaces it.
 class NoticeBar : public MessageBar {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class NoticeBar : public MessageBar {
   void show_report(const QString& name, const ImportReport& report);
   /// Removes the report because another drawing is shown.
   void forget_report();
-  /// Shows another message to the user; it stays until it is closed.
+  /// Shows another message to the user until it is closed.
   void show_words(const QString& words);
 
  private:

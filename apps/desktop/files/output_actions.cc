@@ -60,7 +60,7 @@ QPainterPath path_of(const Stroke& stroke) {
   return path;
 }
 
-/// Paints the ink of a stroke as a picture within its mask.
+/// Paints a stroke as a picture of its ink, which has the size of its grain mask.
 void paint_grained(QPainter& painter, const Stroke& stroke, const Grain& grain,
                    const GrainMask& mask, Rasterizer& rasterizer) {
   QImage image(mask.width, mask.height, QImage::Format_RGBA8888_Premultiplied);
@@ -73,7 +73,7 @@ void paint_grained(QPainter& painter, const Stroke& stroke, const Grain& grain,
                     image);
 }
 
-/// Returns a printer whose paper is the page.
+/// Returns a printer whose paper has the size of the page.
 std::unique_ptr<QPrinter> printer_for(const Drawing& drawing, const QString& name) {
   auto printer = std::make_unique<QPrinter>(QPrinter::HighResolution);
   const SheetPage& page = drawing.page;
@@ -82,7 +82,7 @@ std::unique_ptr<QPrinter> printer_for(const Drawing& drawing, const QString& nam
                        lies ? page.width_mm : page.height_mm);
   printer->setPageSize(QPageSize(upright, QPageSize::Millimeter, {}, QPageSize::FuzzyMatch));
   printer->setPageOrientation(lies ? QPageLayout::Landscape : QPageLayout::Portrait);
-  printer->setFullPage(true);  // the page's corner is the paper's
+  printer->setFullPage(true);  // the page's corner is the paper's corner
   printer->setDocName(name);
   return printer;
 }
@@ -97,14 +97,14 @@ void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi,
   const SheetPage& page = drawing.page;
   const QRectF sheet(0.0, 0.0, page.width_mm, page.height_mm);
   painter.setClipRect(sheet);
-  // White paper needs no paint.
+  // White paper does not have to be painted.
   if (page.paper.a > 0 && page.paper != Rgba{255, 255, 255, 255}) {
     painter.fillRect(sheet, color_of(page.paper));
   }
   painter.setPen(Qt::NoPen);
   const std::vector<StrokePtr> strokes = visible_strokes(drawing.document);
   std::optional<GrainMasks> masks;
-  // If there is very much ink, all strokes are a little coarser, or all are solid, so that no
+  // If the drawing has too much ink, all strokes get a coarser grain, or all are solid, so that no
   // stroke differs from the others.
   const auto grain_dpi = GrainMasks::dpi_for_all(strokes, page.area(), kPrintGrainDpi);
   if (grain && grain_dpi) masks.emplace(GrainPrint{*grain, *grain_dpi}, page.area());

@@ -17,22 +17,24 @@ namespace felt::desktop {
 class FileActions;
 
 /// Paints the page as vector lines, not pixels, at its true size if one unit of the painter's
-/// device is 1/dpi inch, starting at the corner of the page. With grain, strokes that show it are
-/// pictures of 300 dots per inch, or coarser if all of them together would be too large.
+/// device is 1/dpi inch. The corner of the page is at the origin. If grain is wanted, strokes that
+/// show it are painted as pictures of 300 dots per inch, or fewer if all pictures together would
+/// be too large.
 void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi,
                  const std::optional<Grain>& grain = {});
 
-/// Sets the printer's paper to the size of the page and prints, with grain if the screen shows it.
+/// Sets the printer's paper to the size of the page and prints. Prints the grain if the screen
+/// shows it.
 void print_drawing(QPrinter& printer, const Drawing& drawing);
 
-/// "file.export", "file.page_setup", "file.print", "file.print_preview".
+/// Handles "file.export", "file.page_setup", "file.print" and "file.print_preview".
 class OutputActions : public QObject {
   Q_OBJECT
 
  public:
   OutputActions(FileActions& files, Studio& studio, Actions& actions, QWidget* window);
 
-  /// Starts to export; reports errors to the user.
+  /// Starts an export. Errors are shown to the user.
   void export_to(const QString& path, const ExportOptions& options);
 
  Q_SIGNALS:

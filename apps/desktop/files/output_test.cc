@@ -64,7 +64,8 @@ TEST(Export, TheDialogSaysWhatComesOut) {
   combos[0]->setCurrentIndex(combos[0]->findData(QStringLiteral("pdf")));
   EXPECT_TRUE(shows(format_kept(FileFormat::kPdf)));
   EXPECT_FALSE(shows(QStringLiteral("pixels")));
-  // Exports what is seen unless switched off; a picture has the chosen dots per inch.
+  // Exports what the screen shows, unless an option is switched off. A picture has the chosen dots
+  // per inch.
   const auto boxes = dialog.findChildren<QCheckBox*>();
   const auto grain = std::find_if(boxes.begin(), boxes.end(), [](const QCheckBox* box) {
     return box->text().contains(QStringLiteral("Grain"));
@@ -122,7 +123,7 @@ TEST(Print, TheSheetIsPaintedAtItsTrueSize) {
   EXPECT_LT(sum / (600 * 400), 1.0);
 }
 
-// "Grain of the surface" applies to every format that is a picture, and to print.
+// The option "Grain of the surface" applies to print and to every format that is a picture.
 TEST(Export, GrainIsThatOfTheSheet) {
   TestDesk desk;
   desk.studio.apply(SetOption{"sheet.material", std::string("rough-paper")});

@@ -115,7 +115,7 @@ void PageDialog::take_orientation() {
   is_changing_ = false;
 }
 
-/// Finds the preset and the orientation of the present size.
+/// Selects the preset and the orientation of the present size.
 void PageDialog::find_preset() {
   if (is_changing_) return;
   is_changing_ = true;

@@ -28,7 +28,7 @@ QString name_of(const Recovered& recovered) {
                                 : QString::fromStdString(recovered.name);
 }
 
-/// Returns "14:32" for today, otherwise with the date.
+/// Returns a time of today as "14:32", any other with its date.
 QString time_of(const QDateTime& when) {
   const QLocale locale;
   const QString time = locale.toString(when.time(), QLocale::ShortFormat);
@@ -74,7 +74,7 @@ QLabel* plain_label(const QString& text, QWidget* parent, bool is_bold = false) 
   return label;
 }
 
-/// Returns why there is no picture of a file.
+/// Returns a text that explains why no picture of the file is shown.
 QString absence_of(const Recovered& recovered) {
   if (recovered.path.empty()) return RecoveryDialog::tr("It was never saved");
   return QFileInfo::exists(QString::fromStdString(recovered.path))

@@ -9,23 +9,23 @@ class QVBoxLayout;
 
 namespace felt::desktop {
 
-/// Offers drawings that a crash left behind, each beside the user's saved file: a picture of both,
-/// the time of their last change and their number of lines. For each, the user can recover it as a
-/// new drawing, open the saved one, or discard it after a question. Closing the dialog means
-/// "later": the next start asks again.
+/// Offers drawings that a crash left behind, each next to the user's saved file: a picture of
+/// both, the time of their last change and their number of lines. For each drawing, the user can
+/// recover it as a new drawing, open the saved file, or discard the drawing after a confirmation.
+/// Closing the dialog means "later": the next start asks again.
 class RecoveryDialog : public QDialog {
   Q_OBJECT
 
  public:
   RecoveryDialog(std::vector<RecoveryOffer> offers, QWidget* parent);
 
-  /// Returns the offer that the user chose; the caller takes over its autosave.
+  /// Returns the drawing that the user chose; the caller takes ownership of its autosave.
   [[nodiscard]] RecoveryOffer& chosen() noexcept { return offers_[chosen_]; }
 
  Q_SIGNALS:
-  /// The user wants to recover chosen().
+  /// Emitted when the user wants to recover chosen().
   void recover_wanted();
-  /// The user wants to open the saved file; the autosave stays where it is.
+  /// Emitted when the user wants to open the saved file; the autosave is kept.
   void open_wanted(const QString& path);
 
  private:

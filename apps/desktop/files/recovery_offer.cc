@@ -16,15 +16,15 @@ std::optional<SavedDrawing> saved_of(const Recovered& recovered) {
   return SavedDrawing{*std::move(drawing), info.lastModified()};
 }
 
-/// Returns true if it can be removed without a loss.
+/// Returns true if the autosave can be removed without a loss.
 bool is_worthless(const RecoveryOffer& offer) {
   const Recovered& recovered = offer.recovered;
-  // A damaged autosave may have lost the very record that there were unsaved changes.
+  // A damaged autosave may have lost the record that unsaved changes existed.
   if (recovered.has_changes || !recovered.problems.empty()) return false;
   if (recovered.drawing.document.stroke_count() == 0) return true;
-  if (recovered.path.empty()) return true;  // an example, which is no loss
-  // It was saved, and the file still has it. If the drawing in the file differs, an older version
-  // may have been put back.
+  if (recovered.path.empty()) return true;  // never had a file: an example
+  // The drawing was saved. If the file contains another drawing now, someone may have restored an
+  // older version, and the autosave is needed.
   return offer.saved && offer.saved->drawing.document == recovered.drawing.document;
 }
 

@@ -10,22 +10,22 @@
 
 namespace felt::desktop {
 
-/// The user's saved file, for comparison with the recovered drawing.
+/// The user's saved file, to compare it with the recovered drawing.
 struct SavedDrawing {
   Drawing drawing;
-  QDateTime when;  ///< of the file
+  QDateTime when;  ///< time of the file
 };
 
 /// A drawing that a crash left behind.
 struct RecoveryOffer {
   AbandonedAutosave store;
   Recovered recovered;
-  std::optional<SavedDrawing> saved;  ///< none: it has no file, or the file cannot be read
+  std::optional<SavedDrawing> saved;  ///< nullopt if it has no file, or the file cannot be read
 };
 
-/// Reads the autosaves of dead processes, and the saved files. Removes autosaves that are empty or
-/// whose drawing is in its file. One that cannot be read stays where it is, because a newer program
-/// may be able to read it. Safe to call from any thread.
+/// Reads the autosaves of dead processes, and the saved files. Removes an autosave if it is empty
+/// or if the file contains the same drawing. If an autosave cannot be read, keeps it, because a
+/// newer program may be able to read it. Safe to call from any thread.
 std::vector<RecoveryOffer> read_offers(std::vector<AbandonedAutosave> stores);
 
 }  // namespace felt::desktop

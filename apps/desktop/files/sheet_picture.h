@@ -12,16 +12,16 @@
 
 namespace felt::desktop {
 
-/// Returns strokes as a picture for widgets and the clipboard: `area` in mm at `px_per_mm`, on a
-/// surface of that grain. Returns an empty picture if it would be too large.
+/// Returns strokes as a picture for widgets and the clipboard. Shows `area` in mm at `px_per_mm`,
+/// on a surface with that grain. Returns an empty picture if it would be too large.
 QImage sheet_picture(std::span<const StrokePtr> strokes, const Rect& area, double px_per_mm,
                      Rgba paper, const Grain& grain = Grain());
 
-/// Returns such a picture as large as fits into `size` pixels.
+/// Returns the same picture, as large as it can be within `size` pixels.
 QImage sheet_thumbnail(std::span<const StrokePtr> strokes, const Rect& area, QSize size, Rgba paper,
                        const Grain& grain = Grain());
 
-/// Converts a picture of the library to one of Qt.
+/// Converts a picture of the library to a QImage.
 QImage to_qimage(Image image);
 
 }  // namespace felt::desktop

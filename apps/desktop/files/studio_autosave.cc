@@ -13,8 +13,8 @@
 namespace felt::desktop {
 namespace {
 
-// A slider that is dragged changes figures ten times a second, and each change searches the whole
-// drawing for the materials that it uses.
+// Dragging a slider changes figures ten times a second, and each autosaved change searches the
+// whole drawing for the materials that it uses. Therefore changes are collected for kHeadDelayMs.
 constexpr int kHeadDelayMs = 500;
 
 }  // namespace
@@ -34,7 +34,7 @@ StudioAutosave::StudioAutosave(Studio& studio, std::function<Drawing()> current,
   AutosaveOptions options;
   for (const QString& root : roots) options.roots.push_back(root.toStdString());
   options.on_status = [this](const AutosaveStatus& status) {
-    // Called from the autosave thread, which ends before this object does.
+    // Called on the autosave thread, which ends before this object is destroyed.
     QMetaObject::invokeMethod(
         this, [this, status] { Q_EMIT status_changed(status); }, Qt::QueuedConnection);
   };
@@ -57,7 +57,7 @@ void StudioAutosave::connect_studio(Studio& studio) {
   connect(&studio, &Studio::page_changed, this, &StudioAutosave::post_head);
   connect(&studio, &Studio::materials_changed, this, &StudioAutosave::post_head_soon);
   connect(&studio, &Studio::option_changed, this, [this](const QString& id) {
-    // This may be a user-defined medium.
+    // The user may have defined this medium.
     if (id.endsWith(QLatin1String(".material"))) post_head();
   });
   HapticLoop& loop = studio.loop();
@@ -96,12 +96,12 @@ void StudioAutosave::post_head() {
   head_timer_.stop();
   if (!studio_) return;
   auto head = std::make_unique<Drawing>(current_());
-  head->document = {};  // the autosave has it
+  head->document = {};  // the autosave already has the document
   note_media(*head);
   autosave_->post({.head = std::move(head)});
 }
 
-/// Does not restart the timer, so that figures are kept even while they change all the time.
+/// Does not restart a running timer, so that figures are stored even if they change continuously.
 void StudioAutosave::post_head_soon() {
   if (!head_timer_.isActive()) head_timer_.start();
 }
@@ -114,8 +114,8 @@ void StudioAutosave::note_media(const Drawing& drawing) {
   }
 }
 
-/// Returns true if a paste or an undo added strokes of a medium that is not Feltline's and whose
-/// text the autosave does not have.
+/// Returns true if a paste or an undo added strokes of a medium that Feltline does not ship and
+/// that the autosave does not have yet.
 bool StudioAutosave::lacks_medium_of(const Edit& edit) const {
   const Materials& known = studio_->session().materials();
   const Materials& built_in = Materials::built_in();

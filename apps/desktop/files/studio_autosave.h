@@ -17,13 +17,13 @@
 namespace felt::desktop {
 
 /// Returns the folders for autosave databases, the preferred one first: autosave_roots(), or
-/// folders below that of a test.
+/// subfolders of a test's folder.
 QStringList recovery_roots();
 
 /// Connects a Studio and its haptic loop to an Autosave. Changed figures of a material, and the
-/// text of a medium that comes with strokes, reach it within half a second. Only flush() and the
-/// destructor wait for a disk. The database of a drawing that is closed normally is deleted; the
-/// database of a dead process is offered at the next start (recovery_dialog.h).
+/// text of a medium that comes with strokes, are autosaved within half a second. Only flush() and
+/// the destructor wait for a disk. When a drawing is closed normally, its database is deleted. The
+/// databases of dead processes are offered at the next start (recovery_dialog.h).
 class StudioAutosave : public QObject {
   Q_OBJECT
 
@@ -31,26 +31,26 @@ class StudioAutosave : public QObject {
   /// `current` returns the whole drawing.
   StudioAutosave(Studio& studio, std::function<Drawing()> current, const QStringList& roots,
                  QObject* parent = nullptr);
-  /// Deletes the database if there are no unsaved changes, or after discard().
+  /// Deletes the database if all changes are saved, or after discard().
   ~StudioAutosave() override;
 
-  /// Starts the autosave of another drawing, named `name`, from the file `path` or none.
+  /// Starts the autosave of another drawing, named `name`, with its file `path`, which may be "".
   void begin(const QString& name, const QString& path);
-  /// Updates name and path after a save. Studio::is_modified() tells whether the file has every
-  /// change.
+  /// Updates name and path after a save. Studio::is_modified() tells whether the file contains
+  /// every change.
   void rename(const QString& name, const QString& path);
-  /// The user chose to discard the drawing when the window closes.
+  /// Reports that the user chose to discard the drawing when the window closes.
   void discard() { is_discarded_ = true; }
-  /// Waits until everything so far is on the disk, or has failed.
+  /// Waits until all changes so far are on the disk or could not be written.
   void flush();
 
-  /// Returns the folder of the database; "" if no folder works.
+  /// Returns the folder of the database; "" if no folder can be used.
   [[nodiscard]] QString folder() const {
     return QString::fromStdString(autosave_->status().folder);
   }
 
  Q_SIGNALS:
-  /// The autosave fails, uses another folder, or works again.
+  /// Emitted when the autosave fails, uses another folder, or works again.
   void status_changed(const felt::AutosaveStatus& status);
 
  private:
@@ -60,11 +60,11 @@ class StudioAutosave : public QObject {
   void note_media(const Drawing& drawing);
   [[nodiscard]] bool lacks_medium_of(const Edit& edit) const;
 
-  QPointer<Studio> studio_;  // the window may delete it first
+  QPointer<Studio> studio_;  // the window may delete it before this object
   std::function<Drawing()> current_;
   std::optional<Autosave> autosave_;
   QTimer head_timer_;
-  std::set<std::string> media_;  // whose texts the autosave has
+  std::set<std::string> media_;  // ids of the media with texts in the autosave
   bool is_discarded_ = false;
 };
 

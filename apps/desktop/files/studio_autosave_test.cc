@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::int64_t kStepNs = 10'000'000;
 
-/// A step of a fixed script that draws loops, lifts, undoes and changes layers.
+/// Performs step k of a fixed script that draws loops, lifts, undoes and changes layers.
 void step(TestDesk& desk, int k) {
   const int in_line = k % 60;
   const double t = 0.05 * k;
@@ -32,7 +32,7 @@ void step(TestDesk& desk, int k) {
   if (in_line == 58 && k % 300 > 240) desk.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}, "L"});
 }
 
-/// Returns the drawing after `steps`, with the line in progress ended there.
+/// Returns the drawing after `steps` steps, with the line in progress ended there.
 Document reference(int steps) {
   TestDesk desk;
   for (int k = 0; k < steps; ++k) step(desk, k);
@@ -91,12 +91,13 @@ TEST(StudioAutosave, TheDrawingThatWasOpenedIsItsBase) {
   EXPECT_EQ(recovered.drawing, desk.files->drawing());
 }
 
-/// Returns true if the autosave gets the medium without a user action, usually after half a second.
+/// Returns true if the autosave gets the medium without a user action, usually after half a
+/// second.
 bool keeps(const TestDesk& desk, const Medium& medium) {
   const std::string folder = desk.files->autosave()->folder().toStdString();
   return QTest::qWaitFor(
       [&] {
-        // A copy of a database that is being written may be readable only in part.
+        // If the database is being written, its copy may be readable only in part.
         const Result<Recovered> recovered = recover_autosave(folder);
         return recovered &&
                recovered->drawing.materials == std::vector<std::string>{write_material(medium)};
@@ -111,14 +112,14 @@ TEST(StudioAutosave, TheFiguresOfWhatIsDrawnWithAreKept) {
   desk.studio.set_user_materials(known);
   desk.files->start_autosave({desk.at("state")});
   EXPECT_TRUE(crashed(desk).drawing.materials.empty());
-  desk.draw_with("soft-chalk");  // as a paste does, of a known medium
+  desk.draw_with("soft-chalk");  // as a paste of a known medium does
   EXPECT_TRUE(keeps(desk, soft_chalk(0.4)));
   known.put(soft_chalk(0.6));
   desk.studio.set_user_materials(known);
   EXPECT_TRUE(keeps(desk, soft_chalk(0.6)));
   known.put(soft_chalk(0.8));
   desk.studio.set_user_materials(known);
-  // The program is asked to quit: it does not wait half a second.
+  // The program must quit and does not wait half a second.
   EXPECT_EQ(crashed(desk).drawing.materials,
             std::vector<std::string>{write_material(soft_chalk(0.8))});
 }
@@ -167,7 +168,7 @@ TEST(StudioAutosave, ACleanCloseLeavesNothingAndACrashLeavesAStore) {
   {
     TestDesk desk;
     desk.files->start_autosave({root.path()});
-    desk.draw(1);  // the window is closed without a question
+    desk.draw(1);  // the window is closed without asking the user
   }
   std::vector<AbandonedAutosave> left = abandoned_in(root.path());
   ASSERT_EQ(left.size(), 1u);
@@ -180,7 +181,7 @@ TEST(StudioAutosave, ACleanCloseLeavesNothingAndACrashLeavesAStore) {
 TEST(StudioAutosave, AFailureIsShownAndNothingElseHappens) {
   TestDesk desk;
   QFile file(desk.at("state"));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));  // a file where the folder should be
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));  // a file at the path of the folder
   auto* bar = new QStatusBar(&desk.window);
   desk.files->start_autosave({desk.at("state")});
   const auto warnings = [bar] {
@@ -202,7 +203,7 @@ TEST(StudioAutosave, AFailureIsShownAndNothingElseHappens) {
   EXPECT_EQ(warnings(), QStringList());
 }
 
-/// Offers, beside the file, only drawings that no file has; all other autosaves are removed.
+/// Offers only drawings that differ from their files; removes all other autosaves.
 TEST(StudioAutosave, OffersWhatNoFileHas) {
   QTemporaryDir root;
   const auto crash = [&root](const char* file, bool saves, int more) {
@@ -215,7 +216,7 @@ TEST(StudioAutosave, OffersWhatNoFileHas) {
       desk.files->finish_writing();
     }
     if (more > 0) desk.draw(2, more);
-    desk.studio.set_modified(true);  // otherwise the autosave would be deleted with the window
+    desk.studio.set_modified(true);  // otherwise closing the window would delete the autosave
   };
   crash("a.felt", true, 2);
   crash("", false, 0);

@@ -4,7 +4,7 @@
 
 namespace felt::desktop {
 
-/// Shows version, licence, the paper, and the libraries.
+/// Shows the version, the licence, the paper on which Feltline is based, and the libraries.
 class AboutDialog : public QDialog {
   Q_OBJECT
 

@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t kDoodles = 120;
 constexpr double kFineMm = 0.25, kBroadMm = 2.2, kGamma = 1.2;
 
-/// The cat sits in the middle of an A4 page; the other drawings start near its corner.
+/// Position of the cat in the middle of an A4 page. The other drawings start near the page's
+/// corner.
 constexpr Vec kCatPlace{95.0, 38.0};
 constexpr Vec kTextPlace{34.0, 60.0};
 constexpr Vec kPagePlace{60.0, 42.0};

@@ -7,7 +7,7 @@
 namespace felt::desktop {
 
 /// The guide on one page: what the tools do, how to move the page, what the forces mean, where
-/// drawings are saved. The part about the tools is made from their tables.
+/// drawings are saved. The section about the tools is generated from their tables.
 class GuideDialog : public QDialog {
   Q_OBJECT
 

@@ -42,7 +42,7 @@ HelpActions::HelpActions(Actions& actions, QWidget* window)
               });
 }
 
-/// Draws the example on another thread, because that takes a while.
+/// Draws the example on another thread, because that may take long.
 void HelpActions::make_example(const Example& example) {
   const QPointer<HelpActions> asked(this);
   QThreadPool::globalInstance()->start([asked, example] {

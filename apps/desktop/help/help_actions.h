@@ -11,8 +11,8 @@
 
 namespace felt::desktop {
 
-/// Adds "help.guide", "help.shortcuts", "help.tour", "help.example_cat" etc., "help.about", and
-/// handles them. `actions` and `window` must outlive it.
+/// Adds and handles "help.guide", "help.shortcuts", "help.tour", "help.example_cat" etc. and
+/// "help.about". `actions` and `window` must outlive it.
 class HelpActions : public QObject {
   Q_OBJECT
 
@@ -20,13 +20,13 @@ class HelpActions : public QObject {
   HelpActions(Actions& actions, QWidget* window);
 
  Q_SIGNALS:
-  /// An example was chosen; it replaces an empty drawing or opens in its own window.
+  /// The user chose an example; it replaces an empty drawing or opens in its own window.
   void wants_drawing(const felt::Document& drawing, const QString& title);
 
  private:
   void make_example(const Example& example);
   void show_tour();
-  /// Shows the one window of each kind, made on the first call.
+  /// Shows the only window of this kind; makes it on the first call.
   void show_dialog(QPointer<QWidget>& dialog, QWidget* (*make)(const Actions&, QWidget*));
 
   Actions& actions_;

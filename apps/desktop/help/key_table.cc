@@ -21,7 +21,7 @@ constexpr std::array kGroups{
     Group{"help", QT_TRANSLATE_NOOP("KeyTable", "Help")},
 };
 
-/// Inputs that are not actions: pen, mouse and held keys.
+/// The inputs that are not actions: pen, mouse and held keys.
 constexpr std::array kHandRows{
     std::pair{QT_TRANSLATE_NOOP("KeyTable", "Move the view"),
               QT_TRANSLATE_NOOP("KeyTable", "Space + drag")},

@@ -11,7 +11,7 @@ namespace felt::desktop {
 /// A command and its keys, as shown to the user.
 struct KeyRow {
   QString text;
-  QString keys;  ///< "" if it has none
+  QString keys;  ///< "" if it has no keys
 };
 /// A group of related commands.
 struct KeyGroup {
@@ -20,10 +20,10 @@ struct KeyGroup {
 };
 
 /// Returns all actions with keys, grouped as in the menus, and the effects of pen, mouse and held
-/// keys. `filter`: only rows that contain it in text or keys.
+/// keys. If `filter` is not empty, returns only the rows with that text in name or keys.
 QVector<KeyGroup> key_groups(const Actions& actions, const QString& filter = {});
 
-/// Returns the groups in columns as HTML for QTextDocument: for screen and print.
+/// Returns the groups in columns as HTML for QTextDocument, to show on the screen and to print.
 QString key_page(const QVector<KeyGroup>& groups, int columns, const QPalette& palette);
 
 }  // namespace felt::desktop

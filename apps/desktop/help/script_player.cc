@@ -10,9 +10,10 @@ namespace felt::desktop {
 namespace {
 
 constexpr std::int64_t kTickNs = 1'000'000;
-constexpr std::int64_t kSettleNs = 300'000'000;  // for the pen to leave the surface at the end
+constexpr std::int64_t kSettleNs = 300'000'000;  // time for the pen to leave the surface at the
+                                                 // end
 
-/// Returns how a practised hand draws on this surface with this medium.
+/// Returns options for a practised hand on the present surface with the present medium.
 HandScriptOptions hand_of(Studio& studio) {
   HandScriptOptions options = studio.loop().device().hand_options();
   const SurfaceMaterial& sheet = studio.session().sheet().material();

@@ -8,7 +8,7 @@
 
 namespace felt::desktop {
 
-/// All present keys on one page, to view, search and print.
+/// Shows all current shortcuts on one page; the user can search and print them.
 class ShortcutSheet : public QDialog {
   Q_OBJECT
 

@@ -15,18 +15,19 @@ namespace felt::desktop {
 namespace {
 
 constexpr int kFrameMs = 16;
-constexpr std::int64_t kMaxNs = 50'000'000;  // most that a frame plays, however late it is
+constexpr std::int64_t kMaxNs = 50'000'000;  // limit of the time that a frame plays, even if it is
+                                             // late
 constexpr qint64 kHurryMs = 10;              // computing time of a frame while acts are skipped
 constexpr std::int64_t kHurryStepNs = 4'000'000;
 constexpr double kSheetWidthMm = 124.0, kSheetHeightMm = 140.0;
 
-/// An act: the script of a tool's folder, and the texts of the tool.
+/// An act consists of the script in a tool's folder and the texts of the tool.
 struct Act {
-  QString script;  // a resource
+  QString script;  // path of a resource
   ToolAct words;
 };
 
-/// Returns the acts in the order of their scripts: 1-pencil, 2-pull, ...
+/// Returns the acts in the sequence of their scripts: 1-pencil, 2-pull, ...
 const std::vector<Act>& acts() {
   static const std::vector<Act> kActs = [] {
     const std::vector<std::unique_ptr<Tool>> tools = make_tools();
@@ -80,7 +81,7 @@ void TourWindow::make_controls() {
   caption_ = new QLabel(this);
   caption_->setWordWrap(true);
   caption_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  // Room for the longest caption, so that the picture does not jump between acts.
+  // Reserves space for the longest caption, so that the picture does not jump between acts.
   caption_->setMinimumHeight(3 * caption_->fontMetrics().lineSpacing());
   step_ = new QLabel(this);
   progress_ = new QProgressBar(this);
@@ -114,7 +115,7 @@ void TourWindow::make_controls() {
   all->addWidget(canvas_, 1);
   all->addWidget(progress_);
   all->addLayout(words);
-  // So that Space pauses from the start.
+  // The button gets the focus, so that Space pauses from the start.
   pause_->setFocus();
 }
 
@@ -134,7 +135,7 @@ void TourWindow::start_act() {
 void TourWindow::go_to(int act) {
   act = std::clamp(act, 0, act_count());
   if (act > act_) {
-    wanted_ = act;  // the acts before it are drawn fast
+    wanted_ = act;  // the previous acts are drawn fast
     set_paused(false);
     return;
   }

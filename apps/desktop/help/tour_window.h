@@ -14,9 +14,9 @@
 
 namespace felt::desktop {
 
-/// The guided tour: two minutes in which the program draws by itself, tool by tool, with a sentence
-/// on each. It has its own studio, so that no drawing of the user is touched. Left and Right go to
-/// the previous and next act, Space pauses, Esc closes.
+/// The guided tour of two minutes: the program draws by itself, tool by tool, with a sentence on
+/// each. The tour has its own studio, so that it does not change the user's drawing. Left and
+/// Right go to the previous and next act, Space pauses, Esc closes.
 class TourWindow : public QWidget {
   Q_OBJECT
 
@@ -24,17 +24,17 @@ class TourWindow : public QWidget {
   explicit TourWindow(QWidget* parent = nullptr);
 
   [[nodiscard]] int act_count() const noexcept;
-  /// Returns the act, from 0; act_count() is the last page, which plays nothing.
+  /// Returns the number of the act, from 0. act_count() means the last page, which plays nothing.
   [[nodiscard]] int act() const noexcept { return act_; }
   void go_to(int act);
   void set_paused(bool paused);
   [[nodiscard]] bool is_paused() const noexcept { return is_paused_; }
-  /// Plays on by the time of a frame. For the timer, tests and pictures.
+  /// Plays the next `ns` of the tour. Called by the timer, by tests and for pictures.
   void play(std::int64_t ns);
   [[nodiscard]] Studio& studio() noexcept { return *studio_; }
 
  Q_SIGNALS:
-  /// "Try it yourself": opens a window with the drawing of the tour.
+  /// The user chose "Try it yourself": opens a window with the drawing of the tour.
   void wants_sheet(const felt::Document& drawing);
 
  protected:

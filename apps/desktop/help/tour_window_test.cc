@@ -24,7 +24,7 @@ TEST(TourWindow, DrawsByItselfAndGoesBack) {
   tour.go_to(1);
   play_to(tour, 1);
   const std::size_t drawn = tour.studio().session().document().stroke_count();
-  EXPECT_GT(drawn, 50U);  // the cat and the ball
+  EXPECT_GT(drawn, 50U);  // strokes of the cat and the ball
   EXPECT_EQ(tour.studio().session().tool().info().id, "pencil");
   tour.play(kFrameNs);
   EXPECT_EQ(tour.studio().session().tool().info().id, "pull");

@@ -94,8 +94,8 @@ void FeltPlot::draw_axes(QPainter& painter, const QRectF& in) const {
   }
 }
 
-/// Draws the band in which a change of the force is not felt: hatched, so that it does not depend
-/// on colour.
+/// Draws the band in which a change of the force is not felt. The band is hatched, because colour
+/// alone may not be visible.
 void FeltPlot::draw_band(QPainter& painter, const QRectF& in) const {
   const auto y = [&](double newton) { return in.bottom() - newton / top_n() * in.height(); };
   const QRectF band =

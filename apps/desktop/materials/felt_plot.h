@@ -6,9 +6,10 @@
 
 namespace felt::desktop {
 
-/// The predicted feel of a stroke of 40 mm with even pressure: the force against the pen along the
-/// path, and the band around its mean in which a change cannot be felt (0.04 N on both sides). The
-/// parts outside of the band are the grain that the hand feels; they are filled.
+/// A plot of the predicted feel of a stroke of 40 mm with even pressure. It shows the force
+/// against the pen along the path, and a band around the mean of the force. The hand does not feel
+/// a change within the band, which extends 0.04 N to both sides. The parts outside of the band are
+/// filled: they are the grain that the hand feels.
 class FeltPlot : public QWidget {
   Q_OBJECT
 
@@ -19,7 +20,7 @@ class FeltPlot : public QWidget {
   explicit FeltPlot(QWidget* parent = nullptr);
 
   void show_figures(const FeltFigures& figures);
-  /// Returns the largest deviation from the mean, N; 0 without a stroke.
+  /// Returns the largest deviation from the mean, in N; 0 if no stroke was set.
   [[nodiscard]] double departure_n() const noexcept { return departure_n_; }
 
   [[nodiscard]] QSize sizeHint() const override;

@@ -10,12 +10,12 @@ namespace felt::desktop {
 namespace {
 
 constexpr auto kStandIn = "touch";
-constexpr double kRunUpMm = 20.0;  // until the pen moves evenly
+constexpr double kRunUpMm = 20.0;  // distance after which the pen moves evenly
 constexpr double kRestS = 0.3;
 constexpr std::size_t kPoints = 400;
 
-/// Returns the drag along the last kLengthMm, in kPoints steps: the maximum of each step, so that
-/// no peak is lost.
+/// Returns the drag along the last kLengthMm in kPoints steps. Each step has the maximum of its
+/// range, so that every peak is included.
 std::vector<double> drag_of(const StrokeForces& forces) {
   const double mm_per_tick = FeltFigures::kSpeedMmPerS * forces.period_s;
   const auto wanted = static_cast<std::size_t>(FeltFigures::kLengthMm / mm_per_tick);
@@ -33,7 +33,7 @@ std::vector<double> drag_of(const StrokeForces& forces) {
   return drag;
 }
 
-/// Returns which share of the relief's height the texture can render; a low relief is felt
+/// Returns the share of the relief's height that the texture can render. A low relief is rendered
 /// completely.
 double grain_share_of(const FeltWish& wish, const Capabilities& device, const HeightField* grain) {
   if (!grain || !(wish.medium.grain > 0.0)) return 1.0;
@@ -47,7 +47,7 @@ double grain_share_of(const FeltWish& wish, const Capabilities& device, const He
                             .period_s = 1e-9 * static_cast<double>(device.period_ns)})
         .stiffness_n_per_m();
   };
-  // So low that no limit applies: there the stiffness is proportional to the height.
+  // At this height no limit applies, and the stiffness is proportional to the height.
   constexpr double kLow = 1e-3;
   const double free = stiffness(kLow) / kLow;
   return free > 0.0 ? std::clamp(stiffness(1.0) / free, 0.0, 1.0) : 1.0;
@@ -59,12 +59,13 @@ Capabilities felt_device(const Capabilities& device) {
   return device.has_force() ? device : find_stylus_preset(kStandIn)->capabilities;
 }
 
-/// Stiffness and budget come from the force model itself; drag and tremble from a stroke of the
-/// simulated hand: a run-up, then kLengthMm at constant speed, and a rest.
+/// Stiffness and budget come from the force model itself. Drag and tremble come from a stroke of
+/// the simulated hand, which consists of a run-up, then kLengthMm at constant speed, and a rest.
 FeltFigures felt_figures(const FeltWish& wish) {
   StylusPreset device = *find_stylus_preset(kStandIn);
   device.capabilities = felt_device(wish.device);
-  // The device's own workspace is used: the figures do not depend on where it lies on the page.
+  // Uses the device's own workspace, because the figures do not depend on its position on the
+  // page.
   const Capabilities& can = device.capabilities;
   const HeightField* grain = surface_grain(wish.sheet);
   const Slopes slopes = make_sheet_force(wish.sheet, wish.medium, can, grain).slopes();
@@ -118,7 +119,7 @@ void FeltProbe::start() {
           is_busy_ = false;
           const bool is_old = is_stale_;
           if (is_old) start();
-          // While a slider is dragged, slightly outdated figures are better than none.
+          // While the user drags a slider, slightly outdated figures are better than no figures.
           Q_EMIT figured(figures);
         },
         Qt::QueuedConnection);

@@ -12,7 +12,7 @@
 
 namespace felt::desktop {
 
-/// The input of felt_figures(): a medium on a surface, through a device.
+/// The input of felt_figures(): a medium on a surface, felt through a device.
 struct FeltWish {
   SurfaceMaterial sheet;
   Medium medium;
@@ -23,32 +23,32 @@ struct FeltWish {
   friend bool operator==(const FeltWish&, const FeltWish&) = default;
 };
 
-/// The predicted forces, from the same rules as the tools' forces and from a stroke of the
-/// simulated hand in virtual time.
+/// The predicted forces. They follow from the same formulas as the tools' forces and from a stroke
+/// of the simulated hand in virtual time.
 struct FeltFigures {
   static constexpr double kLengthMm = 40.0;
   static constexpr double kSpeedMmPerS = 80.0;
   static constexpr double kPressN = 0.8;
 
-  /// Force against the motion of the pen along kLengthMm, N, evenly spaced; the pen pushes with
-  /// kPressN.
+  /// Force against the motion of the pen along kLengthMm, in N, at equal distances. The pen pushes
+  /// with kPressN.
   std::vector<double> drag_n;
-  double stiffness_n_per_m = 0.0;  ///< of the surface, as the device renders it
-  double budget_share = 0.0;  ///< stiffness along the worst axis, as a share of what the device
-                              ///< bears (R56)
-  double grain_share = 1.0;   ///< share of the relief's height that is felt; 1 if there is no
-                              ///< relief
-  double rest_n = 0.0;        ///< tremble of a resting pen: RMS above 30 Hz (R48)
-  bool is_sound = true;       ///< the safety chain reported no fault
+  double stiffness_n_per_m = 0.0;  ///< stiffness of the surface as the device renders it
+  double budget_share = 0.0;       ///< stiffness along the worst axis, relative to the limit of the
+                                   ///< device (R56)
+  double grain_share = 1.0;        ///< part of the relief's height that is felt; 1 without a relief
+  double rest_n = 0.0;             ///< tremble of a resting pen: RMS above 30 Hz (R48)
+  bool is_sound = true;            ///< true if the safety chain reported no fault
 
   friend bool operator==(const FeltFigures&, const FeltFigures&) = default;
 };
 
-/// Computes the figures. Takes 50 ms for a device of 1 kHz, in proportion to the rate;
-/// deterministic; any thread except the haptic one. For a device without motors uses the simulated
-/// Touch.
+/// Computes the figures. Takes 50 ms for a device of 1 kHz; the time grows in proportion to the
+/// rate. Deterministic. Safe to call from any thread except the haptic one. If the device has no
+/// motors, uses the simulated Touch.
 FeltFigures felt_figures(const FeltWish& wish);
-/// Returns the device that felt_figures() uses: this one, or the Touch if it has no motors.
+/// Returns the device that felt_figures() uses: `device`, or the simulated Touch if `device` has
+/// no motors.
 Capabilities felt_device(const Capabilities& device);
 
 /// Computes felt_figures() on another thread. A newer request replaces an older one.
@@ -60,7 +60,7 @@ class FeltProbe : public QObject {
   ~FeltProbe() override;
 
   /// Requests the figures. `figured` is emitted later for the last request, and sometimes before
-  /// that for an older one. Does nothing if the request equals the one before.
+  /// that for an older request. Does nothing if the request equals the previous one.
   void ask(const FeltWish& wish);
   [[nodiscard]] bool is_busy() const noexcept { return is_busy_; }
 

@@ -30,7 +30,7 @@ bool set_in(AnyMaterial& material, std::string_view field, double value) {
   return set_field(find_medium_field(field), std::get<Medium>(material), value);
 }
 
-/// Keeps dependent figures valid for the file: the other one of a pair is adjusted.
+/// Adjusts the figures that depend on `field`, so that the material stays valid for the file.
 void make_fit(AnyMaterial& material, std::string_view field) {
   constexpr double kFirstGrainMm = 1.0;
   if (auto* medium = std::get_if<Medium>(&material)) {
@@ -56,7 +56,7 @@ QString label_of_field(const AnyMaterial& material, std::string_view field) {
   return row ? translated(row->label) : QString();
 }
 
-/// Returns the figures of one material with the id and name of the other.
+/// Returns `figures` with the id and name of `names`.
 AnyMaterial with_names_of(AnyMaterial figures, const AnyMaterial& names) {
   std::visit(
       [&](auto& of) {
@@ -67,23 +67,23 @@ AnyMaterial with_names_of(AnyMaterial figures, const AnyMaterial& names) {
   return figures;
 }
 
-constexpr int kTellMs = 100;  // between two events while a slider is dragged
+constexpr int kTellMs = 100;  // interval of the events while the user drags a slider
 
 }  // namespace
 
-/// A step from one state of a material to another. If it does not exist before or after, the step
-/// adds or removes it.
+/// A step of undo, from one state of a material to another. If the material does not exist in the
+/// first or second state, the step adds or removes it.
 class MaterialDesk::Step final : public QUndoCommand {
  public:
   Step(MaterialDesk& desk, const QString& words, State before, State after)
       : QUndoCommand(words), desk_(desk), before_(std::move(before)), after_(std::move(after)) {}
 
-  /// Sets the run: steps of one field in one run are merged.
+  /// Sets the run. Steps of one field in the same run are merged.
   void set_run(std::string_view field, std::uint64_t run) {
     field_ = field;
     run_ = run;
   }
-  /// The step deletes a material and its file.
+  /// Marks the step as one that deletes a material and its file.
   void set_deletes() { fate_ = FileFate::kGoes; }
 
   [[nodiscard]] int id() const override { return 1; }
@@ -137,14 +137,14 @@ void MaterialDesk::tell_now() {
       felt::put(known, entry->now);
       continue;
     }
-    // A change would take precedence over the drawing's material, so it is not reported.
+    // The user's material would take precedence over the drawing's, so it is not passed on.
     is_withheld_ = true;
     if (std::optional<AnyMaterial> old = find_in(told_, key)) felt::put(known, *std::move(old));
   }
   told_ = known;
   studio_.set_user_materials(known);
-  // The tool copied the widths of its medium, and the ink its colour, when the medium was selected.
-  // So they are updated if the medium's changed.
+  // When the medium was selected, the tool copied its widths, and the ink its colour. Therefore
+  // these are updated if those of the medium changed.
   const Medium* after = studio_.materials().find_medium(drawing_medium(studio_.session()));
   if (!before || !after) return;
   const std::uint32_t color = after->color_rgb;
@@ -152,8 +152,9 @@ void MaterialDesk::tell_now() {
   if (color != medium.color_rgb) take_usual_color(studio_, medium.color_rgb, color);
 }
 
-/// Handles another drawing: the materials that it brings, and those of the one before, decide which
-/// user-defined materials are in use.
+/// Updates the selection and the list of user-defined materials after another drawing was opened.
+/// The materials that came with the old and the new drawing determine which user-defined materials
+/// are in use.
 void MaterialDesk::follow_drawing() {
   if (is_withheld_) tell_now();
   if (!own_of(key_) && !find_in(studio_.materials(), key_)) {
@@ -167,19 +168,19 @@ const OwnMaterials::Entry* MaterialDesk::own_of(const MaterialKey& key) const {
   const OwnMaterials::Entry* entry = own_.find(key);
   if (!entry) return nullptr;
   const std::optional<AnyMaterial> here = find_in(studio_.materials(), key);
-  // A material that was reported to the studio is the user's, even if it was changed since.
+  // If a material was passed to the studio, it is the user's, even if it has changed since.
   const bool is_of_drawing = here && *here != entry->now && here != find_in(told_, key);
   return is_of_drawing ? nullptr : entry;
 }
 
-/// Changes from one state of a material to another, and selects it.
+/// Changes a material from one state to another, and selects it.
 void MaterialDesk::go(const State& from, const State& to, FileFate fate) {
   if (to.material) {
     bring_back(to);
   } else if (from.material) {
     const MaterialKey key = key_of(*from.material);
     const OwnMaterials::Entry* entry = own_.find(key);
-    // A copy that was saved since stays: undoing its creation deletes no file.
+    // If a copy was saved meanwhile, it stays: undoing its creation deletes no file.
     if (entry && (fate == FileFate::kGoes || !entry->saved)) tell_error(own_.remove(key));
     if (!own_.find(key)) compared_.erase(key);
   }
@@ -191,7 +192,7 @@ void MaterialDesk::bring_back(const State& to) {
   const MaterialKey key = key_of(*to.material);
   compared_.insert_or_assign(key, to.compared);
   if (to.saved && !own_.find(key)) {
-    // Its file gets its old content; unsaved changes are restored as unsaved.
+    // The file gets its old content, and unsaved changes are restored as unsaved.
     own_.put(*to.saved);
     tell_error(own_.save(key));
   }
@@ -228,7 +229,7 @@ void MaterialDesk::select(const MaterialKey& key) {
   if (is_other) Q_EMIT selected();
 }
 
-/// Uses the selected material, so that it is the one that is felt.
+/// Uses the selected material, so that the user feels it.
 void MaterialDesk::take_in_hand() {
   if (!find_in(studio_.materials(), key_)) tell_now();
   if (key_.is_sheet) {
@@ -282,7 +283,7 @@ void MaterialDesk::revert() {
   if (was != now()) change(was, tr("Revert"));
 }
 
-/// Returns the state of the selected material, which must be user-defined.
+/// Returns the state of the selected material. Requires that it is user-defined.
 MaterialDesk::State MaterialDesk::state() const {
   return {now(), std::nullopt, {slot(), other()}, key_};
 }
@@ -294,7 +295,8 @@ MaterialDesk::State MaterialDesk::made_as(AnyMaterial material) const {
 }
 
 /// Returns true if the id is in use: built-in, user-defined, in the drawing, or in the session,
-/// whose strokes may name it. Another material with this id would change existing drawings.
+/// because strokes of the session may refer to it. Another material with this id would change
+/// existing drawings.
 bool MaterialDesk::is_taken(const std::string& id) const {
   const auto has = [&id](const Materials& known) {
     return known.find_surface(id) != nullptr || known.find_medium(id) != nullptr;
@@ -363,7 +365,7 @@ void MaterialDesk::rename(const QString& name) {
   if (name_of(to) == name_of(now())) return;
   const bool was_saved = !is_changed();
   change_own(to, tr("Rename"), {}, 0);
-  // If nothing else is unsaved, the new name is saved immediately.
+  // If the material had no other unsaved changes, the new name is saved immediately.
   if (was_saved) tell_error(own_.save(key_));
 }
 
@@ -374,7 +376,7 @@ Result<void> MaterialDesk::remove() {
   before.saved = entry->saved;
   const MaterialKey next{key_.is_sheet, key_.is_sheet ? "paper" : "pencil"};
   const QString words = tr("Delete %1").arg(name_of(entry->now));
-  // Done first, because there is nothing to undo if it fails.
+  // The file is deleted first, because nothing is to be undone if that fails.
   if (Result<void> gone = own_.remove(key_); !gone) return gone;
   auto step = std::make_unique<Step>(*this, words, std::move(before),
                                      State{std::nullopt, std::nullopt, {}, next});
@@ -412,7 +414,7 @@ bool MaterialDesk::slots_are_alike() const {
   return other() == now();
 }
 
-/// Not a step of undo, because nothing that the user made is lost.
+/// This is not a step of undo, because the user loses nothing.
 void MaterialDesk::flip() {
   if (!is_own()) return;
   const AnyMaterial hidden = other();

@@ -13,92 +13,95 @@
 
 namespace felt::desktop {
 
-/// The editing model of one surface or medium: what the editor shows and changes.
+/// The editing model of one surface or medium, which the editor shows and changes.
 ///
-/// Built-in materials are never changed: the first change makes a user-defined copy and selects it.
+/// Built-in materials never change: the first change makes a user-defined copy and selects it.
 /// Each change goes to OwnMaterials immediately, and from there to forces, picture and sound of
 /// every window; saving writes it to a file. Changes, renames, copies and deletions can be undone;
 /// a drag of a slider is one step.
 ///
-/// Materials of the open drawing are never changed either. If the drawing has a material with the
-/// id of a user-defined one but other figures, the drawing's is used while it is open, and the
-/// user's waits. A copy never gets an id that the drawing uses.
+/// Materials of the open drawing do not change, either. If the drawing has a material with the id
+/// of a user-defined one but other figures, the drawing's material is used while it is open. A
+/// copy never gets an id that the drawing uses.
 ///
-/// Each user-defined material has two slots of figures to compare, A and B; only the chosen one is
-/// used. Until it is changed, the other slot has the original figures. Choosing a slot is not a
+/// Each user-defined material has two slots of figures to compare, A and B; only the chosen slot
+/// is used. The other slot has the original figures until it is changed. Choosing a slot is not a
 /// step of undo, but each step stores and restores both slots.
 class MaterialDesk : public QObject {
   Q_OBJECT
 
  public:
-  /// From now on only this object reports user-defined materials to the studio, which may have them
-  /// already. Both arguments must outlive it.
+  /// From now on only this object passes user-defined materials to the studio, which may have them
+  /// already. `studio` and `own` must outlive this object.
   MaterialDesk(Studio& studio, OwnMaterials& own, QObject* parent = nullptr);
 
   [[nodiscard]] const MaterialKey& key() const noexcept { return key_; }
-  /// Returns the present material.
+  /// Returns the selected material with its present figures.
   [[nodiscard]] AnyMaterial now() const;
-  /// Returns the original that revert() restores: its file, otherwise what it was copied from.
+  /// Returns the original that revert() restores: the saved file, or without a file the material
+  /// that was copied.
   [[nodiscard]] AnyMaterial origin() const;
   [[nodiscard]] bool is_own() const { return own_of(key_) != nullptr; }
-  /// Returns the user-defined material of this key. Null if there is none, or if the drawing
-  /// brought other figures under this id, which take precedence.
+  /// Returns the user-defined material of this key. Returns null if none exists, or if the drawing
+  /// has a material with this id and other figures, which takes precedence.
   [[nodiscard]] const OwnMaterials::Entry* own_of(const MaterialKey& key) const;
-  /// Returns true if it differs from its file, or has none.
+  /// Returns true if the selected material differs from its file, or has no file.
   [[nodiscard]] bool is_changed() const;
   [[nodiscard]] OwnMaterials& own() noexcept { return own_; }
 
-  /// Selects a material for editing, and for use: as the surface, or as the medium that draws.
+  /// Selects a material for editing and for use: as the surface, or as the medium of new lines.
   void select(const MaterialKey& key);
-  /// Sets a figure by its field's id. Changes of one field with the same `run`, any number but 0,
-  /// are one step of undo. Ignores values that the field does not allow.
+  /// Sets a figure by the id of its field. Consecutive changes of one field with the same `run`
+  /// (not 0) are one step of undo. Ignores values that the field does not allow.
   void set(std::string_view field, double value, std::uint64_t run = 0);
   /// Copies all figures of another material of the same kind.
   void take_figures(const AnyMaterial& from);
-  /// Sets a user-defined relief of a surface; read_height_png reads one from a file.
+  /// Sets a user-defined relief of a surface. To read the picture from a file, use
+  /// read_height_png.
   Result<void> take_relief(const HeightPicture& picture);
-  /// Sets the friction of a medium on this surface; nothing: by the general rule again.
+  /// Sets the friction of a medium on this surface. Nullopt restores the general rule.
   void set_pair(const std::string& sheet, std::optional<double> friction);
   /// Restores origin().
   void revert();
 
-  /// Saves a user-defined material; any other one is saved as a copy with its own name. Fails as
-  /// OwnMaterials::save does; it then stays unsaved.
+  /// Saves a user-defined material. Saves any other material as a copy with its own name. Fails as
+  /// OwnMaterials::save does; then the material stays unsaved.
   Result<void> save();
   /// Saves a copy of the present material under this name, and selects it. Fails as save() does.
   Result<void> save_as(const QString& name);
-  /// Renames it. Does nothing if it has that name already, or if `name` has no printable letter.
+  /// Renames the material. Does nothing if it has that name, or if `name` has no printable letter.
   void rename(const QString& name);
-  /// Deletes a user-defined material and its file; undoing restores both. Does nothing for any
-  /// other one. Fails as OwnMaterials::remove does; then it still exists, and there is no step.
+  /// Deletes a user-defined material and its file; undo restores both. Does nothing for any other
+  /// material. Fails as OwnMaterials::remove does; then the material still exists and no step of
+  /// undo was added.
   Result<void> remove();
-  /// Adds a file's material as a user-defined one, not saved yet. It gets another id if its own is
-  /// in use.
+  /// Adds the material of a file as an unsaved user-defined material. It gets another id if its
+  /// own is in use.
   Result<void> import_file(const QString& path);
   Result<void> export_file(const QString& path) const;
 
-  /// Returns the slot in use of the selected material: 'A' or 'B'.
+  /// Returns the chosen slot of the selected material: 'A' or 'B'.
   [[nodiscard]] char slot() const { return compared_of(key_).chosen; }
-  /// Switches to the other slot, for forces, picture and sound. Does nothing if it is not
-  /// user-defined.
+  /// Switches to the other slot, for forces, picture and sound. Does nothing if the material is
+  /// not user-defined.
   void flip();
-  /// Copies the figures of this slot to the other one: a step of undo. Does nothing if it is not
-  /// user-defined.
+  /// Copies the figures of the chosen slot to the other slot, as a step of undo. Does nothing if
+  /// the material is not user-defined.
   void copy_to_other();
   /// Returns true if both slots have the same figures.
   [[nodiscard]] bool slots_are_alike() const;
 
-  /// Reports changes to the studio now, without the usual delay.
+  /// Passes changes to the studio now, without the usual delay.
   void tell_now();
 
   [[nodiscard]] QUndoStack& steps() noexcept { return steps_; }
 
  Q_SIGNALS:
-  /// Another material was selected.
+  /// Emitted when another material was selected.
   void selected();
-  /// Its figures or its name changed, or whether it is saved.
+  /// Emitted when the figures, the name or the saved state of the material changed.
   void changed();
-  /// A file could not be written or deleted; says which, and why.
+  /// Emitted when a file could not be written or deleted. `why` names the file and the reason.
   void failed(const QString& why);
 
  private:
@@ -106,22 +109,23 @@ class MaterialDesk : public QObject {
   /// The slots of one material.
   struct Compared {
     char chosen = 'A';
-    std::optional<AnyMaterial> hidden;  ///< figures of the other slot; none: those of origin()
+    std::optional<AnyMaterial> hidden;  ///< figures of the other slot; nullopt means those of
+                                        ///< origin()
 
     friend bool operator==(const Compared&, const Compared&) = default;
   };
-  /// Everything that a step restores.
+  /// Everything that a step of undo restores.
   struct State {
-    std::optional<AnyMaterial> material;  ///< none: it does not exist
-    /// The content of its file before it was deleted; none: it had no file, or the step deletes
-    /// nothing.
+    std::optional<AnyMaterial> material;  ///< nullopt if the material does not exist
+    /// The content of the file before it was deleted. Nullopt if the material had no file, or if
+    /// the step deletes nothing.
     std::optional<AnyMaterial> saved;
     Compared compared;
     MaterialKey selected;
 
     friend bool operator==(const State&, const State&) = default;
   };
-  /// Whether a change to a state without the material deletes its file, too.
+  /// Tells whether a change to a state without the material also deletes its file.
   enum class FileFate { kStays, kGoes };
 
   [[nodiscard]] State state() const;
@@ -146,13 +150,13 @@ class MaterialDesk : public QObject {
   Studio& studio_;
   OwnMaterials& own_;
   MaterialKey key_{true, "paper"};
-  std::map<MaterialKey, AnyMaterial> origins_;  // of copies that have no file
+  std::map<MaterialKey, AnyMaterial> origins_;  // originals of copies that have no file
   std::map<MaterialKey, Compared> compared_;
-  // The user-defined materials that the studio received last.
+  // The user-defined materials that were last passed to the studio.
   Materials told_ = Materials::built_in();
-  bool is_withheld_ = false;  // not everything was reported, because the drawing has others of
-                              // those ids
-  QTimer tell_;               // active while the studio has not received a change
+  bool is_withheld_ = false;  // some were not passed, because the drawing has others with their
+                              // ids
+  QTimer tell_;               // active until the last change is passed to the studio
   QUndoStack steps_;
 };
 

@@ -88,7 +88,7 @@ TEST(MaterialDesk, EveryChangeIsUndoneAndRedone) {
 
 TEST(MaterialDesk, ADragIsOneStepAndFewEvents) {
   Bench bench;
-  bench.desk.set("feel.friction", 0.5);  // makes a copy
+  bench.desk.set("feel.friction", 0.5);  // changing a built-in one makes a copy
   const std::size_t told = bench.told();
   for (int i = 0; i < 300; ++i) bench.desk.set("feel.stiffness_n_per_m", 400.0 + i, 7);
   bench.desk.tell_now();
@@ -116,7 +116,7 @@ TEST(MaterialDesk, FiguresThatBelongTogetherFollowEachOther) {
   bench.desk.set("grain.height_um", 10.0);
   EXPECT_GT(bench.sheet().grain_mm, 0.0);
   EXPECT_EQ(material_error(bench.desk.now()), "");
-  bench.desk.set("grain.character", 5.0);  // a picture, but there is none
+  bench.desk.set("grain.character", 5.0);  // "picture", but no picture is set
   EXPECT_NE(bench.sheet().grain_character, HeightCharacter::kPicture);
   bench.desk.select({false, "pencil"});
   bench.desk.set("line.max_mm", 0.1);
@@ -141,7 +141,7 @@ TEST(MaterialDesk, OneKeyFlipsBetweenAAndB) {
   EXPECT_EQ(bench.desk.slot(), 'A');
   EXPECT_EQ(bench.sheet().friction, 0.5);
   EXPECT_EQ(bench.studio.session().sheet().material().friction, 0.5);
-  bench.desk.steps().undo();  // undoes a change of B, so it switches to B
+  bench.desk.steps().undo();  // undoes a change of slot B, so it switches to B
   EXPECT_EQ(bench.desk.slot(), 'B');
   EXPECT_EQ(bench.sheet().friction, find_surface("paper")->friction);
   bench.desk.flip();
@@ -196,7 +196,7 @@ TEST(MaterialDesk, CopyingToTheOtherSlotIsAStep) {
   EXPECT_TRUE(bench.desk.slots_are_alike());
 }
 
-/// Another user's version of the chalk, which comes with a drawing.
+/// Returns another user's version of the chalk, as it comes with a drawing.
 AnyMaterial chalk_of_another_person() {
   Bench theirs;
   theirs.desk.select({false, "chalk"});
@@ -244,7 +244,7 @@ TEST(MaterialDesk, AnIdThatStrokesMayNameIsNotGivenAgain) {
   EXPECT_NE(bench.desk.key(), key);
 }
 
-/// A drawing with a surface that has the id of a user-defined one but other figures.
+/// A drawing whose surface has the id of a user-defined one but other figures.
 struct OtherSheetOfThatId : Bench {
   OtherSheetOfThatId() {
     desk.set("feel.friction", 0.5);
@@ -339,7 +339,7 @@ TEST(MaterialDesk, SavingRenamingAndDeletingCanBeUndone) {
   EXPECT_EQ(bench.desk.key(), key);
   EXPECT_EQ(name_of(bench.desk.now()), QStringLiteral("Sandpaper"));
   EXPECT_EQ(bench.felt_on(), "my-rough-one");
-  // Undoing its creation deletes no file.
+  // Undoing the creation of the copy deletes no file.
   while (bench.desk.steps().canUndo()) bench.desk.steps().undo();
   EXPECT_TRUE(QFile::exists(file));
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr QSize kFirstSize{1060, 700};
 constexpr int kMarginPx = 8;
-constexpr int kFrameMs = 33;  // between two repaints of the plot
+constexpr int kFrameMs = 33;  // interval between two repaints of the plot
 
 QLabel* heading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);

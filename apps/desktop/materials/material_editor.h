@@ -21,15 +21,15 @@
 
 namespace felt::desktop {
 
-/// The editor of user-defined surfaces and media: a list of all, every figure as a slider and a
-/// number, and beside them the immediate result: strokes, a plot of the predicted force, whether
-/// the device in use can render it, and the present force. The drawing's window stays usable beside
-/// it and uses the edited material.
+/// The editor of user-defined surfaces and media: a list of all materials and a slider and a
+/// number for every figure. Beside them it shows the immediate result: strokes, a plot of the
+/// predicted force, whether the device in use can render the material, and the present force. The
+/// drawing's window stays usable and draws with the edited material.
 class MaterialEditor : public QWidget {
   Q_OBJECT
 
  public:
-  /// A separate window above `parent`. `studio` and `desk` must outlive it.
+  /// Makes a separate window above `parent`. `studio` and `desk` must outlive it.
   MaterialEditor(Studio& studio, MaterialDesk& desk, QWidget* parent);
 
   [[nodiscard]] MaterialList& list() noexcept { return *list_; }

@@ -99,7 +99,7 @@ QToolBar* MaterialEditor::make_bar() {
   more->setPopupMode(QToolButton::InstantPopup);
   more->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(more);
-  menu->setToolTipsVisible(true);  // a disabled entry explains why in its tool tip
+  menu->setToolTipsVisible(true);  // the tool tip of a disabled entry gives the reason
   for (const char* name : {"save_as", "rename", "delete"}) menu->addAction(action(name));
   menu->addSeparator();
   for (const char* name : {"import", "export"}) menu->addAction(action(name));
@@ -155,8 +155,8 @@ void MaterialEditor::ask_export() {
   tell(desk_.export_file(path), tr("%1 was exported.").arg(path));
 }
 
-/// Handles undo keys in a number field, because typed numbers have no undo steps: the editor's are
-/// meant.
+/// Handles undo keys in a number field. They undo a step of the editor, because typed numbers have
+/// no steps of undo.
 bool MaterialEditor::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<const QKeyEvent*>(event);

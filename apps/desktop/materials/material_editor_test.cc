@@ -93,7 +93,7 @@ TEST(MaterialEditor, ADragOfASliderIsOneStepThatKeysUndo) {
   slider->setSliderDown(false);
   EXPECT_NE(shown.sheet().stiffness_n_per_m, 500.0);
   EXPECT_EQ(shown.desk.steps().count(), 2);
-  // Also with the focus in a number field.
+  // The keys also work with the focus in a number field.
   QLineEdit* edit = shown.spin("feel.friction")->findChild<QLineEdit*>();
   edit->setFocus();
   QTest::keyClick(edit, Qt::Key_Z, Qt::ControlModifier);
@@ -130,7 +130,8 @@ TEST(MaterialEditor, R56_TheSignTurnsRedForASheetThatTheDeviceCannotMake) {
   shown.desk.set("feel.stiffness_n_per_m", 2000.0);
   while (shown.editor.probe().is_busy()) ASSERT_TRUE(figured.wait(8000));
   EXPECT_EQ(shown.editor.stability().level(), StabilityLevel::kNotGiven);
-  // A Touch makes harder surfaces softer, so that they remain distinguishable (R13): plane_for().
+  // A Touch renders harder surfaces softer, so that they remain distinguishable (R13):
+  // plane_for().
   shown.desk.set("feel.stiffness_n_per_m", 150.0);
   while (shown.editor.probe().is_busy()) ASSERT_TRUE(figured.wait(8000));
   EXPECT_EQ(shown.editor.stability().level(), StabilityLevel::kGiven);

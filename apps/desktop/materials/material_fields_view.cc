@@ -16,21 +16,21 @@
 namespace felt::desktop {
 namespace {
 
-/// The part of a field of either table that a row needs.
+/// The part of a field that a row needs, for surfaces and media.
 struct FigureSpec {
   std::string id;
   MaterialFieldKind kind = MaterialFieldKind::kNumber;
-  OptionSpec option;  ///< for panels/OptionRow; refers to texts of the table, which exist for the
-                      ///< whole program
+  OptionSpec option;  ///< for panels/OptionRow; refers to texts that exist as long as the program
+                      ///< runs
 };
 
 template <class Field>
 FigureSpec figure_spec(const Field& field);
 
-/// Makes the row for the kind of the field.
+/// Makes the row for a field of this kind.
 FigureRow* make_figure_row(const FigureSpec& spec, QWidget* parent);
 
-/// Returns "µm" for "um".
+/// Returns the unit as the user sees it: "µm" for "um".
 std::string_view shown_unit(std::string_view unit) noexcept;
 
 template <class Field>
@@ -48,11 +48,11 @@ FigureSpec figure_spec(const Field& field) {
   return spec;
 }
 
-constexpr int kSameRunMs = 700;  // changes by keys or wheel within this time are one step
+constexpr int kSameRunMs = 700;  // changes by keys or wheel within this time are one step of undo
 constexpr QSize kColorPx{44, 16};
 
-/// Numbers drags: values between press and release, or shortly after the previous one, have the
-/// same number.
+/// Numbers the runs of values. The values between press and release have the same number, and so
+/// do values that follow each other within kSameRunMs.
 class Runs {
  public:
   void begin() { held_ = next(); }
@@ -73,7 +73,7 @@ class Runs {
   QElapsedTimer since_;
 };
 
-/// Uses the tools' option row: slider and number, check box, list.
+/// A row with the control of the tools' options: slider and number, check box, or list.
 class OptionFigureRow final : public FigureRow {
  public:
   OptionFigureRow(const FigureSpec& spec, QWidget* parent)
@@ -114,7 +114,7 @@ class OptionFigureRow final : public FigureRow {
   Runs runs_;
 };
 
-/// Name and control side by side.
+/// A row with name and control side by side.
 class PlainFigureRow : public FigureRow {
  public:
   PlainFigureRow(const FigureSpec& spec, QWidget* parent)
@@ -144,7 +144,7 @@ class PlainFigureRow : public FigureRow {
   QHBoxLayout* line_;
 };
 
-/// A whole number without an order: typed, or chosen at random.
+/// A row for an integer without a scale: it is typed or chosen at random.
 class SeedRow final : public PlainFigureRow {
  public:
   SeedRow(const FigureSpec& spec, QWidget* parent)
@@ -226,7 +226,7 @@ FigureRow* make_figure_row(const FigureSpec& spec, QWidget* parent) {
 constexpr int kRowGapPx = 7;
 constexpr int kGroupGapPx = 8;
 
-/// A table of the file format, and its title for the user.
+/// A table of the file format, with its title for the user.
 struct GroupName {
   const char* id;
   const char* name;
@@ -335,7 +335,7 @@ void MaterialFieldsView::show_material(const AnyMaterial& now, const AnyMaterial
   if (is_sheet) {
     const auto& sheet = std::get<SurfaceMaterial>(now);
     show(sheet_fields(), sheets_.rows, sheet, std::get<SurfaceMaterial>(origin));
-    // A picture is one fixed relief, independent of the seed.
+    // A picture is one fixed relief and does not depend on the seed.
     const bool is_picture = sheet.grain_character == HeightCharacter::kPicture && sheet.picture;
     if (FigureRow* seed = row("grain.seed")) seed->setEnabled(!is_picture);
   } else {

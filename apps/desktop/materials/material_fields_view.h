@@ -15,7 +15,8 @@
 
 namespace felt::desktop {
 
-/// The row of a figure. Shows the value it is given, and emits the value that the user chooses.
+/// The row of a figure. It shows the value that it is given, and emits the value that the user
+/// chooses.
 class FigureRow : public QWidget {
   Q_OBJECT
 
@@ -29,9 +30,9 @@ class FigureRow : public QWidget {
   void chosen(double value, quint64 run);
 };
 
-/// Every figure of a surface or a medium, made from the tables in material_fields.h: a slider and a
-/// number with its unit, a list for a choice, or a colour; the reset button restores the original
-/// value. Grouped by the tables of the file format.
+/// Shows every figure of a surface or a medium, made from the tables in material_fields.h: a
+/// slider and a number with its unit, a list for a choice, or a colour. The reset button restores
+/// the original value. The figures are grouped by the tables of the file format.
 class MaterialFieldsView : public QWidget {
   Q_OBJECT
 
@@ -39,9 +40,11 @@ class MaterialFieldsView : public QWidget {
   explicit MaterialFieldsView(QWidget* parent = nullptr);
 
   void show_material(const AnyMaterial& now, const AnyMaterial& origin);
-  /// Returns the row of a figure of the shown material; null if there is none.
+  /// Returns the row of a figure of the shown material; null if the material does not have that
+  /// figure.
   [[nodiscard]] FigureRow* row(std::string_view field) const;
-  /// Adds a widget at the end of a group of the surfaces' or the media's page: "grain".
+  /// Adds a widget at the end of a group, such as "grain", on the page of the surfaces or of the
+  /// media.
   void add_to_group(bool of_sheets, const QString& group, QWidget* widget);
 
  Q_SIGNALS:

@@ -39,7 +39,7 @@ void MaterialList::show_materials(const Materials& known, const MaterialDesk& de
                     entry && entry->is_changed()});
   };
   for (const SurfaceMaterial& sheet : known.surfaces()) add(sheet);
-  // The built-in eraser is a tool, not a medium to draw with.
+  // The built-in eraser is not listed, because it is a tool.
   for (const Medium& medium : known.media()) {
     if (medium.draws || desk.own_of({false, medium.id})) add(medium);
   }

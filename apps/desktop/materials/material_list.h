@@ -9,19 +9,20 @@ namespace felt::desktop {
 
 class MaterialDesk;
 
-/// Surfaces and media, built-in and user-defined, in four groups. Unsaved user-defined ones have a
-/// dot and are described as unsaved. Emits the one that the user chooses by mouse or keys.
+/// Lists surfaces and media, built-in and user-defined, in four groups. Unsaved user-defined
+/// materials have a dot and are described as unsaved. Emits the material that the user chooses by
+/// mouse or keys.
 class MaterialList : public QTreeWidget {
   Q_OBJECT
 
  public:
   explicit MaterialList(QWidget* parent = nullptr);
 
-  /// Shows these materials; `desk` tells which of them are user-defined, and whether they are
+  /// Shows these materials. `desk` tells which of them are user-defined, and whether they are
   /// saved.
   void show_materials(const Materials& known, const MaterialDesk& desk);
   void show_chosen(const MaterialKey& key);
-  /// Returns the keys of the rows, in their order.
+  /// Returns the keys of the rows, from top to bottom.
   [[nodiscard]] std::vector<MaterialKey> keys() const;
 
  Q_SIGNALS:

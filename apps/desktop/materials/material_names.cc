@@ -9,7 +9,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kMaxIdChars = 48;  // leaves room for a number
+constexpr int kMaxIdChars = 48;  // leaves space for a number
 
 }  // namespace
 
@@ -48,7 +48,7 @@ QString words_of(const AnyMaterial& material) {
 std::string id_for(const QString& name, const std::string& fallback,
                    const std::function<bool(const std::string&)>& is_taken) {
   std::string id;
-  // Letters lose their accents: "Bütten" becomes "butten".
+  // Accents are removed: "Bütten" becomes "butten".
   for (const QChar c : name.normalized(QString::NormalizationForm_KD).toLower()) {
     if (c.unicode() < 128 && c.isLetterOrNumber()) {
       id += static_cast<char>(c.unicode());
@@ -65,7 +65,7 @@ std::string id_for(const QString& name, const std::string& fallback,
 }
 
 QString label_for(const QString& name) {
-  // Tabs and line ends separate words; other control characters are removed.
+  // Tabs and line ends become spaces; other control characters are removed.
   QString label = name.simplified();
   label.removeIf([](QChar c) { return c.category() == QChar::Other_Control; });
   label = label.simplified();

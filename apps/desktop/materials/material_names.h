@@ -19,29 +19,30 @@ struct MaterialKey {
 };
 
 MaterialKey key_of(const AnyMaterial& material);
-/// Return null if there is none.
+/// These functions return null if `materials` does not contain the key.
 const SurfaceMaterial* sheet_in(const Materials& materials, const MaterialKey& key);
 const Medium* medium_in(const Materials& materials, const MaterialKey& key);
-/// Returns nothing if there is none.
+/// Returns nullopt if `materials` does not contain the key.
 std::optional<AnyMaterial> find_in(const Materials& materials, const MaterialKey& key);
-/// Returns true if it is built in.
+/// Returns true if the material of this key is built in.
 bool is_built_in(const MaterialKey& key);
 
-/// Returns its name, translated if it is built in.
+/// Returns the material's name, translated if it is built in.
 QString name_of(const AnyMaterial& material);
-/// Returns its figures in plain words.
+/// Returns the material's figures in plain words.
 QString words_of(const AnyMaterial& material);
 
-/// Returns an id for a name: "my-soft-chalk" for "My soft chalk"; appends a number while `is_taken`
-/// returns true. Returns `fallback` if the name has no letter of the Latin alphabet.
+/// Returns an id for a name: "my-soft-chalk" for "My soft chalk". Appends a number while
+/// `is_taken` returns true. Returns `fallback` if the name has no letter of the Latin alphabet.
 std::string id_for(const QString& name, const std::string& fallback,
                    const std::function<bool(const std::string&)>& is_taken);
 
-/// Returns a name in the form that a material may have: without control characters and extra
-/// spaces, and at most kMaxMaterialLabelBytes long; "" if nothing is left.
+/// Returns a name that a material may have: without control characters and extra spaces, and at
+/// most kMaxMaterialLabelBytes long. Returns "" if nothing is left.
 QString label_for(const QString& name);
 
-/// Returns the material with another id and name (label_for, otherwise the usual name of that id).
+/// Returns the material with another id and name. The name is label_for(name), or the usual name
+/// of that id if label_for returns "".
 AnyMaterial renamed(AnyMaterial material, const std::string& id, const QString& name);
 
 }  // namespace felt::desktop

@@ -16,7 +16,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kRoomPx = 8;  // around picture and text
+constexpr int kRoomPx = 8;  // margin around picture and text
 constexpr int kGapPx = 3;
 constexpr int kMinColumns = 2;
 constexpr auto kColor = "sheet.color";
@@ -76,7 +76,7 @@ MediaPicker::MediaPicker(Studio& studio, const MediaPictures& pictures, QWidget*
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   connect(group_, &QButtonGroup::idClicked, this, [this](int index) {
     choose_medium(studio_, ids_[static_cast<std::size_t>(index)]);
-    follow_choice();  // if refused, shows the medium in use again
+    follow_choice();  // if refused, shows the present medium again
   });
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
     if (id.toStdString() == drawing_option(studio_.session(), "material")) follow_choice();
@@ -129,7 +129,8 @@ void MediaPicker::make_buttons() {
 }
 
 void MediaPicker::follow_choice() {
-  // For a medium without a button (the eraser, or one of a previous drawing) none is checked.
+  // If the medium has no button (the eraser, or a medium of a previous drawing), no button is
+  // checked.
   group_->setExclusive(false);
   const std::string chosen = drawing_medium(studio_.session());
   for (std::size_t i = 0; i < ids_.size(); ++i) buttons_[i]->setChecked(ids_[i] == chosen);
@@ -145,7 +146,7 @@ void MediaPicker::show_pictures() {
   }
 }
 
-/// Returns the size of a cell, wide enough for the longest name.
+/// Returns the size of a cell. It is wide enough for the longest name.
 QSize MediaPicker::cell() const {
   QSize size = MediaPictures::kSize + QSize(kRoomPx, 2 * kRoomPx + fontMetrics().height());
   for (const QString& label : labels_) {

@@ -13,21 +13,22 @@
 namespace felt::desktop {
 
 /// Sets the medium of new lines. Also sets its widths and pressure curve, as separate events, so
-/// that a recording replays equally, and calls take_usual_color() if the medium is another one than
-/// before. Returns false if an event was refused; `refused` says why.
+/// that a recording replays in the same way. Calls take_usual_color() if the medium differs from
+/// the previous one. Returns false if an event was refused; then `refused` says why.
 bool take_medium(Studio& studio, const std::string& id);
-/// Does the same for a click: also applies the medium to the selected lines, and reports if the
-/// colour of new ink changed.
+/// Does the same for a click. It also applies the medium to the selected lines. If the colour of
+/// new ink changed, it reports this to the user.
 bool choose_medium(Studio& studio, const std::string& id);
 
-/// Sets the colour of new ink to the usual one of the current medium, 0xRRGGBB, if it is still that
-/// of the medium `before`, or black as in a new drawing. Another colour was chosen by the user and
-/// stays. Returns false if that was refused; `refused` says why.
+/// Sets the colour of new ink to `now`, the usual colour of the current medium, 0xRRGGBB. Does so
+/// only if the colour is still the usual one of the previous medium, `before`, or black as in a
+/// new drawing. Any other colour was chosen by the user and stays. Returns false if that was
+/// refused; then `refused` says why.
 bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now);
 
-/// The media to draw with, as pictures: a stroke of each from light to hard on the current surface,
-/// rendered with its grain. A click or the arrow keys choose one. As many columns as fit, at least
-/// two. Does not contain the eraser.
+/// Shows the media for drawing as pictures: a stroke of each, from light to hard, on the current
+/// surface, rendered with its grain. A click or the arrow keys choose a medium. The number of
+/// columns depends on the width and is at least two. The eraser is not shown.
 class MediaPicker : public QWidget {
   Q_OBJECT
 

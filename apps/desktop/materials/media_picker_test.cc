@@ -58,7 +58,7 @@ TEST(MediaPicker, AClickTakesAMediumWithItsOwnWidthsAsEvents) {
     EXPECT_EQ(number(desk.studio, "pencil.max_width_mm"), medium.line.max_mm) << medium.id;
     EXPECT_EQ(number(desk.studio, "pencil.gamma"), medium.line.gamma) << medium.id;
   }
-  // The events replay equally in another session.
+  // The events give the same result in another session.
   Session other(make_tools(), {});
   for (const Event& event : desk.events) {
     if (!std::holds_alternative<SetOption>(event.what)) continue;
@@ -82,7 +82,7 @@ TEST(MediaPicker, NewInkIsOfTheUsualColourUnlessAPersonChoseAnother) {
   EXPECT_EQ(ink(desk.studio), "#f4f1e6");
   ASSERT_TRUE(take_medium(desk.studio, "crayon"));
   EXPECT_EQ(ink(desk.studio), "#c0402f");
-  // A transparent version counts as the same colour.
+  // A transparent version of a colour counts as the same colour.
   desk.studio.apply(SetOption{"sheet.color", std::string("#c0402f80")});
   ASSERT_TRUE(take_medium(desk.studio, "pencil"));
   EXPECT_EQ(ink(desk.studio), "#33353b80");

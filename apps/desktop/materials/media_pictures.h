@@ -13,8 +13,8 @@
 
 namespace felt::desktop {
 
-/// A picture of each medium that draws: a stroke from light to hard on the current surface. Made
-/// again on another thread whenever surface or media change; until then the old pictures stay.
+/// Makes a picture of each medium for drawing: a stroke from light to hard on the current surface.
+/// When surface or media change, another thread makes new pictures; until then the old ones stay.
 class MediaPictures : public QObject {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class MediaPictures : public QObject {
   MediaPictures(Studio& studio, QWidget* window);
   ~MediaPictures() override;
 
-  /// Returns the picture of a medium; null if there is none yet.
+  /// Returns the picture of a medium; null if it was not made yet.
   [[nodiscard]] QImage of(const std::string& id) const;
 
  Q_SIGNALS:
@@ -40,7 +40,7 @@ class MediaPictures : public QObject {
   Studio& studio_;
   QWidget* window_;
   Pictures pictures_;
-  std::atomic<std::uint64_t> round_{0};  // the number of the newest run; older ones are abandoned
+  std::atomic<std::uint64_t> round_{0};  // the number of the newest run; older runs are abandoned
   QThreadPool maker_;                    // last, so that it ends before the other members are
                                          // destroyed
 };

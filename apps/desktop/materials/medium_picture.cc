@@ -11,19 +11,21 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kMmPerPx = 25.4 / 96.0;  // device-independent pixels: 1/96 inch each
-constexpr double kFullestShare = 0.86;    // of the available height for a stroke
-constexpr double kWaveShare = 0.10;       // amplitude of its wave, as a share of that height
+constexpr double kMmPerPx = 25.4 / 96.0;  // a device-independent pixel is 1/96 inch
+constexpr double kFullestShare = 0.86;    // largest share of the available height that a stroke
+                                          // uses
+constexpr double kWaveShare = 0.10;       // amplitude of the stroke's wave, as a share of that
+                                          // height
 constexpr double kLightest = 0.06, kHardest = 0.95;
 constexpr int kSegments = 3, kKnots = 12;
-constexpr double kMinContrast = 60.0;  // of 255 levels of grey
+constexpr double kMinContrast = 60.0;  // difference of brightness, in 255 levels of grey
 
 Rgba rgba_of(const QColor& color) {
   return {static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
           static_cast<std::uint8_t>(color.blue()), 255};
 }
 
-/// Returns how the pencil draws with it, by the tools' own rule.
+/// Returns the pencil's widths with this medium, by the tools' own rule.
 WidthMapOptions widths_of(const Medium& medium) {
   InkFitOptions ink;
   ink.width_map.min_mm = medium.line.min_mm;
@@ -52,8 +54,8 @@ Result<Stroke> stroke_in(const MediumPicture& picture, const Rect& area, double 
   const double middle_mm = 0.5 * (area.y0 + area.y1), swing_mm = kWaveShare * area.height();
   const double step_mm = (last_mm - first_mm) / kSegments;
   for (int i = 0; i <= 3 * kSegments; ++i) {
-    // All joints lie on the middle line; between them the curve swings up and down alternately,
-    // smoothly.
+    // All joints lie on the middle line. Between them the curve swings smoothly up and down in
+    // turn.
     const int in_segment = i % 3, turn = (i / 3) % 2 == 0 ? -1 : 1;
     const double y = in_segment == 0 ? 0.0 : swing_mm * turn;
     data.points.push_back({first_mm + step_mm * i / 3.0, middle_mm + y});

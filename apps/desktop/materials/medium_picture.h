@@ -11,30 +11,31 @@
 
 namespace felt::desktop {
 
-/// The content of a picture of a medium on a surface.
+/// Describes a picture of a medium on a surface.
 struct MediumPicture {
   Medium medium;
   SurfaceMaterial sheet;
   QSize size{64, 26};       ///< device-independent pixels
   qreal dpr = 1.0;          ///< device pixels per device-independent pixel
-  QColor ink{35, 38, 45};   ///< of the stroke
-  QColor paper{Qt::white};  ///< of the page
-  /// Forces of the strokes, 0..1, one below the other. Empty: one stroke, light at its left end and
-  /// hard at its right.
+  QColor ink{35, 38, 45};   ///< colour of the stroke
+  QColor paper{Qt::white};  ///< colour of the page
+  /// Forces of the strokes, 0..1, from top to bottom. If empty, draws one stroke, light at its
+  /// left end and hard at its right end.
   std::vector<double> forces{};
-  /// Grain of the surface for the known media. If absent it is made, which takes longer than the
-  /// picture.
+  /// Grain of the surface for the known media. If absent, it is made, which takes longer than
+  /// drawing the picture.
   std::optional<Grain> grain{};
 };
 
 /// Draws strokes of a medium on a surface, in life size, as the canvas does: felt/render with the
-/// surface's grain. A stroke that is too wide for the picture is drawn as wide as fits. Takes some
-/// milliseconds if the grain is given; any thread.
+/// surface's grain. If a stroke is too wide for the picture, draws it as wide as possible. Takes
+/// some milliseconds if the grain is given. Safe to call from any thread.
 QImage draw_medium(const MediumPicture& picture);
-/// Makes the grain of a surface for these media; takes up to 100 ms for a new relief; any thread.
+/// Makes the grain of a surface for these media. Takes up to 100 ms for a new relief. Safe to call
+/// from any thread.
 Grain grain_for(const SurfaceMaterial& sheet, const Materials& media);
 
-/// Returns this ink colour if it is readable on the paper, otherwise black or white.
+/// Returns `ink` if it is readable on the paper, otherwise black or white.
 QColor readable_ink(const QColor& ink, const QColor& paper);
 
 }  // namespace felt::desktop

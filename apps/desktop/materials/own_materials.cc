@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kKeepMs = 500;
 
-/// Returns true if the file's content is known here, so that replacing or deleting it loses
+/// Returns true if the content of the file is known here. Replacing or deleting it then loses
 /// nothing.
 bool is_known(const std::string& path, const OwnMaterials::Entry& entry) {
   const Result<AnyMaterial> there = read_material_file(path, read_height_png);

@@ -16,61 +16,63 @@
 namespace felt::desktop {
 
 /// The user-defined surfaces and media of all windows: the files of the data folder
-/// (feltline/materials/*.toml in XDG_DATA_HOME), and unsaved changes. The changes are kept in the
-/// settings between starts, so that closing a window asks nothing and loses nothing. A stored
-/// change that cannot be read is reported as a problem, and stays stored.
+/// (feltline/materials/*.toml in XDG_DATA_HOME), and unsaved changes. The settings keep the
+/// changes between starts, so that closing a window neither asks the user nor loses them. If a
+/// stored change cannot be read, it is reported as a problem and stays stored.
 ///
-/// Qt's main thread.
+/// Use it in Qt's main thread.
 class OwnMaterials : public QObject {
   Q_OBJECT
 
  public:
   struct Entry {
     AnyMaterial now;
-    std::optional<AnyMaterial> saved;  ///< content of the file; none: there is no file yet
-    std::string path = {};             ///< of the file; "" if there is none
+    std::optional<AnyMaterial> saved;  ///< content of the file; nullopt if it has no file yet
+    std::string path = {};             ///< path of the file; "" if it has no file
 
     [[nodiscard]] bool is_changed() const { return !saved || *saved != now; }
   };
 
-  /// Returns the one of the process, for material_folders(); read at the first call.
+  /// Returns the object of this process, for material_folders(). The files are read at the first
+  /// call.
   static OwnMaterials& the();
-  /// Uses these folders, which need not exist; saves into the first.
+  /// Uses these folders, which need not exist. Saves into the first folder.
   explicit OwnMaterials(std::vector<std::string> folders, QObject* parent = nullptr);
   ~OwnMaterials() override;
 
   /// Returns all entries, sorted by key: surfaces first.
   [[nodiscard]] std::vector<const Entry*> all() const;
-  /// Returns null if there is none.
+  /// Returns null if no entry has this key.
   [[nodiscard]] const Entry* find(const MaterialKey& key) const;
-  /// Returns the built-in materials, and the user-defined ones in their present state.
+  /// Returns the built-in materials, and the user-defined materials in their present state.
   [[nodiscard]] Materials known() const;
-  /// Returns the problems of reading files and stored changes, "chalk.toml:7: ...", one each. A
-  /// second call returns none of them again.
+  /// Returns the problems of reading files and stored changes, such as "chalk.toml:7: ...". Each
+  /// problem is returned only once.
   QStringList take_problems() { return std::exchange(problems_, {}); }
-  /// Returns true if the id is that of a built-in or user-defined surface or medium.
+  /// Returns true if a built-in or user-defined surface or medium has this id.
   [[nodiscard]] bool is_taken(const std::string& id) const;
 
   /// Sets the present state of a material, unsaved. Requires that it is not built in.
   void put(const AnyMaterial& now);
-  /// Restores the content of its file; removes it if it has no file.
+  /// Restores the content of the material's file; removes the material if it has no file.
   void revert(const MaterialKey& key);
-  /// Writes it to its file in the user's folder, whole or not at all. Does not replace a file that
-  /// was changed since it was last read or saved here, because that is someone's work. Fails in
-  /// that case, or with an error of the disk; names file and reason, and it stays unsaved.
+  /// Writes the material to its file in the user's folder, completely or not at all. Does not
+  /// replace a file that was changed since it was last read or saved here, because that would
+  /// destroy someone's work. Fails in that case, or with an error of the disk. The error names
+  /// file and reason, and the material stays unsaved.
   Result<void> save(const MaterialKey& key);
-  /// Returns "" if remove() may delete it; otherwise the reason: its file is not the user's, but in
-  /// a folder for all users (XDG_DATA_DIRS).
+  /// Returns "" if remove() may delete the material; otherwise the reason: its file is in a folder
+  /// for all users (XDG_DATA_DIRS).
   [[nodiscard]] QString kept_because(const MaterialKey& key) const;
-  /// Deletes it and its file; a file that is already gone is no error. Fails for the reason of
-  /// kept_because(), for a file that was changed since it was last read or saved here, or with an
-  /// error of the disk; then it still exists.
+  /// Deletes the material and its file; it is not an error if the file is already gone. Fails for
+  /// the reason of kept_because(), if the file was changed since it was last read or saved here,
+  /// or with an error of the disk. The material then still exists.
   Result<void> remove(const MaterialKey& key);
   /// Writes unsaved changes to the settings now, without the usual delay.
   void keep_changes();
 
  Q_SIGNALS:
-  /// One was changed, added, saved or removed.
+  /// A material was changed, added, saved or removed.
   void changed(const felt::desktop::MaterialKey& key);
 
  private:
@@ -81,7 +83,7 @@ class OwnMaterials : public QObject {
   std::vector<std::string> folders_;
   std::map<MaterialKey, Entry> entries_;
   QStringList problems_;
-  QStringList unread_;  // stored changes that this version cannot read, but another may
+  QStringList unread_;  // stored changes that this version cannot read
   QTimer keep_;
 };
 

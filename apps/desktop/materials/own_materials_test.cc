@@ -181,7 +181,7 @@ TEST(OwnMaterials, AFileThatAnotherProgramChangedIsNeitherReplacedNorDeleted) {
   ASSERT_TRUE(own.find(key));
   EXPECT_EQ(own.find(key)->now, AnyMaterial(harder_slate()));
   EXPECT_TRUE(own.find(key)->is_changed());
-  // If it is gone, there is nothing to lose.
+  // If the file is gone, nothing can be lost.
   ASSERT_TRUE(QFile::remove(file));
   ASSERT_TRUE(own.save(key));
   EXPECT_EQ(read_material_file(file.toStdString()).value(), AnyMaterial(harder_slate()));
@@ -199,7 +199,7 @@ TEST(OwnMaterials, AFileThatWasNeverReadIsNotReplaced) {
   Medium medium = *find_medium("chalk");
   medium.id = "x";
   own.put(medium);
-  // Files that are added to the folder while the program runs.
+  // Another program adds files to the folder while this program runs.
   SurfaceMaterial theirs = slate();
   theirs.friction = 0.77;
   write(home.filePath(QStringLiteral("slate.toml")),
@@ -228,7 +228,7 @@ TEST(OwnMaterials, WhatIsForAllUsersIsNotDeleted) {
   EXPECT_TRUE(own.kept_because(key).contains(file)) << own.kept_because(key).toStdString();
   EXPECT_FALSE(own.remove(key));
   EXPECT_TRUE(own.find(key));
-  // After a change and a save, it is the user's.
+  // After a change and a save, the file belongs to the user.
   own.put(harder_slate());
   ASSERT_TRUE(own.save(key));
   EXPECT_TRUE(QFile::exists(home.filePath(QStringLiteral("slate.toml"))));

@@ -24,14 +24,14 @@ bool has_own(const Medium& medium, const std::string& sheet) {
                      [&](const PairFriction& pair) { return pair.surface == sheet; });
 }
 
-/// Three digits are finer than a hand can distinguish.
+/// Three decimals are finer than a hand can distinguish.
 constexpr int kDecimals = 3;
 double rounded(double friction) {
   return std::round(1000.0 * friction) / 1000.0;
 }
 
-/// Edits a number with the digits that the table shows. Opening and leaving the field changes
-/// nothing: only another number is set for the pair.
+/// Edits a number with the decimals that the table shows. Opening and leaving the field changes
+/// nothing; the friction of the pair is set only if the number differs.
 class FrictionDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -49,7 +49,7 @@ class FrictionDelegate final : public QStyledItemDelegate {
   void setEditorData(QWidget* editor, const QModelIndex& index) const override {
     auto* spin = qobject_cast<QDoubleSpinBox*>(editor);
     spin->setValue(index.data(Qt::EditRole).toDouble());
-    // Stores the rounded value, because that of the table may have more digits.
+    // Stores the rounded value, because the value in the table may have more decimals.
     spin->setProperty(kBegunWith, spin->value());
   }
   void setModelData(QWidget* editor, QAbstractItemModel* model,
@@ -133,7 +133,7 @@ void PairTable::show_pairs(const Medium& medium, const Materials& known) {
     number->setFont(font);
     ++row;
   }
-  // Shows all rows without scrolling, because the panel around it scrolls.
+  // The table shows all rows without scrolling, because the panel around it scrolls.
   int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();
   for (int i = 0; i < row; ++i) height += table_->rowHeight(i);
   table_->setFixedHeight(height);

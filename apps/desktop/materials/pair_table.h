@@ -10,8 +10,8 @@
 
 namespace felt::desktop {
 
-/// The friction of a medium on each surface: by the general rule (medium times surface), or a
-/// separate number, which is bold. Typing a number sets it; the button removes it again.
+/// Shows the friction of a medium on each surface: either by the general rule (medium times
+/// surface), or as a separate number in bold. Typing a number sets it; the button removes it.
 class PairTable : public QWidget {
   Q_OBJECT
 

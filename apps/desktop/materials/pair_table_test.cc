@@ -17,7 +17,7 @@ struct Told {
   std::optional<double> friction;
 };
 
-/// A medium whose friction has many digits, by the rule on every surface.
+/// A table for a medium whose friction has many digits, by the general rule on every surface.
 struct ShownTable {
   ShownTable() {
     medium.friction = 0.33333;
@@ -29,7 +29,7 @@ struct ShownTable {
                      });
   }
   [[nodiscard]] QModelIndex number(int row) const { return cells->model()->index(row, 1); }
-  /// Opens the editor, as a double click does.
+  /// Opens the editor of a row, as a double click does.
   [[nodiscard]] std::unique_ptr<QDoubleSpinBox> open(int row) const {
     QAbstractItemDelegate* delegate = cells->itemDelegateForColumn(1);
     if (!delegate) return nullptr;

@@ -22,7 +22,7 @@ FeelLevel sign_of(StabilityLevel level) {
   return FeelLevel::kStopped;
 }
 
-/// Green, amber, red: a contrast of at least 3:1 on light and on dark backgrounds.
+/// Returns green, amber or red, with a contrast of at least 3:1 on light and on dark backgrounds.
 QColor color_of(StabilityLevel level, bool is_dark) {
   switch (level) {
     case StabilityLevel::kGiven:

@@ -7,7 +7,7 @@
 
 namespace felt::desktop {
 
-/// Shows whether the device in use can render the material: a sign distinguished by shape (a check
+/// Shows whether the device in use can render the material: a sign with its own shape (a check
 /// mark, a triangle, a stop sign) and colour, a word, a number, and the deviations.
 class StabilitySign : public QWidget {
   Q_OBJECT

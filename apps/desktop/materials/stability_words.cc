@@ -8,8 +8,9 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kFeltN = 0.04;   // smallest perceived change (docs/design/simulation.md)
-constexpr double kCleanN = 0.03;  // limit of "clean" (docs/design/limits.md)
-constexpr double kWhole = 0.95;   // of the wanted value: the rest cannot be felt
+constexpr double kCleanN = 0.03;  // below this value the tremble is "clean"
+                                  // (docs/design/limits.md)
+constexpr double kWhole = 0.95;   // share of the wanted value from which no difference is felt
 constexpr double kHalf = 0.5;
 
 QString text(const char* english) {
@@ -20,7 +21,7 @@ QString whole(double number) {
   return QLocale().toString(number, 'f', 0);
 }
 
-/// Returns a height in micrometres, without decimals if it is large, because they cannot be felt.
+/// Returns a height in micrometres. A large height has no decimals, because they cannot be felt.
 QString height(double um) {
   return QLocale().toString(um, 'f', um < 10.0 ? 1 : 0);
 }

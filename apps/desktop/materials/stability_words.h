@@ -6,22 +6,22 @@
 
 namespace felt::desktop {
 
-/// Whether a device can render a material.
+/// How well a device can render a material.
 enum class StabilityLevel {
   kGiven,    ///< completely and without trembling
-  kLess,     ///< less than wanted, or close to a perceptible tremble
-  kNotGiven  ///< less than half of it, or it trembles
+  kLess,     ///< with reduced values, or close to a perceptible tremble
+  kNotGiven  ///< less than half of the wanted values, or it trembles
 };
 
-/// The result in words: a state, a number, and the deviations.
+/// The stability in words: a state, a number, and the deviations.
 struct StabilityWords {
   StabilityLevel level = StabilityLevel::kGiven;
   QString state;       ///< "Stable", "Limited by the device", "Trembles"
   QString number;      ///< "67 % of what the device bears"
-  QStringList detail;  ///< sentences; none if everything is as wanted
+  QStringList detail;  ///< sentences; empty if nothing deviates
 };
 
-/// Describes the figures. `device_label`: "3D Systems Touch".
+/// Describes the stability. An example of `device_label` is "3D Systems Touch".
 StabilityWords stability_words(const FeltWish& wish, const FeltFigures& figures,
                                const QString& device_label);
 

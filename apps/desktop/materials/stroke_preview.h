@@ -10,8 +10,8 @@
 
 namespace felt::desktop {
 
-/// A preview of a medium on a surface: three strokes, light, firm and hard, in life size, in the
-/// surface's own colour. Drawn on another thread; a newer request replaces an older one.
+/// A preview of a medium on a surface: three strokes, light, firm and hard, in life size, on the
+/// colour of the surface. Another thread draws it; a newer request replaces an older one.
 class StrokePreview : public QWidget {
   Q_OBJECT
 

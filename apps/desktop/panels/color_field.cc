@@ -12,12 +12,12 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kFramePx = 2.0;  // around the colours, for the focus ring
+constexpr double kFramePx = 2.0;  // margin around the colours, for the focus ring
 constexpr double kRoundPx = 4.0;
 constexpr double kKnobPx = 6.0;
 constexpr double kStep = 0.01;
 constexpr double kLargeStep = 0.1;
-constexpr double kMaxHue = 359.0 / 360.0;  // 1 is red again
+constexpr double kMaxHue = 359.0 / 360.0;  // a hue of 1 would be red again
 
 QRectF inside(const QWidget& widget) {
   return QRectF(widget.rect()).adjusted(kFramePx, kFramePx, -kFramePx, -kFramePx);
@@ -40,7 +40,7 @@ void paint_frame(QPainter& painter, const QWidget& widget) {
   painter.drawRoundedRect(inside(widget).adjusted(-0.5, -0.5, 0.5, 0.5), kRoundPx, kRoundPx);
 }
 
-/// White and black, so that it is visible on every colour.
+/// Paints a white and black knob, which is visible on every colour.
 void paint_knob(QPainter& painter, const QRectF& knob) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(Qt::black, 3.5));
@@ -206,7 +206,7 @@ QColor ColorField::color() const {
 }
 
 void ColorField::show_color(const QColor& color) {
-  // If it already shows this colour (equal bytes), it keeps its own hue and saturation.
+  // If the field already shows this colour (equal bytes), it keeps its own hue and saturation.
   if (this->color().rgb() == color.rgb()) return;
   const QColor hsv = color.toHsv();
   if (hsv.hsvHueF() >= 0.0F) hue_ = static_cast<double>(hsv.hsvHueF());

@@ -5,8 +5,8 @@
 
 namespace felt::desktop {
 
-/// A field of one hue: saturation to the right, brightness upwards. Used by mouse, or by arrow keys
-/// (Shift: larger steps).
+/// A field with all shades of one hue: saturation increases to the right, brightness upwards.
+/// Mouse or arrow keys choose a shade (Shift: larger steps).
 class ShadeField : public QWidget {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class ShadeField : public QWidget {
   double brightness_ = 0.0;
 };
 
-/// The hues from top to bottom. Used by mouse or arrow keys, like ShadeField.
+/// A strip with all hues from top to bottom. Mouse or arrow keys choose a hue, as in ShadeField.
 class HueStrip : public QWidget {
   Q_OBJECT
 
@@ -62,15 +62,15 @@ class HueStrip : public QWidget {
   double hue_ = 0.0;
 };
 
-/// ShadeField and HueStrip side by side, for any colour. Greys and black keep the hue that they had
-/// before.
+/// A ShadeField and a HueStrip side by side, for any colour. If the colour becomes grey or black,
+/// the hue stays as it was.
 class ColorField : public QWidget {
   Q_OBJECT
 
  public:
   explicit ColorField(QWidget* parent = nullptr);
 
-  /// Sets the colour; its alpha is ignored.
+  /// Sets the colour; ignores its alpha.
   void show_color(const QColor& color);
   [[nodiscard]] QColor color() const;
 

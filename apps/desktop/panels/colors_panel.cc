@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t kMaxRecent = 16;
 constexpr std::size_t kMaxOwn = 500;
-constexpr double kFaint = 3.0;  // WCAG 2.2, 1.4.11: a lower contrast is hard to see
+constexpr double kFaint = 3.0;  // a lower contrast is hard to see (WCAG 2.2, 1.4.11)
 constexpr int kSamplePx = 28;
 const char* const kColor = "sheet.color";
 
@@ -52,7 +52,7 @@ QStringList opened_files() {
   return Settings::the().value(QString::fromLatin1(panel_keys::kPaletteFiles)).toStringList();
 }
 
-/// Returns the path of the first .gpl file of a drop, or "".
+/// Returns the path of the first .gpl file among the dropped files, or "".
 QString palette_of(const QMimeData* data) {
   for (const QUrl& url : data->urls()) {
     const QString path = url.toLocalFile();
@@ -229,13 +229,13 @@ void ColorsPanel::choose(Rgba wanted) {
   if (wanted != color()) studio_.apply(SetOption{kColor, color_to_text(wanted)});
 }
 
-/// Applies a clicked swatch also to the selected lines.
+/// Also applies a clicked swatch to the selected lines.
 void ColorsPanel::recolor_selected() {
   if (studio_.session().selection().empty()) return;
   studio_.apply(RestyleEvent{.color = color_to_text(color())});
 }
 
-/// Sets the colour and keeps the opacity, because shades and palettes have none.
+/// Sets the colour but keeps the opacity, because shades and palettes are opaque.
 void ColorsPanel::choose_opaque(Rgba wanted) {
   wanted.a = color().a;
   choose(wanted);
@@ -295,7 +295,7 @@ void ColorsPanel::list_palettes(const QString& wanted) {
   const Palette own = own_palette();
   if (!own.colors.empty()) sources_.push_back({QString::fromStdString(own.name), {}, own});
   for (PaletteSource& file : palette_files(opened_files())) sources_.push_back(std::move(file));
-  // A palette that exists already is not offered twice.
+  // A palette that is in the list already is not added again.
   const auto is_of_drawing = [this](const PaletteSource& source) {
     return source.palette.colors == of_drawing_.colors;
   };
@@ -353,7 +353,7 @@ bool ColorsPanel::export_palette(const QString& path) {
 Palette ColorsPanel::shown_palette() const {
   const PaletteSource& source = sources_[static_cast<std::size_t>(palettes_->currentIndex())];
   Palette palette = source.palette;
-  // The file format limits the length of a name, and a cut must not split a character.
+  // The file format limits the length of a name. The cut must not split a character.
   QString title = source.title;
   while (title.toUtf8().size() > static_cast<int>(PaletteLimits::kMaxNameBytes)) title.chop(1);
   palette.name = title.toStdString();

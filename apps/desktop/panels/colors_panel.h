@@ -20,9 +20,10 @@ double contrast_of(Rgba a, Rgba b);
 /// Returns the colour that results from `color` over the opaque `ground`.
 Rgba seen_on(Rgba color, Rgba ground);
 
-/// The colour of new ink: a field of shades, its number and its opacity; recently used colours;
-/// palettes, ours and .gpl files, opened by a button or dropped here; and the contrast to the
-/// paper. Applies SetOption events of sheet.color, and follows changes of it from elsewhere.
+/// Shows the colour of new ink with a field of shades, its number and its opacity. Also shows
+/// recently used colours, palettes, and the contrast to the paper. Palettes are built in or .gpl
+/// files, which the user opens by a button or drops here. Applies SetOption events of sheet.color,
+/// and shows changes that come from elsewhere.
 class ColorsPanel : public QWidget {
   Q_OBJECT
 
@@ -30,19 +31,19 @@ class ColorsPanel : public QWidget {
   explicit ColorsPanel(Studio& studio, QWidget* parent = nullptr);
 
   /// Reads a .gpl file, shows it and keeps it for the next start. Returns false if it cannot be
-  /// read; the studio's `refused` says why.
+  /// read; then the studio's `refused` says why.
   bool open_palette(const QString& path);
-  /// Writes the palette that is shown. Returns false if it cannot; `refused` says why.
+  /// Writes the shown palette. Returns false if that fails; then `refused` says why.
   bool export_palette(const QString& path);
-  /// Returns the palette that is shown, with its name.
+  /// Returns the shown palette with its name.
   [[nodiscard]] Palette shown_palette() const;
-  /// Offers and shows a palette that came with a drawing, until another drawing is opened. An empty
-  /// palette only ends the offer.
+  /// Shows a palette that came with a drawing and keeps it in the list until another drawing is
+  /// opened. An empty palette only removes the previous one from the list.
   void show_drawing_palette(const Palette& palette);
-  /// Asks for the file, then opens or exports.
+  /// Asks the user for the file, then opens the palette; ask_export() exports it.
   void ask_open();
   void ask_export();
-  /// Adds the current colour to the user's palette; drop_color() removes it.
+  /// Adds the current colour to the user's palette. drop_color() removes it.
   void keep_color();
   void drop_color();
 

@@ -69,7 +69,7 @@ TEST_F(ColorsPanelTest, ADrawingsPaletteIsOfferedWhileItIsThere) {
   panel->show_drawing_palette({});
   EXPECT_EQ(list->count(), usual);
   const Palette usual_one = panel->shown_palette();
-  panel->show_drawing_palette(usual_one);  // exists already
+  panel->show_drawing_palette(usual_one);  // is in the list already
   EXPECT_EQ(list->count(), usual);
   EXPECT_EQ(panel->shown_palette(), usual_one);
 }

@@ -24,8 +24,8 @@ void HistoryModel::start_anew() {
   Q_EMIT current_changed();
 }
 
-/// Rows 1..steps_ are the steps. Steps may be forgotten at the front, and new steps may replace
-/// undone ones at the end; several edits may arrive at once.
+/// Updates the rows. Rows 1..steps_ are the steps. The history may forget steps at the front, new
+/// steps may replace undone ones at the end, and several edits may arrive together.
 void HistoryModel::follow() {
   const History& history = studio_.session().history();
   const int steps = static_cast<int>(history.step_count());

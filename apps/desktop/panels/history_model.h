@@ -7,7 +7,7 @@
 namespace felt::desktop {
 
 /// The history as a list: row 0 is the drawing as it was opened (or the oldest remembered state),
-/// row n is its state after the n-th step. Updates only the rows that an edit changes, so that
+/// row n is its state after the n-th step. An edit updates only the rows that it changes, so that
 /// thousands of steps cost nothing.
 class HistoryModel : public QAbstractListModel {
   Q_OBJECT
@@ -30,7 +30,7 @@ class HistoryModel : public QAbstractListModel {
   void start_anew();
 
   Studio& studio_;
-  // What the views were told last.
+  // The values that were last reported to the views.
   int steps_ = 0;
   int done_ = 0;
   std::size_t forgotten_ = 0;

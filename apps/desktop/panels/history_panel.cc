@@ -10,11 +10,11 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kRailPx = 22;  // left of the names: a time line with a dot for each step
+constexpr int kRailPx = 22;  // width of the time line left of the names, with a dot for each step
 constexpr int kRowRoomPx = 8;
 constexpr float kUndoneOpacity = 0.62F;
 
-/// Draws steps as dots on a line: full if done, a ring for the present state, empty if undone.
+/// Draws steps as dots on a line: filled if done, a ring for the present state, empty if undone.
 class StepDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -105,8 +105,8 @@ HistoryPanel::HistoryPanel(Studio& studio, QWidget* parent)
 }
 
 void HistoryPanel::go_to(int row) {
-  // The number of steps may shrink meanwhile (a gesture in progress is cancelled first), so the
-  // loop ends after two calls without a change.
+  // The number of steps may shrink meanwhile, because a gesture in progress is cancelled first.
+  // Therefore the loop ends only after two calls without a change.
   for (int idle = 0; idle < 2;) {
     const int here = model_->current_row();
     if (here == row) break;

@@ -9,7 +9,7 @@
 
 namespace felt::desktop {
 
-/// The history, newest last; a click goes back or forward to a step.
+/// Lists the steps of the history, the newest last. A click on a step undoes or redoes up to it.
 class HistoryPanel : public QWidget {
   Q_OBJECT
 

@@ -14,7 +14,7 @@ namespace {
 using testing::draw_lines;
 using testing::still;
 
-/// Rebuilds the rows only from the model's signals, as a view does: names by row.
+/// Rebuilds the names of the rows only from the model's signals, as a view does.
 class Echo : public QObject {
  public:
   explicit Echo(QAbstractItemModel& model) : model_(model) {

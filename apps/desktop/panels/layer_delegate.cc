@@ -15,7 +15,7 @@ constexpr int kIconPx = 18;
 constexpr int kGapPx = 6;
 constexpr int kMinRowPx = 30;
 constexpr double kHiddenOpacity = 0.65;  // still easy to read
-constexpr double kIdleOpacity = 0.4;     // of an open lock, as most are
+constexpr double kIdleOpacity = 0.4;     // opacity of an open lock, which most layers have
 
 QRect slot(const QRect& row, int x) {
   return {x, row.center().y() - kIconPx / 2, kIconPx, kIconPx};

@@ -4,8 +4,8 @@
 
 namespace felt::desktop {
 
-/// A row of the layers panel: eye, a pencil if it is the current layer, name, lock. Eye and lock
-/// can be clicked.
+/// Paints a row of the layers panel: an eye, a pencil if it is the current layer, the name, a
+/// lock. The user can click eye and lock.
 class LayerDelegate : public QStyledItemDelegate {
   Q_OBJECT
 

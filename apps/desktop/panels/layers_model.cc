@@ -38,7 +38,7 @@ int LayersModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(studio_.session().document().layers().size());
 }
 
-/// Returns the name to show; names that the program has given are translated.
+/// Returns the name to show. A name that the program has given is translated.
 QString LayersModel::shown_name(const Layer& layer) {
   if (layer.name == "Ink") return tr("Ink");
   const QString name = QString::fromStdString(layer.name);
@@ -88,7 +88,7 @@ bool LayersModel::setData(const QModelIndex& index, const QVariant& value, int r
 }
 
 Qt::ItemFlags LayersModel::flags(const QModelIndex& index) const {
-  // Rows can be dropped between rows only, never onto one.
+  // Rows can be dropped only between rows, not onto a row.
   if (!index.isValid()) return Qt::ItemIsDropEnabled;
   return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsDragEnabled;
 }

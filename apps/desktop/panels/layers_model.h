@@ -7,8 +7,8 @@
 namespace felt::desktop {
 
 /// The layers of a studio's drawing as a list, the topmost first. Renaming or moving a row applies
-/// an event to the studio; the list follows the drawing. It is rebuilt only when an edit changes a
-/// layer.
+/// an event to the studio; the list then follows the drawing. It is rebuilt only when an edit
+/// changes a layer.
 class LayersModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -18,24 +18,24 @@ class LayersModel : public QAbstractListModel {
   explicit LayersModel(Studio& studio, QObject* parent = nullptr);
 
   [[nodiscard]] LayerId layer_at(int row) const;
-  /// Returns the row of a layer, or -1 if there is none.
+  /// Returns the row of a layer, or -1 if the list does not contain it.
   [[nodiscard]] int row_of(LayerId id) const;
 
   [[nodiscard]] static QString shown_name(const Layer& layer);
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  /// Renames a layer: a step of undo. Ignores an empty name.
+  /// Renames a layer as a step of undo. Ignores an empty name.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
   [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
   bool moveRows(const QModelIndex& source, int row, int count, const QModelIndex& target,
                 int before) override;
   bool dropMimeData(const QMimeData*, Qt::DropAction, int, int, const QModelIndex&) override {
-    return false;  // moveRows() has moved it already
+    return false;  // moveRows() has already moved it
   }
 
  Q_SIGNALS:
-  /// The list was rebuilt: views have lost their selection.
+  /// Emitted when the list was rebuilt: views have lost their selection.
   void refreshed();
 
  private:

@@ -62,8 +62,8 @@ LayersPanel::LayersPanel(Studio& studio, QWidget* parent)
     toggle_locked(model_->layer_at(index.row()));
     choose(studio_.session().layer());
   });
-  // The list reports where a click began and then the click itself; only a click beside the icons
-  // makes the layer current.
+  // The list first reports where a click began and then the click itself. A click makes the layer
+  // current only if it is not on an icon.
   connect(list_, &QListView::pressed, this, [this] { was_icon_ = false; });
   connect(list_, &QListView::clicked, this, [this] {
     if (!was_icon_) use_clicked();
@@ -156,15 +156,15 @@ void LayersPanel::follow_chosen() {
 void LayersPanel::use_chosen() {
   const Layer* layer = studio_.session().document().layer(chosen());
   follow_chosen();
-  // A hidden or locked layer may be highlighted, for example to show it again, but does not become
-  // current.
+  // A hidden or locked layer may be highlighted, for example to show it again, but it does not
+  // become current.
   if (layer && is_open(*layer) && layer->id != studio_.session().layer()) {
     studio_.apply(LayerEvent{Do::kUse, layer->id});
   }
 }
 
 /// Makes the clicked layer current. If it is hidden or locked, highlights the current layer again,
-/// so that the highlight, which the bin acts on, does not differ from the layer that is drawn on.
+/// because the highlighted layer, which the bin deletes, should be the one that receives new ink.
 void LayersPanel::use_clicked() {
   const Layer* layer = studio_.session().document().layer(chosen());
   if (!layer || is_open(*layer)) return use_chosen();

@@ -10,10 +10,11 @@
 
 namespace felt::desktop {
 
-/// The layers, the topmost first, to show, lock, rename, reorder and select for drawing. A click
-/// makes a layer the current one; the eye and the lock are at its ends; a double click or F2
-/// renames it, dragging moves it. Keys: arrows move the highlight, Enter makes the layer current,
-/// Space shows and hides it.
+/// Lists the layers, the topmost first. The user can show, lock, rename and reorder them and
+/// choose the current layer, which receives new ink. A click makes a layer the current one; the
+/// eye and the lock are at the ends of its row; a double click or F2 renames it, dragging moves
+/// it. Keys: the arrows move the highlight, Enter makes the layer current, Space shows or hides
+/// it.
 class LayersPanel : public QWidget {
   Q_OBJECT
 
@@ -25,16 +26,16 @@ class LayersPanel : public QWidget {
   void choose(LayerId layer);
   /// Applies an event to the highlighted layer.
   void tell(LayerEvent::Do what);
-  /// Toggles this layer, or the highlighted one if `id` is none.
+  /// Shows or hides this layer, or the highlighted one if `id` has no value.
   void toggle_visible(LayerId id = {});
   void toggle_locked(LayerId id = {});
-  /// Makes the next layer above or below the current one; skips hidden and locked ones.
+  /// Makes the next layer above or below current; skips hidden and locked layers.
   void use_next(bool above);
   /// Opens the text field in the highlighted row.
   void rename();
 
  Q_SIGNALS:
-  /// Another layer is highlighted, or its visibility, lock or position changed.
+  /// Emitted when another layer is highlighted, or its visibility, lock or position changed.
   void changed();
 
  protected:
@@ -53,13 +54,13 @@ class LayersPanel : public QWidget {
   QListView* list_;
   QToolButton* raise_ = nullptr;
   QToolButton* lower_ = nullptr;
-  bool was_icon_ = false;  // the present click was on an eye or a lock
-  LayerId kept_;           // highlighted before the list was rebuilt
+  bool was_icon_ = false;  // the current click was on an eye or a lock
+  LayerId kept_;           // layer that was highlighted before the list was rebuilt
 };
 
-/// Adds layer.add, layer.remove, layer.rename, layer.raise, layer.lower, layer.show, layer.lock
-/// (the last two are switches), layer.use_above, layer.use_below: all act on the layer that is
-/// highlighted in the panel. All arguments must outlive the actions.
+/// Adds layer.add, layer.remove, layer.rename, layer.raise, layer.lower, layer.show, layer.lock,
+/// layer.use_above and layer.use_below; layer.show and layer.lock are switches. All commands apply
+/// to the layer that is highlighted in the panel. All arguments must outlive the actions.
 void add_layer_actions(Actions& actions, Studio& studio, LayersPanel& panel);
 
 }  // namespace felt::desktop

@@ -17,14 +17,14 @@
 namespace felt::desktop {
 namespace {
 
-constexpr std::size_t kMaxButtons = 3;  // more choices are shown as a list
+constexpr std::size_t kMaxButtons = 3;  // if an option has more choices, they are a list
 constexpr int kLineGapPx = 2;
 constexpr int kResetIconPx = 14;
-constexpr int kResetPx = 18;  // the button is no higher than the name beside it
+constexpr int kResetPx = 18;  // the button is not higher than the name beside it
 constexpr int kChoiceRoomPx = 7;
 constexpr double kChoiceRoundPx = 3.5;
 
-/// A name that is elided if there is no room; the tool tip explains the option.
+/// A label that elides the name if it is too narrow. The tool tip explains the option.
 class NameLabel : public QLabel {
  public:
   using QLabel::QLabel;
@@ -223,7 +223,8 @@ void OptionRow::make_list() {
 void OptionRow::show_number(double value) {
   const QSignalBlocker no_spin(spin_), no_slider(slider_);
   spin_->setValue(value * scale_.shown_per_unit());
-  // A slider that already stands for this value is not moved, because the user may be dragging it.
+  // If the slider's position already means this value, it does not move, because the user may be
+  // dragging it.
   if (scale_.value_at(slider_->value()) != value) slider_->setValue(scale_.place_of(value));
   slider_->setAccessibleDescription(scale_.text_of(value));
 }

@@ -15,25 +15,25 @@
 
 namespace felt::desktop {
 
-/// One option of a table as a control: a slider and a number, a check box, two or three buttons
-/// side by side, or a list for more choices; its help as the tool tip, and a button that restores
-/// the default if the value differs. Shows the value it is given and emits the value that the user
-/// chooses.
+/// Shows one option of a table as a control: a slider and a number, a check box, two or three
+/// buttons side by side, or a list for more choices. Its help is the tool tip; a button restores
+/// the default if the value differs from it. The row shows the value that it is given and emits
+/// the value that the user chooses.
 class OptionRow : public QWidget {
   Q_OBJECT
 
  public:
-  /// `spec` is copied; the table that it refers to must outlive the row.
+  /// `spec` is copied; the table to which it refers must outlive the row.
   explicit OptionRow(const OptionSpec& spec, QWidget* parent = nullptr);
 
   [[nodiscard]] const OptionSpec& spec() const noexcept { return spec_; }
-  /// Shows a value, without emitting `chosen`.
+  /// Shows a value without emitting `chosen`.
   void show_value(const OptionValue& value);
-  /// Sets the value that the reset button restores; requires that show_value() is called next.
+  /// Sets the value that the reset button restores. Requires that show_value() is called next.
   void set_default(const OptionValue& value);
 
-  /// Returns the preferred width of its number field, 0 without one. set_number_width() sets it, so
-  /// that numbers below each other align.
+  /// Returns the preferred width of the number field; 0 if the row has no number field.
+  /// set_number_width() sets the width, so that the numbers of several rows align.
   [[nodiscard]] int number_width() const;
   void set_number_width(int px);
 
@@ -41,7 +41,7 @@ class OptionRow : public QWidget {
   void chosen(const felt::OptionValue& value);
 
  protected:
-  /// Ignores the wheel, so that scrolling changes no value.
+  /// Ignores wheel events, so that scrolling changes no value.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -54,7 +54,7 @@ class OptionRow : public QWidget {
   void add_name(QWidget* buddy);
   QHBoxLayout* add_line();
   QToolButton* make_reset();
-  /// Gives a control its name, its help and the event filter for the wheel.
+  /// Sets a control's name and help, and installs the event filter for the wheel.
   void dress(QWidget* control, const QString& name);
   void show_number(double value);
 

@@ -10,8 +10,9 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kWideRatio = 20.0;  // from this ratio on, small values get more of the slider
-constexpr double kWideSpan = 20.0;   // the same for a range that begins at 0
+constexpr double kWideRatio = 20.0;  // from this ratio on, small values get a larger part of the
+                                     // slider
+constexpr double kWideSpan = 20.0;   // the same limit for a range that begins at 0
 
 }  // namespace
 
@@ -48,7 +49,7 @@ double OptionScale::value_at(int place) const {
   double value = min_ + share * (max_ - min_);
   if (kind_ == Kind::kLog) value = min_ * std::pow(max_ / min_, share);
   if (kind_ == Kind::kSquare) value = min_ + share * share * (max_ - min_);
-  // Two digits are precise enough for a slider, and easier to read than six.
+  // Two digits are precise enough for a slider and easier to read than six.
   const double digits =
       is_share_ ? 0.01 : std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
   const double step = std::max(digits, std::pow(10.0, -decimals_) / shown_per_unit());

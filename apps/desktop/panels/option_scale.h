@@ -6,25 +6,27 @@
 
 namespace felt::desktop {
 
-/// How a number of a table is shown: on a slider, which is finer for small values if the range is
-/// wide, and as text with its unit. Shares from 0 to 1 are shown in percent. A value type.
+/// Maps a number of a table to what is shown: a slider position, with finer steps for small values
+/// if the range is wide, and a text with the unit. Shares from 0 to 1 are shown in percent. A
+/// value type.
 class OptionScale {
  public:
   static constexpr int kPlaces = 1000;  ///< slider positions are 0..kPlaces
 
   explicit OptionScale(const OptionSpec& spec);
 
-  /// Returns the slider position of a value; clamps a value out of range to the nearest end.
+  /// Returns the slider position of a value. A value out of range gives the nearest end.
   [[nodiscard]] int place_of(double value) const;
-  /// Returns the rounded value of a slider position; the range's ends at its ends.
+  /// Returns the rounded value of a slider position. The ends of the slider give the ends of the
+  /// range.
   [[nodiscard]] double value_at(int place) const;
 
-  /// Returns the factor of the shown number: 100 for a share, otherwise 1.
+  /// Returns the factor from the value to the shown number: 100 for a share, otherwise 1.
   [[nodiscard]] double shown_per_unit() const noexcept { return is_share_ ? 100.0 : 1.0; }
   [[nodiscard]] int decimals() const noexcept { return decimals_; }
   /// Returns " mm", " %" or "".
   [[nodiscard]] QString suffix() const;
-  /// Returns "20 mm", in the user's locale.
+  /// Returns a text such as "20 mm", in the user's locale.
   [[nodiscard]] QString text_of(double value) const;
 
  private:
@@ -38,7 +40,7 @@ class OptionScale {
   int decimals_ = 1;
 };
 
-/// Returns the text of any option's value for the user: "20 mm", "On", "Brush".
+/// Returns the text of any option's value for the user, such as "20 mm", "On" or "Brush".
 QString value_text(const OptionSpec& spec, const OptionValue& value);
 
 }  // namespace felt::desktop

@@ -17,7 +17,7 @@ namespace {
 constexpr int kMarginPx = 10;
 constexpr int kRowGapPx = 9;
 constexpr int kPicturePx = 22;
-constexpr std::string_view kStrength = "strength";  // the row of strength_option()
+constexpr std::string_view kStrength = "strength";  // id of the row of strength_option()
 
 constexpr auto kMoreKey = "panels/more_options";
 
@@ -93,13 +93,14 @@ OptionRow* OptionsPanel::row(std::string_view id) const {
   return nullptr;
 }
 
-/// Keeps the panel as narrow as the widest row of all tools allows, because it does not scroll
-/// sideways, and because choosing a tool must not move the panel's edge and the drawing beside it.
+/// Makes the panel as narrow as the widest row of all tools allows. The width is the same for all
+/// tools, because the panel does not scroll sideways, and because choosing a tool must not move
+/// the panel's edge and the drawing beside it.
 void OptionsPanel::hold_width() {
   int widest = 0;
   for (const auto& tool : studio_.session().tools()) {
     for (const OptionRow* row : page_of(tool->info()).rows) {
-      widest = std::max(widest, row->minimumSizeHint().width());  // folded ones, too
+      widest = std::max(widest, row->minimumSizeHint().width());  // also if the row is folded
     }
     widest = std::max(widest, page_of(tool->info()).widget->minimumSizeHint().width());
   }
@@ -171,7 +172,7 @@ bool OptionsPanel::add_picker(Page& page, QVBoxLayout* lines, const ToolInfo& to
   return true;
 }
 
-/// Adds a heading that unfolds the rows below it, for all tools alike; its state is kept between
+/// Adds a heading that unfolds the rows below it. All tools share its state, which is kept between
 /// starts.
 QVBoxLayout* OptionsPanel::add_more(Page& page, QVBoxLayout* lines) {
   auto* button = new QToolButton(page.widget);

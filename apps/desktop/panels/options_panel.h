@@ -15,14 +15,14 @@
 
 namespace felt::desktop {
 
-/// Makes a widget that sets an option's value itself, as a child of `parent`.
+/// Makes a widget, as a child of `parent`, that sets an option's value.
 using OptionPicker = std::function<QWidget*(QWidget* parent)>;
 
-/// The options of the current tool, made from its table (OptionSpec): a row for each, with its help
-/// as the tool tip. Rows without effect for the present choices are hidden; the force level comes
-/// last, and rarely used options are folded under "More". Applies SetOption events, and follows
-/// changes from elsewhere. An option with a picker, keyed by "tool.option", gets that instead of a
-/// row, with the option's name above it.
+/// Shows the options of the current tool, made from its table (OptionSpec): a row for each, with
+/// its help as the tool tip. A row is hidden while its option has no effect. The force level comes
+/// last; rarely used options are folded under "More". Applies SetOption events, and shows changes
+/// that come from elsewhere. If an option has a picker (by its key "tool.option"), the picker
+/// replaces the row, with the option's name above it.
 class OptionsPanel : public QWidget {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class OptionsPanel : public QWidget {
   explicit OptionsPanel(Studio& studio, QWidget* parent = nullptr,
                         std::map<std::string, OptionPicker> pickers = {});
 
-  /// Returns a row of the current tool by the option's id, or null.
+  /// Returns the row of an option of the current tool by the option's id, or null.
   [[nodiscard]] OptionRow* row(std::string_view id) const;
 
  protected:
@@ -61,8 +61,8 @@ class OptionsPanel : public QWidget {
   QToolButton* reset_;
   QScrollArea* scroll_;
   QVBoxLayout* pages_box_;
-  std::map<std::string, Page, std::less<>> pages_;  // by tool; each is made when its tool is first
-                                                    // used
+  std::map<std::string, Page, std::less<>> pages_;  // key: tool id; a page is made when its tool
+                                                    // is first used
   std::string shown_;
 };
 

@@ -126,7 +126,7 @@ TEST(OptionsPanel, SetsEveryOptionOfEveryToolByItsControls) {
     for (const OptionSpec& spec : info.options) {
       OptionRow* row = panel.row(spec.id);
       ASSERT_NE(row, nullptr) << spec.id;
-      row->show();  // whether it has an effect is tested elsewhere
+      row->show();  // other tests check whether it has an effect
       EveryRow(studio, *row).check();
     }
   }
@@ -228,7 +228,7 @@ TEST(OptionScale, GoesBothWaysForEveryNumberOfEveryTable) {
         ASSERT_GE(value, scale.value_at(place - 1)) << "the slider never runs backwards";
         ASSERT_GE(value, spec.min);
         ASSERT_LE(value, spec.max);
-        // Typing the shown number again gives the same value.
+        // Typing the shown number again must give the same value.
         const double factor = scale.shown_per_unit() * std::pow(10.0, scale.decimals());
         if (place < OptionScale::kPlaces) {
           ASSERT_NEAR(value * factor, std::round(value * factor), 1e-6);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxFiles = 500;
 
-/// One of our colours: 0xrrggbb and its English name.
+/// One of the built-in colours: 0xrrggbb and its English name.
 struct Entry {
   unsigned rgb;
   const char* name;
@@ -122,7 +122,7 @@ std::vector<PaletteSource> palette_files(const QStringList& opened) {
 Result<Palette> load_palette(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) return fail(ErrorCode::kIo, reason(path, file));
-  // Reads one byte more than allowed, so that read_gpl() reports the excess.
+  // Reads one byte more than the limit, so that read_gpl() reports a file that is too large.
   const QByteArray bytes = file.read(qint64(PaletteLimits::kMaxBytes) + 1);
   if (file.error() != QFileDevice::NoError) return fail(ErrorCode::kIo, reason(path, file));
   return read_gpl(path.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});

@@ -13,8 +13,8 @@ namespace {
 constexpr int kCellPx = 24;
 constexpr double kSwatchRoundPx = 4.0;
 
-/// Draws a rounded square, chequered if transparent, a tick on the current colour, and a ring for
-/// the keyboard focus.
+/// Draws a swatch: a rounded square, chequered if transparent, with a tick on the current colour,
+/// and with a ring for the keyboard focus.
 class SwatchDelegate : public QStyledItemDelegate {
  public:
   explicit SwatchDelegate(SwatchView* view) : QStyledItemDelegate(view), view_(view) {}

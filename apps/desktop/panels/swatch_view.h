@@ -9,7 +9,8 @@
 
 namespace felt::desktop {
 
-/// The colours of a palette as a list; their names serve as tool tips and for screen readers.
+/// The colours of a palette as a list. Their names are the tool tips and the texts for screen
+/// readers.
 class SwatchModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -26,12 +27,12 @@ class SwatchModel : public QAbstractListModel {
   std::vector<NamedColor> colors_;
 };
 
-/// Swatches side by side, chosen by click or arrow keys; the current colour has a mark.
+/// Shows swatches side by side; click or arrow keys choose one. The current colour has a mark.
 class SwatchView : public QListView {
   Q_OBJECT
 
  public:
-  /// `one_row`: one row only; otherwise as many as fit.
+  /// If `one_row`, shows only one row; otherwise as many rows as fit.
   SwatchView(const QString& name, bool one_row, QWidget* parent = nullptr);
 
   void set_colors(std::vector<NamedColor> colors) { model_->set_colors(std::move(colors)); }
@@ -51,7 +52,7 @@ class SwatchView : public QListView {
   Rgba marked_;
 };
 
-/// Converts between our colours and Qt's.
+/// These functions convert between the library's colours and Qt's.
 QColor qcolor(Rgba color);
 Rgba rgba(const QColor& color);
 

@@ -26,7 +26,7 @@ QString action_name(std::string_view tool) {
   return QStringLiteral("tool.") + qstring(tool);
 }
 
-/// Changes an option of the current tool that is a share, in tenths.
+/// Changes an option of the current tool by one tenth. The option is a share, 0..1.
 void change_share(Studio& studio, std::string_view option, bool up) {
   const ToolInfo& info = studio.session().tool().info();
   const auto row = std::find_if(info.options.begin(), info.options.end(),
@@ -120,7 +120,7 @@ ToolBar::ToolBar(Studio& studio, const Actions& actions, QWidget* parent)
     button->setFocusPolicy(Qt::TabFocus);
     widest = std::max(widest, button->sizeHint().width());
   }
-  // All get the width of the widest name, so that they align.
+  // All buttons get the width of the widest name, so that they align.
   for (QAction* action : this->actions()) widgetForAction(action)->setMinimumWidth(widest);
   connect(&studio, &Studio::tool_changed, this, &ToolBar::follow_tool);
   follow_tool();

@@ -7,15 +7,15 @@
 
 namespace felt::desktop {
 
-/// Adds tool.pencil, tool.pull, ... for the session's tools, with the shortcuts of their ToolInfo;
-/// the current one is checked, also if it is borrowed. Also adds tool.size_down, tool.size_up,
+/// Adds tool.pencil, tool.pull, ... for the session's tools, with the shortcuts of their ToolInfo.
+/// The current tool is checked, even while it is borrowed. Also adds tool.size_down, tool.size_up,
 /// tool.strength_down, tool.strength_up, which change the size and the forces of the current tool.
 /// Both arguments must outlive the actions.
 void add_tool_actions(Actions& actions, Studio& studio);
 
-/// The tools in a bar: picture, name, shortcut; the current one is pressed. While a tool is
-/// borrowed, the bar shows that, and which tool comes back. Made from the actions of
-/// add_tool_actions().
+/// Shows the tools in a bar with picture, name and shortcut; the current tool is pressed. While a
+/// tool is borrowed, the bar shows this, and which tool is selected afterwards. Made from the
+/// actions of add_tool_actions().
 class ToolBar : public QToolBar {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class ToolBar : public QToolBar {
 
   Studio& studio_;
   const Actions& actions_;
-  QString home_;  // the tool that comes back
+  QString home_;  // the tool that is selected after a borrowed one
 };
 
 }  // namespace felt::desktop

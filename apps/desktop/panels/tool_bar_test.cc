@@ -100,8 +100,8 @@ TEST(ToolActions, SizesClimbAndFallWithinTheRangeOfEveryTool) {
   }
 }
 
-// The thinnest line never becomes wider than the widest, and the keys work up to the end of the
-// range, where a message says so.
+// The thinnest line never becomes wider than the widest. The keys work up to the end of the range,
+// which a message reports.
 TEST(ToolActions, TheSizeOfThePencilIsTheLineOfAMouse) {
   ToolDesk desk;
   const auto size = [&desk] { return desk.studio.session().tool().size().value(); };

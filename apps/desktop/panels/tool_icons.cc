@@ -10,8 +10,8 @@
 #include <QSvgRenderer>
 #include <utility>
 
-// Resources of a static library are linked only if they are requested by name, outside every
-// namespace.
+// Resources of a static library are linked only if a function outside every namespace requests
+// them by name.
 static void need_icons() {
   Q_INIT_RESOURCE(icons);
   Q_INIT_RESOURCE(tool_icons);
@@ -20,7 +20,7 @@ static void need_icons() {
 namespace felt::desktop {
 namespace {
 
-// The colours used in the SVG files; replaced by colours of the palette.
+// The colours in the SVG files. They are replaced by colours of the palette.
 constexpr const char* kInk = "#303438";
 constexpr const char* kAccent = "#c8501e";
 constexpr const char* kAccentOnDark = "#ff9a5c";
@@ -48,8 +48,8 @@ IconColors colors_of(QIcon::Mode mode) {
   return {palette.color(QPalette::ButtonText), accent_on(palette.color(QPalette::Button))};
 }
 
-/// Renders the SVG for every requested size and colour, so that it follows changes of the theme and
-/// is never a scaled picture.
+/// Renders the SVG for every requested size and colour. Therefore the icon follows changes of the
+/// theme and is never a scaled picture.
 class DrawnIcon : public QIconEngine {
  public:
   DrawnIcon(QString name, QByteArray svg) : name_(std::move(name)), svg_(std::move(svg)) {}

@@ -7,16 +7,16 @@
 
 namespace felt::desktop {
 
-/// Returns the icon of a tool ("pencil") or of a command ("undo", "layer-add", ...), an own drawing
-/// in the colours of the current palette; a null icon if there is none of that name. Sharp at any
-/// size and screen scale; grey if disabled, in the colour of selected text if selected. Qt's main
-/// thread.
+/// Returns the icon of a tool ("pencil") or of a command ("undo", "layer-add", ...): a custom
+/// drawing in the colours of the current palette. Returns a null icon if no icon has that name.
+/// The icon is sharp at any size and screen scale, grey if disabled, and in the colour of selected
+/// text if selected. Call it in Qt's main thread.
 QIcon icon_of(std::string_view name);
 
 /// Returns all names that icon_of() accepts, sorted.
 QStringList icon_names();
 
-/// Returns the accent colour of our icons and marks, adapted to this background (contrast at least
+/// Returns the accent colour of icons and marks, adapted to this background (contrast at least
 /// 3:1).
 QColor accent_on(const QColor& background);
 

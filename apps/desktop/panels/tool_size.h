@@ -4,13 +4,14 @@
 
 namespace felt::desktop {
 
-/// Sets the size of the current tool, clamped to its range.
+/// Sets the size of the current tool in mm, clamped to its range.
 void set_tool_size(Studio& studio, double mm);
-/// Sets the next larger or smaller round number. At the end of the range Studio::refused says so.
+/// Sets the size to the next larger or smaller round number. If the range ends there,
+/// Studio::refused reports it.
 void step_tool_size(Studio& studio, bool up);
 
-/// Returns the next of the round numbers 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, ... above or
-/// below.
+/// Returns the next round number above or below `from`. The round numbers are 1, 1.2, 1.5, 2, 2.5,
+/// 3, 4, 5, 6, 8, 10, 12, ...
 double next_size(double from, bool up);
 
 }  // namespace felt::desktop

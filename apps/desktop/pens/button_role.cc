@@ -10,7 +10,7 @@ struct Row {
   const char* name;
   const char* label;
 };
-/// In the order of ButtonRole.
+/// The sequence is that of ButtonRole.
 constexpr std::array<Row, 8> kRows = {{
     {"none", QT_TRANSLATE_NOOP("ButtonRole", "Nothing")},
     {"eraser", QT_TRANSLATE_NOOP("ButtonRole", "Erase while held")},

@@ -6,25 +6,25 @@
 
 namespace felt::desktop {
 
-/// What a button does while it is held; the settings store it by name.
+/// The action of a button while it is held. The settings store it by name.
 enum class ButtonRole : std::uint8_t {
   kNone,
   kEraser,  ///< borrows the tool
   kPull,
   kLasso,
   kPan,   ///< moving the pen pans the view
-  kUndo,  ///< once, when it is pressed
+  kUndo,  ///< applies once, when the button is pressed
   kFirstModifier,
   kSecondModifier,
 };
 
-/// Returns all roles, in the order of lists.
+/// Returns all roles, in the sequence of the lists in the window.
 std::span<const ButtonRole> button_roles() noexcept;
-/// Returns the name in the settings: "eraser".
+/// Returns the role's name in the settings, such as "eraser".
 QString name_of(ButtonRole role);
-/// Returns the role of that name, or kNone if there is none.
+/// Returns the role of that name, or kNone if no role has it.
 ButtonRole button_role(const QString& name);
-/// Returns the label for the user: "Erase while held".
+/// Returns the label for the user, such as "Erase while held".
 QString label_of(ButtonRole role);
 
 }  // namespace felt::desktop

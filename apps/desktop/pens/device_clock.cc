@@ -6,16 +6,17 @@ namespace felt::desktop {
 namespace {
 
 constexpr std::int64_t kNsPerMs = 1'000'000;
-constexpr std::int64_t kForgettingPart = 10'000;  // relaxes by 1 ms in 10 s
-/// An event that seems to be older than this comes from another clock.
+constexpr std::int64_t kForgettingPart = 10'000;  // the offset grows by 1 ms in 10 s
+/// If an event seems to be older than kOldestNs, its stamp comes from another clock.
 constexpr std::int64_t kOldestNs = 2'000'000'000;
 constexpr std::uint64_t kMaxStampMs = std::uint64_t{1} << 42;  // 139 years: fits a time in ns
 
 }  // namespace
 
-/// The smallest offset seen (arrival minus stamp) belongs to the event with the smallest delay. It
-/// grows slowly, so that the clocks may drift; a smaller one, or one that is much larger, replaces
-/// it. A result never lies before the previous one or after now.
+/// How the offset is estimated: the smallest offset so far (arrival minus stamp) belongs to the
+/// event with the smallest delay. The estimate grows slowly, because the clocks may drift. An
+/// offset that is smaller, or much larger, replaces it. A result is never before the previous
+/// result or after `now_ns`.
 std::int64_t DeviceClock::time_ns(std::uint64_t stamp_ms, std::int64_t now_ns) noexcept {
   const bool has_stamp = stamp_ms != 0 && stamp_ms < kMaxStampMs;
   std::int64_t time_ns = now_ns;

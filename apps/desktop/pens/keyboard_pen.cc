@@ -7,7 +7,8 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kViewMarginPx = 40.0;  // smallest distance of the pen from the edge of the view
+constexpr double kViewMarginPx = 40.0;  // minimum distance between the pen and the edge of the
+                                        // view
 
 std::optional<QPointF> direction_of(int key) {
   switch (key) {

@@ -8,38 +8,40 @@
 
 namespace felt::desktop {
 
-/// Drawing with keys alone. The arrows move the pen, faster the longer one is held; Shift makes
-/// fine steps. Return, Enter or Insert puts the pen down and lifts it, but only after an arrow has
-/// moved it or Tab or F6 has moved the focus here, so that an Enter meant for a text field draws
-/// nothing. Escape cancels the gesture. Steps are counted, not timed: the same keys make the same
-/// line. The view scrolls along. The arguments of the constructor must outlive it.
+/// Lets the user draw with keys alone. The arrows move the pen, faster the longer the key is held;
+/// Shift makes fine steps. Return, Enter or Insert puts the pen down and lifts it. This works only
+/// after an arrow has moved the pen or Tab or F6 has moved the focus here, so that an Enter meant
+/// for a text field draws nothing. Escape cancels the gesture. Steps are counted, not timed, so
+/// that the same keys make the same line. The view scrolls with the pen. The arguments of the
+/// constructor must outlive it.
 ///
-/// With a device that cannot sense whether its pen touches, the pen touches while one of these
-/// pen-down keys is held.
+/// If the device cannot sense contact, its pen counts as touching while Return, Enter or Insert is
+/// held.
 class KeyboardPen : public QObject {
   Q_OBJECT
 
  public:
   static constexpr double kStepPx = 4.0;
   static constexpr double kFineStepPx = 1.0;
-  static constexpr int kStepsPerFactor = 8;  ///< key repeats until a step is one unit longer
+  static constexpr int kStepsPerFactor = 8;  ///< number of key repeats until a step grows by one
+                                             ///< unit
   static constexpr int kMaxFactor = 8;
 
   KeyboardPen(Canvas& canvas, PenHand& hand);
 
-  /// Returns true if the key belongs to it in the present state; for ShortcutOverride.
+  /// Returns true if it would handle the key in its present state; for ShortcutOverride.
   [[nodiscard]] bool wants(const QKeyEvent& event) const;
-  /// Handles a pressed key. Returns false if the key is not one of its own.
+  /// Handles a pressed key. Returns false if it does not use the key.
   bool press(const QKeyEvent& event);
-  /// Handles a released key: its next press starts with small steps.
+  /// Handles a released key. The next press of this key starts with small steps.
   void release(const QKeyEvent& event);
   /// Treats all keys as released, because their release events will not arrive.
   void let_go();
-  /// Mouse or pen lead now, until an arrow is pressed again.
+  /// Mouse or pen move the hand now, until an arrow is pressed again.
   void stop_leading() noexcept { is_leading_ = false; }
 
  Q_SIGNALS:
-  /// A message for screen readers.
+  /// Reports a message for screen readers.
   void said(const QString& text);
 
  private:
@@ -51,7 +53,7 @@ class KeyboardPen : public QObject {
   PenHand& hand_;
   int key_ = 0;
   int repeats_ = 0;
-  bool is_leading_ = false;  // an arrow was pressed since the mouse moved
+  bool is_leading_ = false;  // an arrow was pressed since the mouse last moved
   int held_ = 0;             // the key that holds a device's pen down
 };
 

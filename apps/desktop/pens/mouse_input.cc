@@ -13,14 +13,14 @@ constexpr double kPxPerUnit = 0.5;
 constexpr double kDegreesPerUnit = 5.0 / 120.0;
 
 /// Returns the position of the pointer with fractions of a pixel. Qt 6.4 rounds position() for
-/// child widgets, and sometimes globalPosition(), which loses every second pixel on a screen of
-/// scale 2.
+/// child widgets, and sometimes globalPosition(). This would lose every second pixel on a screen
+/// of scale 2.
 QPointF place_of(const QMouseEvent& event, const QWidget& canvas) {
   for (const QPointF exact : {canvas.mapFrom(canvas.window(), event.scenePosition()),
                               canvas.mapFromGlobal(event.globalPosition())}) {
     const QPointF off = exact - event.position();
     const double far = std::max(std::abs(off.x()), std::abs(off.y()));
-    // Synthetic events may have neither.
+    // A synthetic event may contain neither position.
     if (far > 0.0 && far <= 1.0) return exact;
   }
   return event.position();
@@ -59,7 +59,7 @@ void MouseInput::take(const QMouseEvent& event) {
     right_held_ = settings_.right;
     hand_.press(right_held_);
   }
-  // With the right button down the pen draws only if the button borrows a tool.
+  // While the right button is pressed, the pen draws only if the button borrows a tool.
   const bool draws =
       right && (right_held_ == ButtonRole::kEraser || right_held_ == ButtonRole::kPull ||
                 right_held_ == ButtonRole::kLasso);
@@ -78,10 +78,10 @@ void MouseInput::take(const QWheelEvent& event) {
   const Qt::KeyboardModifiers keys = event.modifiers();
   const bool ctrl = keys.testFlag(Qt::ControlModifier), shift = keys.testFlag(Qt::ShiftModifier);
   const QPoint units = event.angleDelta();
-  // Alt and Shift swap the wheel's axes on some platforms.
+  // Alt and Shift swap the axes of the wheel on some platforms.
   const double turned = units.y() != 0 ? units.y() : units.x();
   if (!ctrl && !shift && !event.pixelDelta().isNull()) {
-    view.pan(event.pixelDelta());  // a touchpad
+    view.pan(event.pixelDelta());  // only touchpads report pixels
   } else if (ctrl && shift) {
     view.turn(turned * kDegreesPerUnit, event.position());
   } else if (shift) {

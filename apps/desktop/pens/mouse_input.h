@@ -12,9 +12,9 @@
 
 namespace felt::desktop {
 
-/// The mouse as the hand: the left button is the pen's tip, the middle one moves the view, the
-/// right one may draw with a borrowed tool; the wheel zooms at the pointer. The arguments of the
-/// constructor must outlive it.
+/// Uses the mouse as the hand. The left button is the pen's tip, the middle button moves the view,
+/// the right button may draw with a borrowed tool; the wheel zooms at the pointer. The arguments
+/// of the constructor must outlive it.
 ///
 ///   wheel                  zoom           Shift + wheel          move sideways
 ///   Ctrl + wheel           zoom, finely   Ctrl + Shift + wheel   turn
@@ -28,7 +28,7 @@ class MouseInput : public QObject {
   /// Handles press, double click, move and release.
   void take(const QMouseEvent& event);
   void take(const QWheelEvent& event);
-  /// Handles a touchpad gesture. Returns false if it is not one of those above.
+  /// Handles a touchpad gesture. Returns false if it is not one of the gestures above.
   bool take(const QNativeGestureEvent& event);
   /// Treats all buttons as released, because the window is no longer active.
   void let_go();

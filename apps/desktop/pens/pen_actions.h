@@ -5,9 +5,9 @@
 
 namespace felt::desktop {
 
-/// Adds the commands for the pen: pressure on and off ("feel.pressure"), and the tool's modifiers
-/// held without a key ("feel.hold_first", "feel.hold_second"). Both arguments must outlive the
-/// actions.
+/// Adds the commands for the pen: pressure on and off ("feel.pressure"), and the tool's modifiers,
+/// which these commands hold without a key ("feel.hold_first", "feel.hold_second"). Both arguments
+/// must outlive the actions.
 void add_pen_actions(Actions& actions, PenInput& input);
 
 }  // namespace felt::desktop

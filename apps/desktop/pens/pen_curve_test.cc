@@ -57,8 +57,8 @@ TEST(PressureCurve, IsKeptByTheSettings) {
   PressureCurve().store();
 }
 
-// For events that are up to 20 ms late, several at once, the resulting times have the spacing of
-// the stamps.
+// Events may be up to 20 ms late, and several may arrive together. The resulting times still have
+// the spacing of the stamps.
 TEST(DeviceClock, KeepsTheSpacingOfTheStamps) {
   std::mt19937 random(2);
   std::uniform_int_distribution<std::int64_t> late(0, 20 * kMs);

@@ -9,15 +9,15 @@
 namespace felt::desktop {
 namespace {
 
-/// The session has seen a lift after this time at the latest, if no simulated body has to follow:
-/// the hand's positions are played up to 15 ms late (AimTrack).
+/// Time after which the session has surely seen a lift if no simulated body has to follow: the
+/// hand's positions are played up to 15 ms late (AimTrack).
 constexpr std::int64_t kLiftSeenNs = 20'000'000;
 
 std::uint32_t bit_of(ButtonRole role) {
   return 1U << static_cast<unsigned>(role);
 }
 
-/// Returns the tool that a button borrows, or null.
+/// Returns the tool that a button borrows, or null if it borrows no tool.
 const Tool* tool_of(ButtonRole role, const Session& session) {
   switch (role) {
     case ButtonRole::kEraser:
@@ -85,7 +85,7 @@ void PenHand::send(std::int64_t time_ns) {
   studio_.point({time_ns, place_, down_, down_ ? pressure_ : std::nullopt, buttons(), tilt_deg_});
 }
 
-/// A modifier takes effect even while the pen rests, so its change is sent as an event.
+/// Sends a change of the modifiers as an event, because they take effect even while the pen rests.
 void PenHand::send_buttons(std::uint32_t before) {
   if (is_known_ && buttons() != before) send(studio_.now_ns());
 }

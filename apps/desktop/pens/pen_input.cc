@@ -38,7 +38,7 @@ PenInput::PenInput(Canvas& canvas)
       keys_(canvas, hand_) {
   canvas.setTabletTracking(true);
   canvas.installEventFilter(this);
-  qApp->installEventFilter(this);  // proximity events of a tablet's pen go to the application
+  qApp->installEventFilter(this);  // a tablet's proximity events go to the application
   connect(&tablet_, &TabletInput::came, &touch_, &TouchInput::cancel);
   connect(&tablet_, &TabletInput::pressure_seen_changed, this, &PenInput::say_pressure);
   connect(&keys_, &KeyboardPen::said, &canvas,
@@ -86,7 +86,8 @@ bool PenInput::eventFilter(QObject* watched, QEvent* event) {
       let_go();
       return false;
     case QEvent::Leave:
-      // While a button is held, the mouse events arrive even outside, and this one does not.
+      // While a button is held, mouse events arrive even outside of the widget, and this event
+      // does not. Therefore the release was lost.
       if (hand_.is_down(PenHand::Source::kMouse)) let_go();
       canvas_.set_pen_visible(hand_.is_down());
       return false;
@@ -99,16 +100,17 @@ bool PenInput::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
-/// Shows the pointer that rests where the window opens, because no move event arrives.
+/// Shows the pointer if it already rests where the window opens, because then no move event
+/// arrives.
 void PenInput::come(QPointF px) {
   const std::int64_t now_ns = canvas_.studio().now_ns();
   if (!hand_.is_known()) hand_.point(PenHand::Source::kMouse, px, now_ns, false, {});
   canvas_.set_pen_visible(true);
 }
 
-/// Moves the focus to the canvas, so that its keys (Space, Shift, the letters of the tools) work
-/// where the pointer is, also after a click on a medium or a slider. The focus stays if the user
-/// types a text.
+/// Moves the focus to the canvas when the pointer enters it, also after a click on a medium or a
+/// slider, so that the canvas's keys work (Space, Shift, the letters of the tools). The focus
+/// stays if the user is typing text.
 void PenInput::take_focus() {
   QWidget* focus = QApplication::focusWidget();
   if (!focus || focus == &canvas_ || focus->window() != canvas_.window()) return;
@@ -129,7 +131,7 @@ bool PenInput::take_pointer(QEvent* event) {
       keys_.stop_leading();
       canvas_.set_tablet_in_hand(false);
       mouse_.take(mouse);
-      // The widget itself takes the focus on a press.
+      // On a press, the widget itself takes the focus.
       return event->type() != QEvent::MouseButtonPress;
     }
     case QEvent::TabletPress:
@@ -167,7 +169,7 @@ bool PenInput::take_pointer(QEvent* event) {
 bool PenInput::take_keys(QEvent* event) {
   auto& key = static_cast<QKeyEvent&>(*event);
   if (event->type() == QEvent::ShortcutOverride) {
-    // No shortcut may use the pen's keys while the canvas has the focus.
+    // While the canvas has the focus, the pen's keys must not trigger shortcuts.
     const bool ours = key.key() == Qt::Key_Space || keys_.wants(key);
     if (ours) event->accept();
     return ours;
@@ -182,7 +184,7 @@ bool PenInput::press_key(QKeyEvent& event) {
     return true;
   }
   if (keys_.press(event)) return true;
-  // The event contains the modifiers from before it.
+  // The event contains the modifiers as they were before it.
   Qt::KeyboardModifiers held = event.modifiers();
   if (event.key() == Qt::Key_Shift) held |= Qt::ShiftModifier;
   if (event.key() == Qt::Key_Control) held |= Qt::ControlModifier;
@@ -192,7 +194,7 @@ bool PenInput::press_key(QKeyEvent& event) {
 
 void PenInput::use_modifiers(Qt::KeyboardModifiers held) {
   if (space_) offer_drag(held);
-  // For the keyboard pen, Shift makes small steps.
+  // With the keyboard pen, Shift means small steps and is not a modifier.
   if (hand_.is_down(PenHand::Source::kKeys)) held &= ~Qt::KeyboardModifiers(Qt::ShiftModifier);
   hand_.set_keys(held);
 }
@@ -217,7 +219,7 @@ void PenInput::offer_drag(Qt::KeyboardModifiers keys) {
   drag_.offer(keys.testFlag(Qt::ShiftModifier) ? ViewDrag::Kind::kTurn : ViewDrag::Kind::kPan);
 }
 
-/// Ends everything that is held, because no release events will arrive.
+/// Ends every press, drag and borrowed tool, because no release events will arrive.
 void PenInput::let_go() {
   hand_.lift();
   tablet_.let_go();

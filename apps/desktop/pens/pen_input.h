@@ -13,12 +13,12 @@
 
 namespace felt::desktop {
 
-/// Handles mouse, tablet, touch and keys over a canvas: an event filter that converts them into
-/// Studio::point(), and into panning, zooming and turning of the view. The canvas must outlive it.
+/// Handles mouse, tablet, touch and keys over a canvas. It is an event filter that calls
+/// Studio::point(), or pans, zooms and turns the view. The canvas must outlive it.
 ///
-/// Space and a drag pan the view, with Ctrl zoom it, with Shift turn it. If the input ends without
-/// a release (the window loses the focus, a release is lost, the pen leaves the range), the pen is
-/// lifted.
+/// Space and a drag pan the view; with Ctrl they zoom it, with Shift they turn it. If the input
+/// ends without a release (the window loses the focus, a release event is lost, the pen leaves the
+/// range), the pen is lifted.
 class PenInput : public QObject {
   Q_OBJECT
 

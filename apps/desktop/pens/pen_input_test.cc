@@ -154,7 +154,8 @@ TEST_F(PenInputTest, ATabletDraws) {
   EXPECT_EQ(strokes(), 1u);
 }
 
-// Events in bunches, as a window system delivers them: each position is exactly one sample.
+// Events may arrive several together, as a window system delivers them. Each position is exactly
+// one sample.
 TEST_F(PenInputTest, EveryPlaceIsASample) {
   hover({100, 100});
   std::vector<Point> told;
@@ -177,9 +178,9 @@ TEST_F(PenInputTest, EveryPlaceIsASample) {
   }
 }
 
-// A tablet that senses tilt reports the pen's tilt; for another the tilt stays unknown, whatever
-// its events contain.
-TEST_F(PenInputTest, ThePenTiltsAsTheTabletSays) {
+// If a tablet senses tilt, the sample has the pen's tilt. Otherwise the tilt is unknown, whatever
+// the tablet's events contain.
+TEST_F(PenInputTest, ThePenLeansAsTheTabletSays) {
   const auto* tilting =
       new QPointingDevice(QStringLiteral("tilting pen"), 13, QInputDevice::DeviceType::Stylus,
                           QPointingDevice::PointerType::Pen,
@@ -206,13 +207,13 @@ TEST_F(PenInputTest, ThePenTiltsAsTheTabletSays) {
   EXPECT_EQ(samples_.back().tilt_deg, std::nullopt);
 }
 
-// For every way that a stroke can end, the pen is up afterwards and the ink is there.
+// However a stroke ends, the pen is up afterwards and the ink exists.
 TEST_F(PenInputTest, NoPenStaysDown) {
   const std::vector<std::function<void()>> ends = {
       [this] { leave_proximity(); },
       [this] {
         hover({500, 310});
-      },  // a release was lost
+      },  // a release event was lost
       [this] {
         QFocusEvent event(QEvent::FocusOut);
         QApplication::sendEvent(&canvas_, &event);
@@ -304,7 +305,7 @@ TEST_F(PenInputTest, SideButtonsDoWhatTheSettingsSay) {
   wait(50);
   EXPECT_EQ(studio_.pen().sample.buttons, 0u);
   const CanvasView before = canvas_.view();
-  hover({100, 100}, Qt::MiddleButton);  // pans
+  hover({100, 100}, Qt::MiddleButton);  // pans the view
   hover({140, 90}, Qt::MiddleButton);
   hover({140, 90});
   const QPointF moved = canvas_.view().to_px(before.to_mm({100, 100}));
@@ -419,7 +420,7 @@ TEST_F(PenInputTest, APalmIsNoFinger) {
   QTest::touchEvent(&canvas_, screen).move(1, {350, 300});
   wait(20);
   ASSERT_TRUE(is_down());
-  hover({100, 100});  // the pen arrives: what the finger drew is discarded
+  hover({100, 100});  // the pen arrives: the finger's line is discarded
   wait(60);
   EXPECT_FALSE(is_down());
   QTest::touchEvent(&canvas_, screen).move(1, {380, 300});
@@ -457,7 +458,7 @@ TEST_F(PenInputTest, AFingerDrawsWhereItMay) {
   EXPECT_NE(canvas_.view(), before);
 }
 
-/// A device that moves only in the plane, held by a user who draws a line to the right with it.
+/// A device that moves only in the plane. A user holds it and draws a line to the right.
 class PlanarPen final : public DriverDevice {
  public:
   explicit PlanarPen(const Capabilities& capabilities) {
@@ -487,7 +488,7 @@ class PlanarPen final : public DriverDevice {
   bool is_down_ = false;
 };
 
-// The case of a user with a 2DIY: one hand moves it, the other holds a key while it draws.
+// The case of a user with a 2DIY: one hand moves it, the other holds a key in order to draw.
 TEST_F(PenInputTest, AKeyThatIsHeldPutsAPlanarDevicesPenDown) {
   PenDeviceInfo info;
   info.id = QStringLiteral("planar:1");
@@ -495,7 +496,7 @@ TEST_F(PenInputTest, AKeyThatIsHeldPutsAPlanarDevicesPenDown) {
   info.capabilities.sensed_axes = info.capabilities.actuated_axes = 2;
   info.capabilities.workspace_min = {0, 0, -1};
   info.capabilities.workspace_max = {100, 80, 1};
-  info.has_own_frame = true;  // like the 2DIY: it needs the user's plane
+  info.has_own_frame = true;  // like the 2DIY, it needs the user's plane
   const int driver = add_pen_driver(
       {[info] { return std::vector<PenDeviceInfo>{info}; },
        [info](const QString&, const DeviceSetup& asked) -> Result<std::unique_ptr<OpenDevice>> {
@@ -513,7 +514,7 @@ TEST_F(PenInputTest, AKeyThatIsHeldPutsAPlanarDevicesPenDown) {
     wait(200);
     if (line == 1) {
       key(QEvent::KeyRelease, Qt::Key_Return);
-    } else {  // the window loses the focus: no release arrives
+    } else {  // the window loses the focus, so no release arrives
       QFocusEvent out(QEvent::FocusOut);
       QApplication::sendEvent(&canvas_, &out);
     }
@@ -524,7 +525,7 @@ TEST_F(PenInputTest, AKeyThatIsHeldPutsAPlanarDevicesPenDown) {
   remove_pen_driver(driver);
 }
 
-// With keys alone: a line, an eraser across it, undo; and the same keys make the same line.
+// Keys alone draw a line, erase across it, and undo. The same keys make the same line.
 TEST_F(PenInputTest, KeysDrawAndEdit) {
   tap(Qt::Key_Return);
   EXPECT_FALSE(is_down()) << "an Enter that was meant for a text field";
@@ -571,7 +572,7 @@ TEST_F(PenInputTest, TheViewFollowsTheKeys) {
   EXPECT_LT(px.y(), 600);
 }
 
-// Qt 6.4 rounds a mouse position for child widgets; the position in the window has the fraction.
+// Qt 6.4 rounds a mouse position for child widgets; only the position in the window has fractions.
 TEST_F(PenInputTest, AMouseIsExactToAFractionOfAPixel) {
   const QPointF exact(200.5, 150.25);
   QMouseEvent event(QEvent::MouseMove, QPointF(exact.toPoint()), exact,

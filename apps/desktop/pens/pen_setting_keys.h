@@ -3,21 +3,22 @@
 /// The settings of pens (engine/settings.h), with their defaults.
 namespace felt::desktop::pen_keys {
 
-/// Whether pressure changes the width of lines; otherwise every pen draws with half pressure.
+/// True if pressure changes the width of lines. If false, every pen draws with half pressure.
 inline constexpr auto kPressureOn = "pens/pressure";
 inline constexpr bool kPressureOnDefault = true;
-/// Below this pressure, 0..0.5 of the tablet's range, the pen does not touch.
+/// Below this pressure the pen does not touch. It is 0..0.5 of the tablet's range.
 inline constexpr auto kThreshold = "pens/pressure_threshold";
 inline constexpr double kThresholdDefault = 0.0;
-/// The pressure curve's two handles, each 0..1.
+/// The two handles of the pressure curve; each coordinate is 0..1.
 inline constexpr auto kFirstHandleX = "pens/pressure_curve_x1";
 inline constexpr auto kFirstHandleY = "pens/pressure_curve_y1";
 inline constexpr auto kSecondHandleX = "pens/pressure_curve_x2";
 inline constexpr auto kSecondHandleY = "pens/pressure_curve_y2";
-/// Pressure of a pen that senses none: "constant" or "speed" (slower is harder).
+/// Pressure of a pen that senses none: "constant", or "speed" (slower motion gives more pressure).
 inline constexpr auto kMousePressure = "pens/mouse_pressure";
 inline constexpr auto kMousePressureDefault = "constant";
-/// What the buttons do (ButtonRole's names): the two on the pen's side, and the mouse's right one.
+/// The roles of the buttons (ButtonRole's names): the two on the pen's side, and the mouse's right
+/// one.
 inline constexpr auto kLowerButton = "pens/lower_button";
 inline constexpr auto kLowerButtonDefault = "eraser";
 inline constexpr auto kUpperButton = "pens/upper_button";

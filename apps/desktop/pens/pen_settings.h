@@ -10,11 +10,11 @@
 
 namespace felt::desktop {
 
-/// What one finger does on the canvas.
+/// The action of one finger on the canvas.
 enum class TouchMode : std::uint8_t { kPan, kDraw, kOff };
 
-/// The settings of pens, in a form that is quick to read for every event. A value type; load() it
-/// again after a setting of pens/ has changed.
+/// The settings of pens, in a form that is quick to read for every event. Call load() again after
+/// a setting of pens/ has changed. A value type.
 struct PenSettings {
   bool pressure_on = true;
   PressureCurve curve;
@@ -27,7 +27,7 @@ struct PenSettings {
   static PenSettings load();
 };
 
-/// Returns the name in the settings: "pan", "draw", "off".
+/// Returns the mode's name in the settings: "pan", "draw", "off".
 QString name_of(TouchMode mode);
 
 }  // namespace felt::desktop

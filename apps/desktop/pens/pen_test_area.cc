@@ -14,8 +14,8 @@ namespace {
 constexpr double kMinPx = 0.8;
 constexpr double kMaxPx = 14.0;
 constexpr double kMiddlePressure = 0.5;
-// As in PointerHand: 0.8 at rest down to 0.2 from 300 mm/s on, on a screen of about 4 pixels per
-// mm.
+// As in PointerHand: pressure 0.8 at rest, down to 0.2 at 300 mm/s and faster, on a screen of
+// about 4 pixels per mm.
 constexpr double kSlowPressure = 0.8;
 constexpr double kFastPressure = 0.2;
 constexpr double kFastPxPerMs = 1.2;
@@ -29,7 +29,7 @@ bool senses(const QTabletEvent& event) {
 }  // namespace
 
 PenTestArea::PenTestArea(QWidget* parent) : QWidget(parent) {
-  setTabletTracking(true);  // shows the tilt before the pen touches
+  setTabletTracking(true);  // shows the tilt even before the pen touches
   setAccessibleName(tr("Test area"));
   setAccessibleDescription(tr("Scribble here to try the pen. The scribbles are not kept."));
   setCursor(Qt::CrossCursor);

@@ -9,8 +9,8 @@
 
 namespace felt::desktop {
 
-/// An area to try a pen: a line there is as wide as the settings make it, and is not part of a
-/// drawing. For mouse and tablet.
+/// An area to try a pen with mouse or tablet. A line there is as wide as the settings make it, and
+/// is not part of a drawing.
 class PenTestArea : public QWidget {
   Q_OBJECT
 
@@ -22,11 +22,13 @@ class PenTestArea : public QWidget {
   [[nodiscard]] QSize sizeHint() const override;
 
  Q_SIGNALS:
-  /// The pen presses: the tablet's raw pressure (none: a mouse), and the pressure after the curve,
-  /// 0..1. Both are 0 when it was lifted.
+  /// Emitted while the pen presses. `raw` is the tablet's pressure before the curve (nullopt for a
+  /// mouse); `curved` is the pressure after the curve. Both are 0..1, and 0 when the pen was
+  /// lifted.
   void pressed(std::optional<double> raw, double curved);
-  /// The tilt of the pen from the upright, in degrees; none if it does not report it.
-  void tilted(std::optional<double> tilt_deg);
+  /// Emitted with the pen's tilt from the upright, in degrees; nullopt if the pen does not report
+  /// it.
+  void leaned(std::optional<double> lean_deg);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -179,7 +179,8 @@ QWidget* PensPage::make_buttons() {
   return group;
 }
 
-/// Takes a copy, because the editor's own curve changes as the settings are stored one by one.
+/// The curve is copied, because the editor's own curve changes while the settings are stored one
+/// by one.
 void PensPage::set_curve(PressureCurve curve) {
   loads_ = true;
   curve.store();

@@ -14,8 +14,8 @@
 
 namespace felt::desktop {
 
-/// The page "Pens" of the preferences: pressure with its curve and an area to try it, what the
-/// buttons do, and what fingers do. Every change applies immediately.
+/// The page "Pens" of the preferences: pressure with its curve and an area to try it, the roles of
+/// the buttons, and the action of fingers. Every change applies immediately.
 class PensPage : public QWidget {
   Q_OBJECT
 

@@ -16,7 +16,7 @@
 namespace felt::desktop::pens_page_test {
 namespace {
 
-/// Every control that can be reached has a text or an accessible name.
+/// Every control that the user can reach has a text or an accessible name.
 TEST(PensPage, HasNoNamelessControl) {
   PensPage page;
   for (const QWidget* widget : page.findChildren<QWidget*>()) {
@@ -63,8 +63,8 @@ TEST(PensPage, TheCurveFollowsSlidersHandlesAndKeys) {
   PressureCurve().store();
 }
 
-/// With a tablet that senses tilt, and with one that does not.
-TEST(PensPage, ShowsHowThePenTilts) {
+/// Tests a tablet that senses tilt, and one that does not.
+TEST(PensPage, ShowsHowThePenLeans) {
   PensPage page;
   page.resize(700, 600);
   page.show();

@@ -4,8 +4,9 @@
 
 namespace felt::desktop {
 
-/// The user's response to a tablet's pressure: a cubic from (0, 0) to (1, 1) with two handles in
-/// the unit square, so that it never falls. Below a threshold the pen does not touch. A value type.
+/// The curve that maps a tablet's pressure to the pressure that the user wants. It is a cubic in
+/// the unit square from corner to corner, with two handles in the square, so that it never falls.
+/// Below a threshold the pen does not touch. A value type.
 class PressureCurve {
  public:
   static constexpr double kMaxThreshold = 0.5;
@@ -13,24 +14,24 @@ class PressureCurve {
   static constexpr QPointF kSecondStraight{2.0 / 3.0, 2.0 / 3.0};
 
   PressureCurve() = default;
-  /// Clamps its arguments.
+  /// Clamps all arguments to their ranges.
   PressureCurve(QPointF first, QPointF second, double threshold);
-  /// Loads the curve from the settings; store() saves it there.
+  /// Loads the curve from the settings. store() saves it there.
   static PressureCurve load();
   void store() const;
-  /// Returns the curve of a firmness, from -1 (soft: a light hand draws wide) over 0 (straight) to
-  /// 1 (firm), with this threshold.
+  /// Returns the curve for a firmness with this threshold. A firmness of -1 is soft (light
+  /// pressure draws wide lines), 0 is a straight line, 1 is firm.
   static PressureCurve of_firmness(double firmness, double threshold);
 
   [[nodiscard]] QPointF first() const noexcept { return first_; }
   [[nodiscard]] QPointF second() const noexcept { return second_; }
   [[nodiscard]] double threshold() const noexcept { return threshold_; }
-  /// Returns the firmness of the curve of of_firmness() that lies nearest to this one.
+  /// Returns the firmness at which of_firmness() is nearest to this curve.
   [[nodiscard]] double firmness() const noexcept;
 
-  /// Maps 0..1 to 0..1, monotonically. NaN becomes 0.
+  /// Maps 0..1 to 0..1, monotonically. NaN gives 0.
   [[nodiscard]] double operator()(double raw) const noexcept;
-  /// Returns true if the pressure is high enough to touch.
+  /// Returns true if the pressure is high enough to count as contact.
   [[nodiscard]] bool touches(double raw) const noexcept;
 
   friend bool operator==(const PressureCurve&, const PressureCurve&) = default;

@@ -10,7 +10,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kHandlePx = 6.0;
-constexpr double kMarginPx = 9.0;  // room for a handle in the corner
+constexpr double kMarginPx = 9.0;  // space for a handle in the corner
 constexpr double kKeyStep = 0.02;
 constexpr int kPieces = 64;
 
@@ -51,7 +51,7 @@ QPointF PressureCurveEditor::to_unit(QPointF px) const {
   return {(px.x() - box.left()) / box.width(), (box.bottom() - px.y()) / box.height()};
 }
 
-/// Returns the position of a handle; like the curve, it lies to the right of the threshold.
+/// Returns the position of a handle. It lies to the right of the threshold, as the curve does.
 QPointF PressureCurveEditor::handle(int which) const {
   const QPointF at = which == 0 ? curve_.first() : curve_.second();
   const double start = curve_.threshold();

@@ -7,8 +7,9 @@
 
 namespace felt::desktop {
 
-/// The pressure curve as a plot with two handles that can be dragged or moved by the arrow keys
-/// (Space selects the other handle). Shows the pen's present pressure as a dot on the curve.
+/// Shows the pressure curve as a plot with two handles. The user drags them or moves them by the
+/// arrow keys (Space selects the other handle). A dot on the curve shows the pen's present
+/// pressure.
 class PressureCurveEditor : public QWidget {
   Q_OBJECT
 
@@ -23,7 +24,7 @@ class PressureCurveEditor : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
-  /// The user edited the curve.
+  /// Emitted when the user edited the curve.
   void edited(const felt::desktop::PressureCurve& curve);
 
  protected:
@@ -42,7 +43,7 @@ class PressureCurveEditor : public QWidget {
 
   PressureCurve curve_;
   double raw_ = 0.0;
-  int chosen_ = 0;  // of the two handles
+  int chosen_ = 0;  // index of the selected handle
   bool drags_ = false;
 };
 

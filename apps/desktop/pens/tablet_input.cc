@@ -9,7 +9,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr std::array kSideButtons = {Qt::RightButton, Qt::MiddleButton};
-constexpr double kFixedPressure = 0.5;  // if pressure is switched off
+constexpr double kFixedPressure = 0.5;  // used if pressure is switched off
 
 bool senses_pressure(const QTabletEvent& event) {
   const QPointingDevice* device = event.pointingDevice();
@@ -65,7 +65,7 @@ void TabletInput::take(const QTabletEvent& event) {
 void TabletInput::note_pressure(const QTabletEvent& event, bool touching) {
   const double raw = event.pressure();
   Q_EMIT pressed(touching ? raw : 0.0);
-  // A pen without pressure usually reports 0 or 1.
+  // A pen that does not sense pressure usually reports 0 or 1.
   Pressure seen = pressure_seen_;
   if (!senses_pressure(event)) {
     seen = Pressure::kNone;
@@ -77,7 +77,7 @@ void TabletInput::note_pressure(const QTabletEvent& event, bool touching) {
 
 void TabletInput::use_end(bool is_eraser) {
   if (std::exchange(erasing_, is_eraser) == is_eraser) return;
-  hand_.lift();  // the other end must not continue the line
+  hand_.lift();  // the pen's other end must not continue the line
   if (is_eraser) {
     hand_.press(ButtonRole::kEraser);
   } else {
@@ -94,7 +94,7 @@ void TabletInput::use_buttons(Qt::MouseButtons now, QPointF px) {
 
 void TabletInput::use_button(std::size_t which, bool down, QPointF px) {
   held_[which] = down;
-  // A press and its release use the same role, even if the setting changes in between.
+  // A press and its release use the same role, even if the setting changes meanwhile.
   if (down) held_roles_[which] = which == 0 ? settings_.lower : settings_.upper;
   const ButtonRole role = held_roles_[which];
   if (role != ButtonRole::kPan) return down ? hand_.press(role) : hand_.release(role);

@@ -12,14 +12,14 @@
 
 namespace felt::desktop {
 
-/// A tablet's pen as the hand: pressure through the user's curve, tilt unchanged, the eraser end
-/// and the side buttons as borrowed tools, the device's own time stamps. The arguments of the
-/// constructor must outlive it.
+/// Uses a tablet's pen as the hand. Pressure follows the user's curve, tilt is unchanged, the
+/// eraser end and the side buttons borrow tools, and times come from the device's own time stamps.
+/// The arguments of the constructor must outlive it.
 class TabletInput : public QObject {
   Q_OBJECT
 
  public:
-  /// A touch this long after the pen's last event is not a palm.
+  /// A touch within kPalmMs after the pen's last event counts as a palm.
   static constexpr qint64 kPalmMs = 500;
 
   TabletInput(Canvas& canvas, PenHand& hand, ViewDrag& drag, const PenSettings& settings);
@@ -28,9 +28,11 @@ class TabletInput : public QObject {
   void take(const QTabletEvent& event);
   /// Handles a pen that left the range: its gesture ends as if the pen had been lifted.
   void leave();
-  /// Does the same when the window is no longer active, and treats all buttons as released.
+  /// Ends the gesture in the same way, and treats all buttons as released. Called when the window
+  /// is no longer active.
   void let_go();
-  /// Returns true if the pen is over the tablet, or was a moment ago: then a touch is a palm.
+  /// Returns true if the pen is over the tablet, or was there a moment ago. A touch then counts as
+  /// a palm.
   [[nodiscard]] bool is_near() const;
 
   enum class Pressure : std::uint8_t { kNotSeen, kNone, kSeen };
@@ -38,9 +40,9 @@ class TabletInput : public QObject {
   [[nodiscard]] Pressure pressure_seen() const noexcept { return pressure_seen_; }
 
  Q_SIGNALS:
-  /// The pen comes into range.
+  /// Emitted when the pen comes into range.
   void came();
-  /// `raw` is the tablet's pressure before the curve.
+  /// Emitted while the pen presses. `raw` is the tablet's pressure before the curve.
   void pressed(double raw);
   void pressure_seen_changed();
 
@@ -55,10 +57,10 @@ class TabletInput : public QObject {
   Studio& studio_;
   const PenSettings& settings_;
   DeviceClock clock_;
-  QElapsedTimer since_;  // the last event
+  QElapsedTimer since_;  // time since the last event
   bool erasing_ = false;
-  bool drags_ = false;                    // the view
-  std::array<ButtonRole, 2> held_roles_;  // of the side buttons, while they are held
+  bool drags_ = false;                    // true while it drags the view
+  std::array<ButtonRole, 2> held_roles_;  // roles of the side buttons while they are held
   std::array<bool, 2> held_{};
   Pressure pressure_seen_ = Pressure::kNotSeen;
 };

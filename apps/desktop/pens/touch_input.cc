@@ -6,7 +6,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kMinSpreadPx = 20.0;  // of two fingers that turn and zoom
+constexpr double kMinSpreadPx = 20.0;  // minimum distance of two fingers that turn and zoom
 
 QList<QEventPoint> fingers_down(const QTouchEvent& event) {
   QList<QEventPoint> down;
@@ -65,7 +65,8 @@ void TouchInput::move_view(const QTouchEvent& event) {
     middle += point.position() / double(down.size());
   }
   if (down.size() > 1) first = down[1].position() - down[0].position();
-  // When fingers are added or lifted, the view stays and continues from their new positions.
+  // When a finger is added or lifted, the view does not move; motion continues from the new
+  // positions.
   if (ids == ids_ && !ids.isEmpty()) {
     CanvasView view = canvas_.view();
     view.pan(middle - middle_);

@@ -11,18 +11,18 @@
 
 namespace felt::desktop {
 
-/// Fingers on the canvas: two pan, zoom and turn the view together; one pans it or draws, according
-/// to the settings. A touch while a pen is near is treated as a palm, until all fingers are up. The
-/// arguments of the constructor must outlive it.
+/// Handles fingers on the canvas: two fingers pan, zoom and turn the view together; one finger
+/// pans it or draws, depending on the settings. A touch while a pen is near is treated as a palm
+/// until all fingers are lifted. The arguments of the constructor must outlive it.
 class TouchInput : public QObject {
   Q_OBJECT
 
  public:
   TouchInput(Canvas& canvas, PenHand& hand, const PenSettings& settings);
 
-  /// Handles a touch event. `pen_is_near`: treats it as a palm.
+  /// Handles a touch event. If `pen_is_near`, treats it as a palm.
   void take(const QTouchEvent& event, bool pen_is_near);
-  /// Discards what the fingers have begun, because a pen came near.
+  /// Cancels the effect of the present touch, because a pen came near.
   void cancel();
 
  private:
@@ -38,9 +38,9 @@ class TouchInput : public QObject {
   DeviceClock clock_;
   Use use_ = Use::kNothing;
   bool is_palm_ = false;
-  QList<int> ids_;  // of the fingers that were down at the last event
-  QPointF middle_;  // of these
-  QPointF first_;   // from the first to the second
+  QList<int> ids_;  // ids of the fingers that were down at the last event
+  QPointF middle_;  // middle of these fingers
+  QPointF first_;   // vector from the first to the second finger
 };
 
 }  // namespace felt::desktop

@@ -9,8 +9,8 @@
 
 namespace felt::desktop {
 
-/// Moves the view of a canvas by a drag, with the middle button, or with pen or mouse while Space
-/// is held. Shows it by the cursor.
+/// Moves the view of a canvas by a drag with the middle button, or with pen or mouse while Space
+/// is held. The cursor shows it.
 class ViewDrag {
  public:
   enum class Kind : std::uint8_t { kPan, kZoom, kTurn };
@@ -18,7 +18,8 @@ class ViewDrag {
   /// The canvas must outlive it.
   explicit ViewDrag(Canvas& canvas) : canvas_(canvas) {}
 
-  /// Sets the kind of the next drag (Space is held), and shows it by the cursor; none: no drag.
+  /// Sets the kind of the next drag, because Space is held, and shows it by the cursor. Nullopt
+  /// means no drag.
   void offer(std::optional<Kind> kind);
   [[nodiscard]] std::optional<Kind> offered() const noexcept { return offered_; }
 
@@ -33,7 +34,7 @@ class ViewDrag {
   Canvas& canvas_;
   std::optional<Kind> offered_, kind_;
   QPointF start_, last_;
-  std::optional<QCursor> before_;  // the cursor of the canvas before
+  std::optional<QCursor> before_;  // the canvas's cursor before the drag
 };
 
 }  // namespace felt::desktop

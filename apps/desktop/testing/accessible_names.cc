@@ -26,7 +26,7 @@ bool is_control(const QWidget* widget) {
                    QLineEdit, QPlainTextEdit, QProgressBar, QTextEdit>(widget);
 }
 
-/// Returns true for a part that Qt made within one of our controls.
+/// Returns true if Qt made this widget as a part of one of Feltline's controls.
 bool is_part(const QWidget* widget) {
   if (is_one_of<QScrollBar, QHeaderView>(widget)) return true;
   if (widget->objectName().startsWith(QStringLiteral("qt_"))) return true;
@@ -34,7 +34,7 @@ bool is_part(const QWidget* widget) {
     if (is_one_of<QAbstractSpinBox, QComboBox, QLineEdit>(up)) return true;
     const QString name = QString::fromLatin1(up->metaObject()->className());
     if (name == QStringLiteral("QTabBar") || name == QStringLiteral("QMenuBar")) return true;
-    // The corner of a table, and the buttons of its header.
+    // Skips the corner of a table, and the buttons of its header.
     if (qobject_cast<const QAbstractItemView*>(up) &&
         qobject_cast<const QAbstractButton*>(widget)) {
       return true;

@@ -6,8 +6,8 @@
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
-  // No display, and empty settings in a separate folder, whatever the environment says, so that
-  // tests that run at the same time do not share them.
+  // Tests use no display, and empty settings in a separate folder, regardless of the environment.
+  // Therefore tests that run at the same time do not share settings.
   const QTemporaryDir home;
   if (!home.isValid()) return 1;
   qputenv("HOME", home.path().toLocal8Bit());

@@ -23,7 +23,7 @@ ColorWell::ColorWell(Studio& studio, QWidget* parent) : QToolButton(parent), stu
   setFocusPolicy(Qt::TabFocus);
   setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(this);
-  // Made when first needed, because most users use the panel.
+  // Made when it is first needed, because most users use the panel.
   connect(menu, &QMenu::aboutToShow, this, [this, menu] {
     if (!menu->isEmpty()) return;
     auto* colors = new ColorsPanel(studio_, menu);
@@ -46,11 +46,12 @@ void ColorWell::follow() {
   const double dpr = devicePixelRatioF();
   QPixmap picture(kSizePx * dpr);
   picture.setDevicePixelRatio(dpr);
-  // Over the paper, so that a transparent colour looks as it will on the page.
+  // The colour is drawn over the paper's, so that a transparent colour looks as it does on the
+  // page.
   picture.fill(qcolor(studio_.page().paper));
   QPainter painter(&picture);
   painter.fillRect(QRectF(QPointF(), QSizeF(kSizePx)), qcolor(color));
-  painter.setPen(Qt::gray);  // visible beside black ink on a dark bar, and white ink on a light one
+  painter.setPen(Qt::gray);  // visible beside black ink on a dark bar and white ink on a light one
   painter.drawRect(QRectF(QPointF(), QSizeF(kSizePx)).adjusted(0.5, 0.5, -0.5, -0.5));
   painter.end();
   setIcon(QIcon(picture));

@@ -6,8 +6,8 @@
 
 namespace felt::desktop {
 
-/// The colour of new ink, always visible: a button filled with it. A click opens the colours beside
-/// it.
+/// Shows the colour of new ink at all times as a filled button. A click opens the colours panel
+/// beside it.
 class ColorWell : public QToolButton {
   Q_OBJECT
 

@@ -29,7 +29,7 @@ void KeyEdit::set_key(const QKeySequence& key) {
 
 bool KeyEdit::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
-    event->accept();  // the field uses the key, even if it is a shortcut elsewhere
+    event->accept();  // the field uses the key even if it is a shortcut
     return true;
   }
   return QLineEdit::event(event);

@@ -5,8 +5,8 @@
 
 namespace felt::desktop {
 
-/// A field that records the next key pressed in it, with its modifiers. Tab is not recorded: it
-/// moves the focus, as everywhere.
+/// A field that records the next key that is pressed in it, with its modifiers. Tab is not
+/// recorded, because it moves the focus.
 class KeyEdit : public QLineEdit {
   Q_OBJECT
 

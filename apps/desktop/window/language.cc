@@ -38,7 +38,7 @@ QString use_language(const QString& language) {
   } else {
     chosen = chosen.section(QLatin1Char('_'), 0, 0).section(QLatin1Char('-'), 0, 0);
     if (!languages().contains(chosen)) chosen = QStringLiteral("en");
-    // Dates and decimal separators match the language.
+    // Dates and decimal separators must match the language.
     if (QLocale::system().name().section(QLatin1Char('_'), 0, 0) != chosen) {
       QLocale::setDefault(
           QLocale(chosen == QStringLiteral("en") ? QStringLiteral("en_GB") : chosen));
@@ -48,7 +48,8 @@ QString use_language(const QString& language) {
     load(QStringLiteral("qtbase_") + chosen, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     load(QStringLiteral("feltline_") + chosen, QStringLiteral(":/i18n"));
   }
-  // QApplication has set the system's locale; decimal commas in our files would be wrong.
+  // QApplication has set the system's locale, but decimal commas in Feltline's files would be
+  // wrong.
   std::setlocale(LC_NUMERIC, "C");
   return chosen;
 }

@@ -37,13 +37,15 @@
 namespace felt::desktop {
 namespace {
 
-/// Version of the layout for restoreState(); another version falls back to the original layout.
+/// Version of the layout for restoreState(). If the stored version differs, the original layout is
+/// used.
 constexpr int kLayoutVersion = 1;
 constexpr QSize kFirstWindowSize{1280, 820};
-/// Part of the screen for the frame that the window manager adds.
+/// Part of the screen that is reserved for the frame of the window manager.
 constexpr QSize kFrame{0, 40};
-constexpr int kMinLines = 8;  // of a panel that scrolls
-/// Share of the height, in per cent; a tool has more options than a drawing has layers.
+constexpr int kMinLines = 8;  // minimum number of lines of a panel that scrolls
+/// Share of the height for the options, in per cent. A tool has more options than a drawing has
+/// layers.
 constexpr int kOptionsShare = 64;
 
 Viewport stored_view(const CanvasView& view) {
@@ -80,7 +82,8 @@ DrawingLooks looks_of(Canvas& canvas, ColorsPanel& colors) {
               }};
 }
 
-/// Wraps a panel so that it scrolls vertically if the screen is too small for it.
+/// Puts a panel into a scroll area, so that it scrolls vertically if the screen is too small for
+/// it.
 QWidget* scrolled(QWidget* panel, const QString& name) {
   auto* area = new QScrollArea;
   area->setWidget(panel);
@@ -180,7 +183,7 @@ QDockWidget* MainWindow::add_panel(const QString& name, const QString& title, QW
                              dock->setVisible(on);
                              if (on) dock->raise();
                            });
-  // Does not use the visibility, because a panel behind another tab counts as shown.
+  // The visibility is not used, because a panel behind another tab counts as visible.
   connect(dock->toggleViewAction(), &QAction::toggled, action, &QAction::setChecked);
   return dock;
 }
@@ -206,7 +209,7 @@ void MainWindow::make_panels() {
   add_color_actions(*actions_, *colors);
   files_->set_looks(looks_of(*canvas_, *colors));
   add_panel(QStringLiteral("history"), tr("History"), new HistoryPanel(*studio_));
-  // Its text may need many lines: on a small screen it scrolls, and the window keeps its size.
+  // The panel scrolls on a small screen, because its text may need many lines.
   add_panel(QStringLiteral("forces"), tr("Forces"),
             scrolled(new ForcePanel(*studio_), tr("Forces")));
 }
@@ -221,13 +224,13 @@ void MainWindow::place_panels() {
     panel->show();
   }
   addDockWidget(Qt::RightDockWidgetArea, dock("options"));
-  // Must come first, because splitting beside a tabbed panel only adds a tab.
+  // This split must come first, because splitting beside a tabbed panel only adds a tab.
   splitDockWidget(dock("options"), dock("layers"), Qt::Vertical);
   tabifyDockWidget(dock("options"), dock("feel"));
   tabifyDockWidget(dock("layers"), dock("colors"));
   tabifyDockWidget(dock("colors"), dock("history"));
   addDockWidget(Qt::BottomDockWidgetArea, dock("forces"));
-  dock("forces")->hide();  // hidden at first, for a calm window
+  dock("forces")->hide();  // hidden at first, to keep the window simple
   check_panel_actions();
   dock("options")->raise();
   dock("layers")->raise();
@@ -327,7 +330,7 @@ void MainWindow::set_full_screen(bool on) {
   setWindowState(windowState().setFlag(Qt::WindowFullScreen, on));
 }
 
-/// Moves the focus by keys to the next part: the canvas, the bars, the visible panels.
+/// Moves the keyboard focus to the next part: the canvas, the bars, the visible panels.
 void MainWindow::go_to_next_part() {
   QList<QWidget*> parts{canvas_};
   for (QToolBar* bar : findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) parts.push_back(bar);
@@ -352,7 +355,7 @@ void MainWindow::go_to_next_part() {
 }
 
 void MainWindow::show_title() {
-  // Qt replaces "[*]" in a window title by the mark of unsaved changes; "[*][*]" shows as "[*]".
+  // Qt replaces "[*]" in a window title by the mark of unsaved changes; "[*][*]" appears as "[*]".
   QString name = files_->display_name();
   name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
   if (files_->is_read_only()) name += tr(" (read-only)");
@@ -362,8 +365,8 @@ void MainWindow::show_title() {
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  // With the focus on the canvas Tab hides the panels; elsewhere it moves the focus as usual. A
-  // ShortcutOverride that the canvas ignores goes on to its parents, so the focus is checked here.
+  // If the canvas has the focus, Tab hides the panels; elsewhere it moves the focus. If the canvas
+  // ignores a ShortcutOverride, its parents receive it, so the focus is checked here.
   if (event->type() == QEvent::ShortcutOverride && !canvas_->hasFocus() &&
       watched->isWidgetType() && static_cast<QWidget*>(watched)->window() == this) {
     const auto* key = static_cast<QKeyEvent*>(event);

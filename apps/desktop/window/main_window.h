@@ -18,7 +18,7 @@ namespace felt::desktop {
 
 /// The window of one drawing: canvas, tool bar, panels, menus, status line.
 ///
-/// Its layout (size, position, panels) is kept for the next window. One process may have several
+/// Its layout (size, position, panels) is stored for the next window. One process may have several
 /// windows (windows.h).
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -36,7 +36,7 @@ class MainWindow : public QMainWindow {
   /// Returns the window in which surfaces and media are edited; makes it on the first call.
   MaterialEditor& material_editor();
   [[nodiscard]] DeviceNotice& device_notice() noexcept { return *device_notice_; }
-  /// Shows a panel by its name ("layers", "forces"). Returns false if there is none of that name.
+  /// Shows a panel by its name ("layers", "forces"). Returns false if no panel has that name.
   bool show_panel(const QString& name);
   /// Restores the original layout of panels and bars.
   void reset_layout();
@@ -44,9 +44,9 @@ class MainWindow : public QMainWindow {
   void keep_layout();
 
  Q_SIGNALS:
-  /// "edit.preferences" was triggered.
+  /// Emitted when "edit.preferences" was triggered.
   void wants_preferences();
-  /// An example: opened here if nothing was drawn, otherwise in its own window.
+  /// The user chose an example. It opens here if nothing was drawn, otherwise in its own window.
   void wants_drawing(const felt::Document& drawing, const QString& title);
 
  protected:

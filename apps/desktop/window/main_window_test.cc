@@ -59,7 +59,7 @@ std::unique_ptr<MainWindow> shown_window() {
   return window;
 }
 
-/// Puts the pen on the page, or lifts it.
+/// Puts the pen on the page if `down`, otherwise lifts it.
 void touch(MainWindow& window, bool down) {
   Studio& studio = window.studio();
   studio.point(
@@ -149,7 +149,7 @@ TEST(MainWindow, WhatAPersonMakesIsInEveryListAtOnce) {
       found += box->findText(QStringLiteral("Graphite")) >= 0;
     }
     for (const auto* button : window.findChildren<QAbstractButton*>()) {
-      // If there is little room, the text of a button is shorter than its name.
+      // If space is short, the text of a button is shorter than its name.
       const QString name =
           button->accessibleName().isEmpty() ? button->text() : button->accessibleName();
       found += !button->isHidden() &&
@@ -327,7 +327,7 @@ TEST(Windows, ASignalEndsThemWithoutForceAndKeepsWhatWasDrawn) {
   windows.let_go();
   const QString folder = window->files().autosave()->folder();
   EXPECT_FALSE(window->studio().loop().forces_are_on());
-  windows.end();  // does not ask
+  windows.end();  // closes the windows without asking the user
   EXPECT_TRUE(window.isNull());
   EXPECT_FALSE(folder.isEmpty());
   EXPECT_TRUE(QDir(folder).exists()) << "the next start offers it";

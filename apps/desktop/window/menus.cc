@@ -13,15 +13,15 @@
 namespace felt::desktop {
 namespace {
 
-/// A menu: the first part of its actions' names, and their order. "-" is a separator; "name.*"
-/// stands for all actions of that prefix, in a submenu if `submenus` names one.
+/// A menu: the first part of its actions' names, and their sequence. "-" is a separator. "name.*"
+/// means all actions with that prefix, in a submenu if `submenus` names one.
 struct MenuRow {
   std::string_view prefix;
   const char* title;
   std::string_view order;  // separated by blanks
 };
 
-/// Where the submenu of recent files goes; not the name of an action.
+/// The position of the submenu of recent files. It is not the name of an action.
 constexpr auto kRecent = "file.recent_menu";
 
 constexpr std::array kMenus{
@@ -50,7 +50,7 @@ constexpr std::array kMenus{
             "help.guide help.tour help.shortcuts - help.example* - help.* - help.about"},
 };
 
-/// Actions of that prefix go into a submenu.
+/// A submenu of the actions with that prefix.
 struct SubmenuRow {
   std::string_view prefix;
   const char* title;
@@ -69,7 +69,7 @@ struct IconRow {
   std::string_view action;
   std::string_view icon;
 };
-/// Commands whose icon has another name.
+/// The commands whose icons have other names.
 constexpr std::array kIcons{
     IconRow{"view.fit_page", "fit"},
     IconRow{"view.hide_panels", "panels"},
@@ -135,7 +135,7 @@ class MenuFiller {
   QMenu& menu_;
   const Actions& actions_;
   QMenu* recent_;
-  QSet<QString> named_;  // have their own place in the table
+  QSet<QString> named_;  // actions that have their own position in the table
   QSet<QAction*> done_;
   bool wants_line_ = false;
 };

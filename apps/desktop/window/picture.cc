@@ -24,7 +24,8 @@ namespace {
 
 constexpr std::int64_t kFrameNs = 16'000'000;
 
-/// A made-up connected device, so that pictures do not depend on the hardware of this machine.
+/// Returns an invented connected device, so that pictures do not depend on the hardware of this
+/// machine.
 PenDeviceInfo shown_pen() {
   PenDeviceInfo info;
   info.id = QStringLiteral("openhaptics:default");
@@ -39,7 +40,7 @@ int complain(const QString& text) {
   return 1;
 }
 
-/// Processes events, as a program with a screen would.
+/// Processes events as a program with a screen does.
 void settle() {
   for (int i = 0; i < 30; ++i) {
     QApplication::processEvents(QEventLoop::AllEvents, 20);
@@ -56,7 +57,7 @@ bool lacks_pictures(const MainWindow& window) {
   return false;
 }
 
-/// Waits until the pictures of surfaces and media that other threads make are finished.
+/// Waits until other threads have finished the pictures of surfaces and media.
 void wait_for_pictures(const MainWindow& window) {
   constexpr int kMaxWaits = 500, kWaitMs = 20;
   for (int i = 0; i < kMaxWaits && lacks_pictures(window); ++i) {

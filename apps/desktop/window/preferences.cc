@@ -57,7 +57,7 @@ void Preferences::add(const QString& name, const char* icon, const QString& titl
   pages_.push_back({name, std::move(make)});
   auto* item = new QListWidgetItem(icon_of(icon), title, list_);
   item->setSizeHint(QSize(0, fontMetrics().height() + kRowMarginPx));
-  // A large page scrolls; the dialog keeps its size.
+  // A page that is too large scrolls, so that the dialog keeps its size.
   auto* frame = new QScrollArea(this);
   frame->setFrameShape(QFrame::NoFrame);
   frame->setWidgetResizable(true);

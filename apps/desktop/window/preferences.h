@@ -10,16 +10,16 @@
 
 namespace felt::desktop {
 
-/// The settings, page by page. Every change takes effect immediately and is kept; there is no
-/// confirmation. A page is made when it is first shown.
+/// The dialog of the settings, with several pages. Every change takes effect immediately and is
+/// stored; the dialog has no button to confirm. A page is made when it is first shown.
 class Preferences : public QDialog {
   Q_OBJECT
 
  public:
   explicit Preferences(MainWindow& window);
 
-  /// Shows "general", "pen", "device", "canvas" or "shortcuts". Returns false if there is none of
-  /// that name.
+  /// Shows the page "general", "pen", "device", "canvas" or "shortcuts". Returns false if no page
+  /// has that name.
   bool show_page(const QString& name);
   [[nodiscard]] QStringList page_names() const;
   [[nodiscard]] QWidget* page(const QString& name);

@@ -10,10 +10,11 @@
 
 namespace felt::desktop {
 
-/// Returns a control that shows and changes a setting, and follows changes from elsewhere.
+/// Returns a control that shows and changes a setting, and follows changes that come from
+/// elsewhere.
 QCheckBox* setting_switch(const QString& key, bool fallback, const QString& text,
                           const QString& tip, QWidget* parent);
-/// `choices`: stored values and the texts shown for them.
+/// `choices` are the stored values and the texts that the user sees.
 QComboBox* setting_choice(const QString& key, const QString& fallback,
                           const std::vector<std::pair<QString, QString>>& choices,
                           const QString& name, QWidget* parent);

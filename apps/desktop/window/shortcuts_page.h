@@ -11,8 +11,8 @@
 
 namespace felt::desktop {
 
-/// All actions and their keys, with search and editing. A key that belongs to another action is
-/// reassigned only if the user confirms; the other action then has no key.
+/// The page of all actions and their keys, with search and editing. If a key belongs to another
+/// action, it is reassigned only after the user confirms; the other action then has no key.
 class ShortcutsPage : public QWidget {
   Q_OBJECT
 
@@ -21,11 +21,11 @@ class ShortcutsPage : public QWidget {
 
   /// Selects that action in the list.
   void select(const QString& action);
-  /// Handles a key pressed in the key field.
+  /// Handles a key that was pressed in the key field.
   void press(const QKeySequence& key);
   /// Returns true if the key belongs to another action, which the conflict line names.
   [[nodiscard]] bool has_conflict() const noexcept { return conflict_ != nullptr; }
-  /// Reassigns the key from that action.
+  /// Assigns the key to the selected action and removes it from the other one.
   void take_over();
 
  private:

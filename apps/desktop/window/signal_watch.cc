@@ -11,7 +11,7 @@
 namespace felt::desktop {
 namespace {
 
-std::atomic<int> ear{-1};  // the end of the pipe that the handler writes to
+std::atomic<int> ear{-1};  // the end of the pipe to which the handler writes
 static_assert(std::atomic<int>::is_always_lock_free);
 
 void set(void (*handler)(int)) {
@@ -25,7 +25,7 @@ void set(void (*handler)(int)) {
 extern "C" void note_signal(int signal) {
   const int kept_errno = errno;
   const int fd = ear.exchange(-1);
-  if (fd < 0 || write(fd, "!", 1) != 1) {  // the second signal, or one that could not be reported
+  if (fd < 0 || write(fd, "!", 1) != 1) {  // the second signal, or the pipe failed
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
@@ -35,7 +35,9 @@ extern "C" void note_signal(int signal) {
 }  // namespace
 
 SignalWatch::SignalWatch(QObject* parent) : QObject(parent) {
-  if (pipe2(pipe_.data(), O_CLOEXEC | O_NONBLOCK) != 0) return;  // signals end the process as usual
+  if (pipe2(pipe_.data(), O_CLOEXEC | O_NONBLOCK) != 0)
+    return;  // then signals end the process as
+             // usual
   notifier_ = std::make_unique<QSocketNotifier>(pipe_[0], QSocketNotifier::Read);
   connect(notifier_.get(), &QSocketNotifier::activated, this, [this] {
     notifier_->setEnabled(false);
@@ -49,7 +51,7 @@ SignalWatch::~SignalWatch() {
   if (!notifier_) return;
   set(SIG_DFL);
   ear = -1;
-  notifier_.reset();  // before the descriptor that it watches is closed
+  notifier_.reset();  // before its file descriptor is closed
   for (const int fd : pipe_) close(fd);
 }
 

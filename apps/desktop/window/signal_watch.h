@@ -7,9 +7,10 @@
 
 namespace felt::desktop {
 
-/// While it exists, SIGTERM, SIGINT and SIGHUP (a logout, `kill`, Ctrl-C, a terminal that closes)
-/// emit `asked`. Otherwise they would end the process immediately, with the device's last force
-/// still on. The second signal ends it as usual. One per process, main thread.
+/// While it exists, SIGTERM, SIGINT and SIGHUP (sent by a logout, `kill`, Ctrl-C or a terminal
+/// that closes) emit `asked`. Without it, they would end the process immediately, with the
+/// device's last force still on. A second signal ends the process as usual. Each process may have
+/// one, in the main thread.
 class SignalWatch : public QObject {
   Q_OBJECT
 
@@ -18,7 +19,7 @@ class SignalWatch : public QObject {
   ~SignalWatch() override;
 
  Q_SIGNALS:
-  /// A signal asks the program to end. Emitted from the event loop.
+  /// Emitted from the event loop when a signal asks the program to end.
   void asked();
 
  private:

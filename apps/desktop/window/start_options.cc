@@ -8,8 +8,8 @@ namespace {
 
 struct Row {
   const char* name;
-  const char* value;  // "" for a switch
-  const char* help;   // null: hidden, used only for making the documents
+  const char* value;  // "" if the option is a switch
+  const char* help;   // null if the option is hidden, because only the documents' tools use it
 };
 
 constexpr Row kRows[] = {

@@ -7,17 +7,17 @@
 
 namespace felt::desktop {
 
-/// A request for a picture of a window, for the documents: default settings, no display, a virtual
-/// clock.
+/// A request for a picture of a window, for the documents. The program then uses default settings,
+/// no display and a virtual clock.
 struct PictureRequest {
-  QString path;  ///< "" for none
+  QString path;  ///< "" if no picture is requested
   QSize size{1280, 800};
   QString theme = QStringLiteral("light");
   QStringList panels;  ///< names of the panels to show
   QString tool;
-  QString script;                  ///< an event script that is played first
-  std::optional<qint64> until_ms;  ///< stops it there
-  QString example;                 ///< opened before the script
+  QString script;                  ///< path of an event script that is played first
+  std::optional<qint64> until_ms;  ///< script time at which it stops
+  QString example;                 ///< id of an example that is opened before the script
   QString dialog;                  ///< "preferences/pen", "shortcuts", "about", "guide", "tour/2"
 };
 
@@ -31,7 +31,7 @@ struct StartOptions {
   PictureRequest picture;
 };
 
-/// Reads the arguments of QCoreApplication. Returns an error for stderr (exit code 2), or nothing.
+/// Reads the arguments of QCoreApplication. Returns an error for stderr (exit code 2), or nullopt.
 std::optional<QString> read_arguments(const QStringList& arguments, StartOptions& options);
 
 /// Returns the text of --help.

@@ -12,14 +12,14 @@
 namespace felt::desktop {
 namespace {
 
-/// Returns the time since the kernel created the process, including the loading of libraries; to 10
-/// ms, the kernel's resolution.
+/// Returns the time since the kernel created the process, which includes the loading of libraries.
+/// The resolution is the kernel's, 10 ms.
 double seconds_since_start() {
   QFile file(QStringLiteral("/proc/self/stat"));
   if (!file.open(QIODevice::ReadOnly)) return 0.0;
   const QByteArray all = file.readAll();
-  // Field 22 (proc(5)). Counts from the last bracket, because field 2 is in brackets and may
-  // contain anything.
+  // Reads field 22 (proc(5)). Counts from the last bracket, because field 2 is in brackets and may
+  // contain any characters.
   const QList<QByteArray> fields = all.mid(all.lastIndexOf(')') + 2).split(' ');
   if (fields.size() < 20) return 0.0;
   const double ticks = double(sysconf(_SC_CLK_TCK));
@@ -37,7 +37,7 @@ StartWatch::StartWatch(Canvas& canvas) : QObject(&canvas) {
 bool StartWatch::eventFilter(QObject*, QEvent* event) {
   if (event->type() != QEvent::Paint || is_done_) return false;
   is_done_ = true;
-  // After the paint, and after the picture was passed to the screen.
+  // Runs after the paint, when the picture was passed to the screen.
   QTimer::singleShot(0, this, [] {
     std::printf("first paint %.0f ms after the start, %.0f ms of CPU\n",
                 1e3 * seconds_since_start(), 1e3 * double(std::clock()) / CLOCKS_PER_SEC);

@@ -6,8 +6,8 @@
 
 namespace felt::desktop {
 
-/// For --measure-start: prints the time from the start of the process to the first paint of the
-/// canvas, then ends the program.
+/// Implements --measure-start: prints the time from the start of the process to the first paint of
+/// the canvas, then ends the program.
 class StartWatch : public QObject {
   Q_OBJECT
 

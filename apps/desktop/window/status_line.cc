@@ -54,7 +54,7 @@ QLabel* StatusLine::field(const QString& name, const QString& widest) {
   label->setToolTip(name);
   label->setTextFormat(Qt::PlainText);
   label->setContentsMargins(8, 0, 8, 0);
-  // Sized for the widest text, so that the fields do not move while the user draws.
+  // The width fits the widest text, so that the fields do not move while the user draws.
   if (!widest.isEmpty())
     label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 20);
   addPermanentWidget(label);
@@ -71,7 +71,7 @@ void StatusLine::elide_hint() {
   hint_->setText(hint_->fontMetrics().elidedText(hint_text_, Qt::ElideRight, hint_->width() - 12));
 }
 
-/// Elides the hint by its label's own size, which also changes when another field appears or
+/// Elides the hint by the size of its own label, which also changes when another field appears or
 /// disappears.
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
   if (watched == hint_ && event->type() == QEvent::Resize) elide_hint();
@@ -103,8 +103,8 @@ void StatusLine::show_device() {
   const PenDeviceInfo& info = studio_.loop().device().info();
   const QString& name = info.short_label.isEmpty() ? info.label : info.short_label;
   const DeviceStatus status = studio_.loop().device_status();
-  // Shows the loop's rate only if motors push the user's hand; for a simulated device it does not
-  // matter.
+  // Shows the loop's rate only if motors push the user's hand, because it does not matter for a
+  // simulated device.
   const double rate_hz =
       status.rate_hz > 0.0
           ? status.rate_hz

@@ -18,10 +18,10 @@ namespace {
 constexpr int kRowPx = 6;
 constexpr int kGripDots = 5;
 
-/// Fusion with a clearly visible focus ring.
+/// The Fusion style with a clearly visible focus ring.
 class DeskStyle final : public QProxyStyle {
  public:
-  /// Returns true if the panel is one of several tabs, so that its tab shows its name.
+  /// Returns true if the panel is one of several tabs. Its tab then shows its name.
   static bool is_tabbed(const QWidget* widget) {
     const auto* dock = qobject_cast<const QDockWidget*>(widget);
     const auto* window = dock ? qobject_cast<const QMainWindow*>(dock->parentWidget()) : nullptr;
@@ -77,7 +77,7 @@ class DeskStyle final : public QProxyStyle {
 
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* data) const override {
-    // A tool tip that appears wherever the pen rests would hide the drawing.
+    // A tool tip that appears whenever the pen rests would hide the drawing.
     if (hint == SH_ToolTip_WakeUpDelay) return 900;
     return QProxyStyle::styleHint(hint, option, widget, data);
   }

@@ -15,7 +15,7 @@
 namespace felt::desktop::theme_test {
 namespace {
 
-/// Relative luminance of WCAG 2.1.
+/// Returns the relative luminance of WCAG 2.1.
 double luminance(const QColor& color) {
   const auto linear = [](float part) {
     const double c = double(part);
@@ -56,7 +56,7 @@ TEST(Theme, TextCanBeReadInBothThemes) {
             << int(theme) << ": role " << front << " on " << back;
       }
     }
-    // The focus is visible: 3 : 1 (WCAG 2.1, 1.4.11).
+    // The focus must be visible: 3 : 1 (WCAG 2.1, 1.4.11).
     EXPECT_GE(contrast(palette.color(P::Highlight), palette.color(P::Window)), 3.0);
   }
 }

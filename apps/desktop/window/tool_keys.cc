@@ -37,7 +37,7 @@ ToolKeys::ToolKeys(Actions& actions, Studio& studio, QWidget* window)
       action->setCheckable(true);
     }
     action->setAutoRepeat(false);
-    // Connected after the action's own slot, so that holding works for any action.
+    // Connected after the action's own slot, so that holding the key works for any action.
     connect(action, &QAction::triggered, this, [this, id] { choose(id); });
   }
   QAction* swap = actions_.add(
@@ -70,15 +70,15 @@ void ToolKeys::choose(const QString& tool) {
   borrow(tool, false);
 }
 
-/// Selects the tool; the release of the key decides whether permanently.
+/// Selects the tool. The release of the key determines whether it stays selected.
 void ToolKeys::borrow(const QString& tool, bool always) {
-  // The action may have selected the tool already.
+  // The action may already have selected the tool.
   const QString former = held_.key ? held_.former : last_key_ ? before_ : tool_in_hand();
   owed_.clear();
   if (tool_in_hand() != tool) studio_.apply(SelectTool{tool.toStdString()});
   held_ = {};
   if (last_key_) held_ = {last_key_, former, now_ms(), false, always};
-  if (!last_key_ && always) return;  // from the menu: no key is held
+  if (!last_key_ && always) return;  // triggered from the menu: no key is held
 }
 
 void ToolKeys::note_use() {
@@ -117,7 +117,7 @@ bool ToolKeys::eventFilter(QObject* watched, QEvent* event) {
       break;
     }
     case QEvent::MouseButtonPress:
-      last_key_ = 0;  // an action triggered now comes from a click
+      last_key_ = 0;  // if an action is triggered now, the user has clicked
       break;
     case QEvent::WindowDeactivate:
       if (watched == window_) {

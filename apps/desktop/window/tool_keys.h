@@ -8,30 +8,31 @@
 
 namespace felt::desktop {
 
-/// A key for each tool. A tap selects the tool permanently. A key that is held while its tool is
-/// used gives the former tool back when it is released ("hold to borrow"). A key counts as held
-/// after kHoldMs; a gesture in progress is finished first. Losing the focus of the window counts as
-/// a release.
+/// Handles a key for each tool. A tap selects the tool permanently. If the key is held while its
+/// tool is used, its release selects the former tool again ("hold to borrow"). A key counts as
+/// held after kHoldMs. If a gesture is in progress, it is finished first. When the window loses
+/// the focus, the key counts as released.
 ///
 /// "tool.swap" (X) borrows the eraser while it is held, or the pencil if the eraser is selected.
 ///
-/// Adds the actions "tool.ID" that no other folder has added, and watches the program's key events.
+/// Adds the actions "tool.ID" that no other folder has added, and watches the program's key
+/// events.
 class ToolKeys : public QObject {
   Q_OBJECT
 
  public:
-  /// A shorter press is a tap.
+  /// A press that is shorter than kHoldMs is a tap.
   static constexpr int kHoldMs = 250;
 
-  /// All arguments must outlive this; the keys work in `window`.
+  /// All arguments must outlive this object. The keys work in `window`.
   ToolKeys(Actions& actions, Studio& studio, QWidget* window);
 
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Held {
-    int key = 0;     // 0: none
-    QString former;  // the tool before it
+    int key = 0;     // 0: no key
+    QString former;  // the tool that was selected before
     qint64 since_ms = 0;
     bool is_used = false;
     bool gives_back_always = false;
@@ -48,9 +49,9 @@ class ToolKeys : public QObject {
   Studio& studio_;
   QWidget* window_;
   Held held_;
-  QString before_;    // the current tool when that key was pressed
+  QString before_;    // the tool that was current when that key was pressed
   int last_key_ = 0;  // the key event that may trigger a shortcut now
-  QString owed_;      // the tool to give back when the pen is lifted
+  QString owed_;      // the tool to select again when the pen is lifted
 };
 
 }  // namespace felt::desktop

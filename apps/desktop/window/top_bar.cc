@@ -23,7 +23,7 @@ struct Choice {
   QString id, label;
 };
 
-/// Fills the list, but leaves it alone while its choices have not changed, because it may be open.
+/// Fills the list. Does nothing if its choices have not changed, because the list may be open.
 void offer(QComboBox& box, const QList<Choice>& all) {
   bool is_same = box.count() == all.size();
   for (int i = 0; is_same && i < box.count(); ++i) {
@@ -73,7 +73,8 @@ void TopBar::add_named(const Actions& actions, const char* name) {
   button->setFocusPolicy(Qt::TabFocus);
 }
 
-/// Shows its text at every width, so that the user always sees how to stop the forces.
+/// Adds the switch of the forces. It shows its text at every width, so that the user always sees
+/// how to stop the forces.
 void TopBar::add_forces(const Actions& actions) {
   add_named(actions, "feel.forces");
   forces_ = actions.find(QStringLiteral("feel.forces"));
@@ -112,7 +113,7 @@ QComboBox* TopBar::add_list(const QString& label, const QString& name, const QSt
   return box;
 }
 
-/// Shows a picture of each medium. Choosing one also selects the tool that draws with it.
+/// Adds a picture of each medium. Choosing a medium also selects the tool that draws with it.
 void TopBar::add_media(const MediaPictures& pictures) {
   QComboBox* box =
       add_list(tr("Medium:"), tr("Drawing medium"), tr("How the medium looks, feels and sounds"));
@@ -138,7 +139,7 @@ void TopBar::add_media(const MediaPictures& pictures) {
   };
   fill();
   connect(box, &QComboBox::activated, this, [this, box, show] {
-    // With a selection it also applies to the selected lines.
+    // If lines are selected, the medium is also applied to them.
     const Session& session = studio_.session();
     const Tool* draws = session.first_tool(ToolKind::kDraws);
     if (draws && &session.tool() != draws && session.selection().empty()) {

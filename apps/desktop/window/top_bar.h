@@ -9,7 +9,7 @@
 
 namespace felt::desktop {
 
-/// The controls that are used all the time: undo, redo, zoom, medium, surface, forces.
+/// A bar with the controls that are used most often: undo, redo, zoom, medium, surface, forces.
 class TopBar : public QToolBar {
   Q_OBJECT
 

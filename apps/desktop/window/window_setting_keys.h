@@ -2,19 +2,19 @@
 
 #include <QString>
 
-/// The settings of the window, kept between starts.
+/// The settings of the window, which are kept between starts.
 namespace felt::desktop::window_keys {
 
-/// "system", "light" or "dark".
+/// Theme: "system", "light" or "dark".
 inline const QString kTheme = QStringLiteral("window/theme");
-/// "" for the system's language, otherwise "en", "de", "nl"; takes effect at the next start.
+/// Language: "en", "de" or "nl", or "" for the system's. A change takes effect at the next start.
 inline const QString kLanguage = QStringLiteral("window/language");
 inline const QString kGeometry = QStringLiteral("window/geometry");
 inline const QString kLayout = QStringLiteral("window/layout");
-/// The last drawing is opened again at the next start.
+/// True if the next start opens the last drawing again.
 inline const QString kReopenLast = QStringLiteral("window/reopen_last");
 
-/// The path of that drawing.
+/// The path of the last drawing.
 inline const QString kLastFile = QStringLiteral("window/last_file");
 
 }  // namespace felt::desktop::window_keys

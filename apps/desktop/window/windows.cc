@@ -10,7 +10,7 @@
 namespace felt::desktop {
 namespace {
 
-/// Offset from the window before.
+/// Offset from the previous window.
 constexpr QPoint kStep{28, 28};
 
 }  // namespace
@@ -20,8 +20,8 @@ Windows::Windows(StudioOptions first, QObject* parent)
 
 MainWindow* Windows::make() {
   auto* window = new MainWindow(options_);
-  options_ = {.device = options_.device, .live = options_.live};  // a recording contains one window
-                                                                  // only
+  options_ = {.device = options_.device, .live = options_.live};  // a recording contains only one
+                                                                  // window
   window->setAttribute(Qt::WA_DeleteOnClose);
   if (!windows_.isEmpty()) window->move(windows_.back()->pos() + kStep);
   windows_.push_back(window);
@@ -71,11 +71,11 @@ void Windows::end() {
   let_go();
   for (MainWindow* window : QList<MainWindow*>(windows_)) {
     window->keep_layout();
-    delete window;  // closes its device without force; its autosave stays if it is needed
+    delete window;  // closes its device without force; keeps its autosave if it is needed
   }
 }
 
-/// Returns a pristine window, or null.
+/// Returns a pristine window, or null if all windows are in use.
 MainWindow* Windows::pristine() const {
   const auto found = std::find_if(windows_.begin(), windows_.end(), [](MainWindow* window) {
     return window->files().is_pristine() && !window->files().worker().is_busy();

@@ -12,23 +12,24 @@ class Windows : public QObject {
   Q_OBJECT
 
  public:
-  /// `first` are the options of the first window's studio. The others get the same device and the
-  /// same `live`, but are not recorded.
+  /// `first` are the options of the first window's studio. The studios of other windows get the
+  /// same device and the same `live`, but are not recorded.
   explicit Windows(StudioOptions first, QObject* parent = nullptr);
 
   /// Opens a window with an empty page.
   MainWindow* open();
-  /// Returns a window with this file: one that shows it already, a pristine one, or another one. If
-  /// the file cannot be read, the window shows the error over an empty page.
+  /// Returns a window that shows this file: the window that shows it already, a pristine window,
+  /// or a new one. If the file cannot be read, the window shows the error over an empty page.
   MainWindow* open_file(const QString& path);
-  /// Opens an example; in `here` if nothing was drawn there.
+  /// Opens an example: in `here` if nothing was drawn there, otherwise in a new window.
   MainWindow* open_drawing(const Document& drawing, const QString& title, MainWindow* here);
-  /// Ends without questions, because the program is told to end: switches forces off immediately.
-  /// When it returns, the drawings are on the disk; unsaved ones are offered at the next start.
+  /// Prepares to end without asking the user, because the program must end. Switches forces off
+  /// immediately. When it returns, the drawings are on the disk; the next start offers the unsaved
+  /// ones.
   void let_go();
-  /// Does let_go() and closes all windows. Must not be called from within a dialog.
+  /// Calls let_go() and closes all windows. Must not be called from within a dialog.
   void end();
-  /// Returns the path of the file that was open last, or "".
+  /// Returns the path of the file that was last open, or "".
   [[nodiscard]] static QString last_file();
 
  private:

@@ -7,7 +7,7 @@
 
 namespace felt::desktop {
 
-/// Dialogs that answer as a test says, and record the questions.
+/// Dialogs that give the answers that a test sets, and record the questions.
 class ScriptedDialogs : public FileDialogs {
  public:
   QString open_name(QWidget*, const QString&, const QString&, const QString&) override {
@@ -45,11 +45,11 @@ class ScriptedDialogs : public FileDialogs {
   }
 
   QString next;       ///< the next name that is chosen
-  QString then;       ///< the name chosen for the save after that; "": the same again
-  QString suggested;  ///< the last one that save_name was given
+  QString then;       ///< the name chosen at the following save; if "", the same name
+  QString suggested;  ///< the name that save_name was last given
   Unsaved unsaved = Unsaved::kCancel;
   Overwrite overwrite = Overwrite::kCancel;
-  std::function<void()> save_elsewhere;  ///< what the last failed save offered
+  std::function<void()> save_elsewhere;  ///< the action that the last failed save offered
   bool salvage = false;
   int salvageable = 0;  ///< number of strokes in the last question
   QStringList asked;

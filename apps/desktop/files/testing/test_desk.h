@@ -50,7 +50,7 @@ struct TestDesk {
     ASSERT_TRUE(files->save());
     files->finish_writing();
   }
-  /// Adds one stroke of that medium, which need not be known.
+  /// Adds one stroke of that medium, which may be unknown.
   void draw_with(const std::string& medium) {
     StrokeData data = felt::testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
     data.material = medium;
@@ -58,7 +58,7 @@ struct TestDesk {
         QStringLiteral("test"),
         std::vector{std::make_shared<const Stroke>(Stroke::create(std::move(data)).value())});
   }
-  /// Returns the texts of materials that a file of the drawing would contain now.
+  /// Returns the texts of the materials that a file of the drawing would contain now.
   [[nodiscard]] std::vector<std::string> texts() const { return files->drawing().materials; }
   [[nodiscard]] QString at(const char* name) const {
     return folder.filePath(QString::fromUtf8(name));

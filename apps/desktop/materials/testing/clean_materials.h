@@ -7,8 +7,8 @@
 
 namespace felt::desktop {
 
-/// For tests: removes unsaved materials of other tests, and at its end those of this one. Must be
-/// the first member.
+/// For tests: removes unsaved materials of other tests at its start, and those of this test at its
+/// end. It must be the first member.
 struct Clean {
   Clean() { forget(); }
   ~Clean() { forget(); }

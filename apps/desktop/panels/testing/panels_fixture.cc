@@ -24,7 +24,7 @@ std::vector<std::string> nameless(const QWidget& widget) {
   for (QWidget* child : widget.findChildren<QWidget*>()) {
     if (child->focusPolicy() == Qt::NoFocus || child->inherits("QMenu")) continue;
     QAccessibleInterface* seen = QAccessible::queryAccessibleInterface(child);
-    // The line edit of a spin box is named by the box.
+    // The line edit of a spin box gets its name from the box.
     const bool is_part = child->objectName().startsWith(QLatin1String("qt_"));
     if (is_part || !seen || !seen->text(QAccessible::Name).isEmpty()) continue;
     found.push_back(std::string(child->metaObject()->className()) + " " +

@@ -9,18 +9,18 @@
 /// Helpers for the tests of this folder.
 namespace felt::desktop::testing {
 
-/// Returns options for a studio without threads, whose clock stands still.
+/// Returns options for a studio without threads whose clock advances only on request.
 inline StudioOptions still() {
   StudioOptions options;
   options.live = false;
   return options;
 }
 
-/// Adds `count` lines, one below the other, each a step of undo, in the current colour.
+/// Adds `count` lines in the current colour, from top to bottom, each as a step of undo.
 void draw_lines(Studio& studio, int count);
 
-/// Returns the controls below a widget that the user can reach and that have neither a text nor an
-/// accessible name: class and object name, for a message.
+/// Returns the controls below a widget that the user can reach but that have neither a text nor an
+/// accessible name. Each is given by class and object name, for a message.
 std::vector<std::string> nameless(const QWidget& widget);
 
 /// Returns the names of the layers, the topmost first, with "*" after the current one.
