@@ -29,7 +29,7 @@ class PenHand : public QObject {
   bool point(Source source, QPointF px, std::int64_t time_ns, bool touching,
              std::optional<double> pressure, std::optional<double> tilt_deg = {});
   bool point_mm(Source source, Point mm, std::int64_t time_ns, bool touching,
-                std::optional<double> pressure, std::optional<double> lean_deg = {});
+                std::optional<double> pressure, std::optional<double> tilt_deg = {});
   /// Lifts the pen at its present position, for any source. Does nothing if the pen is not down.
   void lift();
   /// Discards the gesture. The pen has no effect until it was lifted.

@@ -180,7 +180,7 @@ TEST_F(PenInputTest, EveryPlaceIsASample) {
 
 // If a tablet senses tilt, the sample has the pen's tilt. Otherwise the tilt is unknown, whatever
 // the tablet's events contain.
-TEST_F(PenInputTest, ThePenLeansAsTheTabletSays) {
+TEST_F(PenInputTest, ThePenTiltsAsTheTabletSays) {
   const auto* tilting =
       new QPointingDevice(QStringLiteral("tilting pen"), 13, QInputDevice::DeviceType::Stylus,
                           QPointingDevice::PointerType::Pen,

@@ -28,7 +28,7 @@ class PenTestArea : public QWidget {
   void pressed(std::optional<double> raw, double curved);
   /// Emitted with the pen's tilt from the upright, in degrees; nullopt if the pen does not report
   /// it.
-  void leaned(std::optional<double> lean_deg);
+  void tilted(std::optional<double> tilt_deg);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -64,7 +64,7 @@ TEST(PensPage, TheCurveFollowsSlidersHandlesAndKeys) {
 }
 
 /// Tests a tablet that senses tilt, and one that does not.
-TEST(PensPage, ShowsHowThePenLeans) {
+TEST(PensPage, ShowsHowThePenTilts) {
   PensPage page;
   page.resize(700, 600);
   page.show();
