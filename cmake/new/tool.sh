@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# cmake/new/tool.sh NAME: writes a small tool that works, from cmake/new/tool, and lists it where tools
-# are listed (`./dev new tool NAME`).
+# cmake/new/tool.sh NAME: writes a small working tool from the templates in cmake/new/tool, and adds it to
+# the lists of tools (`./dev new tool NAME`).
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 die() { printf './dev new tool: %s\n' "$*" >&2; exit 2; }
@@ -14,7 +14,8 @@ words=${name//_/ }
 label=${words^}  # "my_tool" becomes "My tool" and MyTool
 camel=$(sed -E 's/(^|_)([a-z0-9])/\U\2/g' <<<"$name")
 
-# The folder appears whole, and before the lists name it.
+# Fills a temporary folder and moves it in one step, so that the new folder is complete before the lists
+# contain the tool.
 making=build/new_tool.$$
 trap 'rm -rf "$making"' EXIT
 
