@@ -110,8 +110,8 @@ void DrawnStrokes::step(double from_px, double to_px, double y_px, Latencies& al
   const double x = std::round(0.5 * (from_px + to_px));
   const QPoint look = canvas_on_screen_ + QPointF(x, y_px).toPoint();
   const bool is_free = find_paper(look.x(), look.y());
-  // Waits for the first sample that can have put ink on this pixel. This may be a sample too early,
-  // so that the latency is rather too long than too short.
+  // Waits for the first sample that can have put ink on this pixel. It may be one sample too
+  // early, so the measured latency is never too short.
   samples_.arm(view_.to_mm({x - ink_radius_px_, y_px}).x);
   const std::int64_t event_ns = steady_ns();
   pen_->point({to_px, y_px}, kPressure);

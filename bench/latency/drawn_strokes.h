@@ -39,7 +39,7 @@ struct Latencies {
   std::vector<double> from_event_ms;   ///< from the injection of the event to the pixel
   std::vector<double> from_sample_ms;  ///< from the time stamp of the sample to the pixel
   int not_seen = 0;                    ///< no ink within half a second
-  int seen_early = 0;                  ///< ink before a sample was there, so it is other ink
+  int seen_early = 0;                  ///< ink that appeared before a sample could draw it
   int not_free = 0;                    ///< the pixel had ink before
   double cpu_us_per_sample = 0.0;      ///< of the window's thread, while the pen is down
 };

@@ -17,11 +17,11 @@ struct Pull {
 
 /// The methods that are compared.
 enum class Method {
-  kBrush,    ///< ours: the committed result of BrushPull
+  kBrush,    ///< the committed result of BrushPull, the pull of our tool
   kSoft,     ///< the committed result of GrabPull with `soft` weights
-  kPaper,    ///< GrabPull, which blends the cases of the paper
-  kPrinted,  ///< the paper, eq. 7 as printed, tick by tick along the path
-  kCases,    ///< the paper, its three cases as printed with a hard switch, tick by tick
+  kPaper,    ///< GrabPull with weights that blend the paper's cases
+  kPrinted,  ///< eq. 7 as printed in the paper, tick by tick along the path
+  kCases,    ///< the three cases as printed in the paper, with a hard switch, tick by tick
   kPoint,    ///< moves only the control point nearest to the grab
 };
 inline constexpr std::array kMethods = {Method::kBrush,   Method::kSoft,  Method::kPaper,

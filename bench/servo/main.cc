@@ -1,7 +1,7 @@
 // Measures the cost of a tick of the haptic loop as thread CPU time. The system call that reads the
 // clock has a cost of its own, which is printed and not subtracted. The mean is from a separate run
 // without these calls.
-//   bench_servo [--ticks N]          the table (200000 ticks per row)
+//   bench_servo [--ticks N]          prints the table (200000 ticks per row by default)
 //   bench_servo --loop SECONDS       runs the loop in real time on this machine
 #include <algorithm>
 #include <array>

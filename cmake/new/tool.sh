@@ -30,7 +30,7 @@ done
 ! command -v clang-format-14 >/dev/null || clang-format-14 -i "$making"/*.h "$making"/*.cc
 mv "$making" "$folder"
 
-# insert_include LINE FILE: in the order of the #includes of FILE.
+# insert_include LINE FILE: inserts LINE into FILE, in the order of its #includes.
 insert_include() {
   awk -v line="$1" '
     !done && ((/^#include/ && $0 > line) || (seen && !/^#include/)) { print line; done = 1 }
@@ -41,7 +41,7 @@ tools=src/felt/tools/rooms.cc
 insert_include "#include \"felt/tools/$name/${name}_tool.h\"" "$tools"
 sed -i "s/^  return tools;/  tools.push_back(make_$name());\n&/" "$tools"
 
-# Its words in German and Dutch, unless they are there already.
+# Adds the texts of the tool in German and Dutch, unless they already exist.
 fill cmake/new/tool/words.in | while IFS=$'\t' read -r language source translation; do
   file=apps/desktop/translations/feltline_$language.ts
   awk -v source="$source" -v translation="$translation" '
