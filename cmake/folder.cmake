@@ -1,25 +1,25 @@
 # felt_folder(PATH [FLAT] [QT] [SOURCES generated...] [DEPENDS folders...] [LIBRARIES ...]
 #             [PRIVATE_LIBRARIES ...] [TEST_LIBRARIES ...])
 #
-# Declares the folder PATH (a/b) with all that lies in and below it:
-#   *.cc, *.h    the static library felt_a_b, installed as feltline::a_b, with the headers that are
-#                listed in src/felt/API.md
-#   *_test.cc    the GoogleTest program a_b_test, linked with this library and no more, so that a
+# Declares the targets of the folder PATH (a/b) and of the folders below it:
+#   *.cc, *.h    the static library felt_a_b, installed as feltline::a_b with those headers that
+#                src/felt/API.md lists
+#   *_test.cc    the GoogleTest program a_b_test, linked only with this library, so that a
 #                forbidden dependency does not link
 #   *_bench.cc   the Google Benchmark program a_b_bench
-#   testing/     what only tests and benchmarks use; its sources become felt_a_b_testing
-#   make_*.cc    programs of their own, which the caller declares
+#   testing/     helpers for tests and benchmarks only; its sources become felt_a_b_testing
+#   make_*.cc    separate programs, which the caller declares
 #
-#   FLAT               without the folders below, which are declared on their own
+#   FLAT               excludes the folders below PATH, which are declared separately
 #   QT                 a folder of the desktop program: not installed, linked with Qt
 #   SOURCES            generated sources
 #   DEPENDS            folders to link besides those of tests/checks/layers/rules.txt
-#   LIBRARIES          libraries that its headers show
+#   LIBRARIES          libraries that its headers include
 #   PRIVATE_LIBRARIES  libraries that only its sources use
 #   TEST_LIBRARIES     libraries that only its tests and benchmarks use
 include(GNUInstallDirs)
 
-# FELT_MAY_INCLUDE_layer: what the rules allow, and so what is linked.
+# Sets FELT_MAY_INCLUDE_layer: the layers that the rules allow the layer to include. felt_folder links them.
 set(felt_rules ${PROJECT_SOURCE_DIR}/tests/checks/layers/rules.txt)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${felt_rules})
 file(STRINGS ${felt_rules} felt_rule_lines REGEX "^layer ")
@@ -29,7 +29,7 @@ foreach(line IN LISTS felt_rule_lines)
   set(FELT_MAY_INCLUDE_${layer} ${words})
 endforeach()
 
-# FELT_PUBLIC_HEADERS: the headers that are installed.
+# Sets FELT_PUBLIC_HEADERS: the headers that are installed.
 set(felt_api ${PROJECT_SOURCE_DIR}/src/felt/API.md)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${felt_api})
 file(STRINGS ${felt_api} FELT_PUBLIC_HEADERS REGEX "^\\* .*\\.h\\)")
@@ -90,7 +90,7 @@ function(felt_folder path)
   endif()
 endfunction()
 
-# What a folder of the library is beyond its sources: installed, under its name.
+# Adds the properties of a folder of the library: its alias, its public headers, and its installation.
 function(felt_library_folder target name)
   add_library(feltline::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
@@ -106,11 +106,11 @@ function(felt_library_folder target name)
   install(TARGETS ${target} EXPORT feltline-targets
     FILE_SET HEADERS COMPONENT dev
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
-  # packaging.cmake writes from these what users of the installed library must find and link.
+  # packaging.cmake generates the package files from this list.
   set_property(GLOBAL APPEND PROPERTY FELT_LAYERS ${name})
 endfunction()
 
-# What a folder of the desktop program is beyond its sources.
+# Adds the properties of a folder of the desktop program.
 function(felt_qt_folder target)
   target_sources(${target} PRIVATE ${ARGN})
   set_target_properties(${target} PROPERTIES AUTOMOC ON)
@@ -121,7 +121,8 @@ function(felt_qt_folder target)
   target_link_libraries(${target} PUBLIC Qt6::Widgets)
 endfunction()
 
-# felt_test(NAME SOURCES ... LIBRARIES ...): a GoogleTest program, each case its own CTest entry.
+# felt_test(NAME SOURCES ... LIBRARIES ...): declares a GoogleTest program. Each of its test cases is a
+# separate CTest test.
 function(felt_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   find_package(GTest REQUIRED)

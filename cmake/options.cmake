@@ -1,4 +1,4 @@
-# What can be switched, and the flags that every target of the project carries.
+# The options of the build, and the flags of every target of the project.
 option(FELT_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(FELT_BENCHMARKS "Build the benchmarks" OFF)
 option(FELT_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
@@ -17,7 +17,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
-# -O3 in release: the fitter's inner loops are written to be vectorised.
+# -O3 in release, because the inner loops of the fitter are written for the vectoriser.
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 set(FELT_DEBUG_INFO "-g1" CACHE STRING "Debug information of RelWithDebInfo: -g, -g1 or -g0")
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 ${FELT_DEBUG_INFO}")
@@ -27,28 +27,28 @@ if(FELT_CCACHE AND PROJECT_IS_TOP_LEVEL)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${FELT_CCACHE})
 endif()
 
-# Carried by every target of the project, not by its users.
+# Flags for every target of the project, but not for programs that use the library.
 add_library(felt_flags INTERFACE)
-# -ffp-contract=off: a fused multiply-add rounds differently, and the same samples must give the
-# same bytes on every machine (R7, ARCHITECTURE.md#determinism).
+# -ffp-contract=off, because a fused multiply-add rounds differently, and the same samples must produce
+# the same bytes on every machine (R7, ARCHITECTURE.md#determinism).
 target_compile_options(felt_flags INTERFACE
   -ffp-contract=off
   -ffunction-sections  # tests/devices/rt/check_tick_symbols.sh follows calls from section to section
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast -Wnon-virtual-dtor
   -Wdouble-promotion
-  # Which thread may call what: src/felt/rt/thread_roles.h.
+  # Checks which thread may call which function: src/felt/rt/thread_roles.h.
   $<$<CXX_COMPILER_ID:Clang>:-Wthread-safety>
   # g++ 12 warns at -O3 about "literal" + std::string, in its own header: gcc.gnu.org/PR105651.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
-# g++ 12 forgets which precompiled headers are the system's, and warns about its own strings; a
-# build without them keeps these warnings.
+# g++ 12 does not treat system headers as such in precompiled headers, so it warns about its own strings. A
+# build without precompiled headers keeps these warnings.
 if(FELT_QUICK_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(felt_flags INTERFACE -Wno-array-bounds -Wno-stringop-overread
     -Wno-stringop-overflow
-    # A source among several is no main file: its unnamed namespace looks like a header's.
+    # When several sources compile as one, g++ treats their unnamed namespaces as if a header defined them.
     -Wno-subobject-linkage)
 endif()
-# Sanitizers confuse g++ 12's bounds analysis, so there a warning stays one.
+# No -Werror for g++ with sanitizers, because they confuse the bounds analysis of g++ 12.
 if(FELT_WERROR AND NOT (FELT_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"))
   target_compile_options(felt_flags INTERFACE -Werror)
 endif()

@@ -1,12 +1,12 @@
 # Installing: headers and archives (rules in folder.cmake), the CMake package `feltline`, the
 # pkg-config file, the program, the shared files, and a Debian package by CPack.
 #
-# Every layer is a static archive, so whoever links one needs the libraries behind it too. The two
-# tables below are the only place that says how such a library is found; a layer that links one
-# that is not listed stops the configuration instead of breaking somebody's installation.
+# Every layer is a static archive, so a program that links it must also link the libraries that the layer
+# uses. Only the two tables below define how these libraries are found. Configuring fails if a layer links
+# a library that is not listed, because otherwise the installed package would not work.
 include(CMakePackageConfigHelpers)
 
-# Library target as a layer links it -> the line that finds it in feltlineConfig.cmake.
+# Maps the target of a library to the line of feltlineConfig.cmake that finds it.
 set(FELT_FIND_tl::expected "find_dependency(tl-expected)")
 set(FELT_FIND_fmt::fmt "find_dependency(fmt)")
 set(FELT_FIND_PNG::PNG "find_dependency(PNG)")
@@ -22,8 +22,8 @@ set(FELT_FIND_PkgConfig::AGG
 set(FELT_FIND_PkgConfig::LIBZIP
     "find_dependency(PkgConfig)\npkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)")
 
-# ... -> its name for pkg-config. A name that starts with '-' is a linker flag; "" means that
-# there is nothing to link (headers only).
+# Maps the same target to its name in pkg-config. A name that starts with '-' is a linker flag. "" means
+# that nothing must be linked, because the library is header-only.
 set(FELT_PC_tl::expected "")
 set(FELT_PC_fmt::fmt "fmt")
 set(FELT_PC_PNG::PNG "libpng")
@@ -37,7 +37,7 @@ set(FELT_PC_ZLIB::ZLIB "zlib")
 set(FELT_PC_PkgConfig::AGG "libagg")
 set(FELT_PC_PkgConfig::LIBZIP "libzip")
 
-# The umbrella: feltline::feltline is every layer.
+# The umbrella target feltline::feltline links every layer.
 get_property(FELT_LAYERS GLOBAL PROPERTY FELT_LAYERS)
 get_property(FELT_LIBRARIES GLOBAL PROPERTY FELT_LIBRARIES)
 list(REMOVE_DUPLICATES FELT_LIBRARIES)
@@ -64,8 +64,8 @@ foreach(library IN LISTS FELT_LIBRARIES)
   endif()
 endforeach()
 list(JOIN FELT_PC_REQUIRES " " FELT_PC_REQUIRES)
-# A linker reads archives from left to right, so what uses comes before what is used: the layers
-# in reverse order of their making.
+# A linker reads archives from left to right, so a layer must come before the layers that it uses. This is
+# the reverse of the order in which they are declared.
 set(felt_archives "")
 foreach(layer IN LISTS FELT_LAYERS)
   get_target_property(type felt_${layer} TYPE)
@@ -85,7 +85,7 @@ install(FILES ${CMAKE_BINARY_DIR}/package/feltlineConfig.cmake
   DESTINATION ${felt_cmake_dir} COMPONENT dev)
 install(EXPORT feltline-targets NAMESPACE feltline:: DESTINATION ${felt_cmake_dir} COMPONENT dev)
 
-# The .pc file finds its prefix from where it lies, so that the tree can be moved.
+# The .pc file gives the prefix relative to its own folder, so that the installed tree can be moved.
 file(RELATIVE_PATH FELT_PC_UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" FELT_PC_UP ${FELT_PC_UP})
 configure_file(${CMAKE_CURRENT_LIST_DIR}/feltline.pc.in ${CMAKE_BINARY_DIR}/package/feltline.pc
@@ -113,7 +113,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/share/man/feltline.1 COMPONENT bin OPTIONAL
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT bin)
 
-# `./dev package`: one .deb for each program, one for the library.
+# Settings for `./dev package`, which makes one .deb per program and one for the library.
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_PACKAGE_NAME feltline)
 set(CPACK_PACKAGE_CONTACT "Feltline maintainers <maintainers@feltline.invalid>")
@@ -132,13 +132,13 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME libfeltline-dev)
 set(CPACK_DEBIAN_DESKTOP_PACKAGE_NAME feltline-desktop)
 set(CPACK_DEBIAN_DESKTOP_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_DESKTOP_PACKAGE_SHLIBDEPS ON)
-# Qt's own words in German and Dutch; printing.
+# For Qt's own texts in German and Dutch, and for printing.
 set(CPACK_DEBIAN_DESKTOP_PACKAGE_RECOMMENDS "qt6-translations-l10n, libqt6printsupport6")
 set(CPACK_COMPONENT_DESKTOP_DESCRIPTION "Draw lines that push back, and pull them into shape")
 set(CPACK_DEBIAN_BIN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_BIN_PACKAGE_SHLIBDEPS ON)
-# The archives are static: whoever links them needs what they were built against.
+# The archives are static, so programs that link them need the same libraries.
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
     "libexpected-dev, libpng-dev, libsimdjson-dev, libagg2-dev, libsqlite3-dev")
 include(CPack)

@@ -1,21 +1,21 @@
-# FELT_QUICK_BUILD: what nearly every file includes is compiled once a kind of target, several sources
-# of a library, a program or a test compile as one (FELT_UNITY_SOURCES), and test code (not what it tests) is
-# optimised less and carries no debug information. Without it every file is compiled alone, as clang-tidy needs it,
-# and whatever is forgotten to be included shows. More sources at a time build sooner from nothing (the
-# presets release and asan) and later after a change.
+# FELT_QUICK_BUILD makes builds faster in three ways. Headers that nearly every file includes are precompiled
+# once per kind of target. Several sources of a target compile as one (FELT_UNITY_SOURCES). Test code, but
+# not the code under test, is optimised less and has no debug information. Without the option, every file is
+# compiled alone: clang-tidy needs this, and a missing #include is an error. A higher FELT_UNITY_SOURCES makes
+# a full build faster (the release preset) and a build after a change slower.
 set(FELT_UNITY_SOURCES 8 CACHE STRING "Sources that compile as one with FELT_QUICK_BUILD")
 set(felt_std_headers <algorithm> <array> <chrono> <cmath> <cstdint> <functional> <limits> <map>
   <memory> <mutex> <optional> <random> <set> <span> <string> <string_view> <utility> <variant>
   <vector> <tl/expected.hpp>)
 set(felt_test_headers <gmock/gmock.h> <gtest/gtest.h> <rapidcheck.h>)
-# Not <QApplication>: which class qApp is depends on it.
+# Does not contain <QApplication>, because that header changes the class of qApp.
 set(felt_qt_headers <QAction> <QByteArray> <QDialog> <QDir> <QFile> <QImage> <QLabel>
   <QMainWindow> <QMenu> <QMouseEvent> <QObject> <QPainter> <QSettings> <QSignalBlocker> <QString>
   <QTimer> <QToolButton> <QVariant> <QVBoxLayout> <QWidget>)
 
-# What test code is compiled with: it needs no speed. Not less: the linker takes inline functions of
-# ours from whichever object has them, and at -O0 they make the whole program slow.
-# Sanitizers name the lines of what they find.
+# Options for test code, which need not be fast. Not -O0, because the linker may use the inline functions of
+# the library from an object of the test, and at -O0 they would make the whole program slow. Sanitizer builds
+# keep debug information, because sanitizers report line numbers.
 set(felt_quick_test_options -O1)
 if(NOT FELT_SANITIZE)
   list(APPEND felt_quick_test_options -g0)
@@ -25,8 +25,8 @@ function(felt_unity target sources)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${sources})
 endfunction()
 
-# felt_quick_headers(NAME TYPE HEADERS ... [LIBRARIES|DEFINITIONS|OPTIONS ...]): a target that others
-# take their precompiled headers from; TYPE as theirs, so that the flags are the same.
+# felt_quick_headers(NAME TYPE HEADERS ... [LIBRARIES|DEFINITIONS|OPTIONS ...]): declares a target whose
+# precompiled headers others reuse. TYPE must be the type of those targets, so that the flags are the same.
 function(felt_quick_headers name type)
   if(TARGET ${name})
     return()
@@ -46,7 +46,7 @@ function(felt_quick_headers name type)
   target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
 endfunction()
 
-# felt_quick_library(TARGET): of a layer or of what programs share.
+# felt_quick_library(TARGET): for a layer, or for a library that programs share.
 function(felt_quick_library target)
   if(FELT_QUICK_BUILD)
     felt_quick_headers(felt_quick_library STATIC HEADERS ${felt_std_headers})
@@ -55,7 +55,7 @@ function(felt_quick_library target)
   endif()
 endfunction()
 
-# felt_quick_program(TARGET HEADERS...): of many files, most of which include HEADERS.
+# felt_quick_program(TARGET HEADERS...): for a program with many files, if most of them include HEADERS.
 function(felt_quick_program target)
   if(FELT_QUICK_BUILD)
     target_precompile_headers(${target} PRIVATE ${felt_std_headers} ${ARGN})
@@ -63,7 +63,7 @@ function(felt_quick_program target)
   endif()
 endfunction()
 
-# felt_quick_room(TARGET): of the desktop.
+# felt_quick_room(TARGET): for a folder of the desktop program.
 function(felt_quick_room target)
   if(FELT_QUICK_BUILD)
     felt_quick_headers(felt_quick_room STATIC HEADERS ${felt_std_headers} ${felt_qt_headers}
@@ -73,7 +73,7 @@ function(felt_quick_room target)
   endif()
 endfunction()
 
-# felt_quick_test(TARGET): a GoogleTest program, of the desktop or not.
+# felt_quick_test(TARGET IS_DESKTOP): for a GoogleTest program.
 function(felt_quick_test target is_desktop)
   if(NOT FELT_QUICK_BUILD)
     return()

@@ -17,7 +17,7 @@ StrokePtr made(StrokeData data) {
   return stroke ? std::make_shared<const Stroke>(*std::move(stroke)) : nullptr;
 }
 
-/// One sheet: the sample sets below one another, from (0, 0) on.
+/// Returns one page of strokes: all sample sets, one below the other, with the first at (0, 0).
 std::vector<StrokePtr> sheet_of_samples() {
   std::vector<StrokePtr> all;
   double top = 0.0;
@@ -64,7 +64,8 @@ Ink::Ink(std::size_t strokes, const Rect& page) {
   });
 }
 
-/// Sheet n goes to place(n).
+/// Adds copies of the page of samples until the document has `strokes` strokes. Copy n is moved by
+/// place(n).
 void Ink::lay(std::size_t strokes, const std::function<Vec(double sheet)>& place) {
   const std::vector<StrokePtr> sheet = sheet_of_samples();
   EditBuilder builder(document_);

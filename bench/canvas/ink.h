@@ -8,24 +8,25 @@
 
 namespace felt::bench {
 
-/// A drawing as large as you like: the project's samples, drawn by the simulated hand and fitted,
-/// again and again side by side.
+/// A drawing of any size: copies of the project's samples, drawn by the simulated hand and fitted.
 class Ink {
  public:
+  /// Places the copies side by side.
   explicit Ink(std::size_t strokes);
-  /// All of them on one page, sheet over sheet.
+  /// Places all copies on `page`, at random positions, one over another.
   Ink(std::size_t strokes, const Rect& page);
 
   [[nodiscard]] const Document& document() const noexcept { return document_; }
   [[nodiscard]] Document& document() noexcept { return document_; }
-  /// Around all of it.
+  /// Returns the bounding box of all strokes.
   [[nodiscard]] const Rect& area() const noexcept { return area_; }
-  /// A stroke of the drawing.
+  /// Returns a random stroke of the drawing.
   StrokeId any();
-  /// The same line elsewhere.
+  /// Returns a copy of the stroke, moved by `by`.
   static StrokePtr moved(const Stroke& stroke, Vec by);
-  /// The line with one joint moved, and the handles at it: what a pull does. Another joint for
-  /// another number.
+  /// Returns the stroke with one joint and its handles moved by `by`, as a pull does. `joint` is
+  /// taken modulo the number of joints. Returns nullptr if the result is not a valid stroke, or if
+  /// the joint is the start of a closed stroke.
   static StrokePtr pulled(const Stroke& stroke, int joint, Vec by);
   double uniform(double a, double b) {
     return std::uniform_real_distribution<double>(a, b)(random_);

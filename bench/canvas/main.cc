@@ -1,4 +1,4 @@
-// What an edit, a preview, a pan and a cold page cost on screen, with 10^5 strokes (README.md).
+// Times an edit, a preview, a pan and a cold page on screen, with 10^5 strokes (README.md).
 #include <QApplication>
 #include <QImage>
 #include <algorithm>
@@ -52,7 +52,7 @@ CanvasView view_at(Point place, double px_per_mm) {
   return view;
 }
 
-/// One edit at a time in the middle of a view, and back again.
+/// Makes edits of random strokes, each with the position that it changes.
 class Edits {
  public:
   explicit Edits(Ink& ink) : ink_(ink) {}
@@ -92,7 +92,7 @@ class Edits {
   Ink& ink_;
 };
 
-/// A desk that shows a window's view, driven by hand.
+/// An InkDesk that shows a window's view. The benchmark calls its work directly, without threads.
 class Window {
  public:
   explicit Window(const Document& document) { desk_.open(document); }
@@ -105,7 +105,7 @@ class Window {
     desk_.look({++plane_, view, {}}, {0, 0, kWindow.width(), kWindow.height()});
     while (desk_.plan() != InkTileStore::Need::kNone) work();
   }
-  /// Follows and mends; CPU.
+  /// Calls `what` and repairs the tiles that it changed. Returns the CPU time in us.
   template <class What>
   double time(What what) {
     const double start = thread_cpu_us();
@@ -179,7 +179,7 @@ void screen_rows(Ink& ink, const Arguments& args, const Table& table) {
                                         : edits.pull(ink.uniform(-5, 5));
     view.set_view(view_at(one.place, kScreenPxPerMm), 1.0);
     view.finish();
-    // The ring around the view is no part of the edit.
+    // Waits until the tiles around the view are painted, because they do not belong to the edit.
     for (double busy = 1e9; busy > 200.0;) {
       const double start = process_cpu_us();
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -241,13 +241,13 @@ void pan_rows(Ink& ink, const Table& table) {
   }
 }
 
-/// A window full of strokes that nothing is there of yet.
+/// Adds the rows for a cold page: a window full of strokes with no tile painted yet.
 void page_row(const std::string& what, const Ink& ink, const CanvasView& at, const Table& table) {
   std::vector<double> wall, cpu;
   for (int i = 0; i < 7; ++i) {
     InkView view;
     view.set_document(ink.document());
-    view.finish();  // the strokes are taken over
+    view.finish();  // so that the view has processed the document
     const double start = wall_us(), cpu_start = process_cpu_us();
     view.set_view(at, 1.0);
     view.finish();
@@ -267,7 +267,7 @@ void page_rows(const Ink& dense, const CanvasView& on_dense, const Table& table)
   page_row("cold page, sheet over sheet", dense, on_dense, table);
 }
 
-/// CPU of a cold page.
+/// Returns the CPU time of painting a cold page.
 double cold_page_cpu_ms(const Ink& ink, const CanvasView& at, const Grain& grain) {
   InkView view;
   view.set_grain(grain);
@@ -279,8 +279,9 @@ double cold_page_cpu_ms(const Ink& ink, const CanvasView& at, const Grain& grain
   return 1e-3 * (process_cpu_us() - start);
 }
 
-/// The page above for each medium on rough paper, its dust, hairs and rims, beside plain ink: by
-/// turns, so that both have the same machine, and the least of each.
+/// Adds a row per medium: the cold page in that medium on rough paper, with its dust, hairs and
+/// rims, relative to plain ink. The two are timed alternately, so that both see the same load of
+/// the machine, and the minimum of each counts.
 void media_rows(const Ink& ink, const CanvasView& at, const Table& table) {
   constexpr int kTurns = 15;
   table.heading("the same page, sheet over sheet, with the look of media");
@@ -289,7 +290,7 @@ void media_rows(const Ink& ink, const CanvasView& at, const Table& table) {
   for (const Medium& medium : media()) {
     if (!medium.draws) continue;
     Materials materials = Materials::built_in();
-    Medium as_pencil = medium;  // what the strokes are of
+    Medium as_pencil = medium;  // the medium of the strokes
     as_pencil.id = "pencil";
     materials.put(as_pencil);
     const Grain grain(relief, materials);
@@ -315,7 +316,7 @@ double memory_of_view(const Ink& ink) {
   return resident_mib() - before;
 }
 
-/// All that is seen with 10^5 strokes open.
+/// Adds all rows that are measured with `args.strokes` strokes open.
 void sketch_rows(const Arguments& args, const Table& table) {
   const double start = wall_us();
   Ink ink(args.strokes);

@@ -5,13 +5,13 @@
 
 namespace felt::bench {
 
-/// What was timed, in rows: for people, or a line of JSON each.
+/// Prints the results: as a table for people, or as one line of JSON per row.
 class Table {
  public:
   explicit Table(bool json) : json_(json) {}
-  /// A heading for people.
+  /// Prints a heading, unless the output is JSON.
   void heading(const std::string& text) const;
-  /// Times in us.
+  /// Prints quantiles of times in us.
   void times(const std::string& what, std::vector<double> us) const;
   void number(const std::string& what, double value, const std::string& unit) const;
 
@@ -19,10 +19,10 @@ class Table {
   bool json_;
 };
 
-/// Of this thread, or of all threads, in us.
+/// Returns the CPU time of this thread, or of all threads of the process, in us.
 double thread_cpu_us();
 double process_cpu_us();
-/// A clock that does not stop while others work.
+/// Returns the time of a monotonic wall clock, in us.
 double wall_us();
 
 }  // namespace felt::bench

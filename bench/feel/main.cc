@@ -1,11 +1,11 @@
-// Real strokes, felt: each is drawn by a simulated hand through a simulated pen, the haptic loop
-// and the pencil, with each drawing material and with forces on and off. Says whether every stroke
-// came out, how far the ink is from the path that the hand meant, what the hand felt, and how much
-// faster than real time the whole step runs on this machine.
+// Draws recorded strokes again: a simulated hand moves a simulated pen, with the haptic loop and
+// the pencil, for each drawing material and with forces on and off. Prints whether every stroke was
+// drawn, how far the ink is from the intended path, which forces the hand felt, and how much faster
+// than real time the simulation runs on this machine.
 //   bench_feel [--file F]... [--mm-per-unit U] [--limit N] [--device NAME] [--hand NAME] [--csv F]
 //   bench_feel --snapping [--file F]... [--hand NAME]
-// Without --file: share/samples. All options of the pencil are as shipped. A stroke that is lost or
-// falls into several is a failure. --snapping counts what joins and closes (snap_bars.h).
+// Without --file it draws share/samples. All options of the pencil have their defaults. Fails if a
+// stroke is missing or is split. --snapping counts joined and closed strokes (snap_bars.h).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -79,7 +79,8 @@ Options options_of(int argc, char** argv) {
   return options;
 }
 
-/// The first lines of a file, as many as are left.
+/// Returns the first lines of a file, up to `left` strokes, and reduces `left` by their number.
+/// Fails if the file cannot be opened.
 Result<std::string> lines_of(const std::string& path, std::size_t& left) {
   std::ifstream file(path);
   if (!file) return fail(ErrorCode::kNotFound, path + ": cannot be opened");
@@ -91,7 +92,7 @@ Result<std::string> lines_of(const std::string& path, std::size_t& left) {
   return text;
 }
 
-/// One row: all strokes with one material, forces on or off.
+/// One row of the table: all strokes with one material, with forces on or off.
 struct Row {
   std::string material;
   bool forces = true;

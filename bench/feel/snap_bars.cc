@@ -18,7 +18,8 @@ using snap_test::SnapHand;
 using snap_test::SnapScene;
 
 constexpr double kMaxUnwantedShare = 1.0 / 500.0;
-/// Of all strokes: ends that share a point with another line although they were not drawn to it.
+/// Maximum number of ends per stroke that share a point with another line although they were not
+/// drawn to it.
 constexpr double kMaxMetShare = 1.0 / 300.0;
 constexpr double kMaxErrorRatio = 1.1;
 constexpr double kMinClosedShare = 0.95;
@@ -62,7 +63,7 @@ class Bars {
       totals_.shapes += shapes;
       totals_.closed += closed;
     } else {
-      // Lines of a file that meet themselves are closed shapes.
+      // Closed lines of the file are meant to close, so only additional closed strokes count.
       unwanted = std::max(0, off->strokes - now->strokes) +
                  std::max(0, now->closed - snap_test::shapes_meant(meant));
       totals_.strokes += now->meant;

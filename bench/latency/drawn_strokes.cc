@@ -19,7 +19,7 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 constexpr double kStepPx = 24.0;
-constexpr int kMaxSteps = 24;  // of a stroke
+constexpr int kMaxSteps = 24;  // per stroke
 constexpr int kLongestMs = 500;
 constexpr int kRows = 5;
 constexpr double kRowPx = 12.0;
@@ -34,7 +34,7 @@ double ms_between(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-6 * static_cast<double>(to_ns - from_ns);
 }
 
-/// On the window's thread; returns when it is done.
+/// Calls `f` on the window's thread and returns when it is done.
 template <class F>
 void in_window(desktop::MainWindow& window, F f) {
   QMetaObject::invokeMethod(&window, f, Qt::BlockingQueuedConnection);
@@ -85,7 +85,7 @@ Latencies DrawnStrokes::measure(int events) {
 }
 
 void DrawnStrokes::draw_stroke(Latencies& all) {
-  row_ = (row_ + 1) % kRows;  // beside the last stroke, which may still be going from the screen
+  row_ = (row_ + 1) % kRows;  // because the last stroke may still be visible
   const double y = page_px_.center().y() + kRowPx * (row_ - kRows / 2);
   const double start = page_px_.left() + kMarginPx;
   const int steps =
@@ -110,7 +110,8 @@ void DrawnStrokes::step(double from_px, double to_px, double y_px, Latencies& al
   const double x = std::round(0.5 * (from_px + to_px));
   const QPoint look = canvas_on_screen_ + QPointF(x, y_px).toPoint();
   const bool is_free = find_paper(look.x(), look.y());
-  // The first sample whose ink can be there: what is not sure counts as late rather than early.
+  // Waits for the first sample that can have put ink on this pixel. It may be one sample too
+  // early, so the measured latency is never too short.
   samples_.arm(view_.to_mm({x - ink_radius_px_, y_px}).x);
   const std::int64_t event_ns = steady_ns();
   pen_->point({to_px, y_px}, kPressure);
@@ -143,7 +144,7 @@ bool DrawnStrokes::find_paper(int x, int y) {
   return false;
 }
 
-/// Waits for the stroke, and undoes what there is of it.
+/// Waits until the stroke is in the document, then undoes it.
 void DrawnStrokes::take_back() {
   std::size_t strokes = 0;
   const auto count = [&] { strokes = window_.studio().session().document().stroke_count(); };

@@ -14,16 +14,16 @@
 
 namespace felt::bench {
 
-/// When the session was told the first sample beyond a line across the sheet: hears all its events.
+/// Records the first pen sample to the right of a given x. `hear` gets all events of the session.
 class SampleWatch {
  public:
   static constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-  /// The window's thread.
+  /// Handles one event. Called on the window's thread.
   void hear(const Event& event);
-  /// Samples farther right than this from now on, mm.
+  /// Starts to wait for a sample to the right of `x_mm`.
   void arm(double x_mm);
-  /// That sample's time stamp, on the studio's clock; 0: not yet.
+  /// Returns the time stamp of that sample on the studio's clock, or 0 if it has not come yet.
   [[nodiscard]] std::int64_t passed_ns() const noexcept { return passed_ns_; }
   [[nodiscard]] std::uint64_t samples() const noexcept { return samples_; }
 
@@ -33,20 +33,20 @@ class SampleWatch {
   std::atomic<std::uint64_t> samples_{0};
 };
 
-/// What was measured. Every event that was injected is in `events` once.
+/// The measurements. `events` is the number of injected events.
 struct Latencies {
   int events = 0;
-  std::vector<double> from_event_ms;   ///< injected
-  std::vector<double> from_sample_ms;  ///< the sample's time stamp
+  std::vector<double> from_event_ms;   ///< from the injection of the event to the pixel
+  std::vector<double> from_sample_ms;  ///< from the time stamp of the sample to the pixel
   int not_seen = 0;                    ///< no ink within half a second
-  int seen_early = 0;                  ///< ink, and no sample that had come so far: not ours
-  int not_free = 0;                    ///< there was ink before
+  int seen_early = 0;                  ///< ink that appeared before a sample could draw it
+  int not_free = 0;                    ///< the pixel had ink before
   double cpu_us_per_sample = 0.0;      ///< of the window's thread, while the pen is down
 };
 
-/// Strokes of a pen that is injected into a real window, from a thread of its own: one place every
-/// 30 ms or so at random phase, each 24 px from the last, and the place half way there is watched.
-/// Each stroke is undone. Not the window's thread, whose event loop must run.
+/// Draws strokes by injecting pen events into a real window: one event about every 30 ms with
+/// random jitter, each 24 px from the last. Watches the pixel half way between two events, and
+/// undoes each stroke. Runs on a thread of its own, because the window's event loop must run.
 class DrawnStrokes {
  public:
   DrawnStrokes(desktop::MainWindow& window, PixelWatch& pixels, SampleWatch& samples);
@@ -64,13 +64,13 @@ class DrawnStrokes {
   desktop::MainWindow& window_;
   PixelWatch& pixels_;
   SampleWatch& samples_;
-  // Asked on the window's thread once: nothing of it changes while strokes are drawn.
+  // Read once on the window's thread, because these do not change while strokes are drawn.
   std::unique_ptr<desktop::InjectedPen> pen_;
   desktop::CanvasView view_;
   QPoint canvas_on_screen_;
   QRectF page_px_;
   clockid_t window_cpu_{};
-  std::int64_t studio_start_ns_ = 0;  // steady clock when the studio's said 0
+  std::int64_t studio_start_ns_ = 0;  // the steady clock at time 0 of the studio's clock
   double ink_radius_px_ = 0.0;
   std::size_t strokes_before_ = 0;
   int row_ = 0;

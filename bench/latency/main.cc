@@ -1,5 +1,6 @@
-// From a pen's sample to the pixel that another X client can read (no camera): see DrawnStrokes.
-// With an empty drawing and with one of many strokes, while the 1 kHz loop runs.
+// Measures the time from a pen sample to the pixel that another X client can read, without a camera
+// (see DrawnStrokes). It measures an empty drawing and one with many strokes, while the 1 kHz loop
+// runs.
 #include <QApplication>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -22,7 +23,7 @@ namespace {
 using desktop::MainWindow;
 using desktop::Studio;
 
-constexpr double kBandMm = 24.0;  // of the sheet is left free to draw in
+constexpr double kBandMm = 24.0;  // half the height of the free band for the drawn strokes
 constexpr int kSettleMs = 1000;
 constexpr int kSettleManyMs = 4000;
 
@@ -31,7 +32,7 @@ struct Wanted {
   int strokes = 100'000;
 };
 
-/// Short strokes all over the page but for a band in its middle.
+/// Returns short strokes all over the page, except in a band in its middle.
 Document many_strokes(int count, const SheetPage& page) {
   std::mt19937 random(1);
   const auto any = [&random](double low, double high) {
@@ -61,7 +62,7 @@ void print_quantiles(const char* name, std::vector<double>& ms) {
   std::printf("  %-44s %7.2f %7.2f %7.2f %7.2f\n", name, at(0.5), at(0.9), at(0.99), ms.back());
 }
 
-/// False: nothing was measured.
+/// Prints the results. Returns false if no event could be timed.
 bool print(Latencies& all) {
   if (all.from_sample_ms.empty()) {
     std::printf("  no event of %d could be timed\n", all.events);
@@ -85,7 +86,8 @@ void print_load() {
   std::fflush(stdout);
 }
 
-/// On a thread beside the window's. False: a part of it could not be measured.
+/// Measures both drawings. Called on a thread other than the window's. Returns false if one of the
+/// two could not be measured.
 bool measure(MainWindow& window, PixelWatch& pixels, SampleWatch& samples, const Wanted& wanted) {
   bool all_measured = true;
   for (const int strokes : {0, wanted.strokes}) {
@@ -127,7 +129,7 @@ int run(QApplication& app, const Wanted& wanted) {
   QTimer::singleShot(1500, &window, [&] {
     beside = std::thread([&] {
       measured = measure(window, pixels, samples, wanted);
-      // Not quit(), which would ask whether to save.
+      // exit() and not quit(), because quit() would ask whether to save.
       QMetaObject::invokeMethod(
           &app, [] { QCoreApplication::exit(); }, Qt::QueuedConnection);
     });
@@ -158,7 +160,7 @@ int main(int argc, char** argv) {
     }
     qputenv("DISPLAY", server->display().c_str());
   }
-  const QTemporaryDir home;  // nobody's settings and drawings
+  const QTemporaryDir home;  // keeps the user's settings and drawings out of this run
   for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME"}) {
     qputenv(name, home.path().toLocal8Bit());
   }

@@ -26,7 +26,8 @@ constexpr int kStartMs = 10'000;
   _exit(127);
 }
 
-/// The line that the server writes when it is ready: the number of its display.
+/// Returns the display number that the server writes to `fd` when it is ready. Returns "" if none
+/// comes in time.
 std::string number_from(int fd) {
   std::string text;
   std::array<char, 16> part{};

@@ -6,8 +6,8 @@
 
 namespace felt::bench {
 
-/// An X server without a screen to look at (Xvfb, package xvfb), for as long as this object is:
-/// no window manager, no compositor, nobody else's windows.
+/// An X server without a monitor (Xvfb, package xvfb) that runs during the lifetime of this object.
+/// It has no window manager, no compositor and no windows of other programs.
 class OwnServer {
  public:
   OwnServer();
@@ -15,7 +15,8 @@ class OwnServer {
   OwnServer(const OwnServer&) = delete;
   OwnServer& operator=(const OwnServer&) = delete;
 
-  /// ":7"; empty: there is no Xvfb, or it did not start within 10 s.
+  /// Returns the display, for example ":7". Returns "" if Xvfb is not installed or did not start
+  /// within 10 s.
   [[nodiscard]] const std::string& display() const noexcept { return display_; }
 
  private:

@@ -14,9 +14,9 @@ namespace felt::bench {
 namespace {
 
 constexpr unsigned kHeight = 5;
-constexpr int kPaper = 150;                      // of 255: the least light on a paper
-constexpr int kInkDarker = 40;                   // than the paper it is on
-constexpr std::chrono::microseconds kPause{50};  // the server is not to be kept busy by us
+constexpr int kPaper = 150;                      // minimum brightness of paper, 0..255
+constexpr int kInkDarker = 40;                   // minimum difference of ink from its paper
+constexpr std::chrono::microseconds kPause{50};  // limits the load of the server
 
 std::int64_t now_ns() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -46,11 +46,11 @@ struct PixelWatch::Screen {
     segment.readOnly = False;
     const bool attached = XShmAttach(display, &segment) != 0;
     XSync(display, False);
-    shmctl(segment.shmid, IPC_RMID, nullptr);  // it goes with the last who has it
+    shmctl(segment.shmid, IPC_RMID, nullptr);  // freed when the last process detaches it
     return attached;
   }
 
-  /// Green of the darkest pixel, 0..255.
+  /// Returns the green value of the darkest of the watched pixels, 0..255.
   int light(int x, int y) {
     XShmGetImage(display, root, image, x, y - static_cast<int>(kHeight / 2), AllPlanes);
     int least = 255;

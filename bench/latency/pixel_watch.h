@@ -7,25 +7,26 @@
 
 namespace felt::bench {
 
-/// Watches a place of the screen on a thread and a connection of its own, as another program would
-/// see it: by the X server's shared memory, every 50 us or so. A place is five pixels, one above
-/// the other, so that grain in the ink does not hide it.
+/// Watches one position of the screen as another program would see it: on a thread and an X
+/// connection of its own, through the X server's shared memory, about every 50 us. It reads a
+/// column of five pixels, so that grain in the ink does not hide the ink.
 ///
-///   if (watch.arm(x, y)) ...    // there is paper
+///   if (watch.arm(x, y)) ...    // the position shows paper
 ///   ... paint ...
-///   watch.seen_ns()             // when there was ink; 0: not yet
+///   watch.seen_ns()             // the time at which ink was found, or 0
 class PixelWatch {
  public:
   PixelWatch();
   ~PixelWatch();
-  /// False: there is no X server, or none with shared memory.
+  /// Returns false if no X server runs, or if it has no shared memory.
   [[nodiscard]] bool works() const noexcept { return works_; }
 
-  /// Returns when the place has been looked at. False: it is no paper (dark), and is not watched.
+  /// Starts to watch a position, and returns after the first look at it. Returns false, without
+  /// watching it, if the position is dark and so does not show paper.
   bool arm(int x, int y);
-  /// Steady clock: the end of the first look that found ink.
+  /// Returns the end of the first look that found ink, on the steady clock, or 0 if none did yet.
   [[nodiscard]] std::int64_t seen_ns() const noexcept { return seen_ns_; }
-  /// How long a look takes, on average, ns.
+  /// Returns the average duration of one look, in ns.
   [[nodiscard]] double look_ns() const noexcept;
 
  private:

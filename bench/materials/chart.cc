@@ -19,11 +19,11 @@ namespace felt::bench {
 namespace {
 
 constexpr double kDpi = 200.0;
-constexpr double kRowMm = 29.0;    // of one surface
-constexpr double kLabelMm = 16.0;  // left of the cells
-constexpr double kHeadMm = 6.0;    // above them
+constexpr double kRowMm = 29.0;    // height of the row of one surface
+constexpr double kLabelMm = 16.0;  // width of the labels on the left
+constexpr double kHeadMm = 6.0;    // height of the heading
 constexpr double kWidthMm = 203.0;
-constexpr double kMarginMm = 4.5;  // of a cell, left and right
+constexpr double kMarginMm = 4.5;  // margin of a cell on the left and on the right
 constexpr double kForcesN[] = {0.25, 0.7, 1.6};
 
 Rgba color_of(std::uint32_t rgb) {
@@ -31,7 +31,7 @@ Rgba color_of(std::uint32_t rgb) {
           static_cast<std::uint8_t>(rgb), 255};
 }
 
-/// The medium's usual colour, or one that is seen on this sheet.
+/// Returns the medium's usual colour, or another one if it is hardly visible on `sheet`.
 Rgba color_on(const Medium& medium, Rgba sheet) {
   const Rgba usual = color_of(medium.color_rgb);
   const double r = usual.r - sheet.r, g = usual.g - sheet.g, b = usual.b - sheet.b;
@@ -43,7 +43,8 @@ void add(std::vector<Event>& events, double t_s, decltype(Event::what) what) {
   events.push_back({std::llround(1e9 * t_s), std::move(what)});
 }
 
-/// A wavy line of the hand that presses so hard, from `t_s` on; returns when it is over.
+/// Adds a wavy line that starts at `t_s`. The hand aims `depth_mm` below the surface, which sets
+/// its force. Returns the time at which the line ends.
 double add_stroke(std::vector<Event>& events, double t_s, Point from, double line_mm,
                   double depth_mm) {
   constexpr double kHoverMm = 4.0, kSpeed = 60.0;
@@ -61,7 +62,7 @@ double add_stroke(std::vector<Event>& events, double t_s, Point from, double lin
   return end_s + 0.4;
 }
 
-/// What the pencil tool is set to for a medium.
+/// Sets the pencil tool's options for a medium.
 void take(std::vector<Event>& events, double t_s, const Medium& medium, Rgba color) {
   add(events, t_s, SetOption{"pencil.material", OptionValue(medium.id)});
   add(events, t_s, SetOption{"sheet.color", OptionValue(color_to_text(color))});
@@ -151,7 +152,7 @@ Result<Image> draw_chart(std::span<const std::string_view> ids) {
     const Result<Image> row = render_page(visible_strokes(*drawn), page);
     if (!row) return row;
     copy(*row, chart->pixels(), px(kLabelMm), px(top));
-    // One word a line.
+    // Writes one word per line.
     const std::size_t space = surface.label.find(' ');
     write(1.0, top + 0.47 * kRowMm, surface.label.substr(0, space), font);
     if (space != std::string::npos) {

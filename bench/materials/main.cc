@@ -1,7 +1,8 @@
-// bench_materials [FILE [PICTURE]]: what the sheets feel like to FILE (docs/materials.md), in about
-// a minute, and how media look on them to PICTURE (docs/images/surfaces.png) and, of crayon and wet
-// ink, to the same with -wet. "" leaves one of them out.
-// Virtual time: the figures are the same on a busy machine.
+// bench_materials [FILE [PICTURE]]: writes to FILE (docs/materials.md) what the surfaces feel like,
+// which takes about a minute. Writes to PICTURE (docs/images/surfaces.png) how the media look on
+// them. Crayon and wet ink go to a second picture with "-wet" in its name. "" as FILE or PICTURE
+// skips it.
+// Uses virtual time, so the figures are the same on a busy machine.
 #include <cstdio>
 #include <fstream>
 #include <span>

@@ -26,7 +26,7 @@ std::size_t check(std::size_t cases) {
       const auto hit = nearest_within(c.curve, c.query, 1e300, pieces_left);
       const double truth = sampled_distance(c.curve, c.query, kSamples);
       const double excess = hit ? std::sqrt(hit->distance_squared) - truth : HUGE_VAL;
-      // 1e-12 of the size, and 1e-14 of a distance far beyond it (documented in nearest.h).
+      // nearest.h documents 1e-12 of the size, plus 1e-14 of the distance of a far query.
       if (!(excess <= 1e-12 * size + 2e-14 * truth)) ++wrong_here;
       worst = std::max(worst, excess);
       most_pieces = std::max(most_pieces, (1 << 20) - pieces_left);

@@ -1,4 +1,5 @@
-// Nearest point: how fast, how right. See performance notes in nearest.h and bvh.h.
+// Measures the speed and the accuracy of nearest-point queries. See the performance notes in
+// nearest.h and bvh.h.
 //   bench_nearest [--csv FILE] [--largest N]     times; N is the largest tree (10^6)
 //   bench_nearest --check N                      compares N cases with dense sampling
 #include <cstdio>

@@ -26,7 +26,7 @@ std::uint64_t count_now() noexcept {
 #endif
 }
 
-// How often the scheduler has taken the processor from this thread.
+// Returns how often the scheduler has preempted this thread.
 long switches_now() noexcept {
   rusage usage{};
 #if defined(RUSAGE_THREAD)

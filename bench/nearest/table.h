@@ -7,16 +7,17 @@
 
 namespace felt::bench {
 
-/// Times pieces of work of some 100 ns. The processor's counter is read (about 20 ns, subtracted),
-/// because the thread CPU clock is a system call that costs more than a query. A call during which
-/// the scheduler took the processor away is not CPU time, so it counts as preempted and stays out
-/// of the percentiles; interrupts and the host of a virtual machine cannot be seen and stay in.
-/// Elsewhere than on x86 the monotonic clock is used.
+/// Times calls of some 100 ns. It reads the processor's counter (about 20 ns, subtracted), because
+/// the thread CPU clock is a system call that costs more than a query. If the scheduler preempted
+/// the thread during a call, the call counts as preempted and the percentiles ignore it. Time lost
+/// to interrupts or to the host of a virtual machine cannot be detected and is included. On
+/// processors other than x86 it reads the monotonic clock.
 class Stopwatch {
  public:
   Stopwatch();
   void start() noexcept;
-  /// Nanoseconds since `start`, less the cost of reading; negative when preempted since.
+  /// Returns the ns since `start` without the cost of reading the clock. Returns a negative number
+  /// if the thread was preempted since `start`.
   [[nodiscard]] double stop() const noexcept;
   [[nodiscard]] double overhead_ns() const noexcept { return overhead_ * ns_per_count_; }
 
@@ -27,7 +28,7 @@ class Stopwatch {
   long switches_ = 0;
 };
 
-/// CPU time of this thread so far, in ns.
+/// Returns the CPU time of this thread, in ns.
 double thread_cpu_ns() noexcept;
 
 /// One line of the table.
@@ -35,12 +36,12 @@ struct Row {
   std::string what;
   std::size_t segments = 0;
   std::vector<double> ns;  ///< one entry for each call
-  double nodes = 0.0;      ///< mean per call, 0 when it does not apply
+  double nodes = 0.0;      ///< mean per call, 0 if it does not apply
   double pieces = 0.0;
-  double unproven = 0.0;  ///< part of the calls that the cap ended
+  double unproven = 0.0;  ///< share of the calls that the cap on work ended
 };
 
-/// Prints rows as they come, and writes them to a CSV file when one is named.
+/// Prints each row when it is added, and writes it to a CSV file if `csv_path` is not null.
 class Table {
  public:
   explicit Table(const char* csv_path);
@@ -49,7 +50,7 @@ class Table {
   Table& operator=(const Table&) = delete;
 
   void add(Row row);
-  /// A line of text for the reader only.
+  /// Prints a line of text that does not go to the CSV file.
   static void note(const std::string& text);
 
  private:

@@ -16,7 +16,7 @@ struct QueryPlan {
   std::vector<Point> points;
   double radius = std::numeric_limits<double>::infinity();
   bool seeded = false;
-  std::size_t swept_bytes = 0;  // read between calls, to empty the caches
+  std::size_t swept_bytes = 0;  // read between calls to evict the tree from the caches
 };
 
 Row timed_queries(const SegmentBvh& tree, const QueryPlan& plan, Stopwatch& watch) {
@@ -53,7 +53,7 @@ std::vector<Point> random_points(std::size_t count, double side) {
   return points;
 }
 
-// Moves random segments by up to half a unit, the step of a pull.
+// Moves random segments by up to half a unit, as one step of a pull does.
 Row timed_refits(SegmentBvh& tree, Stopwatch& watch) {
   Row row{"refit one segment", tree.size(), {}, 0.0, 0.0, 0.0};
   std::mt19937_64 random(13);
@@ -100,14 +100,15 @@ void adversarial_rows(Table& table, Stopwatch& watch) {
     tree.build(circle_of_arcs(n, centre, 400.0));
     table.add(timed_queries(tree, {"circle of arcs, pen at centre", {1000, centre}}, watch));
   }
-  // Every segment crosses every box: near misses that each need several pieces.
+  // Every segment crosses every box, so a query has many near misses that each need several
+  // pieces.
   std::mt19937_64 random(17);
   std::vector<BvhSegment> tangle(100000);
   for (BvhSegment& s : tangle) s.curve = make_case(CaseKind::kLoop, random).curve;
   SegmentBvh tree;
   tree.build(tangle);
   table.add(timed_queries(tree, {"tangle of loops, random", random_points(10000, 100.0)}, watch));
-  // Equal segments: boxes cannot tell them apart, and none is nearer than another.
+  // All segments are equal, so the boxes cannot exclude any of them.
   std::fill(tangle.begin(), tangle.end(), tangle[0]);
   tree.build(tangle);
   table.add(timed_queries(tree, {"equal loops, random", random_points(10000, 100.0)}, watch));

@@ -1,5 +1,5 @@
-/// Curve fitters side by side: the same strokes, the same judge, one run. README.md beside this
-/// file says what each row is.
+/// Compares curve fitters in one run, with the same strokes and the same checker. README.md in this
+/// folder describes each row.
 
 #include <CLI/CLI.hpp>
 #include <cinttypes>
@@ -17,7 +17,7 @@ struct Arguments {
   double mm_per_unit = 1.0;
   std::vector<double> tolerances{0.5, 1.0, 2.0};
   int repeats = 3;
-  std::string only;  ///< part of a fitter's name
+  std::string only;  ///< run only fitters with this text in their name
   NpmFolders npm;
   bool by_source = false;
   std::string csv;
@@ -116,7 +116,7 @@ int parse_and_run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;  // 0: --help was asked for
+    return app.exit(error) == 0 ? 0 : 2;  // 0 means that --help was given
   }
   return run(arguments);
 }

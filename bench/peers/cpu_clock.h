@@ -7,15 +7,15 @@
 
 namespace felt::bench {
 
-/// CPU time of the calling thread. What other programs do on the machine is not in it.
+/// Returns the CPU time of the calling thread. It does not include other programs.
 inline std::int64_t thread_cpu_ns() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return now.tv_sec * std::int64_t{1'000'000'000} + now.tv_nsec;
 }
 
-/// What a measurement of nothing shows: the median of 1,001 empty ones. Part of every per-call
-/// figure, and not subtracted.
+/// Returns the median of 1,001 empty measurements. Every per-call figure includes this cost, which
+/// is not subtracted.
 inline std::int64_t timer_overhead_ns() {
   std::array<std::int64_t, 1001> empty{};
   for (auto& value : empty) {

@@ -45,7 +45,8 @@ class InkFitterPeer : public Peer {
   InkFitter fitter_;
 };
 
-/// The online fit, then the pass at pen-up. The one call that is timed by itself is that pass.
+/// Fits online and then refines the curve, as at pen-up. Only the refinement is timed as a single
+/// call.
 class RefinedPeer : public InkFitterPeer {
  public:
   using InkFitterPeer::InkFitterPeer;

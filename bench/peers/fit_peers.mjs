@@ -1,8 +1,8 @@
 // Runs one npm curve fitter over a file of strokes:
 //   node fit_peers.mjs PACKAGE TOLERANCE REPEATS MODULES SCRATCH
 // reads SCRATCH/inks.ndjson, writes SCRATCH/curves.ndjson (sketch lines) and SCRATCH/cost.json.
-// Time is the CPU time of the whole process, its compiler and collector threads included; that of
-// one call (a stroke) is wall time, since node's CPU clock ticks too coarsely for it.
+// The total is the CPU time of the whole process with its compiler and collector threads. The time
+// of one call (a stroke) is wall time, because the resolution of node's CPU clock is too low.
 import { createRequire } from 'node:module';
 import { readFileSync, writeFileSync } from 'node:fs';
 
@@ -11,8 +11,8 @@ const tolerance = Number(toleranceText);
 const repeats = Number(repeatsText);
 const load = createRequire(`${modules}/`);
 
-// Each takes [[x, y], ...] and gives [[p0, p1, p2, p3], ...] with [x, y] points. Both packages
-// compare their tolerance with a squared distance.
+// Each fitter converts points [[x, y], ...] to segments [[p0, p1, p2, p3], ...], where each p is an
+// [x, y] point. Both packages compare their tolerance with a squared distance.
 const fitters = {
   'fit-curve': () => {
     const fitCurve = load('fit-curve');
@@ -39,7 +39,7 @@ const inks = readFileSync(`${scratch}/inks.ndjson`, 'utf8')
 const samples = inks.reduce((sum, ink) => sum + ink.points.length, 0);
 const fit = fitters[packageName]();
 
-// The first pass gives the result and lets the compiler warm up.
+// The first pass produces the result and warms up the compiler.
 const lines = inks.map((ink) => {
   const segments = fit(ink.points).map((segment) => segment.flat());
   return JSON.stringify({ id: ink.id, segments, joints: segments.slice(1).map(() => 'smooth') });

@@ -21,7 +21,7 @@ std::vector<fit_check::Ink> deduplicated(const std::vector<fit_check::Ink>& raw)
   return result;
 }
 
-/// Strokes that name no source are of the file.
+/// Reads a file of raw strokes. The source of a stroke that does not name one is `file`.
 std::vector<fit_check::Ink> read_file(const std::string& path, const std::string& file,
                                       double mm_per_unit) {
   std::ifstream in(path);

@@ -7,23 +7,23 @@
 
 namespace felt::bench {
 
-/// The strokes that every peer gets.
+/// The input strokes of every peer.
 struct InkData {
-  std::string name;                          ///< where they come from
+  std::string name;                          ///< the source of the strokes
   std::vector<fit_check::Ink> raw;           ///< all samples
-  std::vector<fit_check::Ink> deduplicated;  ///< consecutive repeats removed, >= 4 points
+  std::vector<fit_check::Ink> deduplicated;  ///< without consecutive repeats, >= 4 points
 };
 
-/// Number of samples in all.
+/// Returns the total number of samples.
 std::int64_t sample_count(const std::vector<fit_check::Ink>& inks);
 
-/// Reads .ndjson files of raw strokes. Throws std::runtime_error that names the file.
+/// Reads .ndjson files of raw strokes. Throws std::runtime_error with the file name.
 InkData read_ink_data(const std::vector<std::string>& paths, double mm_per_unit);
 
-/// A stroke of `count` samples at 1 kHz for the latency of long strokes: slow straight and slow
-/// round runs (runs of samples that fit no end of time), rests, handwriting, quick zigzags, and
-/// jumps. Noise and quantisation are 0.1 and 0.15 tolerances, so it is the same work at any scale.
-/// The same seed gives the same stroke.
+/// Returns a stroke of `count` samples at 1 kHz, for the latency of long strokes. It consists of
+/// slow straight and slow round parts (in which one segment fits very many samples), rests,
+/// handwriting, quick zigzags and jumps. Noise is 0.1 tolerances and quantisation 0.15 tolerances,
+/// so the work is the same at any scale. The same seed returns the same stroke.
 fit_check::Ink make_long_stroke(std::int64_t count, double tolerance, unsigned seed);
 
 }  // namespace felt::bench

@@ -13,7 +13,7 @@ fit_check::Segment segment_of(const Geom::Point* bezier) {
   return segment;
 }
 
-/// What both have in common. lib2geom's error argument is a squared distance.
+/// Base class of both fitters. The error argument of lib2geom is a squared distance.
 class Lib2geomPeer : public Peer {
  public:
   explicit Lib2geomPeer(double tolerance) : error_(tolerance * tolerance) {}
@@ -36,7 +36,7 @@ class Lib2geomPeer : public Peer {
 
   double error_;
   std::vector<Geom::Point> points_;
-  std::vector<Geom::Point> beziers_;  // four control points a segment
+  std::vector<Geom::Point> beziers_;  // four control points per segment
   std::size_t count_ = 0;
 };
 
@@ -56,9 +56,9 @@ class Recursive : public Lib2geomPeer {
   }
 };
 
-/// Grows a run sample by sample, refits it by one segment each time, and commits the last that
-/// held when one does not. The end tangent of a segment is the start tangent of the next; lib2geom
-/// itself gives it up where it sees a spike.
+/// Adds samples to a run one by one, and refits the run with one segment each time. If that fails,
+/// commits the last valid segment and starts the next run. The end tangent of a segment is the
+/// start tangent of the next one; lib2geom ignores it if it detects a spike.
 class Greedy : public Lib2geomPeer {
  public:
   using Lib2geomPeer::Lib2geomPeer;
@@ -86,7 +86,7 @@ class Greedy : public Lib2geomPeer {
     fits(last);
   }
 
-  /// Fits the run first_..last; what held before stays when it fails.
+  /// Fits the run first_..last with one segment. Keeps the previous segment if that fails.
   bool fits(std::size_t last) {
     Geom::Point bezier[4];
     if (Geom::bezier_fit_cubic_full(bezier, nullptr, &points_[first_],
@@ -101,7 +101,7 @@ class Greedy : public Lib2geomPeer {
  public:
   [[nodiscard]] fit_check::FitCurve curve() const override {
     fit_check::FitCurve curve = Lib2geomPeer::curve();
-    curve.segments.push_back(segment_of(&beziers_[4 * count_]));  // the run that was open
+    curve.segments.push_back(segment_of(&beziers_[4 * count_]));  // the run in progress
     return curve;
   }
 

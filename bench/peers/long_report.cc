@@ -29,7 +29,7 @@ void print_result(const fit_check::Report& r) {
               r.max_overshoot(), -r.overshoot_excess, r.clean() ? "clean" : "NOT clean");
 }
 
-/// Takes the last call off, which is the pen-up.
+/// Removes the last call, which is the pen-up, and returns its time.
 float split_pen_up(std::vector<float>& calls) {
   const float pen_up = calls.empty() ? 0.0F : calls.back();
   if (!calls.empty()) calls.pop_back();

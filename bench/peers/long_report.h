@@ -5,8 +5,8 @@
 
 namespace felt::bench {
 
-/// Feeds one stroke of `samples` generated samples to our fitter and prints what single calls
-/// cost, and whether the result is right. `only` is a part of the fitter's name.
+/// Fits one stroke of `samples` generated samples with our fitter. Prints the cost of single calls
+/// and whether the result is correct. `only` is a part of the fitter's name.
 void print_long_report(std::int64_t samples, double tolerance, int repeats, unsigned seed,
                        const std::string& only);
 

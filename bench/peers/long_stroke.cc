@@ -7,8 +7,8 @@ namespace {
 
 using fit_check::Point;
 
-/// Where a pen goes: a pose that is moved by a speed and a curvature that change from phase to
-/// phase. All lengths in tolerances.
+/// Generates the positions of a pen. Each phase has its own speed and curvature. All lengths are in
+/// tolerances.
 class LongStroke {
  public:
   explicit LongStroke(unsigned seed) : random_(seed) {}
@@ -27,7 +27,7 @@ class LongStroke {
   static constexpr double kQuantum = 0.15;
   static constexpr double kSheet = 2000.0;
 
-  /// Portable between standard libraries, unlike the distributions of <random>.
+  /// Returns the same numbers with every standard library, unlike the distributions of <random>.
   double uniform(double low, double high) {
     return low + (high - low) * static_cast<double>(random_() >> 11U) * 0x1p-53;
   }
@@ -75,7 +75,7 @@ class LongStroke {
     if (phase_ == Phase::kJump) heading_ += uniform(-2.0, 2.0);
     heading_ += curvature_ * step;
     if (std::fabs(place_.x) > kSheet || std::fabs(place_.y) > kSheet) {
-      heading_ = std::atan2(-place_.y, -place_.x);  // back to the middle
+      heading_ = std::atan2(-place_.y, -place_.x);  // toward the middle
     }
     place_ = place_ + step * Point{std::cos(heading_), std::sin(heading_)};
   }

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A node process that does not come back in this time has hung.
+/// A node process that runs longer than this is unresponsive.
 constexpr int kTimeoutSeconds = 600;
 
 void write_inks(const std::vector<fit_check::Ink>& inks, const std::string& path) {
@@ -29,7 +29,7 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-/// Runs fit_peers.mjs; the empty string, or what went wrong.
+/// Runs fit_peers.mjs. Returns "", or the reason why it failed.
 std::string run_node(const std::string& package, double tolerance, int repeats,
                      const NpmFolders& folders) {
   if (std::system("command -v node > /dev/null") != 0) return "node is not installed";

@@ -2,7 +2,7 @@
 
 namespace felt::bench {
 
-/// Stands in where lib2geom is not installed: its rows are left out.
+/// Replaces lib2geom_peers.cc if lib2geom is not installed: its rows are skipped.
 Peers make_lib2geom_peers(double /*tolerance*/) {
   return {};
 }

@@ -8,18 +8,18 @@
 
 namespace felt::bench {
 
-/// Takes the time of a peer's work. Reading the clock costs about as much as a cheap call, so the
-/// total and the single calls are taken in different passes over the data.
+/// Times the work of a peer. Reading the clock costs about as much as a cheap call, so the total
+/// and the single calls are timed in different passes over the data.
 class Probe {
  public:
   enum class Mode {
-    kTotal,     ///< strokes as a whole: the mean, and the allocations
-    kEachCall,  ///< every call by itself: the tail
+    kTotal,     ///< whole strokes: the mean, and the allocations
+    kEachCall,  ///< every call: the tail of the distribution
   };
 
   explicit Probe(Mode mode) : mode_(mode) {}
 
-  /// Runs all the work of one stroke.
+  /// Runs and times the whole work of one stroke.
   template <class Work>
   void stroke(Work&& work) {
     const std::int64_t allocations = cli::thread_allocations();
@@ -29,7 +29,7 @@ class Probe {
     allocations_ += cli::thread_allocations() - allocations;
   }
 
-  /// Runs one call of the peer, inside `stroke`.
+  /// Runs one call of the peer. Used inside the work of `stroke`.
   template <class Work>
   void call(Work&& work) {
     if (mode_ == Mode::kTotal) {

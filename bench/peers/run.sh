@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ./dev bench fit [OPTIONS of bench_fit]: builds bench_fit, fetches the npm peers where node is
-# there, chooses the data, runs. --csv without a name writes bench/results/<machine>.csv.
+# ./dev bench fit [OPTIONS of bench_fit]: builds bench_fit, downloads the npm peers if npm is
+# installed, chooses the data, and runs it. --csv without a name writes bench/results/<machine>.csv.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
@@ -8,7 +8,7 @@ readonly build_dir=${BUILD_DIR:-$PWD/build/release}
 readonly npm_dir=$build_dir/bench-npm
 readonly shared_data=../shared/data/pen-strokes-a.ndjson
 
-# The processor's name as a file name.
+# Prints the processor's name as a file name.
 machine() {
   sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1 | tr -cs '[:alnum:]\n' '-' |
     tr '[:upper:]' '[:lower:]' | sed 's/-*$//' | grep . || uname -m
@@ -25,7 +25,8 @@ install_npm_peers() {
   fi
 }
 
-# The shared recordings, in px; else the project's own samples, in mm, which 5 px a mm make alike.
+# Prints options for the shared recordings, which are in px. Without them, prints options for the project's own
+# samples, which are in mm; 5 px per mm make both comparable.
 default_data() {
   if [ -r $shared_data ]; then echo "--data=$shared_data"; return; fi
   printf -- '--data=%s\n' share/samples/*.ndjson

@@ -13,7 +13,8 @@ double per_stroke(const fit_check::Report& r) {
   return r.strokes > 0 ? static_cast<double>(r.segments) / r.strokes : 0.0;
 }
 
-/// Declared corners where the ink turns by less than 45 degrees over arms of 4 tolerances.
+/// Returns the number of declared corners at which the ink turns by less than 45 degrees, measured
+/// with arms of 4 tolerances.
 int weak_corners(const fit_check::Report& r) {
   return r.weak_corners[1][0];
 }

@@ -8,13 +8,14 @@
 
 namespace felt::bench {
 
-/// The comparison at one tolerance as a Markdown table.
+/// Prints the comparison at one tolerance as a Markdown table.
 void print_table(std::FILE* out, const std::vector<Row>& rows);
 
-/// One Markdown table per source of the data: a fit that is tuned to one kind of ink shows here.
+/// Prints one Markdown table per source of the data. It shows if a fitter is tuned to one kind of
+/// ink.
 void print_sources(std::FILE* out, const std::vector<Row>& rows);
 
-/// All rows as CSV, the sources as rows of their own.
+/// Writes all rows as CSV, with separate rows for the sources.
 void write_csv(const std::string& path, const std::vector<Row>& rows);
 
 }  // namespace felt::bench

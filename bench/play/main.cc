@@ -1,5 +1,6 @@
-/// How much faster than real time a script plays: device, hand, plane, friction, safety chain,
-/// session and fit (`real_time_factor`), and what of it is whose (the loop alone, the pen alone).
+/// Measures how much faster than real time a script plays (`real_time_factor`), with device, hand,
+/// plane, friction, safety chain, session and fit. Parts are also measured separately: a loop
+/// without hand and plane, and the session without a loop.
 ///
 ///   build/release/bin/bench_play
 
@@ -15,7 +16,8 @@
 namespace felt {
 namespace {
 
-/// A minute of writing: a loop of 8 mm a second, lifted for 0.2 s after each 0.8 s.
+/// Returns the events of a minute of writing: one loop 8 mm wide per second. The pen is lifted for
+/// 0.2 s of each second.
 template <class What>
 std::vector<Event> minute() {
   std::vector<Event> events;
@@ -65,7 +67,7 @@ void play_nothing(benchmark::State& state) {
 }
 BENCHMARK(play_nothing)->Unit(benchmark::kMillisecond);
 
-/// The same samples straight to the session, without a loop.
+/// Passes the same samples directly to the session, without a haptic loop.
 void session_alone(benchmark::State& state) {
   const std::vector<Event> events = minute<PenEvent>();
   for (auto _ : state) {

@@ -13,7 +13,7 @@
 namespace felt::bench {
 namespace {
 
-/// Adds the strokes of a text of raw pen strokes.
+/// Fits the raw pen strokes in `text` and adds them to `strokes`.
 Result<void> add_fitted(const std::string& text, double mm_per_unit,
                         std::vector<StrokePtr>& strokes) {
   LineReader lines(read_text(text));

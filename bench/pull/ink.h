@@ -8,10 +8,10 @@
 
 namespace felt::bench {
 
-/// Strokes of a file of raw pen strokes, fitted as the pencil does at pen-up.
+/// Reads a file of raw pen strokes and fits them as the pencil does at pen-up.
 Result<std::vector<StrokePtr>> fitted_file(const std::string& path, double mm_per_unit);
 
-/// The project's own sample sets, drawn by the simulated hand and fitted.
+/// Returns the project's own sample sets, drawn by the simulated hand and fitted.
 std::vector<StrokePtr> fitted_samples();
 
 }  // namespace felt::bench

@@ -1,10 +1,10 @@
-// What a pull does to a stroke, by the pull tool's brush, by the paper's ways and by a plain drag
-// of control points: the same random pulls (place uniform along the ink, direction uniform, 2 to 25
-// mm long) on the same strokes.
+// Compares what a pull does to a stroke: with the brush of the pull tool, with the methods of the
+// paper, and with dragging a control point. All get the same random pulls on the same strokes: the
+// position is uniform along the ink, the direction is uniform, the length is 2 to 25 mm.
 //   bench_pull [--file F --mm-per-unit U]... [--pulls N] [--radius MM] [--seed N] [--picture F.png]
 //              [--json]
-// Without --file: the ink of the project's own sample sets. Exits with 1 when the brush is not the
-// best of all at staying within its span and at following the pen, or breaks a smooth joint.
+// Without --file it uses the project's own sample sets. Exits with 1 if the brush is not the best
+// method at staying within its span and at following the pen, or if it breaks a smooth joint.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -73,10 +73,10 @@ Options options_of(int argc, char** argv) {
   return options;
 }
 
-/// Strokes shorter than this are dots to a pull.
+/// Minimum length of a stroke that is pulled. Shorter strokes count as dots.
 constexpr double kShortestMm = 5.0;
 
-/// Random pulls; the same seed gives the same.
+/// Returns random pulls. The same seed returns the same pulls.
 std::vector<Pull> random_pulls(const std::vector<StrokePtr>& strokes, const Options& options) {
   std::vector<StrokePtr> long_enough;
   std::vector<double> lengths;
@@ -102,7 +102,7 @@ std::vector<Pull> random_pulls(const std::vector<StrokePtr>& strokes, const Opti
   return pulls;
 }
 
-/// A method on all pulls.
+/// The results of one method for all pulls.
 struct Row {
   Method method;
   int refused = 0;
@@ -113,7 +113,7 @@ struct Row {
   double breaks = 0.0, segments = 0.0;
 };
 
-/// A place moves when it is farther than this from the new stroke, mm.
+/// A point of the old stroke counts as moved if its distance from the new stroke is larger, mm.
 constexpr double kMovedMm = 1e-3;
 
 double mean_of(const std::vector<double>& values) {
@@ -201,7 +201,7 @@ void print_json(const std::vector<Row>& rows, const Options& options, std::size_
   fmt::print("]}}\n");
 }
 
-/// A few pulls that show something: long ones in the middle of long strokes.
+/// Returns a few pulls that make good pictures: long ones in the middle of long strokes.
 std::vector<Pull> to_show(const std::vector<Pull>& pulls, double radius_mm) {
   std::vector<Pull> shown;
   for (const Pull& pull : pulls) {

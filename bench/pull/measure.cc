@@ -13,11 +13,11 @@
 namespace felt::bench {
 namespace {
 
-/// Places beyond the span are looked at this far from each other, mm.
+/// Distance between the points that are checked beyond the span, mm.
 constexpr double kProbeMm = 0.5;
-/// Points of the bending energy, mm.
+/// Distance between the points for the bending energy, mm.
 constexpr double kBendMm = 0.25;
-/// Chords that a segment is divided into to find them.
+/// Number of chords per segment from which these points are computed.
 constexpr int kChords = 256;
 constexpr double kBreakDeg = 0.1;
 

@@ -5,26 +5,26 @@
 
 namespace felt::bench {
 
-/// What a pull has done to a stroke.
+/// The effects of a pull on a stroke.
 struct Effect {
-  /// Largest distance from a place of the old stroke beyond the intended span to the new stroke,
-  /// mm. The span: within the radius of the grab, along the ink.
+  /// Maximum distance from the old stroke outside the intended span to the new stroke, mm. The span
+  /// is the part of the stroke within the brush radius of the grab, measured along the ink.
   double outside_mm = 0.0;
-  /// From the pen to the new stroke, mm.
+  /// Distance from the pen to the new stroke, mm.
   double pen_mm = 0.0;
-  /// Bending energy, sum of theta^2/h over points h = 0.25 mm apart along the ink, theta the turn
-  /// there: the integral of kappa^2 ds where the ink is smooth, and finite where it is not. New
-  /// minus old, 1/mm.
+  /// Change of the bending energy (new minus old), 1/mm. The energy is the sum of theta^2/h over
+  /// points that are h = 0.25 mm apart along the ink, where theta is the turn at a point. This is
+  /// the integral of kappa^2 ds for smooth ink, and is finite at corners.
   double bending_per_mm = 0.0;
-  /// Whole turn, sum of |theta| over the same points: the integral of |kappa| ds, whatever the size
-  /// of the ink. New minus old, degrees.
+  /// Change of the total turn (new minus old), degrees. The total turn is the sum of |theta| over
+  /// the same points: the integral of |kappa| ds, which does not depend on the size of the ink.
   double turn_deg = 0.0;
-  /// Smooth joints of the stroke that turn by more than 0.1 degrees now.
+  /// Number of smooth joints that turn by more than 0.1 degrees after the pull.
   int breaks = 0;
   int segments_added = 0;
 };
 
-/// Requires that the stroke is longer than a millimetre.
+/// Measures the effects of a pull. Requires that the stroke is longer than 1 mm.
 Effect effect_of(const Pull& pull, const StrokeData& now, double radius_mm);
 
 }  // namespace felt::bench

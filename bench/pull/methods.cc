@@ -11,9 +11,10 @@
 namespace felt::bench {
 namespace {
 
-/// The original moves the stroke in each tick of the haptic loop: 1 kHz, a hand at 100 mm/s.
+/// Movement of the pen per tick, mm. The paper moves the stroke in each tick of its haptic loop;
+/// this is a hand at 100 mm/s and a loop at 1 kHz.
 constexpr double kTickMm = 0.1;
-/// "t ~ 0" and "t ~ 1" of the paper's cases 1 and 2, which names no number.
+/// Limit for "t ~ 0" and "t ~ 1" in cases 1 and 2 of the paper, which does not give a number.
 constexpr double kNearJoint = 0.05;
 
 EditWeights cases_as_printed(double t) {
@@ -23,9 +24,9 @@ EditWeights cases_as_printed(double t) {
   return {{0.0, part, part, 0.0}};
 }
 
-/// Selecting and modifying, again and again, as the paper does: the nearest place (on the segment
-/// in work and its neighbours), V from there to the pen, the control points by their weights, the
-/// neighbours' handles turned into line.
+/// Pulls the stroke tick by tick, as the paper does. Each tick finds the point nearest to the pen
+/// on the current segment and its neighbours; V is the vector from that point to the pen. Then it
+/// moves the control points by their weights times V, and turns the neighbours' handles into line.
 template <class Weights>
 Result<StrokeData> tick_by_tick(const Pull& pull, Weights weights) {
   Strand strand(pull.stroke);

@@ -8,28 +8,29 @@
 
 namespace felt::bench {
 
-/// One pull: a place on a stroke, and how far the pen goes from there.
+/// One pull: a position on a stroke, and the displacement of the pen from there.
 struct Pull {
   StrokePtr stroke;
   double u = 0.0;
   Vec way;  ///< mm
 };
 
-/// What is compared.
+/// The methods that are compared.
 enum class Method {
-  kBrush,    ///< ours: BrushPull, what is committed
-  kSoft,     ///< GrabPull with `soft` weights, what is committed
-  kPaper,    ///< GrabPull with the paper's cases blended
-  kPrinted,  ///< the paper, eq. 7 as printed, tick by tick along the way
-  kCases,    ///< the paper, its three cases as printed with a hard switch, tick by tick
-  kPoint,    ///< the control point nearest to the grab is dragged along, and nothing else
+  kBrush,    ///< the committed result of BrushPull, the pull of our tool
+  kSoft,     ///< the committed result of GrabPull with `soft` weights
+  kPaper,    ///< GrabPull with weights that blend the paper's cases
+  kPrinted,  ///< eq. 7 as printed in the paper, tick by tick along the path
+  kCases,    ///< the three cases as printed in the paper, with a hard switch, tick by tick
+  kPoint,    ///< moves only the control point nearest to the grab
 };
 inline constexpr std::array kMethods = {Method::kBrush,   Method::kSoft,  Method::kPaper,
                                         Method::kPrinted, Method::kCases, Method::kPoint};
 
 std::string_view name_of(Method method) noexcept;
 
-/// What becomes of a stroke: its data, which may break G1. Error: the method refused.
+/// Returns the data of the pulled stroke, which may not be G1. Fails if the method cannot make the
+/// pull.
 Result<StrokeData> pulled(Method method, const Pull& pull, double brush_radius_mm);
 
 }  // namespace felt::bench

@@ -13,13 +13,13 @@
 namespace felt::bench {
 namespace {
 
-// In units of the plot, `kScale` pixels each.
+// Sizes in units of the plot. A unit is `kScale` pixels.
 constexpr double kScale = 2.0, kCell = 150.0, kHeight = 120.0, kTop = 34.0, kLeft = 8.0;
 
 constexpr Rgba kPaper{255, 255, 255, 255}, kInk{20, 20, 20, 255}, kOld{190, 190, 190, 255},
     kNew{0, 90, 170, 255}, kPen{213, 60, 0, 255}, kRule{230, 230, 230, 255};
 
-/// A cell of the picture: how the sheet lies in it.
+/// A cell of the picture, which maps the page to plot units.
 struct Frame {
   double x = 0.0, y = 0.0;  // top left corner
   Point middle;
@@ -40,14 +40,14 @@ std::vector<Vec> line_of(const StrokeData& data, const Frame& frame) {
   return line;
 }
 
-/// The part of the sheet round the grab in which most of what happens lies.
+/// Returns the frame around the grab that contains most of the change.
 Frame frame_of(const Pull& pull, double radius_mm) {
   const Point from = pull.stroke->position(pull.u);
   const double half = std::max(1.35 * radius_mm, 1.3 * norm(pull.way));
   return {.middle = from + 0.5 * pull.way, .per_mm = 0.5 * kHeight / half};
 }
 
-/// Small strokes across the old line where the intended span ends.
+/// Draws ticks across the old line at the ends of the intended span.
 void draw_span(PlotCanvas& canvas, const Pull& pull, const Frame& frame, double radius_mm) {
   const ArcMap map(*pull.stroke);
   const double at = map.length_at(pull.u);

@@ -8,8 +8,9 @@
 
 namespace felt::bench {
 
-/// Writes a PNG with a row for each pull and a column for each method: the stroke before in grey,
-/// after in blue, the way of the pen in red, the ends of the intended span as ticks.
+/// Writes a PNG with a row for each pull and a column for each method. The stroke is grey before
+/// the pull and blue after it, and the path of the pen is red. Ticks mark the ends of the intended
+/// span.
 Result<void> write_picture(const std::string& path, std::span<const Pull> pulls, double radius_mm);
 
 }  // namespace felt::bench

@@ -1,7 +1,8 @@
-// What a tick of the haptic loop costs. Thread CPU time of each tick, read by a system call whose
-// own cost is printed and not subtracted; the mean is from the whole run, without those calls.
-//   bench_servo [--ticks N]          the table (200000 ticks a row)
-//   bench_servo --loop SECONDS       the loop in real time on this machine
+// Measures the cost of a tick of the haptic loop as thread CPU time. The system call that reads the
+// clock has a cost of its own, which is printed and not subtracted. The mean is from a separate run
+// without these calls.
+//   bench_servo [--ticks N]          prints the table (200000 ticks per row by default)
+//   bench_servo --loop SECONDS       runs the loop in real time on this machine
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,7 +44,8 @@ void print_row(const char* what, std::vector<std::int64_t>& each, double mean_ns
               at_us(0.99), at_us(0.999), at_us(1.0));
 }
 
-// The force on which everything is on: sheet with grain and friction, edit spring, snap wells.
+// Returns a force model with all kinds of force: surface with grain and friction, springs of the
+// edit, snap wells, damping.
 ForceModel everything(const Capabilities& device, std::uint32_t fade_id) {
   const SurfaceMaterial& paper = surface_materials()[0];
   const std::array<Point, 4> targets{Point{70, 50}, Point{75, 50}, Point{70, 55}, Point{60, 50}};
@@ -63,7 +65,8 @@ ForceModel paper_only(const Capabilities& device, std::uint32_t fade_id) {
 
 using MakeModel = ForceModel (*)(const Capabilities&, std::uint32_t);
 
-// Ticks with a scribbling hand; a new model every `change_every` ticks (0: never).
+// Times ticks with a scribbling hand. Publishes a new model every `change_every` ticks; 0 means
+// that it publishes only one, before the first tick.
 template <class D>
 void bench_ticks(const char* what, D& device, MakeModel make, int change_every, int ticks) {
   ServoOptions options;
@@ -74,10 +77,10 @@ void bench_ticks(const char* what, D& device, MakeModel make, int change_every, 
   double mean_ns = 0.0;
   std::int64_t now_ns = 0;
   std::vector<PenSample> drained(1000);
-  for (const bool one_by_one : {false, true}) {  // the first round warms up, too
+  for (const bool one_by_one : {false, true}) {  // the first round is also the warm-up
     std::int64_t sum_ns = 0;
     for (int tick = 0; tick < ticks;) {
-      // Hands are moved between ticks, a hundred ticks at a time, outside the clock.
+      // The hand moves once per batch of up to 100 ticks, outside the timed part.
       const double t_s = 1e-9 * static_cast<double>(now_ns);
       device.aim({70 + 8 * std::sin(3 * t_s), 50 + 6 * std::cos(4 * t_s), -1 - std::sin(2 * t_s)},
                  {}, 0);
@@ -101,7 +104,7 @@ void bench_ticks(const char* what, D& device, MakeModel make, int change_every, 
   print_row(what, each, mean_ns);
 }
 
-// Mean of many calls.
+// Prints the mean of many calls.
 template <class Call>
 void bench_call(const char* what, Call call) {
   constexpr int kCalls = 1'000'000;
@@ -150,7 +153,7 @@ void bench_table(int ticks) {
   bench_ticks("no device, no force", none, nullptr, 0, ticks);
   const StylusPreset& preset = *find_stylus_preset("touch");
   const auto row = [&](const char* what, MakeModel make, int change_every) {
-    SimulatedStylus stylus(preset);  // another, because its time begins again
+    SimulatedStylus stylus(preset);  // a new one, because time starts again at 0
     bench_ticks(what, stylus, make, change_every, ticks);
   };
   row("simulated stylus, no force", nullptr, 0);

@@ -1,6 +1,6 @@
-// bench_sound [PICTURE]: what pairs of medium and sheet sound like in numbers, what a sample of
-// sound costs, and, to PICTURE (docs/images/sound.png), what the sounds are made of. The figures of
-// the sounds are the same on every run.
+// bench_sound [PICTURE]: prints the loudness and the pitch of pairs of medium and surface, and the
+// cost of a sample of sound. Draws the spectrograms of the sounds to PICTURE
+// (docs/images/sound.png). The figures of the sounds are the same on every run.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,7 +15,7 @@
 namespace felt::bench {
 namespace {
 
-constexpr double kSeconds = 1.0;  // of a spectrogram
+constexpr double kSeconds = 1.0;  // duration of a spectrogram
 constexpr double kPushN = 0.8, kHardPushN = 1.5;
 
 struct Shown {
@@ -36,8 +36,8 @@ RubbingPair pair_of(const Shown& shown) {
   return rubbing_pair(*find_surface(shown.surface), *find_medium(shown.medium));
 }
 
-/// The pen comes down, goes faster and faster up to 240 mm/s (120 where it is pushed hard), slows
-/// down, and is lifted.
+/// Returns the sound of a stroke: the pen touches the surface, accelerates to 240 mm/s (120 mm/s if
+/// it presses hard), slows down, and is lifted.
 std::vector<float> swelling_stroke(const Shown& shown) {
   RubbingPlayer sound;
   sound.set_pair(pair_of(shown));
@@ -118,7 +118,8 @@ double cpu_s() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// CPU time a sample; the best of some runs, since others run on this machine.
+/// Prints the CPU time per sample: the minimum of some runs, because other programs use the
+/// machine.
 void print_cost() {
   std::printf("\n| what | ns a sample | of a core |\n|---|---|---|\n");
   const auto row = [](const char* what, const RubbingPair& pair, const RubbedStroke& stroke) {

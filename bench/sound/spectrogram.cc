@@ -12,7 +12,7 @@ constexpr double kRateHz = 48000.0, kLowestHz = 60.0, kHighestHz = 20000.0;
 constexpr std::size_t kWindow = 1024;
 constexpr double kTopDb = -25.0, kRangeDb = 65.0, kStepDb = 5.0;
 
-/// In place, radix 2.
+/// Computes the Fourier transform in place (radix 2).
 void transform(std::vector<std::complex<double>>& a) {
   const std::size_t n = a.size();
   for (std::size_t i = 1, j = 0; i < n; ++i) {
@@ -34,7 +34,7 @@ void transform(std::vector<std::complex<double>>& a) {
   }
 }
 
-/// Levels of all frequencies around a sample, dB of a full-scale sine.
+/// Returns the levels of all frequencies around the sample `middle`, in dB of a full-scale sine.
 std::vector<double> levels_at(const std::vector<float>& sound, double middle) {
   std::vector<std::complex<double>> block(kWindow);
   const auto first = static_cast<std::ptrdiff_t>(middle) - std::ptrdiff_t{kWindow / 2};
@@ -52,11 +52,11 @@ std::vector<double> levels_at(const std::vector<float>& sound, double middle) {
   return levels;
 }
 
-/// Black, violet, orange, nearly white.
+/// Returns the colour of a level, from black through violet and orange to nearly white.
 Rgba color_of(double level_db) {
   constexpr double kStops[5][3] = {
       {6, 6, 16}, {70, 20, 110}, {190, 50, 90}, {248, 150, 50}, {252, 250, 200}};
-  // In steps, which the eye does not see and a .png is half as large for.
+  // Rounds to steps that are not visible, because they halve the size of the .png file.
   const double level = kStepDb * std::round(level_db / kStepDb);
   const double at = 4.0 * std::clamp((level - kTopDb + kRangeDb) / kRangeDb, 0.0, 1.0);
   const auto i = static_cast<std::size_t>(std::min(at, 3.999));

@@ -1,5 +1,6 @@
-// bench_stability [FILE]: the whole stability matrix to FILE (docs/stability.md), in about two
-// minutes on two cores. Virtual time: the figures are the same on a busy machine.
+// bench_stability [FILE]: writes the whole stability matrix to FILE (docs/stability.md), which
+// takes about two minutes on two cores. It uses virtual time, so the figures are the same on a busy
+// machine.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>

@@ -1,4 +1,5 @@
-// What a .felt file costs: bytes, opening, saving; and a commit into the autosave (README.md).
+// Measures a .felt file: its size, and the time to open and save it. Also times a commit to the
+// autosave (README.md).
 #include <zlib.h>
 
 #include <algorithm>
@@ -82,7 +83,7 @@ double at_share(std::vector<double> all, double share) {
   return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1))];
 }
 
-/// One more stroke a commit, into the autosave of a large drawing.
+/// Times commits of one stroke each to the autosave of a large drawing.
 void run_commits(const Arguments& args, const Drawing& drawing) {
   constexpr int kCommits = 500;
   const std::filesystem::path root =

@@ -1,4 +1,4 @@
-// What a sample costs each tool, on a sketch of 10^6 segments (README.md).
+// Times every tool per sample, on a sketch of 10^6 segments (README.md).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -92,10 +92,10 @@ void index_rows(Sheet& sheet, Document& document, const Table& table) {
   if (found == 0) std::printf("nothing was found\n");
 }
 
-/// A hand with a pen over a session, its samples timed.
+/// Sends pen samples to a session and times them.
 class Hand {
  public:
-  /// `now_ns` goes on from hand to hand.
+  /// `now_ns` is the shared clock, so that the time also increases from hand to hand.
   Hand(Session& session, std::int64_t& now_ns) : session_(session), now_ns_(now_ns) {}
 
   Times samples, commits, forces, draws;
@@ -114,7 +114,7 @@ class Hand {
     forces.push_back(timed_us([&] { (void)session_.force(); }));
     draws.push_back(timed_us([&] { session_.draw(overlay_); }));
   }
-  /// Hover, touch, move along an arc, lift.
+  /// Makes one gesture: hover, touch, move along an arc, lift.
   void gesture(Point start, double angle, double bend, int length) {
     Point at = start + -8.0 * Vec{std::cos(angle), std::sin(angle)};
     const auto step = [&] { at = at + 0.1 * Vec{std::cos(angle), std::sin(angle)}; };
@@ -147,14 +147,14 @@ void tool_rows(Sheet& sheet, Session& session, const std::string& id, std::int64
     Point start = stroke->position(sheet.uniform(0, stroke->segment_count()));
     const Tool* selects = session.first_tool(ToolKind::kSelects);
     if (session.tool().info().kind == ToolKind::kTransforms && selects) {
-      // Something to transform: a ring of 15 mm around the place.
+      // Selects the points to transform with a circle of radius 15 mm around the position.
       const std::string lasso(selects->info().id);
       choose(session, lasso);
       (void)session.apply({0, SetOption{lasso + ".take", std::string("points")}});
       Hand other(session, now_ns);
       other.gesture(start + Vec{0, -15}, 0.0, 0.1 / 15.0, 940);
       choose(session, id);
-      start = start + Vec{6, 4};  // beside the dot in the middle, which would move alone
+      start = start + Vec{6, 4};  // not on the dot in the middle, which would move alone
     }
     const double bend = sheet.uniform(-0.02, 0.02);
     hand.gesture(start, sheet.uniform(0, 6.28), bend, i % 4 == 0 ? 1000 : 250);

@@ -7,13 +7,13 @@
 
 namespace felt::bench {
 
-/// Random ink on a big sheet, about equally dense whatever its size.
+/// Random ink on a large square page. Its density hardly depends on the number of strokes.
 class Sheet {
  public:
   explicit Sheet(int strokes);
 
   [[nodiscard]] Document take() { return std::move(document_); }
-  /// A stroke of 8 to 12 smooth segments of a few mm.
+  /// Returns a random stroke of 8 to 12 smooth segments, a few mm long each.
   StrokePtr scribble();
   [[nodiscard]] double side_mm() const noexcept { return side_mm_; }
   double uniform(double a, double b) {

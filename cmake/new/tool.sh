@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# cmake/new/tool.sh NAME: writes a small tool that works, from cmake/new/tool, and lists it where tools
-# are listed (`./dev new tool NAME`).
+# cmake/new/tool.sh NAME: writes a small working tool from the templates in cmake/new/tool, and adds it to
+# the lists of tools (`./dev new tool NAME`).
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 die() { printf './dev new tool: %s\n' "$*" >&2; exit 2; }
@@ -14,7 +14,8 @@ words=${name//_/ }
 label=${words^}  # "my_tool" becomes "My tool" and MyTool
 camel=$(sed -E 's/(^|_)([a-z0-9])/\U\2/g' <<<"$name")
 
-# The folder appears whole, and before the lists name it.
+# Fills a temporary folder and moves it in one step, so that the new folder is complete before the lists
+# contain the tool.
 making=build/new_tool.$$
 trap 'rm -rf "$making"' EXIT
 
@@ -29,7 +30,7 @@ done
 ! command -v clang-format-14 >/dev/null || clang-format-14 -i "$making"/*.h "$making"/*.cc
 mv "$making" "$folder"
 
-# insert_include LINE FILE: in the order of the #includes of FILE.
+# insert_include LINE FILE: inserts LINE into FILE, in the order of its #includes.
 insert_include() {
   awk -v line="$1" '
     !done && ((/^#include/ && $0 > line) || (seen && !/^#include/)) { print line; done = 1 }
@@ -40,7 +41,7 @@ tools=src/felt/tools/all_tools.cc
 insert_include "#include \"felt/tools/$name/${name}_tool.h\"" "$tools"
 sed -i "s/^  return tools;/  tools.push_back(make_$name());\n&/" "$tools"
 
-# Its words in German and Dutch, unless they are there already.
+# Adds the texts of the tool in German and Dutch, unless they already exist.
 fill cmake/new/tool/words.in | while IFS=$'\t' read -r language source translation; do
   file=apps/desktop/translations/feltline_$language.ts
   awk -v source="$source" -v translation="$translation" '

@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
 # install_test.sh SOURCE_DIR BUILD_DIR CXX: installs BUILD_DIR into an empty folder, moves that
-# folder, and uses what is there as a stranger would: by find_package, by pkg-config, and the
-# program itself.
+# folder, and uses the installed files as a user of the library would: by find_package and by
+# pkg-config. Also runs the installed program.
 set -euo pipefail
 source_dir=$1 build_dir=$2 export_cxx=$3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 sample=$source_dir/samples/fit_a_stroke
 
-# Run CMAKE quietly; say everything when it fails.
+# quietly COMMAND...: prints the output of the command only if it fails.
 quietly() { "$@" >"$work/log" 2>&1 || { echo "FAILED: $*"; cat "$work/log"; exit 1; }; }
 
 quietly cmake --install "$build_dir" --prefix "$work/first"
-# A tree that knows where it was made does not survive this.
+# The checks below fail if an installed file needs the path of the original folder.
 mv "$work/first" "$work/prefix"
 prefix=$work/prefix
 
@@ -40,7 +40,8 @@ cat >"$work/ring.ndjson" <<'END'
 {"id":"ring","closed":true,"segments":[[0,0,20,-20,40,-20,60,0],[60,0,40,30,20,30,0,0]],"joints":["corner","corner"],"widths":[[0,1],[2,1]]}
 END
 "$work/inflate/inflate" "$work/ring.ndjson" >"$work/body.obj"
-# Watertight: each edge of a face is there once more, the other way round; and Euler's 2.
+# The body is watertight if each edge belongs to two faces, in opposite directions, and if its Euler
+# characteristic is 2.
 awk '
   $1 == "v" { points++ }
   $1 == "f" { faces++; edge[$2 " " $3]++; edge[$3 " " $4]++; edge[$4 " " $2]++ }
@@ -55,7 +56,7 @@ awk '
 ! "$work/inflate/inflate" "$work/missing.ndjson" >"$work/none.obj" 2>"$work/why"
 grep -q 'missing.ndjson: cannot read' "$work/why"
 
-# compiles OPTION...: the text on stdin, with what is installed and nothing else.
+# compiles OPTION...: checks that the source on stdin compiles with only the installed files.
 compiles() {
   cat >"$work/one.cc"
   # shellcheck disable=SC2046
@@ -67,9 +68,10 @@ echo "public headers:"
 mapfile -t headers < <(cd "$prefix/include" && find felt -name '*.h' | LC_ALL=C sort)
 sed -nE 's|^\* \[([^]]+\.h)\].*|felt/\1|p' "$source_dir/src/felt/API.md" | LC_ALL=C sort |
   diff - <(printf '%s\n' "${headers[@]}")
-printf '#include "%s"\n' "${headers[@]}" "${headers[@]}" | compiles  # what they include is there, too
+printf '#include "%s"\n' "${headers[@]}" "${headers[@]}" | compiles  # fails if one includes a missing header
 
-# Whether a source of its own includes it first: then the build has compiled it alone.
+# built_alone HEADER: true if the source or test of the same name includes HEADER first. Then the build
+# has already compiled the header alone.
 built_alone() {
   local own
   for own in "$source_dir/src/${1%.h}.cc" "$source_dir/src/${1%.h}_test.cc"; do

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # check_api.sh [ROOT]: is src/felt/API.md a list of headers that can be installed on their own?
 #
-#   - every header in the list exists, is there once, and has a description;
+#   - every header in the list exists, is listed once, and has a description;
 #   - a public header includes only public headers;
 #   - samples, and the examples in documents, include only public headers.
 # Prints each violation as FILE:LINE: reason, and fails if there is one.

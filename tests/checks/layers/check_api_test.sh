@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Plants a violation of each rule in a small tree and sees to it that check_api.sh reports it.
+# Plants a violation of each rule in a small tree and tests that check_api.sh reports it.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 tree=$(mktemp -d)
@@ -16,7 +16,7 @@ clean_tree() {
   printf '# How to\n#include "felt/stroke/ink.h"\n' | tee docs/use.md >README.md
 }
 
-# expect WHAT TEXT: the check must fail now, and print TEXT.
+# expect WHAT TEXT: fails unless the check fails and prints TEXT.
 expect() {
   local printed
   if printed=$("$here/check_api.sh" "$tree" 2>&1) || ! grep -qF -- "$2" <<<"$printed"; then

@@ -1,22 +1,22 @@
 #!/usr/bin/env bash
 # check_documents.sh [ROOT]: do the documents name things that exist?
 #
-#   docs/requirements.md   every R1..R56 once; a test for each that is done, and every `Suite.Name`,
-#                          CTest name and path there exists in the sources
-#   docs/paper-map.md      every header has the function named beside it; every test exists
-#   all .md files          relative links lead to a file, and to a heading of it
-#   sources and documents  a citation resolves: docs/FILE.md#heading exists, and nothing cites a
-#                          document that is not in the repository
+#   docs/requirements.md   has every R1..R56 once; each requirement that is done has a test; every
+#                          `Suite.Name`, CTest name and path in it exists in the sources
+#   docs/paper-map.md      every header contains the function named beside it; every test exists
+#   all .md files          relative links lead to an existing file and heading
+#   sources and documents  every citation resolves: docs/FILE.md#heading exists, and no citation
+#                          names a document outside the repository
 set -euo pipefail
 cd "${1:-.}"
 status=0
 complain() { echo "$*"; status=1; }
 
-# The names of all tests: GoogleTest and RapidCheck in the sources, add_test(NAME ...) in CMake.
+# Prints the names of all tests: GoogleTest and RapidCheck in the sources, add_test(NAME ...) in CMake.
 test_names() {
   local sources
   mapfile -t sources < <(find src apps tests bench -type f -name '*.cc' | LC_ALL=C sort)
-  # One line a file, so that a macro broken over two lines is still seen.
+  # Joins each file into one line, because a macro may span two lines.
   awk 'FNR == 1 && NR > 1 { print "" } { printf "%s ", $0 } END { print "" }' "${sources[@]}" |
     grep -oE '\b(TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\( *[A-Za-z0-9_]+ *, *[A-Za-z0-9_]+' |
     sed -E 's/^[A-Z_]+\( *([A-Za-z0-9_]+) *, *([A-Za-z0-9_]+)/\1.\2/'
@@ -25,13 +25,13 @@ test_names() {
 }
 names=$(test_names | sort -u)
 
-# check_name PLACE NAME: a test, or a file.
+# check_name PLACE NAME: complains unless NAME is a test or a file.
 check_name() {
   grep -qxF -- "$2" <<<"$names" || [ -e "$2" ] || complain "$1: there is no test or file '$2'"
 }
 
-# Text between backticks in stdin, one a line.
-# shellcheck disable=SC2016  # backticks are meant
+# Prints each text between backticks on stdin, one per line.
+# shellcheck disable=SC2016  # the backticks are literal
 in_backticks() { grep -oE '`[^`]+`' | tr -d '`' || true; }
 
 requirements=docs/requirements.md
@@ -49,7 +49,7 @@ for number in $(seq 56); do
   [ "$count" = 1 ] || complain "$requirements: R$number stands there $count times"
 done
 
-# | equation | what it is | `header`: `function`, ... | `Suite.Name`, ... |
+# Rows of the map: | equation | what it is | `header`: `function`, ... | `Suite.Name`, ... |
 map=docs/paper-map.md
 while IFS='|' read -r _ equation _ code tests _; do
   header=
@@ -64,7 +64,7 @@ while IFS='|' read -r _ equation _ code tests _; do
   while read -r name; do check_name "$map: $equation" "$name"; done < <(in_backticks <<<"$tests")
 done < <(grep -E '^\| \(?[0-9E]' $map)
 
-# is_there FILE[#HEADING]
+# is_there FILE[#HEADING]: true if the file and the heading exist.
 is_there() {
   [ -e "${1%%#*}" ] && { [[ $1 != *.md#* ]] || sed -nE 's/^#+ +//p' "${1%%#*}" | tr '[:upper:]' '[:lower:]' |
     sed -E 's/[^a-z0-9 _-]//g; s/ /-/g' | grep -xF -- "${1#*#}" >/dev/null; }
@@ -84,7 +84,8 @@ while IFS=: read -r file line cited; do
   is_there "$cited" || complain "$file:$line: '$cited' does not exist: cite a file and a heading of it that do"
 done < <(grep -HnoE '\b(docs/[A-Za-z0-9_./-]+|ARCHITECTURE)\.md(#[a-z0-9-]+)?' "${texts[@]}" || true)
 
-# "specification 5b", "(architecture" at the end of a line, "peers.md", "devices.md 3"; "E5" where errata.md is not named.
+# Matches "specification 5b", "(architecture" at the end of a line, "peers.md" and "devices.md 3". "E5" is also an
+# error in a file that does not name errata.md.
 retired='\b(specification|architecture|reliability|fitting|performance|devices|peers|style)(\.md)?,?( (section|decision|target))* ([0-9]|section)'
 retired+='|\((specification|architecture)( section)?$|\b(of|as) the specification\b'
 retired+='|(^|[^/a-z-])((specification|fitting|performance|ecosystem|peers|frontier|style|measured-use)\.md|(reliability|devices)\.md($|[^])#`]))'

@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
 # check_layers.sh [ROOT]: do the sources keep to the layers of rules.txt?
 #
-# Says each broken rule as FILE:LINE: reason, and fails when there is one. Checked:
-#   - a layer includes only what its line allows; subfolders of a layer never include each other;
-#   - foreign libraries stay in their folders;
+# Prints each violation as FILE:LINE: reason, and fails if there is one. Checks that:
+#   - a layer includes only the layers that its line allows;
+#   - the private folders of a layer never include one another;
+#   - headers of foreign libraries are included only in the folders that rules.txt lists for them;
 #   - project headers are included by their full name ("felt/...");
-#   - no header includes itself over others;
-#   - folders of the desktop program include only what their line allows;
+#   - no header includes itself through other headers;
+#   - folders of the desktop program include only the folders that their line allows;
 #   - the programs include the library and themselves, never each other;
-#   - a test lies in a namespace with the name of its file, because several compile as one;
+#   - a test is in a namespace with the name of its file, because several files compile as one;
 #   - limits are called kMax... and kMin... (docs/glossary.md);
-#   - every layer and subfolder has a README.md, and every public header a comment.
+#   - every layer and every folder in it has a README.md, and every header has a /// comment.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 cd "${1:-.}"
@@ -22,8 +23,8 @@ mapfile -t files < <(find src apps bench tests -type f \( -name '*.h' -o -name '
 LC_ALL=C awk '
   function complain(text) { print FILENAME ":" FNR ": " text; broken = 1 }
 
-  # The layer and the subfolder of a path below src/felt. In the desktop program every folder is
-  # a layer.
+  # Sets the layer of a path below src/felt, and the folder inside that layer ("room" in this
+  # script). In the desktop program, every folder counts as a layer.
   function split_place(path,    part, n) {
     layer_of = room_of = ""
     n = split(path, part, "/")
@@ -72,13 +73,13 @@ LC_ALL=C awk '
       if (layer_of == layer && !((room, room_of) in allowed))
         complain((room == "" ? layer : room) " must not include " room_of " (" name ")")
     }
-    # Only the file that lists the subfolders of a layer may include them.
-    else if (FILENAME !~ /\/all_[a-z]+(_test)?\.cc$/)
-      complain((room == "" ? layer : room) " must not include the subfolder " room_of " (" name \
+    # rooms.cc, which lists the folders of its layer, may include all of them.
+    else if (FILENAME !~ /\/rooms(_test)?\.cc$/)
+      complain((room == "" ? layer : room) " must not include the folder " room_of " (" name \
         "); it is private as long as rules.txt has no line \"folder " room_of ":\"")
   }
 
-  # What stands between quotes in a program.
+  # Checks an include between quotes in a program.
   function check_app_include(name,    app, n, start, i) {
     for (app in app_allowed) if (index(FILENAME, app "/") == 1) break
     if (index(FILENAME, app "/") != 1 || (is_test && name ~ /^tests\//)) return
@@ -143,7 +144,8 @@ LC_ALL=C awk '
     if (name ~ /^felt\//) check_project_include(name)
     check_foreign_include(name) }
 
-  # Depth first over the includes; a header that is met while it is still open closes a ring.
+  # Walks the includes depth first. A header that is reached while its own walk is in progress
+  # (state 1) includes itself through others.
   function walk(file,    n, next_file, i) {
     state[file] = 1
     n = split(included[file], next_file, " ")

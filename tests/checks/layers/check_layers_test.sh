@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Plants one violation of each rule in a small tree and sees to it that check_layers.sh names it.
+# Plants one violation of each rule in a small tree and tests that check_layers.sh reports it.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 tree=$(mktemp -d)
@@ -32,7 +32,7 @@ clean_tree() {
   printf '#include "tests/support/near.h"\n' | file apps/desktop/canvas/canvas_test.cc
 }
 
-# expect WHAT TEXT: the check must fail now, and say TEXT.
+# expect WHAT TEXT: fails unless the check fails and prints TEXT.
 expect() {
   local said
   if said=$("$here/check_layers.sh" "$tree" 2>&1); then
@@ -53,17 +53,18 @@ clean_tree
 printf '/// x\n#include "felt/stroke/ink.h"\n' | file src/felt/geometry/bad.h
 expect "a layer includes one above it" "src/felt/geometry/bad.h:2: geometry must not include stroke"
 printf '#include "felt/stroke/ink.h"\n' | file src/felt/geometry/bad_test.cc
-expect "a test is no exception" "geometry must not include stroke"
+expect "a test includes a layer above its own" "geometry must not include stroke"
 printf '/// x\nconstexpr int kMostPoints = 3;\n' | file src/felt/geometry/bad.h
 expect "a retired name" "src/felt/geometry/bad.h:2: call a limit kMax... or kMin..."
 printf 'namespace felt {\n}\n' | file src/felt/geometry/bad_test.cc
-expect "a test in the namespace of all" "put the test into a namespace felt::bad_test"
+expect "a test in the common namespace" "put the test into a namespace felt::bad_test"
 printf '/// x\n#include "felt/stroke/ink.h"\n' | file src/felt/devices/simulated/bad.h
 expect "a layer includes one beside it" "devices must not include stroke"
 printf '/// x\n#include "felt/tools/pull/pull.h"\n' | file src/felt/tools/pencil/bad.h
-expect "a subfolder includes a subfolder" "tools/pencil must not include the subfolder tools/pull"
+expect "a private folder includes another" "tools/pencil must not include the folder tools/pull"
 printf '/// x\n#include <felt/tools/pull/pull.h>\n' | file src/felt/tools/bad.h
-expect "a layer includes its subfolder, in angle brackets" "tools must not include the subfolder tools/pull"
+expect "a layer includes its private folder, in angle brackets" \
+  "tools must not include the folder tools/pull"
 printf '/// x\n#include <QWidget>\n' | file apps/cli/bad.h
 expect "Qt outside the desktop program" "<QWidget> belongs in apps/desktop only"
 printf '/// x\n#  include <sqlite3.h>\n' | file src/felt/stroke/bad.h
@@ -109,7 +110,7 @@ for include in print.h cli/print.h apps/cli/print.h ../cli/print.h tests/support
     "apps/desktop/canvas/bad.cc:1: apps/desktop must not include \"$include\""
 done
 printf '#include "script_feed.h"\n' | file apps/desktop/canvas/bad_test.cc
-expect "a test of the desktop is no exception" "apps/desktop must not include \"script_feed.h\""
+expect "a test of the desktop includes script_feed.h" "apps/desktop must not include \"script_feed.h\""
 printf '#include "felt/devices/simulated/hand.h"\n' | file src/felt/devices/bad.cc
 expect "devices include the simulated one" "devices must not include devices/simulated"
 

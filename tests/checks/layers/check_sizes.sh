@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# check_sizes.sh [ROOT]: which files and functions grew beyond what reads well?
+# check_sizes.sh [ROOT]: which files and functions are too long to read well?
 #
-# Prints what is over the target and fails on what is over the bound:
+# Prints the files over the target, and fails if a file or function exceeds the bound:
 #   header 150 lines (bound 300), source 400 (bound 500), function 60 lines (bound 60, not in tests).
-# Functions need universal-ctags; without it only files are measured, and it says so.
+# Functions are measured with universal-ctags. Without it, the script measures only files and says so.
 set -euo pipefail
 cd "${1:-.}"
 

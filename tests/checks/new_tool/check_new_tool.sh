@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# check_new_tool.sh BUILD TREE: builds the programs with the new tool of TREE, and runs the suites.
+# check_new_tool.sh BUILD TREE: builds the programs with the new tool in TREE, and runs the test suites.
 set -euo pipefail
 build=$1 bin=$1/bin tree=$2
 cmake --build "$build" --target trial --parallel 2 >"$tree.log" 2>&1 || { tail -n 40 "$tree.log"; exit 1; }

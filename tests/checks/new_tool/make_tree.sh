@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# make_tree.sh SOURCE TREE: copies of SOURCE what a new tool is written into, and makes the tool "trial".
+# make_tree.sh SOURCE TREE: copies the folders that `./dev new tool` changes from SOURCE to TREE, and makes the tool "trial" there.
 set -euo pipefail
 source=$1 tree=$2
 rm -rf "$tree"

@@ -1,16 +1,16 @@
-# What plant_breaks.sh and check_breaks.sh share. Source it.
+# Shared by plant_breaks.sh and check_breaks.sh, which source this file.
 # shellcheck shell=bash
 
-# Requirements are R1 to this one.
-# shellcheck disable=SC2034  # of who sources this
+# The last requirement: they are R1 to R56.
+# shellcheck disable=SC2034  # used by the scripts that source this file
 readonly requirements=56
 
-# header KEY FILE: the value of a header line of a patch.
+# header KEY FILE: prints the value of a header line of a patch.
 header() {
   sed -n "/^--- /q; s/^$1: *//p" "$2" | head -n 1
 }
 
-# apply_break TREE PATCH [option...]: with no file left behind but the patched ones.
+# apply_break TREE PATCH [option...]: applies the patch without leaving backup or reject files.
 apply_break() {
   local tree=$1 file=$2
   shift 2

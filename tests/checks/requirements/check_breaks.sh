@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# check_breaks.sh [BUILD_DIR]: can the breaks of this folder still be planted? Each patch applies to
-# the tree, and its target and test exist. Builds nothing; plant_breaks.sh plants them.
-# check_breaks.sh --missing: has each requirement a break, or a reason in README.md?
+# check_breaks.sh [BUILD_DIR]: can the breaks of this folder still be planted? Checks that each patch
+# applies to the tree, and that its target and its test exist. Does not build; plant_breaks.sh does.
+# check_breaks.sh --missing: does each requirement have a break, or a reason in README.md?
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
@@ -31,7 +31,7 @@ if [[ ${1:-} == --missing ]]; then
 fi
 build=${1:-}
 
-# All tests of the sources, Suite.Name a line.
+# Prints all tests of the sources as Suite.Name, one per line.
 list_tests() {
   find "$source/src" "$source/apps" "$source/tests" -name '*.cc' -exec cat {} + | tr '\n' ' ' |
     grep -oE '\b(TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\( *[A-Za-z0-9_]+, *[A-Za-z0-9_]+' |
@@ -39,7 +39,8 @@ list_tests() {
 }
 tests=$(list_tests)
 
-# has_test PATTERN: one pattern of a gtest filter; instances (A/Suite.Name/3) count as their test.
+# has_test PATTERN: true if a test matches one pattern of a gtest filter. An instance (A/Suite.Name/3)
+# counts as its test.
 has_test() {
   local pattern=$1
   pattern=${pattern#\*/}

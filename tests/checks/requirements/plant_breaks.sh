@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # plant_breaks.sh [--tree DIR] [--jobs N] [Rn|PATCH ...]: does the test of a requirement fail when the
-# feature is broken? For each patch of this folder (or of the requirements given): builds its target
-# in a scratch copy of the tree and wants its test to pass; plants the break, builds, and wants the
-# test to fail; takes the break out again. Prints a table. Exit 1: a break was not caught, or could
+# feature is broken? For each patch of this folder (or of the given requirements): builds its target
+# in a scratch copy of the tree and requires its test to pass; plants the break, builds, and requires
+# the test to fail; removes the break. Prints a table. Exits with 1 if a break was not caught or could
 # not be tried.
 #
-# The scratch copy is build/breaks, with a build folder of its own, which stays for the next run; the
-# working tree is only read. --tree takes another scratch copy, as it is, without copying anything
-# into it: its source files are patched.
+# The scratch copy is build/breaks, with a build folder of its own; it is kept for the next run. The
+# working tree is only read. --tree uses another scratch copy without copying anything into it; its
+# source files are patched.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
@@ -45,7 +45,7 @@ while (($# > 0)); do
   shift
 done
 
-# Copies what differs, so that only that is built again.
+# Copies only the files that differ, so that only those are built again.
 copy_tree() {
   tree=$source/build/breaks
   mkdir -p "$tree"
@@ -76,7 +76,7 @@ build() { # TARGET LOG
   fi
 }
 
-# run_test TARGET TEST LOG: prints green, red, died or none (no test has this name).
+# run_test TARGET TEST LOG: prints green, red, died, or none (if no test has this name).
 run_test() {
   local target=$1 test=$2 log=$3 status=0
   if [[ $test == ctest:* ]]; then
@@ -94,7 +94,7 @@ run_test() {
     return
   fi
   local program=$tree/build/dev/bin/$target
-  # Not grep -q: it ends at the first match, and the program dies of the closed pipe.
+  # Not grep -q, because it exits at the first match, and then the closed pipe kills the program.
   if ! "$program" --gtest_list_tests "--gtest_filter=$test" 2>/dev/null | grep '^  ' >/dev/null; then
     echo none
     return
@@ -110,7 +110,7 @@ run_test() {
   fi
 }
 
-# try_break PATCH: prints the result; "caught" is the good one.
+# try_break PATCH: prints the result, which is "caught" if the test works.
 try_break() {
   local file=$1 target test log verdict
   target=$(header Target "$file")
@@ -150,7 +150,7 @@ planted=
 take_out() {
   if [[ -n $planted ]]; then
     apply_break "$tree" "$planted" --reverse >/dev/null
-    # What is as old as before would not be built again.
+    # Ninja would not build a file again if its time stamp did not change.
     sed -n 's,^+++ b/\([^[:space:]]*\).*,\1,p' "$planted" | (cd "$tree" && xargs touch)
   fi
   planted=

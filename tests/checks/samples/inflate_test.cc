@@ -12,7 +12,8 @@
 namespace felt::inflate_test {
 namespace {
 
-/// A closed, smooth stroke through points in order (handles by their neighbours).
+/// Returns a closed, smooth stroke through the points in this order. The handles at a point depend
+/// on its neighbours.
 Stroke ring_through(const std::vector<Point>& at) {
   const std::size_t n = at.size();
   StrokeData d;
@@ -37,7 +38,8 @@ Stroke circle(double radius) {
   return ring_through(at);
 }
 
-/// A lumpy shape without crossings: the distance from the centre is one for each direction.
+/// Returns a lumpy outline. It cannot cross itself, because it has one distance from the centre for
+/// each direction.
 Stroke lumpy(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto uniform = [&](double a, double b) {
@@ -75,7 +77,8 @@ double thickness_at(const Mesh& mesh, Point place) {
 }
 
 void expect_watertight(const Mesh& mesh, const Stroke& stroke) {
-  // Every edge is there twice, once each way: closed, and all faces agree about what is outside.
+  // Every edge exists twice, once in each direction. So the mesh is closed, and all faces have the
+  // same orientation.
   std::map<std::pair<int, int>, int> edges;
   for (const auto& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
@@ -89,7 +92,7 @@ void expect_watertight(const Mesh& mesh, const Stroke& stroke) {
                      static_cast<std::ptrdiff_t>(mesh.triangles.size());
   EXPECT_EQ(euler, 2);
   EXPECT_GT(volume(mesh), 0.0);
-  // The outline lies on the stroke, and all of the stroke near the outline.
+  // The outline is on the stroke, and every point of the stroke is near the outline.
   std::vector<Point> rim;
   for (int i = 0; i < mesh.outline_count; ++i) {
     const Vec3 p = mesh.points[static_cast<std::size_t>(i)];
@@ -123,7 +126,7 @@ TEST(Inflate, R54_ADiscIsRoundAndTwiceTheSizeIsTwiceAsThick) {
     const auto mesh = inflated(stroke);
     ASSERT_TRUE(mesh);
     expect_watertight(*mesh, stroke);
-    // laplace u = -3 in a disc: u = 3/4 (R^2 - r^2).
+    // The solution of laplace u = -3 in a disc is u = 3/4 (R^2 - r^2).
     EXPECT_NEAR(thickness_at(*mesh, {50, 40}), 2 * std::sqrt(0.75) * radius, 0.05 * radius);
     const double ball = 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3.0) * std::sqrt(0.75);
     EXPECT_NEAR(volume(*mesh), ball, 0.05 * ball);
@@ -148,7 +151,7 @@ TEST(Inflate, SaysWhatCannotBeInflated) {
   open.closed = false;
   open.joints.pop_back();
   EXPECT_FALSE(inflated(Stroke::create(open).value()));
-  // An eight.
+  // A figure of eight.
   const auto eight =
       inflated(ring_through({{0, 0}, {10, 10}, {20, 0}, {20, 10}, {10, 0}, {0, 10}}));
   ASSERT_FALSE(eight);
