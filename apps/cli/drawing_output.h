@@ -25,6 +25,13 @@ struct EncodedStrokes {
 Result<void> encode(const NamedStroke& stroke, std::int64_t number, Format format,
                     EncodedStrokes& out);
 
+/// What a DrawingOutput receives: a whole drawing by write(), or single strokes by append().
+enum class OutputUse { kWhole, kStrokes };
+
+/// Returns the format that encode() must get for strokes that go to this output. Only .ndjson and
+/// uncompressed .svg are written stroke by stroke; for other outputs strokes are kept as lines.
+Format stroke_format(const std::string& path, Format format);
+
 /// Writes a drawing to a file, either as a whole with write(), or stroke by stroke with append()
 /// and then finish(). The file gets its name when write() or finish() succeeds, not before.
 ///

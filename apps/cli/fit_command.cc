@@ -60,9 +60,9 @@ std::string check_medium(const std::string& id) {
 
 void add_width_options(CLI::App& command, FitArguments& args) {
   command
-      .add_option(
-          "--medium,--material", args.material,
-          "What the lines are drawn with, by its widths, tone and response to tilt: " + media_names())
+      .add_option("--medium,--material", args.material,
+                  "What the lines are drawn with, by its widths, tone and response to tilt: " +
+                      media_names())
       ->check(CLI::Validator(check_medium, "ID"));
   command
       .add_option(

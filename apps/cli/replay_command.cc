@@ -126,7 +126,7 @@ struct ReplayOutputs {
   std::optional<ForcePlot> plot;
   std::unique_ptr<ReplaySound> sound;  ///< on the heap because it is large
   std::optional<FeltRecorder> recorder;
-  const ReplayRun* run = nullptr;  ///< set while the replay runs, to show its progress
+  const ScriptRun* run = nullptr;  ///< set while the replay runs, to show its progress
 };
 
 void check_recording(const ReplayCommandArguments& args) {

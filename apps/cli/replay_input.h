@@ -18,7 +18,7 @@ Result<std::vector<StrokePtr>> read_strokes(const std::string& path);
 Result<Drawing> read_start(const std::string& path);
 
 /// Reads a script from a file, or from stdin ("-"), and adds it to a replay.
-Result<void> read_script_file(const std::string& path, ReplayRun& run);
+Result<void> read_script_file(const std::string& path, ScriptRun& run);
 
 /// Applies a recording to a session: a script (a file, or "-" for stdin), or the newest recording
 /// in a .felt drawing. Relative paths of imports start at the folder of that file. If an event

@@ -105,6 +105,15 @@ run 1 "$feltline" fit sketch.ndjson -o x.felt
 lines err 1
 has err "feltline: sketch.ndjson: holds curves, which are fitted already"
 
+# An .svgz is compressed whoever writes it, and only an SVG is.
+run 0 "$feltline" fit good.ndjson -o small.svgz
+gzip -t small.svgz || fail "fit writes an .svgz that is not compressed"
+run 0 "$feltline" render sketch.ndjson -o named.svgz --to png
+[ "$(head -c 4 named.svgz | tail -c 3)" = PNG ] || fail "a picture was compressed because of its name"
+# A whole drawing goes to stdout as it is made, without a temporary file.
+run 0 "$feltline" convert sketch.ndjson -o whole.felt
+run 0 env TMPDIR=/nonexistent "$feltline" convert whole.felt -o - --to svg
+
 # Text from a file cannot control the terminal and cannot imitate a line of the output.
 escape=$(printf '\033')
 printf '<svg xmlns="http://www.w3.org/2000/svg" xmlns:i="http://www.inkscape.org/namespaces/inkscape"><g i:groupmode="layer" i:label="a&#10;layer 9  7 strokes&#x9b;2J"><path d="M0 0L9 9" stroke="red" fill="none"/></g></svg>' >forged.svg

@@ -113,7 +113,7 @@ std::size_t InkTileStore::tile_count() const noexcept {
 }
 
 /// Ends the preview. Draws tiles again whose pixels were rounded for speed.
-void InkDesk::drop_splits() {
+void InkTileStore::drop_splits() {
   for (auto& [id, plane] : planes_) {
     for (auto& [place, tile] : plane.tiles) {
       if (tile.split && tile.split->is_rounded) damage(tile, kWhole);
@@ -158,15 +158,15 @@ void InkTileStore::damage(Tile& tile, PixelRect part) {
 /// new picture, which replaces the old one when it is finished. If an interrupted picture became
 /// outdated, the next attempt is not interrupted, so that the tile appears even if edits arrive
 /// continuously.
-InkDesk::Need InkDesk::plan() {
+InkTileStore::Need InkTileStore::plan() {
   choice_ = choose();
   return choice_.need;
 }
 
 /// Returns that tile in `area` which needs work and is nearest to the middle of the view. Existing
 /// but outdated tiles come first.
-std::optional<InkDesk::Choice> InkDesk::nearest(const Plane& plane, const PlaneRect& area,
-                                                bool only_made) const {
+std::optional<InkTileStore::Choice> InkTileStore::nearest(const Plane& plane, const PlaneRect& area,
+                                                          bool only_made) const {
   if (area.empty()) return std::nullopt;
   const TileRange range = TileRange::of(area);
   const double x0 = 0.5 * static_cast<double>(seen_.x0 + seen_.x1) / kTileSide - 0.5;
@@ -189,7 +189,7 @@ std::optional<InkDesk::Choice> InkDesk::nearest(const Plane& plane, const PlaneR
 
 /// Returns a tile of the layers that cover new ink. It has lower priority than the view's own
 /// tiles, because only new ink needs it.
-std::optional<InkDesk::Choice> InkDesk::choose_over() const {
+std::optional<InkTileStore::Choice> InkTileStore::choose_over() const {
   const auto over = planes_.find(over_);
   if (over == planes_.end()) return std::nullopt;
   const auto wrong = nearest(over->second, seen_, true);
@@ -239,8 +239,8 @@ InkTileStore::Begun InkTileStore::begin(const Choice& choice, Plane& plane, Tile
 }
 
 /// Returns false if painting was interrupted.
-bool InkDesk::paint(Plane& plane, Tile& tile, Begun& begun,
-                    const std::function<bool()>& should_stop) {
+bool InkTileStore::paint(Plane& plane, Tile& tile, Begun& begun,
+                         const std::function<bool()>& should_stop) {
   const Pixels pixels = pixels_of(*begun.picture);
   const InkStyle& style = plane.spec.style;
   if (begun.job.next == 0) {
@@ -289,7 +289,7 @@ void InkTileStore::work(std::uint64_t order, const std::function<bool()>& should
 }
 
 /// Drops the tiles that were unused for the longest time until the others fit the memory limit.
-void InkDesk::drop_old(std::vector<TileNews>& news) {
+void InkTileStore::drop_old(std::vector<TileNews>& news) {
   while (bytes_ > most_bytes_) {
     Plane* in = nullptr;
     std::map<TilePlace, Tile>::iterator oldest;

@@ -22,7 +22,7 @@ namespace felt {
 /// allocates, locks or waits. Use it on one thread at a time.
 class RubbingPlayer {
  public:
-  static constexpr double kRateHz = RubVoice::kRateHz;
+  static constexpr double kRateHz = RubbingSynth::kRateHz;
   /// Maximum number of samples in the queue. If more are pushed, the oldest is dropped.
   static constexpr std::size_t kMaxWaiting = 1024;
   /// If a path has a longer gap, or is faster than any hand, it is split into two, and the pen

@@ -108,8 +108,8 @@ TEST(RubbingPlayer, IsSilent50MsAfterThePenIsLiftedOrStandsOnEveryPair) {
 }
 
 /// A jump of the device must not sound like very fast motion.
-TEST(RubbingSound, ALeapIsNoSound) {
-  RubbingSound sound;
+TEST(RubbingPlayer, ALeapIsNoSound) {
+  RubbingPlayer sound;
   sound.set_pair(pair_of("canvas", "chalk"));
   for (int i = 0; i < 100; ++i) sound.push({i * kMs, {i < 50 ? 10.0 : 90.0, 5.0}, 1.0, 0.0});
   std::vector<float> all(sound.ready());
@@ -133,7 +133,7 @@ TEST(RubbingPlayer, BeginningAndEndingAddNoLeap) {
 }
 
 // A touch is audible, but not louder than rubbing.
-TEST(RubbingSound, ATouchIsModest) {
+TEST(RubbingPlayer, ATouchIsModest) {
   for (const char* medium : {"pencil", "chalk", "brush-pen"}) {
     const RubbingPair pair = pair_of("paper", medium);
     const auto peak = [](const std::vector<float>& sound) {

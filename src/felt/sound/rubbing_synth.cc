@@ -8,7 +8,7 @@
 namespace felt {
 namespace {
 
-constexpr double kRateHz = RubVoice::kRateHz;
+constexpr double kRateHz = RubbingSynth::kRateHz;
 // Smoothing of the path: it removes the steps of a sensor (0.05 mm in a millisecond), but not the
 // motion of a hand.
 constexpr double kWay = follow_share(0.003, kRateHz);
@@ -98,7 +98,7 @@ void RubbingSynth::follow(Point at, double push_n) noexcept {
 }
 
 /// Updates the values that change slowly. Called three times in a millisecond.
-void RubVoice::look() noexcept {
+void RubbingSynth::look() noexcept {
   const bool rubs = touches_ && speed_ > kStillMmPerS;
   gate_goal_ = rubs || tap_window_ > 0 ? 1.0 : 0.0;
   roughness_.set_speed(speed_, kRateHz, kControlSamples);

@@ -48,7 +48,7 @@ double likeness(const std::vector<float>& a, const std::vector<float>& b, std::s
 }
 
 // R47: the forces, the picture and the sound use the same height field object.
-TEST(RubVoice, R47_TheEarHasTheReliefOfHandAndEye) {
+TEST(RubbingSynth, R47_TheEarHasTheReliefOfHandAndEye) {
   for (const SurfaceMaterial& surface : surface_materials()) {
     for (const Medium& medium : media()) {
       EXPECT_EQ(rubbing_pair(surface, medium).relief, surface_grain(surface)) << surface.id;
@@ -57,7 +57,7 @@ TEST(RubVoice, R47_TheEarHasTheReliefOfHandAndEye) {
 }
 
 // If two pairs differ only in the relief, the difference is audible.
-TEST(RubVoice, R47_AnotherReliefIsAnotherSound) {
+TEST(RubbingSynth, R47_AnotherReliefIsAnotherSound) {
   const RubbingPair canvas = pair_of("canvas", "pencil");
   RubbingPair other = canvas;
   other.relief = surface_grain(*find_surface("wood"));
@@ -66,7 +66,7 @@ TEST(RubVoice, R47_AnotherReliefIsAnotherSound) {
 
 // The threads of a canvas, 2.5 mm apart, pass 40 times a second at 100 mm/s. The loudness varies
 // with them. On a canvas without relief it does not.
-TEST(RubVoice, R47_TheHillsOfTheReliefAreHeardAsTheyPass) {
+TEST(RubbingSynth, R47_TheHillsOfTheReliefAreHeardAsTheyPass) {
   const auto swing = [](const RubbingPair& pair) {
     const auto loud =
         loudness_of(rubbed(pair, {.mm_per_s = 100.0, .seconds = 4.0, .along = {1.0, 0.0}}));
@@ -79,7 +79,7 @@ TEST(RubVoice, R47_TheHillsOfTheReliefAreHeardAsTheyPass) {
 }
 
 // The noise depends on the position and not on the time, so the same path sounds the same again.
-TEST(RubVoice, TheSameWaySoundsTheSameTwice) {
+TEST(RubbingSynth, TheSameWaySoundsTheSameTwice) {
   // The last 0.2 s of a path, after another path.
   const auto at_last = [](Point from) {
     RubbingPlayer sound;
@@ -168,7 +168,7 @@ TEST(RubbingSynth, BrighterIsHigherAndLouderIsLouder) {
 }
 
 // Surfaces and media differ in sound: in loudness and pitch together by at least 0.1 in log2.
-TEST(RubVoice, EverySheetAndEveryMediumHasItsOwnSound) {
+TEST(RubbingSynth, EverySheetAndEveryMediumHasItsOwnSound) {
   struct Heard {
     std::string name;
     double rms, hz;

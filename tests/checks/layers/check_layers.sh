@@ -74,7 +74,7 @@ LC_ALL=C awk '
         complain((room == "" ? layer : room) " must not include " room_of " (" name ")")
     }
     # rooms.cc, which lists the folders of its layer, may include all of them.
-    else if (FILENAME !~ /\/rooms(_test)?\.cc$/)
+    else if (FILENAME !~ /\/all_[a-z]+(_test)?\.cc$/)
       complain((room == "" ? layer : room) " must not include the folder " room_of " (" name \
         "); it is private as long as rules.txt has no line \"folder " room_of ":\"")
   }

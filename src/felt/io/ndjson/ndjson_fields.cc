@@ -64,6 +64,15 @@ Result<void> parse_tilt_xy(Value& value, std::optional<double>& tilt_deg) {
   return {};
 }
 
+/// Reads a tilt as one angle from the upright, or as a pair, which counts only without the other.
+Result<void> parse_any_tilt(Value& value, InkSample& out, std::optional<double>& xy_tilt_deg) {
+  simdjson::ondemand::json_type type{};
+  if (const auto error = value.type().get(type)) return tl::unexpected(syntax_error(error));
+  if (type == simdjson::ondemand::json_type::array) return parse_tilt_xy(value, xy_tilt_deg);
+  if (type == simdjson::ondemand::json_type::object) return check_ignored(value);
+  return parse_tilt(value, out);
+}
+
 /// Reads the element after the first four: the tilt of the pen, if the element is an object that
 /// contains it.
 Result<void> parse_more(Value& value, InkSample& out) {
@@ -83,7 +92,7 @@ Result<void> parse_more(Value& value, InkSample& out) {
     Value item = member.value();
     // "tilt" is what older files call a single angle.
     Result<void> read = key == "tilt"   ? parse_any_tilt(item, out, xy_tilt_deg)
-                        : key == "tilt" ? parse_tilt(item, out)
+                        : key == "lean" ? parse_tilt(item, out)
                                         : check_ignored(item);
     if (!read) return read;
   }

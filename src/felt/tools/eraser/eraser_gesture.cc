@@ -143,7 +143,7 @@ void EraserGesture::erase(StrokeId id, ParameterSet::Interval part, const Scene&
 
 /// Processes the pending touches in order until the budget is used up. For each touch, finds the
 /// span between the crossings around it and erases it.
-void Erasing::search(int budget, const Scene& scene) {
+void EraserGesture::search(int budget, const Scene& scene) {
   while (!pending_.empty() && budget > 0) {
     Pending& next = pending_.front();
     Line& line = line_of(next.stroke, scene);

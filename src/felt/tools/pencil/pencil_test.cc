@@ -552,7 +552,7 @@ TEST(Pencil, AMousesPenTiltsAsTheOptionSays) {
   EXPECT_EQ(pencil_settings(values).ink.width_map.absent_tilt_deg, 70.0);
   EXPECT_FALSE(values.set("tilt_deg", 81.0));
   EXPECT_FALSE(values.set("tilt_deg", -1.0));
-  ASSERT_TRUE(values.set("tilt_deg", 30.0)) << "the id in older recordings and settings";
+  ASSERT_TRUE(values.set("lean_deg", 30.0)) << "the id in older recordings and settings";
   EXPECT_EQ(pencil_settings(values).ink.width_map.absent_tilt_deg, 30.0);
 }
 

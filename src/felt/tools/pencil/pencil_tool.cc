@@ -182,7 +182,7 @@ std::optional<ToolSize> PencilTool::size() const {
   const double thin = options().number(PencilOption::Row::kMinWidth);
   const double broad = std::max(thin, options().number(PencilOption::Row::kMaxWidth));
   const double mm = thin + (broad - thin) * share_of_mouse(options());
-  const OptionSpec& spec = kPencilOptions[Row::kMaxWidth];
+  const OptionSpec& spec = kPencilOptions[PencilOption::Row::kMaxWidth];
   // The size covers half of the range, so that the broadest line can scale with it. The options
   // themselves may be set beyond that.
   return ToolSize{mm, std::min(spec.min, mm), std::max(0.5 * spec.max, mm)};
