@@ -94,12 +94,12 @@ class HandInput {
   /// copied to the samples. Without pressure, contact and push follow from the depth below the
   /// plane.
   virtual void aim(const Aim& aim) noexcept = 0;
-  /// Same as above, for a pen whose tilt is unknown.
+  /// Sets the pose for a pen with unknown tilt.
   void aim(const Vec3& target_mm, std::optional<double> pressure, std::uint32_t buttons) noexcept {
     aim(Aim{target_mm, pressure, buttons});
   }
-  /// Same as aim(), with the time at which the hand was there, on the loop's clock. If several
-  /// poses arrive late together, they are played back with their original intervals. An
+  /// Sets the pose as aim() does, with the time at which the hand had it, on the loop's clock. If
+  /// several poses arrive late together, they are played back with their original intervals. An
   /// implementation that cannot do that aims immediately.
   virtual void aim_at(std::int64_t time_ns, const Aim& aim) noexcept {
     static_cast<void>(time_ns);
@@ -107,9 +107,9 @@ class HandInput {
   }
 };
 
-/// A device whose vendor runs the servo loop: the vendor's scheduler calls us once per tick on its
-/// own thread (OpenHaptics). If `RealtimeThread` is given a LoopHost, it uses it instead of a
-/// thread of its own.
+/// A device for which the vendor's library runs the servo loop: its scheduler calls us once per
+/// tick on its own thread (OpenHaptics). If `RealtimeThread` is given a LoopHost, it uses it
+/// instead of a thread of its own.
 class LoopHost {
  public:
   using Tick = void (*)(void* context) noexcept;

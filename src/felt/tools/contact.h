@@ -23,7 +23,7 @@ inline bool is_pen_position(const Vec3& at) noexcept {
 ///   - kLiftMm above the surface: sensors resolve 0.03 mm, grain is less than 0.1 mm high and a
 ///     bouncing tip stays below 0.3 mm, but a hand that lifts the pen (50 mm/s and more) reaches
 ///     kLiftMm in 10 ms; or
-///   - out of contact for kLiftNs: three reports of a 133 Hz tablet, one of which may be lost, and
+///   - out of contact for kLiftNs: three reports of a 133 Hz tablet (one report may be lost), and
 ///     half of the shortest lift between two strokes of handwriting; or
 ///   - out of contact for kMaxGapSamples, in case the clock stands still.
 /// Until contact ends, samples out of contact neither draw nor end the gesture; the caller buffers

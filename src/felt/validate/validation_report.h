@@ -41,7 +41,8 @@ struct ValidationReport {
   [[nodiscard]] bool passed() const noexcept;
 };
 
-/// Returns the report as text: what was tested, a line for each check, and why checks did not pass.
+/// Returns the report as text: the device, a line for each check, and the reasons why checks did
+/// not pass.
 std::string report_text(const ValidationReport& report);
 
 }  // namespace felt

@@ -19,8 +19,8 @@ class UnitParts {
     friend constexpr bool operator==(Part, Part) noexcept = default;
   };
 
-  /// Appends a part that begins where the last one ends, which joins them, or after it. If the list
-  /// is full, the last part is extended.
+  /// Appends a part that begins at or after the end of the last part. If it begins exactly there,
+  /// the two are joined. If the list is full, the last part is extended.
   void append(Part part) noexcept;
   [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
   [[nodiscard]] const Part* begin() const noexcept { return parts_.data(); }

@@ -11,7 +11,7 @@
 
 namespace felt {
 
-/// Decides what a line being drawn snaps to, and what attracts the pen
+/// Decides to which target a line being drawn snaps, and which target attracts the pen
 /// (docs/decisions/0011-when-a-line-snaps.md; R43, R44):
 ///
 ///   - an end of another line, if the pen approaches it slowly and is heading for it, and the two
