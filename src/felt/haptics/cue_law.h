@@ -102,7 +102,8 @@ enum class CueEvent : std::uint8_t {
 /// * A pen above the surface does not hum. Numbers that are not finite count as 0, and if time runs
 ///   backwards, no time has passed.
 ///
-/// A value type that does not allocate. Normally used on the edit thread, but real-time safe, too.
+/// CueLaw is a value type that does not allocate. It is normally used on the edit thread, but it is
+/// real-time safe, too.
 class CueLaw {
  public:
   static constexpr std::int64_t kMinApartNs = 20'000'000;

@@ -40,7 +40,7 @@ constexpr bool in_contact(const PenSample& sample) noexcept {
 /// dt / (tau + dt), because that is stable and does not overshoot for any dt, and needs no
 /// transcendental function.
 ///
-/// Real-time safe, trivially copyable.
+/// It is real-time safe and trivially copyable.
 class VelocityFilter {
  public:
   static constexpr double kDefaultCutoffHz = 100.0;

@@ -7,9 +7,9 @@
 namespace felt {
 
 /// Keeps these objects, passed as unique_ptrs, until the program ends and never accesses them
-/// again. For objects that are still used by a thread that hangs in a call of the vendor's driver
-/// and may return at any time (RealtimeThread::stop() returned false). The leak is intended. Edit
-/// thread.
+/// again. Use it if a thread still uses the objects because it hangs in a call of the vendor's
+/// driver, which may return at any time (RealtimeThread::stop() returned false). The leak is
+/// intended. Edit thread only.
 ///
 ///   if (!thread_->stop()) abandon(std::move(thread_), std::move(servo_), std::move(device_));
 template <class... Owned>

@@ -13,15 +13,15 @@
 
 namespace felt {
 
-/// Why a device could not be read or written. It is an enumeration because the haptic thread must
-/// not allocate strings. `describe` returns a sentence; drivers keep the vendor's own message for
-/// the edit thread.
+/// The reason why a device could not be read or written. It is an enumeration because the haptic
+/// thread must not allocate strings. `describe` returns a sentence; drivers keep the vendor's own
+/// message for the edit thread.
 enum class DeviceFault : std::uint8_t {
   kDisconnected,
   kNotCalibrated,
-  kForcesOff,  ///< by a button, a velocity guard or a watchdog of the device
+  kForcesOff,  ///< forces were disabled by a button, a velocity guard or a watchdog of the device
   kOverheated,
-  kBadData,  ///< what it reported makes no sense
+  kBadData,  ///< it reported invalid data
   kOther,
 };
 
@@ -43,32 +43,32 @@ class Device {
 
   /// Returns a short name for the user and for `--device`.
   [[nodiscard]] virtual std::string_view name() const noexcept = 0;
-  /// Returns what the device can do. The result does not change while the device is open. Safe to
+  /// Returns the capabilities of the device. They do not change while the device is open. Safe to
   /// call from any thread.
   [[nodiscard]] virtual const Capabilities& capabilities() const noexcept = 0;
-  /// Returns the present state of the pen. If nothing newer has arrived since the last read(),
+  /// Returns the current state of the pen. If no newer sample has arrived since the last read(),
   /// returns the same sample again with the same time_ns, so that code that measures speeds can
   /// tell it from a pen that stands still. `now_ns` is the time of the loop's clock; a simulated
   /// device advances to it.
   virtual tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept = 0;
-  /// Returns samples from between the last read() and the one before it, one per call, oldest
-  /// first; nullopt if no more are left. For pens that report faster than the loop runs and have no
-  /// motors, because no force depends on these samples. Haptic thread, after read().
+  /// Returns the samples between the last two calls of read(), one per call, oldest first; nullopt
+  /// if no more are left. It is for pens that report faster than the loop runs and have no motors,
+  /// because no force depends on these samples. Haptic thread only, after read().
   virtual std::optional<PenSample> between() noexcept { return std::nullopt; }
   /// Returns a vector along the pen as of the last read(), of any length, in the frame of the
-  /// device's positions; nullopt if the device does not sense it. For drivers that know how the pen
-  /// is held but not where the surface is. OpenDevice knows that, and computes PenSample::tilt_deg
-  /// from the vector. Haptic thread, after read().
+  /// device's positions; nullopt if the device does not sense it. It is for drivers that know the
+  /// orientation of the pen but not that of the surface. OpenDevice knows the surface and computes
+  /// PenSample::lean_deg from the vector. Haptic thread only, after read().
   virtual std::optional<Vec3> pen_axis() noexcept { return std::nullopt; }
   /// Requests a force, which the device holds until the next write().
   virtual tl::expected<void, DeviceFault> write(const Force& force) noexcept = 0;
   /// Returns the force that the device holds after the last write(), if a driver may send another
   /// one than requested because the device answers late or the driver has its own limit. This value
-  /// is logged. Returns nullopt if the device holds the requested force. Haptic thread, after
+  /// is logged. Returns nullopt if the device holds the requested force. Haptic thread only, after
   /// write().
   [[nodiscard]] virtual std::optional<Force> held_force() const noexcept { return std::nullopt; }
-  /// Returns true if the pen is at the end of an arm, whose position cannot jump: the loop then
-  /// keeps jumps out of the ink (LeapFilter). A mouse or a joystick may jump.
+  /// Returns true if the pen is at the end of an arm. The position of an arm cannot jump, so the
+  /// loop keeps jumps out of the ink (LeapFilter). A mouse or a joystick may jump.
   [[nodiscard]] virtual bool is_arm() const noexcept { return false; }
   /// Sets the force to zero immediately. Must work in any state.
   virtual void stop() noexcept = 0;
@@ -84,31 +84,32 @@ struct Aim {
   friend constexpr bool operator==(const Aim&, const Aim&) noexcept = default;
 };
 
-/// Input of a simulated hand. A mouse, a tablet or a script sets where the hand wants the pen to
-/// be; forces then displace the pen from there.
+/// Input of a simulated hand. A mouse, a tablet or a script sets the position that the hand wants
+/// for the pen; forces displace the pen from it.
 class HandInput {
  public:
   virtual ~HandInput() = default;
 
-  /// Sets the pose to aim at from the next read() on. Pressure, buttons and tilt are copied to the
-  /// samples. Without pressure, contact and push follow from the depth below the plane.
+  /// Sets the pose to aim at, which is used from the next read() on. Pressure, buttons and tilt are
+  /// copied to the samples. Without pressure, contact and push follow from the depth below the
+  /// plane.
   virtual void aim(const Aim& aim) noexcept = 0;
-  /// Same as above, for a pen whose tilt is unknown.
+  /// Sets the pose for a pen with unknown tilt.
   void aim(const Vec3& target_mm, std::optional<double> pressure, std::uint32_t buttons) noexcept {
     aim(Aim{target_mm, pressure, buttons});
   }
-  /// Same as aim(), with the time at which the hand was there, on the loop's clock. Poses that
-  /// arrive late and several at once are played back at their original spacing. An implementation
-  /// that cannot do that aims immediately.
+  /// Sets the pose as aim() does, with the time at which the hand had it, on the loop's clock. If
+  /// several poses arrive late together, they are played back with their original intervals. An
+  /// implementation that cannot do that aims immediately.
   virtual void aim_at(std::int64_t time_ns, const Aim& aim) noexcept {
     static_cast<void>(time_ns);
     this->aim(aim);
   }
 };
 
-/// A device whose vendor runs the servo loop: the vendor's scheduler calls us once per tick on its
-/// own thread (OpenHaptics). If `RealtimeThread` is given a LoopHost, it uses it instead of a
-/// thread of its own.
+/// A device for which the vendor's library runs the servo loop: its scheduler calls us once per
+/// tick on its own thread (OpenHaptics). If `RealtimeThread` is given a LoopHost, it uses it
+/// instead of a thread of its own.
 class LoopHost {
  public:
   using Tick = void (*)(void* context) noexcept;
@@ -119,13 +120,13 @@ class LoopHost {
   virtual ~LoopHost() = default;
 
   /// Starts the loop: until stop_loop() has returned, the host calls `tick(context)` about once per
-  /// period of the device's capabilities, always from one thread at a time. Edit thread.
+  /// period of the device's capabilities, always from one thread at a time. Edit thread only.
   ///
-  /// Fails if the vendor refuses; the message contains the vendor's text. `tick` is not called
-  /// then.
+  /// Fails if the vendor refuses; the message contains the vendor's text. After a failure `tick` is
+  /// not called.
   virtual Result<void> start_loop(Tick tick, void* context) = 0;
-  /// Stops the loop. Returns when no call is in progress and none will follow. No effect if no loop
-  /// runs. Edit thread.
+  /// Stops the loop. Returns when no call is in progress and no more calls will follow. Has no
+  /// effect if no loop runs. Edit thread only.
   virtual void stop_loop() noexcept = 0;
 };
 

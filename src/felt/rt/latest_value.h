@@ -8,12 +8,12 @@
 namespace felt {
 
 /// Passes the newest value from one publishing thread to one reading thread. A value that is not
-/// read in time is replaced, not queued. Both sides are wait-free. It is a triple buffer: the
-/// publisher owns one slot, the reader another, and one atomic exchange swaps the third. The reader
-/// never sees a partial value, nor one older than a value it has already seen.
+/// read in time is replaced, not queued. Publisher and reader are wait-free. It is a triple buffer:
+/// the publisher owns one slot, the reader another, and one atomic exchange swaps the third. The
+/// reader never sees a partial value, and never a value older than one that it has already seen.
 ///
-/// A seqlock would save one copy, but its reader must retry if the writer interferes, and here one
-/// of the readers is the haptic thread.
+/// A seqlock would save one copy, but its reader must retry if the writer interferes, and the
+/// haptic thread, which is one of the readers, must not.
 template <class T>
 class LatestValue {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -24,7 +24,7 @@ class LatestValue {
   LatestValue(const LatestValue&) = delete;
   LatestValue& operator=(const LatestValue&) = delete;
 
-  /// Publisher. Makes a value available to the reader's next update().
+  /// Makes a value available to the reader's next update(). Publisher's thread only.
   void publish(const T& value) noexcept {
     slots_[writing_].value = value;
     const std::uint8_t old =
@@ -32,14 +32,15 @@ class LatestValue {
     writing_ = old & kIndex;
   }
 
-  /// Reader. Fetches the newest value; returns false if get() already returns it.
+  /// Fetches the newest value. Returns false if get() already returns it. Reader's thread only.
   bool update() noexcept {
     if ((shared_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
     reading_ = shared_.exchange(reading_, std::memory_order_acq_rel) & kIndex;
     return true;
   }
 
-  /// Reader. Returns the value of the last update(); it is valid and unchanged until the next.
+  /// Returns the value of the last update(). It stays valid and unchanged until the next update().
+  /// Reader's thread only.
   [[nodiscard]] const T& get() const noexcept { return slots_[reading_].value; }
 
  private:

@@ -14,16 +14,16 @@ namespace felt {
 /// A single jump is dropped. If a jump lasts (JumpGuard), or positions keep jumping, the stroke
 /// ends at the last accepted position, and a new one may begin after positions have been steady for
 /// kSteadyNs. The only exception is a jump between two samples that are clearly lifted: it is
-/// accepted as soon as it lasts. A sample just above the surface is not enough, because it may be a
-/// bounce within a stroke (Contact).
+/// accepted as soon as it counts as lasting. A sample just above the surface is not enough, because
+/// it may be a bounce within a stroke (Contact).
 ///
 /// If the loop stood still (Lateness::kVeryLate), the motion of the pen meanwhile is unknown. If
-/// the pen is then farther away than JumpGuard's longest reach, the stroke ends and a new one
-/// begins there.
+/// the pen is afterwards farther away than JumpGuard's longest reach, the stroke ends and a new one
+/// begins at the new position.
 ///
 /// Samples that repeat the last one (repeats()) are not passed on.
 ///
-/// Haptic thread; real-time safe.
+/// Haptic thread only; real-time safe.
 class LeapFilter {
  public:
   static constexpr std::int64_t kSteadyNs = 100'000'000;
@@ -33,11 +33,11 @@ class LeapFilter {
       : clock_(limits), leaps_(limits), steady_(limits) {}
 
   /// Processes the next finite sample of an arm. Returns the sample to pass on: usually the same
-  /// one. If jumps have lasted too long, returns the last accepted one, lifted off the surface,
-  /// once. Returns nullopt if no sample is to be passed on.
+  /// one. If jumps have lasted too long, returns once the last accepted sample, lifted off the
+  /// surface. Returns nullopt if no sample is to be passed on.
   std::optional<PenSample> pass(const PenSample& sample, std::int64_t now_ns) noexcept;
 
-  /// Returns how many strokes were ended by a jump.
+  /// Returns the number of strokes that were ended by a jump.
   [[nodiscard]] std::uint32_t cuts() const noexcept { return cuts_; }
 
  private:

@@ -76,8 +76,8 @@ class RealtimeThread {
   RealtimeThread(const RealtimeThread&) = delete;
   RealtimeThread& operator=(const RealtimeThread&) = delete;
   /// Stops the loop. If a tick hangs, the destructor waits for it, possibly forever, because the
-  /// loop still uses what would be destroyed. If you cannot wait, call stop() first, and abandon
-  /// everything if it returns false.
+  /// loop still uses the objects that would be destroyed. If you cannot wait, call stop() first,
+  /// and abandon everything if it returns false.
   ~RealtimeThread();
 
   /// Starts the loop. Returns when the loop is set up; with a host, after its first tick. Refused

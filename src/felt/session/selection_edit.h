@@ -18,8 +18,8 @@ inline constexpr double kDuplicateShiftMm = 5.0;
 Selection selected(const Document& document, const Selection& before, SelectStrokes::What what);
 
 /// Removes the strokes that are wholly selected. Strokes that are selected in part are not changed,
-/// because the user could not foresee what a stroke would be without some of its control points.
-/// The edit is empty if no stroke is wholly selected.
+/// because the user could not foresee the shape of a stroke without some of its control points. The
+/// edit is empty if no stroke is wholly selected.
 Edit delete_edit(const Document& document, const Selection& selection);
 
 /// Copies the strokes that are wholly selected, shifted, to the top of their layers in drawing

@@ -20,8 +20,8 @@
 namespace felt {
 
 struct SessionOptions {
-  /// The device that will output forces; the forces of a mouse or tablet are zero. UseDevice
-  /// changes it.
+  /// The device that will output forces. A mouse or tablet has zero forces. UseDevice changes the
+  /// device.
   Capabilities device;
   /// The known surfaces and media: the built-in and the user-defined ones. UseMaterial adds to
   /// them.

@@ -14,9 +14,10 @@ namespace felt {
 /// as long as the session's materials do not change.
 const Medium& medium_in_hand(const Session& session);
 
-/// Returns the id of an option of the first tool that draws: "pencil.material" for "material".
+/// Returns the full id of an option of the first tool that draws, for example "pencil.material" for
+/// "material".
 std::string drawing_option(const Session& session, std::string_view option);
-/// Returns the id of the medium that new lines are drawn in; "" if no tool draws.
+/// Returns the id of the medium of new lines; "" if no tool draws.
 std::string drawing_medium(const Session& session);
 /// Returns the options to set so that new lines are drawn in this medium as intended: the medium
 /// itself, its widths, and its pressure curve.

@@ -9,9 +9,9 @@
 
 namespace felt {
 
-/// The options of the surface, which no tool owns; "sheet.ID" in events:
+/// The options of the surface, which do not belong to a tool. In events they are called "sheet.ID":
 ///   material   a SurfaceMaterial by id
-///   color      of new ink: "#rgb", "#rrggbb" or "#rrggbbaa"
+///   color      the colour of new ink: "#rgb", "#rrggbb" or "#rrggbbaa"
 class SheetOptions {
  public:
   /// Returns the options that a table can describe: all but the colour, which is a text of that
@@ -19,7 +19,7 @@ class SheetOptions {
   static std::span<const OptionSpec> table();
 
   /// Sets an option. Fails if the option does not exist, if it does not accept the value, or if the
-  /// surface is not known; nothing changes then.
+  /// surface is not known. After a failure nothing has changed.
   Result<void> set(std::string_view id, const OptionValue& value, const Materials& known);
   [[nodiscard]] Result<OptionValue> get(std::string_view id) const;
 

@@ -4,8 +4,8 @@
 
 #include "felt/sound/plain_math.h"
 
-/// The filters of the sound; not public. All are for one channel and one thread, and allocate
-/// nothing.
+/// The filters of the sound; not public. All are for one channel and one thread, and do not
+/// allocate.
 namespace felt {
 
 /// Returns the share of the remaining difference that a first-order follower with this time

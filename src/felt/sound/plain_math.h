@@ -1,8 +1,8 @@
 #pragma once
 
-/// Functions for filter coefficients that use only + - * /, because the results of libm differ
-/// between machines in the last bit, and the same script must give the same bytes. Too slow for
-/// every sample: about 50 ns each.
+/// Functions for filter coefficients that use only + - * /. The results of libm differ between
+/// machines in the last bit, and the same script must give the same bytes. These functions take
+/// about 50 ns each, which is too slow for every sample.
 namespace felt::plain {
 
 inline constexpr double kPi = 3.14159265358979324;

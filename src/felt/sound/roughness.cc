@@ -30,8 +30,8 @@ double rising(double x, double a, double b) noexcept {
   return eased(std::clamp((x - a) / (b - a), 0.0, 1.0));
 }
 
-/// Returns the weight of an octave whose lattice points pass at the rate `per_s`. The weight rises
-/// slightly with the frequency and is 0 if the frequency is inaudibly low or too high for the
+/// Returns the weight of an octave if `per_s` of its lattice points pass in a second. The weight
+/// rises slightly with the frequency and is 0 if the frequency is inaudibly low or too high for the
 /// sample rate.
 double weight_of(double per_s, double rate_hz) noexcept {
   constexpr double kPlainHz = 6000.0, kLoudest = 2.0;

@@ -10,9 +10,9 @@ namespace felt {
 
 /// The roughness of a surface below the waves of its relief: noise as a function of *position*, not
 /// of time (Siira and Pai 1996), so that the same path sounds the same again. It is a sum of
-/// octaves, each with half the wavelength of the one before, down to kFinestMm, and never repeats.
-/// The weight of an octave depends on the speed: one that is too fast for the sample rate is left
-/// out, so that there is no aliasing, and a slow pen sounds duller.
+/// octaves, each with half the wavelength of the previous one, down to kFinestMm, and never
+/// repeats. The weight of an octave depends on the speed. If an octave is too fast for the sample
+/// rate, it is left out to prevent aliasing. A slow pen sounds duller.
 ///
 /// A value type that does not allocate. Use it on one thread at a time.
 class Roughness {
@@ -24,8 +24,8 @@ class Roughness {
   void set(double longest_mm, std::uint32_t seed) noexcept;
   /// Sets the speed in mm/s. The weights change linearly over the next `samples` samples.
   void set_speed(double mm_per_s, double rate_hz, int samples) noexcept;
-  /// Returns the noise at p; RMS about 1 for a fast pen. Call it once a sample, because it advances
-  /// the weights.
+  /// Returns the noise at p; RMS about 1 for a fast pen. Call it once for each sample, because it
+  /// advances the weights.
   double next(Point p) noexcept;
 
  private:

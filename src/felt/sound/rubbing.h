@@ -16,14 +16,15 @@ struct RubbingPair {
   double grain_um = 0.0;                ///< RMS height of the relief and of the roughness
   double stiffness_n_per_m = 500.0;     ///< of the surface; sets its lowest resonance
   double friction = 0.25;               ///< mu of the pair
-  double through = 1.0;                 ///< share of the relief that comes through the medium, 0..1
-  double wear = 0.0;                    ///< share of it that a firm push flattens (relief_left)
-  double firm_push_n = 2.0;             ///< the push that counts as firm, N
-  double loudness = 1.0;                ///< of both together, 0..1
-  double surface_brightness = 0.5;      ///< 0..1
-  double medium_brightness = 0.5;       ///< 0..1
-  double squeak = 0.0;                  ///< 0..1
-  std::uint32_t seed = 1;               ///< of the roughness
+  double through = 1.0;                 ///< share of the relief that the medium transmits, 0..1
+  /// Share of the relief that a firm push flattens (relief_left).
+  double wear = 0.0;
+  double firm_push_n = 2.0;         ///< the push that counts as firm, N
+  double loudness = 1.0;            ///< of both together, 0..1
+  double surface_brightness = 0.5;  ///< 0..1
+  double medium_brightness = 0.5;   ///< 0..1
+  double squeak = 0.0;              ///< 0..1
+  std::uint32_t seed = 1;           ///< of the roughness
 
   friend bool operator==(const RubbingPair&, const RubbingPair&) = default;
 };

@@ -23,27 +23,27 @@ namespace felt {
 ///   tap        a pulse of force when the pen comes down
 ///
 /// These go through the bodies: resonances of surface and medium, and a low pass that depends on
-/// the brightness of both (the squeak bypasses them). Then come a soft limiter and a gate, which is
-/// exactly 0 at most kSilentAfterS after the pen is lifted or stops. |sample| < 1 always, and never
-/// NaN for the input that next() allows. A value type that does not allocate. Use it on one thread
-/// at a time.
-class RubbingSynth {
+/// the brightness of both (the squeak bypasses them). After these come a soft limiter and a gate.
+/// The gate is exactly 0 at most kSilentAfterS after the pen is lifted or stops. |sample| is always
+/// less than 1, and never NaN for the input that next() allows. A value type that does not
+/// allocate. Use it on one thread at a time.
+class RubVoice {
  public:
   static constexpr double kRateHz = 48000.0;
   static constexpr double kSilentAfterS = 0.050;
 
   RubbingSynth() noexcept;
 
-  /// Sets the pair from the next sample on. Call it during silence (is_silent()), because the
-  /// parameters jump and would make a click.
+  /// Sets the pair, which is used from the next sample on. Call it during silence (is_silent()),
+  /// because the change of parameters would be audible as a click.
   void set_pair(const RubbingPair& pair) noexcept;
   static constexpr double kUsualStrike = 40.0;  ///< mm/s, if the speed of the touch is unknown
   /// Starts the tap of a pen that came down at this speed, mm/s.
   void strike(double mm_per_s) noexcept;
-  /// Returns the next sample of sound. A `push_n` of 0 means that the pen is in the air. Requires
-  /// finite and bounded arguments, as RubbingPlayer passes them.
+  /// Returns the next sample of sound. A `push_n` of 0 means that the pen is lifted. Requires
+  /// finite and bounded arguments, as RubbingSound passes them.
   double next(Point at, double push_n) noexcept;
-  /// Returns true if the last sample was 0, and every sample will be until the pen rubs again.
+  /// Returns true if the last sample was 0 and every sample will be 0 until the pen rubs again.
   [[nodiscard]] bool is_silent() const noexcept { return gate_ == 0.0 && gate_goal_ == 0.0; }
 
  private:

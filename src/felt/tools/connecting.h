@@ -8,7 +8,7 @@
 namespace felt {
 
 /// Functions shared by the tools that connect ends of strokes (paper, "Connect curves";
-/// docs/design/editing.md#joining; R43, R45). Pure.
+/// docs/design/editing.md#joining; R43, R45). They are pure functions.
 
 /// Returns the stroke of an end, or null if the end does not exist (closed strokes have no ends).
 StrokePtr stroke_with_tip(const Document& document, const std::optional<TipId>& tip);

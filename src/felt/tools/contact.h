@@ -8,25 +8,26 @@
 
 namespace felt {
 
-/// Returns true if a pen can be at this position. Samples at other positions are dropped before any
-/// other processing.
+/// Returns true if the position is valid for a pen. Samples at other positions are dropped before
+/// any other processing.
 inline bool is_pen_position(const Vec3& at) noexcept {
   return is_in_range(Point{at.x, at.y}) && std::fabs(at.z) <= kMaxCoordinateMm;
 }
 
-/// Decides when a pen touches the surface and when it has left it, so that a pen that bounces on
-/// the surface does not split its gesture in two. The session evaluates this once per sample and
-/// passes the result to the tool.
+/// Decides when a pen touches the surface and when it has left it, so that a bounce of the pen does
+/// not split the gesture in two. The session evaluates this once per sample and passes the result
+/// to the tool.
 ///
 /// Contact begins with the first sample in contact, so a single tap makes a dot. It ends when the
 /// pen is
 ///   - kLiftMm above the surface: sensors resolve 0.03 mm, grain is less than 0.1 mm high and a
-///     bouncing tip stays below 0.3 mm, but a hand that lifts (50 mm/s and more) gets there in 10
-///     ms; or
-///   - out of contact for kLiftNs: three reports of a 133 Hz tablet, one of which may be lost, and
+///     bouncing tip stays below 0.3 mm, but a hand that lifts the pen (50 mm/s and more) reaches
+///     kLiftMm in 10 ms; or
+///   - out of contact for kLiftNs: three reports of a 133 Hz tablet (one report may be lost), and
 ///     half of the shortest lift between two strokes of handwriting; or
 ///   - out of contact for kMaxGapSamples, in case the clock stands still.
-/// Until then samples out of contact neither draw nor end the gesture; the caller buffers them.
+/// Until contact ends, samples out of contact neither draw nor end the gesture; the caller buffers
+/// them.
 class Contact {
  public:
   static constexpr double kLiftMm = 0.5;
@@ -35,7 +36,7 @@ class Contact {
 
   /// The effect of a sample on the contact.
   enum class Change {
-    kAir,      ///< still in the air
+    kAir,      ///< still above the surface
     kTouched,  ///< a contact begins
     kDown,     ///< still in contact
     kGap,      ///< out of contact, possibly a bounce
@@ -57,7 +58,7 @@ class Contact {
       gap_since_ns_ = sample.time_ns;
       gap_samples_ = 0;
     }
-    // In double, because the difference of two invalid times may overflow 64 bits.
+    // Computed in double, because the difference of two invalid times may overflow 64 bits.
     const double gap_ns = static_cast<double>(sample.time_ns) - static_cast<double>(gap_since_ns_);
     if (sample.position.z < kLiftMm && gap_ns < static_cast<double>(kLiftNs) &&
         ++gap_samples_ < kMaxGapSamples) {

@@ -8,8 +8,9 @@
 
 namespace felt {
 
-/// Computes the fade_id of a force model. Models that feel different get different ids (except for
-/// a chance of 1 in 2^32), whichever tool makes them; models that feel the same get the same id.
+/// Computes the fade_id of a force model. Models with different forces get different ids (except
+/// for a chance of 1 in 2^32), even if different tools make them. Models with the same forces get
+/// the same id.
 ///
 ///   model.set_fade_id(FeelId("pencil").with(material).with(target.stroke.value).value());
 class FeelId {
@@ -30,13 +31,13 @@ class FeelId {
     return *this;
   }
 
-  /// Adds everything that can be felt of a medium on a surface, because both may change while they
-  /// keep their ids.
+  /// Adds all properties of a medium and a surface that affect forces, because materials may change
+  /// while they keep their ids.
   FeelId& with_sheet(const SurfaceMaterial& sheet, const Medium& medium) noexcept {
     with(sheet.id).with(sheet.stiffness_n_per_m).with(sheet.damping_n_s_per_m);
     with(sheet.grain_um).with(sheet.grain_mm).with(std::uint64_t{sheet.grain_seed});
     with(static_cast<std::uint64_t>(sheet.grain_character));
-    // Two numbers identify a user-defined relief as well as its heights would.
+    // Two numbers are enough to identify a user-defined relief.
     if (sheet.picture) with(sheet.picture->max_slope()).with(sheet.picture->max_height_mm());
     with(medium.id).with(friction_of(medium, sheet)).with(medium.bristle_n_per_m);
     return with(medium.bristle_n_s_per_m).with(medium.grain).with(medium.wear);

@@ -13,8 +13,8 @@ namespace felt {
 ///                     +--cancel--> waiting for the lift --> air     drop()
 ///
 /// Samples out of contact that may be a bounce (Contact) are buffered: they are replayed if contact
-/// resumes, and discarded if it was the lift. A button that changes during a gesture only changes
-/// its samples. Options set during a gesture take effect after it.
+/// resumes, and discarded if the pen was lifted. If a button changes during a gesture, only the
+/// samples change. Options set during a gesture take effect after it.
 class GestureTool : public Tool {
  public:
   /// `info` must outlive the tool.
@@ -34,21 +34,21 @@ class GestureTool : public Tool {
   virtual ToolResult begin(const PenSample& sample, const Scene& scene) = 0;
   /// Handles each further sample. If it returns no preview, the previous one stays.
   virtual ToolResult move(const PenSample& sample, const Scene& scene) = 0;
-  /// Called when the pen is lifted. Returns the commit, or nothing. Strokes that the commit does
-  /// not change are removed from it.
+  /// Called when the pen is lifted. Returns the commit, if any. Strokes that the commit does not
+  /// change are removed from it.
   virtual ToolResult end(const Scene& scene) = 0;
   /// Discards the gesture.
   virtual void drop() = 0;
-  /// Forgets what the pen hovers over: no gesture is in progress, and the sample stream stops or
-  /// the user cancels.
+  /// Forgets the ink that the pen hovers over. Called if the sample stream stops or the user
+  /// cancels while no gesture is in progress.
   virtual void stop_hovering() {}
   /// Applies options(). Never called during a gesture.
   virtual void take_options(const OptionValues& options) = 0;
 
   /// Returns true from begin() until end() or drop() returns.
   [[nodiscard]] bool in_gesture() const noexcept { return in_gesture_; }
-  /// Returns true while the pen must be lifted before the next gesture; only the surface is felt
-  /// then.
+  /// Returns true while the pen must be lifted before the next gesture. Only the surface exerts a
+  /// force then.
   [[nodiscard]] bool is_waiting() const noexcept { return waiting_; }
   [[nodiscard]] const OptionValues& options() const noexcept { return options_; }
 

@@ -17,13 +17,14 @@ struct Junction {
   bool editable = true;  ///< false if the layer of the other stroke is locked
 };
 
-/// Two points closer than this count as one: larger than the rounding of files, too small to see.
+/// Two points within this distance count as one. It is larger than the rounding of files and too
+/// small to see.
 inline constexpr double kSharedPointMm = 0.02;
 
 /// Returns the points that a stroke of the document shares with other strokes on visible layers:
-/// their ends on its curve, and its ends on their curves. On locked layers only the first kind is
-/// found. Sorted by the other stroke and its u. Linear in the segments of the stroke and the ink
-/// near them.
+/// their ends on its curve, and its ends on their curves. On locked layers only ends of other
+/// strokes on its curve are found. The result is sorted by the other stroke and its u. Takes time
+/// linear in the segments of the stroke and the ink near them.
 std::vector<Junction> junctions_of(const Document& document, const StrokeIndex& index, StrokeId id,
                                    const Stroke& stroke);
 

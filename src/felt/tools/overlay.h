@@ -12,8 +12,8 @@
 
 namespace felt {
 
-/// What a tool shows on top of the document: a display list in mm that the canvas and pictures
-/// draw. Reused from frame to frame, so that its vectors keep their memory.
+/// A display list, in mm, of everything that a tool shows on top of the document. The canvas and
+/// pictures draw it. It is reused from frame to frame, so that its vectors keep their memory.
 struct Overlay {
   /// Wet ink: a segment, with width and tone at both ends. Segments are in drawing order.
   struct InkSegment {
@@ -49,7 +49,7 @@ struct Overlay {
   /// A marked part of a stroke.
   struct Span {
     Cubic curve;
-    double width_mm = 0.0;  ///< width of the ink there
+    double width_mm = 0.0;  ///< width of the ink at this part
     Role role = Role::kSpan;
 
     friend bool operator==(const Span&, const Span&) noexcept = default;
@@ -74,7 +74,8 @@ struct Overlay {
   /// Identifies the stroke that `ink` shows; 0 if unknown.
   std::uint64_t ink_stroke = 0;
   /// Number of leading segments that never change again: if two overlays show the same stroke,
-  /// their segments are equal up to the smaller of the two numbers. Set by add_stable_ink().
+  /// their segments are equal up to the smaller of the two numbers. add_stable_ink() sets this
+  /// number.
   std::size_t ink_stable = 0;
   std::vector<Ring> rings;
   std::vector<Line> lines;
@@ -106,8 +107,8 @@ struct Overlay {
   std::size_t last_stable_ = 0;
 };
 
-/// Adds marks for the part [u0, u1] of a stroke. On a closed stroke, u1 <= u0 means through the
-/// seam.
+/// Adds marks for the part [u0, u1] of a stroke. On a closed stroke, u1 <= u0 means that the part
+/// crosses the seam.
 void add_span(Overlay& overlay, const Stroke& stroke, double u0, double u1, Overlay::Role role);
 
 }  // namespace felt

@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// How a role is drawn, the same on the canvas and in pictures.
+/// The appearance of a role, the same on the canvas and in pictures.
 struct RoleLook {
   std::size_t color = 6;  ///< index into the colour-blind-safe palette (plot_color)
   bool dashed = false;    ///< for bounds and hints

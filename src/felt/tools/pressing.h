@@ -8,15 +8,16 @@
 
 namespace felt {
 
-/// Converts what a device senses to the pen pressure, 0..1 (docs/design/forces.md#pressing; R14,
-/// R18):
+/// Computes the pen pressure, 0..1, from the values that a device senses
+/// (docs/design/forces.md#pressing; R14, R18):
 ///   - if the device senses pressure: that value, clamped;
 ///   - if it senses depth: p = clamp((K depth - F0)/(F1 - F0), 0, 1), from the spring force of the
 ///     plane, so that the same push draws the same width on every surface;
 ///   - else (a mouse): nullopt.
 class Pressing {
  public:
-  static constexpr double kMinN = 0.1;  ///< F0, N: a resting hand does not widen the line
+  /// F0, N: up to this force the line does not become wider, because a hand rests with it.
+  static constexpr double kMinN = 0.1;
 
   Pressing(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
 

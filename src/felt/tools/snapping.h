@@ -53,7 +53,7 @@ struct SnapTarget {
 /// Chooses the end that attracts an end being dragged. This is the nearest end within reach. It
 /// stays chosen until another is nearer by 1 mm, so that the force does not alternate between two
 /// ends. The other end of the same stroke is a target immediately, because an end is dragged to be
-/// connected. Not thread-safe.
+/// connected. The class is not thread-safe.
 class SnapFinder {
  public:
   static constexpr double kHysteresisMm = 1.0;

@@ -19,7 +19,8 @@ namespace felt {
 /// Use it on the edit thread only.
 class StrokeHold {
  public:
-  /// A pen farther from the stroke than this has no effect (R20).
+  /// Maximum distance of the pen from the stroke, mm. If the pen is farther away, it has no effect
+  /// (R20).
   static constexpr double kReachMm = 8.0;
   /// The next point is searched within this arc length of the last one, plus twice the distance
   /// that the pen has moved.

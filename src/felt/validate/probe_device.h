@@ -21,8 +21,8 @@ struct ProbeTick {
 };
 
 /// Sits between the safety chain and a device under test. It records every tick, and sets the force
-/// to zero permanently if the pen leaves a ball around the point where it was held. It never adds
-/// force. Real-time safe if the device is.
+/// to zero permanently if the pen leaves a ball around the point at which it was held. It never
+/// adds force. It is real-time safe if the device is.
 class ProbeDevice final : public Device {
  public:
   static constexpr std::size_t kRingTicks = 8192;
@@ -48,8 +48,8 @@ class ProbeDevice final : public Device {
   void guard(const Vec3& middle_mm, double radius_mm) noexcept;
   /// Returns true if the pen has left the ball. The force has been zero since.
   [[nodiscard]] bool has_tripped() const noexcept { return tripped_.load(); }
-  /// Makes the next read() sleep for this long first, as in a program that hangs. Applies to one
-  /// read() only.
+  /// Makes the next read() sleep for `for_ns` before it reads, as in a program that hangs. Applies
+  /// to one read() only.
   void stall(std::int64_t for_ns) noexcept { stall_ns_.store(for_ns); }
   /// Marks the next tick as the first after a stall, for a loop that does the waiting itself.
   void note_stall() noexcept { stall_ns_.store(0); }

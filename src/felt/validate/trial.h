@@ -18,7 +18,7 @@ inline constexpr double kTestForceN = 0.3;
 inline constexpr double kHeldWithinMm = 15.0;
 
 /// A device in the haptic loop for one check: servo, safety chain (limit kTestForceN) and probe.
-/// Forces are off until arm(), and again when the trial ends, whatever happened.
+/// Forces are off until arm(), and are always switched off when the trial ends.
 ///
 ///   Result<std::unique_ptr<Trial>> trial = Trial::begin(subject, loop, is_cancelled);
 ///   (*trial)->pass(2.0);                       // 2 s; the ticks are in ticks()
@@ -34,16 +34,16 @@ class Trial {
   Trial& operator=(const Trial&) = delete;
   ~Trial();
 
-  /// Lets time pass; returns early if there is trouble.
+  /// Lets time pass. Returns early if trouble() is no longer empty.
   void pass(double seconds);
-  /// Enables forces and returns when the engage ramp is over. The present position of the pen is
-  /// the centre of the range in which it may move from now on.
+  /// Enables forces and returns when the engage ramp is over. The current position of the pen
+  /// becomes the centre of the range in which it may move.
   void arm();
   /// Changes the force linearly within 0.15 s.
   void push(const Force& force);
-  /// Changes the force immediately, as fast as the safety chain permits.
+  /// Changes the force as fast as the safety chain permits.
   void step(const Force& force);
-  /// Stops communication with the device for this long.
+  /// Stops communication with the device for this time.
   void stall(double seconds);
   void publish(const ForceModel& model);
 
@@ -52,14 +52,14 @@ class Trial {
   [[nodiscard]] const std::vector<ProbeTick>& ticks() const noexcept { return ticks_; }
   void forget() noexcept { ticks_.clear(); }
   void keep(bool on) noexcept { keeps_ = on; }
-  /// Called with every tick, kept or not.
+  /// Called with every tick, even if the tick is not kept.
   std::function<void(const ProbeTick&)> on_tick;
   /// Called with the loop's newest report every few ms.
   std::function<void(const TickReport&)> on_turn;
 
   /// Returns the mean position over the last seconds, mm.
   [[nodiscard]] Vec3 mean_place(double last_seconds) const;
-  /// Returns why the trial cannot continue; empty if it can.
+  /// Returns the reason why the trial cannot continue; empty if it can continue.
   [[nodiscard]] const std::string& trouble() const noexcept { return trouble_; }
   [[nodiscard]] bool was_cancelled() const noexcept { return was_cancelled_; }
   [[nodiscard]] Servo& servo() noexcept { return *servo_; }

@@ -12,7 +12,7 @@ enum class Verdict : std::uint8_t {
   kPassed,
   kFailed,
   kNotPossible,  ///< could not be measured: no forces, nobody agreed, too much friction
-  kNotRun,       ///< the test ended before it
+  kNotRun,       ///< the test ended before this check
 };
 
 /// Returns "pass", "FAIL", "not possible" or "not run".
@@ -23,14 +23,14 @@ struct CheckResult {
   int level = 1;
   std::string title;  ///< for the user: "pushes the way it is told"
   Verdict verdict = Verdict::kNotRun;
-  std::string measured;  ///< figures with their units, one line
+  std::string measured;  ///< measured values with their units, one line
   std::string words;     ///< if it did not pass: why, and what to try
 };
 
 /// The result of a device test, which users send in.
 struct ValidationReport {
   std::string program;      ///< "feltline 0.1.0"
-  DeviceDescriptor device;  ///< as it was found
+  DeviceDescriptor device;  ///< as found at the start of the test
   std::uint64_t seed = 0;
   int level = 10;
   std::string loop;  ///< how time passed: virtual, or with the granted scheduling
@@ -41,7 +41,8 @@ struct ValidationReport {
   [[nodiscard]] bool passed() const noexcept;
 };
 
-/// Returns the report as text: what was tested, a line for each check, and why checks did not pass.
+/// Returns the report as text: the device, a line for each check, and the reasons why checks did
+/// not pass.
 std::string report_text(const ValidationReport& report);
 
 }  // namespace felt

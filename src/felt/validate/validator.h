@@ -12,7 +12,7 @@ namespace felt {
 
 struct ValidationOptions {
   std::string program;     ///< name and version of the caller, for the report
-  int level = 10;          ///< checks of levels 1 to this one
+  int level = 10;          ///< run the checks of levels 1 to `level`
   std::uint64_t seed = 1;  ///< of the order of axes in the checks that push
   int openings = 100;
   double rate_s = 10.0;  ///< duration of measuring the loop's rate
@@ -41,8 +41,8 @@ struct ValidationOptions {
 ///   10     a soak test: no fault, no energy gain
 ///
 /// Levels from 5 on need forces: at most kTestForceN, through servo and safety chain, and only
-/// after the person agreed. Deterministic on a virtual loop. Edit thread; blocks until the test is
-/// over.
+/// after the person has agreed. The test is deterministic on a virtual loop. Call it on the edit
+/// thread; it blocks until the test is over.
 ValidationReport validate(TestSubject& subject, TestLoop& loop, TestPerson& person,
                           const ValidationOptions& options);
 

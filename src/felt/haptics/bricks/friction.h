@@ -13,7 +13,7 @@ struct FrictionOptions {
   double damping_n_s_per_m = 2.0;    ///< d of the bristle
 };
 
-/// Dry friction that depends on where the pen has been, not on the sign of its velocity (R13, R41,
+/// Dry friction that depends on the path of the pen, not on the sign of its velocity (R13, R41,
 /// R42). The pen is attached to the surface by a bristle, a spring with its foot at w:
 ///   z = p - w,  kept to |z| <= mu Fn / k by moving w
 ///   F = -k z - d v,  shortened to |F| <= mu Fn          (Fn = memory.normal_force_n)

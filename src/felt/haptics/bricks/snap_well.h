@@ -40,8 +40,8 @@ struct WellShape {
   /// no oscillation at any delay.
   [[nodiscard]] double core_slope_n_per_m() const noexcept;
   /// Returns the well with a share (0..1) of its stiffness at the target. The core is wider and Fp
-  /// does not change if there is room before the rim; otherwise Fp is reduced, too. The damping
-  /// does not change.
+  /// does not change if the core can be wider without reaching the rim; otherwise Fp is reduced,
+  /// too. The damping does not change.
   [[nodiscard]] WellShape softened(double share) const noexcept;
   /// Returns the share of the damping at a distance: 1 up to the rim, 0 from M on.
   [[nodiscard]] double damped_share(double distance_mm) const noexcept;

@@ -16,7 +16,8 @@ struct EditOptions {
   double damping_n_s_per_m = 1.0;  ///< Bed, on the known velocity (pen_sample.h)
 };
 
-/// Pulls the pen back to where it grabbed (R29, R30; docs/design/forces.md#edit-springs):
+/// Pulls the pen back to the point at which it grabbed (R29, R30;
+/// docs/design/forces.md#edit-springs):
 ///
 ///   F = -phi(|V|) V/|V| - Bed v,   V = pen - origin, along the surface
 ///
@@ -80,7 +81,7 @@ struct LineUnderNib {
 };
 
 /// Resists a nib that pushes lines (R29, eq. 8): phi(d) along the normal, where d is the
-/// displacement of the pushed line. A line stays where it was pushed, so the force remains while
+/// displacement of the pushed line. A pushed line does not move back, so the force remains while
 /// the nib rests against it, and falls to zero within a distance of phi(d)/Kcap when the nib
 /// leaves. Only over that distance does the hand get back work that it has done on the line.
 class PushSpring {

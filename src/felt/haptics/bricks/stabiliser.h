@@ -13,7 +13,7 @@ namespace felt {
 struct TowOptions {
   /// Within this distance the rope is slack: no force, and the nib rests.
   double rope_mm = 4.0;
-  /// Of the motion of the nib towards the pen when the rope is taut.
+  /// Time constant of the motion of the nib towards the pen when the rope is taut.
   double time_constant_s = 0.020;
   ForceLaw law{.spread_mm = 10.0};  ///< pull of the rope as a function of its stretch
   double damping_n_s_per_m = 1.0;   ///< while the rope is taut

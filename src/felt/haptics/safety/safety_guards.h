@@ -134,7 +134,8 @@ class SpeedGuard {
   [[nodiscard]] double speed_m_per_s() const noexcept { return speed_m_per_s_; }
   /// Returns the velocity that has that speed, mm/s.
   [[nodiscard]] const Vec3& velocity_mm_per_s() const noexcept { return velocity_mm_per_s_; }
-  /// True if forces must be cut: cut_samples in a row above cut, or one above cut_now.
+  /// Returns true if forces must be cut: cut_samples samples in a row were above the speed cut, or
+  /// one sample above cut_now.
   [[nodiscard]] bool must_cut() const noexcept { return must_cut_; }
 
  private:
@@ -153,8 +154,8 @@ class SpeedGuard {
   bool must_cut_ = false;
 };
 
-/// Returns the force that the motors may hold indefinitely, N, to which MotorGuard finally limits.
-/// Infinite without a rating.
+/// Returns the force that the motors may hold indefinitely, N. MotorGuard finally limits to this
+/// force. Infinite if the device has no rating.
 double sustained_force_n(const SafetyLimits& limits) noexcept;
 
 /// Protects the motors from overheating (docs/design/limits.md#motors: RMS over 10 s at most 80 %
@@ -163,22 +164,23 @@ double sustained_force_n(const SafetyLimits& limits) noexcept;
 /// The mean square m of the force is low-pass filtered with half the window as time constant, as a
 /// motor warms. Its bound keeps the plain RMS over any whole window below the limit L: the energy
 /// of a window W is at most tau m + W m, so m <= L^2 W/(W + tau). The permitted force depends only
-/// on m: the more room is left, the higher it is. It reaches the sustainable force sqrt(m) when the
-/// room is used up, along a fade that takes about fade_s from the peak. So a hand that keeps
-/// pressing feels the plane become softer, once, and never a cut or an oscillation.
+/// on m: the farther m is below its bound, the higher the force. When m reaches the bound, the
+/// permitted force is the sustainable force sqrt(m); the fade from the peak takes about fade_s. So
+/// a hand that keeps pressing feels the plane become softer, once, and never a cut or an
+/// oscillation.
 class MotorGuard {
  public:
   explicit MotorGuard(const SafetyLimits& limits) noexcept;
 
-  /// Adds the heat of force_n, held for duration_s.
+  /// Adds the heat of a force_n that is held for duration_s.
   void heat(double force_n, double duration_s) noexcept;
-  /// Returns the permitted force, N; infinite without a rating.
+  /// Returns the permitted force, N; infinite if the device has no rating.
   [[nodiscard]] double allowed_n() const noexcept;
   /// Returns the root of the mean square, N.
   [[nodiscard]] double rms_n() const noexcept;
   /// Returns whether to show the notice. Pass whether the force was limited on this tick: the
-  /// result is true from then until the motors have cooled to half the heat. This hysteresis is of
-  /// the notice only, not of the force.
+  /// result is true from then until the motors have cooled to half the heat. This hysteresis
+  /// applies to the notice only, not to the force.
   bool is_warm(bool limited) noexcept;
 
  private:
@@ -195,7 +197,7 @@ class MotorGuard {
 /// uses positions and not velocities, so noise does not add up.
 class PassivityObserver {
  public:
-  /// Forgets all state; the next sample is the first.
+  /// Forgets all state, so that the next sample counts as the first.
   void reset() noexcept;
   /// Adds a sample. The device has held `sent` since the previous one. Returns the energy in mJ, >
   /// 0 if the loop gave more than it received. Huge numbers saturate.

@@ -26,7 +26,7 @@ struct SafetyLimits {
   double soft_fall_n_per_ms = 0.06;  ///< after a soft fault; a hard one takes one tick
 
   double engage_below_n = 0.2;  ///< engaging may start if the commanded force is below this
-  int engage_ticks = 4;         ///< for this many ticks in a row
+  int engage_ticks = 4;         ///< number of ticks in a row for which it must be below
   double engage_s = 0.5;        ///< duration of the ramp that follows
 
   double brake_from_m_per_s = 0.6;  ///< additional damping grows from this speed
@@ -38,13 +38,13 @@ struct SafetyLimits {
   double jump_mm_per_ms = 3.0;  ///< a sample farther away is not accepted
   double jump_hold_s = 0.002;   ///< time for which the last force is held before it is a hard fault
 
-  double silent_damp_s = 0.5;  ///< if the edit thread is silent for this long: damping only
-  double silent_stop_s = 2.0;  ///< for this long: zero, a soft fault
+  double silent_damp_s = 0.5;  ///< if the edit thread is silent for this time: damping only
+  double silent_stop_s = 2.0;  ///< if silent for this time: zero, a soft fault
   double silent_damping_n_s_per_m = 2.0;
 
-  double late_s = 0.005;       ///< a tick later than this engages again, softly
-  double very_late_s = 0.020;  ///< later than this: zero immediately, then engages again
-  int soft_faults = 3;         ///< this many in soft_fault_window_s are a hard fault
+  double late_s = 0.005;       ///< after a later tick the chain engages again, softly
+  double very_late_s = 0.020;  ///< if a tick is later: zero immediately, then engages again
+  int soft_faults = 3;         ///< as many soft faults within soft_fault_window_s are a hard fault
   double soft_fault_window_s = 10.0;
 
   double budget_fast_n_per_m = 900.0;  ///< R56: sum of slopes per axis at up to 2 ms of loop delay
@@ -54,15 +54,14 @@ struct SafetyLimits {
   int delay_ticks = 1;
 };
 
-/// True if every number is valid and none allows more than the defaults do. The chain uses it as a
-/// self-test and outputs no force if it fails.
+/// Returns true if every number is valid and does not allow more than its default. The chain uses
+/// it as a self-test and outputs no force if it fails.
 bool is_sound(const SafetyLimits& limits) noexcept;
 
 /// Returns the limits for a device: peak = min(user, advised, 0.9 nominal), continuous = 0.8 of the
 /// rating (docs/design/limits.md#motors), damping = 0.5 and stiffness = 0.9 of its maxima
 /// (docs/design/limits.md#stiffness-budget, R55). `user_limit_n` is clamped to 0..3 N. NaN and
-/// negative numbers count as
-/// 0. A device that reports an invalid force or scale gets no force.
+/// negative numbers count as 0. A device that reports an invalid force or scale gets no force.
 ///
 /// With a scale s (Capabilities::sheet_scale) the hand feels s times the stiffness and damping on
 /// the page, and moves at 1/s of the speed on the page (driver/plane_calibration.h). So that no
@@ -74,7 +73,8 @@ SafetyLimits limits_for(const Capabilities& device, double user_limit_n = 3.0) n
 /// limits_for() of it equals limits_for(device, user_limit_n). Pass it to the session (UseDevice),
 /// because the width of a line depends on the force that the device may output (firm_push_n, R14);
 /// recordings then contain the limit, too. Returns the device unchanged if the limit is higher than
-/// its own, or if it is 0 or less, because forces are off then.
+/// the device's own. Also returns it unchanged if the limit is 0 or less, because forces are then
+/// off.
 Capabilities with_force_limit(const Capabilities& device, double user_limit_n) noexcept;
 
 }  // namespace felt

@@ -4,23 +4,24 @@
 #include "felt/haptics/force_memory.h"
 #include "felt/haptics/safety/safety_limits.h"
 
-/// The stages of the safety chain that have no state: a force in, a force out. All of them accept
-/// any number, huge and denormal ones included (NaN is caught before), and are real-time safe.
+/// The stages of the safety chain that have no state: functions from force to force. All of them
+/// accept any number, including huge and denormal ones (an earlier stage catches NaN), and are
+/// real-time safe.
 namespace felt {
 
-/// Returns the force, shortened to max_n N if it is longer, in the same direction. If max_n <= 0,
-/// returns 0.
+/// Returns the force; if it is longer than max_n, shortens it to max_n N in the same direction. If
+/// max_n <= 0, returns 0.
 Force clamp_length(const Force& f, double max_n) noexcept;
 
 /// Limits the rise (docs/design/limits.md#rise): at most step_n N more than before.
 ///
-/// Falling is not limited, but turning and reversing are. The force first moves to the point of the
-/// segment from 0 to `previous` that is nearest to `wanted`, which only removes force, and from
-/// there by at most step_n towards `wanted`. The result never leaves the triangle 0, previous,
-/// wanted, so it is never longer than the longer of the two.
+/// A fall is not limited, but turning and reversing are. The force first moves to the point of the
+/// segment from 0 to `previous` that is nearest to `wanted`. This only removes force. From that
+/// point it moves by at most step_n towards `wanted`. The result never leaves the triangle 0,
+/// previous, wanted, so it is never longer than both `previous` and `wanted`.
 Force limit_rise(const Force& previous, const Force& wanted, double step_n) noexcept;
 
-/// Returns a force at most step_n N from `previous` towards `wanted`; limits falling too.
+/// Returns a force at most step_n N from `previous` towards `wanted`. It also limits a fall.
 Force step_towards(const Force& previous, const Force& wanted, double step_n) noexcept;
 
 /// Returns the damping in N s/m that the brake adds at a speed: 0 up to brake_from, growing
@@ -38,8 +39,8 @@ Force damping_force(double damping_n_s_per_m, const Vec3& velocity_mm_per_s, dou
 double stiffness_budget_n_per_m(const SafetyLimits& limits) noexcept;
 
 /// Returns scales that keep the slopes within the budget (R56) and the plane within the device's
-/// stiffness (R55). Along the surface, friction is reduced first, then the others. A NaN or
-/// negative slope gets no share.
+/// stiffness (R55). Along the surface, friction is reduced first, then the others. If a slope is
+/// NaN or negative, its share is 0.
 StiffnessScale share_budget(const SafetyLimits& limits, const Slopes& slopes) noexcept;
 
 }  // namespace felt

@@ -241,8 +241,8 @@ class Bench {
   Force sum_;
 };
 
-/// Returns where a hand must aim to press with `push_n` on a plane of stiffness `plane_n_per_m`, z
-/// in mm.
+/// Returns the z, in mm, at which a hand must aim to press with `push_n` on a plane of stiffness
+/// `plane_n_per_m`.
 inline double aim_z_mm(const Hand& hand, double push_n, double plane_n_per_m) {
   return -1e3 * push_n * (1.0 / hand.stiffness_n_per_m + 1.0 / plane_n_per_m);
 }

@@ -12,7 +12,7 @@
 
 #include "felt/driver/driver.h"
 
-/// For tests: a driver with one device that draws by itself, is lost, or becomes unresponsive.
+/// A driver for tests, with one device that draws by itself, is lost, or becomes unresponsive.
 namespace felt {
 
 /// State shared by a driver and its devices. The loop's thread also writes it.
@@ -23,13 +23,14 @@ struct ZigzagWorld {
   std::atomic<bool> is_gone{false};
   std::atomic<bool> hangs{false};
   std::atomic<int> stops{0};
-  int gone_after_reads = 400;  ///< of the first device that is opened
+  int gone_after_reads = 400;  ///< calls of read() on the first opened device
   int hangs_after_reads = 1 << 30;
   bool never_comes_back = false;
   std::atomic<int> refusals{0};  ///< number of times that open() fails after the first success
   std::atomic<int> refused{0};   ///< failures so far
   ErrorCode refusal = ErrorCode::kIo;
-  bool is_calm = false;  ///< moves up and down without leaps, which would latch the safety chain
+  /// Moves up and down without jumps, because jumps would latch the safety chain.
+  bool is_calm = false;
 };
 
 /// A pen that draws zigzags into the plane by itself, 0.2 s down and 0.1 s up, in real time.
@@ -61,7 +62,7 @@ class ZigzagDevice final : public DriverDevice {
     const double phase = std::fmod(t, 0.3);
     PenSample sample;
     sample.time_ns = now_ns;
-    // Each stroke has its own position, because strokes that meet may become one.
+    // Each stroke has its own position, because strokes that meet may be joined.
     const double row = std::fmod(std::floor(t / 0.3), 16.0);
     sample.position = {50.0 * phase + 40.0 * world_.opened,
                        12.0 * row + 2.0 * std::sin(20.0 * phase), phase < 0.2 ? -1.0 : 2.0};

@@ -5,33 +5,34 @@
 
 namespace felt {
 
-/// The point where two ends meet.
+/// The point at which two ends meet.
 enum class MeetingPlace {
-  kAtTarget,  ///< the moved end goes to the other one, which stays
-  /// Both go halfway, unless the gap is wider than bending covers (TipLead::small_gap_mm) or the
-  /// other stroke must not be changed; then the other end stays.
+  kAtTarget,  ///< the moved end moves to the other end, which stays
+  /// Both ends move halfway. Exception: if the gap is too wide to close by bending
+  /// (TipLead::small_gap_mm), or the other stroke must not be changed, the other end stays.
   kHalfWay,
 };
 
 struct ConnectEndsOptions {
   MeetingPlace place = MeetingPlace::kAtTarget;
-  /// Strokes that meet stay separate, with a shared point.
+  /// If true, strokes that meet stay separate, with a shared point.
   bool keep_separate = false;
 };
 
 /// Returns the edit that connects the ends `moved` and `to` (paper, "Connect curves";
 /// docs/design/editing.md#joining; R43, R45):
 ///   - if they are the two ends of one stroke, it is closed: "Close";
-///   - if they belong to two strokes that look alike, in one layer, the strokes are joined:
-///     "Connect". The result keeps id, position in the layer and direction of the stroke of `to`.
-///     Widths are kept; if they differ, the profile steps at the joint;
+///   - if they belong to two strokes of one layer with the same medium and colour, the strokes are
+///     joined: "Connect". The result keeps id, position in the layer and direction of the stroke of
+///     `to`. Widths are kept; if they differ, the profile steps at the joint;
 ///   - otherwise the strokes share the point: "Connect", because ink must not change its look or
 ///     layer. A stroke of a locked or hidden layer does not change.
-/// Joints are smooth if the ink turns by less than 30 degrees, else corners. If the gap is wider
-/// than bending covers, the moved end arrives in the direction of the target (TipLead).
+/// Joints are smooth if the ink turns by less than 30 degrees, else corners. If the gap is too wide
+/// to close by bending, the moved end arrives in the direction of the target (TipLead).
 ///
 /// Returns an empty edit if an end does not exist, `moved` is not editable, the strokes are too
-/// short for a valid result, or nothing would change; so ink is never lost. Pure.
+/// short for a valid result, or nothing would change; so ink is never lost. This is a pure
+/// function.
 Edit connect_ends(const Document& document, TipId moved, TipId to,
                   const ConnectEndsOptions& options = {});
 

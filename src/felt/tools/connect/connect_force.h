@@ -12,19 +12,19 @@
 
 namespace felt {
 
-/// The points of the forces in addition to the surface.
+/// The points at which forces in addition to the surface act.
 struct ConnectFeel {
   std::optional<Point> well;          ///< attracts the pen
   std::optional<Point> dragged_from;  ///< position of the pen when it grabbed an end
 };
 
 /// Fraction of the edit force law (docs/design/forces.md#edit-law) with which a dragged end
-/// resists: 0.2 N at most.
+/// resists: at most 0.2 N.
 inline constexpr double kDragShare = 0.2;
 
 /// Returns the force model of the connect tool: the surface under a pencil, the end that attracts
-/// and, while an end is dragged, a weak spring back to the point of the grab (R43): 1 N at most in
-/// addition to friction.
+/// and, while an end is dragged, a weak spring back to the point of the grab (R43). These forces
+/// are at most 1 N in addition to friction.
 inline ForceModel make_connect_force(const ConnectSettings& settings, const Scene& scene,
                                      const ConnectFeel& feel) {
   const Medium material =

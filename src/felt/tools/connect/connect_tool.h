@@ -16,21 +16,21 @@ namespace felt {
 ///
 ///   - drag: the pen grabs the nearest end, which moves with the pen. Within the snap radius of
 ///     another end it is shown connected, and lifting the pen there commits that. Elsewhere the end
-///     goes back, or stays (`extend`).
-///   - tap: connects an end with another one within reach; each goes halfway.
+///     moves back, or stays with the option `extend`.
+///   - tap: connects an end with another end within reach; each moves halfway.
 ///
-/// The other end of the same stroke is a target immediately, unlike in the pencil (R44): there a
-/// new line must first get away from its start, but here the user grabs an end to close the stroke.
+/// The other end of the same stroke is a target immediately, because the user grabs an end to close
+/// the stroke. With the pencil, a new line must first move away from its start (R44).
 class ConnectTool final : public GestureTool {
  public:
-  /// A gesture is a tap until the pen has moved this far, ...
+  /// A gesture is a tap until the pen has moved by this distance, ...
   static constexpr double kTapMm = 1.0;
   /// ... but not after this time, because a user who presses on an end and hesitates wants no
   /// change.
   static constexpr std::int64_t kTapNs = 500'000'000;
-  /// Below this height above the surface a hovering pen is attracted by the end it would grab ...
+  /// If a hovering pen comes below this height, the end that it would grab attracts it ...
   static constexpr double kNearMm = 5.0;
-  /// ... until it is higher than this.
+  /// ... until it is above this height.
   static constexpr double kFarMm = 7.0;
   /// Maximum number of ends shown before the touch, including the one that would be grabbed.
   static constexpr std::size_t kMaxShown = 4;
@@ -49,7 +49,7 @@ class ConnectTool final : public GestureTool {
   void take_options(const OptionValues& options) override;
 
  private:
-  /// A grabbed end. Everything is computed from its stroke as it was at the touch.
+  /// A grabbed end. All results are computed from its stroke as it was at the touch.
   struct Drag {
     Drag(const Scene& scene, const TipHit& tip, const PenSample& pen);
 
@@ -77,10 +77,11 @@ class ConnectTool final : public GestureTool {
 
   ConnectSettings settings_;
   SnapFinder finder_;
-  std::vector<TipHit> shown_;      // the first one would be grabbed
+  std::vector<TipHit> shown_;      // a touch would grab the first of these
   std::optional<TipHit> partner_;  // the end that a tap would connect it to
   bool near_ = false;
-  std::optional<Point> released_at_;  // where the last drag ended, until the pen leaves
+  // Position at which the last drag ended, until the pen leaves it.
+  std::optional<Point> released_at_;
   std::optional<Drag> drag_;
 };
 

@@ -12,9 +12,9 @@ namespace felt {
 /// with_tip_at() keeps the tangents of joints and is meant for the short distance of a snap (2 mm).
 /// This function also applies the slope of the displacement to the handles: a tangent T becomes T
 /// plus the slope, on both sides of a joint. So the joint stays smooth, and the curve between the
-/// joints is displaced in the same way, without dents. Without a `turn` the end keeps its tangent
-/// (R45 measures that angle); with one, the unit vector v in which the ink leaves the end becomes
-/// v - turn. The stroke is cut at L, and ink beyond it stays bit for bit.
+/// joints is displaced in the same way, without dents. If `turn` is zero, the end keeps its tangent
+/// (R45 measures that angle). Otherwise the unit vector v in which the ink leaves the end becomes v
+/// - turn. The stroke is cut at L, and ink beyond it stays bit for bit.
 ///
 /// Fails with kInvalidArgument if the stroke is closed, the target is not finite, the reach is more
 /// than the stroke's length, or the end moves by more than half of the reach (at two thirds the ink

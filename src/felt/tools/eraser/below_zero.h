@@ -9,7 +9,7 @@ namespace felt {
 /// Disjoint parts of [0, 1], ascending.
 class UnitParts {
  public:
-  /// Enough for all roots of two polynomials of degree 6, and some spare.
+  /// Maximum number of parts: enough for all roots of two polynomials of degree 6.
   static constexpr std::size_t kMax = 16;
 
   struct Part {
@@ -19,8 +19,8 @@ class UnitParts {
     friend constexpr bool operator==(Part, Part) noexcept = default;
   };
 
-  /// Appends a part that begins where the last one ends, which joins them, or after it. If the list
-  /// is full, the last part is extended.
+  /// Appends a part that begins at or after the end of the last part. If it begins exactly there,
+  /// the two are joined. If the list is full, the last part is extended.
   void append(Part part) noexcept;
   [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
   [[nodiscard]] const Part* begin() const noexcept { return parts_.data(); }
@@ -31,15 +31,15 @@ class UnitParts {
   std::size_t count_ = 0;
 };
 
-/// Returns the intersection of both.
+/// Returns the intersection of the two lists.
 UnitParts common(const UnitParts& a, const UnitParts& b) noexcept;
 
 /// Returns the parts of [0, 1] in which a polynomial, given by its Bernstein coefficients (degree
-/// up to 6), is below zero. Certified: a piece is skipped if all coefficients are >= 0, added if
-/// all are <= 0, and has exactly one root if they change sign once (Descartes' rule for Bernstein
-/// forms); otherwise it is halved. So no dip below zero is missed, however narrow, down to the
-/// rounding of the coefficients. Roots to 1e-15. No recursion, bounded work. Returns nothing if a
-/// coefficient is not finite.
+/// up to 6), is below zero. The result is certified: a piece is skipped if all coefficients are >=
+/// 0, and added if all are <= 0. If they change sign once, it has exactly one root (Descartes' rule
+/// for Bernstein forms). Otherwise the piece is halved. So no dip below zero is missed, however
+/// narrow, down to the rounding of the coefficients. Roots are accurate to 1e-15. The work is
+/// bounded, without recursion. The result is empty if a coefficient is not finite.
 UnitParts below_zero(std::span<const double> coefficients) noexcept;
 
 }  // namespace felt

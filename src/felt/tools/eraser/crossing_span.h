@@ -10,12 +10,13 @@
 
 namespace felt {
 
-/// The points at which a stroke is crossed, touched or overlapped by editable strokes, including
-/// itself: erasing up to the next crossing stops there. A stroke that ends within kTeeMm of this
-/// one counts as crossing it, because people rarely hit a line exactly.
+/// The points at which editable strokes, including the stroke itself, cross, touch or overlap a
+/// stroke. Erasing up to the next crossing stops at these points. A stroke that ends within kTeeMm
+/// of this one counts as crossing it, because people rarely hit a line exactly.
 ///
-/// Computed segment by segment on request, with a budget, so that a pen sample does not wait for a
-/// stroke with a thousand crossings. Results are cached, so they are those of the first request.
+/// They are computed segment by segment on request, with a budget, so that a pen sample does not
+/// wait for a stroke with a thousand crossings. Results are cached, so they are from the time of
+/// the first request.
 class StrokeCrossings {
  public:
   static constexpr double kTeeMm = 0.5;
@@ -25,8 +26,8 @@ class StrokeCrossings {
 
   StrokeCrossings(StrokeId id, StrokePtr stroke) : id_(id), stroke_(std::move(stroke)) {}
 
-  /// Returns the crossings u on a segment, ascending, or null if the budget is exhausted; call
-  /// again later. The budget is reduced by the work done, about one unit per 0.2 us.
+  /// Returns the crossings u on a segment, ascending. Returns null if the budget is exhausted; call
+  /// it again later. The budget is reduced by the work done, about one unit per 0.2 us.
   const std::vector<double>* on_segment(int segment, const Scene& scene, int& budget);
   [[nodiscard]] const Stroke& stroke() const noexcept { return *stroke_; }
   [[nodiscard]] StrokeId id() const noexcept { return id_; }
@@ -65,11 +66,10 @@ class SpanSearch {
  public:
   explicit SpanSearch(ParameterSet::Interval touched) : from_(touched.from), to_(touched.to) {}
 
-  /// Continues the search. Returns true once the span is known. Each call uses up some of the
-  /// budget.
+  /// Continues the search. Returns true if the span is known. Each call uses up some of the budget.
   bool advance(StrokeCrossings& crossings, const Scene& scene, int& budget);
-  /// Return the start and end of the span, once known. On a closed stroke, to() <= from() means
-  /// through the seam.
+  /// Return the start and end of the span, if it is known. On a closed stroke, to() <= from() means
+  /// that the span crosses the seam.
   [[nodiscard]] double from() const noexcept { return from_; }
   [[nodiscard]] double to() const noexcept { return to_; }
   /// Returns true if the span is the whole stroke.

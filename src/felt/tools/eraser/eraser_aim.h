@@ -12,16 +12,18 @@
 
 namespace felt {
 
-/// Marks what a touch here would erase, in the modes that erase more than the eraser covers. Each
-/// sample searches for a few crossings, so on a long line the mark appears some samples late.
+/// Marks the ink that a touch would erase, in the modes that erase more than the eraser covers.
+/// Each sample searches for a limited number of crossings, so on a long line the mark appears some
+/// samples late.
 class EraserAim {
  public:
-  /// Marks older than this are computed again, because nearby strokes may have changed (undo).
+  /// Maximum age of the marks. Older marks are computed again, because nearby strokes may have
+  /// changed (undo).
   static constexpr std::int64_t kFreshNs = 250'000'000;
   /// Maximum number of strokes under the ring that are marked.
   static constexpr std::size_t kMaxMarked = 64;
 
-  /// Updates the marks for a pen that hovers here.
+  /// Updates the marks for a pen that hovers at this position.
   void update(Point pen, std::int64_t time_ns, EraserMode mode, const EraserSettings& settings,
               const Scene& scene);
   void clear();

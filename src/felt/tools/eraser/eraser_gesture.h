@@ -21,17 +21,17 @@ namespace felt {
 /// One gesture of the eraser: the parts erased so far of the strokes as they were at the touch.
 ///
 /// kTouched and kStroke act on all ink that the eraser covers. kCrossing acts on one line at a
-/// time, because otherwise a tail could not be erased without the line it is attached to: at the
-/// touch on the line nearest to the pen within the radius, then on each line that the path of the
-/// pen crosses.
+/// time, because otherwise a tail could not be erased without the line to which it is attached. At
+/// the touch this is the line nearest to the pen within the radius; after that, each line that the
+/// path of the pen crosses.
 ///
-/// Work per sample: the segments near its capsule, a few cuts, and a budget of crossings. The rest
-/// is left to the next samples, or to finish(). A preview contains everything erased so far, so it
-/// is made only as often as the eye can see, and less often if it is large.
-class EraserGesture {
+/// Each sample processes the segments near its capsule, a few cuts, and a budget of crossings. The
+/// next samples, or finish(), do the remaining work. A preview contains everything erased so far,
+/// so it is made only as often as the eye can see, and less often if it is large.
+class Erasing {
  public:
-  /// Maximum distance at which the path of the pen counts as crossing a line. It is close to zero,
-  /// and less than the tremor of a resting hand.
+  /// Maximum distance at which the path of the pen counts as crossing a line. It is small: less
+  /// than the tremor of a resting hand.
   static constexpr double kPointMm = 0.1;
   /// Budget for crossings per sample (StrokeCrossings::on_segment).
   static constexpr int kCrossingBudget = 120;
@@ -53,9 +53,9 @@ class EraserGesture {
   EraserGesture(const EraserSettings& settings, EraserMode mode) noexcept
       : settings_(settings), mode_(mode) {}
 
-  /// Begins the gesture. Returns true, like move(), if a new preview is due.
+  /// Begins the gesture. Returns true if a new preview is due, as move() does.
   bool begin(Point pen, std::int64_t time_ns, const Scene& scene);
-  /// Moves the pen straight to here.
+  /// Moves the pen straight to this position.
   bool move(Point pen, std::int64_t time_ns, const Scene& scene);
   /// Ends the gesture: does all remaining work.
   void finish(const Scene& scene);
@@ -71,7 +71,7 @@ class EraserGesture {
  private:
   struct Line {
     explicit Line(StrokePtr s) : stroke(s), remains(std::move(s)) {}
-    /// For a line that is erased by what the eraser covers of its ink.
+    /// State of a line that is erased where the eraser covers its ink.
     Line(StrokePtr s, double radius_mm)
         : stroke(s),
           remains(s, RemainingPieces::Crumbs::kOfInk),
@@ -122,8 +122,8 @@ class EraserGesture {
   ParameterSet covered_;       // reused
 };
 
-/// Returns the line that the eraser would erase in kCrossing, and the point on it: the nearest to
-/// the pen within the radius.
+/// Returns the line that the eraser would erase in kCrossing, the nearest to the pen within the
+/// radius, and its point nearest to the pen.
 std::optional<StrokeHit> aimed_at(Point pen, const EraserSettings& settings, const Scene& scene);
 
 }  // namespace felt

@@ -11,7 +11,7 @@ namespace felt {
 /// Which part of a line is erased.
 enum class EraserMode {
   kTouched,   ///< the part that the eraser covers
-  kCrossing,  ///< the part of a line between its crossings with others, or itself
+  kCrossing,  ///< the part of a line between its crossings with other lines or with itself
   kStroke,    ///< the whole line
 };
 

@@ -20,10 +20,9 @@ namespace felt {
 /// the largest one that covers no erased point:
 ///   * if the eraser covered only the rim, the line becomes narrower: W(u) = 2 clearance;
 ///   * if it reached the centre line, or less than kThinnestMm would be left, the line is cut;
-///   * a cut end moves back to the point at which one round cap covers the rest of the taper,
-///   within
-///     kLostTipMm: a line crossed at right angles ends in a cap of its own width that touches the
-///     edge of the covered area.
+///   * a cut end moves back to the point at which one round cap covers the remaining taper,
+///     within kLostTipMm: a line crossed at right angles ends in a cap of its own width that
+///     touches the edge of the covered area.
 /// The centre line never moves.
 ///
 /// The clearance is sampled along the touched parts of the curve. It is the minimum over all
@@ -32,9 +31,9 @@ class InkClearance {
  public:
   static constexpr double kThinnestMm = 0.1;
   static constexpr double kLostTipMm = 0.1;
-  /// Largest error of the narrowed width between its breakpoints.
+  /// Maximum error of the narrowed width between its breakpoints, mm.
   static constexpr double kWidthErrorMm = 0.01;
-  /// Same for the tone.
+  /// Maximum error of the tone between its breakpoints.
   static constexpr double kToneError = 0.05;
 
   /// All capsules passed to add() must have this radius.
@@ -53,7 +52,7 @@ class InkClearance {
   [[nodiscard]] std::size_t place_count() const noexcept { return clear_.size(); }
 
  private:
-  /// A sample in touched ink. On a closed stroke u may exceed n if the part goes through the seam.
+  /// A sample in touched ink. On a closed stroke u may exceed n if the part crosses the seam.
   struct Place {
     double u = 0.0;
     Point point;
@@ -75,7 +74,7 @@ class InkClearance {
   [[nodiscard]] Part part_between(double from, double to) const;
   void append_samples(double from, double to, double add_u, std::vector<Place>& places) const;
   [[nodiscard]] static bool stays(const Place& place) noexcept;
-  /// Returns the run without the tips that the round caps of the rest cover.
+  /// Returns the run without the tips that the round caps of the remaining ink cover.
   [[nodiscard]] static Run trimmed(const Part& part, Run run);
   /// Adds the cuts of a part to `holes`; returns the breakpoints of its narrowed ink.
   [[nodiscard]] std::vector<WidthKnot> cut(const Part& part, ParameterSet& holes) const;

@@ -15,12 +15,11 @@ class ParameterSet {
     friend constexpr bool operator==(Interval, Interval) noexcept = default;
   };
 
-  /// Intervals this near to each other are merged, because rounding may leave gaps between two
-  /// steps.
+  /// Maximum gap between intervals that are merged. Rounding may leave gaps between two steps.
   static constexpr double kGap = 1e-12;
 
-  /// Adds an interval; ignored if from >= to. Returns true if the set grew. Logarithmic, plus
-  /// linear in the intervals after it.
+  /// Adds an interval; ignores it if from >= to. Returns true if the set grew. Takes logarithmic
+  /// time, plus time linear in the intervals after it.
   bool add(Interval interval);
   /// Returns true if the whole interval is in the set.
   [[nodiscard]] bool contains(Interval interval) const noexcept;

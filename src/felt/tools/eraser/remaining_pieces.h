@@ -10,17 +10,17 @@
 
 namespace felt {
 
-/// The remains of a stroke of which parts are erased (R39, R40): each part that is not in the set
-/// becomes a separate open stroke, cut by de Casteljau, with a width breakpoint at each cut that
-/// keeps the width there. A closed stroke is opened; its seam is not a cut.
+/// The parts of a stroke that remain after parts were erased (R39, R40): each part that is not in
+/// the set becomes a separate open stroke, cut by de Casteljau, with a width breakpoint at each cut
+/// that keeps the width there. A closed stroke is opened; its seam is not a cut.
 ///
 /// Pieces that are too small are dropped (Crumbs). A cut less than 0.05 mm (I5) from a joint moves
-/// to the joint, so that the piece has no segment that is too short; this erases that much more.
-/// Holes of less than a micrometre are ignored.
-class RemainingPieces {
+/// to the joint, so that no segment of the piece is too short; so slightly more is erased. Holes of
+/// less than a micrometre are ignored.
+class Remains {
  public:
   static constexpr double kMinPieceMm = 0.25;
-  /// Which pieces are too small to keep; W is the width in their middle.
+  /// Says which pieces are too small to keep. W is the width in the middle of a piece.
   enum class Crumbs {
     kOfLine,  ///< shorter than max(0.25 mm, W/2)
     kOfInk,   ///< shorter than I5, or their ink is less than 0.25 mm long
@@ -33,13 +33,13 @@ class RemainingPieces {
   /// Cuts the stroke again; unchanged pieces keep their objects. If `widths` is not empty, it
   /// replaces the width profile of the stroke.
   void cut(const ParameterSet& erased, std::vector<WidthKnot> widths = {});
-  /// Returns true if nothing is cut off and the widths are unchanged; pieces() is empty then.
+  /// Returns true if nothing is cut off and the widths are unchanged. pieces() is then empty.
   [[nodiscard]] bool is_whole() const noexcept { return whole_; }
   /// Returns the pieces in the order of u.
   [[nodiscard]] std::vector<std::shared_ptr<const Stroke>> pieces() const;
 
  private:
-  /// A piece; it goes through the seam if `to` > n.
+  /// A piece. It crosses the seam if `to` > n.
   struct Piece {
     double from = 0.0;
     double to = 0.0;

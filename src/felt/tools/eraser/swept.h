@@ -35,8 +35,8 @@ struct Capsule {
 /// breakpoints, a point is inside one of these if polynomials in Bernstein form are below zero:
 ///   disc        |f - p|^2 - r^2                                      degree 6
 ///   rectangle   n.(f - p) - r, -n.(f - p) - r, -d.(f - p), d.(f - p) - L,    all four, degree 3
-/// So below_zero() misses no grazing touch, and the ends of the intervals are exact up to rounding:
-/// 1e-12 of t, or about sqrt(rounding) if the touch grazes.
+/// So below_zero() does not miss a grazing touch. The ends of the intervals are exact up to
+/// rounding: 1e-12 of t, or about sqrt(rounding) if the touch grazes.
 bool add_swept(const Stroke& stroke, int segment, const Capsule& capsule, ParameterSet& swept);
 
 }  // namespace felt

@@ -10,11 +10,12 @@
 namespace felt {
 
 /// The inside of a lasso, prepared for many queries: the edges are sorted into horizontal strips,
-/// so that a query checks only those near the point. Same results as felt::contains() with
-/// FillRule::kEvenOdd (R31: even-odd, a point on an edge is inside).
+/// so that a query checks only those near the point. The results are the same as those of
+/// felt::contains() with FillRule::kEvenOdd (R31: even-odd, a point on an edge is inside).
 class LassoArea {
  public:
-  /// Closes the outline, which may cross itself. With fewer than three points the area is empty.
+  /// Closes the outline, which may cross itself. If it has fewer than three points, the area is
+  /// empty.
   explicit LassoArea(std::vector<Point> outline);
 
   [[nodiscard]] bool contains(Point p) const noexcept;

@@ -7,11 +7,11 @@
 
 namespace felt {
 
-/// The lasso leaves no ink, so it has two fifths of the pencil's friction and grain.
+/// Factor on the pencil's friction and grain. It is small because the lasso leaves no ink.
 inline constexpr double kLassoGlide = 0.4;
 
 /// Returns the force model of the lasso: only the surface, more slippery than under a pencil,
-/// because forces must not disturb pointing. The same before and during the gesture.
+/// because forces must not disturb pointing. It is the same before and during the gesture.
 inline ForceModel make_lasso_force(const LassoSettings& settings, const Scene& scene) {
   const Medium material = felt_with(medium_of(scene, "pencil"), kLassoGlide * settings.strength,
                                     kLassoGlide * settings.strength);

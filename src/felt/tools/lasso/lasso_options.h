@@ -10,7 +10,7 @@
 
 namespace felt {
 
-/// How an area is drawn.
+/// How the user draws an area.
 enum class LassoMode : std::uint8_t { kFree, kRectangle };
 
 inline constexpr std::array<std::string_view, 2> kLassoModes = {"free", "rectangle"};

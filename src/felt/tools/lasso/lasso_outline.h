@@ -9,7 +9,7 @@ namespace felt {
 
 /// The path of the pen around the area to select, simplified while it grows: every position of the
 /// pen is within kToleranceMm of it (docs/design/editing.md#lasso, R31). The time per sample is
-/// bounded, however long the path is.
+/// bounded, independent of the length of the path.
 class LassoOutline {
  public:
   static constexpr double kToleranceMm = 0.25;
@@ -22,7 +22,7 @@ class LassoOutline {
   [[nodiscard]] std::span<const Point> points() const noexcept { return points_; }
   /// Returns the box around all positions of the pen.
   [[nodiscard]] const Rect& bounds() const noexcept { return bounds_; }
-  /// Returns the whole path, simplified. More calls of add() are allowed.
+  /// Returns the whole path, simplified. add() may be called again afterwards.
   [[nodiscard]] std::vector<Point> finished() const;
 
  private:

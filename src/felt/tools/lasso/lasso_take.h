@@ -13,22 +13,22 @@ namespace felt {
 enum class LassoTake : std::uint8_t {
   kPoints,   ///< each control point inside (as in the paper)
   kOnCurve,  ///< each joint and end inside, with its handles
-  kStrokes,  ///< each whole stroke of which any part is inside
+  kStrokes,  ///< each whole stroke that is at least partly inside
 };
 
-/// How the previous selection is combined with the new one.
+/// How the lasso combines the previous selection with the new one.
 enum class LassoCombine : std::uint8_t { kReplace, kAdd, kSubtract };
 
 /// Returns the marks that a lasso sets on a stroke, before close_marks (R31).
 Selection::Marks marks_inside(const Stroke& stroke, const LassoArea& area, LassoTake take);
 
-/// Returns what the lasso selects of the editable strokes, closed by close_marks (R32). kPoints
-/// selects handles inside even if all of the ink is outside.
+/// Returns the selection that the lasso makes among the editable strokes, closed by close_marks
+/// (R32). kPoints selects handles inside even if all of the ink is outside.
 Selection taken_by(const LassoArea& area, LassoTake take, const Document& document,
                    const StrokeIndex& index);
 
-/// Returns the combined selection, with marks closed again. A stroke that is only in `before`, or
-/// is added from `taken` alone, keeps its marks.
+/// Returns the combined selection, with marks closed again. A stroke that is in only one of
+/// `before` and `taken` keeps its marks.
 Selection combined(const Document& document, const Selection& before, const Selection& taken,
                    LassoCombine combine);
 

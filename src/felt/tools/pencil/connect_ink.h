@@ -15,24 +15,24 @@ struct InkConnections {
   /// Points on other strokes that the ends meet.
   std::optional<Point> start_meets = std::nullopt;
   std::optional<Point> end_meets = std::nullopt;
-  bool closes = false;  ///< the end is moved to the ink's own start
-  /// Strokes that meet stay separate, with a shared point. An outline of two strokes is still
-  /// closed.
+  bool closes = false;  ///< the end moves to the start of the same ink
+  /// If true, strokes that meet stay separate, with a shared point. An outline of two strokes is
+  /// still closed.
   bool keep_separate = false;
 };
 
 /// Returns the edit that adds new ink to the document, connected (R43, R45):
-///   - An end moves exactly to its target. The shift fades out along the stroke over five times its
-///     length, limited to 2..25 mm, so that the rest stays as drawn.
+///   - An end moves exactly to its target. The shift fades out along the stroke over five times the
+///     length of the shift, limited to 2..25 mm, so that the remaining stroke stays as drawn.
 ///   - Ink whose end meets its own start becomes a closed stroke.
-///   - Ink that meets the end of another stroke becomes one stroke with it, which keeps its id,
-///     position and direction; ink that meets both ends of the same stroke closes it. This happens
-///     only if both look the same (medium, colour) and the stroke is in the current layer,
-///     unlocked. Otherwise they share the point.
+///   - Ink that meets the end of another stroke becomes one stroke with it, which keeps the id,
+///     position and direction of that stroke. Ink that meets both ends of the same stroke closes
+///     it. This happens only if both have the same medium and colour and the stroke is in the
+///     current, unlocked layer. Otherwise they share the point.
 ///   - Ink that meets a point on another stroke shares that point; the other stroke does not
 ///   change.
 /// An impossible connection (the stroke was removed meanwhile, the ink is too short to reach) is
-/// skipped, so that ink is never lost. Pure.
+/// skipped, so that ink is never lost. This is a pure function.
 Edit connect_ink(const Stroke& ink, const InkConnections& connections, const Scene& scene);
 
 }  // namespace felt

@@ -25,7 +25,7 @@ constexpr double kMaxEndMmPerS = 150.0;
 constexpr double kMaxCloseMmPerS = 400.0;
 constexpr double kMaxMeetMmPerS = 60.0;
 
-/// If the gap is less than this fraction of the extent of an outline, it is closed from every
+/// If the gap is less than kSureShare of the extent of an outline, the outline is closed from every
 /// direction.
 constexpr double kSureShare = 0.2;
 

@@ -11,14 +11,14 @@
 
 namespace felt {
 
-/// Decides what a line being drawn snaps to, and what attracts the pen
+/// Decides to which target a line being drawn snaps, and which target attracts the pen
 /// (docs/decisions/0011-when-a-line-snaps.md; R43, R44):
 ///
 ///   - an end of another line, if the pen approaches it slowly and is heading for it, and the two
 ///     would continue as one line. Excluded are the end that the line was begun on, and ends of
 ///     lines that it runs back along, that it has crossed, or that belong to a hatching;
 ///   - the start of the line itself, if the line goes once around an area;
-///   - a point on another line, if the line stops just before the first line in its way.
+///   - a point on another line, if the line stops just before the first line ahead of it.
 ///
 /// Call order: hover() for each hover sample; begin() at the touch; update() for each sample in
 /// contact; then start_target() and target() return the targets of the line's ends; end(). Not
@@ -29,27 +29,27 @@ class InkSnap {
   /// so far goes once around an area: 4 pi A / L^2 (1 for a circle, 0.24 for an ellipse of 10:1) is
   /// at least this ...
   static constexpr double kMinRoundness = 0.22;
-  /// ... or less if the shape is large and the gap small: a star, the outline of a hand.
+  /// ... or at least this, if the shape is large and the gap small: a star, the outline of a hand.
   static constexpr double kMinRoundnessOfLarge = 0.06;
   static constexpr double kLargeMm = 15.0, kLargeShare = 0.05;
-  /// A line that turns more often than this is a coil, which is shading.
+  /// Maximum number of turns. A line with more turns is a coil, which is shading.
   static constexpr double kMaxTurns = 1.6;
-  /// Smaller shapes never close.
+  /// Minimum size. Smaller shapes never close.
   static constexpr double kMinExtentMm = 2.0;
-  /// Largest gap in a shape that closes, relative to its extent.
+  /// Maximum gap in a shape that closes, relative to the extent of the shape.
   static constexpr double kMaxGapShare = 0.62;
   /// The radius for closing, relative to the snap radius. It is larger because users often lift the
   /// pen a little before the shape is closed, and earlier at full speed (kEarlyS).
   static constexpr double kCloseShare = 1.2;
   static constexpr double kEarlyS = 0.02;
-  /// Largest distance from an end at which a line begins that continues it, relative to the snap
+  /// Maximum distance from an end at which a line that continues it may begin, relative to the snap
   /// radius. Only the distance counts, because a landing pen has no direction yet.
   static constexpr double kStartShare = 0.6;
-  /// Largest distance before a line at which the pen may stop so that the lines still meet,
-  /// relative to the snap radius.
+  /// Maximum distance from a line at which the pen may stop so that the lines still meet, relative
+  /// to the snap radius.
   static constexpr double kMeetShare = 0.3;
 
-  /// Handles a hover sample. `is_near` tells whether it is near the surface.
+  /// Handles a hover sample. `is_near` says whether the pen is near the surface.
   void hover(Point pen, std::int64_t time_ns, bool is_near, const SnapOptions& options,
              const Scene& scene);
   void begin(Point pen, std::int64_t time_ns, const SnapOptions& options, const Scene& scene);
@@ -57,8 +57,9 @@ class InkSnap {
   /// Ends the line. `drawn` is its stroke, or nullopt if it was discarded.
   void end(std::optional<StrokeId> drawn) noexcept;
 
-  /// Returns the target of the line's end if the pen is lifted here; while hovering, the possible
-  /// target of a line begun here. Returns nullopt if snapping is off.
+  /// Returns the target that the end of the line gets if the pen is lifted now. While the pen
+  /// hovers, returns the possible target of a line that begins now. Returns nullopt if snapping is
+  /// off.
   [[nodiscard]] const std::optional<SnapTarget>& target() const noexcept { return target_; }
   /// Returns the target of the line's start. Returns nullopt until the line has a direction.
   [[nodiscard]] const std::optional<SnapTarget>& start_target() const noexcept {
@@ -74,10 +75,10 @@ class InkSnap {
     double cone_deg;
     double miss_mm;
     double closing_mm;  ///< instead of within_mm, for the start of the line
-    double sure_share;  ///< a gap this small relative to the extent closes from every direction
+    double sure_share;  ///< a smaller gap relative to the extent closes from every direction
     bool felt;          ///< for the attraction: excludes the line just finished
   };
-  /// The part of an outline that is drawn already: the line that the new one was begun on.
+  /// The part of an outline that is already drawn: the line on which the new line was begun.
   struct Part {
     double area_mm2 = 0.0, length_mm = 0.0, extent_mm = 0.0;
   };

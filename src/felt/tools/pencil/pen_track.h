@@ -13,7 +13,8 @@ namespace felt {
 /// constant time and memory. Not thread-safe.
 class PenTrack {
  public:
-  /// Distance between stored points, so that a pen that trembles in one place adds no path.
+  /// Distance between stored points. It prevents a pen that trembles in one place from adding to
+  /// the path.
   static constexpr double kNodeMm = 0.2;
   /// Distance over which a direction is measured. Over it, a tremor of 0.1 mm and four times the
   /// noise of a tablet change the direction by less than 15 degrees.
@@ -22,7 +23,7 @@ class PenTrack {
   /// often only a hook that the pen makes when it lands.
   static constexpr double kFirstFromMm = 0.3, kFirstToMm = 1.8;
 
-  /// Starts a path here.
+  /// Starts a path at this position.
   void begin(Point start, std::int64_t time_ns) noexcept;
   /// Appends a position. Requires finite coordinates. If the time does not increase, the speed
   /// stays as it was.
@@ -30,8 +31,8 @@ class PenTrack {
 
   [[nodiscard]] Point start() const noexcept { return start_; }
   [[nodiscard]] Point pen() const noexcept { return pen_; }
-  /// Returns the speed, low-passed over about 15 ms, because sampled positions jump by the
-  /// resolution of the sensor.
+  /// Returns the speed, mm/s. It is low-passed over about 15 ms, because sampled positions jump by
+  /// the resolution of the sensor.
   [[nodiscard]] double speed_mm_per_s() const noexcept { return norm(velocity_); }
   /// Returns the unit direction in which the pen will probably draw the next `ahead_mm`: that of
   /// the last kChordMm, turned further by the current bend of the path. Returns nullopt if the path
@@ -59,7 +60,7 @@ class PenTrack {
   void add_node(Point pen) noexcept;
   /// Returns the i-th node before the pen; 0 is the latest.
   [[nodiscard]] Point node(std::size_t i) const noexcept;
-  /// Returns the point this far back along the path, or nullopt.
+  /// Returns the point at this distance back along the path, or nullopt if the path is shorter.
   [[nodiscard]] std::optional<Point> back(double distance_mm) const noexcept;
   [[nodiscard]] double open_step_mm() const noexcept { return distance(node(0), pen_); }
 

@@ -12,8 +12,8 @@
 
 namespace felt {
 
-/// The inertia of the stabiliser, rendered with only a fraction of its force. The nib moves as with
-/// the full force, so that the line does not depend on the strength.
+/// The inertia of the stabiliser, rendered with only a fraction of its force. The nib moves as it
+/// does with the full force, so that the line does not depend on the strength.
 class FeltInertia {
  public:
   FeltInertia(const InertiaOptions& options, double share) noexcept

@@ -12,7 +12,8 @@
 
 namespace felt {
 
-/// Built-in media that draw, by their ids in media(). A session may have user-defined ones, too.
+/// The ids of the built-in media that draw, as in media(). A session may have user-defined media,
+/// too.
 inline constexpr std::array<std::string_view, 9> kPencilMaterials = {
     "pencil", "pencil-hard", "pencil-soft", "charcoal", "chalk",
     "crayon", "felt-tip",    "ink-pen",     "brush-pen"};

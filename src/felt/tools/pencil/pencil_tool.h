@@ -20,11 +20,12 @@ namespace felt {
 /// which completes it.
 class PencilTool final : public GestureTool {
  public:
-  /// Below this height above the surface a hovering pen is attracted by ends of lines ...
+  /// If a hovering pen comes below this height, ends of lines attract it ...
   static constexpr double kNearMm = 5.0;
-  /// ... until it is higher than this.
+  /// ... until it is above this height.
   static constexpr double kFarMm = 7.0;
-  /// Lines with more samples are not refined: this is a minute at 1 kHz and takes 0.1 s to refine.
+  /// Maximum number of samples of a line that is refined: a minute at 1 kHz, which takes 0.1 s to
+  /// refine.
   static constexpr std::size_t kMaxRefinedSamples = 60'000;
 
   PencilTool();

@@ -13,17 +13,17 @@ namespace felt {
 /// (docs/decisions/0011-when-a-line-snaps.md). Pure functions of the document.
 namespace snap_rules {
 
-/// Ends are not joined if the joined line would turn by more than this: neighbours in a hatching
-/// turn by 180 degrees, the corners of a five-pointed star by 144.
+/// Maximum turn at a joint, degrees. If it would be larger, ends are not joined: neighbours in a
+/// hatching turn by 180 degrees, the corners of a five-pointed star by 144.
 inline constexpr double kFoldDeg = 150.0;
 /// Beyond this turn the ends must nearly coincide, because hatching fans out and is shaky.
 inline constexpr double kSharpDeg = 115.0;
 inline constexpr double kSharpRadiusMm = 0.5;
-/// Shorter strokes are dots, whose ends have no direction.
+/// Shorter strokes are dots. Their ends have no direction.
 inline constexpr double kDotMm = 1.5;
-/// If another end is this near, the end belongs to a hatching.
+/// If another end is within this distance, the end belongs to a hatching.
 inline constexpr double kCrowdMm = 3.2;
-/// Ends nearer than this count as one point.
+/// Ends within this distance count as one point.
 inline constexpr double kSameMm = 0.3;
 /// Distance over which the direction of an end is measured.
 inline constexpr double kInwardMm = 1.5;
@@ -42,7 +42,7 @@ bool turns_back(const Stroke& stroke, StrokeTip tip, Vec heading, double gap_mm)
 /// `friend_stroke` and strokes that share an end with this one are ignored.
 bool is_crowded(const Scene& scene, const TipHit& tip, StrokeId friend_stroke);
 
-/// The first point where a ray meets an editable stroke.
+/// The first point at which a ray meets an editable stroke.
 struct RayHit {
   StrokeId stroke;
   Point point;
@@ -57,7 +57,7 @@ struct Crossed {
   StrokeId stroke;
   Point first, last;
 };
-/// A crossing this near to an end is part of the corner drawn there.
+/// A crossing within this distance of an end is part of the corner at that end.
 inline constexpr double kCornerMm = 2.0;
 
 /// Adds the strokes that the chord meets to a list without duplicates. Returns true if it meets

@@ -30,15 +30,15 @@ InertiaOptions inertia_of(const StabiliserOptions& options) noexcept;
 /// Returns the options of kTowed.
 TowOptions tow_of(const StabiliserOptions& options) noexcept;
 
-/// Steadies the line: moves the nib with the same functions that compute the force, so that drawing
-/// and feeling agree. The pen is assumed to move uniformly between samples, in steps of at most 1
-/// ms, so that 133 Hz gives nearly the same line as 1 kHz. Not thread-safe.
+/// Steadies the line: moves the nib with the same functions that compute the force, so that the
+/// line and the force agree. The pen is assumed to move uniformly between samples, in steps of at
+/// most 1 ms, so that 133 Hz gives nearly the same line as 1 kHz. Not thread-safe.
 class Stabiliser {
  public:
   explicit Stabiliser(const StabiliserOptions& options = {}) noexcept : options_(options) {}
 
   void begin(Point pen, std::int64_t time_ns) noexcept;
-  /// Moves the pen and returns the nib. Bounded work for any times.
+  /// Moves the pen and returns the position of the nib. The work is bounded for any times.
   Point update(Point pen, std::int64_t time_ns) noexcept;
   [[nodiscard]] Point nib() const noexcept { return nib_.position; }
 
@@ -48,7 +48,8 @@ class Stabiliser {
     std::int64_t time_ns = 0;
   };
   /// Ends the line at pen-up. Sets `rest` to the remaining path of the nib to the resting pen,
-  /// because users expect ink to reach the pen. The last point is the pen. At most 2000 points.
+  /// because users expect ink to reach the pen. The last point is that of the pen. At most 2000
+  /// points are added.
   void finish(std::vector<Step>& rest);
 
  private:

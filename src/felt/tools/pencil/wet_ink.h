@@ -13,8 +13,8 @@ namespace felt {
 /// width and tone change linearly, and the provisional tail.
 ///
 /// A piece is made once, when its segment becomes stable, so the cost of a sample does not depend
-/// on the length of the stroke. Drawing into the same overlay again costs only the new pieces and
-/// the tail.
+/// on the length of the stroke. If the stroke is drawn into the same overlay again, only the new
+/// pieces and the tail cost time.
 class WetInk {
  public:
   static constexpr double kPieceMm = 2.0;

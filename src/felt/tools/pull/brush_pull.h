@@ -17,13 +17,13 @@ namespace felt {
 ///
 ///   g(t) = f(t) + V w(s(t)),   g' = f' + V w' |f'|
 ///
-/// The stroke is cut once: where the influence begins and ends, at the grab, and where one cubic
-/// cannot approximate w(s(t)). After that, each piece is the Hermite interpolant of g: it has the
-/// position and derivative of g at both ends. The result is linear in V: every control point moves
-/// by V times a weight that is computed at the touch. So a sample costs one multiplication per
-/// control point, and the result depends on V only, not on the path or the sample rate. Derivatives
-/// on both sides of a smooth joint stay parallel because both are multiplied by the same expression
-/// (1 + V w' ...).
+/// The stroke is cut once: at both ends of the influence, at the grab, and in segments over which
+/// one cubic cannot approximate w(s(t)). After that, each piece is the Hermite interpolant of g: it
+/// has the position and derivative of g at both ends. The result is linear in V: every control
+/// point moves by V times a weight that is computed at the touch. So a sample costs one
+/// multiplication per control point, and the result depends on V only, not on the path or the
+/// sample rate. Derivatives on both sides of a smooth joint stay parallel because both are
+/// multiplied by the same expression (1 + V w' ...).
 ///
 /// If the stroke is pulled along itself by more than radius/1.5, the ink folds back like a rope
 /// that is pushed. The ink still follows the pen, and all invariants hold. Each piece of ink keeps

@@ -12,8 +12,8 @@
 namespace felt {
 namespace {
 
-/// Handles longer than this fraction of their segment's length make loops
-/// (docs/design/editing.md#sweep).
+/// Maximum length of a handle, as a fraction of the length of its segment. Longer handles make
+/// loops (docs/design/editing.md#sweep).
 constexpr double kLongestHandle = 1.5;
 
 /// R27: the distance of the stroke from the nib is at least the radius minus kTouchMm.

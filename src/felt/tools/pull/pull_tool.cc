@@ -137,7 +137,7 @@ void PullTool::draw(Overlay& overlay) const {
   }
 }
 
-/// Draws a hint of what a touch would change.
+/// Marks the ink that a touch would change.
 void PullTool::draw_target(Overlay& overlay) const {
   const Stroke& stroke = *target_->stroke;
   overlay.dots.push_back({target_->point, Overlay::Role::kHandle});

@@ -27,7 +27,7 @@ struct StrandPlace {
 class Strand {
  public:
   static constexpr double kStandingMm = 1e-3;
-  /// Handles shorter than this count as zero (docs/design/editing.md#smooth-joints).
+  /// Handles shorter than kNoHandleMm count as zero (docs/design/editing.md#smooth-joints).
   static constexpr double kNoHandleMm = 1e-6;
 
   /// Copies the snapshot. A closed stroke of one segment is divided at .5 if it is long enough
@@ -83,8 +83,8 @@ class Strand {
   /// directions.
   void limit_handles(int i, double longest) noexcept;
 
-  /// Returns true if segment i may differ from the snapshot in shape, or only in where it begins
-  /// and ends.
+  /// Returns true if segment i may differ from the snapshot in shape, or only in its beginning and
+  /// end.
   [[nodiscard]] bool is_changed(int i) const noexcept {
     return changed_[static_cast<std::size_t>(i)] != 0;
   }

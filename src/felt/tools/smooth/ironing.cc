@@ -154,7 +154,7 @@ bool Ironing::has_moved() const {
 }
 
 /// Compares the ink around the point as filtered by its doses so far with the fully filtered ink:
-/// the weighted rms distance is what is still to be ironed out.
+/// the weighted rms distance is the roughness that still has to be ironed out.
 double Ironing::roughness_mm(double length_mm, double reach_mm) {
   const int here = places_.nearest(length_mm);
   const int half = static_cast<int>(reach_mm / IronPlaces::kSpacingMm) + 1;

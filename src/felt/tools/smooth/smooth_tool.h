@@ -17,8 +17,8 @@ namespace felt {
 class SmoothTool final : public GestureTool {
  public:
   static constexpr double kLongestStepS = 0.050;
-  /// With the pen at rest, full amount and pressure p, the dose per second is kDoseRate (0.2 + 1.6
-  /// p).
+  /// Factor of the dose. With the pen at rest, full amount and pressure p, the dose per second is
+  /// kDoseRate (0.2 + 1.6 p).
   static constexpr double kDoseRate = 6.0;
   static constexpr double kMousePressure = 0.5;
   /// Minimum time between two updates of the felt roughness, and between two previews. Between

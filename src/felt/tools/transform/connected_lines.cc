@@ -16,7 +16,7 @@ namespace {
 
 enum class Motion { kStays, kMapped, kBends };
 
-/// Returns what happens to the point at u of a line with these marks.
+/// Returns how the point at u of a line with these marks moves.
 Motion motion_at(const Selection::Marks& marks, double u) {
   constexpr double kAtJoint = 1e-3;
   const double joint = std::round(u);

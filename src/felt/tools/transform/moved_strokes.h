@@ -74,7 +74,7 @@ class MovedStrokes {
   };
 
   /// Keeps the strokes of the last two previews alive, so that they are released one by one as the
-  /// next preview is made: to release a thousand at once would take half a millisecond.
+  /// next preview is made: to release a thousand together would take half a millisecond.
   struct Shown {
     StrokePtr last, before;
   };

@@ -12,7 +12,7 @@ namespace felt {
 
 /// What a gesture of the width tool does.
 enum class WidthMode { kBrush, kRetrace, kScale };
-/// In which direction the brush changes the width.
+/// The direction in which the brush changes the width.
 enum class WidthDirection { kPressure, kThicker, kThinner };
 
 inline constexpr std::array<std::string_view, 3> kWidthModes = {"brush", "retrace", "scale"};
