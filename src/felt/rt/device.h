@@ -58,7 +58,7 @@ class Device {
   /// Returns a vector along the pen as of the last read(), of any length, in the frame of the
   /// device's positions; nullopt if the device does not sense it. It is for drivers that know the
   /// orientation of the pen but not that of the surface. OpenDevice knows the surface and computes
-  /// PenSample::lean_deg from the vector. Haptic thread only, after read().
+  /// PenSample::tilt_deg from the vector. Haptic thread only, after read().
   virtual std::optional<Vec3> pen_axis() noexcept { return std::nullopt; }
   /// Requests a force, which the device holds until the next write().
   virtual tl::expected<void, DeviceFault> write(const Force& force) noexcept = 0;
