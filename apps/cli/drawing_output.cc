@@ -13,7 +13,7 @@
 #include "felt/io/drawing_builder.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/picture/png.h"
-#include "felt/io/svg/svg_text.h"
+#include "felt/io/svg/svg_elements.h"
 #include "felt/io/svg/svg_writer.h"
 #include "felt/render/page.h"
 #include "ordered_pipeline.h"

@@ -110,31 +110,31 @@ void InkWorker::publish(std::vector<TileNews> news) {
 }
 
 void InkWorker::run() {
-  InkTileStore desk;
+  InkTileStore store;
   std::deque<Order> orders;
   std::uint64_t last = 0;
   const auto should_stop = [this] { return has_mail_.load(std::memory_order_relaxed); };
   while (take_orders(orders, last)) {
     for (Order& order : orders) {
       std::visit(
-          [&desk](auto& what) {
+          [&store](auto& what) {
             using What = std::decay_t<decltype(what)>;
-            if constexpr (std::is_same_v<What, Document>) desk.open(what);
-            if constexpr (std::is_same_v<What, Edit>) desk.apply(what);
-            if constexpr (std::is_same_v<What, std::optional<Edit>>) desk.show(what);
-            if constexpr (std::is_same_v<What, Look>) desk.look(what.plane, what.seen, what.over);
-            if constexpr (std::is_same_v<What, Forget>) desk.forget(what.plane);
+            if constexpr (std::is_same_v<What, Document>) store.open(what);
+            if constexpr (std::is_same_v<What, Edit>) store.apply(what);
+            if constexpr (std::is_same_v<What, std::optional<Edit>>) store.show(what);
+            if constexpr (std::is_same_v<What, Look>) store.look(what.plane, what.seen, what.over);
+            if constexpr (std::is_same_v<What, Forget>) store.forget(what.plane);
           },
           order);
     }
     orders.clear();
-    const InkTileStore::Need need = desk.plan();
+    const InkTileStore::Need need = store.plan();
     if (need != InkTileStore::Need::kRepair) {
       set_stage(need == InkTileStore::Need::kMissing ? Stage::kRepaired : Stage::kComplete, last);
     }
     is_idle_ = need == InkTileStore::Need::kNone;
     std::vector<TileNews> news;
-    desk.work(last, should_stop, news);
+    store.work(last, should_stop, news);
     if (!news.empty()) publish(std::move(news));
   }
 }

@@ -5,7 +5,7 @@
 #include <QTabletEvent>
 #include <cmath>
 
-#include "desktop/engine/tablet_tilt.h"
+#include "desktop/engine/tablet_event_tilt.h"
 #include "desktop/feel/feel_icons.h"
 
 namespace felt::desktop {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "felt/base/result.h"
-#include "felt/devices/simulated/hand_script.h"
+#include "felt/devices/simulated/scripted_hand.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/driver/open_device.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "desktop/engine/tablet_tilt.h"
+#include "desktop/engine/tablet_event_tilt.h"
 
 namespace felt::desktop {
 namespace {

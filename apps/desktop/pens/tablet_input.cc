@@ -3,7 +3,7 @@
 #include <QPointingDevice>
 #include <utility>
 
-#include "desktop/engine/tablet_tilt.h"
+#include "desktop/engine/tablet_event_tilt.h"
 
 namespace felt::desktop {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "felt/base/result.h"
-#include "felt/devices/simulated/hand_script.h"
+#include "felt/devices/simulated/scripted_hand.h"
 #include "felt/geometry/point.h"
 #include "felt/io/events/event_reader.h"
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "felt/devices/simulated/hand_script.h"
 #include "felt/devices/simulated/samples/drawings.h"
+#include "felt/devices/simulated/scripted_hand.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/session/session.h"
 

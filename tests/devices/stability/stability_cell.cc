@@ -106,7 +106,7 @@ class Meter {
 };
 
 // A hand that knows the load on its pen. It aims past the planned position by e, so that its spring
-// and damper balance load, mass and friction: b e' + k e = m x'' - load (as in hand_script.h).
+// and damper balance load, mass and friction: b e' + k e = m x'' - load (as in scripted_hand.h).
 class KnowingHand {
  public:
   KnowingHand(const StabilityCell& cell, const SimulatedHand& hand, const PlanGround& ground)

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "felt/base/constants.h"
-#include "felt/devices/replay/replay_device.h"
+#include "felt/devices/recorded/recorded_device.h"
 #include "felt/devices/simulated/faulty_device.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/driver/open_device.h"
@@ -134,7 +134,7 @@ Subject make_subject(const std::string& name) {
       sample.position = pen_at(ms * kMs);
     }
     const Capabilities& touch = find_stylus_preset("touch")->capabilities;
-    return {std::make_unique<ReplayDevice>(std::move(recording), touch), [](std::int64_t) {}};
+    return {std::make_unique<RecordedDevice>(std::move(recording), touch), [](std::int64_t) {}};
   }
   if (name == "none") {
     auto device = std::make_unique<NullDevice>();

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "felt/devices/simulated/hand_script.h"
+#include "felt/devices/simulated/scripted_hand.h"
 #include "felt/geometry/point.h"
 #include "felt/rt/device.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "felt/devices/simulated/hand_script.h"
+#include "felt/devices/simulated/scripted_hand.h"
 
 namespace felt {
 

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "felt/base/result.h"
+#include "felt/io/svg/svg_elements.h"
 #include "felt/io/svg/svg_limits.h"
 #include "felt/io/svg/svg_scan.h"
-#include "felt/io/svg/svg_text.h"
 
 namespace felt {
 namespace {

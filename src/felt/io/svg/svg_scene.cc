@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "felt/io/limits.h"
+#include "felt/io/svg/svg_elements.h"
 #include "felt/io/svg/svg_scan.h"
-#include "felt/io/svg/svg_text.h"
 #include "felt/io/svg/svg_walk.h"
 
 namespace felt {

@@ -13,11 +13,11 @@
 #include "felt/io/exact_numbers.h"
 #include "felt/io/limits.h"
 #include "felt/io/svg/svg_center_line.h"
+#include "felt/io/svg/svg_elements.h"
 #include "felt/io/svg/svg_limits.h"
 #include "felt/io/svg/svg_path_parser.h"
 #include "felt/io/svg/svg_scan.h"
 #include "felt/io/svg/svg_scene.h"
-#include "felt/io/svg/svg_text.h"
 #include "felt/stroke/edit/mend_joints.h"
 #include "felt/stroke/width_profile.h"
 

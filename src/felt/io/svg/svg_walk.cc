@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "felt/io/limits.h"
+#include "felt/io/svg/svg_elements.h"
 #include "felt/io/svg/svg_limits.h"
 #include "felt/io/svg/svg_scan.h"
 #include "felt/io/svg/svg_shapes.h"
-#include "felt/io/svg/svg_text.h"
 
 namespace felt {
 namespace {

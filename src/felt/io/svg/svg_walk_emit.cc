@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "felt/io/svg/svg_document.h"
+#include "felt/io/svg/svg_elements.h"
 #include "felt/io/svg/svg_scan.h"
 #include "felt/io/svg/svg_style.h"
-#include "felt/io/svg/svg_text.h"
 #include "felt/io/svg/svg_walk.h"
 #include "felt/stroke/stroke.h"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "felt/io/svg/svg_text.h"
+#include "felt/io/svg/svg_elements.h"
 
 namespace felt {
 

@@ -38,7 +38,7 @@ Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const Sv
 Result<std::string> svg_text(const Drawing& drawing, const SvgOptions& options);
 
 /// Returns the ink alone, without layers and without a page for import_svg, as for a stream of
-/// strokes (svg_text.h).
+/// strokes (svg_elements.h).
 Result<std::string> svg_ink_text(const Drawing& drawing, const SvgOptions& options);
 
 }  // namespace felt

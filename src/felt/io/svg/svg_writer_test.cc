@@ -15,7 +15,7 @@
 
 #include "felt/base/atomic_file.h"
 #include "felt/io/picture/png.h"
-#include "felt/io/svg/svg_text.h"
+#include "felt/io/svg/svg_elements.h"
 #include "felt/io/testing/test_drawings.h"
 #include "felt/render/page.h"
 #include "felt/stroke/testing/ink_oracle.h"

@@ -17,7 +17,7 @@ namespace felt {
 /// Pieces that are too small are dropped (Crumbs). A cut less than 0.05 mm (I5) from a joint moves
 /// to the joint, so that no segment of the piece is too short; so slightly more is erased. Holes of
 /// less than a micrometre are ignored.
-class Remains {
+class RemainingPieces {
  public:
   static constexpr double kMinPieceMm = 0.25;
   /// Says which pieces are too small to keep. W is the width in the middle of a piece.

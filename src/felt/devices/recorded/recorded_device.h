@@ -23,10 +23,10 @@ namespace felt {
 /// that are not finite are left out. Forces have no effect; the last one is stored.
 ///
 /// read() is used on the haptic thread. It is real-time safe and takes O(samples passed).
-class ReplayDevice final : public Device {
+class RecordedDevice final : public Device {
  public:
   /// The device reports `capabilities`, so that a session computes the forces for them.
-  ReplayDevice(std::vector<PenSample> recording, const Capabilities& capabilities);
+  RecordedDevice(std::vector<PenSample> recording, const Capabilities& capabilities);
 
   [[nodiscard]] std::string_view name() const noexcept override { return "replay"; }
   [[nodiscard]] const Capabilities& capabilities() const noexcept override { return capabilities_; }

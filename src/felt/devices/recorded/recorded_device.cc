@@ -1,4 +1,4 @@
-#include "felt/devices/replay/replay_device.h"
+#include "felt/devices/recorded/recorded_device.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace felt {
 
-ReplayDevice::ReplayDevice(std::vector<PenSample> recording, const Capabilities& capabilities)
+RecordedDevice::RecordedDevice(std::vector<PenSample> recording, const Capabilities& capabilities)
     : recording_(std::move(recording)), capabilities_(capabilities) {
   std::erase_if(recording_, [](const PenSample& s) {
     return !is_finite(s.position) || (s.pressure && !std::isfinite(*s.pressure));
@@ -18,7 +18,7 @@ ReplayDevice::ReplayDevice(std::vector<PenSample> recording, const Capabilities&
   }
 }
 
-PenSample ReplayDevice::at(std::int64_t now_ns) const noexcept {
+PenSample RecordedDevice::at(std::int64_t now_ns) const noexcept {
   if (next_ == 0) {
     PenSample before = recording_.front();
     before.position.z = std::max(before.position.z, 0.0);
@@ -41,7 +41,7 @@ PenSample ReplayDevice::at(std::int64_t now_ns) const noexcept {
   return sample;
 }
 
-tl::expected<PenSample, DeviceFault> ReplayDevice::read(std::int64_t now_ns) noexcept {
+tl::expected<PenSample, DeviceFault> RecordedDevice::read(std::int64_t now_ns) noexcept {
   if (recording_.empty()) return tl::unexpected(DeviceFault::kBadData);
   const PenSample* missed = nullptr;
   while (next_ < recording_.size() && recording_[next_].time_ns <= now_ns) {
@@ -59,7 +59,7 @@ tl::expected<PenSample, DeviceFault> ReplayDevice::read(std::int64_t now_ns) noe
   return sample;
 }
 
-tl::expected<void, DeviceFault> ReplayDevice::write(const Force& force) noexcept {
+tl::expected<void, DeviceFault> RecordedDevice::write(const Force& force) noexcept {
   if (!is_finite(force)) {
     last_force_ = {};
     return tl::unexpected(DeviceFault::kBadData);

@@ -1,4 +1,4 @@
-#include "felt/devices/replay/replay_device.h"
+#include "felt/devices/recorded/recorded_device.h"
 
 #include <limits>
 
@@ -6,7 +6,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt::replay_device_test {
+namespace felt::recorded_device_test {
 namespace {
 
 PenSample sample(std::int64_t ms, double x, double z, std::optional<double> pressure = {},
@@ -18,9 +18,9 @@ PenSample sample(std::int64_t ms, double x, double z, std::optional<double> pres
           .buttons = buttons};
 }
 
-TEST(ReplayDevice, InterpolatesAtTheLoopsTimes) {
-  ReplayDevice device({sample(10, 0, 1), sample(20, 10, -1, 0.5, 1), sample(30, 10, -1, 0.7, 1)},
-                      {});
+TEST(RecordedDevice, InterpolatesAtTheLoopsTimes) {
+  RecordedDevice device({sample(10, 0, 1), sample(20, 10, -1, 0.5, 1), sample(30, 10, -1, 0.7, 1)},
+                        {});
   EXPECT_EQ(device.read(0)->position, (Vec3{0, 0, 1}));
   EXPECT_EQ(device.read(10 * kMs)->position, (Vec3{0, 0, 1}));
   const PenSample between = device.read(15 * kMs).value();
@@ -34,38 +34,38 @@ TEST(ReplayDevice, InterpolatesAtTheLoopsTimes) {
   EXPECT_TRUE(device.is_over());
 }
 
-TEST(ReplayDevice, TiltsAsThePenDid) {
+TEST(RecordedDevice, TiltsAsThePenDid) {
   std::vector<PenSample> recording{sample(10, 0, -1), sample(20, 1, -1), sample(30, 2, -1)};
   recording[0].tilt_deg = 20.0;
   recording[1].tilt_deg = 50.0;
-  ReplayDevice device(recording, {});
+  RecordedDevice device(recording, {});
   EXPECT_EQ(device.read(0)->tilt_deg, 20.0);
   EXPECT_NEAR(device.read(15 * kMs)->tilt_deg.value(), 35.0, 1e-12);
   EXPECT_EQ(device.read(25 * kMs)->tilt_deg, 50.0) << "what comes next does not say";
   EXPECT_EQ(device.read(30 * kMs)->tilt_deg, std::nullopt);
 }
 
-TEST(ReplayDevice, BeforeItsStartThePenIsInTheAir) {
-  ReplayDevice device({sample(10, 3, -1, 0.5, 1)}, {});
+TEST(RecordedDevice, BeforeItsStartThePenIsInTheAir) {
+  RecordedDevice device({sample(10, 3, -1, 0.5, 1)}, {});
   EXPECT_FALSE(in_contact(device.read(0).value()));
   EXPECT_TRUE(in_contact(device.read(10 * kMs).value()));
 }
 
-TEST(ReplayDevice, DerivesTheVelocity) {
-  ReplayDevice device({sample(0, 0, 1), sample(1000, 50, 1)}, {});
+TEST(RecordedDevice, DerivesTheVelocity) {
+  RecordedDevice device({sample(0, 0, 1), sample(1000, 50, 1)}, {});
   PenSample s;
   for (int ms = 0; ms < 100; ++ms) s = device.read(ms * kMs).value();
   EXPECT_NEAR(s.velocity.x, 50.0, 1e-6);
 }
 
 // The recording has a dot of 0.4 ms between two ticks, and a lift that is as short.
-TEST(ReplayDevice, LosesNoDotAndNoLiftInASlowLoop) {
+TEST(RecordedDevice, LosesNoDotAndNoLiftInASlowLoop) {
   std::vector<PenSample> recording;
   for (int ms = 0; ms < 40; ++ms) {
     const bool down = ms == 9 || (ms > 20 && ms != 25 && ms < 30);
     recording.push_back(sample(ms, 1, down ? -1 : 1));
   }
-  ReplayDevice device(recording, {});
+  RecordedDevice device(recording, {});
   int touches = 0;
   bool touching = false;
   for (int ms = 0; ms < 40; ms += 4) {
@@ -76,8 +76,8 @@ TEST(ReplayDevice, LosesNoDotAndNoLiftInASlowLoop) {
   EXPECT_EQ(touches, 3);
 }
 
-TEST(ReplayDevice, RemembersForcesAndObeysNone) {
-  ReplayDevice device({sample(0, 7, 1)}, {});
+TEST(RecordedDevice, RemembersForcesAndObeysNone) {
+  RecordedDevice device({sample(0, 7, 1)}, {});
   ASSERT_TRUE(device.write({1, 2, 3}).has_value());
   EXPECT_EQ(device.last_force(), (Force{1, 2, 3}));
   EXPECT_EQ(device.read(5 * kMs)->position, (Vec3{7, 0, 1}));
@@ -85,10 +85,10 @@ TEST(ReplayDevice, RemembersForcesAndObeysNone) {
   EXPECT_EQ(device.last_force(), Force{});
 }
 
-TEST(ReplayDevice, SurvivesBadRecordings) {
-  EXPECT_EQ(ReplayDevice({}, {}).read(0).error(), DeviceFault::kBadData);
+TEST(RecordedDevice, SurvivesBadRecordings) {
+  EXPECT_EQ(RecordedDevice({}, {}).read(0).error(), DeviceFault::kBadData);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  ReplayDevice device({sample(5, 1, 1), sample(3, 2, 1), sample(4, nan, 1), sample(9, 4, 1)}, {});
+  RecordedDevice device({sample(5, 1, 1), sample(3, 2, 1), sample(4, nan, 1), sample(9, 4, 1)}, {});
   for (int ms = 0; ms < 20; ++ms) {
     const auto s = device.read(ms * kMs);
     ASSERT_TRUE(s.has_value());
@@ -98,4 +98,4 @@ TEST(ReplayDevice, SurvivesBadRecordings) {
 }
 
 }  // namespace
-}  // namespace felt::replay_device_test
+}  // namespace felt::recorded_device_test

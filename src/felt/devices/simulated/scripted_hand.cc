@@ -1,4 +1,4 @@
-#include "felt/devices/simulated/hand_script.h"
+#include "felt/devices/simulated/scripted_hand.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "felt/io/svg/svg_text.h"
+#include "felt/io/svg/svg_elements.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "felt/devices/simulated/hand_script.h"
+#include "felt/devices/simulated/scripted_hand.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "felt/devices/simulated/samples/drawings.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 
-namespace felt::hand_script_test {
+namespace felt::scripted_hand_test {
 namespace {
 
 struct Drawn {
@@ -200,4 +200,4 @@ TEST(HandScript, SurvivesHostileRecordings) {
 }
 
 }  // namespace
-}  // namespace felt::hand_script_test
+}  // namespace felt::scripted_hand_test
