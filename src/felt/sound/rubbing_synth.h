@@ -27,7 +27,7 @@ namespace felt {
 /// The gate is exactly 0 at most kSilentAfterS after the pen is lifted or stops. |sample| is always
 /// less than 1, and never NaN for the input that next() allows. A value type that does not
 /// allocate. Use it on one thread at a time.
-class RubVoice {
+class RubbingSynth {
  public:
   static constexpr double kRateHz = 48000.0;
   static constexpr double kSilentAfterS = 0.050;

@@ -28,7 +28,7 @@ namespace felt {
 /// Each sample processes the segments near its capsule, a few cuts, and a budget of crossings. The
 /// next samples, or finish(), do the remaining work. A preview contains everything erased so far,
 /// so it is made only as often as the eye can see, and less often if it is large.
-class Erasing {
+class EraserGesture {
  public:
   /// Maximum distance at which the path of the pen counts as crossing a line. It is small: less
   /// than the tremor of a resting hand.
