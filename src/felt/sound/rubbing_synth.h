@@ -41,7 +41,7 @@ class RubbingSynth {
   /// Starts the tap of a pen that came down at this speed, mm/s.
   void strike(double mm_per_s) noexcept;
   /// Returns the next sample of sound. A `push_n` of 0 means that the pen is lifted. Requires
-  /// finite and bounded arguments, as RubbingSound passes them.
+  /// finite and bounded arguments, as RubbingPlayer passes them.
   double next(Point at, double push_n) noexcept;
   /// Returns true if the last sample was 0 and every sample will be 0 until the pen rubs again.
   [[nodiscard]] bool is_silent() const noexcept { return gate_ == 0.0 && gate_goal_ == 0.0; }

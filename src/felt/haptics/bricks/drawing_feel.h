@@ -12,7 +12,7 @@
 namespace felt {
 
 /// The forces that every drawing tool starts from: the surface, its grain, and friction. Tools add
-/// other bricks: Compose(make_sheet_force(...), Wells(...)).
+/// other bricks: Compose(make_sheet_force(...), SnapWells(...)).
 using SheetForce = Compose<Plane, Texture, Friction>;
 
 /// Returns the largest sum of slopes along one axis that a device can render, N/m (R56): 900 if at
