@@ -7,8 +7,8 @@
 
 namespace felt::cli {
 
-/// Shows errors, notices, and a progress line during work to the user at the terminal. Everything
-/// is written to stderr, because stdout carries data. Each message is one line, with control
+/// Shows errors and notices on the terminal, and a progress line during long work. Everything is
+/// written to stderr, because stdout carries data. Each message is one line, with control
 /// characters escaped. A message that cannot be written is dropped (print.h). Used on the main
 /// thread only.
 class Console {
@@ -32,10 +32,10 @@ class Console {
   /// Prints "feltline: message". Used if a part of a file is not supported and the rest is
   /// processed. This counts as a failure only with --strict.
   void notice(const std::string& message);
-  /// Reports a record of a file that could not be read, or could not be written to the output.
-  /// Prints "feltline: name:line: what", without the line if it is 0. Messages of a file that
-  /// differ only in numbers and names are of one kind; the first kShownOfAKind of each kind are
-  /// printed, and end_records() prints the number of the others.
+  /// Reports a record that could not be read from a file or written to the output. Prints
+  /// "feltline: name:line: what", without the line if it is 0. Messages of a file that differ only
+  /// in numbers and names are of one kind; the first kShownOfAKind of each kind are printed, and
+  /// end_records() prints the number of the others.
   void record_error(const std::string& name, std::int64_t line, const std::string& what);
   /// Prints the number of messages of each kind that were not printed: "name: ... and 65,997 more
   /// like it".

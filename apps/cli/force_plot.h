@@ -15,7 +15,7 @@ namespace felt::cli {
 /// the requested and sent forces.
 class ForcePlot {
  public:
-  /// Takes the time between ticks, `period_s`. The plot starts at the first tick.
+  /// `period_s` is the time between ticks. The plot starts at the first tick.
   ForcePlot(double period_s, const SafetyLimits& limits);
 
   /// Adds one tick. `width_mm` is the width of its ink, or nullopt if it leaves no ink.

@@ -14,7 +14,7 @@ void print_text(std::string_view text) noexcept;
 /// terminal), it is dropped, and the program continues.
 void say_text(std::string_view text) noexcept;
 
-/// Writes to stderr with a format string.
+/// Formats the values and writes the text: print() to stdout, say() to stderr.
 template <typename... Values>
 void print(fmt::format_string<Values...> format, Values&&... values) {
   print_text(fmt::format(format, std::forward<Values>(values)...));

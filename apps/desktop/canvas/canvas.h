@@ -49,11 +49,11 @@ class Canvas : public QWidget {
 
   /// Sets whether the nib is shown. Pass false when the pointer has left the canvas.
   void set_pen_visible(bool visible);
-  /// Sets whether the user draws with a tablet's pen, not a mouse. If so, ink appears right under
-  /// its tip.
+  /// Sets whether the user draws with a tablet pen instead of a mouse. Ink then appears exactly
+  /// under the tip of the pen.
   void set_tablet_in_hand(bool tablet);
-  /// Sets the translated text about pressure on an empty page. If it is empty, the canvas derives
-  /// the text from the samples.
+  /// Sets the message about the pen's pressure, translated, that the canvas shows while the drawing
+  /// is empty. If `status` is empty, the canvas derives the message from the samples.
   void set_pen_status(const QString& status);
   /// Sets the name of the right mouse button's action, for the hint; "" if it has none.
   void set_right_button(const QString& what);

@@ -5,7 +5,8 @@
 /// The canvas's settings (engine/settings.h), with their defaults.
 namespace felt::desktop::canvas_keys {
 
-/// True if forces hold the shown nib back, as a visual substitute for feeling them.
+/// True if the drawn nib lags behind the pen in the direction of the force, so that a mouse or
+/// tablet user sees the forces (pseudo-haptics).
 inline constexpr auto kPseudoHaptics = "canvas/pseudo_haptics";
 inline constexpr bool kPseudoHapticsDefault = true;
 
@@ -13,8 +14,8 @@ inline constexpr bool kPseudoHapticsDefault = true;
 inline constexpr auto kForceArrow = "canvas/force_arrow";
 inline constexpr bool kForceArrowDefault = true;
 
-/// True if dry ink shows the relief of the surface. Pictures can show it; outlines in files
-/// cannot.
+/// True if dry ink shows the relief of the surface. Exported pictures can show it, but exported
+/// outlines cannot.
 inline constexpr auto kGrain = kShowsGrain;
 inline constexpr bool kGrainDefault = kShowsGrainDefault;
 

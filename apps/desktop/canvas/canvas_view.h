@@ -10,8 +10,8 @@
 namespace felt::desktop {
 
 /// The view of the page: the point in the middle of the widget, scale, rotation and mirroring.
-/// Widget coordinates are in device-independent pixels. The view is not part of the drawing or of
-/// undo. A value type.
+/// Widget coordinates are in device-independent pixels. Changing the view is not an edit and cannot
+/// be undone; a file stores the view as a Viewport. A value type.
 class CanvasView {
  public:
   static constexpr double kMinPxPerMm = 0.02;

@@ -19,8 +19,8 @@ struct TilePlace {
   friend constexpr auto operator<=>(const TilePlace&, const TilePlace&) noexcept = default;
 };
 
-/// A rectangle of pixels of a plane. 64-bit, because a plane covers the whole page at its scale; x1
-/// and y1 are exclusive.
+/// A rectangle of pixels of a plane. Its coordinates have 64 bits, because a plane covers the whole
+/// page at its scale. x1 and y1 are exclusive.
 struct PlaneRect {
   std::int64_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 

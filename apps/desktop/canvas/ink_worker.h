@@ -21,8 +21,8 @@ namespace felt::desktop {
 /// A thread that keeps the tiles of a document up to date. Each request is an order with a number.
 /// Orders are processed in sequence, but a preview or view is skipped if the next order replaces
 /// it. The worker makes tiles in this sequence: visible tiles that an edit changed, then missing
-/// tiles from the middle outwards, then a ring around the view. Call all functions from one thread
-/// other than the worker's. All functions except `wait` return immediately.
+/// tiles from the middle outwards, then the tiles in a margin around the view. Call all functions
+/// from one thread other than the worker's. All functions except `wait` return immediately.
 class InkWorker {
  public:
   /// The progress of the orders and the view.
@@ -39,7 +39,9 @@ class InkWorker {
   InkWorker(const InkWorker&) = delete;
   InkWorker& operator=(const InkWorker&) = delete;
 
-  /// Each of these functions returns the number of its order.
+  /// These functions post an order and return its number: open a document, apply an edit, show or
+  /// hide a preview, set the view (`over` is a plane with only the layers above a given one; see
+  /// InkTileStore::look), and drop the tiles of a plane.
   std::uint64_t open(Document document);
   std::uint64_t apply(Edit edit);
   std::uint64_t show(std::optional<Edit> preview);

@@ -8,7 +8,7 @@ namespace felt::desktop {
 
 /// The history as a list: row 0 is the drawing as it was opened (or the oldest remembered state),
 /// row n is its state after the n-th step. An edit updates only the rows that it changes, so that
-/// thousands of steps cost nothing.
+/// the list stays fast with thousands of steps.
 class HistoryModel : public QAbstractListModel {
   Q_OBJECT
 

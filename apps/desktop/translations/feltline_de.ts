@@ -5255,12 +5255,12 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Wie steif die Spitze haftet, bevor sie gleitet.</translation>
     </message>
     <message>
-        <source>As a share of the tone of an upright pen.</source>
-        <translation>Als Anteil des Tons bei aufrechtem Stift.</translation>
+        <source>Tone at full tilt, as a share of the tone with an upright pen.</source>
+        <translation>Ton bei voller Neigung, als Anteil des Tons bei aufrechtem Stift.</translation>
     </message>
     <message>
-        <source>As a multiple of the width of an upright pen.</source>
-        <translation>Als Vielfaches der Breite bei aufrechtem Stift.</translation>
+        <source>Width of a line at full tilt, as a multiple of the width with an upright pen.</source>
+        <translation>Breite einer Linie bei voller Neigung, als Vielfaches der Breite bei aufrechtem Stift.</translation>
     </message>
     <message>
         <source>Default colour of this medium.</source>

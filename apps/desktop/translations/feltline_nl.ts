@@ -5255,12 +5255,12 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Hoe stijf de punt kleeft voordat die glijdt.</translation>
     </message>
     <message>
-        <source>As a share of the tone of an upright pen.</source>
-        <translation>Als aandeel van de toon bij een rechte pen.</translation>
+        <source>Tone at full tilt, as a share of the tone with an upright pen.</source>
+        <translation>Toon bij volle helling, als aandeel van de toon bij een rechte pen.</translation>
     </message>
     <message>
-        <source>As a multiple of the width of an upright pen.</source>
-        <translation>Als veelvoud van de breedte bij een rechte pen.</translation>
+        <source>Width of a line at full tilt, as a multiple of the width with an upright pen.</source>
+        <translation>Breedte van een lijn bij volle helling, als veelvoud van de breedte bij een rechte pen.</translation>
     </message>
     <message>
         <source>Default colour of this medium.</source>

@@ -31,14 +31,14 @@ struct DrawingPart {
 /// A file that is being written, in parts of a bounded number of strokes, so that only a few parts
 /// are in memory at a time. The file is parts 0, 1, ... count() - 1 and then the tail. Parts do not
 /// depend on each other, so several threads can make them, and the bytes are the same for any
-/// number of threads. Valid while the drawing it was made from exists. The drawing must not change.
+/// number of threads. Requires that the drawing from which it was made exists and does not change.
 class DrawingParts {
  public:
   virtual ~DrawingParts() = default;
 
   [[nodiscard]] virtual std::size_t count() const = 0;
-  /// Replaces the content of `out` with part i. Fails if the format cannot hold a stroke, and names
-  /// its number.
+  /// Replaces the content of `out` with part i. Fails if the format cannot represent a stroke; the
+  /// message contains the number of the stroke.
   virtual Result<void> make(std::size_t i, DrawingPart& out) const = 0;
   /// Returns true if several threads may make parts, in any order. Otherwise one thread makes them
   /// in order.

@@ -102,9 +102,9 @@ constexpr std::array<MediumField, 29> kMediumFields = {{
     medium<&Medium::line, &MediumLine::gamma>(
         "line.gamma", "Pressure curve of the width", "", 0.2, 5,
         "Above 1, light pressure stays thin for longer; below 1, lines broaden sooner."),
-    medium<&Medium::line, &MediumLine::tilt_width>("line.tilt_width", "Width when tilted", "", 1,
-                                                   20,
-                                                   "As a multiple of the width of an upright pen."),
+    medium<&Medium::line, &MediumLine::tilt_width>(
+        "line.tilt_width", "Width when tilted", "", 1, 20,
+        "Width of a line at full tilt, as a multiple of the width with an upright pen."),
     medium<&Medium::line, &MediumLine::tone_light>(
         "line.tone_light", "Tone at light pressure", "", 0, 1,
         "How much of the medium is laid on without pressure."),
@@ -114,8 +114,9 @@ constexpr std::array<MediumField, 29> kMediumFields = {{
     medium<&Medium::line, &MediumLine::tone_gamma>(
         "line.tone_gamma", "Pressure curve of the tone", "", 0.2, 5,
         "Above 1, light pressure stays pale for longer; below 1, lines darken sooner."),
-    medium<&Medium::line, &MediumLine::tilt_tone>("line.tilt_tone", "Tone when tilted", "", 0, 1,
-                                                  "As a share of the tone of an upright pen."),
+    medium<&Medium::line, &MediumLine::tilt_tone>(
+        "line.tilt_tone", "Tone when tilted", "", 0, 1,
+        "Tone at full tilt, as a share of the tone with an upright pen."),
     medium<&Medium::look, &MediumLook::opacity_light>("look.opacity_light", "Opacity, light", "", 0,
                                                       1, "Opacity of the inked parts at tone 0."),
     medium<&Medium::look, &MediumLook::opacity_heavy>("look.opacity_heavy", "Opacity, heavy", "", 0,

@@ -8,9 +8,9 @@
 #include "felt/session/session.h"
 #include "felt/store/felt_file.h"
 
-/// Applies a recording to a session, with every event unchanged. Its samples went through a device
-/// and a loop when it was made, so they do not go through them again. At the end, the gesture in
-/// progress is ended.
+/// Applies a recording to a session, with every event unchanged. No device or haptic loop is
+/// simulated, because the recorded samples are already the output of one. At the end, the gesture
+/// in progress is ended.
 ///
 /// Fails at an event that the session refuses, or if a file that it names cannot be read. Earlier
 /// events have been applied.

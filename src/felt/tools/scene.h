@@ -32,7 +32,8 @@ inline const Medium& medium_of(const Scene& scene, std::string_view id) noexcept
 }
 
 /// Returns the medium with its friction (on every surface) and its grain multiplied by these
-/// factors. Tools use it for their strength option and to glide more easily than the medium does.
+/// factors. Tools use it to apply their `strength` option, and some use it to drag less than the
+/// medium.
 inline Medium felt_with(Medium medium, double friction, double grain) {
   medium.friction *= friction;
   medium.grain *= grain;

@@ -24,13 +24,15 @@ struct FrictionOptions {
 /// Cutkosky 2000). A friction that is a function of the speed would buzz at rest (0.17-0.58 N above
 /// 30 Hz; docs/design/forces.md#friction).
 ///
-/// v is the known velocity (pen_sample.h). The damper acts on v and not on dz/dt, because dz/dt
-/// jumps when the foot starts to move, and flips the force (docs/design/forces.md#friction: spikes
-/// of -1.2 N). In a slide, the shortening removes the damper's part again. If the plane does not
-/// push, the friction is zero, and the foot is lifted.
+/// v is known_velocity() (pen_sample.h): the measured velocity, shortened by 6 mm/s of uncertainty.
+/// The damper acts on v and not on dz/dt, because dz/dt jumps when the foot starts to move, and
+/// flips the force (docs/design/forces.md#friction: spikes of -1.2 N). In a steady slide, clamping
+/// F to mu Fn removes the damper's contribution. If the normal force is zero, the friction is zero,
+/// and the foot is lifted.
 ///
 /// memory.scale.friction scales k and d. memory.friction_factor, set by a texture before this
-/// brick, multiplies mu for one tick; its part is reported as the term "texture".
+/// brick, multiplies mu for one tick; the resulting change of the force is reported as the term
+/// "texture".
 class Friction {
  public:
   explicit Friction(const FrictionOptions& options = {}) noexcept : options_(options) {}

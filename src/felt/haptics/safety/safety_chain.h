@@ -52,9 +52,11 @@ struct SafetyReport {
   std::uint32_t limited_by = 0;
   std::uint32_t soft_faults = 0;  ///< since the start
   std::uint32_t hard_faults = 0;
-  double rms_force_n = 0.0;      ///< RMS, weighted as the motors warm (MotorGuard)
-  double energy_mj = 0.0;        ///< work done on the hand since the contact began; passive if <= 0
-  bool motors_are_warm = false;  ///< notice: the motors limit the force, or did recently
+  double rms_force_n =
+      0.0;                 ///< RMS of the force, low-pass filtered as a motor warms up (MotorGuard)
+  double energy_mj = 0.0;  ///< work done on the hand since the contact began; passive if <= 0
+  bool motors_are_warm =
+      false;  ///< show a notice: the continuous limit reduces the force, or did recently
 
   friend bool operator==(const SafetyReport&, const SafetyReport&) = default;
 };
@@ -65,7 +67,7 @@ struct SafetyReport {
 /// docs/safety.md has the numbers.
 ///
 /// One tick, in this order:
-///   begin(now)          measures dt; checks if the tick is late and the edit thread alive
+/// begin(now) measures dt; checks if the tick is late and if the edit thread is alive
 ///   admit(sample)       checks if the sample is plausible (false: do not evaluate the model)
 ///   budget(slopes)      returns the share of its stiffness that the model may use
 ///   limit(asked)        applies the stages in order: finite, peak, speed, continuous, engaging or
@@ -74,10 +76,10 @@ struct SafetyReport {
 /// written, call device_failed() after limit(). Calling limit() without begin() and admit() before
 /// it is a hard fault.
 ///
-/// Engaging: the chain waits until the models ask for less than engage_below_n for some ticks. So
-/// if the pen is already below the plane when the user arms the chain, or after a fault, it gets no
-/// force until it is lifted. The ramp ends when its time has passed and the force has reached the
-/// target.
+/// Engaging: the chain waits until the models ask for less than engage_below_n for some ticks. If
+/// the pen is already below the plane when the user arms the chain or a fault ends, the force stays
+/// zero until the pen is lifted. The ramp ends when its time has passed and the force has reached
+/// the target.
 ///
 /// Call it on the haptic thread, unless noted otherwise. All functions take bounded time, do not
 /// allocate or lock, and are deterministic.
@@ -152,10 +154,11 @@ class SafetyChain {
   PenSample seen_;  // the last finite one
   bool has_seen_ = false;
   double silence_s_ = 0.0;
-  Force sent_;             // the force that the device holds
-  int calm_ticks_ = 0;     // in kWaiting
-  double ramp_ = 0.0;      // in kEngaging, 0..1
-  double credited_s_ = 0;  // credited time since the start; soft faults are dated with it
+  Force sent_;          // the force that the device holds
+  int calm_ticks_ = 0;  // in kWaiting
+  double ramp_ = 0.0;   // in kEngaging, 0..1
+  double credited_s_ =
+      0;  // sum of TickTime::credited_s since the start; the time stamps of soft faults use it
   std::array<double, 8> soft_fault_at_s_{};
   std::uint32_t recent_soft_faults_ = 0;
 };

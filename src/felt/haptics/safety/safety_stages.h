@@ -24,18 +24,19 @@ Force limit_rise(const Force& previous, const Force& wanted, double step_n) noex
 /// Returns a force at most step_n N from `previous` towards `wanted`. It also limits a fall.
 Force step_towards(const Force& previous, const Force& wanted, double step_n) noexcept;
 
-/// Returns the damping in N s/m that the brake adds at a speed: 0 up to brake_from, growing
-/// linearly to brake_n_s_per_m at cut, constant beyond; never more than the device can render.
+/// Returns the damping in N s/m that the brake adds at a speed: 0 up to brake_from_m_per_s, then
+/// linearly increasing to brake_n_s_per_m at cut_m_per_s, then constant. It is never more than the
+/// device can render.
 double brake_damping(const SafetyLimits& limits, double speed_m_per_s) noexcept;
 
-/// Returns -damping velocity, clamped to max_n. The velocity is in mm/s and may have any finite
-/// size.
+/// Returns the damping force, -damping * velocity, with a magnitude of at most max_n. The velocity
+/// is in mm/s and may have any finite size.
 Force damping_force(double damping_n_s_per_m, const Vec3& velocity_mm_per_s, double max_n) noexcept;
 
 /// Returns the sum of slopes in N/m that one axis may have (R56;
 /// docs/design/limits.md#stiffness-budget): budget_fast up to 2 ms of loop delay, budget_slow at 3
 /// ms, in proportion to 1/delay beyond. The loop delay is the device's delay plus the period for
-/// which a force is held: (delay_ticks + 1) period.
+/// which a force is held: (delay_ticks + 1) * period.
 double stiffness_budget_n_per_m(const SafetyLimits& limits) noexcept;
 
 /// Returns scales that keep the slopes within the budget (R56) and the plane within the device's

@@ -44,15 +44,15 @@ struct Format {
   std::vector<Channel> channels;
 };
 
-/// How a device counts a channel: value and units ("1000" "1/cm").
+/// The resolution of a channel, for example value 1000 and units "1/cm".
 struct Resolution {
   std::string channel;
   double value = 0.0;
   std::string units;
 };
 
-/// Parses a number as other programs write it: without limits, in any locale. Returns nullopt for
-/// anything else.
+/// Parses a decimal number with a point, in any locale, with optional spaces and a leading plus.
+/// Returns nullopt for anything else, including infinity and NaN.
 std::optional<double> number_of(std::string_view text) noexcept;
 
 /// Returns the length of a unit in mm ("cm", "himetric", ...), its duration in ms ("s", ...), or

@@ -10,7 +10,8 @@ namespace felt {
 /// Converts one line of .ndjson to a record. The parser is strict: the whole line must be JSON in
 /// UTF-8 within the limits of limits.h, including unknown keys. A known key may occur once. Error
 /// messages name the key and the element ("points[17]: y is NaN, not a number"); the caller adds
-/// the file and the line. Reuses its buffers, so memory follows the longest line. Not thread-safe.
+/// the file and the line. Reuses its buffers, except very large ones, which it releases. Not
+/// thread-safe.
 class NdjsonParser {
  public:
   NdjsonParser();
@@ -22,7 +23,8 @@ class NdjsonParser {
   /// content. After an error `out` is unspecified.
   Result<NdjsonKind> raw_stroke(const NdjsonLine& line, RawStroke& out);
 
-  /// Reads {"id":..,"closed":..,"segments":..,"joints":..,"widths":..} into `out`, same as above.
+  /// Reads {"id":..,"closed":..,"segments":..,"joints":..,"widths":..} into `out`, replacing its
+  /// content. After an error `out` is unspecified.
   /// Does not check that the values make a stroke; `Stroke::create` does.
   Result<NdjsonKind> sketch_stroke(const NdjsonLine& line, SketchRecord& out);
 

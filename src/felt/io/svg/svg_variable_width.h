@@ -19,8 +19,8 @@ struct SvgWideStroke {
 
 /// Reads the stroke. If Feltline wrote it and no other program changed the path, it is exact. A
 /// PowerStroke of Inkscape is built from its knots. `to_mm` transforms it; if that is not a
-/// similarity, widths are scaled by the mean. Fails if the attributes do not make a stroke; the
-/// caller then uses the outline.
+/// similarity, widths are scaled by sqrt(|determinant|). Fails if the attributes do not make a
+/// stroke; the caller then uses the outline.
 Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& attributes, const Affine& to_mm);
 
 /// Returns true if a transform is a similarity: it rotates, mirrors, moves, and scales all

@@ -4,8 +4,8 @@
 
 #include "felt/geometry/cubic.h"
 
-/// The two inner loops of the segment fit, four samples at a time. Written with explicit lanes, so
-/// that every machine adds in the same order and gives the same bytes; on x86-64 a second version
+/// The two inner loops of the segment fit, four samples at a time. They use explicit SIMD lanes, so
+/// that every machine adds in the same order and computes the same bits. On x86-64 a second version
 /// for wider registers is chosen at load time (without fused multiply-add, see options.cmake).
 /// Private to the stroke layer. Thread: any; no allocation.
 namespace felt::detail {
@@ -26,7 +26,7 @@ struct RunView {
 };
 
 /// Moves every parameter one Newton step towards the foot point of its sample, clamped to [0, 1],
-/// and sets `ratio` to the squared distance there over its limit.
+/// and sets `ratio` to the squared distance at the new parameter divided by its limit.
 ///   t <- t - (e.f') / (f'.f' + e.f''), e = f(t) - P [Plass & Stone 1983; Schneider 1990]
 /// If this denominator is not safely positive, the Gauss-Newton denominator f'.f' is used. Requires
 /// that t and ratio have room for `count` + 3 values.
@@ -42,15 +42,15 @@ struct NormalSums {
   double ry[4];   ///< sum b_j (M q).y
 };
 
-/// Compute the sums over the Bernstein functions of the free control points: B1..B4 with a free
-/// start; B2..B4 with a fixed start, where the caller has made B1 the origin. The metric of each
-/// sample is
+/// Compute the sums over the Bernstein functions of the free control points: B1..B4 if the start is
+/// free; B2..B4 if it is fixed (the caller has then made B1 the origin). The metric of each sample
+/// is
 ///   M = (1 - w) n n' + w I,   n = unit normal of the curve at t,
-/// distance along the normal plus w of the distance along the tangent (tangent distance
-/// minimisation with a damping term: Wang, Pottmann, Liu 2006, "Fitting B-spline curves to point
-/// clouds by curvature-based squared distance minimization", section 3). w = 1 is the ordinary
-/// least squares. Each sample counts by its weight. Only samples with an index in [begin, end)
-/// count.
+/// that is, the squared distance along the normal plus w times that along the tangent (tangent
+/// distance minimisation with a damping term: Wang, Pottmann, Liu 2006, "Fitting B-spline curves to
+/// point clouds by curvature-based squared distance minimization", section 3). w = 1 is the
+/// ordinary least squares. Each sample counts by its weight. Only samples with an index in [begin,
+/// end) count.
 void accumulate_fixed_start(const PowerCubic& curve, const RunView& run, const double* t,
                             std::size_t begin, std::size_t end, double w,
                             NormalSums& sums) noexcept;

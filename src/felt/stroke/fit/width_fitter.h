@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// Maximum difference in u at which two samples share one position. They share it because a profile
-/// has exactly one width at each u.
+/// Samples whose u differs by at most this are treated as one position, because a profile has
+/// exactly one width at each u.
 inline constexpr double kSameWidthPlace = 1e-9;
 
 /// Fits the width profile of a stroke [Paper eq. 3] while it is drawn: continuous, linear between
@@ -48,8 +48,8 @@ class WidthFitter {
   /// Adds a width and a tone, which is clamped to 0..1. Requires that either all samples of a
   /// stroke have a tone or none.
   void push(double u, double width_mm, double tone);
-  /// Ends the profile at `u_end` > 0, the number of Bezier segments, with the filtered width of the
-  /// last sample as far as the tolerance allows (docs/design/errata.md#e11). Call at pen-up.
+  /// Ends the profile at `u_end` > 0, the number of Bezier segments, at the width of the last
+  /// sample, or as near to it as the tolerance allows (docs/design/errata.md#e11). Call at pen-up.
   /// Samples past u_end count as samples at u_end. If no sample was added, the profile is constant
   /// at min_mm.
   void finish(double u_end);
@@ -93,10 +93,10 @@ class WidthFitter {
   [[nodiscard]] WidthKnot knot(double u, double width_mm, double tone) const noexcept;
 
   Channel width_, tone_;
-  bool has_tone_ = false;         // of its own
+  bool has_tone_ = false;         // the samples have their own tone
   std::vector<WidthKnot> knots_;  // the last one is the start of the open segment
   double place_u_ = 0.0;          // position of the samples that are still collected
-  double count_ = 0.0;            // of them
+  double count_ = 0.0;            // number of these samples
   double sum_uu_ = 0.0;
   double reach_ = 0.0;  // u of the last position added to the open segment
 };

@@ -43,8 +43,8 @@ class WetInk {
   std::uint64_t stroke_ = 0;  // Overlay::ink_stroke
   std::vector<Overlay::InkSegment> pieces_;
   int segments_ = 0;         // fitter segments in pieces_
-  std::size_t places_ = 0;   // same
-  std::size_t samples_ = 0;  // same
+  std::size_t places_ = 0;   // fitter positions in pieces_
+  std::size_t samples_ = 0;  // fitter samples in pieces_
   WidthMap stable_widths_;   // of the fitter's samples, up to samples_
   WidthMap pen_widths_;      // of all samples, as they arrived
   InkWidth stable_;
@@ -52,7 +52,7 @@ class WetInk {
   // Widths of the tail, one node per kNodeMm; no node is added while the pen rests.
   std::vector<Node> nodes_;
   std::size_t first_node_ = 0;  // nodes before it are stable
-  std::size_t taken_ = 0;       // samples
+  std::size_t taken_ = 0;       // samples passed to update()
   Point path_end_;
   double path_mm_ = 0.0;
   InkWidth pen_;

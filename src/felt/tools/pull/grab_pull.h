@@ -13,15 +13,16 @@ struct GrabOptions {
   /// Whether ends and corners stay in place unless they are grabbed themselves. If they stay, the
   /// handles move more instead (docs/design/editing.md#pull-weights).
   bool pins_joints = true;
-  /// Maximum length of ink that changes, mm: the stroke is divided around the grab. 0 leaves the
-  /// segments undivided (docs/design/editing.md#grab: 30).
+  /// Maximum length of the stroke that changes, mm. If positive, the stroke is divided around the
+  /// grabbed point first; 30 is a useful value (docs/design/editing.md#grab).
   double affected_mm = 0.0;
 };
 
 /// Bends one segment of a stroke so that its point at u0 moves exactly as far as the pen (R21). Its
 /// neighbours stay G1-continuous with it; nothing else changes
-/// (docs/design/editing.md#smooth-joints). The result is computed from the stroke at the touch and
-/// the total displacement, never from sample to sample (docs/design/editing.md#snapshot, R23).
+/// (docs/design/editing.md#smooth-joints). The result is computed from the stroke as it was when
+/// the gesture began and the total displacement, so it does not depend on the samples in between
+/// (docs/design/editing.md#snapshot, R23).
 ///
 /// Closed strokes wrap around. A closed stroke of one segment is divided at .5 first. In a closed
 /// stroke of two segments, the other segment is the neighbour on both sides, so both its ends are

@@ -10,7 +10,8 @@
 namespace felt {
 
 /// A stroke being redrawn (docs/design/editing.md#sweep): in each step the point nearest to the pen
-/// moves a fraction of the distance to it, by the weights of least motion. This is incremental, so
+/// moves a fraction of the distance to it, with the weights of least motion (soft_weights() in
+/// edit_weights.h). This is incremental, so
 /// moving back does not undo it. Because the fraction is 1 - exp(-dt/tau), the result hardly
 /// depends on the step length.
 ///
