@@ -233,7 +233,7 @@ TEST(DeviceCare, ForcesThatTheDeviceSwitchesOffDoNotEndTheDrawing) {
     EXPECT_TRUE(desk.studio.session().gesture_in_work()) << "the line goes on";
     EXPECT_EQ(desk.studio.loop().tick().safety.state, SafetyState::kLatched);
     const bool is_off = fault == DeviceFault::kForcesOff;
-    EXPECT_NE(desk.said().find(is_off ? "has switched its forces off" : "are warm"),
+    EXPECT_NE(desk.said().find(is_off ? "has switched its forces off" : "are too warm"),
               std::string::npos)
         << desk.said();
     QString text;

@@ -99,8 +99,8 @@ TEST(Stability, HeightsAreWrittenOutInWholeMicrometresFromTenOn) {
     return stability_words(wish, figures, {}).detail.join(u' ');
   };
   const QString seven = QLocale().toString(7.0, 'f', 1);
-  EXPECT_TRUE(words(200.0, 0.8).contains(QStringLiteral("felt are 160 of your 200 µm")));
-  EXPECT_TRUE(words(14.0, 0.5).contains(QStringLiteral("felt are %1 of your 14 µm").arg(seven)));
+  EXPECT_TRUE(words(200.0, 0.8).contains(QStringLiteral("you feel 160 of your 200 µm")));
+  EXPECT_TRUE(words(14.0, 0.5).contains(QStringLiteral("you feel %1 of your 14 µm").arg(seven)));
 }
 
 TEST(Stability, TremblingIsRedWhateverElse) {

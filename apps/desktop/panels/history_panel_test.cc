@@ -80,7 +80,7 @@ TEST(HistoryModel, TellsViewsEveryRowThatChangesWhateverHappens) {
       }
     }
     studio.open(Document{}, SheetPage{});
-    EXPECT_EQ(echo.rows, std::vector<QString>{QStringLiteral("As opened, here")});
+    EXPECT_EQ(echo.rows, std::vector<QString>{QStringLiteral("As opened, current")});
   }
 }
 
@@ -102,7 +102,7 @@ TEST(HistoryPanel, AClickGoesThereAndBack) {
     EXPECT_EQ(list->model()->rowCount(), 6) << "nothing is forgotten by looking";
   }
   EXPECT_EQ(list->model()->index(1, 0).data(Qt::AccessibleTextRole).toString(),
-            QStringLiteral("Import, here"));
+            QStringLiteral("Import, current"));
   EXPECT_EQ(list->model()->index(2, 0).data(Qt::AccessibleTextRole).toString(),
             QStringLiteral("Import, undone"));
   draw_lines(studio, 1);

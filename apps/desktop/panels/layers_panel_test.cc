@@ -67,7 +67,7 @@ TEST(LayersPanel, SaysItAllToAScreenReader) {
   LayerDesk desk;
   desk.studio.apply(LayerEvent{Do::kHide, {2}});
   desk.studio.apply(LayerEvent{Do::kLock, {1}});
-  EXPECT_EQ(desk.spoken(0), QStringLiteral("c, visible, unlocked, in use"));
+  EXPECT_EQ(desk.spoken(0), QStringLiteral("c, visible, unlocked, current"));
   EXPECT_EQ(desk.spoken(1), QStringLiteral("b, hidden, unlocked"));
   EXPECT_EQ(desk.spoken(2), QStringLiteral("Ink, visible, locked"));
   EXPECT_EQ(testing::nameless(desk.panel), std::vector<std::string>{});

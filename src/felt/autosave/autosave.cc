@@ -279,16 +279,15 @@ void Autosave::apply(AutosaveMessage& message) {
   }
 }
 
-/// Closes the database in use. It is removed when the base of the next one is complete. If its own
-/// base is not complete and an older database exists, it is removed immediately, because it is
-/// useless and repeated attempts must not fill the disk.
-void Autosave::retire_database() {
-  if (!database_) return;
-  AutosaveDatabase database = *std::exchange(database_, {});
-  if (database.base_in_progress() && !old_.empty()) {
-    static_cast<void>(std::move(database).remove());
+/// Puts a database out of use. It is removed when another one is complete. If an older one exists,
+/// this one never was complete, because old_ is removed then; so it is useless and is removed now,
+/// because repeated attempts must not fill the disk.
+void Autosave::retire(std::optional<AutosaveDatabase> database) {
+  if (!database) return;
+  if (old_) {
+    static_cast<void>(std::move(*database).remove());
   } else {
-    old_.push_back(std::move(database));
+    old_ = std::move(database);
   }
 }
 
@@ -300,7 +299,7 @@ void Autosave::replace_drawing(Drawing drawing) {
   edits_.clear();
   has_drawing_ = true;
   ++drawing_number_;
-  retire_database();
+  retire(std::exchange(database_, {}));
   next_try_ = {};
   why_.clear();
   root_ = 0;
@@ -347,7 +346,7 @@ void Autosave::write_out() {
     return set_status({AutosaveStatus::State::kFailing, why_, {}});
   }
   edits_.clear();
-  if (is_idle()) remove_old_databases();
+  if (is_idle()) remove_old();
   set_status(root_ == 0
                  ? AutosaveStatus{AutosaveStatus::State::kWorking, {}, database_->folder()}
                  : AutosaveStatus{AutosaveStatus::State::kElsewhere, why_, database_->folder()});
@@ -369,7 +368,7 @@ void Autosave::try_first_root() {
   std::optional<AutosaveDatabase> elsewhere = std::exchange(database_, {});
   if (create_database(0)) {
     root_ = 0;
-    old_.push_back(*std::move(elsewhere));
+    retire(std::move(elsewhere));
   } else {
     database_ = std::move(elsewhere);
   }
@@ -377,7 +376,7 @@ void Autosave::try_first_root() {
 
 void Autosave::fail_over(const Error& error) {
   why_ = error.message;
-  retire_database();
+  retire(std::exchange(database_, {}));
   ++root_;
   next_try_first_ = Clock::now() + options_.retry_first;
 }
@@ -437,17 +436,15 @@ Result<void> Autosave::write_base() {
   return database_->tidy().map([](bool) {});
 }
 
-void Autosave::remove_old_databases() {
-  for (AutosaveDatabase& old : std::exchange(old_, {})) {
-    static_cast<void>(std::move(old).remove());
-  }
+void Autosave::remove_old() {
+  if (old_) static_cast<void>(std::move(*std::exchange(old_, {})).remove());
 }
 
 void Autosave::finish() {
   const bool stays = has_drawing_ && info_.modified;
   while (stays && !is_idle()) process();
   if (!stays) {
-    remove_old_databases();
+    remove_old();
     if (database_) static_cast<void>(std::move(*database_).remove());
   }
   database_.reset();

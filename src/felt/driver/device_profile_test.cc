@@ -122,7 +122,7 @@ TEST(DeviceProfile, WhatMakesNoSenseIsToldWithItsPlace) {
                               "plane_origin_mm = 0 0 0\n"),
               HasSubstr("not of length 1"));
   EXPECT_THAT(error_of(head + "area_mm = 100 50\n"), HasSubstr("there is only one"));
-  EXPECT_THAT(error_of(head + "area_mm = 100 -50\n"), HasSubstr("no width and height"));
+  EXPECT_THAT(error_of(head + "area_mm = 100 -50\n"), HasSubstr("not a width and a height"));
   EXPECT_THAT(error_of(head + "name = \xff\xfe\n"), HasSubstr("f.conf:2: name: is not UTF-8"));
   EXPECT_EQ(error_of(head + "something = else\r\n"), "none");
 }

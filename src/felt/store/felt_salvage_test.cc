@@ -189,7 +189,7 @@ TEST(FeltSalvage, SaysWhatIsMissing) {
     all_problems += problems(changed);
   }
   EXPECT_THAT(all_problems, HasSubstr("The file is damaged"));
-  EXPECT_THAT(all_problems, HasSubstr("The size of the sheet"));
+  EXPECT_THAT(all_problems, HasSubstr("The page size"));
   EXPECT_THAT(all_problems, HasSubstr("3 layers have lost their names"));
   EXPECT_THAT(all_problems, HasSubstr("of the layer “Birds” could not be read"));
   EXPECT_THAT(salvage_felt_bytes("").error().message, HasSubstr("is empty; nothing of a drawing"));

@@ -121,7 +121,7 @@ std::string line_of(const Event& event) {
 
 Result<void> write_samples(const Database& to, const FeltRecording& recording,
                            const RecordingHead& head, bool with_tilt, Checksums& checksums) {
-  const std::string tilt_name = with_tilt ? ", tilt_deg" : "", tilt_mark = with_tilt ? ",?" : "";
+  const std::string tilt_name = with_tilt ? ", lean_deg" : "", tilt_mark = with_tilt ? ",?" : "";
   const auto row = to.prepare(("INSERT INTO recording_sample(id, late_ns, x_mm, y_mm, z_mm, "
                                "pressure, buttons, asked_x, asked_y, asked_z, cut_x, cut_y, cut_z" +
                                tilt_name + ") VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?" + tilt_mark + ")")
@@ -178,7 +178,7 @@ Result<void> write_head(const Database& to, const RecordingHead& head) {
   const bool tilts = head.tilt_checksum.has_value();
   const auto row = to.prepare(
       tilts ? "INSERT INTO recording(device, start_ns, period_ns, first_sample, samples, "
-              "first_event, events, end_ns, checksum, tilt_checksum) VALUES(?,?,?,?,?,?,?,?,?,?)"
+              "first_event, events, end_ns, checksum, lean_checksum) VALUES(?,?,?,?,?,?,?,?,?,?)"
             : "INSERT INTO recording(device, start_ns, period_ns, first_sample, samples, "
               "first_event, events, end_ns, checksum) VALUES(?,?,?,?,?,?,?,?,?)");
   if (!row) return tl::unexpected(row.error());
@@ -232,7 +232,7 @@ Result<void> write_recording(const Database& to, const FeltRecording& recording)
 Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_tilt) {
   const auto row = db.prepare(
       with_tilt ? "SELECT device, start_ns, period_ns, first_sample, samples, first_event, events, "
-                  "end_ns, checksum, tilt_checksum FROM recording NOT INDEXED"
+                  "end_ns, checksum, lean_checksum FROM recording NOT INDEXED"
                 : "SELECT device, start_ns, period_ns, first_sample, samples, first_event, events, "
                   "end_ns, checksum FROM recording NOT INDEXED");
   if (!row) return tl::unexpected(row.error());
@@ -311,7 +311,7 @@ RecordedSample sample_of(const Statement& row, std::int64_t due_ns) {
 
 Result<void> read_samples(const Database& db, const RecordingHead& head, FeltRecording& recording,
                           Checksums& checksums) {
-  const std::string tilt = head.tilt_checksum ? ", tilt_deg" : "";
+  const std::string tilt = head.tilt_checksum ? ", lean_deg" : "";
   const auto row = db.prepare(
       ("SELECT id, late_ns, x_mm, y_mm, z_mm, pressure, buttons, asked_x, asked_y, asked_z, cut_x, "
        "cut_y, cut_z" +

@@ -116,7 +116,7 @@ TEST(HidDescriptor, WhatMakesNoSenseIsAnError) {
     return read ? std::string() : read.error().message;
   };
   EXPECT_NE(error_of({0xA1, 0x01}).find("does not end"), std::string::npos);
-  EXPECT_NE(error_of({0xC0}).find("has not begun"), std::string::npos);
+  EXPECT_NE(error_of({0xC0}).find("has not started"), std::string::npos);
   EXPECT_NE(error_of({0x26, 0x01}).find("within an item"), std::string::npos);
   EXPECT_NE(error_of({0xFE, 0x10, 0x00}).find("within a long item"), std::string::npos);
   EXPECT_NE(error_of({0xB4}).find("popped"), std::string::npos);

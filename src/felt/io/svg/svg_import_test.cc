@@ -146,8 +146,8 @@ TEST(SvgImport, SaysWhatIsNoSvg) {
     const Result<Imported> drawing = import_svg(svg);
     return drawing ? std::string("it was read") : drawing.error().message;
   };
-  EXPECT_THAT(message(""), HasSubstr("no XML"));
-  EXPECT_THAT(message("<html/>"), HasSubstr("no SVG: its first element is 'html'"));
+  EXPECT_THAT(message(""), HasSubstr("is not XML"));
+  EXPECT_THAT(message("<html/>"), HasSubstr("is not an SVG: its first element is 'html'"));
   EXPECT_THAT(message("<svg>\n<g>\n</svg>"), HasSubstr("line 3"));
   const std::string ours = svg_of_strokes(strokes_of_media(1, 2));
   EXPECT_THAT(message(changed(ours, "felt:version=\"2\"", "felt:version=\"3\"")),
