@@ -676,7 +676,7 @@ TEST(HaplyDoctor, AnotherPortIsReadFromTheServicesConfiguration) {
   table.system.add_file(kConfigFile, "{");
   EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("not readable"));
   table.system.set_environment(kUrlVariable, "ws://localhost:77x");
-  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("no address"));
+  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("not a valid address"));
 }
 
 TEST(HaplyDoctor, ARunningServiceSaysTheRest) {
