@@ -221,7 +221,7 @@ CheckOutcome check_noise(CheckContext& context) {
   if (context.is_noisy) {
     return failed(measured, "more than " + figure(most, 2) +
                                 " mm although nobody moves: a loose cable, another magnet, a worn "
-                                "joint, or somebody tilted on the table");
+                                "joint, or somebody leaned on the table");
   }
   return passed(measured);
 }

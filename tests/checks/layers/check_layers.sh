@@ -73,7 +73,7 @@ LC_ALL=C awk '
       if (layer_of == layer && !((room, room_of) in allowed))
         complain((room == "" ? layer : room) " must not include " room_of " (" name ")")
     }
-    # rooms.cc, which lists the folders of its layer, may include all of them.
+    # all_*.cc, which lists the folders of its layer, may include all of them.
     else if (FILENAME !~ /\/all_[a-z]+(_test)?\.cc$/)
       complain((room == "" ? layer : room) " must not include the folder " room_of " (" name \
         "); it is private as long as rules.txt has no line \"folder " room_of ":\"")

@@ -53,7 +53,7 @@ TEST_P(BenchPushTest, ItPushesTheWayThatItIsTold) {
   const auto bench = make_driver_bench(GetParam(), {});
   const ValidationReport report = tested(*bench, 6);
   EXPECT_TRUE(report.passed()) << report_text(report);
-  EXPECT_THAT(report_text(report), ::testing::HasSubstr("of the sheet: right, down"));
+  EXPECT_THAT(report_text(report), ::testing::HasSubstr("of the surface: right, down"));
 }
 
 INSTANTIATE_TEST_SUITE_P(, BenchValidatorTest, ::testing::ValuesIn(driver_bench_names()),
