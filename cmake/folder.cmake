@@ -121,13 +121,28 @@ function(felt_qt_folder target)
   target_link_libraries(${target} PUBLIC Qt6::Widgets)
 endfunction()
 
-# felt_test(NAME SOURCES ... LIBRARIES ...): declares a GoogleTest program. Each of its test cases is a
-# separate CTest test.
+# felt_add_tests(NAME [LABELS ...]): adds the test cases of a GoogleTest program. Each is a separate CTest
+# test, NAME.0 to NAME.3 are tests of a quarter of the cases each if FELT_TESTS_TOGETHER is on.
+function(felt_add_tests name)
+  cmake_parse_arguments(ARG "" "" "LABELS" ${ARGN})
+  if(NOT FELT_TESTS_TOGETHER)
+    include(GoogleTest)
+    gtest_discover_tests(${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} DISCOVERY_TIMEOUT 60
+      PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 300)
+    return()
+  endif()
+  foreach(part RANGE 3)
+    add_test(NAME ${name}.${part} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    set_tests_properties(${name}.${part} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 1200
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=4;GTEST_SHARD_INDEX=${part}")
+  endforeach()
+endfunction()
+
+# felt_test(NAME SOURCES ... LIBRARIES ...): declares a GoogleTest program and adds its tests.
 function(felt_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   find_package(GTest REQUIRED)
   find_package(rapidcheck REQUIRED)
-  include(GoogleTest)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE felt_flags ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main
     rapidcheck)
@@ -138,6 +153,5 @@ function(felt_test name)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
   endif()
   felt_quick_test(${name} ${is_desktop})
-  gtest_discover_tests(${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT 300)
+  felt_add_tests(${name})
 endfunction()
