@@ -20,8 +20,8 @@ tl::unexpected<Error> misfit(std::string what) {
   return fail(ErrorCode::kInvalidArgument, std::move(what));
 }
 
-/// Fails if an id changes twice, because it would be undefined which change wins, or if an id is
-/// zero.
+/// Fails if an id is zero, or if the same id changes twice, because it would be undefined which
+/// change is the final one.
 template <class Change>
 Result<void> check_ids(const std::vector<Change>& changes) {
   std::vector<decltype(Change::id)> ids;
