@@ -175,7 +175,8 @@ class Document::Plan {
                    is_in_place)) {
       return;
     }
-    // Sorts by id first, because a linear search for each layer would make n new layers cost n^3.
+    // Sorts by id first, because with a linear search for each layer, n new layers would take n^3
+    // steps.
     std::sort(layers.begin(), layers.end(),
               [](const Layer& a, const Layer& b) { return a.id < b.id; });
     std::vector<Layer> arranged;
