@@ -23,7 +23,8 @@ struct LiveChunk {
 };
 
 /// The part of a drawing that is not an edit yet, as chunks of an AutosaveDatabase: the gesture in
-/// progress, and all state besides the document that its ink depends on. It has two sources:
+/// progress, and all state besides the document that its ink depends on. The chunks are made from
+/// two sources:
 ///   - the events that the session accepted, in order, from the edit thread;
 ///   - the samples of the haptic loop, from the autosave's own ring, even if the session has not
 ///     received them yet. The samples after the session's last event are the *overhang*. It grows

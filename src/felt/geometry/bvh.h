@@ -41,11 +41,11 @@ struct BvhWorkCap {
 /// rectangle.
 ///
 /// Structure: every node has up to 8 children and stores their boxes as four rows of 8 floats,
-/// rounded outwards, so that one pass of vector arithmetic tests them all. There are no pointers:
-/// each level is an array without gaps, and the children of node j of a level are the nodes
-/// 8j .. 8j + 7 of the level below. The lowest level has the tight boxes of the segments, which are
-/// stored in an array in the same order. 10^6 segments take 7 levels and 107 bytes a segment,
-/// including the curve.
+/// rounded outwards, so that one pass of vector arithmetic tests all eight. Nodes have no pointers:
+/// each level is an array without gaps, and the children of node j of a level are the nodes 8j ..
+/// 8j + 7 of the level below. The lowest level has the tight boxes of the segments, which are
+/// stored in an array in the same order. For 10^6 segments the tree has 7 levels and takes 107
+/// bytes per segment, including the curve.
 ///
 /// Life cycle:
 ///  1. `build` sorts the segments (allocates). Their *handles* are 0, 1, ... in the order given.

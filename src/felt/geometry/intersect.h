@@ -46,16 +46,16 @@ struct Crossings {
 /// crossings need 10 to 60 pairs; curves that run within a micrometre of each other need more.
 inline constexpr int kIntersectPairs = 4096;
 
-/// Returns all points where two cubics meet, including at their ends.
+/// Returns all points where two cubics, f and g, meet, including at their ends.
 ///
 /// Algorithm: pairs of pieces wait on a fixed stack; the larger piece of a pair is halved.
 ///  1. A pair is discarded if its hulls are disjoint. This is tested with their boxes and with the
-///     strip along the chord of either piece (fat line; Sederberg and Nishita 1990), which narrows
-///     with the square of the size.
-///  2. If every direction of one hodograph hull is on the same side of every direction of the other
-///     hull, f(s) - g(t) is injective on the pair, so the pair has at most one crossing. Newton's
-///     method looks for this crossing. If it finds none, the pair is halved further, until the
-///     hulls are disjoint.
+///     strip along the chord of either piece (fat line; Sederberg and Nishita 1990). The width of
+///     the strip falls with the square of the piece's length.
+///  2. The hodograph hull of a piece bounds its directions of travel. If every direction of one
+///     hull is on the same side of every direction of the other hull, f(s) - g(t) is injective on
+///     the pair, so the pair has at most one crossing. Newton's method looks for this crossing. If
+///     it finds none, the pair is halved further, until the hulls are disjoint.
 ///  3. Pieces that differ from their chords by at most a quarter of kMeetMm are compared as
 ///     straight segments. Where the curves are tangent, pieces are about 1e-4 mm long at this step;
 ///     neighbouring results of the same touch are merged into one.
@@ -72,10 +72,10 @@ inline constexpr int kIntersectPairs = 4096;
 Crossings intersections(const Cubic& first, const Cubic& second,
                         int most_pairs = kIntersectPairs) noexcept;
 
-/// Returns the point where a cubic crosses itself (at most one), with t1 < t2. Closed form: with p
-/// = t1 + t2 and q = t1 t2, the equation (f(t2) - f(t1)) / (t2 - t1) = 0 is linear in p and p^2 -
-/// q. A closed loop meets itself at (0, 1). Returns nullopt for a cusp and for a straight cubic
-/// that runs back over itself.
+/// Returns the point where a cubic crosses itself (at most one), with t1 < t2. Uses a closed form:
+/// the equation (f(t2) - f(t1)) / (t2 - t1) = 0 is linear in p and p^2 - q, where p = t1 + t2 and q
+/// = t1 t2. For a closed loop, t1 = 0 and t2 = 1. Returns nullopt for a cusp and for a straight
+/// cubic that runs back over itself.
 std::optional<Crossing> self_intersection(const Cubic& c) noexcept;
 
 }  // namespace felt
