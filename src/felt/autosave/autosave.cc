@@ -19,8 +19,8 @@ namespace {
 constexpr int kBasePartsPerCommit =
     8;  // half a MiB, so that edits need not wait for the whole base
 
-/// Returns a name for this process. The system may reuse process numbers, so it contains a random
-/// number, too.
+/// Returns a name for this process. The system may reuse process numbers, so the name also contains
+/// a random number.
 std::string process_name() {
   std::uint32_t random = 0;
   static_cast<void>(::getrandom(&random, sizeof random, GRND_NONBLOCK));
@@ -32,7 +32,7 @@ bool depends_on_selection(const Session& session) {
   return session.tool().info().id == "transform";
 }
 
-/// Returns the events that set what the next gesture of a new session depends on.
+/// Returns the events that set the state on which the next gesture of a new session depends.
 std::vector<Event> context_of(const Session& session) {
   std::vector<Event> events;
   const auto add = [&events](decltype(Event::what) what) {
@@ -182,7 +182,8 @@ void Autosave::run() {
     if (!has_ring_ && !has_work_) {
       wake_.wait(lock, [&] { return is_urgent() || has_ring_ || !queue_.empty(); });
     }
-    // The rest of a base is written without a pause. After a slow commit the pause is shorter.
+    // If a base is incomplete, its next parts are written without a pause. After a slow commit the
+    // pause is shorter.
     const auto gather = is_idle() ? options_.gather : std::chrono::milliseconds(0);
     wake_.wait_until(lock, std::max(begun + gather, Clock::now() + gather / 4), is_urgent);
     begun = Clock::now();
@@ -220,7 +221,8 @@ void Autosave::take_samples() {
 
 void Autosave::process() {
   // Reads the ring before the queue, so that the sample of every queued event is read before the
-  // event. In the other order a sample could look like ink that the session has not received.
+  // event. In the other order LiveInk could mistake such a sample for one that the session has not
+  // received.
   std::vector<PenSample> samples;
   {
     const std::lock_guard lock(ring_mutex_);
@@ -279,13 +281,14 @@ void Autosave::apply(AutosaveMessage& message) {
   }
 }
 
-/// Puts a database out of use. It is removed when another one is complete. If an older one exists,
-/// this one never was complete, because old_ is removed then; so it is useless and is removed now,
-/// because repeated attempts must not fill the disk.
-void Autosave::retire(std::optional<AutosaveDatabase> database) {
-  if (!database) return;
-  if (old_) {
-    static_cast<void>(std::move(*database).remove());
+/// Closes the database in use. It is removed later, when the base of the next database is complete.
+/// It is removed immediately if its own base is incomplete and an older database exists, because it
+/// is then useless and repeated attempts must not fill the disk.
+void Autosave::retire_database() {
+  if (!database_) return;
+  AutosaveDatabase database = *std::exchange(database_, {});
+  if (database.base_in_progress() && !old_.empty()) {
+    static_cast<void>(std::move(database).remove());
   } else {
     old_ = std::move(database);
   }
@@ -361,8 +364,8 @@ bool Autosave::open_next_database() {
   return database_.has_value();
 }
 
-/// Tries to return to the first folder. The database elsewhere is kept until the new one is
-/// complete.
+/// Tries to return to the first folder. The database in the later folder is kept until the base of
+/// the new one is complete.
 void Autosave::try_first_root() {
   next_try_first_ = Clock::now() + options_.retry_first;
   std::optional<AutosaveDatabase> elsewhere = std::exchange(database_, {});
@@ -381,7 +384,7 @@ void Autosave::fail_over(const Error& error) {
   next_try_first_ = Clock::now() + options_.retry_first;
 }
 
-/// Creates a database. Its base is the replica of the drawing, so it does not need the edits so
+/// Creates a database. Its base is the replica of the drawing, which already contains all edits so
 /// far.
 Result<void> Autosave::create_database(std::size_t root) {
   const std::string name =
@@ -403,7 +406,7 @@ Result<void> Autosave::write() {
     if (auto added = database_->add_edit(edit); !added) return tl::unexpected(added.error());
   }
   if (!is_info_written_) {
-    // Copies everything but the document, because that may be large.
+    // Copies everything but the document, because the document may be large.
     Document document = std::exchange(drawing_.document, {});
     info_.head = drawing_;
     drawing_.document = std::move(document);

@@ -26,13 +26,13 @@ namespace felt {
 /// The state of the autosave: whether it works, and in which folder.
 struct AutosaveStatus {
   enum class State {
-    kWorking,    ///< in the first folder
-    kElsewhere,  ///< the first folder failed; a later one works
-    kFailing,    ///< no folder works; retried regularly
+    kWorking,    ///< saves to the first folder
+    kElsewhere,  ///< the first folder failed; saves to a later one
+    kFailing,    ///< no folder works; tries again regularly
   };
   State state = State::kWorking;
-  std::string why;     ///< the last failure, for the user; "" if kWorking
-  std::string folder;  ///< of the database; "" if kFailing
+  std::string why;     ///< the last failure, for the user; "" if `state` is kWorking
+  std::string folder;  ///< folder of the database; "" if `state` is kFailing
 
   friend bool operator==(const AutosaveStatus&, const AutosaveStatus&) = default;
 };
@@ -40,42 +40,45 @@ struct AutosaveStatus {
 struct AutosaveOptions {
   /// Folders for databases, the preferred one first; see autosave_roots().
   std::vector<std::string> roots;
-  /// Called on the autosave thread when the status changes. Not called for the initial status
-  /// kWorking.
+  /// Called on the autosave thread when AutosaveStatus::state or `why` changes. The status begins
+  /// with kWorking.
   std::function<void(const AutosaveStatus&)> on_status = {};
-  /// Called on the autosave thread after each commit. At that time, everything that the session
-  /// received up to this time of its clock (in ns) is on the disk, together with all ink that the
-  /// haptic loop has read.
+  /// Called on the autosave thread after each commit with a time on the session's clock, in ns.
+  /// Everything that the session received up to that time is on the disk, together with all samples
+  /// that the autosave has read from the haptic loop's ring.
   std::function<void(std::int64_t)> on_commit = {};
   /// Time for which messages are collected before a commit.
   std::chrono::milliseconds gather{20};
-  /// Time until the next attempt: after all folders failed, and after the first one failed.
+  /// Time until the next attempt: `retry` if all folders failed, `retry_first` to return to the
+  /// first folder while a later one works.
   std::chrono::milliseconds retry{5'000}, retry_first{60'000};
-  /// Size of the edits since the last base that triggers a new base.
+  /// If the edits since the last base are larger than this, a new base is written.
   std::uint64_t max_log_bytes = std::uint64_t{32} << 20;
-  /// The name of an SQLite file system (VFS), for tests of faults. If null, the system's is used.
+  /// The name of an SQLite file system (VFS), for tests of faults. If null, the system's file
+  /// system is used.
   const char* vfs = nullptr;
   /// If false, no thread is started, and a test calls process().
   bool live = true;
 };
 
-/// A change that the autosave saves. It applies each member that is set, in the order of the
-/// members.
+/// A change for the autosave to save. The autosave applies each member that is set, in the order of
+/// the members.
 struct AutosaveMessage {
   /// Replaces the current drawing, which has been saved or discarded.
   std::unique_ptr<Drawing> drawing = {};
-  /// Page, palette, view and everything else that no event reports. Its document and active layer
-  /// are ignored.
+  /// Page, palette, view and all other parts of the drawing that no event reports. The document and
+  /// active layer of `head` are ignored.
   std::unique_ptr<Drawing> head = {};
   std::optional<std::string> name = {};  ///< the drawing's name, as shown to the user
   std::optional<std::string> path = {};  ///< path of the user's file; "" if the drawing has no file
   /// True if the drawing has unsaved changes. An edit also sets it to true.
   std::optional<bool> modified = {};
   std::optional<Selection> selection = {};
-  std::optional<Event> event = {};   ///< the session handled it
-  bool gesture_in_progress = false;  ///< true if a gesture was in progress just before `event`
-  std::optional<Edit> edit = {};     ///< the document applied it
-  /// Events that set the state that the next gesture depends on: options, tool, device, active
+  std::optional<Event> event = {};  ///< an event that the session accepted
+  /// True if a gesture was in progress before `event`. Used only if `event` is a pen sample.
+  bool gesture_in_progress = false;
+  std::optional<Edit> edit = {};  ///< an edit that the document applied
+  /// Events that set the state on which the next gesture depends: options, tool, device, active
   /// layer.
   std::vector<Event> context = {};
 };
@@ -93,10 +96,10 @@ struct AutosaveMessage {
 /// The calls of the edit thread put messages into a queue. The autosave thread applies them to its
 /// replica of the drawing (the strokes are shared) and writes them to the database. It also reads
 /// the haptic loop's second ring of samples, so ink is saved even if the edit thread hangs. Only
-/// the constructor, the destructor and flush() wait for a disk. While the disk stalls, messages
-/// wait in the queue and samples in the ring (16 s). They are committed afterwards.
+/// the destructor and flush() wait for a disk. While the disk stalls, messages wait in the queue
+/// and samples in the ring, which holds 16 s of them. They are committed afterwards.
 ///
-/// If a database fails, it is not used again. Instead, the replica is written to a new database in
+/// A database that failed is not used again. Instead, the replica is written to a new database in
 /// the next folder that works.
 ///
 /// Call all functions on the edit thread unless noted otherwise.
@@ -112,7 +115,7 @@ class Autosave {
   /// Starts saving a session that has this drawing.
   void session_began(const Session& session, Drawing drawing, std::string name, std::string path,
                      bool modified);
-  /// Queues an event that the session handled. Call from SessionOptions::on_event.
+  /// Queues an event that the session accepted. Call from SessionOptions::on_event.
   void event_applied(const Session& session, const Event& event);
   /// Queues an edit that the document applied. Call from SessionOptions::on_edit.
   void edit_applied(const Session& session, const Edit& edit);
@@ -120,7 +123,7 @@ class Autosave {
   void post(AutosaveMessage message);
 
   /// Starts reading the haptic loop's samples from this ring. `offset_ns` is the session's clock
-  /// minus the loop's. The ring must live until detach(), which does not wait for a disk.
+  /// minus the loop's. The ring must exist until detach(), which does not wait for a disk.
   void attach(Servo::Ring& ring, std::int64_t offset_ns);
   void detach();
 
@@ -187,8 +190,8 @@ class Autosave {
   LiveInk::Changes live_changes_;
   std::vector<Edit> edits_;  // edits that are not in the database yet
   std::optional<AutosaveDatabase> database_;
-  std::optional<AutosaveDatabase> old_;  // to be removed when the base of `database_` is complete
-  std::size_t root_ = 0;                 // of `database_`
+  std::vector<AutosaveDatabase> old_;  // to be removed when the base of `database_` is complete
+  std::size_t root_ = 0;               // index of the folder of `database_`
   int drawing_number_ = 0, database_number_ = 0;
   bool has_drawing_ = false, is_info_written_ = false;
   std::int64_t newest_ns_ = INT64_MIN;  // time of the newest event so far, on the session's clock

@@ -19,7 +19,7 @@ namespace felt {
 namespace {
 
 constexpr int kMaxNames = 1000;
-constexpr int kGrowBytes = 1 << 20;  // growth in steps, so that a full disk is noticed early
+constexpr int kGrowBytes = 1 << 20;  // step of the file's growth, to notice a full disk early
 constexpr int kCheckpointFrames = 1000;
 
 bool sync_folder(const std::string& path) {
@@ -154,14 +154,14 @@ Result<void> AutosaveDatabase::open(const std::string& name, const char* vfs) {
   const int flags =
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_PRIVATECACHE;
   if (sqlite3_open_v2(path.c_str(), &db_, flags, vfs) != SQLITE_OK) return error();
-  // Makes no checkpoint on closing, because the WAL is sufficient and a file that failed must not
-  // be used again.
+  // Makes no checkpoint on closing: recovery reads the WAL, and a file that failed must not be
+  // written again.
   sqlite3_db_config(db_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
   sqlite3_extended_result_codes(db_, 1);
   int grow = kGrowBytes;
   sqlite3_file_control(db_, "main", SQLITE_FCNTL_CHUNK_SIZE, &grow);
-  // Only one process uses it, so no shared memory file is needed. Our own checkpoints report their
-  // failures; SQLite's automatic ones would not.
+  // Only one process uses the database, so no shared memory file is needed. Our own checkpoints
+  // report their failures; SQLite's automatic checkpoints would not.
   if (auto ok = run("PRAGMA locking_mode=EXCLUSIVE; PRAGMA journal_mode=WAL; "
                     "PRAGMA synchronous=FULL; PRAGMA wal_autocheckpoint=0; "
                     "PRAGMA temp_store=MEMORY");

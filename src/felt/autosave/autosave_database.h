@@ -15,12 +15,12 @@ struct sqlite3;
 
 namespace felt {
 
-/// The content of a database besides the ink.
+/// The content of a database apart from the ink.
 struct AutosaveInfo {
-  std::string name;       ///< its name, as shown to the user
+  std::string name;       ///< the drawing's name, as shown to the user
   std::string path;       ///< path of the user's file; "" if the drawing has no file
   bool modified = false;  ///< true if the drawing has unsaved changes
-  /// Page, medium, colour, palette, view and active layer. Its document is ignored.
+  /// Page, colour, palette, view, materials and active layer. The document of `head` is ignored.
   Drawing head;
 };
 
@@ -48,7 +48,7 @@ enum class LiveKind : std::uint8_t {
 ///   database->add_edit(edit);                  // a finished gesture
 ///   database->clear_live();
 ///   database->commit();
-///   database->add_live(LiveKind::kEvents, lines);   // or an unfinished one
+///   database->add_live(LiveKind::kEvents, lines);   // or an unfinished gesture
 ///   database->commit();
 ///   std::move(*database).remove();             // if everything is in the user's file
 ///
@@ -56,14 +56,14 @@ enum class LiveKind : std::uint8_t {
 /// honours fsync. Data added since the last commit may be missing. The commit that completes a new
 /// base removes the previous base and the edits that the new base contains.
 ///
-/// After an error, do not use this database again, because after a failed fsync the next fsync
-/// succeeds even if data was lost. Create a new database in another folder from the data in memory.
-/// Messages begin with the folder. Not thread-safe.
+/// After an error, do not use this database again, because after a failed fsync the next fsync may
+/// succeed even though data was lost. Create a new database in another folder from the data in
+/// memory. Messages begin with the folder. Not thread-safe.
 class AutosaveDatabase {
  public:
   /// Creates a database without a base in a new folder `root`/`name`, or `name`-2, -3 ... if that
   /// folder exists. `vfs` is the name of an SQLite file system, for tests of faults; if null, the
-  /// system's is used.
+  /// system's file system is used.
   static Result<AutosaveDatabase> create(const std::string& root, const std::string& name,
                                          const char* vfs = nullptr);
 
@@ -97,8 +97,8 @@ class AutosaveDatabase {
 
   /// Returns the serial number of the last edit that was added.
   [[nodiscard]] std::uint64_t serial() const noexcept { return serial_; }
-  /// Returns the size in bytes of the edits since the newest base. If it is large, a new base makes
-  /// recovery faster.
+  /// Returns the size in bytes of the edits since the newest base. If this size is large, a new
+  /// base makes recovery faster.
   [[nodiscard]] std::uint64_t edit_bytes() const noexcept { return edit_bytes_; }
   [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
 

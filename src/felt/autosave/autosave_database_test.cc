@@ -91,7 +91,7 @@ TEST(AutosaveDatabase, DamageCostsWhatWasDamaged) {
         ASSERT_TRUE(original && *original == *document.find(id)) << "seed " << seed;
       }
     }
-    // A truncated WAL looks like one that was never longer.
+    // A truncated WAL looks like a WAL that was never longer.
     if (seed % 4 != 0 && document.stroke_count() < kBase) {
       EXPECT_FALSE(recovered->problems.empty()) << "seed " << seed;
     }

@@ -36,8 +36,8 @@ class AutosaveFault : public ::testing::Test {
   TestFolder folder_;
 };
 
-/// While the disk stalls, every call returns immediately (otherwise this test would stall, too),
-/// samples keep arriving, and afterwards all of them are saved: 12 s of a hand at 1 kHz.
+/// While the disk stalls, every call returns immediately (otherwise this test would stall, too) and
+/// samples keep arriving. Afterwards all of them are saved: 12 s at 1 kHz.
 TEST_F(AutosaveFault, AStalledDiskHoldsNobodyUp) {
   AutosaveOptions how = options();
   AutosaveFixture desk({.roots = {folder_.at("unused")}});
@@ -136,7 +136,7 @@ TEST_F(AutosaveFault, WhateverFailsIsNeverTriedAgainInTheSameFile) {
   }
 }
 
-/// A database that failed in the middle of a commit has what was committed before.
+/// A database that failed in the middle of a commit still has all data of the previous commits.
 TEST_F(AutosaveFault, AStoreThatFailedHoldsItsLastCommit) {
   for (int nth = 12; nth < 60; nth += 3) {
     const TestFolder folder;
@@ -194,8 +194,8 @@ TEST_F(AutosaveFault, AFullDiskIsSaidAndFoundMended) {
   EXPECT_TRUE(desk.crashed().drawing.document == desk.ended());
 }
 
-/// A disk that takes a new folder but not a copy of the drawing: attempts that failed leave
-/// nothing.
+/// The disk has space for a new folder but not for a copy of the drawing. Failed attempts leave no
+/// files.
 TEST_F(AutosaveFault, RepeatedFailuresDoNotFillTheDisk) {
   const TestFolder folder;
   AutosaveOptions how = options();

@@ -11,21 +11,21 @@
 namespace felt {
 
 /// Reads an autosave database that may be damaged: skips rows that cannot be read, and reads those
-/// before and after them. Opening a database moves the WAL of a dead process into its file, so open
-/// only copies. Not thread-safe.
+/// before and after them. Open only copies, because SQLite moves the WAL of a dead process into the
+/// database file when it opens the database. Not thread-safe.
 class AutosaveReader {
  public:
   /// Opens a database. Fails if it is not an autosave database of this version, or if no part of it
-  /// can be read. Adds what SQLite's quick_check finds to `problems`.
+  /// can be read. Adds the errors that SQLite's quick_check finds to `problems`.
   static Result<AutosaveReader> open(const std::string& path, std::vector<std::string>& problems);
 
   AutosaveReader(AutosaveReader&& other) noexcept;
   AutosaveReader& operator=(AutosaveReader&& other) noexcept;
   ~AutosaveReader();
 
-  /// Calls `each` with every readable row of a table, by ascending key from `first` on. `columns`
-  /// come after the key. Requires that keys are consecutive numbers, except for deleted rows.
-  /// Returns false if some rows could not be read.
+  /// Calls `each` with every readable row of a table, by ascending key from `first` on. Each row
+  /// has the key and then `columns`. Requires that keys are consecutive numbers, except for deleted
+  /// rows. Returns false if some rows could not be read.
   bool rows(const std::string& table, const std::string& key, const std::string& columns,
             std::int64_t first, const std::function<void(const Statement&)>& each) const;
 

@@ -18,7 +18,7 @@ constexpr std::size_t kMaxHeadBytes = std::size_t{1} << 30;
 constexpr std::size_t kMinLayerBytes = 13, kMinRunStrokeBytes = 12;
 constexpr std::uint8_t kRowVisible = 1, kRowLocked = 2;
 
-/// Appends everything of a drawing but strokes and layers, as the bytes of a .felt file.
+/// Appends a drawing without its strokes and layers, as the bytes of a .felt file.
 Result<void> append_sheet(ByteWriter& out, const Drawing& drawing) {
   Drawing sheet;  // without document and extras
   sheet.page = drawing.page;

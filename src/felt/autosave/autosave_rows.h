@@ -32,7 +32,7 @@ inline constexpr std::array kAutosaveTables = {
     "length INTEGER NOT NULL, crc INTEGER NOT NULL, bytes BLOB NOT NULL)"};
 
 inline constexpr std::size_t kBasePartBytes =
-    std::size_t{64} << 10;  ///< usual size of a part; a damaged page costs up to eight of them
+    std::size_t{64} << 10;  ///< usual size of a part; a damaged page destroys up to eight parts
 inline constexpr std::size_t kMinTextBytes = 4;
 
 constexpr std::int64_t base_row(std::uint64_t generation, std::uint64_t part) noexcept {
@@ -46,7 +46,7 @@ inline constexpr const char* kCopiedDatabaseFile = "copy.db";
 /// Deletes the autosave's files in a folder, and the folder if nothing else is in it.
 Result<void> remove_autosave_folder(const std::string& folder);
 
-/// Returns the checksum of a row: of its numbers, then of its bytes.
+/// Returns the checksum of a row, which covers its numbers and then its bytes.
 std::int64_t row_crc(std::uint64_t a, std::uint64_t b, std::string_view bytes) noexcept;
 
 /// Returns the first part of a base, which has everything except the strokes.
@@ -66,7 +66,7 @@ Result<std::string> base_run_bytes(const Document& document, const Layer& layer,
 Result<BaseRun> read_base_run(std::string_view bytes);
 
 Result<std::string> info_bytes(const AutosaveInfo& about);
-/// Reads an AutosaveInfo. The document of its head is empty.
+/// Reads an AutosaveInfo. The document of AutosaveInfo::head is empty.
 Result<AutosaveInfo> read_info(std::string_view bytes);
 
 }  // namespace felt

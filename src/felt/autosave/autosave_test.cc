@@ -54,7 +54,7 @@ TEST(Autosave, EveryToolsGestureIsThere) {
   }
 }
 
-/// The edit thread stops at every point of a gesture, and the hand continues to draw.
+/// The edit thread hangs at every point of a gesture, and the user continues to draw.
 TEST(Autosave, AHungEditThreadCostsNoInk) {
   for (const char* tool : {"pencil", "pull", "eraser", "transform"}) {
     for (int told = 40; told <= 125; told += 5) {
@@ -140,8 +140,8 @@ TEST(Autosave, TheRestOfALineIsNoOtherGesture) {
   }
 }
 
-/// The edit thread resumes after it hung. Its late events are the samples that the loop had already
-/// reported.
+/// The edit thread resumes after it hung. Its late events are samples that the autosave already has
+/// from the haptic loop.
 TEST(Autosave, WhatIsToldLateIsNoInkTwice) {
   for (int told = 44; told <= 120; told += 4) {
     const TestFolder folder;

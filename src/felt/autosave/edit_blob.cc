@@ -65,8 +65,8 @@ LayerChange read_layer(ByteReader& in) {
   return c;
 }
 
-/// Fills in the current places of the strokes that change. Walks over all layers once if many
-/// strokes change, or looks up each stroke if only a few change.
+/// Fills in the current positions of the strokes that change. If many strokes change, walks over
+/// all layers once; if only a few change, looks up each stroke.
 Result<void> find_strokes(const Document& document, std::vector<StrokeChange>& changes) {
   constexpr std::size_t kFew = 8;
   std::unordered_map<std::uint64_t, StrokePlace> places;
@@ -139,7 +139,7 @@ Result<Edit> parse(std::string_view bytes) {
   return edit;
 }
 
-/// Applies one change as a separate edit, as far as possible.
+/// Applies one change as a separate edit, and adapts it to the document if necessary.
 void force(StrokeChange change, Document& document) {
   change.before = document.find(change.id);
   if (!change.before && !change.after) return;

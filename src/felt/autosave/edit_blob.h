@@ -10,8 +10,8 @@
 namespace felt {
 
 /// Appends the result of an edit as bytes, for the autosave: the strokes and layers that it adds,
-/// changes and removes, and their positions. Their earlier state is not written, because the
-/// document that the edit is applied to has it.
+/// changes and removes, and their positions. The state of these strokes and layers before the edit
+/// is not written, because the document to which the edit is applied has that state.
 Result<void> append_edit_blob(std::string& out, const Edit& edit);
 
 /// Returns the complete edit that these bytes describe, for this document. Fails if the bytes are

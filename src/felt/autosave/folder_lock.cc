@@ -64,7 +64,7 @@ FolderLock::~FolderLock() {
 
 Result<void> make_private_folder(const std::string& path) {
   for (std::size_t at = 1; (at = path.find('/', at)) != std::string::npos; ++at) {
-    ::mkdir(path.substr(0, at).c_str(), 0700);  // an error of the last one is reported below
+    ::mkdir(path.substr(0, at).c_str(), 0700);  // an error for the last folder is reported below
   }
   if (::mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) {
     return lock_error(path, "cannot be made");

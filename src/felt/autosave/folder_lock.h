@@ -7,18 +7,18 @@
 
 namespace felt {
 
-/// Locks a folder for one process at a time, by flock on the file `lock` in it. The system releases
-/// the lock when the process ends for any reason. A file system without locks cannot hold an
-/// AutosaveDatabase either, because SQLite locks its file, too.
+/// Locks a folder for one process at a time, by flock on the file `lock` in the folder. The system
+/// releases the lock when the process ends for any reason. A file system without locks cannot hold
+/// an AutosaveDatabase either, because SQLite locks its file, too.
 ///
 /// SQLite's exclusive lock of the database is not sufficient:
-///   - the folder must also be locked while the database does not have its final name yet, and
-///     while it holds only a copy for recovery, so that no process mistakes it for an abandoned
+///   - the folder must also be locked before the database has its final name, and while the folder
+///     holds only a copy for recovery. Otherwise another process could mistake it for an abandoned
 ///     autosave;
-///   - a recovery holds the lock for minutes and must not write; SQLite, however, recovers the WAL
-///     when it locks a database, and refuses to open a damaged database;
-///   - it is a POSIX lock, which is lost if its process also reads the file directly (to copy it).
-///     Then a second process could open the database and delete the WAL.
+///   - a recovery holds the lock for minutes and must not write. To lock a database, however,
+///     SQLite has to open it: it then recovers the WAL, and it refuses a damaged database;
+///   - SQLite's lock is a POSIX lock, which is lost if its process also reads the file directly (to
+///     copy it). Then a second process could open the database and delete the WAL.
 class FolderLock {
  public:
   /// Locks a folder. Fails if another process or another object of this process has locked it
@@ -37,7 +37,7 @@ class FolderLock {
 };
 
 /// Creates a folder that only this user can read (mode 0700), and its parent folders. Fails if the
-/// path is not a folder, belongs to another user, stays accessible to others, or the system
+/// path is not a folder, belongs to another user, stays accessible to other users, or the system
 /// refuses. The message names the folder.
 Result<void> make_private_folder(const std::string& path);
 

@@ -100,7 +100,7 @@ void LiveInk::event_applied(const Event& event, bool gesture_in_progress) {
   if (touches && !open_) open();
   if (in_contact(sample)) last_contact_ns_ = event.time_ns;
   if (!open_) {
-    // If the pen is still down, its gesture has ended. The rest of the contact does nothing, and
+    // The stretch has ended. If the pen is still down, the rest of this contact draws nothing and
     // must not be saved as another gesture.
     if (contact_.is_down()) return hover_.clear();
     hover_.push_back(event);
@@ -120,7 +120,7 @@ void LiveInk::add_loop_sample(const PenSample& sample) {
   if (sample.time_ns > session_ns_ && overhang_.size() < kMaxOverhang) overhang_.push_back(sample);
 }
 
-/// Returns true if an option has selected the material of this key.
+/// Returns true if an option has selected the material with this key.
 bool LiveInk::is_chosen(std::string_view key) const {
   const std::string_view id = key.substr(key.find(' ') + 1);
   return std::any_of(options_.begin(), options_.end(), [&](const auto& option) {
@@ -129,8 +129,8 @@ bool LiveInk::is_chosen(std::string_view key) const {
   });
 }
 
-/// Starts a stretch. Its first chunk has everything that the ink of the gesture depends on besides
-/// the document, as events and the selection.
+/// Starts a stretch. Its first chunk has all state besides the document on which the ink of the
+/// gesture depends: events and the selection.
 void LiveInk::open() {
   open_ = true;
   const std::int64_t time_ns = hover_.empty() ? 0 : hover_.front().time_ns;
@@ -155,8 +155,7 @@ void LiveInk::open() {
     out.u64(id.value);
     out.text({reinterpret_cast<const char*>(marks.data()), marks.size()});
   }
-  // If the stretch has no contact yet, its time out of contact counts from the session's last
-  // event.
+  // If the stretch has no contact yet, kNoEditNs counts from the session's last event.
   last_contact_ns_ = std::max(last_contact_ns_, session_ns_);
 }
 
@@ -170,8 +169,8 @@ void LiveInk::close() {
   kept_ns_ = INT64_MIN;
 }
 
-/// Returns true if the pen comes down in the overhang. If so, removes its samples that belong to a
-/// gesture that has ended.
+/// Returns true if the pen touches the surface in the overhang. If so, removes the samples of the
+/// overhang that belong to a gesture that has ended.
 bool LiveInk::overhang_touches() {
   Contact contact = contact_;
   std::size_t over = 0;

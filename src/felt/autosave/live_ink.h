@@ -23,18 +23,19 @@ struct LiveChunk {
 };
 
 /// The part of a drawing that is not an edit yet, as chunks of an AutosaveDatabase: the gesture in
-/// progress, with everything that its ink depends on besides the document. It has two sources:
-///   - the events that the session handled, in order, from the edit thread;
+/// progress, and all state besides the document that its ink depends on. The chunks are made from
+/// two sources:
+///   - the events that the session accepted, in order, from the edit thread;
 ///   - the samples of the haptic loop, from the autosave's own ring, even if the session has not
-///     handled them yet. The samples after the session's last event are the *overhang*. It grows
-///     while the edit thread hangs, and its ink counts as drawn.
-/// A stretch of chunks begins when the pen touches the surface. It ends with the edit of that
-/// gesture, or when it is clear that the gesture makes no edit (kNoEditNs). Uses no clock, thread
-/// or file. Not thread-safe.
+///     received them yet. The samples after the session's last event are the *overhang*. It grows
+///     while the edit thread hangs. Recovery draws the ink of these samples, too.
+/// The chunks of one gesture are a *stretch*. It begins when the pen touches the surface. It ends
+/// with the edit of the gesture, or when it is clear that the gesture makes no edit (kNoEditNs).
+/// Uses no clock, thread or file. Not thread-safe.
 class LiveInk {
  public:
-  static constexpr std::size_t kHoverSamples = 64;  ///< enough for velocity and contact to settle
-  /// A gesture that made no edit ends after the pen has been out of contact for this time.
+  static constexpr std::size_t kHoverSamples = 64;  ///< enough to settle velocity and contact
+  /// If a gesture makes no edit, its stretch ends after the pen was out of contact for this time.
   static constexpr std::int64_t kNoEditNs = 200'000'000;
   /// Maximum size in bytes of a stretch, which corresponds to ten minutes without a lift. Anything
   /// beyond it is not saved.
@@ -42,18 +43,20 @@ class LiveInk {
 
   /// Prepares for a new session: discards everything except the device.
   void clear();
-  /// Adds an event that sets what the next gesture depends on: options, tool, device, layer.
+  /// Adds an event that sets state on which the next gesture depends: option, tool, device,
+  /// material or layer.
   void add_context(const Event& event);
   void set_selection(Selection selection) { selection_ = std::move(selection); }
-  /// Adds an event that the session handled. `gesture_in_progress` is the state just before it.
+  /// Adds an event that the session accepted. If it is a pen sample, `gesture_in_progress` says
+  /// whether a gesture was in progress before the sample.
   void event_applied(const Event& event, bool gesture_in_progress);
   /// Ends the stretch, because the document has applied an edit that contains the gesture.
   void edit_applied();
   /// Adds a sample of the haptic loop, on the session's clock.
   void add_loop_sample(const PenSample& sample);
 
-  /// Changes of the stretch since the last call. If `clear` is true, first delete the chunks in the
-  /// database. Then add `chunks`.
+  /// Changes of the stretch since the last take_changes(). To apply them, first delete all chunks
+  /// in the database if `clear` is true, then add `chunks`.
   struct Changes {
     bool clear = false;
     std::vector<LiveChunk> chunks;
@@ -78,7 +81,7 @@ class LiveInk {
   std::string tool_;
   LayerId layer_;
   Selection selection_;
-  std::deque<Event> hover_;         // the session's last hover samples
+  std::deque<Event> hover_;         // the last hover samples that the session received
   std::deque<PenSample> overhang_;  // may begin with hover samples
   std::int64_t session_ns_ = INT64_MIN, last_contact_ns_ = INT64_MIN, kept_ns_ = INT64_MIN;
   Contact contact_;  // contact state after the session's last sample
@@ -92,7 +95,7 @@ class LiveInk {
 struct LiveStretch {
   Selection selection;
   std::string script;               ///< events as lines
-  std::vector<PenSample> overhang;  ///< in order; the script may also contain some of them
+  std::vector<PenSample> overhang;  ///< in order; `script` may also contain some of these samples
 };
 
 /// Adds a chunk to `stretch`. Fails if its bytes are damaged.

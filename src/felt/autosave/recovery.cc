@@ -67,7 +67,7 @@ class DatabaseCopy {
     std::string name = place + "/copy-XXXXXX";
     if (!::mkdtemp(name.data())) return fail(ErrorCode::kIo, place + ": cannot be written to");
     folder_ = name;
-    // Locked, so that no process deletes it as an abandoned autosave.
+    // Locks the copy's folder, so that no process deletes it as an abandoned autosave.
     Result<FolderLock> lock = FolderLock::take(folder_);
     if (!lock) return tl::unexpected(lock.error());
     lock_ = *std::move(lock);
@@ -87,7 +87,7 @@ class DatabaseCopy {
   std::optional<FolderLock> lock_;
 };
 
-/// Assembles a drawing from the rows of a database.
+/// Builds a drawing from the rows of a database.
 class Assembly {
  public:
   explicit Assembly(const AutosaveReader& database, std::vector<std::string> problems)
@@ -291,12 +291,12 @@ class Assembly {
     sink.event = [&](const Event& event) {
       told_ns = std::max(told_ns, event.time_ns);
       Result<void> done = session.apply(event);
-      // The last edit may have removed the layer in use before the new one was saved. The session
-      // then uses the highest layer, as the original one did.
+      // The last edit may have removed the active layer before the new active layer was saved. The
+      // session then uses the highest layer, as the original session did.
       if (!done && std::holds_alternative<LayerEvent>(event.what)) done = {};
       return done;
     };
-    // If an event fails, the gesture ends there, with the ink so far.
+    // If an event fails, the gesture ends at that event, with the ink so far.
     if (const Result<void> done = read_script("line", read_text(stretch.script), sink); !done) {
       problem("the line that was being drawn could not be drawn to its end: " +
               done.error().message);
@@ -335,9 +335,9 @@ std::vector<AbandonedAutosave> find_abandoned_autosaves(const std::vector<std::s
       if (!entry.is_directory(error) || entry.is_symlink(error)) continue;
       std::string folder = entry.path().string();
       Result<FolderLock> lock = FolderLock::take(folder);
-      if (!lock) continue;  // its process lives
+      if (!lock) continue;  // its process is still running
       const fs::file_status there = fs::status(folder + '/' + kAutosaveDatabaseFile, error);
-      // If the file cannot be examined, it may be a drawing, so it is left alone.
+      // If the file cannot be examined, it may be a drawing, so the folder is kept.
       if (there.type() == fs::file_type::none) continue;
       if (fs::exists(there)) {
         const std::int64_t when = autosave_changed_at(folder);

@@ -17,7 +17,7 @@ struct Recovered {
   std::string path;               ///< the user's file, or ""
   bool has_changes = false;       ///< true if the drawing has unsaved changes
   std::int64_t changed_at_s = 0;  ///< when the autosave was last written, seconds since 1970
-  std::uint64_t edits = 0;        ///< applied since the base
+  std::uint64_t edits = 0;        ///< number of edits that were applied to the base
   /// Time of the newest sample in the drawing, on the session's clock; -1 if no gesture was in
   /// progress.
   std::int64_t last_sample_ns = -1;
@@ -25,7 +25,7 @@ struct Recovered {
   std::vector<std::string> problems;
 };
 
-/// The autosave of a dead process. It stays locked while this object exists.
+/// The autosave of a dead process. Its folder stays locked while this object exists.
 struct AbandonedAutosave {
   std::string folder;
   FolderLock lock;
@@ -36,19 +36,19 @@ struct AbandonedAutosave {
 };
 
 /// Returns all autosaves below these folders whose process has ended, the newest first. Ignores
-/// folders that do not exist. Also deletes folders without a drawing, which remain if the program
-/// was killed during its start or a recovery.
+/// roots that do not exist. Also deletes folders without a drawing, which remain if the program was
+/// killed while it started or during a recovery.
 std::vector<AbandonedAutosave> find_abandoned_autosaves(const std::vector<std::string>& roots);
 
-/// Returns the last state of the drawing: base, edits, and the unfinished gesture drawn from its
-/// samples. Works on a copy beside the folder (or in the folder for temporary files if that fails),
-/// and deletes the copy afterwards. The autosave itself is only read, so recovery can always be
-/// repeated.
+/// Returns the last state of the drawing: the base with all edits applied, and the unfinished
+/// gesture, drawn again from its samples. Works on a copy of the database beside the folder, or in
+/// the folder for temporary files if the copy beside it fails, and deletes the copy afterwards. The
+/// autosave itself is only read, so recovery can always be repeated.
 ///
-/// From a damaged autosave it returns what is intact, and reports the rest in `problems`: it skips
-/// rows with a wrong checksum, replaces an incomplete base by the user's file, and keeps the
-/// strokes of edits that no longer fit. Fails if nothing can be read; the message names the folder.
-/// Safe to call from any thread.
+/// From a damaged autosave it returns the intact parts, and reports the other parts in `problems`.
+/// It skips rows with a wrong checksum, replaces an incomplete base with the user's file, and keeps
+/// the strokes of edits that no longer fit. Fails if nothing can be read; the message names the
+/// folder. Safe to call from any thread.
 Result<Recovered> recover_autosave(const std::string& folder);
 
 }  // namespace felt

@@ -30,7 +30,7 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
   if (path != "-") file.target_ = resolved(path);
   struct stat info {};
   const bool exists = path != "-" && ::stat(file.target_.c_str(), &info) == 0;
-  // If stat fails for another reason, a file may be there: don't treat it as missing.
+  // If stat fails for another reason than ENOENT, the file may exist: don't treat it as missing.
   if (path != "-" && !exists && errno != ENOENT) return file.error("cannot be looked at");
   const bool replaceable = path != "-" && (!exists || S_ISREG(info.st_mode));
   if (exists && S_ISDIR(info.st_mode)) {
@@ -207,7 +207,8 @@ Result<void> AtomicFile::check_in_place(std::string_view expected) {
     if (!previous_.empty()) ::unlink(previous_.c_str());
     return {};
   }
-  // If another program has replaced the file, its file is newer than ours: don't restore the old.
+  // If another program has replaced our file in the meantime, its file is newer: don't restore the
+  // old file.
   struct stat ours {
   }, there{};
   const bool is_ours = ::fstat(fd_, &ours) == 0 && ::stat(target_.c_str(), &there) == 0 &&

@@ -17,13 +17,14 @@ namespace felt {
 ///   2. `write` appends, any number of times; `overwrite` corrects bytes already written.
 ///   3. `commit` makes the file durable and replaces `path`: flush, fsync, rename, fsync of the
 ///      folder.
-/// If it is destroyed without `commit`, nothing is left behind and `path` is unchanged.
+/// If the object is destroyed without `commit`, nothing is left behind and `path` is unchanged.
 ///
 /// Symbolic links are followed. An existing file keeps its permissions and extended attributes, and
 /// its owner if the system allows it; a read-only file is not replaced. If `path` is not a regular
 /// file (a pipe, /dev/stdout), it cannot be replaced: `commit` copies the bytes into it. Stdout,
 /// named "-", is handled in the same way. Every error names the file and the reason. A failed fsync
-/// is not retried, because the system may have dropped the bytes: start again with a new file.
+/// is not retried, because the system may have dropped the bytes. In that case, start again with a
+/// new AtomicFile.
 class AtomicFile {
  public:
   /// Opens the temporary file. Fails if `path` is empty, a folder, or may not be written.
@@ -40,8 +41,9 @@ class AtomicFile {
   Result<void> overwrite(std::uint64_t offset, std::string_view bytes);
   /// Completes the file. Call once; nothing may be written afterwards.
   Result<void> commit();
-  /// Commits like commit(), and verifies the file as described for save_file(). Used for drawings,
-  /// because no other copy of them exists. Requires `bytes` to be everything that was written.
+  /// Completes the file like commit(), and verifies it as described for save_file(). Used for
+  /// drawings, because no other copy of a drawing exists. Requires `bytes` to be everything that
+  /// was written.
   Result<void> commit_verified(std::string_view bytes);
 
  private:
@@ -71,13 +73,13 @@ class AtomicFile {
 /// Writes a complete file, or writes to stdout if the path is "-".
 Result<void> write_file(const std::string& path, std::string_view bytes);
 
-/// Writes a document: like write_file(), with verification. Success means that `bytes` are on the
-/// disk under this name.
-///  * The new file is reopened and compared with `bytes` before and after the rename, reading from
-///    the disk if the system allows it.
-///  * Until then the old file keeps a second, hidden name. It is restored if the new file turns out
-///    to be different from `bytes`.
-///  * Afterwards the leftovers of killed processes are removed.
+/// Writes a document like write_file(), and verifies it. Success means that `bytes` are on the disk
+/// under this name.
+///  * The new file is reopened and compared with `bytes` before and after the rename. The
+///    comparison reads from the disk, not from the page cache, if the system allows it.
+///  * Until the second comparison the old file keeps a second, hidden name. If the new file then
+///    differs from `bytes`, the old file is restored.
+///  * Afterwards the files that killed processes left beside it are removed.
 Result<void> save_file(const std::string& path, std::string_view bytes);
 
 }  // namespace felt

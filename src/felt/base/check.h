@@ -1,7 +1,7 @@
 #pragma once
 
-/// Checks for programmer errors: on in every build, except inside the haptic tick
-/// (docs/decisions/0001-expected-for-errors.md). Bad data and faulty devices are not programmer
+/// Checks for programmer errors (docs/decisions/0001-expected-for-errors.md). They are active in
+/// every build; the haptic tick does not use them. Bad data and faulty devices are not programmer
 /// errors; they are reported as `Result`.
 
 namespace felt::detail {

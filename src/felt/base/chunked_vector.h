@@ -9,9 +9,9 @@
 namespace felt {
 
 /// A sequence that grows at its end and never moves its elements, so that appending the millionth
-/// element costs the same as the first. Ink grows while samples are processed, where the copy made
-/// by a growing `std::vector` would be a stall. `clear()` keeps the memory, so that a reused vector
-/// does not allocate after warm-up (`std::deque` frees its chunks).
+/// element costs the same as the first. Used for ink in progress: a growing `std::vector` would
+/// copy all its elements and delay the next sample. `clear()` keeps the memory, so that a reused
+/// vector does not allocate again (`std::deque` frees its chunks).
 ///
 /// Requires: T is default constructible and copyable. Not thread-safe.
 template <class T, std::size_t kChunk = 256>

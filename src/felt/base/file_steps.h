@@ -25,8 +25,9 @@ int open_file(const std::string& path, int flags, mode_t permissions = 0) noexce
 /// Calls write(2) until everything is written.
 bool write_all(int fd, std::string_view bytes) noexcept;
 
-/// Opens a file without a name in `folder`; it vanishes with the process. Returns -1 if the system
-/// does not support such files, or cannot name them later. The umask applies to `permissions`.
+/// Opens a file without a name in `folder`; the system deletes it when the process ends. Returns -1
+/// if the system does not support such files, or cannot give them a name later. The umask applies
+/// to `permissions`.
 int open_unnamed(const std::string& folder, mode_t permissions);
 /// Creates a file with a new hidden name beside `target` and stores the name in `name`. Returns the
 /// descriptor, or -1 with errno.
@@ -52,12 +53,12 @@ std::string keep_beside(const std::string& path);
 /// opened.
 bool sync_folder(const std::string& folder) noexcept;
 
-/// Removes the files that dead processes left beside `target`. The second names of old files are
-/// removed only if `old_ones` is true: pass true only if `target` is known to be complete. Files
-/// that a running process still uses are locked (hold_lock) and stay.
+/// Removes the files that dead processes left beside `target`. Files that a running process still
+/// uses are locked (hold_lock) and stay. The second names of old files (keep_beside) are removed
+/// only if `old_ones` is true. Pass true only if `target` is known to be complete.
 void remove_leftovers(const std::string& target, bool old_ones);
-/// Locks the file for as long as it is open, to show that its process is alive. Does nothing if the
-/// file system has no locks.
+/// Locks the file for as long as it is open, to show other processes that it is in use. Does
+/// nothing if the file system has no locks.
 void hold_lock(int fd) noexcept;
 
 }  // namespace felt::file_steps

@@ -8,9 +8,9 @@
 
 namespace felt {
 
-/// Counts whole numbers, such as durations in ns or distances in nm, in buckets of 1/64 relative
-/// width (exact below 128). Memory is constant, and histograms of several threads can be added.
-/// After Gil Tene's HdrHistogram.
+/// Counts whole numbers, such as durations in ns or distances in nm, in buckets. A bucket is at
+/// most 1/64 of its numbers wide; numbers below 128 are counted exactly. The memory is constant,
+/// and the histograms of several threads can be added. Based on Gil Tene's HdrHistogram.
 class Histogram {
  public:
   /// Counts one number; a negative one counts as 0.
@@ -30,7 +30,8 @@ class Histogram {
   /// Returns the exact largest number, or 0 if the histogram is empty.
   [[nodiscard]] std::uint64_t max() const noexcept { return max_; }
 
-  /// Returns the smallest bucket edge that is not below at least `fraction` of the numbers.
+  /// Returns the smallest upper edge of a bucket such that at least `fraction` of the numbers are
+  /// at most as large; never more than max().
   [[nodiscard]] std::uint64_t quantile(double fraction) const noexcept {
     const double wanted = fraction * static_cast<double>(total_);
     std::uint64_t seen = 0;
@@ -42,7 +43,7 @@ class Histogram {
   }
 
  private:
-  static constexpr unsigned kBits = 6;  // of mantissa
+  static constexpr unsigned kBits = 6;  // 2^kBits buckets for each power of two
   static constexpr std::uint64_t kSteps = std::uint64_t{1} << kBits;
 
   static std::size_t bucket_of(std::uint64_t value) noexcept {

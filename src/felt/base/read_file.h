@@ -7,13 +7,14 @@
 
 namespace felt {
 
-/// Returns all bytes of a file, or of stdin for "-". Reads to the end, whatever size the system
-/// reports, so that pipes and devices work. Fails if the file cannot be read, is a folder, or has
-/// more than `max_bytes`; the error names the file and the reason.
+/// Returns all bytes of a file, or of stdin for "-". Reads to the end even if the system reports
+/// another size, so that pipes and devices work. Fails if the file cannot be read, is a folder, or
+/// has more than `max_bytes`; the error names the file and the reason.
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
 
-/// Returns all bytes of a regular file. For names from an untrusted source: also fails for a pipe
-/// or a device, because it may block or never end; "-" is an ordinary name here, not stdin.
+/// Returns all bytes of a regular file. Use it for names from an untrusted source: it also fails
+/// for a pipe or a device, because reading that may block or never end; "-" is an ordinary name
+/// here, not stdin.
 Result<std::string> read_regular_file(const std::string& path, std::size_t max_bytes);
 
 }  // namespace felt

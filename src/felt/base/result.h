@@ -27,7 +27,7 @@ struct Error {
 template <class T>
 using Result = tl::expected<T, Error>;
 
-/// Returns an error to be returned as a `Result`.
+/// Makes an error that a function can return as its `Result`.
 tl::unexpected<Error> fail(ErrorCode code, std::string message);
 /// Returns fail(ErrorCode::kInvalidData, message).
 tl::unexpected<Error> invalid_data(std::string message);

@@ -17,8 +17,8 @@ using CellAddress = std::pair<std::int64_t, std::int64_t>;
 template <class Entry>
 using CellGrid = std::map<CellAddress, std::vector<Entry>>;
 
-/// Returns the row or column of a coordinate. The last row or column, 10^12, contains everything
-/// beyond it.
+/// Returns the row or column of a coordinate. The result is clamped to -10^12 .. 10^12, so that the
+/// outermost rows and columns contain everything beyond them.
 inline std::int64_t grid_line(double mm, double cell_mm) noexcept {
   constexpr double kLastLine = 1e12;
   return static_cast<std::int64_t>(std::clamp(std::floor(mm / cell_mm), -kLastLine, kLastLine));
@@ -29,7 +29,7 @@ inline CellAddress grid_cell(Point p, double cell_mm) noexcept {
 }
 
 /// Calls visit(iterator) for every non-empty cell that meets the area. `visit` returns the iterator
-/// of the next cell, so that it may erase the current one. For a huge area, this takes no longer
+/// of the next cell, so that it may erase the current cell. For a huge area, this takes no longer
 /// than visiting all non-empty cells.
 template <class Cells, class Visit>
 void for_each_cell_in(Cells& cells, const Rect& area, double cell_mm, Visit visit) {

@@ -20,8 +20,8 @@ tl::unexpected<Error> misfit(std::string what) {
   return fail(ErrorCode::kInvalidArgument, std::move(what));
 }
 
-/// Fails if an id changes twice, because it would be undefined which change wins, or if an id is
-/// zero.
+/// Fails if an id is zero, or if the same id changes twice, because it would be undefined which
+/// change is the final one.
 template <class Change>
 Result<void> check_ids(const std::vector<Change>& changes) {
   std::vector<decltype(Change::id)> ids;
@@ -175,7 +175,8 @@ class Document::Plan {
                    is_in_place)) {
       return;
     }
-    // Sorts by id first, because a linear search for each layer would make n new layers cost n^3.
+    // Sorts by id first, because with a linear search for each layer, n new layers would take n^3
+    // steps.
     std::sort(layers.begin(), layers.end(),
               [](const Layer& a, const Layer& b) { return a.id < b.id; });
     std::vector<Layer> arranged;

@@ -11,7 +11,7 @@
 
 namespace felt {
 
-/// A layer: strokes in drawing order, and its name and whether it is visible and locked.
+/// A layer: its strokes in drawing order, its name, and whether it is visible and locked.
 struct Layer {
   LayerId id;
   std::string name;
@@ -23,9 +23,9 @@ struct Layer {
   friend bool operator==(const Layer&, const Layer&) = default;
 };
 
-/// A table of immutable strokes by id, in layers. It changes only by edits, so that undo, autosave
-/// and display see the same changes. A copy shares the strokes and is linear in their number. Not
-/// thread-safe; give other threads a copy.
+/// A table of immutable strokes by id, in layers. Only edits change a document, so that undo,
+/// autosave and display see the same changes. A copy shares the strokes and takes linear time in
+/// their number. Not thread-safe; give other threads a copy.
 ///
 /// Every stroke is in exactly one layer, once. A document always has at least one layer. The id of
 /// a removed stroke is not reused. Only tools respect locked layers: the document applies every
@@ -35,18 +35,18 @@ class Document {
   /// Creates a document with one empty layer, "Ink".
   Document();
 
-  /// Applies an edit completely or not at all. Fails if the edit does not fit this document: it
-  /// names a `before` that the document does not have, an unknown layer, or a position that is
-  /// beyond the end or used twice. The message names the edit, the stroke or layer, and the reason.
-  /// Linear in the changes, and in the strokes above the lowest stroke that moves.
+  /// Applies an edit completely or not at all. Fails if the edit does not fit this document: a
+  /// `before` differs from what the document has, a layer is unknown, or a position is beyond the
+  /// end or used twice. The message names the edit, the stroke or layer, and the reason. Takes
+  /// linear time in the changes and in the strokes above the lowest stroke that moves.
   Result<void> apply(const Edit& edit);
 
   /// Returns the stroke with this id, or null if the document has no such stroke.
   [[nodiscard]] StrokePtr find(StrokeId id) const;
-  /// Returns the position of a stroke. Requires that the document has the stroke. Linear in the
-  /// strokes above it.
+  /// Returns the position of a stroke. Requires that the document has the stroke. Takes linear time
+  /// in the strokes above it.
   [[nodiscard]] StrokePlace place(StrokeId id) const;
-  /// Returns the layer of a stroke. Requires that the document has it.
+  /// Returns the layer of a stroke. Requires that the document has the stroke.
   [[nodiscard]] LayerId layer_of(StrokeId id) const;
   /// Returns the layers, the lowest first.
   [[nodiscard]] std::span<const Layer> layers() const noexcept { return layers_; }
@@ -59,8 +59,8 @@ class Document {
   /// Returns an id that no layer of this document ever had.
   [[nodiscard]] LayerId new_layer_id() const noexcept { return {last_layer_id_ + 1}; }
 
-  /// Marks all ids up to these as used. Readers call this so that ids from before the save are not
-  /// reused.
+  /// Marks all ids up to these as used. Readers of files call this so that ids used before the
+  /// drawing was saved are not reused.
   void reserve_ids(StrokeId stroke, LayerId layer) noexcept;
 
   /// Returns true if the same strokes, by value, are at the same positions in the same layers.

@@ -12,15 +12,16 @@
 
 namespace felt {
 
-/// The part of a drawing that a window shows. Changing it does not count as an unsaved change.
+/// The part of a drawing that a window shows. A change of the viewport does not count as an unsaved
+/// change.
 struct Viewport {
-  static constexpr double kMaxMm = 1e6;  ///< of `center` from the page's origin, in x and y
+  static constexpr double kMaxMm = 1e6;  ///< limit of the coordinates of `center`
   static constexpr double kMinPxPerMm = 1e-4;
   static constexpr double kMaxPxPerMm = 1e5;
 
   Point center;            ///< mm, shown at the middle of the window
-  double px_per_mm = 4.0;  ///< device-independent pixels
-  double angle_deg = 0.0;  ///< clockwise on the screen, -180..180; mirroring comes first
+  double px_per_mm = 4.0;  ///< scale, in device-independent pixels
+  double angle_deg = 0.0;  ///< clockwise on the screen, -180..180; applied after mirroring
   bool mirrored = false;
   friend bool operator==(const Viewport&, const Viewport&) = default;
 };
@@ -40,19 +41,19 @@ class DrawingExtras {
 };
 
 /// A whole drawing, as readers return it and writers accept it. It has no undo history and no
-/// selection. A copy shares the strokes; copying is linear in their number.
+/// selection. A copy shares the strokes and takes linear time in their number.
 struct Drawing {
   Document document{};
   SheetPage page{};
   /// False if the file that it was read from has no page size. `page` then has the default size;
   /// its surface is valid.
   bool has_page = true;
-  Rgba color{};                    ///< of new ink
+  Rgba color{};                    ///< colour of new ink
   LayerId layer{};                 ///< active layer; zero if the user has not chosen one
   Palette palette{};               ///< the drawing's own colours, within PaletteLimits
   std::optional<Viewport> view{};  ///< absent if the drawing was never shown
-  /// Texts of the materials that it uses and that are not built in (is_material_text), at most
-  /// limits::kMaxMaterialTexts.
+  /// Texts of the materials that the drawing uses and that are not built in (is_material_text); at
+  /// most limits::kMaxMaterialTexts.
   std::vector<std::string> materials{};
   std::shared_ptr<const DrawingExtras> extras{};  ///< may be null
 

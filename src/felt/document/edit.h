@@ -83,8 +83,8 @@ struct Edit {
   std::vector<LayerChange> layers = {};
 
   [[nodiscard]] bool empty() const noexcept { return changes.empty() && layers.empty(); }
-  /// Returns the edit that undoes this one, in which before and after are swapped. The inverse of
-  /// the result is this edit.
+  /// Returns the edit that undoes this edit: `before` and `after` are swapped. The inverse of the
+  /// result is this edit.
   [[nodiscard]] Edit inverse() const;
   friend bool operator==(const Edit&, const Edit&) = default;
 };

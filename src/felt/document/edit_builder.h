@@ -22,12 +22,14 @@ class EditBuilder {
   /// Adds a new stroke on top of its layer, in the order of the calls. Returns its id. Requires
   /// that the document has the layer.
   StrokeId add(LayerId layer, StrokePtr stroke);
-  /// Replaces a stroke with another shape at the same position. Requires that the document has it.
+  /// Replaces a stroke with another shape at the same position. Requires that the document has the
+  /// stroke.
   void replace(StrokeId id, StrokePtr stroke);
-  /// Removes a stroke. Requires that the document has it.
+  /// Removes a stroke. Requires that the document has the stroke.
   void remove(StrokeId id);
 
-  /// Returns the edit. Linear in the changes and in the layers that they touch.
+  /// Returns the edit. Takes linear time in the number of changes and in the size of the changed
+  /// layers.
   [[nodiscard]] Edit build(std::string label) &&;
 
  private:
@@ -43,8 +45,8 @@ class EditBuilder {
 /// must not change while this object is used.
 class StrokeReplacement {
  public:
-  /// Looks up the stroke. Linear in the size of the layer. Requires that the document has the
-  /// stroke.
+  /// Looks up the stroke in linear time in the size of its layer. Requires that the document has
+  /// the stroke.
   StrokeReplacement(const Document& document, StrokeId id);
 
   [[nodiscard]] StrokeId id() const noexcept { return id_; }

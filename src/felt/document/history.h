@@ -13,11 +13,11 @@ namespace felt {
 /// The edits of a document, for undo and redo: one step per gesture (R52). The steps hold the
 /// strokes themselves, so undo restores them bit for bit.
 ///
-/// Memory: any number of steps up to `memory_limit_bytes` of strokes and lists. If the limit is
-/// exceeded, the oldest steps are discarded; the document does not change. The newest step is
-/// always kept, because otherwise the largest change could not be undone. A stroke is counted in
-/// every step that holds it, so the memory really used is at most the counted memory. Not
-/// thread-safe.
+/// The number of steps is not limited, but their strokes and lists may take at most
+/// `memory_limit_bytes`. If this limit is exceeded, the oldest steps are discarded; the document
+/// does not change. The newest step is always kept, because otherwise the largest change could not
+/// be undone. A stroke is counted in every step that holds it, so the memory in use is at most the
+/// counted memory. Not thread-safe.
 class History {
  public:
   static constexpr std::size_t kDefaultLimitBytes = std::size_t{256} << 20;
@@ -32,7 +32,8 @@ class History {
   /// Undoes the last step and returns the edit that undid it, which is already applied. Fails
   /// without a change if no step can be undone, or if the document was changed without record().
   Result<Edit> undo(Document& document);
-  /// Redoes the last undone step and returns the edit that redid it. Fails as undo() does.
+  /// Redoes the last undone step and returns the edit that redid it. Fails under the same
+  /// conditions as undo().
   Result<Edit> redo(Document& document);
 
   [[nodiscard]] bool can_undo() const noexcept { return done_ > 0; }
@@ -51,8 +52,8 @@ class History {
   /// Returns the number of all recorded steps: first those that can be undone, the oldest first,
   /// then those that can be redone.
   [[nodiscard]] std::size_t step_count() const noexcept { return steps_.size(); }
-  /// Returns the label of step i. Requires i < step_count(). Valid as long as the result of
-  /// undo_label().
+  /// Returns the label of step i. Requires i < step_count(). Valid until the next call that changes
+  /// the history.
   [[nodiscard]] std::string_view label(std::size_t i) const noexcept {
     return steps_[i].edit.label;
   }
@@ -76,7 +77,8 @@ class History {
   std::uint64_t forgotten_number_ = 0;  // number of the last discarded step
 };
 
-/// Returns the memory that an edit keeps alive, in bytes; a stroke counts once for each mention.
+/// Returns the memory, in bytes, of an edit and its strokes. A stroke counts once for each time
+/// that the edit contains it.
 std::size_t memory_of(const Edit& edit) noexcept;
 
 }  // namespace felt

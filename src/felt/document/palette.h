@@ -18,7 +18,7 @@ struct NamedColor {
 /// Colours to choose from. Files hold a palette within PaletteLimits.
 struct Palette {
   std::string name;         ///< "" if it has none
-  std::size_t columns = 0;  ///< number of columns to show it in; 0 for any number
+  std::size_t columns = 0;  ///< number of columns in which to show it; 0 if any number will do
   std::vector<NamedColor> colors;
   friend bool operator==(const Palette&, const Palette&) = default;
 };

@@ -16,7 +16,7 @@ template <class Id>
 struct Reordered {
   std::size_t from = 0;
   std::vector<Id> tail;
-  std::size_t size = 0;  ///< of the whole list afterwards
+  std::size_t size = 0;  ///< size of the whole list afterwards
 
   void apply_to(std::vector<Id>& list) const {
     if (from == list.size() && tail.empty()) return;
@@ -37,8 +37,8 @@ class Moves {
   void keep(std::size_t index, Id id) { kept_.push_back({index, id}); }
 
   /// Returns the new order. Requires that the indices of remove() are in the list and unique. Fails
-  /// if an index of add() is beyond the end or used twice. Linear in the elements above the lowest
-  /// move.
+  /// if an index of add() is beyond the end or used twice. Takes linear time in the number of
+  /// elements from the lowest move on.
   template <class T>
   Result<Reordered<Id>> reorder(std::span<const T> old) {
     if (removed_.empty() && added_.empty()) {

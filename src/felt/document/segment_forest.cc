@@ -7,7 +7,8 @@
 namespace felt {
 namespace {
 
-/// Limit of the coordinates in the tree of boxes; SegmentBvh clamps its own in the same way.
+/// Limit of the coordinates in the tree of boxes. SegmentBvh clamps the coordinates of segments to
+/// the same limit.
 constexpr double kFarthest = 1e18;
 /// Largest size of a segment of the first size class. Each further class is four times as large.
 constexpr double kSmallMm = 16.0;
@@ -78,8 +79,8 @@ std::vector<Key> keys_of(std::span<const BvhSegment> segments) {
   return keys;
 }
 
-/// Sorts the keys into two halves along the longer side of what they cover; returns the size of the
-/// first.
+/// Sorts the keys into two halves along the longer side of the area that they cover. Returns the
+/// size of the first half.
 std::size_t halve(std::span<Key> keys) {
   Rect cover;
   for (const Key& k : keys) cover.extend(k.middle);
@@ -208,7 +209,7 @@ void SegmentForest::erase(Place place) {
   show_box(place.leaf);
 }
 
-/// Returns the leaf near the middle of the box that has the box's size class and needs to grow
+/// Returns a leaf of the box's size class near the middle of the box: the leaf that needs to grow
 /// least. Makes a new leaf if the class has no leaf.
 std::uint32_t SegmentForest::leaf_for(const Rect& box) {
   const int size_class = class_of(box);
@@ -387,8 +388,8 @@ std::optional<SegmentForest::Hit> SegmentForest::nearest(Point place, double rad
                                                          Work* work) const {
   if (!(radius_mm >= 0.0)) return std::nullopt;
   Search search{place, radius_mm};
-  // Searches the leaves around the place first, because a segment found there rules out most
-  // others.
+  // Searches the leaves around the place first, because a segment found there excludes most of the
+  // other leaves.
   Rect area{place.x, place.y, place.x, place.y};
   leaf_boxes_.for_each_in(area, [&](std::uint32_t i) {
     if (leaves_[i].box.contains(place)) search.ask(leaves_[i]);

@@ -23,8 +23,8 @@ namespace felt {
 /// a few:
 ///
 ///  * a segment that stays within the box of its leaf is refitted in place;
-///  * a new segment, or a segment that leaves the box of its leaf, is stored in the leaf near its
-///    middle that needs to grow least;
+///  * a new segment, or a segment that leaves the box of its leaf, is stored in a leaf near its
+///    middle: the leaf whose box needs to grow least;
 ///  * a full leaf is split in two, and a degraded one is sorted again: both sort at most
 ///    kLeafSegments.
 ///
@@ -49,15 +49,16 @@ class SegmentForest {
     Nearest nearest;
   };
 
-  /// Work of one query. Used to test how it grows.
+  /// Work of one query. Tests use it to measure how the work grows with the document.
   struct Work {
     int leaves = 0;
-    int nodes = 0;   ///< of the leaves
-    int pieces = 0;  ///< of curves (nearest.h)
+    int nodes = 0;   ///< nodes of the leaves' trees
+    int pieces = 0;  ///< pieces of curves (nearest.h)
   };
 
-  /// Adds, changes and removes these strokes. Linear in their segments times the logarithm of all
-  /// segments. Many new segments in one call are sorted together with the existing ones.
+  /// Adds, changes and removes these strokes. The time is proportional to the number of their
+  /// segments times the logarithm of the number of all segments. Many new segments in one call are
+  /// sorted together with the existing ones.
   void update(std::span<const Change> changes);
 
   /// Returns the segment nearest to `place`, or nullopt if no segment is within radius_mm. If
@@ -88,10 +89,10 @@ class SegmentForest {
     return leaves_.size() - free_leaves_.size();
   }
   /// Returns the number of segments that were sorted since construction because a leaf was split,
-  /// sorted again or built. This measures the cost of edits beyond their own segments. Used by
-  /// tests.
+  /// sorted again or built. This measures the work of edits that is not for their own segments.
+  /// Used by tests.
   [[nodiscard]] std::uint64_t sorted_count() const noexcept { return sorted_; }
-  /// Returns the number of leaves' boxes that were sorted since construction.
+  /// Returns how many boxes of leaves were sorted since construction.
   [[nodiscard]] std::uint64_t sorted_leaf_count() const noexcept { return sorted_leaves_; }
 
  private:
@@ -127,7 +128,7 @@ class SegmentForest {
 
   std::vector<Leaf> leaves_;
   std::vector<std::uint32_t> free_leaves_;
-  SegmentBvh leaf_boxes_;  // handle = leaf; the diagonal of its box represents it
+  SegmentBvh leaf_boxes_;  // handle = index of the leaf; the diagonal of its box stands for it
   std::map<StrokeId, std::vector<Place>> places_;  // by segment
   std::size_t segments_ = 0;
   std::size_t box_changes_ = 0;  // number of box changes since the last sort

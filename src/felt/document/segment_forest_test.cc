@@ -91,7 +91,7 @@ void expect_right(const SegmentForest& forest, const Strokes& strokes, RandomStr
   }
 }
 
-/// Makes changes like a user: strokes of all sizes are drawn, erased, moved, cut and made longer.
+/// Makes changes like a user: strokes of all sizes are drawn, erased, moved, cut and lengthened.
 std::vector<SegmentForest::Change> random_changes(const Strokes& strokes, std::uint64_t& last_id,
                                                   RandomStroke& random) {
   std::map<StrokeId, StrokePtr> changes;

@@ -13,14 +13,15 @@ namespace felt {
 
 /// The selected control points of strokes (paper, "Transformations": the lasso selects control
 /// points, not pixels; docs/design/editing.md#lasso). A value type. The selection is not part of
-/// the document or of undo, but is updated after every edit: removed strokes are no longer
-/// selected; replaced strokes keep their marks if the number of their points stays the same. If
-/// that number changes, the stroke stays selected only if all its points were selected.
+/// the document, and undo does not restore it, but it is updated after every edit. Removed strokes
+/// are no longer selected. A replaced stroke keeps its marks if the number of its points stays the
+/// same. If that number changes, the stroke stays selected only if all its points were selected;
+/// then all its new points are selected.
 ///
-/// The marks of a stroke are one byte for each of StrokeData::points, 1 = selected. The first and
-/// the last point of a closed stroke are the same point and have the same mark. point_marks.h
-/// completes marks so that smooth joints stay smooth. A stroke without a selected point is not in
-/// the selection.
+/// The marks of a stroke are one byte for each of StrokeData::points: 1 if the point is selected,
+/// otherwise 0. The first and the last point of a closed stroke are the same point and have the
+/// same mark. point_marks.h completes marks so that smooth joints stay smooth. A stroke without a
+/// selected point is not in the selection.
 class Selection {
  public:
   using Marks = std::vector<std::uint8_t>;
@@ -39,23 +40,23 @@ class Selection {
   /// Replaces the marks of a stroke; removes the stroke from the selection if no mark is set.
   /// Requires one mark for each point.
   void set(StrokeId id, Marks marks);
-  /// Selects all of a stroke with `points` control points.
+  /// Selects all points of a stroke that has `points` control points.
   void set_whole(StrokeId id, std::size_t points);
   void remove(StrokeId id);
   void clear() noexcept { strokes_.clear(); }
 
   /// Updates the selection for an edit that was applied, also by undo or redo.
   void follow(const Edit& edit);
-  /// Like the function above, and also deselects strokes that are now in a hidden or locked layer,
-  /// because the next command must change exactly what is selected. `document` is the document
-  /// after the edit. Linear in the changes of the edit, or in the selection if the edit changes a
-  /// layer.
+  /// Does the same as the function above, and also deselects strokes that are now in a hidden or
+  /// locked layer, because the next command must change exactly what is selected. `document` is the
+  /// document after the edit. Takes linear time in the changes of the edit, and also in the
+  /// selection if the edit changes a layer.
   void follow(const Edit& edit, const Document& document);
   /// Deselects strokes that cannot be selected in this document: those that do not exist, are in a
   /// hidden or locked layer, or have another number of points.
   void hold_to(const Document& document);
   /// Returns the box around the selected on-curve points and handles; empty if the selection is
-  /// empty. Requires that `document` is the document that the selection belongs to.
+  /// empty. Requires that `document` is the document to which the selection belongs.
   [[nodiscard]] Rect bounds(const Document& document) const;
 
   friend bool operator==(const Selection&, const Selection&) = default;

@@ -15,7 +15,7 @@ struct SheetPage {
 
   double width_mm = 297.0;  ///< A4, landscape; kMinMm..kMaxMm
   double height_mm = 210.0;
-  Rgba paper{255, 255, 255, 255};  ///< alpha 0: no background is drawn, printed or exported
+  Rgba paper{255, 255, 255, 255};  ///< if alpha is 0, no background is drawn, printed or exported
   /// Id of the surface (SurfaceMaterial::id), UTF-8 of at most 4096 bytes. If no surface was chosen
   /// (as in files of other programs), it is "" and the user's current surface is used. An unknown
   /// id is kept.

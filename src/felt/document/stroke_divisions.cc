@@ -8,8 +8,8 @@
 namespace felt {
 namespace {
 
-/// Returns the place of a stroke. Layers are filled from the bottom up, so their ids mostly ascend,
-/// and a binary search usually finds it.
+/// Returns the place of a stroke. Layers are filled from the bottom up, so the ids in a layer
+/// mostly ascend, and a binary search usually finds the stroke.
 StrokePlace place_of(const Document& document, StrokeId id) {
   const LayerId in = document.layer_of(id);
   const auto& strokes = document.layer(in)->strokes;
@@ -60,7 +60,7 @@ Edit StrokeDivisions::build(const Document& document, std::string label) const {
   edit.changes.reserve(divided_.size() + parts_);
   std::uint64_t made = 0;
   LayerId layer;
-  std::size_t added = 0, removed = 0;  // parts and strokes below in the layer
+  std::size_t added = 0, removed = 0;  // parts and divided strokes below in the layer
   for (const auto& [place, division] : divided_) {
     if (place.first != layer) {
       layer = place.first;

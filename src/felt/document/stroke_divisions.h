@@ -10,9 +10,9 @@
 
 namespace felt {
 
-/// Builds edits that divide strokes into parts, repeatedly during a gesture, for previews of
-/// erasing and cutting at 1 kHz. A stroke is divided into zero, one or several parts, which are new
-/// strokes at its position in the drawing order.
+/// Builds edits that divide strokes into parts, again and again during a gesture. This is fast
+/// enough for previews of erasing and cutting at 1 kHz. A stroke is divided into zero, one or
+/// several parts, which are new strokes at its position in the drawing order.
 ///
 ///   StrokeDivisions cut;
 ///   cut.set(document, id, {left, right});      // as often as the parts change
@@ -26,12 +26,13 @@ class StrokeDivisions {
   /// stroke takes logarithmic time in the size of its layer if the ids in the layer ascend,
   /// otherwise linear time.
   void set(const Document& document, StrokeId id, std::vector<StrokePtr> parts);
-  /// Removes the parts of the stroke, so that the edit leaves it whole.
+  /// Removes the parts of the stroke, so that the edit does not divide it.
   void unset(StrokeId id);
   void clear() noexcept;
 
   [[nodiscard]] bool empty() const noexcept { return divided_.empty(); }
-  /// Returns the number of changes that build() makes, that is, of divided strokes plus parts.
+  /// Returns the number of changes that build() makes: the number of divided strokes plus the
+  /// number of parts.
   [[nodiscard]] std::size_t size() const noexcept { return divided_.size() + parts_; }
   /// Returns the edit. Takes linear time in the number of divided strokes and parts, independent of
   /// the size of the document. New ids are given in drawing order, so the edit depends only on the

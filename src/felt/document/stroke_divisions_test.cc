@@ -15,8 +15,8 @@ StrokePtr some_stroke(double x) {
   return std::make_shared<const Stroke>(testing::straight_stroke({x, 0}, {x, 9}, 1, 1));
 }
 
-/// Returns a document with two layers of `count` strokes. Some of the lower layer are moved, so
-/// that ids do not ascend there.
+/// Returns a document with two layers of `count` strokes. Some strokes of the lower layer are
+/// moved, so that the ids in it do not ascend.
 Document two_layers(std::size_t count, std::mt19937_64& random) {
   Document document;
   EXPECT_TRUE(document.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Top"}, 0, 1}}}));

@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::array kTips = {StrokeTip::kStart, StrokeTip::kEnd};
 
-/// Radii of the first and the last circle that nearest() searches before the whole radius.
+/// Radii, in mm, of the first and the last circle that nearest() searches before it searches the
+/// whole radius.
 constexpr double kFirstReachMm = 8.0;
 constexpr double kLastReachMm = 1e7;
 

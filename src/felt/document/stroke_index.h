@@ -43,17 +43,17 @@ struct StrokeHit {
 /// snapping, and the segments of all editable strokes: those in visible and unlocked layers.
 ///
 /// The segments of each layer are in a forest of trees (SegmentForest). A query takes logarithmic
-/// time in the segments of each editable layer; an edit takes about a microsecond per segment.
-/// Hiding, locking and showing a layer takes no time per stroke. Ends are in a uniform grid. A
-/// query visits the non-empty cells that its circle covers, and the ends in them. Results do not
-/// depend on the order in which strokes were added.
+/// time in the number of segments of each editable layer. An edit takes about a microsecond per
+/// segment. The time to hide, lock or show a layer does not depend on its strokes. Ends are in a
+/// uniform grid. A query for ends visits the non-empty cells that its circle covers, and the ends
+/// in these cells. Results do not depend on the order in which strokes were added.
 ///
 /// When a document of more than kIndexedAtOnce strokes is opened, no stroke is sorted. A stroke is
 /// sorted only when a query or an edit comes near it (UnindexedStrokes), at about 2 us per segment.
 /// Not thread-safe, even for queries, because queries sort strokes.
 class StrokeIndex {
  public:
-  /// Width in mm above which a stroke is kept in a separate list. Such strokes are few.
+  /// Strokes broader than this, in mm, are kept in a separate list. Such strokes are few.
   static constexpr double kBroadMm = 50.0;
   static constexpr std::size_t kIndexedAtOnce = 20'000;
 
@@ -82,8 +82,8 @@ class StrokeIndex {
   }
   /// Calls visit(StrokeId, int segment) once for every segment of an editable stroke if its ink
   /// could intersect the area, and for some other segments near the area. The order is unspecified.
-  /// Strokes broader than kBroadMm do not widen the search for the others, because each of them is
-  /// tested by itself.
+  /// Strokes broader than kBroadMm do not widen the search for other strokes, because each broad
+  /// stroke is tested separately.
   template <class Visit>
   void for_each_ink_in(const Rect& area, Visit visit) const {
     const Rect reach = area.inflated(usual_half_mm_);
@@ -166,7 +166,7 @@ class StrokeIndex {
   };
 
   double cell_mm_;
-  // Queries move strokes from `unindexed_` to the other two.
+  // Queries move strokes from `unindexed_` to `layers_` and `cells_`.
   mutable std::map<LayerId, LayerSegments> layers_;
   mutable CellGrid<Entry> cells_;
   mutable UnindexedStrokes unindexed_;

@@ -242,7 +242,7 @@ TEST(StrokeIndex, OpeningALargeDocumentSortsOnlyWhatIsAskedFor) {
   ASSERT_GT(d.stroke_count(), StrokeIndex::kIndexedAtOnce);
   StrokeIndex index(d);
   constexpr std::size_t kAll = std::size_t{kSide} * kSide;
-  EXPECT_EQ(index.unindexed_count(), kAll);  // the long one is indexed immediately
+  EXPECT_EQ(index.unindexed_count(), kAll);  // the long stroke is indexed immediately
   EXPECT_EQ(index.tip_count(), 2 * (kAll + 1));
   EXPECT_EQ(index.nearest({1002, 1001}, 8)->point, (Point{1002, 1000}));
   EXPECT_EQ(index.nearest_tip(d, {1400, 1400}, 8)->point, (Point{1400, 1400}));

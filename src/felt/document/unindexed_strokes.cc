@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSmallestCellMm = 32.0;
 constexpr double kCellGrowth = 4.0;
-/// Half a cell and a margin for rounding, in cells.
+/// How far a stroke can reach beyond its cell, in cells: half a cell, and a margin for rounding.
 constexpr double kReachCells = 0.51;
 
 double cell_mm(std::size_t grid) noexcept {

@@ -30,8 +30,8 @@ class UnindexedStrokes {
 
   /// Adds a stroke. Returns false, and adds nothing, if it is too large for every grid.
   bool add(const Entry& entry);
-  /// Moves every stroke with a curve that may intersect `area`, and some other strokes near the
-  /// area, to `taken`.
+  /// Moves to `taken` every stroke with a curve that may intersect `area`, and some other strokes
+  /// near the area.
   void take(const Rect& area, std::vector<Entry>& taken);
   /// Moves the strokes that share a cell with `stroke` to `taken`.
   void take_around(const Stroke& stroke, std::vector<Entry>& taken);

@@ -11,7 +11,7 @@ namespace felt {
 /// The layers of a document to include.
 enum class LayerChoice { kAll, kVisible };
 
-/// Returns the strokes of visible layers in drawing order. They are shared, not copied.
+/// Returns the strokes of visible layers in drawing order. The strokes are shared, not copied.
 std::vector<StrokePtr> visible_strokes(const Document& document);
 
 /// Returns the bounds of the ink in these layers; empty if they contain no ink.

@@ -19,26 +19,29 @@ struct ReadOptions {
   ImportOptions import{};
   /// Refuses pipes and devices, because they may never end. Set it in programs with a window.
   bool files_only = false;
-  /// Recovers what is intact in a damaged .felt file (felt_salvage.h), and reports what is missing.
+  /// Recovers the intact parts of a damaged .felt file (felt_salvage.h), and reports which parts
+  /// are missing.
   bool salvage = false;
 };
 
 /// Reads a whole drawing of any readable format (docs/formats/README.md). "-" is stdin. The first
-/// bytes determine the format, not the name. If the name suggests another format, this is reported.
-/// A record of .ndjson that is not a stroke is skipped and reported. Raw pen samples become ink.
+/// bytes of the file determine the format, not its name. If the name suggests another format, a
+/// notice is added to the report. A record of .ndjson that is not a stroke is skipped and reported.
+/// Fits strokes to raw pen samples.
 ///
 /// The file is not trusted. Fails if it cannot be read, is a folder, exceeds the format's size
 /// limit, has no known format, or is damaged; the message begins with the path. Safe to call from
 /// any thread.
 Result<Imported> read_drawing(const std::string& path, const ReadOptions& options = {});
 
-/// The same, for bytes in memory that were read from `path`. Messages do not begin with the path.
+/// Reads a drawing from bytes in memory that were read from `path`. Messages do not begin with the
+/// path.
 Result<Imported> parse_drawing(std::string_view bytes, const std::string& path,
                                const ReadOptions& options = {});
 
-/// Returns the format of a file: by its first bytes or, if they are not recognised, by its name.
-/// Fails if neither is known or if the format cannot be read; the message does not begin with the
-/// path.
+/// Returns the format of a file. It is determined by the first bytes or, if they are not
+/// recognised, by the name. Fails if neither is recognised, or if the format is only written; the
+/// message does not begin with the path.
 Result<FileFormat> readable_format(std::string_view head, const std::string& path);
 
 }  // namespace felt

@@ -20,16 +20,17 @@ struct WriteOptions {
   std::optional<Rect> area{};
   /// Background colour instead of the page's colour. If alpha is 0, no background is drawn.
   std::optional<Rgba> paper{};
-  double dpi = 300.0;  ///< of a .png file
-  Grain grain{};       ///< relief of the surface in the ink of a .png file
-  /// The relief in .svg and .pdf, in which strokes stay outlines (GrainPrint). If absent, the grain
-  /// is not shown.
+  double dpi = 300.0;  ///< resolution of a .png file
+  Grain grain{};       ///< how the surface shows in the ink of a .png file
+  /// How the surface shows in the ink of .svg and .pdf files, in which strokes stay outlines
+  /// (GrainPrint). If absent, the grain is not shown.
   std::optional<GrainPrint> grain_print{};
 };
 
 /// Returns the content of a file in parts, so that several threads can make them and not all parts
-/// need to be in memory (.felt and .png have one part). Together they are what drawing_bytes()
-/// returns. Valid as long as the drawing. Fails as drawing_bytes() does.
+/// need to be in memory (.felt and .png have one part). All parts together are the result of
+/// drawing_bytes(). Valid as long as `drawing` exists. Fails under the same conditions as
+/// drawing_bytes().
 Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, FileFormat format,
                                                     const WriteOptions& options = {});
 

@@ -30,10 +30,10 @@ bool is_compressed_name(const std::string& path);
 /// Number of bytes of a file that format_of_bytes() needs.
 inline constexpr std::size_t kFormatHeadBytes = 4096;
 
-/// Returns the format that the first bytes of a file show, for any file name: It recognises the
-/// marks of SQLite, gzip, zip, PDF and PNG; the first element of XML, in UTF-8 or UTF-16, after
-/// comments and a document type; and a brace for lines of JSON. Returns nullopt for anything else.
-/// The bytes are not trusted.
+/// Returns the format of a file by its first bytes, whatever its name. Recognises the signatures of
+/// SQLite, gzip, zip, PDF and PNG. Recognises XML by its first element after comments and a
+/// document type, in UTF-8 or UTF-16, and lines of JSON by a brace. Returns nullopt for anything
+/// else. The bytes are not trusted.
 std::optional<FileFormat> format_of_bytes(std::string_view head);
 
 /// The content of lines of JSON, determined by the keys of the first line that identifies it.

@@ -23,13 +23,13 @@ struct FormatTraits {
                               ///< written
   bool page = false;          ///< holds the size and colour of the page
   bool lossless = false;      ///< strokes, layers and page are read back exactly as they were
-  bool picture = false;       ///< a picture: `dpi`, grain and area have an effect
-  std::string_view widths{};  ///< how varying widths are stored: a clause
+  bool picture = false;       ///< a picture: WriteOptions::dpi, grain and area have an effect
+  std::string_view widths{};  ///< how varying widths are stored, as a clause
   std::string_view taken{};   ///< what is read from files of other programs; "" if nothing
-  std::string_view kept{};    ///< what a file of this format keeps of a drawing: one sentence
+  std::string_view kept{};    ///< what a file of this format keeps of a drawing, as a sentence
 };
 
-/// Returns the rows of all formats, the richest first.
+/// Returns the rows of all formats. The format that can hold most is the first.
 std::span<const FormatTraits> format_table() noexcept;
 
 /// Returns the row of a format.

@@ -14,15 +14,15 @@
 
 namespace felt {
 
-/// Makes a stroke from a line of JSON (docs/formats/ndjson.md): a fitted stroke exactly as given,
-/// raw pen samples (in mm) by fitting them. Reusable; the result depends only on the line. Not
-/// thread-safe.
+/// Makes a stroke from a line of JSON (docs/formats/ndjson.md). Reads a fitted stroke exactly as
+/// given, and fits a stroke to raw pen samples (in mm). One object can read many lines; each result
+/// depends only on its line. Not thread-safe.
 class LineStrokes {
  public:
   explicit LineStrokes(const InkFitOptions& fit = {}) : fitter_(fit) {}
 
-  /// Returns the stroke of a line, or nullopt for a header. Its id is "" if the line has none.
-  /// Fails if the line is not a stroke.
+  /// Returns the stroke of a line, or nullopt for a header. The id of the stroke is "" if the line
+  /// has no id. Fails if the line is not a stroke.
   Result<std::optional<NamedStroke>> read(const NdjsonLine& line);
   /// Returns true if the stroke of the last line had rounded coordinates that were corrected
   /// (mend_rounding).
@@ -42,18 +42,19 @@ class LineStrokes {
 inline constexpr const char* kMendedNotice =
     "has rounded coordinates; smooth joints were moved by less than 0.001 mm or became corners";
 
-/// Reads lines of JSON (docs/formats/ndjson.md) into one layer without a page: fitted strokes
-/// exactly as given, raw pen samples (in mm) by fitting them. A line that is not a stroke is
-/// skipped and reported. A stroke without a name is named after its number among the strokes.
+/// Reads lines of JSON (docs/formats/ndjson.md) into a drawing with one layer and no page. Reads
+/// fitted strokes exactly as given, and fits strokes to raw pen samples (in mm). A line that is not
+/// a stroke is skipped and reported. A stroke without a name is named after its number among the
+/// strokes.
 ///
-/// Fails if there are lines but none could be read (with the first reason), or if they contain
-/// events.
+/// Fails if the text has lines but none could be read, with the first reason. Also fails if the
+/// lines are events.
 Result<Imported> import_lines(std::string_view text, const ImportOptions& options = {});
 
-/// Whether a first line that identifies the file is written.
+/// Whether to write a first line that identifies the file.
 enum class LineHeader { kWritten, kLeftOut };
 
-/// Returns the strokes of visible layers as lines, in parts. Valid as long as the drawing.
+/// Returns the strokes of visible layers as lines, in parts. Valid as long as `drawing` exists.
 std::unique_ptr<DrawingParts> line_parts(const Drawing& drawing,
                                          LineHeader header = LineHeader::kWritten);
 

@@ -39,7 +39,7 @@ constexpr Affine then(const Affine& first, const Affine& second) noexcept {
   return {x.x, x.y, y.x, y.y, origin.x, origin.y};
 }
 
-/// Returns the map that moves by v.
+/// Returns the translation by v.
 constexpr Affine translation(Vec v) noexcept {
   return {1.0, 0.0, 0.0, 1.0, v.x, v.y};
 }
@@ -54,7 +54,7 @@ constexpr Affine about(Point centre, double a, double b, double c, double d) noe
           centre.y - (b * centre.x + d * centre.y)};
 }
 
-/// Returns the rotation by `angle_rad` from +x to +y about `centre`.
+/// Returns the rotation about `centre` by `angle_rad`; a positive angle turns +x to +y.
 inline Affine rotation(double angle_rad, Point centre = {}) noexcept {
   const double cosine = std::cos(angle_rad), sine = std::sin(angle_rad);
   return about(centre, cosine, sine, -sine, cosine);
@@ -76,8 +76,8 @@ constexpr double determinant(const Affine& m) noexcept {
   return m.a * m.d - m.b * m.c;
 }
 
-/// Returns the inverse map, or nullopt if m is singular up to rounding (|det| at most 1e-14 of the
-/// sum of its two products) or not finite.
+/// Returns the inverse map, or nullopt if m is not finite, or singular up to rounding:
+/// |det| <= 1e-14 (|a d| + |b c|).
 constexpr std::optional<Affine> inverse(const Affine& m) noexcept {
   const double ad = m.a * m.d, bc = m.b * m.c, det = ad - bc;
   const double size = (ad < 0.0 ? -ad : ad) + (bc < 0.0 ? -bc : bc);

@@ -14,8 +14,8 @@
 
 namespace felt {
 
-/// Identifies a segment by the caller's numbers. The tree only stores the reference. If two
-/// segments are equally near, the one with the lower reference is returned.
+/// The caller's numbers for a segment: its stroke, and its index in that stroke. The tree only
+/// stores them. If two segments are equally near, the one with the lower reference is returned.
 struct SegmentRef {
   std::uint64_t stroke = 0;
   std::uint32_t segment = 0;
@@ -30,8 +30,8 @@ struct BvhSegment {
 };
 
 /// Limit on the work of one nearest query. The default keeps any query, even an adversarial one,
-/// near 100 us of CPU: a node costs about 20 ns (100 ns if it is not in the cache), a piece of a
-/// curve (nearest.h) about 80 ns.
+/// near 100 us of CPU time: a node takes about 20 ns (100 ns if it is not in the cache), and a
+/// piece of a curve (nearest.h) about 80 ns.
 struct BvhWorkCap {
   int nodes = 384;
   int pieces = 640;
@@ -41,11 +41,11 @@ struct BvhWorkCap {
 /// rectangle.
 ///
 /// Structure: every node has up to 8 children and stores their boxes as four rows of 8 floats,
-/// rounded outwards, so that one pass of vector arithmetic tests them all. There are no pointers:
-/// each level is an array without gaps, and the children of node j of a level are the nodes
-/// 8j .. 8j + 7 of the level below. The lowest level has the tight boxes of the segments, which are
-/// stored in an array in the same order. 10^6 segments take 7 levels and 107 bytes a segment,
-/// including the curve.
+/// rounded outwards, so that one pass of vector arithmetic tests all eight. Nodes have no pointers:
+/// each level is an array without gaps, and the children of node j of a level are the nodes 8j ..
+/// 8j + 7 of the level below. The lowest level has the tight boxes of the segments, which are
+/// stored in an array in the same order. For 10^6 segments the tree has 7 levels and takes 107
+/// bytes per segment, including the curve.
 ///
 /// Life cycle:
 ///  1. `build` sorts the segments (allocates). Their *handles* are 0, 1, ... in the order given.
@@ -55,8 +55,8 @@ struct BvhWorkCap {
 ///  4. If `rebuild_advised` returns true, call `rebuild`, which sorts again (allocates); handles
 ///    stay the same.
 ///
-/// Segments with a coordinate that is not finite are stored but never found. Segments beyond
-/// 1e18 mm are found, but without pruning among them.
+/// Segments with a coordinate that is not finite are stored but never found. Segments beyond 1e18
+/// mm are found, but a query has to visit all of them.
 class SegmentBvh {
  public:
   /// The handle that refers to no segment.
@@ -65,9 +65,9 @@ class SegmentBvh {
   /// A query for the segment nearest to `point`.
   struct Query {
     Point point;
-    /// Segments farther away than this are not reported. If it is NaN, nothing is found.
+    /// Segments farther away than this are not reported. If the radius is NaN, nothing is found.
     double radius_mm = std::numeric_limits<double>::infinity();
-    /// Handle of a segment that is probably near, such as the last hit. Only makes the search
+    /// Handle of a segment that is probably near, such as the last hit. It only makes the search
     /// faster.
     std::uint32_t seed = kNone;
     BvhWorkCap cap{};
@@ -81,7 +81,7 @@ class SegmentBvh {
     /// True if no segment in the tree is nearer (up to 1e-14 of the sizes involved); false if the
     /// work cap ended the search first.
     bool proven = true;
-    BvhWorkCap used{0, 0};  ///< work done
+    BvhWorkCap used{0, 0};  ///< the work that was done
 
     /// Returns true if a segment was found.
     [[nodiscard]] explicit operator bool() const noexcept { return handle != kNone; }

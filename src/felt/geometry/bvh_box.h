@@ -12,7 +12,7 @@
 namespace felt {
 
 /// Coordinates are clamped to kBvhFarthest before they become floats, so that squares stay finite.
-/// Clamping can only shorten distances, so they stay lower bounds.
+/// Clamping can only shorten the distances to boxes, so these distances stay lower bounds.
 inline constexpr double kBvhFarthest = 1e18;
 
 /// Returns the largest float not above v.

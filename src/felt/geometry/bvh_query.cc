@@ -120,7 +120,7 @@ class SegmentBvh::NearestSearch {
       Floats dx = left > right ? left : right, dy = above > below ? above : below;
       dx = dx > zero ? dx : zero;
       dy = dy > zero ? dy : zero;
-      const Floats squared = dx * dx + dy * dy;  // infinity for absent children
+      const Floats squared = dx * dx + dy * dy;  // infinity if the child is absent
       mask |= bits_of(squared <= limit_float_) << (4 * h);
       std::memcpy(&d[4 * h], &squared, sizeof squared);
     }

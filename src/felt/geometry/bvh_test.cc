@@ -48,7 +48,7 @@ double brute_force(const SegmentBvh& tree, Point p) {
   return best;
 }
 
-// The hit is correct and proven, and has the right reference.
+// Expects that the hit is correct and proven, and has the right reference.
 void expect_right(const SegmentBvh& tree, const SegmentBvh::Query& query) {
   const SegmentBvh::Hit hit = tree.nearest(query);
   const double truth = brute_force(tree, query.point);

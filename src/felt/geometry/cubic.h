@@ -55,8 +55,9 @@ constexpr Cubic straight(Point a, Point b) noexcept {
   return Cubic{{a, lerp(a, b, 1.0 / 3.0), lerp(a, b, 2.0 / 3.0), b}};
 }
 
-/// Returns the part [t0, t1] as a segment, reversed if t0 > t1. Parts that meet at a parameter
-/// share that point bit for bit, and [0, 1] gives c itself. Source: blossoms (Ramshaw).
+/// Returns the part [t0, t1] as a segment, reversed if t0 > t1. Two parts that end at the same
+/// parameter have exactly the same end point there, and [0, 1] gives c itself. Source: blossoms
+/// (Ramshaw).
 Cubic sub_segment(const Cubic& c, double t0, double t1) noexcept;
 
 /// Returns the same curve in the opposite direction: reversed(c)(t) = c(1 - t).
@@ -73,8 +74,8 @@ inline bool is_finite(const Cubic& c) noexcept {
 /// rounding of `evaluate`. Empty if a coordinate is not finite.
 Rect bounds(const Cubic& c) noexcept;
 
-/// Returns the rectangle around the four control points. It contains `bounds(c)` and takes a tenth
-/// of the time.
+/// Returns the rectangle around the four control points. It contains `bounds(c)` and is computed in
+/// a tenth of the time.
 constexpr Rect control_bounds(const Cubic& c) noexcept {
   Rect box;
   for (const Point& p : c.p) box.extend(p);
@@ -82,9 +83,10 @@ constexpr Rect control_bounds(const Cubic& c) noexcept {
 }
 
 /// Returns an upper bound in mm of the distance from any point of the curve to its chord, the
-/// straight line *segment* p0 p3; 0 exactly if the curve lies on it. Because the distance to a
-/// convex set is convex, dist f(t) <= b1(t) dist p1 + b2(t) dist p2 <= 3/4 max(dist p1, dist p2).
-/// At most 1.7 times too large for curves without inflection.
+/// straight line *segment* p0 p3. The bound is 0 if and only if the curve lies on the chord.
+/// Because the distance to a convex set is a convex function, dist f(t) <= b1(t) dist p1 + b2(t)
+/// dist p2 <= 3/4 max(dist p1, dist p2). For curves without inflection, the bound is at most 1.7
+/// times too large.
 double flatness(const Cubic& c) noexcept;
 
 /// Returns the unit direction of travel at t in [0, 1]. If f' is zero there (a zero handle, a
@@ -106,9 +108,10 @@ inline double control_length(const Cubic& c) noexcept {
 inline constexpr double kLengthAccuracyMm = 1e-9;
 
 /// Returns the arc length in mm of the part between t0 and t1 in [0, 1] (in either order), within
-/// `accuracy_mm` or 1e-14 of the control polygon, whichever is larger. Adaptive Gauss-Kronrod
-/// (7, 15) on an explicit stack, at most 256 pieces; pieces near a cusp are halved until they are
-/// negligible, because error estimates are unreliable there. NaN if a coordinate is not finite.
+/// `accuracy_mm` or 1e-14 of the control polygon, whichever is larger. Adaptive Gauss-Kronrod (7,
+/// 15) on an explicit stack, at most 256 pieces; pieces near a cusp are halved until they are
+/// negligible, because error estimates are unreliable there. Returns NaN if a coordinate is not
+/// finite.
 double arc_length(const Cubic& c, double t0, double t1,
                   double accuracy_mm = kLengthAccuracyMm) noexcept;
 

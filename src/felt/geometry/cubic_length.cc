@@ -79,8 +79,9 @@ double integrate(const Speed& speed, double t0, double t1, double accuracy) noex
         part.error <= piece.accuracy &&
         (speed.smooth_around(middle, piece.t1 - piece.t0) || part.value <= 0.25 * accuracy);
     if (!good && waiting < kMaxDepth && pieces < kMaxPieces) {
-      // The shares of the halves need not add up to 1: only the half with the cusp is halved again,
-      // with a quarter of the error, and elsewhere the 15 point rule is far better than estimated.
+      // Each half may use 0.7 of the accuracy of the whole piece. The sum of 1.4 is no problem:
+      // only the half with the cusp is halved again, with a quarter of the error, and elsewhere the
+      // 15 point rule is far better than its estimate.
       const double share = 0.7 * piece.accuracy;
       stack[static_cast<unsigned>(waiting++)] = {middle, piece.t1, share};
       piece = {piece.t0, middle, share};

@@ -42,7 +42,8 @@ RC_GTEST_PROP(Cubic, R1_EvaluateIsTheBernsteinForm, ()) {
   };
   const double x = bernstein(c.p[0].x, c.p[1].x, c.p[2].x, c.p[3].x);
   const double y = bernstein(c.p[0].y, c.p[1].y, c.p[2].y, c.p[3].y);
-  // Absolute for a sheet of 1 m; the hard cases reach 10 m, where an ulp is already 2e-12.
+  // The tolerance is absolute up to 1 m and relative beyond it: the hard cases reach 10 m, where an
+  // ulp is already 2e-12.
   RC_ASSERT(std::fabs(x - at.x) <= 1e-12 * std::max(1.0, 1e-3 * std::fabs(x)));
   RC_ASSERT(std::fabs(y - at.y) <= 1e-12 * std::max(1.0, 1e-3 * std::fabs(y)));
   RC_ASSERT(evaluate(c, 0.0) == c.p[0]);
@@ -160,9 +161,9 @@ RC_GTEST_PROP(Cubic, ParameterAtLengthUndoesArcLength, ()) {
 TEST(Cubic, LengthOfKnownCurves) {
   EXPECT_NEAR(arc_length(straight({0, 0}, {3, 4})), 5.0, 1e-12);
   EXPECT_EQ(arc_length(Cubic{}), 0.0);
-  // Out along x to 3/4 of the handle and back again.
+  // The curve goes along x to 3/4 of the handle and back again.
   EXPECT_NEAR(arc_length(Cubic{{Point{0, 0}, {1, 0}, {1, 0}, {0, 0}}}, 1e-12), 1.5, 1e-12);
-  // y = x^2 from 0 to 1, from its closed form.
+  // The parabola y = x^2 from 0 to 1, whose length has a closed form.
   const Cubic parabola{{Point{0, 0}, {1.0 / 3, 0}, {2.0 / 3, 1.0 / 3}, {1, 1}}};
   const double closed = std::sqrt(5.0) / 2 + std::asinh(2.0) / 4;
   EXPECT_NEAR(arc_length(parabola, 1e-13), closed, 1e-13);

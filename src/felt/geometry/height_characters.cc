@@ -37,8 +37,8 @@ void add(Tile& tile, const Tile& other) noexcept {
 }
 
 /// Rounds off extreme heights so that no height exceeds `most` times the previous rms. The highest
-/// and steepest point limits the force of the whole relief, so flatter extremes make the rest
-/// stronger.
+/// or steepest point limits the force of the whole relief. If the extremes are flatter, the rest
+/// can be stronger.
 void round_off(Tile& tile, double most) noexcept {
   double mean = 0.0;
   for (const double h : tile) mean += h / static_cast<double>(tile.size());
@@ -66,8 +66,8 @@ class Circle {
   std::array<double, kSide> table_ = cosines();
 };
 
-/// A number of waves. Their waves per tile in x and y are within a box, and their length is in a
-/// ring `least`..`most`.
+/// Parameters of random waves: how many there are, the largest number of waves per tile in x and in
+/// y, and the range of the length of that vector.
 struct Waves {
   int count;
   int most_x, most_y;
@@ -118,12 +118,12 @@ Tile rough(Random& random) {
   add(tile, smooth_noise(circle, random, ring(24.0, 64), 0.6));
   // Makes the hills round and the valleys narrow.
   for (double& h : tile) h = h - 0.22 * h * h;
-  // The mark of the felt: long waves in one direction.
+  // The imprint of the press felt: long waves, more of them along y than along x.
   add(tile, smooth_noise(circle, random, {24, 4, 6, 3.0, 7.0}, 0.35));
   return tile;
 }
 
-/// Plain weave: two systems of 32 threads that pass over and under each other in turn.
+/// Plain weave: two sets of 32 threads that alternately pass over and under each other.
 Tile weave(Random& random) {
   constexpr int kThreads = 32;
   constexpr double kPitch = static_cast<double>(kSide) / kThreads;
@@ -189,8 +189,9 @@ double round_trip(double from, double to) noexcept {
   return d - kSide * std::floor(d / kSide + 0.5);
 }
 
-/// Annual rings cut lengthwise: lines along x that bend, converge, diverge and go round a knot.
-/// Each rises slowly (early wood) and falls steeply (late wood). Fine fibre is added.
+/// Annual rings cut lengthwise: lines along x that bend, converge, diverge and go round a knot. The
+/// height of each ring rises slowly (early wood) and falls steeply (late wood). Fine fibres are
+/// added.
 Tile wood(Random& random) {
   constexpr double kRings = 18.0;
   const Circle circle;

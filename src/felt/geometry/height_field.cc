@@ -132,8 +132,8 @@ HeightField::Sample HeightField::at(Point p) const noexcept {
   if (!tile_) return {};
   if (!(std::abs(p.x) <= kFarthestMm) || !(std::abs(p.y) <= kFarthestMm)) return {};
   const double per_mm = kSide / tile_mm();
-  // In height steps. The remainder is computed first, so that tiny wavelengths do not overflow an
-  // int.
+  // In height steps. The remainder is computed before the conversion to int, so that tiny
+  // wavelengths do not overflow.
   const double x = std::fmod(p.x * per_mm, static_cast<double>(kSide));
   const double y = std::fmod(p.y * per_mm, static_cast<double>(kSide));
   const double floor_x = std::floor(x);

@@ -10,11 +10,11 @@ namespace felt {
 
 /// The pattern of a relief. No pattern has waves shorter than wavelength_mm / 1.25.
 enum class HeightCharacter : std::uint8_t {
-  kGrain,    ///< equal in all directions, all waves within a factor 1.25 of the wavelength
-  kRough,    ///< cold-pressed paper: round hills of several sizes, and the mark of the felt
-  kWeave,    ///< canvas: two crossed systems of threads, one wavelength apart
-  kFibres,   ///< fibres that cross each other
-  kWood,     ///< annual rings cut lengthwise, along x, and fine fibre between them
+  kGrain,   ///< equal in all directions, all waves within a factor 1.25 of the wavelength
+  kRough,   ///< cold-pressed paper: round hills of several sizes, and the imprint of the press felt
+  kWeave,   ///< canvas: two crossed sets of threads, each thread one wavelength from the next
+  kFibres,  ///< fibres that cross each other
+  kWood,    ///< annual rings cut lengthwise, along x, and fine fibre between them
   kPicture,  ///< a custom picture (height_picture.h)
 };
 
@@ -26,17 +26,18 @@ struct HeightFieldSpec {
   HeightCharacter character = HeightCharacter::kGrain;
 };
 
-/// The relief of a surface, the same for the hand and the eye (R47; docs/design/forces.md#texture).
-/// A square tile that repeats without a seam, made from a seed. Immutable; any thread may read it.
+/// The relief of a surface, which the user feels and sees (R47; docs/design/forces.md#texture). A
+/// square tile that repeats without a seam, made from a seed. Immutable; any thread may read it.
 ///
-/// It is band-limited, so that the stiffness felt in it is bounded. Grain is band-limited by
-/// construction: it is the sum of 96 waves of equal height and random phase, whose wave numbers are
-/// on the lattice of the tile in a ring around the wavelength. The other characters are filtered
-/// with a Fourier transform that removes shorter waves. The 256 x 256 heights of the tile are
-/// interpolated with a cubic B-spline, so that height, slope and curvature are continuous;
-/// otherwise the hand would feel the texels.
+/// The relief is band-limited, so that the stiffness that the user feels in it is bounded. Grain is
+/// band-limited by construction: it is the sum of 96 waves of equal amplitude and random phase. In
+/// x and in y, each wave fits a whole number of times into the tile, and its length is within a
+/// factor of 1.25 of the wavelength. The other characters are filtered with a Fourier transform,
+/// which removes shorter waves. The 256 x 256 heights of the tile are interpolated with a cubic
+/// B-spline, so that height, slope and curvature are continuous; otherwise the user would feel each
+/// of the tile's cells.
 ///
-/// Uses only + - * / and sqrt, so that a seed gives the same heights on every machine.
+/// Uses only + - * / and sqrt, so that the same seed gives the same heights on every machine.
 class HeightField {
  public:
   static constexpr int kSide = 256;            ///< heights along a side of the tile
@@ -52,12 +53,12 @@ class HeightField {
   /// it on the haptic thread.
   explicit HeightField(const HeightFieldSpec& spec);
   /// Makes a relief from kSide x kSide heights in any unit, row by row, which are scaled to the rms
-  /// of `spec`. They should repeat without a seam and have no wave shorter than wavelength_mm /
-  /// 1.25, as those of height_picture.h do. The relief is flat if the number of heights is wrong or
-  /// a height is not finite.
+  /// of `spec`. The heights should repeat without a seam and have no wave shorter than
+  /// wavelength_mm / 1.25, like those that height_picture.h makes. The relief is flat if the number
+  /// of heights is wrong or a height is not finite.
   HeightField(const HeightFieldSpec& spec, const std::vector<double>& tile);
-  /// Returns the same relief in another size. Shares the tile, so it is cheap. The result is flat
-  /// if a value is not finite or not > 0.
+  /// Returns the same relief in another size. The copy shares the tile, so this is fast. The result
+  /// is flat if a value is not finite or not > 0.
   [[nodiscard]] HeightField scaled(double wavelength_mm, double rms_um) const;
 
   /// Returns the height and slope at a point. Both are 0 if the relief is flat, or if a coordinate

@@ -88,8 +88,9 @@ bool meets(const Tile& tile, bool turned) noexcept {
   return seam <= kLikely * within / (height_tile::kSide - 1);
 }
 
-/// Blends both edges with the tile shifted by half. Divides by the root of the sum of the squared
-/// weights, so that the rms height stays the same: the two reliefs are uncorrelated.
+/// Blends the tile, near both edges, with a copy shifted by half its width. Divides by the root of
+/// the sum of the squared weights, so that the rms height stays the same; this is right for
+/// uncorrelated reliefs, as these two usually are.
 Tile joined(const Tile& tile, bool turned) {
   Tile out(tile.size());
   for (int y = 0; y < height_tile::kSide; ++y) {

@@ -17,12 +17,12 @@ struct HeightPicture {
 
 /// The size of the relief on the page, and its height.
 struct HeightPictureSpec {
-  double tile_mm = 40.0;    ///< side of the square that the picture fills and that repeats, 5..500
+  double tile_mm = 40.0;    ///< side of the square tile that the picture fills, 5..500
   double height_um = 60.0;  ///< from black to white, 0..1000
 };
 
 /// Returns the height field of a picture. The picture is stretched to the square tile. If opposite
-/// edges do not match, they are blended with the picture shifted by half its size, so that it
+/// edges do not match, the picture is blended with a copy shifted by half its size, so that it
 /// repeats without a seam. Waves shorter than tile_mm / 40 are removed. Even if the relief is high,
 /// the force is limited to the stiffness that the haptic loop can render (Texture).
 ///

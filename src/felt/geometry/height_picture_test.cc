@@ -53,7 +53,7 @@ TEST(HeightPicture, APictureThatRepeatsComesOutAsItIs) {
 }
 
 TEST(HeightPicture, WhatDoesNotRepeatGetsNoSeam) {
-  // A slope from black to white, with hills: its edges differ as much as possible.
+  // A slope from black to white, with hills. Its opposite edges differ as much as possible.
   const auto field = height_field_of(picture_of(300, 200, [](double x, double y) {
     return 0.7 * x + 0.15 + 0.15 * std::sin(40.0 * x) * std::sin(31.0 * y);
   }));

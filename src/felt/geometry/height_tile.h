@@ -8,12 +8,13 @@
 
 #include "felt/geometry/height_field.h"
 
-/// Helpers to make height fields; not public. They use only + - * / and sqrt, so that a seed gives
-/// the same heights on every machine.
+/// Helpers to make height fields; not public. They use only + - * / and sqrt, so that the same seed
+/// gives the same heights on every machine.
 namespace felt::height_tile {
 
 inline constexpr int kSide = HeightField::kSide;
-/// Number of waves per tile. Shorter waves fade out between kFadeFrom and kMaxWaves.
+/// Limits of the relief's waves, as a number of waves per tile. Waves above kFadeFrom are weakened,
+/// and waves from kMaxWaves on are removed.
 inline constexpr double kFadeFrom = 30.0;
 inline constexpr double kMaxWaves = HeightField::kWavesPerTile * HeightField::kBand;
 
@@ -39,12 +40,13 @@ class Random {
   std::uint64_t state_;
 };
 
-/// Returns cos(2 pi i / kSide) for every i. Halves the quarter turn down to one step, then rotates
-/// step by step, because libm's cosines differ between machines in the last bit.
+/// Returns cos(2 pi i / kSide) for every i. Halves a quarter turn until the angle is one step, then
+/// rotates by that step again and again. Does not call cos(), whose last bit differs between
+/// machines.
 std::array<double, kSide> cosines();
 
-/// Removes the waves with fewer than `least` or at least `most` waves per tile; between `fade_from`
-/// and `most` they fade out.
+/// Removes waves that fit into the tile fewer than `least` times, or `most` times or more. Weakens
+/// those between `fade_from` and `most` gradually.
 void keep_band(Tile& tile, double least, double fade_from, double most);
 
 /// Returns the relief of a character, before its rms is set (height_characters.cc).

@@ -13,7 +13,7 @@ namespace {
 constexpr double kMinSpan = 0x1p-48;
 constexpr std::size_t kStack = 128;  // two curves, 48 halvings each, and the first pairs
 constexpr double kSamePlaceMm = 1e-7;
-constexpr int kOverlapSamples = 12;  // more than the nine points at which different cubics meet
+constexpr int kOverlapSamples = 12;  // different cubics meet in at most nine points
 
 double largest_coordinate(const Cubic& c) noexcept {
   double most = 0.0;
@@ -73,8 +73,8 @@ bool hulls_apart(const Cubic& a, const Cubic& b, double gap_mm) noexcept {
   return false;
 }
 
-/// Returns true if every direction of travel of one is strictly on the same side of every one of
-/// the other, so that they meet at most once.
+/// Returns true if every direction of travel of `a` is strictly on the same side of every direction
+/// of travel of `b`, so that the two curves meet at most once.
 bool cross_once(const Cubic& a, const Cubic& b) noexcept {
   constexpr double kNoise = 1e-12;
   int side = 0;
@@ -94,7 +94,7 @@ bool cross_once(const Cubic& a, const Cubic& b) noexcept {
   return side != 0;
 }
 
-/// The nearest points of two straight segments, as parameters 0..1 on each.
+/// The nearest points of two straight segments, as a parameter 0..1 on each segment.
 struct Closest {
   double a = 0.0, b = 0.0;
   double distance_squared = std::numeric_limits<double>::infinity();
@@ -185,7 +185,8 @@ class Search {
     }
   }
 
-  /// Finds a crossing by Newton, clamped to the pair. Returns false if it does not converge.
+  /// Finds a crossing by Newton's method, clamped to the pieces. Returns false if it does not
+  /// converge.
   bool solve(const Pair& pair) noexcept {
     const Closest guess = closest_of_chords(pair.a.c, pair.b.c);
     double s = guess.a, t = guess.b;
@@ -207,8 +208,9 @@ class Search {
     return true;
   }
 
-  /// Adds a touch of two straight pieces that step 2 could not handle: the point where they are
-  /// nearest, and the parts of both within 2 meet_mm_ of each other.
+  /// Adds a touch of two straight pieces for which step 2 (intersect.h) found no crossing: the
+  /// point where the pieces are nearest, and the parts of both that are within 2 meet_mm_ of each
+  /// other.
   void touch(const Pair& pair) noexcept {
     const Closest chords = closest_of_chords(pair.a.c, pair.b.c);
     const double limit = 4.0 * meet_mm_ * meet_mm_;
@@ -286,8 +288,8 @@ class Search {
     double s = 0.0, t = 0.0;
   };
 
-  /// Returns the parameter of f(s) on g, or nullopt if it is not on g. If g passes there at one of
-  /// its ends too, returns the parameter closest to `near`.
+  /// Returns the parameter of the point f(s) on g, or nullopt if the point is not on g. If an end
+  /// of g is at the same point, returns the parameter that is closest to `near`.
   [[nodiscard]] std::optional<double> on_second(double s, double near) const noexcept {
     const Point p = evaluate(f_, s);
     const double limit = 4.0 * meet_mm_ * meet_mm_;
@@ -301,7 +303,7 @@ class Search {
     return t;
   }
 
-  /// Returns the lowest and the highest s at which an end of one curve lies on the other.
+  /// Returns the lowest and highest s on f at which an end of one curve lies on the other curve.
   [[nodiscard]] Range ends_that_lie_on_the_other() const noexcept {
     Range s;
     const double limit = meet_mm_ * meet_mm_;
@@ -316,14 +318,16 @@ class Search {
     return s;
   }
 
-  /// Returns true if the curves share a part. Then adds its ends and pushes the remaining pairs.
+  /// Returns true if the curves share a part. If so, adds the ends of that part and pushes the
+  /// remaining pairs.
   bool begin_with_overlap() noexcept {
     const Range s = ends_that_lie_on_the_other();
     if (!(s.low < s.high)) return false;
     if (control_length(sub_segment(f_, s.low, s.high)) <= 1e-3) return false;
     std::array<Match, kOverlapSamples> shared{};
     for (std::size_t i = 0; i < shared.size(); ++i) {
-      // Starts inside the shared part, so that each match guides the next; the ends come last.
+      // Starts inside the shared part, so that each match gives the guess for the next; its ends,
+      // where g may pass twice, come last.
       const double share = (static_cast<double>(i) + 0.5) / kOverlapSamples;
       const double at = s.low + share * (s.high - s.low);
       const auto t = on_second(at, i > 0 ? shared[i - 1].t : 0.5);

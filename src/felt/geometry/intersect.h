@@ -17,12 +17,12 @@ inline constexpr double kMeetMm = 1e-9;
 struct Crossing {
   enum class Kind : std::uint8_t {
     kCross,    ///< they pass through each other
-    kTouch,    ///< they meet, but no crossing is proven: tangents, cusps, ends on the other curve
-    kOverlap,  ///< an end of a part shared by both
+    kTouch,    ///< they meet, but no crossing is proven: at tangents, at cusps, at an end of either
+    kOverlap,  ///< an end of a part that both cubics share
   };
-  double t1 = 0.0;  ///< parameter on the first
-  double t2 = 0.0;  ///< parameter on the second
-  Point point;      ///< the point on the first
+  double t1 = 0.0;  ///< parameter on the first cubic
+  double t2 = 0.0;  ///< parameter on the second cubic
+  Point point;      ///< the point on the first cubic
   Kind kind = Kind::kCross;
 };
 
@@ -42,37 +42,40 @@ struct Crossings {
   [[nodiscard]] const Crossing* end() const noexcept { return places.data() + count; }
 };
 
-/// Limit on the work of one call: pairs of pieces, each 0.1 us or less. Transversal crossings need
-/// 10 to 60 pairs; curves that run within a micrometre of each other need more.
+/// Limit on the work of one call, in pairs of pieces; one pair takes 0.1 us or less. Transversal
+/// crossings need 10 to 60 pairs; curves that run within a micrometre of each other need more.
 inline constexpr int kIntersectPairs = 4096;
 
-/// Returns all points where two cubics meet, including at their ends.
+/// Returns all points where two cubics, f and g, meet, including at their ends.
 ///
 /// Algorithm: pairs of pieces wait on a fixed stack; the larger piece of a pair is halved.
 ///  1. A pair is discarded if its hulls are disjoint. This is tested with their boxes and with the
-///     strip along the chord of either piece (fat line; Sederberg and Nishita 1990), which narrows
-///     with the square of the size.
-///  2. If every direction of one hodograph hull is on the same side of every direction of the other
-///     hull, f(s) - g(t) is injective on the pair, so the pair has at most one crossing. Newton
-///     finds it; otherwise the pair is halved further until the hulls are disjoint.
-///  3. Pieces that are straight to a quarter of kMeetMm are compared as straight segments. Tangent
-///     pieces end here, about 1e-4 mm long; neighbours of the same touch are merged into one.
-/// Curves that share a part (copies, lines on top of lines) would never be discarded, so this is
-/// tested first. If ends of one lie on the other and the curves agree between them at more points
-/// than Bezout allows, the two ends of the shared part are reported as kOverlap and nothing within
-/// it, and the search goes on with the rest.
+///     strip along the chord of either piece (fat line; Sederberg and Nishita 1990). The width of
+///     the strip falls with the square of the piece's length.
+///  2. The hodograph hull of a piece bounds its directions of travel. If every direction of one
+///     hull is on the same side of every direction of the other hull, f(s) - g(t) is injective on
+///     the pair, so the pair has at most one crossing. Newton's method looks for this crossing. If
+///     it finds none, the pair is halved further, until the hulls are disjoint.
+///  3. Pieces that differ from their chords by at most a quarter of kMeetMm are compared as
+///     straight segments. Where the curves are tangent, pieces are about 1e-4 mm long at this step;
+///     neighbouring results of the same touch are merged into one.
+/// Curves that share a part (copies, lines on top of lines) would never be discarded, so overlaps
+/// are tested first. If ends of the curves lie on the other curve, and the curves agree between
+/// these ends at more points than Bezout allows, they share the part between them. Its two ends are
+/// reported as kOverlap, and nothing within it. The search then continues with the other parts.
 ///
-/// Guarantees: the two points of each result are within kMeetMm (plus 1e-13 of the coordinates);
-/// every transversal crossing is found; curves that come within half of kMeetMm of each other are
-/// found as a touch. Crossings closer to each other than the length of a touch may be merged into
-/// one touch. No recursion, no allocation. Returns no points if a coordinate is not finite.
+/// Guarantees: f(t1) and g(t2) of each result are within kMeetMm (plus 1e-13 of the coordinates) of
+/// each other; every transversal crossing is found; curves that come within half of kMeetMm of each
+/// other are found as a touch. Crossings closer to each other than the length of a touch may be
+/// merged into one result. No recursion, no allocation. Returns no points if a coordinate is not
+/// finite.
 Crossings intersections(const Cubic& first, const Cubic& second,
                         int most_pairs = kIntersectPairs) noexcept;
 
-/// Returns the point where a cubic crosses itself (at most one), with t1 < t2. Closed form: with p
-/// = t1 + t2 and q = t1 t2, the equation (f(t2) - f(t1)) / (t2 - t1) = 0 is linear in p and p^2 -
-/// q. A closed loop meets itself at (0, 1). Returns nullopt for a cusp and for a straight cubic
-/// that runs back over itself.
+/// Returns the point where a cubic crosses itself (at most one), with t1 < t2. Uses a closed form:
+/// the equation (f(t2) - f(t1)) / (t2 - t1) = 0 is linear in p and p^2 - q, where p = t1 + t2 and q
+/// = t1 t2. For a closed loop, t1 = 0 and t2 = 1. Returns nullopt for a cusp and for a straight
+/// cubic that runs back over itself.
 std::optional<Crossing> self_intersection(const Cubic& c) noexcept;
 
 }  // namespace felt

@@ -126,7 +126,7 @@ TEST(Intersect, StraightLinesCrossWhereTheyShould) {
 }
 
 TEST(Intersect, NineCrossingsOfTwoCubics) {
-  // Each is a wave that crosses the three branches of the other.
+  // Each curve is a wave that crosses the three branches of the other curve.
   const Cubic f{{Point{0, 0}, {40, 100}, {-10, -60}, {30, 35}}};
   const Cubic g{{Point{0, 0}, {100, 40}, {-60, -10}, {35, 30}}};
   const Crossings found = intersections(f, g);
@@ -163,7 +163,7 @@ TEST(Intersect, ATangentIsOnePlace) {
     EXPECT_EQ(touch.places[0].kind, Crossing::Kind::kTouch);
     EXPECT_NEAR(touch.places[0].t1, 0.5, 1e-4);
     EXPECT_LT(touch.pairs, 1000);
-    // Slightly lower there are two crossings, slightly higher none.
+    // A slightly lower line crosses the arch twice, a slightly higher one never.
     EXPECT_EQ(intersections(arch, straight({-5, top - 1e-5}, {50, top - 1e-5})).count, 2u);
     EXPECT_EQ(intersections(arch, straight({-5, top + 1e-5}, {50, top + 1e-5})).count, 0u);
   }

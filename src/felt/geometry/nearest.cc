@@ -55,8 +55,9 @@ struct Distance {
   double size;   // no product in c is larger; the rounding error of c is below 4 eps size
 };
 
-// Returns the most sign changes that six differences can have. Bit k of `minus` or `plus` is set if
-// difference k is certainly negative or positive; if neither is set, it may be either.
+// Returns the largest number of sign changes that the six differences can have. Bit k of `minus` or
+// `plus` is set if difference k is certainly negative or positive; if neither bit is set, the
+// difference may have either sign.
 int most_sign_changes(unsigned minus, unsigned plus) noexcept {
   if ((minus | plus) == 63U) return std::popcount((minus ^ (minus >> 1U)) & 31U);
   constexpr int kImpossible = -8;
@@ -88,8 +89,8 @@ struct Candidate {
 };
 
 // Returns the only stationary point of |a|^2 inside the piece. Requires that the distance falls at
-// u = 0 and rises at u = 1. Newton on a . a' = 0; a step that leaves the bracket, and every fourth
-// step, is replaced by halving it.
+// u = 0 and rises at u = 1. Uses Newton's method on a . a' = 0. A step that leaves the bracket [lo,
+// hi], and every fourth step, is replaced by halving the bracket.
 Candidate stationary_point(const std::array<Vec, 4>& a, double guess) noexcept {
   const Vec k1 = 3.0 * (a[1] - a[0]), k2 = 3.0 * ((a[2] - a[1]) - (a[1] - a[0]));
   const Vec k3 = (a[3] - a[0]) - 3.0 * (a[2] - a[1]);
@@ -107,7 +108,7 @@ Candidate stationary_point(const std::array<Vec, 4>& a, double guess) noexcept {
     if (!newton) next = 0.5 * (lo + hi);
     const double step = std::fabs(next - u);
     u = next;
-    // The error of Newton is then of the order of the square of its last step.
+    // The error of Newton's method is of the order of the square of its last step.
     if (step <= (newton ? 1e-10 : kEpsilon)) break;
   }
   return {u, norm_squared(a[0] + u * (k1 + u * (k2 + u * k3)))};

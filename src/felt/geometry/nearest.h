@@ -6,9 +6,9 @@
 
 namespace felt {
 
-/// The proven nearest point on a cubic segment: never a wrong branch, whatever the control points.
-/// In a force loop a wrong branch makes the force jump. So sampling followed by Newton is not good
-/// enough: it is wrong for up to 3 % of looping or overshooting cubics (R19).
+/// The proven nearest point on a cubic segment, for any control points. Sampling followed by
+/// Newton's method is not good enough: for up to 3 % of looping or overshooting cubics it finds a
+/// point on the wrong branch, which makes the force in a haptic loop jump (R19).
 ///
 /// Algorithm: with a(t) = f(t) - q, the squared distance |a(t)|^2 is a polynomial of degree six.
 /// Its seven Bernstein coefficients on a piece of [0, 1] are
@@ -20,13 +20,14 @@ namespace felt {
 ///     points on the piece (variation diminishing). If the bound is 0, an end of the piece is its
 ///     nearest point. If it is 1 and the distance falls at the start and rises at the end, the
 ///     stationary point is the minimum; a Newton iteration that cannot leave its bracket finds it.
-///     Otherwise an end is again the nearest point.
+///     Otherwise an end is the nearest point.
 ///  3. If the bound is larger, the piece is halved by de Casteljau; the left half comes first.
 /// Every half has its own control points, so c_k is computed again for every piece and the rounding
-/// error shrinks with the piece. Signs within rounding noise count as both, unless the noise is
-/// below 1e-14 of the best distance. Pieces are kept on a fixed stack of 48, one for each halving.
-/// By the two-circle theorem (Obreshkoff) at most about six pieces of each size survive, because
-/// there are only five stationary points. Usually the whole query needs 1 to 4 pieces.
+/// error shrinks with the piece. A difference that rounding could have given the wrong sign counts
+/// as both signs, unless the rounding noise is below 3e-14 of the best squared distance. The right
+/// halves wait on a fixed stack of 48 pieces, one for each halving. By the two-circle theorem
+/// (Obreshkoff) at most about six pieces of each size are not discarded, because there are only
+/// five stationary points. Usually the whole query needs 1 to 4 pieces.
 ///
 /// Accuracy: the distance is right within 1e-14 of the largest distance from q to a control point.
 /// Every kind of segment is allowed: points, straight lines traced twice, cusps, loops, zero
@@ -46,15 +47,15 @@ struct Nearest {
 Nearest nearest(const Cubic& c, Point q) noexcept;
 
 /// Returns the nearest point, or nullopt if every point is farther than the square root of
-/// `max_distance_squared` (a point at the limit is returned) or the input is not finite. If the
-/// answer is nullopt, it is much cheaper than nearest(). So a search through many segments should
+/// `max_distance_squared` (a point at the limit is returned) or the input is not finite. A call
+/// that returns nullopt is much faster than nearest(). So a search through many segments should
 /// pass the best distance found so far.
 std::optional<Nearest> nearest_within(const Cubic& c, Point q,
                                       double max_distance_squared) noexcept;
 
-/// The same with a limit on the work, for callers with a deadline. Lowers `pieces_left` by the
-/// number of pieces examined and stops at 0. If pieces_left > 0 afterwards, the answer is proven;
-/// at 0 it is the best point found so far, or nullopt.
+/// Does the same with a limit on the work, for callers with a deadline. Lowers `pieces_left` by the
+/// number of pieces examined and stops at 0. If pieces_left > 0 afterwards, the answer is proven.
+/// If it is 0, the answer is the best point found so far, or nullopt.
 std::optional<Nearest> nearest_within(const Cubic& c, Point q, double max_distance_squared,
                                       int& pieces_left) noexcept;
 

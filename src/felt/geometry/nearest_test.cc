@@ -70,10 +70,10 @@ TEST(Nearest, OfEqualDistancesTheLowestT) {
   EXPECT_EQ(nearest(point, {4, 5}).distance_squared, 25.0);
   const Cubic closed{{Point{0, 0}, {10, 10}, {-10, 10}, {0, 0}}};
   EXPECT_EQ(nearest(closed, {0, -1}).t, 0.0);
-  // Symmetric about x = 5: two feet at t and 1 - t.
+  // The curve is symmetric about x = 5, so that the points at t and 1 - t are equally near.
   const Cubic arch{{Point{0, 0}, {0, 10}, {10, 10}, {10, 0}}};
   for (double y = -3.0; y < 6.0; y += 0.1) EXPECT_LE(nearest(arch, {5, y}).t, 0.5);
-  // Forward and back along a line: the point is passed twice.
+  // The curve goes forward and back along a line, and passes the point twice.
   const Cubic fold{{Point{0, 0}, {8, 0}, {8, 0}, {0, 0}}};
   EXPECT_LT(nearest(fold, {3, 0}).t, 0.5);
 }

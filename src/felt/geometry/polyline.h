@@ -38,13 +38,13 @@ PolylineNearest nearest_on_polyline(std::span<const Point> line, Point p) noexce
 /// Returns the length in mm; 0 for fewer than two points.
 double polyline_length(std::span<const Point> line) noexcept;
 
-/// Returns the point at arc length `length_mm` from the first, clamped to the ends; (0, 0) if the
-/// polyline is empty.
+/// Returns the point at arc length `length_mm` from the first point, clamped to the ends; (0, 0) if
+/// the polyline is empty.
 Point point_at_length(std::span<const Point> line, double length_mm) noexcept;
 
 /// Fills `out` with points at equal distances along the line, including both ends exactly. If `out`
-/// has a single element, it gets the first point; an empty line gives (0, 0) everywhere. Linear in
-/// the sizes of both.
+/// has a single element, it gets the first point; for an empty line all elements become (0, 0).
+/// Linear in the sizes of `line` and `out`.
 void resample(std::span<const Point> line, std::span<Point> out) noexcept;
 
 /// Queries on polygons: closed polylines whose last point is joined to the first (which may be
@@ -62,16 +62,16 @@ enum class FillRule : std::uint8_t {
 bool contains(std::span<const Point> polygon, Point p, FillRule rule) noexcept;
 
 /// Returns the signed area in mm^2 by the shoelace formula about the first point; positive if the
-/// boundary turns from +x to +y (clockwise as seen). Parts enclosed twice count twice.
+/// boundary turns from +x to +y (clockwise as the user sees it). Parts enclosed twice count twice.
 double area(std::span<const Point> polygon) noexcept;
 
 /// Marks with 1 in `keep` the points of an open polyline that Douglas-Peucker keeps: every dropped
 /// point lies within `tolerance_mm` of the line between its kept neighbours; the ends are kept.
-/// Requires `keep` and `line` to have the same size. Returns the number kept. No allocation, no
-/// recursion (the marks are the stack); usually n log n, n^2 at worst. To simplify a closed
-/// outline, pass it as an open polyline with its first point repeated.
-/// Source: Douglas, Peucker, "Algorithms for the reduction of the number of points required to
-/// represent a digitized line", 1973.
+/// Requires `keep` and `line` to have the same size. Returns the number of kept points. Does not
+/// allocate or recurse, because the marks serve as the stack. Usually takes n log n time, in the
+/// worst case n^2. To simplify a closed outline, pass it as an open polyline with its first point
+/// repeated. Source: Douglas, Peucker, "Algorithms for the reduction of the number of points
+/// required to represent a digitized line", 1973.
 std::size_t mark_simplified(std::span<const Point> line, double tolerance_mm,
                             std::span<std::uint8_t> keep) noexcept;
 

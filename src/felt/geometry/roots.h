@@ -23,9 +23,9 @@ class UnitRoots {
 /// Real roots in [0, 1] of polynomials with coefficients in ascending powers, c0 + c1 t + ...
 ///
 /// A multiple root is reported once. A leading coefficient of zero lowers the degree. The zero
-/// polynomial and coefficients that are not finite have no roots. Rounding may move a root by a
-/// few ulp of the coefficients divided by the slope there; a double root that rounding has lifted
-/// off the axis by no more than that is still reported.
+/// polynomial and coefficients that are not finite have no roots. Rounding may move a root by a few
+/// ulp of the coefficients divided by the slope there; if rounding errors of this size leave a
+/// double root just off the axis, the root is still reported.
 UnitRoots linear_roots(double c0, double c1) noexcept;
 
 /// Uses the form without cancellation: q = -(c1 + sign(c1) sqrt(disc)) / 2, roots q / c2 and

@@ -24,7 +24,8 @@ double any_root() {
   return *rc::gen::inRange(-1 << 20, 1 << 21) * 0x1p-20;
 }
 
-// Every given root in [0, 1] is found, and each root found is close to a given one.
+// Expects that every given root in [0, 1] is found, and that each root found is close to a given
+// root.
 void check_roots(const UnitRoots& found, const std::vector<double>& given, double margin) {
   for (const double g : given) {
     if (g < margin || g > 1.0 - margin) continue;

@@ -20,8 +20,8 @@ std::optional<double> tilt_of_axis(const Vec3& axis) noexcept {
 std::optional<double> tilt_of_xy(double x_deg, double y_deg) noexcept {
   const double x = std::fabs(x_deg), y = std::fabs(y_deg);
   if (!(x <= kMaxTiltDeg && y <= kMaxTiltDeg)) return std::nullopt;
-  // Both tangents are multiplied by both cosines, so that 90 degrees do not give infinity. None of
-  // these is negative.
+  // Both tangents are multiplied by both cosines, so that 90 degrees do not give infinity. The
+  // cosines are not negative.
   const double cx = std::fmax(std::cos(x / kDegPerRad), 0.0);
   const double cy = std::fmax(std::cos(y / kDegPerRad), 0.0);
   if (x == kMaxTiltDeg || y == kMaxTiltDeg) return kMaxTiltDeg;

@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// The largest tilt, at which the pen lies on the surface.
+/// The largest tilt. The pen then lies flat on the surface.
 inline constexpr double kMaxTiltDeg = 90.0;
 /// People usually write at a tilt of 30 to 40 degrees. So tilt has no effect on a line up to
 /// kFreeTiltDeg, and its full effect from kFullTiltDeg on.
@@ -29,8 +29,8 @@ inline std::optional<double> checked_tilt(std::optional<double> tilt_deg) noexce
 }
 
 /// Returns the tilt of a pen along `axis` (in either direction, of any length): the angle to the z
-/// axis in degrees, 0..90, rounded to tenths, which is finer than any pen measures and short in a
-/// recording. Returns nullopt if the axis has no direction. Real-time safe.
+/// axis in degrees, 0..90, rounded to tenths of a degree. No pen measures finer, and short numbers
+/// keep recordings small. Returns nullopt if the axis has no direction. Real-time safe.
 std::optional<double> tilt_of_axis(const Vec3& axis) noexcept;
 
 /// Returns the tilt of a pen from its projections on the planes x-z and y-z, in degrees, -90..90

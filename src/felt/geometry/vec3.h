@@ -50,7 +50,7 @@ constexpr double norm_squared(const Vec3& a) noexcept {
 inline double norm(const Vec3& a) noexcept {
   return std::sqrt(norm_squared(a));
 }
-/// Returns the point of the page straight below.
+/// Returns the point of the page straight below `a`.
 constexpr Point on_sheet(const Vec3& a) noexcept {
   return {a.x, a.y};
 }

@@ -20,17 +20,18 @@ enum class MaterialFieldKind : std::uint8_t {
   kColor,   ///< "#rrggbb", as 0xRRGGBB
 };
 
-/// One field of a material: it is a line of the material's text, a row of the editor and a line of
-/// docs/formats/material.md. A text also has `kind`, `id` and `label`, a surface may have a custom
-/// relief (`grain.picture`, `grain.heights`), and a medium may have the table `pairs`.
+/// One field of a material. Each field is a line of the material's text, a row of the editor and a
+/// line of docs/formats/material.md. Besides these fields, a text has `kind`, `id` and `label`. The
+/// text of a surface may also have a custom relief (`grain.picture`, `grain.heights`), and that of
+/// a medium the table `pairs`.
 template <class Material>
 struct MaterialField {
   std::string_view id;     ///< table and key, with the unit in the name: "grain.height_um"
   std::string_view label;  ///< the name in the user interface: "Height of the grain"
   std::string_view unit;   ///< "um"; "" if there is none
   MaterialFieldKind kind = MaterialFieldKind::kNumber;
-  double min = 0.0;  ///< range, for kNumber and kWhole
-  double max = 0.0;
+  double min = 0.0;  ///< smallest allowed value, for kNumber and kWhole
+  double max = 0.0;  ///< largest allowed value
   std::span<const std::string_view> choices = {};
   std::string_view help;  ///< one sentence for the user
   double (*get)(const Material&) noexcept = nullptr;
@@ -47,7 +48,8 @@ struct MaterialField {
 using SheetField = MaterialField<SurfaceMaterial>;
 using MediumField = MaterialField<Medium>;
 
-/// Returns all fields in the order of the text: those without a table first, then table by table.
+/// Returns all fields in the order of the text: first the fields without a table, then the others
+/// table by table.
 std::span<const SheetField> sheet_fields() noexcept;
 std::span<const MediumField> medium_fields() noexcept;
 

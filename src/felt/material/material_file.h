@@ -16,7 +16,7 @@ namespace felt {
 /// A surface or a medium, as read from one text. Format: docs/formats/material.md.
 using AnyMaterial = std::variant<SurfaceMaterial, Medium>;
 
-/// Limits of a text: its size, the length of a line, of an id and of a label.
+/// Limits of a text: its size in bytes, and the length of a line, of an id and of a label.
 inline constexpr std::size_t kMaxMaterialBytes = std::size_t{64} << 10;
 inline constexpr std::size_t kMaxMaterialLine = 500;
 inline constexpr std::size_t kMaxMaterialIdChars = 64;
@@ -31,26 +31,27 @@ struct MaterialSource {
   std::function<Result<HeightPicture>(const std::string& file)> load_picture = {};
 };
 
-/// Reads one material. Fails if the text is not TOML, has no kind or id, has an unknown key or a
-/// value of the wrong type or out of range (NaN and infinity are out of range), or if the text or a
-/// line is too long. Reports the first error with its line:
-/// "my-paper.toml:7: grain.height_um is 900, it must be 0 to 200 um".
+/// Reads one material. Fails if the text is not TOML, has no kind or id, has an unknown key, or is
+/// too long, or if a line is too long. Also fails if a value has the wrong type or is out of range,
+/// as NaN and infinity always are. Reports the first error with its line: "my-paper.toml:7:
+/// grain.height_um is 900, it must be 0 to 200 um".
 Result<AnyMaterial> read_material(std::string_view text, const MaterialSource& source = {});
 
 /// Returns all errors of a text in the order of their lines; empty if read_material accepts it.
 std::vector<Error> material_problems(std::string_view text, const MaterialSource& source = {});
 
 /// Returns the text of a material: every field, with its range and its meaning as a comment. A
-/// custom relief is included as numbers, so that the text is complete. `read_material` returns an
-/// equal material; the same material always gives the same text.
+/// custom relief is included as numbers, so that the text is complete. For this text,
+/// `read_material` returns an equal material. The same material always gives the same text.
 ///
-/// Requires that material_error() is "". The editor ensures this because it allows only values in
-/// range.
+/// Requires that material_error() is "". This is always true in the editor, because the editor
+/// allows only values in range.
 std::string write_material(const SurfaceMaterial& surface);
 std::string write_material(const Medium& medium);
 std::string write_material(const AnyMaterial& material);
 
-/// Returns the reason why read_material would reject the text of this material, or "".
+/// Returns the reason why read_material would reject the text of this material, or "" if it would
+/// accept the text.
 std::string material_error(const AnyMaterial& material);
 
 /// Returns true for 1 to 64 characters of a-z, 0-9 and '-'.

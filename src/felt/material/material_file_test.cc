@@ -150,7 +150,7 @@ TEST(MaterialFile, RefusesWhatIsNoMaterial) {
   EXPECT_THAT(error_of(sheet_with("label = \"" + std::string(81, 'a') + "\"")), HasSubstr(":3:"));
 }
 
-// Some editors write it at the start of a file.
+// Some editors write a byte order mark at the start of a file.
 TEST(MaterialFile, ReadsATextWithAByteOrderMark) {
   const std::string mark = "\xEF\xBB\xBF";
   const std::string text = sheet_with("label = \"Bütten\"\ncolor = \"#d8d4cc\"");

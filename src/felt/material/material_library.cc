@@ -78,7 +78,7 @@ const MaterialEntry* find_own(const MaterialLibrary& library, std::string_view i
 }
 
 MaterialLibrary library_of(const std::string& folder) {
-  // A dummy picture saves reading the pictures, because only the ids are needed.
+  // Uses a dummy picture for all materials, because only their ids are needed.
   return load_materials(std::span(&folder, 1), [](const std::string&) -> Result<HeightPicture> {
     return HeightPicture{.width = 2, .height = 1, .heights = {0.0F, 1.0F}};
   });

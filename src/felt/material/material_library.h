@@ -39,8 +39,9 @@ std::vector<std::string> material_folders();
 /// Loads all *.toml files of these folders (not of their subfolders). Skips missing folders.
 ///
 /// The id of a material must differ from the ids of the built-in surfaces and media, so that a
-/// drawing means the same on every computer. If two files of a folder have the same id, the second
-/// one is a problem. If a later folder has an id of an earlier folder, its file is skipped.
+/// drawing looks the same on every computer. If two files of a folder have the same id, the second
+/// file is skipped and reported in `problems`. If an earlier folder already has the id, the file is
+/// skipped without a report.
 MaterialLibrary load_materials(std::span<const std::string> folders,
                                const LoadPicture& load_picture = {});
 
@@ -58,8 +59,8 @@ std::string material_path(const std::string& folder, const AnyMaterial& material
 
 /// Saves a user-defined material in a folder, which is created if necessary. Replaces the file with
 /// the same kind and id; otherwise writes ID.toml. The file is replaced completely or not at all.
-/// Returns its path. Fails if the id is built in, material_error() is not "", a file has the same
-/// id but the other kind, ID.toml has another material, or the disk fails.
+/// Returns the path of the file. Fails if the id is built in, material_error() is not "", a file
+/// has the same id but the other kind, ID.toml has another material, or the disk fails.
 Result<std::string> save_material(const std::string& folder, const AnyMaterial& material);
 
 /// Deletes the file with the kind and id of this material. Fails if the folder has no such file, or

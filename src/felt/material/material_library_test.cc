@@ -129,7 +129,8 @@ TEST(MaterialLibrary, NamesABadFileAndLoadsTheOthers) {
   EXPECT_EQ(*library.materials.find_surface("paper"), *find_surface("paper"));
 }
 
-// Reading a pipe could block, and a device never ends, be it as a text or as its picture.
+// Reading a pipe could block, and a device may never end. Neither is read as a text, or as the
+// picture that a text names.
 TEST(MaterialLibrary, WaitsForNoPipe) {
   const Folder own("pipe");
   ASSERT_EQ(::mkfifo((own.path() + "/a.toml").c_str(), 0600), 0);

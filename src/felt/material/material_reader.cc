@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMaxProblems = 20;
 constexpr std::size_t kShownChars = 40;
 
-/// Keys that were renamed, with their present names. Texts that have them are still read.
+/// Keys that were renamed, with their present names. Texts with the old names are still read.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kFormerKeys = {
     {{"line.lean_width", "line.tilt_width"}, {"line.lean_tone", "line.tilt_tone"}}};
 
@@ -299,7 +299,8 @@ class Reading {
   std::vector<std::pair<int, Error>> problems_;
 };
 
-/// An entry whose present key is in the text, too, keeps its old key, which is reported as unknown.
+/// If the text has both the old and the present key, the entry keeps the old one, which is reported
+/// as unknown.
 void rename_former_keys(std::vector<TomlEntry>& entries) {
   for (const auto& [former, present] : kFormerKeys) {
     const auto with = [&entries](std::string_view key) {
@@ -311,8 +312,8 @@ void rename_former_keys(std::vector<TomlEntry>& entries) {
   }
 }
 
-/// Returns an error if the text or a line is too long. Must be called before the parser, because it
-/// nests as many tables as a line has dots.
+/// Returns an error if the text or a line is too long. Must be called before the parser, because
+/// the parser nests as many tables as a line has dots.
 std::optional<Error> too_long(std::string_view text, const std::string& name) {
   if (text.size() > kMaxMaterialBytes) {
     return Error{ErrorCode::kLimitExceeded, name + ": is longer than 64 KiB"};

@@ -70,7 +70,7 @@ void append_figures(std::string& out, const Material& material, std::span<const 
       out += "\n[" + std::string(table) + "]\n";
     }
     const double value = field.get(material);
-    // A value that means "none" is not written: its line is commented out.
+    // If a value means "none", its line is commented out.
     const bool is_none = !field.allows(value) && value == field.fallback();
     out += (is_none ? "# " : "") + std::string(field.id.substr(dot + 1)) + " = " +
            value_text(field, is_none ? field.min : value) +

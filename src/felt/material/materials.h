@@ -16,8 +16,8 @@ namespace felt {
 /// for the values that friction_of computes. Rubber on rubber is about 1.
 inline constexpr double kMaxFriction = 1.5;
 
-/// How the line depends on the pressure p and the tilt. `tilt` is the tilt as 0..1 here
-/// (`tilt_share`, geometry/tilt.h).
+/// How the line depends on the pressure p and the tilt of the pen. In these formulas, `tilt` is the
+/// tilt converted to 0..1 (`tilt_share`, geometry/tilt.h).
 ///
 ///   width = (min + (max - min) p^gamma) (1 + (tilt_width - 1) tilt)
 ///   tone  = (tone_light + (tone_heavy - tone_light) p^tone_gamma) (1 + (tilt_tone - 1) tilt)
@@ -37,15 +37,14 @@ struct MediumLine {
 /// How the medium looks on the surface, depending on the tone (WidthKnot::tone). render/grain.h
 /// uses it; heights are in multiples of the RMS of the relief.
 struct MediumLook {
-  double opacity_light = 1.0;  ///< opacity of the inked parts, at tone 0
-  double opacity_heavy = 1.0;  ///< the same, but at tone 1
+  double opacity_light = 1.0;  ///< opacity of the inked parts at tone 0
+  double opacity_heavy = 1.0;  ///< opacity of the inked parts at tone 1
   double grain = 1.0;          ///< visible share of the surface's relief; 0 for wet media
-  double cut_light = 0.35;     ///< height below which the surface stays bare at tone 0, in RMS
-  double cut_heavy = -2.6;     ///< the same, but at tone 1
+  double cut_light = 0.35;     ///< the surface stays bare below this height, in RMS, at tone 0
+  double cut_heavy = -2.6;     ///< height below which the surface stays bare at tone 1
   double soft = 0.9;           ///< half the width of the edge of a grain, in RMS
-  double crumb = 0.0;          ///< amount of coarseness that the medium itself adds (dust, crumbs),
-                               ///< 0..1
-  double crumb_mm = 0.3;       ///< wavelength of that coarseness
+  double crumb = 0.0;          ///< amount of grain that the medium itself adds (dust, crumbs), 0..1
+  double crumb_mm = 0.3;       ///< wavelength of that grain
   double edge = 0.0;           ///< width of the soft edge of the line, as a share of its radius
   double rim = 0.0;            ///< how much darker a wet line dries at its rim, 0..1
   double streaks = 0.0;        ///< amount of dry-brush streaking, 0..1
@@ -62,8 +61,8 @@ struct MediumSound {
   friend bool operator==(const MediumSound&, const MediumSound&) = default;
 };
 
-/// The coefficient of friction of a medium on one surface. Without an entry it is computed
-/// (friction_of).
+/// The coefficient of friction of a medium on one surface. For surfaces without an entry,
+/// friction_of() computes the coefficient.
 struct PairFriction {
   std::string surface;  ///< id of the surface
   double coefficient = 0.25;
@@ -71,16 +70,16 @@ struct PairFriction {
   friend bool operator==(const PairFriction&, const PairFriction&) = default;
 };
 
-/// A medium, to draw or erase with: how it slides (docs/design/forces.md#friction), how its line
+/// A medium to draw or erase with: how it slides (docs/design/forces.md#friction), how its line
 /// depends on force and tilt, how it looks on a relief, and how it sounds.
 struct Medium {
   std::string id;                  ///< its name in strokes, documents and events: "pencil"
   std::string label;               ///< its name in the user interface: "Pencil"
   double friction = 0.25;          ///< coefficient of friction (mu) on paper
-  double bristle_n_per_m = 600.0;  ///< stiffness of the friction while it sticks
-  double bristle_n_s_per_m = 2.0;
-  double grain = 1.0;  ///< share of the surface's relief that the hand feels
-  double wear = 0.0;   ///< share of the relief that a firm push flattens (relief_left), 0..1
+  double bristle_n_per_m = 600.0;  ///< stiffness of the friction model while the pen sticks
+  double bristle_n_s_per_m = 2.0;  ///< damping of the friction model while the pen sticks
+  double grain = 1.0;              ///< share of the surface's relief that the hand feels
+  double wear = 0.0;  ///< share of the relief that a firm press flattens (relief_left), 0..1
   std::vector<PairFriction> pairs{};
   MediumLine line{};
   MediumLook look{};
@@ -91,18 +90,18 @@ struct Medium {
   friend bool operator==(const Medium&, const Medium&) = default;
 };
 
-/// Returns the share of the relief that remains under a medium that fills or crushes it: 1 under a
-/// light touch, 1 - wear under a firm push, linear in between. The same rule applies to what the
-/// user feels and sees. For the force, `firmness` is the push of the hand as a share of the push
-/// that flattens everything (flattening_push_n in haptics/drawing_feel.h, Texture). For the display
-/// it is the tone of the ink (render/grain.h), because a stroke stores nothing else about the push.
-/// Clamps both arguments to 0..1; NaN counts as 0.
+/// Returns the share of the relief that remains under a medium that fills or crushes it: 1 if the
+/// user presses lightly, 1 - wear if the user presses firmly, linear in between. The same rule
+/// applies to what the user feels and sees. For the force, `firmness` is the pressing force divided
+/// by flattening_push_n() (haptics/bricks/drawing_feel.h), at which this effect is complete. For
+/// the display it is the tone of the ink (render/grain.h), because a stroke stores nothing else
+/// about the pressing force. Clamps both arguments to 0..1; NaN counts as 0.
 constexpr double relief_left(double wear, double firmness) noexcept {
   const auto share = [](double x) { return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0; };
   return 1.0 - share(wear) * share(firmness);
 }
 
-/// What a surface adds to the sound of a pen that rubs on it, apart from its relief.
+/// What a surface, apart from its relief, adds to the sound of a pen that rubs on it.
 struct SurfaceSound {
   double loudness = 1.0;    ///< 0..1, 0 is silent
   double brightness = 0.5;  ///< 0 dull (felt) .. 1 bright (glass)
@@ -117,7 +116,7 @@ struct SurfaceMaterial {
   std::string label;  ///< its name in the user interface: "Rough paper"
   double stiffness_n_per_m = 500.0;
   double damping_n_s_per_m = 2.0;
-  double friction = 0.25;  ///< mu of the pencil, the reference medium, on it
+  double friction = 0.25;  ///< mu of the pencil, the reference medium, on this surface
   /// RMS height and wavelength of its height field (docs/design/forces.md#texture); 0 means smooth.
   double grain_um = 0.0;
   double grain_mm = 0.0;
@@ -128,7 +127,7 @@ struct SurfaceMaterial {
   SurfaceSound sound{};
   std::uint32_t color_rgb = 0xFFFFFF;  ///< default colour, 0xRRGGBB; a page can have another
 
-  /// Returns the parameters of its relief.
+  /// Returns the parameters of the surface's relief.
   [[nodiscard]] HeightFieldSpec grain() const noexcept {
     return {grain_mm, grain_um, grain_seed, grain_character};
   }

@@ -90,7 +90,8 @@ Bytes bytes_of(const std::vector<double>& heights) {
   return bytes;
 }
 
-/// The pixels, of `count`, that cell `i` of kSide covers, and the weight of each.
+/// The pixels of a row of `count` pixels that cell `i` of kSide cells covers, and the weight of
+/// each.
 struct Cover {
   int first = 0;
   std::vector<double> weights;

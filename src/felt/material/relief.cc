@@ -13,9 +13,9 @@ namespace {
 /// The key of a tile: reliefs of the same shape differ only in size.
 using Shape = std::tuple<HeightCharacter, std::uint32_t, const HeightField*>;
 
-/// All reliefs requested so far. They are never deleted, because force models point to them, and a
-/// view of a tile takes only a hundred bytes. A tile is made outside the lock, so that threads that
-/// need another relief do not wait for it.
+/// All reliefs requested so far. They are never deleted, because force models point to them.
+/// Reliefs of the same shape share a tile, and each then takes only a hundred bytes. A tile is made
+/// outside the lock, so that threads that need another relief do not wait for it.
 class Reliefs {
  public:
   const HeightField* of(const SurfaceMaterial& surface) {

@@ -22,7 +22,8 @@ TEST(Relief, R47_OneSurfaceHasOneReliefForAll) {
   }
 }
 
-// A relief is made outside the lock; threads that ask at the same time must get the same object.
+// A relief is made outside the lock. Threads that request it at the same time must get the same
+// object.
 TEST(Relief, R47_ThreadsThatAskAtOnceGetOneObject) {
   SurfaceMaterial surface = *find_surface("rough-paper");
   for (std::uint32_t seed = 901; seed < 904; ++seed) {

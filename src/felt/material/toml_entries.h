@@ -27,8 +27,8 @@ struct TomlEntry {
 };
 
 /// Returns all entries of a TOML text in their order. The key of an entry in a table starts with
-/// the table's name. An empty table gives one entry. Fails if the text is not TOML or nested deeper
-/// than a material; the message starts with `name` and the line.
+/// the table's name. An empty table gives one entry. Fails if the text is not TOML or is nested
+/// deeper than a material can be; the message starts with `name` and the line.
 Result<std::vector<TomlEntry>> read_toml(std::string_view text, const std::string& name);
 
 /// Returns "file.toml:7: ".

@@ -17,8 +17,8 @@ class ByteWriter {
   void f64(double v);
   /// Appends the length (u32), then the bytes. Requires less than 4 GiB.
   void text(std::string_view v);
-  /// Appends a whole number in as few bytes as it needs: 7 bits each, the lowest first, the top bit
-  /// set in all but the last.
+  /// Appends a whole number in as few bytes as it needs. Each byte has 7 bits of the number, the
+  /// lowest first; its top bit is set in all bytes but the last.
   void count(std::uint64_t v);
 
  private:
@@ -27,9 +27,9 @@ class ByteWriter {
   std::string& out_;
 };
 
-/// Reads what ByteWriter wrote. Never reads beyond the end: after the first error every value is 0
-/// or empty and ok() is false, so that the caller needs to check only once, at the end. Lengths are
-/// checked against the number of bytes left.
+/// Reads what ByteWriter wrote. Never reads beyond the end. After the first error every value is 0
+/// or empty and ok() is false, so that the caller needs to check ok() only once, at the end.
+/// Lengths are checked against the number of bytes left.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) noexcept : bytes_(bytes) {}

@@ -14,7 +14,8 @@ namespace felt {
 /// outlive it.
 class CarriedFile {
  public:
-  /// Opens the file. If the extras have no file, nothing is carried over; this is not an error.
+  /// Opens the file. If the extras have no file, this is not an error: copy_to() then copies
+  /// nothing.
   static Result<CarriedFile> open(const FeltExtras& extras);
 
   /// Returns the schema, or null if there is no file.
@@ -23,10 +24,10 @@ class CarriedFile {
     return database_ ? &*database_ : nullptr;
   }
 
-  /// Copies the content of a newer Feltline into a database that has our tables and their rows:
-  /// whole tables, and additional columns of the drawing and of the layers and strokes that still
-  /// exist. Leaves out rows if their column "stroke" or "layer" names an object that no longer
-  /// exists.
+  /// Copies the content of a newer Feltline into a database that already has our tables and their
+  /// rows. Copies whole tables, and the additional columns of the drawing and of those layers and
+  /// strokes that still exist. Leaves out rows of tables if their column "stroke" or "layer" names
+  /// an object that no longer exists.
   Result<void> copy_to(Database& to, const Document& document) const;
 
  private:

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t kPolynomial = 0x82f63b78;  // 0x1edc6f41, bits reversed
 
-/// Table k: the effect of a byte on the checksum if k more bytes follow it in the same word.
+/// Table k has the effect of a byte on the checksum if k more bytes follow it in the same word.
 using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
 
 constexpr Tables make_crc_tables() {

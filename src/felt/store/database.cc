@@ -22,7 +22,7 @@ tl::unexpected<Error> error_of(sqlite3* db) {
 
 /// Tells SQLite which actions are allowed: only those that statements on an untrusted file need.
 int authorize(void*, int action, const char* what, const char*, const char*, const char* within) {
-  if (within) return SQLITE_DENY;  // on behalf of a view or trigger
+  if (within) return SQLITE_DENY;  // a view or trigger requested the action
   switch (action) {
     case SQLITE_SELECT:
     case SQLITE_READ:

@@ -16,7 +16,8 @@ namespace felt {
 class Statement {
  public:
   Statement() noexcept = default;
-  /// Prepares a statement on a connection that the caller owns and that outlives it.
+  /// Prepares a statement on a connection that the caller owns. The connection must outlive the
+  /// statement.
   static Result<Statement> of(sqlite3* db, const char* sql);
   Statement(Statement&& other) noexcept;
   Statement& operator=(Statement&& other) noexcept;
@@ -24,7 +25,7 @@ class Statement {
 
   void bind(int parameter, std::int64_t value) const noexcept;
   void bind(int parameter, double value) const noexcept;
-  /// Binds a text. The text must live until step(). The same holds for the bytes of bind_blob().
+  /// Binds a text. The text must stay valid until step(), and so must the bytes of bind_blob().
   void bind_text(int parameter, std::string_view text) const noexcept;
   void bind_blob(int parameter, std::string_view bytes) const noexcept;
   void bind_null(int parameter) const noexcept;
@@ -60,10 +61,10 @@ class Database {
  public:
   /// Creates an empty database.
   static Result<Database> create();
-  /// Opens the bytes of a file for reading only. They must outlive the database and not change.
-  /// They are not trusted. So SQLite runs in defensive mode, without a trusted schema and with low
-  /// limits. Only SELECT from plain columns is allowed; functions, views, triggers, modules,
-  /// attachments and pragmas are refused.
+  /// Opens the bytes of a file for reading only. The bytes must outlive the database and not
+  /// change. They are not trusted, so SQLite runs in defensive mode, without a trusted schema and
+  /// with low limits. Only SELECT from plain columns is allowed; functions, views, triggers,
+  /// modules, attachments and pragmas are refused.
   static Result<Database> open(std::string_view bytes);
 
   Database(Database&& other) noexcept;

@@ -19,7 +19,8 @@ struct FeltExtras final : DrawingExtras {
   /// Recordings made since the file was read, the earliest first.
   std::vector<std::shared_ptr<const FeltRecording>> added;
 
-  /// Compares by value. Ignores other rows of the files.
+  /// Compares the added recordings, and the content of the files that saving would carry over, by
+  /// value.
   [[nodiscard]] bool equals(const DrawingExtras& other) const override;
 };
 

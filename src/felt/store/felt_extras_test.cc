@@ -17,7 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A .felt file as other programs see it.
+/// A .felt file, opened with plain SQLite as other programs do.
 class Sqlite {
  public:
   explicit Sqlite(std::string_view bytes) {

@@ -60,8 +60,8 @@ Result<void> check_header(std::string_view bytes) {
   return {};
 }
 
-/// Parses a file. `keep` owns the same bytes, and the extras keep it. If it is null, the bytes are
-/// copied if the file has extras.
+/// Parses a file. If the file has extras, they need the bytes: they keep `keep`, which owns the
+/// same bytes, or a copy if `keep` is null.
 Result<Drawing> parse(std::string_view bytes, std::shared_ptr<const std::string> keep) {
   if (auto ok = check_header(bytes); !ok) return tl::unexpected(ok.error());
   const Result<Database> database = Database::open(bytes);

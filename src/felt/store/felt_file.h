@@ -13,15 +13,15 @@ namespace felt {
 /// Bytes 68 to 71 of every .felt file, big-endian: "Felt".
 inline constexpr std::uint32_t kFeltApplicationId = 0x46656c74;
 /// Version of the format, bytes 60 to 63. It changes only if older programs would read a file
-/// wrongly. Content that they can ignore is added without a new version (docs/formats/felt.md,
-/// "Newer and older").
+/// wrongly. Content that older programs can ignore is added without a new version
+/// (docs/formats/felt.md, "Newer and older").
 inline constexpr std::uint32_t kFeltVersion = 1;
 /// Maximum size in bytes of a file that is read or written.
 inline constexpr std::size_t kMaxFeltBytes = std::size_t{2} << 30;
 
-/// Reads a drawing (docs/formats/felt.md) exactly as it was written, including which ids were ever
-/// used. The path "-" is stdin. The file is read once, without a lock and without other files
-/// beside it. Recordings and content of a newer Feltline are kept as extras and not parsed.
+/// Reads a drawing (docs/formats/felt.md) exactly as it was written, including the highest ids that
+/// were ever used. The path "-" is stdin. The file is read once, without a lock and without other
+/// files beside it. Recordings and content of a newer Feltline are kept as extras and not parsed.
 ///
 /// The bytes are not trusted. Fails if the file cannot be read, is not a .felt file, has a newer
 /// version of the format, is truncated or damaged in a part that the drawing needs, or exceeds a
@@ -33,7 +33,7 @@ Result<Drawing> read_felt(const std::string& path);
 /// fails, the old file is unchanged, and the message names the path and the reason.
 Result<void> write_felt(const std::string& path, const Drawing& drawing);
 
-/// The same, for bytes in memory. Messages do not begin with a path.
+/// Do the same with bytes in memory. Messages do not begin with a path.
 Result<Drawing> parse_felt(std::string_view bytes);
 Result<std::string> felt_bytes(const Drawing& drawing);
 

@@ -76,7 +76,7 @@ TEST_F(FeltFileTest, EveryDrawingReadsBackAsItWas) {
     const Result<Drawing> back = parse_felt(bytes);
     ASSERT_TRUE(back) << "seed " << seed << ": " << back.error().message;
     EXPECT_TRUE(*back == drawing) << "seed " << seed;
-    // The next ids too, so that an id is never reused.
+    // The next ids are the same, too, so that an id is never reused.
     EXPECT_EQ(back->document.new_id(), drawing.document.new_id()) << "seed " << seed;
     EXPECT_EQ(back->document.new_layer_id(), drawing.document.new_layer_id()) << "seed " << seed;
     EXPECT_EQ(felt_bytes(*back).value(), bytes) << "seed " << seed;

@@ -35,7 +35,9 @@ FeltRecorder::FeltRecorder(std::string device, std::int64_t period_ns) {
 }
 
 void FeltRecorder::event(const Event& event) {
-  // Events that arrived while samples waited in the ring may have a later time than these samples.
+  // An event that arrived while samples waited in the ring may have a later time than these
+  // samples. The times of such samples are raised to that of the event, so that times never run
+  // backwards.
   last_ns_ = std::max(last_ns_, event.time_ns);
   if (const auto* pen = std::get_if<PenEvent>(&event.what)) {
     recording_.samples.push_back({last_ns_, *pen, std::nullopt});
@@ -50,8 +52,8 @@ void FeltRecorder::forces(std::int64_t time_ns, const Force& asked, const Force&
   match();
 }
 
-/// Gives samples the forces of the tick with the same time. Samples arrive in the order of their
-/// times, and so do ticks; either may arrive first.
+/// Gives each sample the forces of the tick with the same time. Samples arrive in the order of
+/// their times, and so do ticks. A tick may arrive before or after its sample.
 void FeltRecorder::match() {
   while (unmatched_ < recording_.samples.size() && next_tick_ < ticks_.size()) {
     RecordedSample& sample = recording_.samples[unmatched_];

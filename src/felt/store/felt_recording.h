@@ -21,7 +21,8 @@ inline constexpr double kRecordedForceStepN = 1e-4;
 /// Largest recorded force, in N. Larger forces are recorded as kMaxRecordedForceN, and NaN as 0.
 inline constexpr double kMaxRecordedForceN = 100.0;
 
-/// The force that the loop computed at a sample, and the force that it sent after the safety chain.
+/// The force that the haptic loop computed at a sample, and the force that it sent to the device
+/// after the safety chain.
 struct RecordedForces {
   Force asked, sent;
   friend bool operator==(const RecordedForces&, const RecordedForces&) = default;
@@ -29,7 +30,7 @@ struct RecordedForces {
 
 /// A sample as the session received it, bit for bit.
 struct RecordedSample {
-  std::int64_t time_ns = 0;  ///< since the session began
+  std::int64_t time_ns = 0;  ///< time since the session began
   PenEvent pen;
   std::optional<RecordedForces> forces;  ///< absent if unknown, or if the device has no forces
   friend bool operator==(const RecordedSample&, const RecordedSample&) = default;
@@ -37,25 +38,25 @@ struct RecordedSample {
 
 /// Any other event that the session received.
 struct RecordedEvent {
-  std::size_t before_sample = 0;  ///< number of samples before it
+  std::size_t before_sample = 0;  ///< number of samples before this event
   Event event;                    ///< not a PenEvent
   friend bool operator==(const RecordedEvent&, const RecordedEvent&) = default;
 };
 
-/// How a drawing was made, from an empty page: all events that its session received, and the forces
-/// of the loop. Applied to a new session, the events give the same drawing, bit for bit. An event
-/// that imports needs the file that it names.
+/// How a drawing was made from an empty page: all events that its session received, and the forces
+/// of the haptic loop. If the events are applied to a new session, they give the same drawing, bit
+/// for bit. An import event also needs the file that it names.
 struct FeltRecording {
   std::string device;                  ///< source of the samples, shown to the user
-  std::int64_t period_ns = 1'000'000;  ///< of the loop
+  std::int64_t period_ns = 1'000'000;  ///< period of the haptic loop
   std::vector<RecordedSample> samples;
   std::vector<RecordedEvent> events;
   friend bool operator==(const FeltRecording&, const FeltRecording&) = default;
 };
 
 /// Records a session while it runs. Pass every event of SessionOptions::on_event to event(), and
-/// the forces of every tick to forces(), before or after the event of its sample. Call on the edit
-/// thread.
+/// the forces of every tick to forces(). The forces of a tick may come before or after its sample.
+/// Call on the edit thread.
 class FeltRecorder {
  public:
   FeltRecorder(std::string device, std::int64_t period_ns);
@@ -74,8 +75,8 @@ class FeltRecorder {
 
   FeltRecording recording_;
   std::vector<Tick> ticks_;    // ticks whose sample has not arrived yet
-  std::size_t unmatched_ = 0;  // index from which samples have no forces yet
-  std::size_t next_tick_ = 0;  // in ticks_
+  std::size_t unmatched_ = 0;  // index of the first sample that has not been matched with a tick
+  std::size_t next_tick_ = 0;  // index in ticks_ of the next tick to match
   std::int64_t last_ns_ = 0;
 };
 

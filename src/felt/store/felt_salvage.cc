@@ -42,11 +42,12 @@ const std::string* blob(const Value& v) noexcept {
   const auto* bytes = std::get_if<ScannedRow::Bytes>(&v);
   return bytes && !bytes->is_text ? &bytes->value : nullptr;
 }
-/// First id for strokes if another stroke already has their own id. It is far from all other ids.
+/// First of the new ids for strokes whose own id belongs to another stroke, too. Far above the
+/// usual ids.
 constexpr std::int64_t kStrayIds = std::int64_t{1} << 40;
 
-/// Collects rows. Their table is recognised by their form, because it is not known which page
-/// belongs to which table.
+/// Collects rows. Recognises the table of a row by the types of its values, because it is not known
+/// which page belongs to which table.
 class Findings {
  public:
   void take(const ScannedRow& row) {

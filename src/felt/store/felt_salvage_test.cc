@@ -117,7 +117,7 @@ TEST(FeltSalvage, WithoutAHeadAllIsThere) {
   EXPECT_TRUE(felt_bytes(salvaged.drawing));
 }
 
-/// Every page in turn is lost: its content is lost, and nothing else.
+/// Destroys each page in turn. Only the content of that page may be lost.
 TEST(FeltSalvage, EveryStrokeOnWholePagesIsThere) {
   const Drawing drawing = some_drawing();
   const std::string bytes = felt_bytes(drawing).value();
@@ -201,7 +201,7 @@ TEST(FeltSalvage, SaysWhatIsMissing) {
   EXPECT_THAT(problems(newer), HasSubstr("written by a newer Feltline"));
 }
 
-/// Cells that all refer to the same large row cost no more work than the size of the file.
+/// If all cells refer to the same large row, the work is still bounded by the size of the file.
 TEST(FeltSalvage, IsBoundedWhateverThePagesSay) {
   std::string bytes(std::size_t{1} << 20, '\x0d');
   std::size_t told = 0;

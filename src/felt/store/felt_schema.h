@@ -14,14 +14,14 @@ inline constexpr std::size_t kMaxForeignTables = 64;
 inline constexpr std::size_t kMaxColumns = 64;  ///< of a table
 inline constexpr std::size_t kMaxIdentifierBytes = 63;
 
-/// A table as given by its definition.
+/// A table of a file, parsed from its SQL definition.
 struct FeltTable {
   std::string name;
   std::string sql;
   std::vector<std::string> columns;
 
-  /// Returns the names of the columns after the first `ours`, each after a comma. Our own table of
-  /// this name does not have these columns.
+  /// Returns the names of the columns after the first `ours` columns, with a comma before each
+  /// name. Our own table of this name does not have these columns.
   [[nodiscard]] std::string beyond(std::size_t ours) const;
 };
 
@@ -34,7 +34,7 @@ struct FeltSchema {
   /// Tables of a newer Feltline, in the order of their names.
   std::vector<FeltTable> foreign;
 
-  /// Returns true if the file has content that a drawing carries as extras.
+  /// Returns true if the file has content that a drawing keeps as FeltExtras.
   [[nodiscard]] bool has_extras() const noexcept;
 };
 
@@ -46,13 +46,14 @@ struct OwnTable {
 };
 const OwnTable& own_table(std::string_view name);
 
-/// Creates our tables in an empty database. Tables also get the additional columns that they have
-/// in `like`.
+/// Creates our tables in an empty database. If `like` is not null, the tables also get the
+/// additional columns that they have in `like`.
 Result<void> make_tables(Database& database, const FeltSchema* like);
-/// Creates the tables of recordings, and the views through which other programs read them. They get
-/// columns for the pen's tilt if `like` has them or `with_tilt` is true.
+/// Creates the tables of recordings, and the views through which other programs read them. The
+/// tables get columns for the pen's tilt if `with_tilt` is true or the tables in `like` have these
+/// columns.
 Result<void> make_recording_tables(Database& database, const FeltSchema* like, bool with_tilt);
-/// Returns true if a table of recordings has its column for the tilt.
+/// Returns true if this table of recordings has the column for the tilt.
 [[nodiscard]] bool has_tilt(const FeltTable& table);
 
 /// Parses a definition: CREATE TABLE name(column TYPE [PRIMARY KEY] [NOT NULL] [DEFAULT literal],
@@ -60,10 +61,10 @@ Result<void> make_recording_tables(Database& database, const FeltSchema* like, b
 /// and BLOB. This form allows no check, expression, function or module. Fails for any other text.
 Result<FeltTable> parse_table(std::string_view sql);
 
-/// Reads the tables of an untrusted file. Ignores views, and indexes on other tables, because they
-/// are not data. Fails if one of our tables is missing or does not begin with our columns, if
-/// parse_table() rejects another table, or if the file has a trigger, a virtual table or an index
-/// on our tables.
+/// Reads the tables of an untrusted file. Ignores views, and indexes on tables that are not ours,
+/// because these are not data. Fails if one of our tables is missing or does not begin with our
+/// columns, if parse_table() rejects another table, or if the file has a trigger, a virtual table
+/// or an index on our tables.
 Result<FeltSchema> read_schema(const Database& database);
 
 }  // namespace felt

@@ -12,7 +12,7 @@ std::int64_t number_of(Rgba c) noexcept;
 Rgba color_of(std::int64_t n) noexcept;
 bool is_color_number(std::int64_t n) noexcept;
 
-/// Writes the tables `palette` and `shown`, whose rows do not refer to others.
+/// Writes the tables `palette` and `shown`, whose rows do not refer to other tables.
 Result<void> write_sheet(const Database& db, const Drawing& drawing);
 /// Reads the tables `palette` and `shown`. The palette's name and columns are in the row of the
 /// table `drawing`.

@@ -18,13 +18,13 @@ constexpr bool is_id(std::int64_t value) noexcept {
 }
 
 /// Creates our tables in an empty database, with the additional columns of `like` if it is not
-/// null, and writes our columns. Fails if the drawing has something that the format does not allow:
-/// a page size out of range, a name that is not UTF-8, a stroke that is too large. The message
-/// names the problem.
+/// null, and fills our columns. Fails if the drawing has something that the format does not allow,
+/// for example a page size out of range, a name that is not UTF-8, or a stroke that is too large.
+/// The message names the problem.
 Result<void> write_tables(Database& database, const Drawing& drawing, const FeltSchema* like);
 
 /// Reads a drawing from an untrusted database whose schema was checked by read_schema(). Does not
-/// read extras. Fails if a row is not valid or not consistent with the others; the message names
+/// read extras. Fails if a row is not valid or not consistent with other rows; the message names
 /// the row and the reason.
 Result<Drawing> read_tables(const Database& database, const FeltSchema& schema);
 

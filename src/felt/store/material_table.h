@@ -10,15 +10,15 @@
 namespace felt {
 
 /// The table `material` of a file: texts of materials. A file without material texts does not have
-/// the table, like all files written before materials existed. An older program carries the table
-/// over unchanged.
+/// this table; neither have files written before materials existed. An older program that saves the
+/// file keeps the table unchanged.
 inline constexpr std::string_view kMaterialTable =
     "CREATE TABLE material(id INTEGER PRIMARY KEY, text TEXT NOT NULL, checksum INTEGER NOT NULL)";
 
 /// Creates and fills the table if the drawing has texts. Fails if the drawing has too many texts,
 /// or if a text is not allowed in a file.
 Result<void> write_materials(Database& database, const Drawing& drawing);
-/// Reads the table from an untrusted database that has it.
+/// Reads the table from an untrusted database. Requires that the database has the table.
 Result<void> read_materials(const Database& database, Drawing& drawing);
 /// Returns the checksum of a text, which is stored beside it.
 std::int64_t material_checksum(std::string_view text) noexcept;

@@ -1,4 +1,4 @@
-// Texts of materials in a .felt file: the table exists only if there are any.
+// Texts of materials in a .felt file. The table exists only if there are texts.
 #include "felt/store/material_table.h"
 
 #include <gmock/gmock.h>

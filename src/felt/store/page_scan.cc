@@ -12,7 +12,7 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kDatabaseHeaderBytes = 100, kPageSizeAt = 16, kReservedAt = 20;
-constexpr std::size_t kUsualPage = 4096;  // of all our files
+constexpr std::size_t kUsualPage = 4096;  // the page size of all our files
 constexpr std::uint8_t kLeafOfRows = 0x0d;
 constexpr std::size_t kLeafHeaderBytes = 8;
 constexpr std::size_t kMinBudget = std::size_t{1} << 20;
@@ -161,7 +161,7 @@ class Scan {
 
   std::string_view file_;
   std::size_t page_ = kUsualPage, usable_ = kUsualPage;
-  std::size_t budget_ = 0;  // bytes of rows that may still be read: bounds repeated cells
+  std::size_t budget_ = 0;  // bytes of rows that may still be read, because cells may repeat
 };
 
 }  // namespace

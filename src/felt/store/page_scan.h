@@ -9,8 +9,8 @@
 
 namespace felt {
 
-/// A row of a table as it is stored in the pages of an SQLite file. The column of the row's id has
-/// no separate value; it is monostate, like a null.
+/// A row of a table as it is stored in the pages of an SQLite file. SQLite stores no separate value
+/// for the column that is the row's id; its value here is monostate, like that of a null.
 struct ScannedRow {
   /// Value of a text or blob column.
   struct Bytes {
@@ -25,8 +25,8 @@ struct ScannedRow {
 
 /// Scans all pages of an SQLite file, one by one, and calls `tell` for every readable row of every
 /// table. Needs only the leaf pages, not the interior pages that lead to them. Used for files that
-/// SQLite refuses, so nothing in them is trusted, and work and memory are bounded. Skips rows of
-/// more than 64 columns. Format: sqlite.org/fileformat2.html.
+/// SQLite refuses. Nothing in these files is trusted, and the work and memory of the scan are
+/// bounded. Skips rows of more than 64 columns. Format: sqlite.org/fileformat2.html.
 void scan_rows(std::string_view bytes, const std::function<void(ScannedRow)>& tell);
 
 }  // namespace felt

@@ -45,8 +45,8 @@ class Checksum {
     }
     if (bytes_.size() > kPieceBytes) fold();
   }
-  /// Adds a tilt. Tilts have a separate checksum, because older programs, which do not know tilt,
-  /// must find the checksum of the rest unchanged.
+  /// Adds a tilt. Tilts have a separate checksum: older programs do not know tilt, and for them the
+  /// checksum of the other values must be the same as without it.
   void tilt(std::int64_t number, double tilt_deg) {
     ByteWriter out(bytes_);
     out.u64(static_cast<std::uint64_t>(number));

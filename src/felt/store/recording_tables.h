@@ -7,8 +7,9 @@
 
 namespace felt {
 
-/// Writes recordings into a database that has our tables: first the recordings of the carried file,
-/// row by row and unchanged, then the added ones. Creates no tables if there are no recordings.
+/// Writes recordings into a database that has our tables: first the recordings of `carried`, row by
+/// row and unchanged, then those in FeltExtras::added. Creates no tables if there are no
+/// recordings.
 Result<void> write_recordings(Database& to, const FeltExtras& extras, const CarriedFile& carried);
 
 }  // namespace felt

@@ -16,9 +16,9 @@ namespace felt {
 namespace {
 
 /// Packs doubles into few bytes without loss (docs/formats/felt.md, "Packed numbers"). Each is
-/// stored as the difference from a guess that the reader makes too, or as its leading bytes if it
-/// is a round number. A perfect guess costs half a byte; no number costs more than half a byte in
-/// addition to the double itself.
+/// stored as the difference from a guess, which the reader computes in the same way, or as its
+/// leading bytes if it is a round number. A number that equals its guess takes half a byte. Any
+/// other number takes at most half a byte more than the double itself.
 class NumberPacker {
  public:
   void put(double value, double guess);
@@ -47,11 +47,12 @@ class NumberUnpacker {
 };
 
 constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
-/// A length up to 8 is that of a difference. A greater one, minus 8, is the number of leading
-/// bytes.
+/// A length of at most 8 is the number of bytes of a difference. A greater length is 8 plus the
+/// number of leading bytes of a round number.
 constexpr unsigned kMaxDifferenceBytes = 8;
 
-/// Maps doubles to whole numbers in the same order, neighbours to consecutive numbers.
+/// Maps doubles to whole numbers in the same order. Neighbouring doubles become consecutive
+/// numbers.
 std::uint64_t rank_of(double value) noexcept {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & kSign) != 0 ? ~bits : bits | kSign;
@@ -114,8 +115,8 @@ bool NumberUnpacker::is_clean() const noexcept {
          static_cast<unsigned char>(lengths_.back()) >> 4 == 0;
 }
 
-/// Version of a blob in which all tones are the default tones of the widths; the only version
-/// before strokes had tones.
+/// Version of a blob in which all tones are the default tones of the widths. Blobs written before
+/// strokes had tones have this version, too.
 constexpr std::uint8_t kPlain = 1;
 /// Version of a blob with its own tones.
 constexpr std::uint8_t kToned = 2;
@@ -148,8 +149,8 @@ class PointGuess {
   }
 
  private:
-  /// Returns true if point i is the first handle of a segment after a joint. It continues the
-  /// direction of the handle before the joint: exactly, up to rounding, if the joint is smooth.
+  /// Returns true if point i is the first handle of a segment after a joint. If the joint is
+  /// smooth, such a handle has the direction of the handle before the joint, up to rounding.
   static bool turns_on(std::size_t i) noexcept { return i % 3 == 1 && i > 1; }
   [[nodiscard]] Vec way(std::size_t i) const noexcept { return points_[i - 1] - points_[i - 2]; }
 
@@ -185,8 +186,8 @@ void read_points(NumberUnpacker& in, StrokeData& d) {
   if (d.closed) d.points.back() = d.points.front();
 }
 
-/// Writes the widths. The u of the first and last knot are not written, because these knots are at
-/// the ends of the stroke.
+/// Writes the widths. The u of the first knot and that of the last knot are not written, because
+/// these knots are at the ends of the stroke.
 void write_widths(NumberPacker& out, const std::vector<WidthKnot>& widths) {
   for (std::size_t i = 1; i + 1 < widths.size(); ++i) out.put(widths[i].u, widths[i - 1].u);
   double before = 0.0;

@@ -9,7 +9,7 @@
 
 namespace felt {
 
-/// Largest stroke: number of segments, and of knots of its width.
+/// Limits of a stroke: the number of its segments, and the number of its width knots.
 inline constexpr std::size_t kMaxStrokeSegments = 1'000'000;
 inline constexpr std::size_t kMaxStrokeKnots = 1'000'000;
 /// Longest name of a medium, in bytes of UTF-8.

@@ -23,7 +23,7 @@ std::string blob_of(const Stroke& stroke) {
   return bytes;
 }
 
-/// Returns true if they are equal bit for bit: -0.0 is not 0.0 here.
+/// Returns true if the strokes are equal bit for bit: -0.0 differs from 0.0 here.
 bool same_bits(const StrokeData& a, const StrokeData& b) {
   return a == b &&
          std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(Point)) == 0 &&
@@ -143,7 +143,7 @@ TEST(StrokeBlob, TonesMakeItVersion2) {
 TEST(StrokeBlob, TonesThatAreNoneAreAnErrorThatNamesThePlace) {
   StrokeData data = felt::testing::straight_stroke({0, 0}, {3, 0}, 0.5, 1.0).data();
   data.widths[0].tone = 0.75;
-  data.widths[1].tone = 0.75;  // costs no byte, because it equals the one before
+  data.widths[1].tone = 0.75;  // takes no byte, because it equals the tone before it
   std::string bytes = blob_of(Stroke::create(data).value());
   bytes.resize(bytes.size() - 4);
   const auto with_tone = [&](double tone) {

@@ -144,7 +144,8 @@ NearestCase make_case(CaseKind kind, std::mt19937_64& random) {
 }
 
 double sampled_distance(const Cubic& curve, Point query, int samples) {
-  // Relative to the query point, so that a tiny curve far from the origin is not lost in rounding.
+  // Computes relative to the query point, so that a tiny curve far from the origin is not lost in
+  // rounding.
   Cubic c = curve;
   for (Point& control : c.p) control = Point{} + (control - query);
   const Point q;

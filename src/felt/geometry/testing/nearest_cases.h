@@ -13,12 +13,12 @@ namespace felt {
 /// Kinds of segments on which sampling or root finding is known to go wrong.
 enum class CaseKind : std::uint8_t {
   kRandom,
-  kNearLine,     ///< inner points a hair off the chord
+  kNearLine,     ///< inner points very close to the chord
   kOvershoot,    ///< collinear, handles beyond the ends: the line is traced several times
   kPoint,        ///< four equal points
   kCusp,         ///< handles crossed so that the curve stops and turns back
   kLoop,         ///< crosses itself
-  kDoubledEnds,  ///< a zero handle at either or both ends
+  kDoubledEnds,  ///< a handle of length zero at one end or both
   kArc,          ///< circle arc of 5 to 120 degrees, queried at or near its centre
   kTiny,         ///< size 1e-6 at coordinates of 1e4
 };

@@ -24,8 +24,8 @@ class FaultyVfs {
   }
   static constexpr const char* kName = "faulty";
 
-  /// Called before each call is carried out: SQLITE_OK lets it through, anything else is its
-  /// result. Runs on the caller's thread.
+  /// Called before each call to the file system. If `judge` returns SQLITE_OK, the call is carried
+  /// out; otherwise the call returns this code. Runs on the caller's thread.
   std::function<int(DiskCall, const std::string& path)> judge;
   /// While a test holds this lock, the disk stalls.
   std::mutex stall;
