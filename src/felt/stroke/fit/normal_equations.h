@@ -9,12 +9,12 @@
 /// size, solved by Cholesky's method. Private to the stroke layer. Thread: any; no allocation.
 namespace felt::detail {
 
-/// The two small terms that determine what the samples do not (SegmentFit).
+/// The two small terms of SegmentFit, which determine the curve as far as the samples do not.
 struct Priors {
   double energy;     ///< weight of |B4 - 3 B3 + 3 B2 - B1|^2
   double ridge;      ///< weight of the distance of each control point from its point on the chord
-  Vec chord;         ///< last sample relative to the origin
-  double length_mm;  ///< along the samples
+  Vec chord;         ///< from the origin to the last sample
+  double length_mm;  ///< path length along the samples
 };
 
 /// Adds a sample that sits at an end of the curve, where one basis function is 1 and the others

@@ -47,7 +47,7 @@ class Refiner {
   struct Node {
     std::size_t parent = 0;
     Cubic segment{};
-    JointKind joint = JointKind::kCorner;  // at its start
+    JointKind joint = JointKind::kCorner;  // kind of the joint at its start
     std::size_t first = 0, count = 0;      // samples that it covers
     std::size_t places = 0;                // index in places_ of their parameters
   };

@@ -42,8 +42,9 @@ class WidthMap {
   /// Discards the last stroke. The first sample sets the filters to its pressure and tilt.
   void begin() noexcept;
   /// Processes the next sample and returns its width and tone. If a sample has no pressure or tilt,
-  /// the last value of the stroke is used. Time that stands still or runs backwards counts as 0.2
-  /// ms, the tick of the fastest device, so a stuck clock cannot freeze the width.
+  /// uses the last one of the stroke or, before the first one, the default of the options. Time
+  /// that stands still or runs backwards counts as 0.2 ms, the tick of the fastest device, so a
+  /// stuck clock cannot freeze the width.
   InkWidth push(const InkSample& sample) noexcept;
 
   [[nodiscard]] const WidthMapOptions& options() const noexcept { return options_; }
@@ -53,7 +54,7 @@ class WidthMap {
 
   WidthMapOptions options_;
   bool is_first_ = true;
-  double pressure_ = 0.0, tilt_ = 0.0;  // the last ones seen, 0..1
+  double pressure_ = 0.0, tilt_ = 0.0;  // of the last sample that had them, 0..1
   double filtered_pressure_ = 0.0, filtered_tilt_ = 0.0;
   std::optional<std::int64_t> last_time_ns_;
 };
