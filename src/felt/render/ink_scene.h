@@ -15,7 +15,7 @@
 
 namespace felt {
 
-/// A layer of a display.
+/// A layer of an InkScene.
 struct SceneLayer {
   LayerId id;
   bool is_visible = true;
@@ -33,9 +33,10 @@ struct InkHeight {
 };
 
 /// A display's copy of a document. It is updated by the document's edits, and quickly finds the
-/// strokes that a part of the page shows, in drawing order. Only opening a document and changes of
-/// whole layers take time linear in the sketch. A preview is applied to this copy, and undone when
-/// the next preview or edit arrives; only strokes that look different afterwards are damage.
+/// strokes in a part of the page, in drawing order. Only opening a document and changing whole
+/// layers take time linear in the size of the sketch. A preview is applied to this copy, and undone
+/// when the next preview or edit arrives. Only strokes that look different afterwards are reported
+/// as damage.
 ///
 /// Not thread-safe. Strokes are shared with the document, which may be used on another thread.
 class InkScene {
@@ -53,8 +54,8 @@ class InkScene {
   Result<void> show(const std::optional<Edit>& preview, InkDamage& damage);
 
   /// Replaces the content of `found` with the strokes of visible layers if their bounds touch the
-  /// area, lowest first. The pointers are valid until the next change. If `above` is set, only
-  /// finds strokes of the layers above that layer.
+  /// area, lowest first. The pointers are valid until the next change. If `above` is set, finds
+  /// only strokes of the layers above that layer.
   void find(const Rect& area, std::vector<const SceneStroke*>& found,
             std::optional<LayerId> above = {}) const;
   [[nodiscard]] static InkHeight height(const SceneStroke& stroke) noexcept {
@@ -77,7 +78,7 @@ class InkScene {
     InkHeight height;
     std::size_t below = 0;  // unchanged strokes below it in its layer
   };
-  using SeenStrokes = std::vector<Seen>;  // by height
+  using SeenStrokes = std::vector<Seen>;  // sorted by height
 
   [[nodiscard]] SeenStrokes look(const std::vector<StrokeId>& ids) const;
   static void compare(SeenStrokes before, SeenStrokes after, InkDamage& damage);

@@ -21,7 +21,7 @@ struct PageOptions {
   std::optional<Rect> sheet{};
   double margin_mm = 5.0;
   Rgba paper{255, 255, 255, 255};  ///< alpha 0 gives a transparent picture
-  Grain grain{};                   ///< the relief of the surface, shown in the ink; default: none
+  Grain grain{};                   ///< the look of media on the surface; by default, solid ink
 };
 
 /// Returns the bounds of all ink; empty if `strokes` is empty.
@@ -31,7 +31,7 @@ Rect ink_bounds(std::span<const StrokePtr> strokes) noexcept;
 /// ink, a square around the origin with the size of the margin.
 Rect page_area(const Rect& ink, const PageOptions& options) noexcept;
 
-/// Draws strokes one by one onto the paper.
+/// Draws strokes one by one on a page.
 class PagePainter {
  public:
   /// Prepares a page that shows `ink`, or the area in the options. Fails if an option is invalid (a
