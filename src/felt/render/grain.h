@@ -12,13 +12,14 @@ struct InkLook;
 
 /// The look of media on a surface (paper, "future work"; docs/design/rendering.md#grain-in-ink;
 /// R47): dry ink lies on the hills of the relief and leaves the valleys bare; with more pressure it
-/// reaches deeper. The formula below uses the values of the medium's MediumLook. The push q = t (1
-/// - 0.45 rho^2) depends on the tone t and on the distance from the middle of the line, rho radii,
-/// because the tip presses less towards its edge.
+/// reaches deeper. The formulas use the values of the medium's MediumLook, the tone t, and the push
+/// q at a distance of rho radii from the middle of the line. The tip presses less towards its edge,
+/// so q is smaller there.
 ///
 ///   alpha = opacity(q) (1 - G (1 - seen)),  seen = smoothstep(1/2 + (w r - cut(q)) / (2 soft))
 ///   r = (grain d s(x) + crumb c(x) + streaks b(y)) / n,   n = |(grain, crumb, streaks)|
 ///   G = min(1, n),  w = 1 - wear q,  cut = cut_light + (cut_heavy - cut_light) q
+///   q = t (1 - 0.45 rho^2)
 ///
 /// The smoothstep of h - h_cut(p) comes from docs/design/rendering.md#grain-in-ink. Its terms are
 /// Feltline's own choice:

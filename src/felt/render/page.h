@@ -17,7 +17,7 @@ namespace felt {
 /// How a picture of a sketch looks.
 struct PageOptions {
   double dpi = 300.0;
-  /// The part of the page to show. If not set, shows all ink and a margin around it.
+  /// The part of the page to show. If not set, the picture shows all ink and a margin around it.
   std::optional<Rect> sheet{};
   double margin_mm = 5.0;
   Rgba paper{255, 255, 255, 255};  ///< alpha 0 gives a transparent picture

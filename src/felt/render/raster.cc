@@ -82,12 +82,12 @@ constexpr unsigned over_255(unsigned product) noexcept {  // rounded
   return (product + 128U + ((product + 128U) >> 8U)) >> 8U;
 }
 
-/// Selects every other byte of a pixel, with 16 bits of room each.
+/// Selects every other byte of a pixel, so that each has 16 bits of space.
 constexpr std::uint32_t kEveryOther = 0x00FF00FFU;
 
 /// Blends two channels of ink over two of a pixel, each as in over_255. The alpha of the ink and
-/// the weight of the pixel add up to 255, so no sum exceeds 255 * 255, and none carries into the
-/// next.
+/// the weight of the pixel add up to 255, so no sum exceeds 255 * 255, and no channel overflows
+/// into the next.
 constexpr std::uint32_t over_two(std::uint32_t ink, std::uint32_t alpha,
                                  std::uint32_t under) noexcept {
   const std::uint32_t sum = ink * alpha + under * (255U - alpha) + 0x00800080U;
@@ -122,7 +122,8 @@ struct Rasterizer::State {
   /// Rows that are processed at a time, so that the map of a large stroke stays small.
   static constexpr int kBandRows = 64;
   static constexpr std::size_t kMaxLooks = 32;
-  /// A piece of the tip's path. If it is a part of a ring, also the directions before and after it.
+  /// A piece of the tip's path. If it is a part of a ring, `into` and `out` are the directions of
+  /// the tip before and after it.
   struct Way {
     std::vector<TipAt> tips;
     Vec into, out;
@@ -138,7 +139,7 @@ struct Rasterizer::State {
   void walk(const Stroke& stroke, const View& view);
   /// Computes the push in a band of rows from the paths of walk().
   void lay_tip(PixelRect band, double edge);
-  /// Blends the scanline that was swept last, shaded, over `part` of the target.
+  /// Shades the scanline that was swept last, and blends it over `part` of the target.
   void blend_line(const InkShade& shade, PixelRect part, std::uint32_t ink, std::uint8_t alpha,
                   Pixels target);
 

@@ -36,9 +36,10 @@ class ProfileBuilder {
   void shift(double u0, double u1, double by);
   /// Appends the part [u0, u1], mapped linearly to [v0, v1]. Keeps all its breakpoints.
   void stretch(double u0, double u1, double v0, double v1);
-  /// Appends the part that is described by pairs of corresponding parameters. Adds as few
-  /// breakpoints as possible such that widths at these points are within tolerance_mm > 0 and tones
-  /// within kFollowedTone. Requires at least two matches, ascending in u and v.
+  /// Appends the part from the first to the last of `matches`. Adds only breakpoints that are
+  /// needed to keep the widths within tolerance_mm > 0 and the tones within kFollowedTone, at the
+  /// matches and at the old breakpoints between them. Requires at least two matches, ascending in u
+  /// and v.
   void follow(std::span<const Match> matches, double tolerance_mm);
   /// Ends the profile at `end`, the new end of the stroke, and returns it.
   [[nodiscard]] std::vector<WidthKnot> finish(double end) &&;

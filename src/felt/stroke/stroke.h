@@ -29,13 +29,13 @@ constexpr double tone_of_width(double width_mm) noexcept {
 }
 
 /// One breakpoint of the width profile [Paper eq. 3]: the full width `width_mm` at stroke parameter
-/// `u` = segment index + t. Linear in u between breakpoints.
+/// `u` = segment index + t. The width is linear in u between breakpoints.
 ///
 /// `tone` is the amount of medium applied at `u`, from 0 (almost nothing) to 1 (the maximum). It
 /// preserves the effect of pressure and tilt, which the width alone does not. MediumLook defines
 /// how the tone affects the opacity and how deep the medium reaches into the relief. Wet ink
-/// ignores the tone. Like the width, it is linear between breakpoints. A breakpoint made without a
-/// tone has the default tone of its width.
+/// ignores the tone. Like the width, the tone is linear between breakpoints. A breakpoint made
+/// without a tone has the default tone of its width.
 struct WidthKnot {
   double u = 0.0;
   double width_mm = 0.0;
@@ -44,7 +44,7 @@ struct WidthKnot {
   friend constexpr bool operator==(const WidthKnot&, const WidthKnot&) noexcept = default;
 };
 
-/// 8-bit sRGB with straight alpha.
+/// A colour in 8-bit sRGB with straight (not premultiplied) alpha.
 struct Rgba {
   std::uint8_t r = 0, g = 0, b = 0, a = 255;
 

@@ -21,7 +21,7 @@ struct MendedStroke {
 /// moves handles by less than kMaxMendedMm, and an end of the stroke by less than twice
 /// kMaxMendedMm.
 inline constexpr double kMaxMendedMm = 0.001;
-/// A joint that turns by at most this angle is assumed to have been smooth before rounding.
+/// A joint that turns by at most this many degrees is assumed to have been smooth before rounding.
 inline constexpr double kMaxMendedDeg = 1.0;
 
 /// Looks at the joints of `data` that are declared smooth. A joint that turns by at most

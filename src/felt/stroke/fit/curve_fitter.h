@@ -25,12 +25,12 @@ void append_sample_places(const SamplePlace& place, double next_u, const Cubic& 
 
 /// Fits joined cubics to the samples of a pen while it draws.
 ///
-/// Greedy: from the last joint, LongRun finds how far one cubic can go; the joint is then put at
-/// kReach of that run. At the joint, the long fit has samples on both sides, so the position and
-/// tangent of its curve are well determined; at the end of the run they are not. The next segment
-/// starts with this position and tangent, so smooth joints are G1 exactly. A run never passes a
-/// corner (CornerDetector): the segment ends at the corner, and the next segment starts there with
-/// a new tangent.
+/// The fitter is greedy: from the last joint on, LongRun finds the longest run of samples that one
+/// cubic fits. The next joint is put at the fraction kReach of that run. At the joint, the long fit
+/// has samples on both sides, so the position and tangent of its curve are well determined; at the
+/// end of the run they are not. The next segment starts with this position and tangent, so smooth
+/// joints are G1 exactly. A run never passes a corner (CornerDetector): the segment ends at the
+/// corner, and the next segment starts there with a new tangent.
 ///
 ///      o--o--o--o--o--o--o--o--o--o            samples
 ///      |===== run, one cubic ======|           longest within the tolerance

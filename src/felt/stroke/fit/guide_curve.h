@@ -37,7 +37,7 @@ class GuideCurve {
                                       double limit_mm) const noexcept;
 
  private:
-  std::vector<Point> places_;  // kPlaces for each kept sample: at it, and between it and the next
+  std::vector<Point> places_;  // kPlaces for each kept sample, up to the next one
 };
 
 }  // namespace felt

@@ -21,7 +21,8 @@ namespace felt {
 /// sample in the window, and finally begin() with Detail::kEverySample: such a run ends at the end
 /// of the window and needs no proof.
 ///
-/// Work of one step() is bounded by kMaxRun additions and one step of RunSearch. No allocation.
+/// One step() takes at most kMaxRun additions to the window and one step of RunSearch. Nothing is
+/// allocated.
 class LongRun {
  public:
   enum class Detail {

@@ -152,7 +152,7 @@ double PaperFitter::fit(Run& run) const {
   for (std::size_t i = first; i <= last; ++i) {
     const double t = share_of(path_mm_[i] - path_mm_[run.from], length), s = 1.0 - t;
     const double w2 = 3.0 * t * s * s, w3 = 3.0 * t * t * s;
-    const Vec rest = (points_[i] - b1) - t * t * t * (b4 - b1);  // relative to B1, which drops out
+    const Vec rest = (points_[i] - b1) - t * t * t * (b4 - b1);  // relative to B1, so B1 drops out
     s22 += w2 * w2;
     s23 += w2 * w3;
     s33 += w3 * w3;
@@ -220,7 +220,7 @@ void PaperFitter::uncommit_last() {
 
 // The samples after the last joint are too close to it for a segment (I5). So the last segment is
 // fitted again to draw them too. If that fit misses the tolerance, the segment stays as it is, and
-// its end represents them.
+// its end represents these samples.
 void PaperFitter::absorb_tail() {
   const std::size_t last = points_.size() - 1;
   const std::size_t from = ends_[ends_.size() - 2];

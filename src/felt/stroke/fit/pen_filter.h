@@ -12,7 +12,7 @@ namespace felt {
 /// Removes the artefacts of pen-down and pen-up from a stroke before it is fitted:
 ///   - late pressure: first samples without pressure, or with pressure 0, get the pressure of the
 ///     first sample that has one; no sample is dropped;
-///   - a pressure blob at pen-down and a pressure spike at pen-up: capped at the level nearby;
+///   - a pressure blob at pen-down or pen-up: replaced by the pressure one window away;
 ///   - a hook at lift: cut off at its turn;
 ///   - a stray sample, which jumps out and back or occurs at lift: dropped.
 /// In 1,407 strokes of public recordings (Wacom's Universal Ink Library, MyScript iinkTS, BDALab)

@@ -34,10 +34,11 @@ struct RunStart {
 /// noise of single samples is averaged away there as everywhere else. This halves the number of
 /// segments at noise-level tolerances (docs/decisions/0004-joints-leave-the-samples.md).
 ///
-/// The fit minimises sum_i w_i |f(t_i) - P_i|^2_M + n kEnergy |f'''/6|^2 + n kRidge |B -
-/// B_chord|^2, with w_i the weight of a sample (SampleWindow) and n the sum of all weights. The
-/// norm M counts the distance to the curve's tangent line at the foot point and a little of the
-/// distance along it (segment_fit_kernels.h). The two small terms determine the curve as far as the
+/// The fit minimises
+///   sum_i w_i |f(t_i) - P_i|^2_M + n kEnergy |f'''/6|^2 + n kRidge |B - B_chord|^2,
+/// where w_i is the weight of a sample (SampleWindow) and n is the sum of all weights. The norm M
+/// counts the distance to the curve's tangent line at the foot point and a little of the distance
+/// along that line (segment_fit_kernels.h). The two small terms determine the curve as far as the
 /// samples do not. The jerk f'''/6 = B4 - 3 B3 + 3 B2 - B1 is zero on parabolas and small on arcs,
 /// so it keeps curls out without flattening round shapes. Each round solves for the control points
 /// and moves every t_i one Newton step to its foot point; 2 to 4 rounds achieve as much as 10

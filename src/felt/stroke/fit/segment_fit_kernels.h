@@ -48,9 +48,9 @@ struct NormalSums {
 ///   M = (1 - w) n n' + w I,   n = unit normal of the curve at t,
 /// that is, the squared distance along the normal plus w times the squared distance along the
 /// tangent (tangent distance minimisation with a damping term: Wang, Pottmann, Liu 2006, "Fitting
-/// B-spline curves to point clouds by curvature-based squared distance minimization", section 3). w
-/// = 1 is the ordinary least squares. The term of each sample is multiplied by its weight. Only
-/// samples with an index in [begin, end) are included.
+/// B-spline curves to point clouds by curvature-based squared distance minimization", section 3).
+/// With w = 1, this is ordinary least squares. The term of each sample is multiplied by its weight.
+/// Only samples with an index in [begin, end) are included.
 void accumulate_fixed_start(const PowerCubic& curve, const RunView& run, const double* t,
                             std::size_t begin, std::size_t end, double w,
                             NormalSums& sums) noexcept;

@@ -71,7 +71,7 @@ class WidthFitter {
   // A quantity that is linear between knots: the width or the tone.
   struct Channel {
     double min, max, tolerance;
-    Values here{};      // at the position that still collects samples
+    Values here{};      // values at the position that still collects samples
     double from = 0.0;  // value at the start of the open segment
     Range slopes{};     // feasible slopes of the open segment
     double sum_uw = 0.0;
