@@ -141,7 +141,8 @@ bool PaperFitter::fit_within(Run& run) const {
 }
 
 // Least squares for B2, B3 with B1, B4 fixed: with b1..b4 the Bernstein basis at t_i,
-//   sum b2 b2 B2 + sum b2 b3 B3 = sum b2 R_i,   R_i = P_i - b1 B1 - b4 B4   (and b3 alike).
+//   sum b2 b2 B2 + sum b2 b3 B3 = sum b2 R_i,   sum b3 b2 B2 + sum b3 b3 B3 = sum b3 R_i,
+// where R_i = P_i - b1 B1 - b4 B4.
 double PaperFitter::fit(Run& run) const {
   const Point b1 = points_[run.from], b4 = points_[run.to];
   const std::size_t first = run.from - std::min(run.from, shared_);
