@@ -11,7 +11,7 @@
 namespace felt {
 
 /// Marks on the control points of a stroke: one byte for each of StrokeData::points, 1 = selected
-/// (Selection::Marks). Pure functions (docs/design/editing.md#lasso; R31-R34).
+/// (Selection::Marks). All functions are pure (docs/design/editing.md#lasso; R31-R34).
 ///
 /// The *arms* of a joint are the points that define its two tangents: usually its handles. If a
 /// handle has length zero, the arm on that side is the next control point that differs from the

@@ -8,9 +8,9 @@
 
 namespace felt {
 
-/// Divides a stroke into more or fewer segments with the same ink. Pure functions. The results
-/// satisfy the invariants I1-I7, and the rest of the stroke stays the same bit for bit. The widths
-/// are kept; where u is stretched, a breakpoint is added.
+/// Divides a stroke into more or fewer segments with the same ink. All functions are pure. The
+/// results satisfy the invariants I1-I7, and the rest of the stroke stays the same bit for bit. The
+/// widths are kept; where u is stretched, a breakpoint is added.
 
 /// Returns the stroke with a smooth joint at each of `us`. If an element of `us` is nearer than
 /// kMinSegmentMm to an existing joint or to a joint just added, that joint is used instead, so that

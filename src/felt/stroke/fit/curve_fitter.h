@@ -61,7 +61,7 @@ class CurveFitter {
   static constexpr double kMaxSpacing = 0.2;
   /// Returns the spacing of data points in mm. A sample becomes a data point if it is farther than
   /// this from the last data point (R3); other samples are merged into that data point
-  /// (KeptSamples). 0.03 mm at the default tolerance.
+  /// (KeptSamples). At the default tolerance, the spacing is 0.03 mm.
   static constexpr double spacing_mm(double tolerance_mm) noexcept {
     return std::min(std::clamp(kSpacing * tolerance_mm, kResolutionMm, kDataPointMm),
                     kMaxSpacing * tolerance_mm);

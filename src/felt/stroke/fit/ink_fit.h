@@ -17,7 +17,7 @@ namespace felt {
 struct InkSample {
   Point position;                       ///< mm, page coordinates
   std::optional<double> pressure;       ///< 0..1; absent if the source reports none
-  std::optional<std::int64_t> time_ns;  ///< since the drawing session began; can run backwards
+  std::optional<std::int64_t> time_ns;  ///< since the session began; can run backwards
   std::optional<double> tilt_deg{};  ///< tilt from the upright, 0..90 (geometry/tilt.h converts it
                                      ///< to 0..1); absent if the source reports none
 
@@ -82,7 +82,7 @@ struct WidthMapOptions {
   double max_mm = 6.0;             ///< width at p = 1; not below min_mm
   double gamma = 1.0;              ///< > 0; above 1 keeps a light hand thin
   double absent_pressure = 0.5;    ///< p to use if the source reports none (a mouse)
-  double time_constant_ms = 20.0;  ///< of the low-pass on p and l; 0 switches the low-pass off
+  double time_constant_ms = 20.0;  ///< of the low-pass filters of p and l; 0: no filters
   double interval_ms = 7.5;        ///< assumed time between samples without times
   double tilt_width = 1.0;         ///< width of a fully tilted pen relative to an upright one; >= 1
   double absent_tilt_deg = 0.0;    ///< tilt to use if the source reports none
@@ -109,7 +109,7 @@ struct WidthFitOptions {
   double tone_tolerance = 0.05;
 };
 
-/// Which curve fitting to use.
+/// The scheme by which the curve of a stroke is fitted.
 enum class FitScheme {
   kFeltline,   ///< Feltline's own: all samples within the tolerance, G1 joints, sharp corners
   kPaper2002,  ///< the scheme of the paper, eq. 2 with s shared samples (R6), for study
@@ -132,7 +132,8 @@ struct FittedCurve {
   std::vector<Point> points;      ///< 3n + 1 control points; empty before the first segment
   std::vector<JointKind> joints;  ///< n - 1 kinds of the inner joints
   /// For each sample that the n segments cover, in order: its parameter u = segment index + t on
-  /// the curve. Non-decreasing; the curve at u lies within the tolerance of the sample.
+  /// the curve. The parameters never decrease, and the curve at u lies within the tolerance of the
+  /// sample.
   std::vector<double> sample_u;
 
   [[nodiscard]] int segment_count() const noexcept {

@@ -18,8 +18,8 @@ namespace felt {
 /// window, samples are removed from the window (RunSearch::thin) and the search continues with
 /// those that follow. Then the result is proven only for the samples in the window; RunPlacer
 /// proves it for all samples. If the curve misses a sample, call search_again(), which holds that
-/// sample in the window, and finally begin() with Detail::kEverySample: such a run ends at the end
-/// of the window and needs no proof.
+/// sample in the window. If search_again() returns false, call begin() with Detail::kEverySample:
+/// such a run ends at the end of the window and needs no proof.
 ///
 /// One step() takes at most kMaxRun additions to the window and one step of RunSearch. Nothing is
 /// allocated.
@@ -30,7 +30,7 @@ class LongRun {
     kEverySample,  ///< at most SegmentFit::kMaxRun samples, all of them in the window
   };
 
-  /// Samples that search_again() can hold in the window.
+  /// Maximum number of samples that search_again() can hold in the window.
   static constexpr std::size_t kMaxHeld = 16;
 
   LongRun() : window_(SegmentFit::kMaxRun) {}
@@ -53,8 +53,8 @@ class LongRun {
   void pin(bool start, bool end) noexcept { search_.pin(window_, start, end); }
 
   [[nodiscard]] const RunStart& start() const noexcept { return search_.start(); }
-  /// Return the first kept sample of the run, and one past the last. Equal before the first exact
-  /// fit.
+  /// Return the first kept sample of the run, and one past the last. The two are equal before the
+  /// first exact fit.
   [[nodiscard]] std::size_t first() const noexcept { return first_; }
   [[nodiscard]] std::size_t end() const noexcept {
     return count() == 0 ? first_ : source(count() - 1) + 1;

@@ -83,10 +83,10 @@ class PaperFitter {
   double tolerance_mm_;
   std::size_t shared_;
   double data_point_mm_;
-  std::vector<std::size_t> merged_;  // samples after each data point that are not data points
+  std::vector<std::size_t> merged_;  // number of merged samples after each data point
   Point newest_;
   std::vector<Point> points_;
-  std::vector<double> path_mm_;    // along the chords from the first point
+  std::vector<double> path_mm_;    // path length along the chords from the first point
   Run good_, trial_;               // longest run within the tolerance; the one being tried
   std::vector<std::size_t> ends_;  // sample index of each joint so far, the start included
   FittedCurve curve_;

@@ -19,8 +19,8 @@ namespace felt {
 /// 1 segments it keeps those that cover most ink. The first candidate that covers all ink is the
 /// result. Fits, corners and guarantees are those of CurveFitter.
 ///
-/// Time is linear in the samples, about kBeam times that of the online fit. Runs on any thread,
-/// one Refiner per thread; buffers are kept between strokes.
+/// The time is linear in the number of samples, about kBeam times the time of the online fit. Any
+/// thread may use a Refiner, but only one at a time. Buffers are kept between strokes.
 class Refiner {
  public:
   static constexpr std::size_t kBeam = 8;

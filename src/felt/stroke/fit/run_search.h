@@ -63,7 +63,7 @@ class RunSearch {
   /// If the run found is shorter than a segment may be (I5), replaces it by a bridge
   /// (SegmentFit::bridge) to the first sample that is far enough from the start, or to the last
   /// available one. All samples between are within kMinSegmentMm of the start, so the tolerance
-  /// holds. After kDone; may change count().
+  /// holds. Call it after kDone. May change count().
   void ensure_length(const SampleWindow& window) noexcept;
 
   /// Removes samples from a window that the run found fills, and resumes the search. The samples
@@ -93,10 +93,10 @@ class RunSearch {
   double lead_mm_ = 0.0;     // distance from the start point to sample first_
   double tightest_ = 0.0;    // largest inverse limit of the samples in the gate
   std::size_t gated_ = 0;    // number of samples added to moments_
-  std::size_t proven_ = 0;   // longest run that the gate accepted
-  std::size_t good_ = 0;     // longest run that the exact fit accepted
-  std::size_t next_ = 0;     // next run to try
-  std::size_t bad_ = 0;      // shortest run that failed
+  std::size_t proven_ = 0;   // size of the longest run that the gate accepted
+  std::size_t good_ = 0;     // size of the longest run that was fitted
+  std::size_t next_ = 0;     // size of the next run to try
+  std::size_t bad_ = 0;      // size of the shortest run that failed
   std::size_t offered_ = 0;  // number of samples that may be used
   bool is_close_to_guide_ = true;
   SegmentFit fit_;

@@ -16,12 +16,12 @@ class GuideCurve;
 /// rounding.
 inline constexpr double kShortestSegmentMm = 1.001 * kMinSegmentMm;
 
-/// Which properties are already fixed at the start of a segment.
+/// The properties that are already fixed at the start of a segment.
 struct RunStart {
   enum class Kind {
-    kFree,     ///< nothing: first segment of a stroke
-    kPoint,    ///< B1: after a corner
-    kTangent,  ///< B1 and its tangent: after a smooth joint (G1)
+    kFree,     ///< nothing is fixed: first segment of a stroke
+    kPoint,    ///< B1 is fixed: after a corner
+    kTangent,  ///< B1 and its tangent are fixed: after a smooth joint (G1)
   };
   Kind kind = Kind::kFree;
   Point point;
@@ -61,7 +61,8 @@ class SegmentFit {
   static constexpr double kTangentWeight = 0.05;
   static constexpr double kEnergy = 2e-5;
   static constexpr double kRidge = 1e-4;
-  /// Bounds of the handle at a smooth start, as fractions of the chord length of the run.
+  /// Bounds of the handle at a smooth start, as fractions of the path length along the run's
+  /// samples.
   static constexpr double kMinHandle = 0.03;
   static constexpr double kMaxHandle = 2.0;
   static constexpr double kGapBulge = 0.1;
@@ -73,9 +74,10 @@ class SegmentFit {
   };
 
   /// Fits samples [first, first + count) of `window`. Returns true if the curve is accepted;
-  /// `curve()` and `parameters()` then return it. Requires 1 <= count <= kMaxRun and, if the start
-  /// is free, count >= 2. `known` are the parameters of the first samples on a shorter curve from
-  /// the same start, which are a better first guess than path lengths if there is noise.
+  /// `curve()` and `parameters()` then return the curve and its parameters. Requires 1 <= count <=
+  /// kMaxRun and, if the start is free, count >= 2. `known` are the parameters of the first samples
+  /// on a shorter curve from the same start, which are a better first guess than path lengths if
+  /// there is noise.
   bool fit(const SampleWindow& window, const RunStart& start, std::size_t first, std::size_t count,
            End end = End::kFree, std::span<const double> known = {}) noexcept;
 

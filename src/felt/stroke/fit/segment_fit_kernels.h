@@ -7,7 +7,7 @@
 /// The two inner loops of the segment fit, four samples at a time. They use explicit SIMD lanes, so
 /// that every machine adds in the same order and computes the same bits. On x86-64 a second version
 /// for wider registers is chosen at load time (without fused multiply-add, see options.cmake).
-/// Private to the stroke layer. Thread: any; no allocation.
+/// Private to the stroke layer. Any thread may call them. They do not allocate.
 namespace felt::detail {
 
 /// A cubic in power form relative to an origin: f(t) = ((a3 t + a2) t + a1) t + a0.
