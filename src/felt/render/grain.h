@@ -53,12 +53,12 @@ class Grain {
   [[nodiscard]] HeightField::Sample at(Point place) const noexcept;
   /// Returns s in units of its RMS, or 0 if the surface has no relief.
   [[nodiscard]] double relief(Point place) const noexcept;
-  /// Returns alpha in the middle of a line of a medium, by its id, without streaks. An unknown
-  /// medium looks like the pencil. Returns 1 if plain.
+  /// Returns alpha in the middle of a line, without hairs, for the medium with the id `material`.
+  /// An unknown medium looks like the pencil. Returns 1 if the grain is plain.
   [[nodiscard]] double alpha(Point place, double tone, std::string_view material) const noexcept;
 
-  /// Returns the look of a medium at a scale as tables, for code that fills pixels (ink_look.h).
-  /// Null means solid ink.
+  /// Returns the look of a medium at one scale as tables, for code that fills pixels (ink_look.h),
+  /// or null for solid ink.
   [[nodiscard]] std::shared_ptr<const InkLook> look(std::string_view material,
                                                     double px_per_mm) const;
 

@@ -27,7 +27,7 @@ struct PixelRect {
 
 /// Order of the four bytes of a pixel in memory.
 enum class PixelOrder : std::uint8_t {
-  kRgba,  ///< PNG
+  kRgba,  ///< used by PNG files
   kBgra,  ///< used by desktop windows (32-bit ARGB on a little-endian machine)
 };
 

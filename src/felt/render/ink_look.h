@@ -53,7 +53,7 @@ struct InkLook {
   double sheet_tile_mm = 1.0, crumb_tile_mm = 1.0;
 };
 
-/// Shades the pixels of a line with a look in a view. `look` must outlive it.
+/// Shades the pixels of lines with a look in a view. Requires that `look` outlives it.
 class InkShade {
  public:
   InkShade(const InkLook& look, const View& view);

@@ -19,7 +19,7 @@ namespace felt {
 struct SceneLayer {
   LayerId id;
   bool is_visible = true;
-  std::size_t position = 0;  ///< among the layers; 0 is the lowest
+  std::size_t position = 0;  ///< position among the layers; 0 is the lowest
   StrokeOrder order;
   StrokeGrid grid;
 };
@@ -63,7 +63,8 @@ class InkScene {
   }
   /// Returns the stroke, or null if the scene does not have it.
   [[nodiscard]] const SceneStroke* find(StrokeId id) const;
-  /// Returns the ids of the strokes that the preview changes, ascending; some may not exist.
+  /// Returns the ids of the strokes that the preview changes, ascending. Some of these strokes may
+  /// not exist in the scene.
   [[nodiscard]] const std::vector<StrokeId>& previewed() const noexcept { return previewed_; }
   /// Returns a number that changes with every change of the document, but not with previews.
   [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }

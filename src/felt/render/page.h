@@ -28,15 +28,15 @@ struct PageOptions {
 Rect ink_bounds(std::span<const StrokePtr> strokes) noexcept;
 
 /// Returns the area that the options show: `sheet`, or the ink and its margin, or, if there is no
-/// ink, a square around the origin with the size of the margin.
+/// ink, a square that reaches one margin from the origin in each direction.
 Rect page_area(const Rect& ink, const PageOptions& options) noexcept;
 
 /// Draws strokes one by one on a page.
 class PagePainter {
  public:
-  /// Prepares a page that shows `ink`, or the area in the options. Fails if an option is invalid (a
-  /// resolution or margin that is not finite, an empty page), or if the picture is larger than
-  /// Image::kMaxPixels.
+  /// Prepares a page that shows `ink`, or the area in the options. Fails if an option is out of
+  /// range (0 < dpi <= 100000, 0 <= margin_mm <= 10000), if the area is empty or not finite, or if
+  /// the picture is larger than Image::kMaxPixels.
   static Result<PagePainter> create(const Rect& ink, const PageOptions& options);
 
   /// Draws a stroke on top of the others.

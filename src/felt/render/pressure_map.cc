@@ -136,8 +136,8 @@ FELT_WIDE_VECTORS void walk_tapering(const Walk& w) noexcept {
 
 }  // namespace
 
-/// The path from dab a to dab b, and how far it reaches beyond each: a cap at an end of the line,
-/// or enough to close the wedge between two strips at a joint.
+/// The path from dab a to dab b, and how far the strip reaches beyond each dab: far enough for a
+/// cap at an end of the line, or to close the wedge between two strips at a joint.
 struct PressureMap::Strip {
   TipAt a, b;
   double before = 0.0, after = 0.0;

@@ -129,7 +129,7 @@ struct Rasterizer::State {
     Vec into, out;
   };
 
-  /// Returns true if the last run of a ring continues with the first.
+  /// Returns true if the last run of a closed stroke continues with the first.
   [[nodiscard]] bool goes_round(const Stroke& stroke) const noexcept {
     const auto& found = runs.runs();
     return stroke.closed() && found.size() > 1 && found.front().first == 0 &&
@@ -233,7 +233,7 @@ void Rasterizer::load(const Outline& outline, const View& view, PixelRect part) 
   }
 }
 
-/// Returns the outline of a stroke's ink in `shown`, or its complete outline if all of it is there.
+/// Returns the outline of the segments of a stroke that may ink `shown`.
 const Outline& Rasterizer::trace_near(const Stroke& stroke, const View& view, const Rect& shown) {
   State& s = *state_;
   const double tolerance_mm = kRasterTolerancePx / view.px_per_mm;
@@ -277,7 +277,8 @@ void Rasterizer::draw_center_line(const Stroke& stroke, const View& view, PixelR
        {color.r, color.g, color.b, 255}, target);
 }
 
-/// Returns the look of the stroke's medium. It is usually the same as for the stroke before.
+/// Returns the look of the stroke's medium. Caches looks, because the medium is usually that of the
+/// stroke before.
 const InkLook* Rasterizer::look_of(const Stroke& stroke, const View& view, const Grain& grain) {
   State& s = *state_;
   if (!(grain == s.grain) || view.px_per_mm != s.looks_px_per_mm) {

@@ -21,7 +21,7 @@ double seen_relief(const HeightField& field, Point place) noexcept;
 /// A relief that repeats without seams, as a square grid of texels. Each texel is one height. The
 /// side of the grid is a power of two.
 struct ReliefLevel {
-  static constexpr double kPerRms = 32.0;  ///< texel value of one RMS: +-4 RMS fit
+  static constexpr double kPerRms = 32.0;  ///< a texel of 32 is 1 RMS high, so +-4 RMS fit
 
   int log2_side = 0;
   double kept = 1.0;  ///< fraction of the variance that is left; detail finer than a texel is lost

@@ -21,8 +21,8 @@ struct Dab {
 /// the size of the segment.
 inline constexpr int kMaxFlattenSteps = 1 << 14;
 
-/// Maximum number of steps of a stroke with many segments. They are shared evenly, with at least
-/// one step for each segment; 2^24 dabs take 540 MB.
+/// Maximum number of steps of a stroke with many segments. The steps are divided evenly among the
+/// segments, with at least one step for each; 2^24 dabs take 540 MB.
 inline constexpr int kMaxStrokeSteps = 1 << 24;
 
 /// Returns the number of steps, at least 1, into which a part of c with a length of `span` in t

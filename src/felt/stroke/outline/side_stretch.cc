@@ -20,7 +20,7 @@ namespace {
 
 /// Fits one cubic to points along a smooth edge.
 ///
-/// Usage: `clear`, `add` for each point in order, `fit`. Keeps its buffers.
+/// Use: clear(); add() for each point in order; fit(). Keeps its buffers.
 class EdgeFit {
  public:
   void clear() noexcept { points_.clear(); }
