@@ -11,36 +11,39 @@ namespace felt {
 struct InkLook;
 
 /// The look of media on a surface (paper, "future work"; docs/design/rendering.md#grain-in-ink;
-/// R47): dry ink lies on the hills of the relief and leaves the valleys bare; the higher the
-/// pressure, the deeper it reaches. For a medium's MediumLook, tone t and push q = t (1 - 0.45
-/// rho^2) at rho radii from the middle of the line (the tip presses less towards its edge):
+/// R47): dry ink lies on the hills of the relief and leaves the valleys bare; with more pressure it
+/// reaches deeper. The formulas use the values of the medium's MediumLook, the tone t, and the push
+/// q at a distance of rho radii from the middle of the line. The tip presses less towards its edge,
+/// so q is smaller there.
 ///
-///   alpha = opacity(t) (1 - G (1 - seen)),  seen = smoothstep(1/2 + (w r - cut(q)) / (2 soft))
-///   r = (grain d s(x) + crumb c(x) + streaks b(n)) / n,   n = |(grain, crumb, streaks)|
+///   alpha = opacity(q) (1 - G (1 - seen)),  seen = smoothstep(1/2 + (w r - cut(q)) / (2 soft))
+///   r = (grain d s(x) + crumb c(x) + streaks b(y)) / n,   n = |(grain, crumb, streaks)|
 ///   G = min(1, n),  w = 1 - wear q,  cut = cut_light + (cut_heavy - cut_light) q
+///   q = t (1 - 0.45 rho^2)
 ///
-/// The smoothstep of h - h_cut(p) is the one of docs/design/rendering.md#grain-in-ink; the choice
-/// of all its terms is ours:
+/// The smoothstep of h - h_cut(p) comes from docs/design/rendering.md#grain-in-ink. Its terms are
+/// Feltline's own choice:
 /// s  the same height h that the hand feels at x, plus a *tooth*: the same map, finer and (except
 ///    for wood) rotated. The tooth is drawn, but not felt, because grain shorter than 1 mm cannot
 ///    be both stable and strong enough to be felt at 1 kHz (docs/design/forces.md#texture). s is in
 ///    units of its own RMS;
 /// d  = R / (R + 2 um) for the relief's RMS height R: fine paper is less grainy than canvas;
 /// c  the medium's own dust: a separate map, as coarse as crumb_mm, fixed to the page;
-/// b  hairs, by the position n across the line: the single hairs of a dry brush are visible.
-/// Within `edge` radii of the rim, q falls to -1/3, where the ink reaches no part of the relief:
-/// dust frays. At the rim wet ink dries darker: alpha (1 + rim). If a pixel is larger than the
-/// grain, alpha is the mean over the detail that it cannot show. Nothing here depends on earlier
-/// strokes, so any order of painting gives the same picture.
+/// b  hairs, by the position y across the line: the single hairs of a dry brush are visible.
+/// Within `edge` radii of the rim, alpha fades to 0, and q falls to -1/3, where the ink reaches no
+/// part of the relief, so that the edge of dust frays. Wet ink dries darker at the rim: alpha is
+/// multiplied by up to 1 + rim. If a pixel is larger than the grain, alpha is the mean over the
+/// detail that the pixel cannot show. Nothing here depends on earlier strokes, so any order of
+/// painting gives the same picture.
 ///
-/// A value type. Copies share their tables: 1.4 MiB of relief, 5 MiB more from 32 pixels a
-/// wavelength on, and 32 KiB for each medium and scale. Safe to use from any thread.
+/// A value type. Copies share their tables: 1.4 MB of relief, 4.2 MB more above 24 pixels per
+/// wavelength, and 32 KiB for each medium and scale. Safe to use from any thread.
 class Grain {
  public:
   /// Creates a plain grain, with which every medium is solid ink.
   Grain() noexcept = default;
-  /// Requires that `field` outlives all copies. If it is null, the surface is smooth, and media
-  /// keep their own look.
+  /// Requires that `field` outlives all copies. If `field` is null, the surface is smooth; the
+  /// media still have their own dust, hairs and edges.
   explicit Grain(const HeightField* field, const Materials& materials = Materials::built_in());
 
   [[nodiscard]] bool is_plain() const noexcept { return !state_; }
@@ -50,17 +53,17 @@ class Grain {
   [[nodiscard]] HeightField::Sample at(Point place) const noexcept;
   /// Returns s in units of its RMS, or 0 if the surface has no relief.
   [[nodiscard]] double relief(Point place) const noexcept;
-  /// Returns alpha in the middle of a line of a medium, by its id, without streaks. An unknown
-  /// medium looks like the pencil. Returns 1 if plain.
+  /// Returns alpha in the middle of a line, without hairs, for the medium with the id `material`.
+  /// An unknown medium looks like the pencil. Returns 1 if the grain is plain.
   [[nodiscard]] double alpha(Point place, double tone, std::string_view material) const noexcept;
 
-  /// Returns the look of a medium at a scale as tables, for code that fills pixels (ink_look.h).
-  /// Null means solid ink.
+  /// Returns the look of a medium at one scale as tables, for code that fills pixels (ink_look.h),
+  /// or null for solid ink.
   [[nodiscard]] std::shared_ptr<const InkLook> look(std::string_view material,
                                                     double px_per_mm) const;
 
-  /// Returns true if both draw the same pixels, that is, have the same relief and media with the
-  /// same look.
+  /// Returns true if both draw the same pixels, because they have the same relief and media with
+  /// the same looks.
   friend bool operator==(const Grain& a, const Grain& b) noexcept;
 
  private:
@@ -68,7 +71,7 @@ class Grain {
   std::shared_ptr<const State> state_;
 };
 
-/// Grain in a file with strokes as outlines (.svg, .pdf): the relief, and the resolution.
+/// The grain of a file that contains strokes as outlines (.svg, .pdf), and its resolution.
 struct GrainPrint {
   static constexpr double kMinDpi = 20.0;
   static constexpr double kMaxDpi = 1200.0;

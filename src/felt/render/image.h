@@ -27,7 +27,7 @@ struct PixelRect {
 
 /// Order of the four bytes of a pixel in memory.
 enum class PixelOrder : std::uint8_t {
-  kRgba,  ///< PNG
+  kRgba,  ///< used by PNG files
   kBgra,  ///< used by desktop windows (32-bit ARGB on a little-endian machine)
 };
 
@@ -48,7 +48,7 @@ void fill(Pixels target, PixelRect area, Rgba color) noexcept;
 /// A picture in memory, RGBA, premultiplied.
 class Image {
  public:
-  /// Largest picture: 2^28 pixels, 1 GiB.
+  /// Maximum number of pixels of a picture: 2^28, which take 1 GiB.
   static constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
 
   /// Creates a transparent picture. Fails if a side is not positive, or if the picture has more

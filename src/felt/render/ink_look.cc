@@ -70,7 +70,8 @@ ReliefWeights relief_weights(const MediumLook& look) noexcept {
 double ink_alpha(const MediumLook& look, double wear, double push, double relief,
                  double blur) noexcept {
   const double tone = std::clamp(push, 0.0, 1.0);
-  const double lost = std::clamp(push / PressureMap::kMinPush, 0.0, 1.0);  // at a soft edge
+  // Above 0 only within a soft edge.
+  const double lost = std::clamp(push / PressureMap::kMinPush, 0.0, 1.0);
   const double cut = look.cut_light + (look.cut_heavy - look.cut_light) * tone + kOutOfReach * lost;
   const double height = 1.0 - wear * tone;
   const double per_rms = 0.5 / std::max(look.soft, 0.05);

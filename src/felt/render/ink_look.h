@@ -12,8 +12,9 @@
 
 namespace felt {
 
-/// How much of a relief a medium shows: the factor of its height (Grain: d), and the fraction of
-/// the variance of relief and dust that pixels of this size can still show.
+/// How much of a relief is visible: `depth` is the factor of its height (Grain: d); `kept` and
+/// `crumb_kept` are the fractions of the variance of relief and dust that pixels of this size can
+/// show.
 struct SeenRelief {
   double depth = 0.0;
   double kept = 1.0;
@@ -22,40 +23,42 @@ struct SeenRelief {
 
 /// Returns alpha of Grain's formula, 0..1, for r = `relief`, the weighted height of relief and
 /// dust. `blur` is the RMS of the part of r that is too fine to see; the result is the mean over
-/// it.
+/// that part.
 double ink_alpha(const MediumLook& look, double wear, double push, double relief,
                  double blur) noexcept;
 
-/// Weights of relief, dust and hairs in r, and |r| in total.
+/// Weights of relief, dust and hairs in r; their squares add up to 1. `all` is G of Grain's
+/// formula.
 struct ReliefWeights {
   double sheet = 0.0, crumb = 0.0, hairs = 0.0;
   double all = 0.0;
 };
 ReliefWeights relief_weights(const MediumLook& look) noexcept;
 
-/// The look of a medium on a surface at a scale, as tables. Immutable, so safe to use from any
-/// thread.
+/// The look of a medium on a surface at one scale, as tables. It is immutable, so any thread may
+/// use it.
 struct InkLook {
   InkLook(const MediumLook& look, double wear, const SeenRelief& seen);
 
   static constexpr int kReliefs = 256;
-  /// Indexed by push (PressureMap's row), then relief: 128 is the middle, 32 steps are one RMS.
+  /// Alpha, indexed by push (a row of PressureMap), then by relief: step 128 is height 0, and 32
+  /// steps are one RMS.
   std::vector<std::uint8_t> alphas;
-  std::array<std::uint16_t, 64> rim{};                      ///< by rho^2; 256 is no change
-  std::array<std::int16_t, PressureMap::kAcross> hairs{};   ///< by position across, in 1/32 RMS
-  int sheet_weight = 0, crumb_weight = 0, hair_weight = 0;  ///< of 256
+  std::array<std::uint16_t, 64> rim{};                      ///< factor of alpha in 1/256, by rho^2
+  std::array<std::int16_t, PressureMap::kAcross> hairs{};   ///< height by position, in 1/32 RMS
+  int sheet_weight = 0, crumb_weight = 0, hair_weight = 0;  ///< in 1/256
   bool has_rim = false;
   double edge = 0.0;
   std::shared_ptr<const ReliefLevel> sheet, crumb;  ///< null if not visible
   double sheet_tile_mm = 1.0, crumb_tile_mm = 1.0;
 };
 
-/// Shades the pixels of a line with a look in a view. `look` must outlive it.
+/// Shades the pixels of lines with a look in a view. Requires that `look` outlives it.
 class InkShade {
  public:
   InkShade(const InkLook& look, const View& view);
-  /// Multiplies the alphas of `count` pixels from (x, y) on by the visible fraction of the ink
-  /// there.
+  /// Multiplies the alphas of `count` pixels, which begin at (x, y), by the fraction of the ink
+  /// that is visible at each pixel.
   void row(const PressureMap& pressure, int x, int y, int count,
            std::uint8_t* alphas) const noexcept;
 

@@ -88,8 +88,9 @@ Result<void> InkScene::show(const std::optional<Edit>& preview, InkDamage& damag
   return change(preview ? &*preview : nullptr, true, damage);
 }
 
-/// Undoes the preview and applies the next edit. Compares the strokes of both before and after, and
-/// adds only visible differences to the damage.
+/// Undoes the preview and applies the next edit. Compares the strokes that the preview and the edit
+/// change, as they looked before and as they look after, and adds only visible differences to the
+/// damage.
 Result<void> InkScene::change(const Edit* next, bool is_preview, InkDamage& damage) {
   std::vector<StrokeId> ids;
   if (preview_) add_ids(*preview_, ids);

@@ -15,11 +15,11 @@
 
 namespace felt {
 
-/// A layer of a display.
+/// A layer of an InkScene.
 struct SceneLayer {
   LayerId id;
   bool is_visible = true;
-  std::size_t position = 0;  ///< among the layers; 0 is the lowest
+  std::size_t position = 0;  ///< position among the layers; 0 is the lowest
   StrokeOrder order;
   StrokeGrid grid;
 };
@@ -33,9 +33,10 @@ struct InkHeight {
 };
 
 /// A display's copy of a document. It is updated by the document's edits, and quickly finds the
-/// strokes that a part of the page shows, in drawing order. Only opening a document and changes of
-/// whole layers take time linear in the sketch. A preview is applied to this copy, and undone when
-/// the next preview or edit arrives; only strokes that look different afterwards are damage.
+/// strokes in a part of the page, in drawing order. Only opening a document and changing whole
+/// layers take time linear in the size of the sketch. A preview is applied to this copy, and undone
+/// when the next preview or edit arrives. Only strokes that look different afterwards are reported
+/// as damage.
 ///
 /// Not thread-safe. Strokes are shared with the document, which may be used on another thread.
 class InkScene {
@@ -53,8 +54,8 @@ class InkScene {
   Result<void> show(const std::optional<Edit>& preview, InkDamage& damage);
 
   /// Replaces the content of `found` with the strokes of visible layers if their bounds touch the
-  /// area, lowest first. The pointers are valid until the next change. If `above` is set, only
-  /// finds strokes of the layers above that layer.
+  /// area, lowest first. The pointers are valid until the next change. If `above` is set, finds
+  /// only strokes of the layers above that layer.
   void find(const Rect& area, std::vector<const SceneStroke*>& found,
             std::optional<LayerId> above = {}) const;
   [[nodiscard]] static InkHeight height(const SceneStroke& stroke) noexcept {
@@ -62,7 +63,8 @@ class InkScene {
   }
   /// Returns the stroke, or null if the scene does not have it.
   [[nodiscard]] const SceneStroke* find(StrokeId id) const;
-  /// Returns the ids of the strokes that the preview changes, ascending; some may not exist.
+  /// Returns the ids of the strokes that the preview changes, ascending. Some of these strokes may
+  /// not exist in the scene.
   [[nodiscard]] const std::vector<StrokeId>& previewed() const noexcept { return previewed_; }
   /// Returns a number that changes with every change of the document, but not with previews.
   [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
@@ -77,7 +79,7 @@ class InkScene {
     InkHeight height;
     std::size_t below = 0;  // unchanged strokes below it in its layer
   };
-  using SeenStrokes = std::vector<Seen>;  // by height
+  using SeenStrokes = std::vector<Seen>;  // sorted by height
 
   [[nodiscard]] SeenStrokes look(const std::vector<StrokeId>& ids) const;
   static void compare(SeenStrokes before, SeenStrokes after, InkDamage& damage);

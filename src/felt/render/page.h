@@ -17,26 +17,26 @@ namespace felt {
 /// How a picture of a sketch looks.
 struct PageOptions {
   double dpi = 300.0;
-  /// The part of the page to show. If not set, shows all ink and a margin around it.
+  /// The part of the page to show. If not set, the picture shows all ink and a margin around it.
   std::optional<Rect> sheet{};
   double margin_mm = 5.0;
   Rgba paper{255, 255, 255, 255};  ///< alpha 0 gives a transparent picture
-  Grain grain{};                   ///< the relief of the surface, shown in the ink; default: none
+  Grain grain{};                   ///< the look of media on the surface; by default, solid ink
 };
 
 /// Returns the bounds of all ink; empty if `strokes` is empty.
 Rect ink_bounds(std::span<const StrokePtr> strokes) noexcept;
 
 /// Returns the area that the options show: `sheet`, or the ink and its margin, or, if there is no
-/// ink, a square around the origin with the size of the margin.
+/// ink, a square that reaches one margin from the origin in each direction.
 Rect page_area(const Rect& ink, const PageOptions& options) noexcept;
 
-/// Draws strokes one by one onto the paper.
+/// Draws strokes one by one on a page.
 class PagePainter {
  public:
-  /// Prepares a page that shows `ink`, or the area in the options. Fails if an option is invalid (a
-  /// resolution or margin that is not finite, an empty page), or if the picture is larger than
-  /// Image::kMaxPixels.
+  /// Prepares a page that shows `ink`, or the area in the options. Fails if an option is out of
+  /// range (0 < dpi <= 100000, 0 <= margin_mm <= 10000), if the area is empty or not finite, or if
+  /// the picture is larger than Image::kMaxPixels.
   static Result<PagePainter> create(const Rect& ink, const PageOptions& options);
 
   /// Draws a stroke on top of the others.

@@ -11,8 +11,8 @@
 namespace felt {
 
 /// Returns a colour from a palette that is distinguishable with any colour vision (Okabe, Ito,
-/// "Color universal design", 2008), in the order in which a plot should use them. `i` may be any
-/// number.
+/// "Color universal design", 2008), in the order in which a plot should use them. The colours
+/// repeat, so `i` may be any number.
 Rgba plot_color(std::size_t i) noexcept;
 
 /// An interval of time.
@@ -41,10 +41,10 @@ struct PlotPanel {
   std::string unit;
   std::vector<PlotLine> lines{};
   std::vector<PlotLimit> limits{};
-  double height = 110.0;           ///< of the axes, in units of the plot
+  double height = 110.0;           ///< height of the axes, in units of the plot
   bool from_zero = false;          ///< start the axis at 0, even if the smallest value is larger
-  std::optional<PlotSpan> span{};  ///< own time interval, in which the interval of the plot is
-                                   ///< marked
+  std::optional<PlotSpan> span{};  ///< the panel's own time interval, if any; the
+                                   ///< interval of the plot is marked in it
 };
 
 /// Panels below each other that share a time axis, for example pose, width and each force term over
@@ -60,7 +60,7 @@ struct Plot {
 };
 
 struct PlotOptions {
-  double width = 900.0;  ///< of the picture, in units; text is 9 units high
+  double width = 900.0;  ///< width of the picture, in units; text is 9 units high
   double scale = 2.0;    ///< pixels per unit
 };
 

@@ -46,8 +46,8 @@ double height_in_column(const Image& image, int x, Rgba color) {
 }
 
 TEST(Plot, TheLineIsWhereTheSignalIs) {
-  // A ramp is a straight line: the heights in three columns are evenly spaced, the last one is the
-  // highest.
+  // A ramp is a straight line, so the heights in three columns are evenly spaced, and the last one
+  // is the highest.
   const Image image = draw_plot(plot_of([](double t) { return 3.0 * t; })).value();
   const int third = image.width() / 4;
   const double a = height_in_column(image, third, kBlue);

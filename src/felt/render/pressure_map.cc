@@ -53,7 +53,9 @@ struct Walk {
   float rest_x, rest_y, widest2;
   float edge_from;
   int home_x, home_y;
-  double from, to, cut_x, per_row, reach;  // in x: of the strip; of its width at row 0
+  // Positions in x: the ends of the strip; its middle line at row 0, and the change of that per
+  // row; half of the strip's extent in a row.
+  double from, to, cut_x, per_row, reach;
   bool is_steep = false;
   int y0, y1, x_end;
   // The first pixel of the map.
@@ -65,8 +67,8 @@ struct Walk {
 // Writes the push of one strip into the map. For each pixel: project it onto the strip's middle
 // line, find the dab there, compute rho^2 and from it the push, and keep the larger of the new and
 // the old value. Eight pixels are processed at a time in plain loops over numbers, so that a
-// compiler vectorizes them. Positions are relative to the strip's start: the numbers do not depend
-// on where the picture begins.
+// compiler vectorizes them. Positions are relative to the strip's start, so that the numbers do not
+// depend on where the picture begins.
 template <bool kTapers>
 [[gnu::always_inline]] inline void walk(const Walk& walk) noexcept {
   const Walk w = walk;
@@ -134,8 +136,8 @@ FELT_WIDE_VECTORS void walk_tapering(const Walk& w) noexcept {
 
 }  // namespace
 
-/// The path from dab a to dab b, and how far it reaches beyond each: a cap at an end of the line,
-/// or enough to close the wedge between two strips at a joint.
+/// The path from dab a to dab b, and how far the strip reaches beyond each dab: far enough for a
+/// cap at an end of the line, or to close the wedge between two strips at a joint.
 struct PressureMap::Strip {
   TipAt a, b;
   double before = 0.0, after = 0.0;
@@ -185,8 +187,8 @@ void PressureMap::lay(std::span<const TipAt> tips, Vec into, Vec out) {
   }
 }
 
-/// Adds a strip. If it is much longer than a picture, adds only the pieces near the picture, cut at
-/// fixed positions along the strip.
+/// Adds a strip. If it is longer than kLongPx, cuts it at fixed positions and adds only the pieces
+/// near the picture.
 void PressureMap::lay_in_pieces(const Strip& strip) {
   constexpr double kLongPx = 1024.0;
   const Vec way = strip.b.center_px - strip.a.center_px;

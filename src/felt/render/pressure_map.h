@@ -17,16 +17,17 @@ struct TipAt {
   double tone = 1.0;
 };
 
-/// The push on each pixel of a line (Grain: q), its distance from the middle (rho) and its position
-/// across the line, for the looks of media. Reuses its buffer. Not thread-safe.
+/// Stores, for each pixel of a line, the push (Grain: q), the distance from the middle (rho) and
+/// the position across the line, from which InkShade computes the look of a medium. Reuses its
+/// buffer. Not thread-safe.
 ///
-/// Each strip between two dabs writes its push: tone (1 - 0.45 rho^2) at rho radii from its middle
-/// line, falling to kMinPush within the soft edge of a medium. If a line crosses itself, the
+/// The strip between two dabs has the push tone (1 - 0.45 rho^2) at rho radii from its middle line.
+/// Within the soft edge of a medium, the push falls to kMinPush. If a line crosses itself, the
 /// larger push is kept, so the result depends neither on the order nor on which part of a picture
 /// is drawn.
 class PressureMap {
  public:
-  static constexpr double kMinPush = -1.0 / 3.0;  ///< reaches no part of the relief
+  static constexpr double kMinPush = -1.0 / 3.0;  ///< the ink reaches no part of the relief
   static constexpr int kRows = 128;               ///< steps of push
   static constexpr int kAcross = 512;             ///< steps across a line
 
@@ -45,8 +46,8 @@ class PressureMap {
   /// Returns kMinPush..1 for a pixel of the area; kMinPush if the tip did not touch it.
   [[nodiscard]] double push_at(int x, int y) const noexcept;
 
-  // The bits of a value: 12 of push above 10 of rho^2 above 9 of the position across, so that the
-  // larger number is the larger push.
+  // A value consists of 12 bits of push, 10 bits of rho^2 and 9 bits of the position across, from
+  // the highest to the lowest, so that a larger push gives a larger value.
   static constexpr int kRimShift = 9, kPushShift = 19;
   static std::size_t row_of(std::int32_t value) noexcept {
     return static_cast<std::size_t>(value >> (kPushShift + 5));
@@ -68,7 +69,7 @@ class PressureMap {
   void lay_in_pieces(const Strip& strip);
 
   PixelRect area_;
-  float edge_from_ = 2.0F;  // rho^2 at which the soft edge begins
+  float edge_from_ = 2.0F;  // value of rho^2 at which the soft edge begins
   std::size_t stride_ = 0;
   std::vector<std::int32_t> values_;
   std::vector<TipAt> way_;

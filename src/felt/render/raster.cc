@@ -82,12 +82,12 @@ constexpr unsigned over_255(unsigned product) noexcept {  // rounded
   return (product + 128U + ((product + 128U) >> 8U)) >> 8U;
 }
 
-/// Selects every other byte of a pixel, with 16 bits of room each.
+/// Selects every other byte of a pixel, so that each has 16 bits of space.
 constexpr std::uint32_t kEveryOther = 0x00FF00FFU;
 
 /// Blends two channels of ink over two of a pixel, each as in over_255. The alpha of the ink and
-/// the weight of the pixel add up to 255, so no sum exceeds 255 * 255, and none carries into the
-/// next.
+/// the weight of the pixel add up to 255, so no sum exceeds 255 * 255, and no channel overflows
+/// into the next.
 constexpr std::uint32_t over_two(std::uint32_t ink, std::uint32_t alpha,
                                  std::uint32_t under) noexcept {
   const std::uint32_t sum = ink * alpha + under * (255U - alpha) + 0x00800080U;
@@ -122,13 +122,14 @@ struct Rasterizer::State {
   /// Rows that are processed at a time, so that the map of a large stroke stays small.
   static constexpr int kBandRows = 64;
   static constexpr std::size_t kMaxLooks = 32;
-  /// A piece of the tip's path. If it is a part of a ring, also the directions before and after it.
+  /// A piece of the tip's path. If it is a part of a ring, `into` and `out` are the directions of
+  /// the tip before and after it.
   struct Way {
     std::vector<TipAt> tips;
     Vec into, out;
   };
 
-  /// Returns true if the last run of a ring continues with the first.
+  /// Returns true if the last run of a closed stroke continues with the first.
   [[nodiscard]] bool goes_round(const Stroke& stroke) const noexcept {
     const auto& found = runs.runs();
     return stroke.closed() && found.size() > 1 && found.front().first == 0 &&
@@ -138,7 +139,7 @@ struct Rasterizer::State {
   void walk(const Stroke& stroke, const View& view);
   /// Computes the push in a band of rows from the paths of walk().
   void lay_tip(PixelRect band, double edge);
-  /// Blends the scanline that was swept last, shaded, over `part` of the target.
+  /// Shades the scanline that was swept last, and blends it over `part` of the target.
   void blend_line(const InkShade& shade, PixelRect part, std::uint32_t ink, std::uint8_t alpha,
                   Pixels target);
 
@@ -232,7 +233,7 @@ void Rasterizer::load(const Outline& outline, const View& view, PixelRect part) 
   }
 }
 
-/// Returns the outline of a stroke's ink in `shown`, or its complete outline if all of it is there.
+/// Returns the outline of the segments of a stroke that may ink `shown`.
 const Outline& Rasterizer::trace_near(const Stroke& stroke, const View& view, const Rect& shown) {
   State& s = *state_;
   const double tolerance_mm = kRasterTolerancePx / view.px_per_mm;
@@ -276,7 +277,8 @@ void Rasterizer::draw_center_line(const Stroke& stroke, const View& view, PixelR
        {color.r, color.g, color.b, 255}, target);
 }
 
-/// Returns the look of the stroke's medium. It is usually the same as for the stroke before.
+/// Returns the look of the stroke's medium. Caches looks, because the medium is usually that of the
+/// stroke before.
 const InkLook* Rasterizer::look_of(const Stroke& stroke, const View& view, const Grain& grain) {
   State& s = *state_;
   if (!(grain == s.grain) || view.px_per_mm != s.looks_px_per_mm) {

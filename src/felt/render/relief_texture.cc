@@ -54,8 +54,8 @@ Square base_of(const HeightField& field) {
   return base;
 }
 
-/// Doubles the resolution. New heights are interpolated by a cubic through four. This is accurate,
-/// because a wave has at least 13 heights.
+/// Doubles the resolution. A new height is interpolated by a cubic through the four nearest
+/// heights. This is accurate, because a wavelength contains at least 13 heights.
 Square doubled(const Square& from) {
   const int side = 2 * from.side;
   Square wide{side,
@@ -178,8 +178,8 @@ ReliefPlane::ReliefPlane(const ReliefLevel& level, double tile_mm, const View& v
   is_between_ = per_mm < view.px_per_mm / 0.75;
   const Point corner = view.to_mm({0.5, 0.5});
   const Vec right = view.to_mm({1.5, 0.5}) - corner, down = view.to_mm({0.5, 1.5}) - corner;
-  // The shift keeps pixels off the edges of texels when a pixel is a whole number of texels. When
-  // interpolating, the value of a texel is that at its start.
+  // The shift keeps pixels off the edges of texels when a pixel is a whole number of texels. For
+  // interpolation, the height of a texel is the height at its corner.
   const double shift = is_between_ ? 0.0 : 0.3717;
   u0_ = fixed(std::fmod(per_mm * corner.x + shift, side));
   v0_ = fixed(std::fmod(per_mm * corner.y + shift, side));

@@ -11,31 +11,33 @@
 
 namespace felt {
 
-/// Returns the visible relief in units of its RMS: h and its tooth, which is the same map 4.5 and
-/// 8.1 times finer, each rotated by about 30 degrees so that its lattice is not visible. The finer
-/// lines of wood stay along the wood. Repeats with the tile of h, because the tooth is rotated by
-/// whole numbers.
+/// Returns the visible relief in units of its RMS: the height h plus its tooth. The tooth consists
+/// of two finer copies of h, 4.5 and 8.1 times as fine and each rotated by about 30 degrees, so
+/// that the lattice of the map is not visible. For wood the copies are 4 and 9 times as fine and
+/// not rotated, so that their lines run along the fibres. The sum repeats with the tile of h,
+/// because the copies are mapped with whole-number matrices.
 double seen_relief(const HeightField& field, Point place) noexcept;
 
-/// A seamless relief as a grid of texels, each with one height; the side is a power of two.
+/// A relief that repeats without seams, as a square grid of texels. Each texel is one height. The
+/// side of the grid is a power of two.
 struct ReliefLevel {
-  static constexpr double kPerRms = 32.0;  ///< texel value of one RMS: +-4 RMS fit
+  static constexpr double kPerRms = 32.0;  ///< a texel of 32 is 1 RMS high, so +-4 RMS fit
 
   int log2_side = 0;
-  double kept = 1.0;  ///< remaining variance, at most 1; detail finer than a texel is lost
+  double kept = 1.0;  ///< fraction of the variance that is left; detail finer than a texel is lost
   std::vector<std::int8_t> texels{};
 };
 
-/// The relief of a field at all scales. A level is made on first use and kept. Safe to use from any
-/// thread.
+/// The relief of a field at all scales. A level is made when it is first requested, and then kept.
+/// Safe to use from any thread.
 class ReliefTexture {
  public:
   /// Requires that `field` outlives it.
   explicit ReliefTexture(const HeightField* field) noexcept : field_(field) {}
 
   /// Returns the coarsest level with texels no larger than 3/4 of a pixel, or the finest one, with
-  /// 64 texels per wavelength. Returns null if a pixel is as large as the tile. Making a level
-  /// takes 20 to 100 ms.
+  /// 64 texels per wavelength. Returns null if there is no relief, or if a tile is at most 8 pixels
+  /// wide. Making a level takes 20 to 100 ms.
   std::shared_ptr<const ReliefLevel> level(double px_per_wavelength);
 
  private:
@@ -47,8 +49,8 @@ class ReliefTexture {
 };
 
 /// Maps pixels of a view to texels of a level: the texel at the middle of pixel (x, y), or the
-/// texels around it. Uses whole numbers only, which do not depend on the part of a picture that is
-/// drawn.
+/// texels around it. Steps from pixel to pixel in whole numbers, so the result does not depend on
+/// which part of a picture is drawn.
 class ReliefPlane {
  public:
   ReliefPlane() = default;
@@ -62,8 +64,9 @@ class ReliefPlane {
  private:
   const std::int8_t* texels_ = nullptr;
   int log2_side_ = 0;
-  bool is_between_ = false;  // texels are larger than pixels: bilinear
-  // Texel coordinates in fixed point: 2^kFraction is one texel. Values beyond the side wrap around.
+  bool is_between_ = false;  // texels exceed 3/4 of a pixel: interpolates between them
+  // Texel coordinates in fixed point: 2^kFraction is one texel. Coordinates beyond the side wrap
+  // around.
   std::uint64_t u0_ = 0, v0_ = 0, ux_ = 0, vx_ = 0, uy_ = 0, vy_ = 0;
 };
 

@@ -15,8 +15,8 @@ struct SceneStroke;
 struct OrderBlock {
   static constexpr std::size_t kMax = 512;
   std::vector<SceneStroke*> strokes;
-  std::size_t first = 0;     ///< position of its lowest stroke in the layer
-  bool is_numbered = false;  ///< the slots in its strokes are up to date
+  std::size_t first = 0;     ///< position of the block's lowest stroke in the layer
+  bool is_numbered = false;  ///< the `slot` of each of its strokes is up to date
 };
 
 /// Strokes of about the same size with their middles in the same square of the page.
@@ -24,7 +24,8 @@ struct StrokeCell {
   std::vector<SceneStroke*> strokes;
 };
 
-/// A stroke of a display: its look, its position in the order, and its entries in the indexes.
+/// A stroke of an InkScene: its shape, its position in the drawing order, and its entries in the
+/// indexes.
 struct SceneStroke {
   StrokeId id;
   StrokePtr stroke;
@@ -38,7 +39,7 @@ struct SceneStroke {
   StrokeCell* cell = nullptr;
   std::size_t cell_slot = 0;
 
-  /// Returns its position in the drawing order of its layer; 0 is the lowest.
+  /// Returns the stroke's position in the drawing order of its layer; 0 is the lowest.
   [[nodiscard]] std::size_t rank() const noexcept { return block->first + slot; }
 };
 

@@ -59,8 +59,8 @@ void StrokeGrid::remove(SceneStroke& stroke) {
 void StrokeGrid::find(const Rect& area, std::vector<const SceneStroke*>& found) const {
   for (const auto& [level, squares] : levels_) {
     const auto& cells = squares.cells;
-    // A stroke extends beyond its square by at most half a square. The coarsest level holds any
-    // size.
+    // A stroke extends beyond its square by at most half a square. The coarsest level also contains
+    // larger strokes, so all its squares are searched.
     const bool is_all = level == kCoarsest;
     const Rect reach = area.inflated(std::ldexp(0.5, level));
     const std::int64_t y0 = column(reach.y0, level), y1 = column(reach.y1, level);

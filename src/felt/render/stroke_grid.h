@@ -11,10 +11,11 @@ namespace felt {
 
 /// Finds the strokes in a rectangle. Each size class of strokes has its own grid of squares. Each
 /// stroke is in one square that is at least as large as the stroke. Adding and removing take
-/// logarithmic time; finding takes linear time in the number of results and nearby squares.
+/// logarithmic time; finding takes linear time in the number of strokes found and of nearby
+/// squares.
 class StrokeGrid {
  public:
-  /// Adds a stroke by its `box`, which must not change until it is removed.
+  /// Adds a stroke. Its `box` must not change until the stroke is removed.
   void add(SceneStroke& stroke);
   void remove(SceneStroke& stroke);
   /// Appends the strokes with boxes that share a point with the area, in unspecified order.

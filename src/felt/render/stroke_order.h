@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// The drawing order of a layer, in blocks. The position of a stroke is known without a search.
-/// Adding or removing a stroke in the middle of 10^5 moves only a few hundred others.
+/// The drawing order of a layer, in blocks. The position of a stroke is found without a search.
+/// Adding or removing a stroke in the middle of 10^5 strokes moves only a few hundred of them.
 class StrokeOrder {
  public:
   StrokeOrder() = default;
@@ -22,8 +22,8 @@ class StrokeOrder {
   void insert(std::size_t index, SceneStroke& stroke);
   /// Adds a stroke on top.
   void append(SceneStroke& stroke);
-  /// Updates SceneStroke::rank. Call it after erase, insert or append. Linear in the changed blocks
-  /// and in the number of blocks.
+  /// Updates SceneStroke::rank. Call it after erase, insert or append. Takes linear time in the
+  /// number of blocks and of strokes in changed blocks.
   void number();
   /// Visits all strokes, lowest first.
   template <class Visit>

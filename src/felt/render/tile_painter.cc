@@ -44,8 +44,8 @@ void blend_row(const std::uint8_t* from, std::uint8_t* to, int pixels) noexcept 
 
 /// Height limits of a split: strokes strictly between them are drawn again.
 struct Gap {
-  InkHeight above;  ///< of the lowest stroke above
-  InkHeight below;  ///< of the highest stroke below
+  InkHeight above;  ///< height of the lowest stroke in TileSplit::above
+  InkHeight below;  ///< height of the highest stroke in TileSplit::below
   bool has_above = false;
   bool has_below = false;
 
@@ -157,8 +157,8 @@ bool TilePainter::make(const InkScene& scene, const View& view, PixelRect valid,
 }
 
 // Copies the picture of the strokes below, draws the strokes in the gap, then blends the picture of
-// the strokes above; if only a few strokes are above, draws these instead. If the split does not
-// fit, it is made for a larger area first.
+// the strokes above; if only a few strokes are above, draws these strokes instead. If the split
+// does not fit, first makes it again for a larger area.
 bool TilePainter::paint_split(const InkScene& scene, const View& view, PixelRect part,
                               const InkStyle& style, TileSplit& split, Pixels target) {
   if (scene.previewed().empty()) return false;

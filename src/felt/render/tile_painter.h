@@ -16,12 +16,13 @@ inline constexpr int kTileSide = 256;
 /// How ink is drawn.
 struct InkStyle {
   Grain grain{};
-  /// If above 0, only centre lines of this width are drawn.
+  /// If above 0, only the centre lines of strokes are drawn, this many pixels wide.
   double hair_px = 0.0;
 };
 
 /// The strokes that a part of a picture shows, drawn one at a time, so that a long job can be
-/// interrupted and resumed. Shares the strokes, so the scene may change meanwhile.
+/// interrupted and resumed. The job shares ownership of the strokes, so the scene may change
+/// meanwhile.
 struct InkJob {
   View view;
   PixelRect part;
@@ -31,16 +32,17 @@ struct InkJob {
   [[nodiscard]] bool is_done() const noexcept { return next == strokes.size(); }
 };
 
-/// The content of a tile below and above the strokes of a preview, kept while they change.
+/// Two pictures of a tile: the strokes below and the strokes above those of a preview. They are
+/// kept while the preview changes.
 struct TileSplit {
   PixelRect valid;                  ///< area of the pictures; empty if nothing is kept
-  std::vector<std::uint8_t> below;  ///< of `valid`
-  std::vector<std::uint8_t> above;  ///< same, on a transparent background
+  std::vector<std::uint8_t> below;  ///< picture of the strokes below, transparent background
+  std::vector<std::uint8_t> above;  ///< picture of the strokes above, transparent background
   StrokeId below_top;               ///< the highest stroke in `below`; zero if it is empty
   StrokeId above_bottom;            ///< the lowest stroke in `above`; zero if it is empty
-  std::vector<StrokeId> drawn;      ///< all strokes of both, ascending
-  std::vector<StrokeId> previewed;  ///< at the time it was made, ascending
-  std::uint64_t revision = 0;       ///< of the scene
+  std::vector<StrokeId> drawn;      ///< all strokes in both pictures, ascending
+  std::vector<StrokeId> previewed;  ///< InkScene::previewed() when the split was made
+  std::uint64_t revision = 0;       ///< InkScene::revision() when the split was made
   /// True if a part of the tile was composed from `above`, in which many strokes are blended in one
   /// step. The error is up to 4 of 255 levels if dozens of transparent strokes overlap.
   bool is_rounded = false;
@@ -49,8 +51,8 @@ struct TileSplit {
 /// Paints parts of pictures of a scene, on a transparent background. Not thread-safe.
 class TilePainter {
  public:
-  /// Returns the job that draws `part` of this picture directly. If `above` is set, only draws the
-  /// layers above that layer.
+  /// Returns the job that draws `part` of the picture with this view, without a split. If `above`
+  /// is set, the job draws only the layers above that layer.
   [[nodiscard]] static InkJob job_of(const InkScene& scene, const View& view, PixelRect part,
                                      std::optional<LayerId> above = {});
   /// Draws the next stroke of a job. Requires that the part was cleared before the first one.
@@ -59,10 +61,10 @@ class TilePainter {
   void draw(const Stroke& stroke, const View& view, PixelRect part, const InkStyle& style,
             Pixels target);
 
-  /// Repaints `part` while a preview is shown, with the content below and above its strokes from
-  /// `split`, which is made or extended if it does not fit. The cost then depends only on the
-  /// strokes of the preview and the strokes between them. Returns false, and paints nothing, if
-  /// this is not faster than drawing directly.
+  /// Repaints `part` while a preview is shown. The strokes below and above those of the preview
+  /// come from `split`; if `split` does not fit, it is first made again for a larger area. If it
+  /// fits, the time depends only on the strokes of the preview and those between them. Returns
+  /// false, and paints nothing, if this is not faster than drawing directly.
   bool paint_split(const InkScene& scene, const View& view, PixelRect part, const InkStyle& style,
                    TileSplit& split, Pixels target);
 

@@ -11,7 +11,7 @@ inline constexpr double kMmPerInch = 25.4;
 struct View {
   Point origin_mm;         ///< the point at the top left corner of the top left pixel
   double px_per_mm = 1.0;  ///< zoom; > 0
-  /// Direction of the page's x axis in the picture, clockwise, (cos, sin): of length 1.
+  /// Direction of the page's x axis in the picture, as (cos, sin) of a clockwise angle.
   Vec turn{1.0, 0.0};
   /// Mirrors left and right, after the rotation.
   bool is_mirrored = false;

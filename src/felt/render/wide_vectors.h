@@ -3,10 +3,10 @@
 #include <cstddef>  // defines __GLIBC__ if the C library is glibc
 
 /// FELT_WIDE_VECTORS before a function that is a loop over plain numbers compiles it twice: for any
-/// processor of the family, and for those with vectors of 256 bits (AVX2). The loader selects the
-/// version for this machine. Both give the same numbers, because nothing is fused
-/// (cmake/options.cmake). It is empty on other platforms, and under sanitizers, because the
-/// loader's choice would run before their runtime is ready.
+/// x86-64 processor, and for those with vectors of 256 bits (AVX2). The loader selects the version
+/// for this machine. Both versions give the same numbers, because multiplications and additions are
+/// not fused (cmake/options.cmake). The macro is empty on other platforms, and under sanitizers,
+/// because the loader's choice would run before their runtime is ready.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define FELT_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))

@@ -7,15 +7,16 @@
 namespace felt {
 
 /// Converts between the stroke parameter u (segment index + t) and the arc length s along a stroke.
-/// Used by brushes, because their influence falls off with the arc length
-/// (docs/design/editing.md#brush). Created once per gesture. Keeps a reference to the stroke, which
-/// must outlive it.
+/// Brushes use it, because their influence falls off with the arc length
+/// (docs/design/editing.md#brush), and create it once per gesture. It keeps a reference to the
+/// stroke, which must outlive it.
 ///
 /// On a closed stroke, lengths beyond the ends wrap around (modulo the whole length), so that a
 /// range may cross the seam. On an open stroke they are clamped to the ends.
 ///
-/// Accuracy: `accuracy_mm` for each segment. Construction is linear in the number of segments; a
-/// query costs a binary search among them and one arc length of cubic.h.
+/// Lengths are accurate to `accuracy_mm` for each segment. Construction takes linear time in the
+/// number of segments. A query takes a binary search among the segments and one call of
+/// arc_length() or parameter_at_length() (cubic.h).
 class ArcMap {
  public:
   explicit ArcMap(const Stroke& stroke, double accuracy_mm = 1e-6);
@@ -37,7 +38,7 @@ class ArcMap {
  private:
   const Stroke& stroke_;
   double accuracy_mm_;
-  std::vector<double> starts_;  // n + 1
+  std::vector<double> starts_;  // arc length at the start of each segment, and at the end
 };
 
 }  // namespace felt

@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// A stroke and the name that it has in its file: one line of JSON, one trace of InkML.
+/// A stroke and its name in a file. In a file, it is one line of JSON or one trace of InkML.
 struct NamedStroke {
   std::string id;
   Stroke stroke;

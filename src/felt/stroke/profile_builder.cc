@@ -82,7 +82,7 @@ void ProfileBuilder::follow(std::span<const Match> matches, double tolerance_mm)
       ++i;
     }
   }
-  kept.pop_back();  // the next part adds the end
+  kept.pop_back();  // the next part or finish() adds the end
   for (const std::size_t i : kept) append(places[i].u, places[i]);
   was_shifted_ = false;
 }

@@ -7,13 +7,14 @@
 
 namespace felt {
 
-/// The tone tolerance of `ProfileBuilder::follow`: much smaller than a visible difference, and
-/// larger than the error that any width tolerance in use gives to a tone computed from the width.
+/// The tolerance of tones in `ProfileBuilder::follow`. It is much smaller than a visible
+/// difference. It is larger than the error of a tone that is computed from a width, for every width
+/// tolerance in use.
 inline constexpr double kFollowedTone = 0.01;
 
-/// Makes the width profile of a stroke that has the same ink but another parametrisation. Call its
-/// functions part by part from the start to the end of the stroke. Old parameters are called u, new
-/// ones v.
+/// Builds the width profile of a stroke whose parameters change while its ink stays the same. Call
+/// shift(), stretch() or follow() for each part of the stroke, from its start to its end. The old
+/// parameters are called u and the new ones v.
 ///
 ///   ProfileBuilder profile(old.widths());
 ///   profile.shift(0.0, 2.0, 0.0);         // segments 0 and 1 stay as they are
@@ -30,15 +31,17 @@ class ProfileBuilder {
   /// Requires that `old` outlives this object.
   explicit ProfileBuilder(std::span<const WidthKnot> old) noexcept : old_(old) {}
 
-  /// Appends [u0, u1] with its parameter shifted by `by`, a whole number. Copies the breakpoints.
+  /// Appends the part [u0, u1] and adds `by`, a whole number, to its parameters. Copies its
+  /// breakpoints.
   void shift(double u0, double u1, double by);
-  /// Appends [u0, u1], mapped linearly to [v0, v1], without loss.
+  /// Appends the part [u0, u1], mapped linearly to [v0, v1]. Keeps all its breakpoints.
   void stretch(double u0, double u1, double v0, double v1);
-  /// Appends a part whose parameters correspond as given by `matches`. Adds as few breakpoints as
-  /// possible such that widths at these points are within tolerance_mm > 0 and tones within
-  /// kFollowedTone. Requires at least two matches, ascending in u and v.
+  /// Appends the part from the first to the last of `matches`. Adds only breakpoints that are
+  /// needed to keep the widths within tolerance_mm > 0 and the tones within kFollowedTone, at the
+  /// matches and at the old breakpoints between them. Requires at least two matches, ascending in u
+  /// and v.
   void follow(std::span<const Match> matches, double tolerance_mm);
-  /// Returns the profile up to the new end of the stroke.
+  /// Ends the profile at `end`, the new end of the stroke, and returns it.
   [[nodiscard]] std::vector<WidthKnot> finish(double end) &&;
 
  private:
@@ -47,7 +50,9 @@ class ProfileBuilder {
 
   std::span<const WidthKnot> old_;
   std::vector<WidthKnot> knots_;
-  bool was_shifted_ = true;  // the last part was shift(): another one needs no breakpoint between
+  // True if the last part came from shift(). A further shift() then needs no breakpoint between
+  // the two parts.
+  bool was_shifted_ = true;
 };
 
 }  // namespace felt

@@ -12,7 +12,7 @@
 
 namespace felt {
 
-/// How two neighbouring segments meet, or that the stroke ends there
+/// The kind of a joint: how two neighbouring segments meet there, or that the stroke ends there
 /// (docs/design/strokes.md#stroke-model).
 enum class JointKind : std::uint8_t {
   kSmooth,  ///< both tangents are collinear: G1 within 1e-6 degrees (I2)
@@ -20,21 +20,22 @@ enum class JointKind : std::uint8_t {
   kEnd,     ///< the first or last point of an open stroke
 };
 
-/// Returns the default tone for ink without one (files of other programs, and files written before
-/// tone existed): 0 at 0.3 mm, 1 at 6 mm, which is the pencil's range of widths.
+/// Returns the default tone of ink that has no tone of its own, because its file comes from another
+/// program or was written before tone existed. It grows linearly from 0 at 0.3 mm to 1 at 6 mm, the
+/// pencil's smallest and largest width.
 constexpr double tone_of_width(double width_mm) noexcept {
   const double share = (width_mm - 0.3) / (6.0 - 0.3);
   return share > 0.0 ? (share < 1.0 ? share : 1.0) : 0.0;  // NaN: 0
 }
 
 /// One breakpoint of the width profile [Paper eq. 3]: the full width `width_mm` at stroke parameter
-/// `u` = segment index + t. Linear in u between breakpoints.
+/// `u` = segment index + t. The width is linear in u between breakpoints.
 ///
-/// `tone` is the amount of the medium laid on there, 0 (almost nothing) .. 1 (the maximum). It
-/// preserves the effect of pressure and tilt, which the width alone does not. MediumLook says how
-/// tone affects the opacity and how deep the medium goes into the relief. Wet ink ignores the tone.
-/// Like the width, it is linear between breakpoints. A breakpoint made without a tone has the
-/// default tone of its width.
+/// `tone` is the amount of medium applied at `u`, from 0 (almost nothing) to 1 (the maximum). It
+/// preserves the effect of pressure and tilt, which the width alone does not. MediumLook defines
+/// how the tone affects the opacity and how deep the medium reaches into the relief. Wet ink
+/// ignores the tone. Like the width, the tone is linear between breakpoints. A breakpoint made
+/// without a tone has the default tone of its width.
 struct WidthKnot {
   double u = 0.0;
   double width_mm = 0.0;
@@ -43,7 +44,7 @@ struct WidthKnot {
   friend constexpr bool operator==(const WidthKnot&, const WidthKnot&) noexcept = default;
 };
 
-/// 8-bit sRGB with straight alpha.
+/// A colour in 8-bit sRGB with straight (not premultiplied) alpha.
 struct Rgba {
   std::uint8_t r = 0, g = 0, b = 0, a = 255;
 
@@ -76,7 +77,8 @@ struct StrokeData {
 /// immutable, so threads can share it as `std::shared_ptr<const Stroke>`; an edit makes a new one.
 class Stroke {
  public:
-  /// Makes a stroke. Fails if the data breaks an invariant I1-I7; the error says which and where.
+  /// Makes a stroke. Fails if the data breaks an invariant I1-I7; the error names the invariant and
+  /// the location.
   static Result<Stroke> create(StrokeData data);
 
   /// Returns the number of cubic segments, at least 1.
@@ -98,9 +100,10 @@ class Stroke {
   [[nodiscard]] Point position(double u) const noexcept;
   /// Returns the width at u by linear interpolation [Paper eq. 3]; u is clamped to [0, n].
   [[nodiscard]] double width_mm(double u) const noexcept;
-  /// Returns the tone at u, 0..1, in the same way.
+  /// Returns the tone at u, 0..1, by linear interpolation; u is clamped to [0, n].
   [[nodiscard]] double tone(double u) const noexcept;
-  /// Returns the bounds of the inked area: the tight curve bounds grown by half the largest width.
+  /// Returns the bounds of the inked area: the exact bounds of the curve, expanded by half of the
+  /// largest width.
   [[nodiscard]] Rect bounds() const noexcept;
 
   friend bool operator==(const Stroke&, const Stroke&) = default;

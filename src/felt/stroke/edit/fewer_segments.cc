@@ -1,10 +1,10 @@
 // Implements the second half of subdivide.h: replaces runs of segments by one cubic each.
 //
-// From each joint, `longest` tries ever longer runs, then finds the limit by bisection. RunFit fits
-// one cubic to points of a run: the end points and tangents are given. Two steps alternate: least
-// squares finds the two handle lengths, then the parameter of each point moves towards the nearest
-// point of the curve. A fit is accepted only if the curve is within the tolerance everywhere, not
-// just at the points (is_within).
+// From each joint, `longest` tries longer and longer runs, then finds the limit by bisection.
+// RunFit fits one cubic to points of a run. The ends of the cubic and the tangents there are given.
+// Two steps alternate: least squares finds the two handle lengths, then the parameter of each point
+// moves towards the nearest point of the curve. A fit is accepted only if the curve is within the
+// tolerance everywhere, not just at the points (is_within).
 
 #include <algorithm>
 #include <array>
@@ -28,19 +28,19 @@ constexpr int kMaxRun = 96;
 constexpr int kPlaces = 4;
 /// The maximum number of least-squares rounds of a fit.
 constexpr int kSearchRounds = 16;
-/// A fit is abandoned if it is still kHopeless tolerances away after kPatience rounds.
+/// A fit is abandoned if its error is still more than kHopeless tolerances after kPatience rounds.
 constexpr int kPatience = 4;
 constexpr double kHopeless = 3.0;
 /// The weight of a distance along the curve, compared with the distance from its tangent line.
 constexpr double kTangentWeight = 0.01;
-/// The limits of the handle lengths, as shares of the length of the run, so that handles are not
+/// The limits of the handle lengths, as fractions of the length of the run, so that handles are not
 /// zero and do not cross.
 constexpr double kMinHandle = 0.04;
 constexpr double kMaxHandle = 1.0;
 /// The accuracy with which the curve goes through the point `through`, mm.
 constexpr double kMeetMm = 1e-11;
-/// The maximum number of steps until the curve goes through that point, for the handles and for the
-/// parameter of the point.
+/// The maximum number of steps in which the handles, and the parameter of `through`, are changed
+/// until the curve goes through that point.
 constexpr int kMeetRounds = 8;
 constexpr int kFootRounds = 4;
 /// Each run that is tried is about 1/kGrowth longer than the one before. The search stops when
@@ -53,7 +53,7 @@ constexpr int kFailures = 3;
 class RunFit {
  public:
   /// Prepares the segments [first, last) of the stroke. The curve will go through the joint
-  /// `through` if that is inside.
+  /// `through` if that joint is inside the run.
   RunFit(const Stroke& stroke, int first, int last, int through) : stroke_(stroke), first_(first) {
     if (through > first && through < last) {
       met_ = static_cast<std::size_t>(kPlaces * (through - first));

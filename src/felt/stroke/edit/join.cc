@@ -90,7 +90,8 @@ std::size_t cut_at(const Stroke& stroke, StrokeTip tip, double u, StrokeData& da
   return static_cast<std::size_t>(std::clamp(std::round(u), start ? 1.0 : 0.0, start ? n : n - 1));
 }
 
-/// Returns the u at arc length `length` from the tip; `lengths` are those at the n + 1 joints.
+/// Returns the u at arc length `length` from the tip. `lengths` are the arc lengths from the tip to
+/// the n + 1 joints.
 double parameter_at(const Stroke& stroke, StrokeTip tip, const std::vector<double>& lengths,
                     double length) {
   std::size_t i = 0;  // the segment that contains arc length `length`
@@ -128,7 +129,7 @@ class TipZone {
 
  private:
   [[nodiscard]] std::size_t segments() const { return data_.points.size() / 3; }
-  /// Returns the number of segments in the zone, which is also that of the joints that move.
+  /// Returns the number of segments in the zone, which is also the number of joints that move.
   [[nodiscard]] std::size_t count() const {
     return tip_ == StrokeTip::kStart ? cut_ : segments() - cut_;
   }

@@ -21,15 +21,15 @@ struct MendedStroke {
 /// moves handles by less than kMaxMendedMm, and an end of the stroke by less than twice
 /// kMaxMendedMm.
 inline constexpr double kMaxMendedMm = 0.001;
-/// Maximum turn in degrees of a joint that counts as smooth before rounding.
+/// A joint that turns by at most this many degrees is assumed to have been smooth before rounding.
 inline constexpr double kMaxMendedDeg = 1.0;
 
 /// Looks at the joints of `data` that are declared smooth. A joint that turns by at most
 /// kMaxMendedDeg becomes exactly smooth, if its handles move by less than kMaxMendedMm; any other
 /// joint that is not exactly smooth becomes a corner. A first or last segment that is slightly too
 /// short (I5) is lengthened at the end of the stroke. If two width breakpoints have the same u, one
-/// is removed. Everything valid stays the same bit for bit. Other errors are left for
-/// `Stroke::create` to report.
+/// is removed. All valid data stays the same bit for bit. Other errors are not repaired;
+/// `Stroke::create` reports them.
 MendedStroke mend_rounding(StrokeData& data);
 
 }  // namespace felt

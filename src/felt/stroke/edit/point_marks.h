@@ -11,13 +11,14 @@
 namespace felt {
 
 /// Marks on the control points of a stroke: one byte for each of StrokeData::points, 1 = selected
-/// (Selection::Marks). Pure functions (docs/design/editing.md#lasso; R31-R34).
+/// (Selection::Marks). All functions are pure (docs/design/editing.md#lasso; R31-R34).
 ///
-/// The *arms* of a joint are the points that define its two tangents: usually its handles; if a
-/// handle is zero (at the joint itself), the next control point that differs from the joint (I2).
+/// The *arms* of a joint are the points that define its two tangents: usually its handles. If a
+/// handle has length zero, the arm on that side is the next control point that differs from the
+/// joint (I2).
 
-/// Maximum width in mm after scaling, the broadest line of the pencil. Widths that were already
-/// larger may stay larger.
+/// Maximum width in mm after scaling: that of the broadest line of the pencil. Widths that were
+/// already larger may stay larger.
 inline constexpr double kMaxScaledWidthMm = 50.0;
 
 /// Returns true if every point is marked.
@@ -28,18 +29,18 @@ inline bool all_marked(std::span<const std::uint8_t> marks) noexcept {
 /// Adds marks so that a similarity, or any invertible affine map, of the marked points can keep G1
 /// (R32). The result is the smallest superset of the given marks such that
 ///  - both copies of a closed stroke's seam point have the same mark;
-///  - a marked smooth joint has both handles marked, and all points up to its arms;
-///  - an unmarked smooth joint has at most one marked arm, and its opposite handle can rotate. If
-///    it cannot (both arms are marked, the handle is zero, or another smooth joint depends on it),
-///    the joint is marked as well.
+///  - if a smooth joint is marked, its two arms and all points between them are marked;
+///  - if a smooth joint is not marked, at most one of its arms is marked, and the opposite handle
+///    can rotate. If it cannot rotate (it has length zero, or another smooth joint depends on it),
+///    or if both arms are marked, the joint is marked as well.
 /// Handles at corners and ends keep their marks. Takes linear time, except for strokes with many
 /// zero handles.
 void close_marks(const Stroke& stroke, std::span<std::uint8_t> marks);
 
 /// Returns the stroke with its marked points mapped. If a handle at an unmarked smooth joint is
 /// marked, the unmarked opposite handle is rotated and keeps its length, so that the joint stays
-/// smooth. Unmarked joints and handles that are not rotated stay the same bit for bit. A map and
-/// then its inverse, with the same marks, restore the points within 1e-9 mm (R33).
+/// smooth. Unmarked joints and handles that are not rotated stay the same bit for bit. Applying a
+/// map and then its inverse, with the same marks, restores the points within 1e-9 mm (R33).
 ///
 /// `width_factor` multiplies the widths of segments with both joints marked, and fades out over
 /// segments with one joint marked. Widths stay within kMinWidthMm and kMaxScaledWidthMm.

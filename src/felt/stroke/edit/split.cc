@@ -9,8 +9,9 @@
 namespace felt {
 namespace {
 
-/// Returns the part of c with t in [t0, t1]. A zero handle at an end that stays is kept exactly
-/// zero, because rounding would give it a direction, which would become the tangent (I2).
+/// Returns the part of c with t in [t0, t1]. If an end of c is also an end of the part, a zero
+/// handle there is kept exactly zero, because rounding would give it a direction, which would
+/// become the tangent (I2).
 Cubic part(const Cubic& c, double t0, double t1) noexcept {
   Cubic result = sub_segment(c, t0, t1);
   if (t0 == 0.0 && c.p[1] == c.p[0]) result.p[1] = result.p[0];
@@ -24,7 +25,7 @@ void append(std::vector<WidthKnot>& knots, WidthKnot k) {
 }
 
 /// Segments `first` to `last` of a stroke; the first one starts at t0 and the last one ends at t1.
-/// On a closed stroke, indices of n or more refer to the next lap.
+/// On a closed stroke, index n + i means segment i after the seam.
 struct Span {
   int first, last;
   double t0, t1;
@@ -128,7 +129,8 @@ Stroke reversed(const Stroke& stroke) {
   for (auto k = stroke.widths().rbegin(); k != stroke.widths().rend(); ++k) {
     append(data.widths, {n - k->u, k->width_mm, k->tone});
   }
-  // Rounding of n - u may have moved the last breakpoint to n already: the end replaces it.
+  // Rounding of n - u may already have moved the last breakpoint to n. Then the breakpoint at the
+  // end replaces it.
   const WidthKnot& end = stroke.widths().front();
   if (data.widths.back().u == n) data.widths.pop_back();
   data.widths.push_back({n, end.width_mm, end.tone});

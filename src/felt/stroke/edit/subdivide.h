@@ -8,14 +8,15 @@
 
 namespace felt {
 
-/// Divides a stroke into more or fewer segments with the same ink. Pure functions. I1-I6 hold, and
-/// the rest of the stroke stays the same bit for bit. The width profile is kept (a breakpoint is
-/// added wherever u is stretched).
+/// Divides a stroke into more or fewer segments with the same ink. All functions are pure. The
+/// results satisfy the invariants I1-I7, and the rest of the stroke stays the same bit for bit. The
+/// widths are kept; where u is stretched, a breakpoint is added.
 
 /// Returns the stroke with a smooth joint at each of `us`. If an element of `us` is nearer than
-/// kMinSegmentMm to a joint or to another element, that joint is used instead, so that no slivers
-/// are made. At a cusp the joint is a corner. If `joints` is not null, stores the number of the
-/// joint for each of `us`. Fails with kInvalidArgument if `us` are not ascending or not in [0, n].
+/// kMinSegmentMm to an existing joint or to a joint just added, that joint is used instead, so that
+/// no slivers are made. At a cusp the joint is a corner. If `joints` is not null, stores the number
+/// of the joint for each of `us`. Fails with kInvalidArgument if `us` are not ascending or not in
+/// [0, n].
 Result<Stroke> subdivided(const Stroke& stroke, std::span<const double> us,
                           std::vector<int>* joints = nullptr);
 

@@ -9,30 +9,31 @@ namespace felt {
 /// Finds the corners of ink while its samples arrive.
 ///
 /// A sample is a corner if the ink's direction changes by more than kCornerDeg between two straight
-/// arms at it. One arm reaches back and one forward, each to the first point of the ink that is
-/// kCornerArm tolerances away, but over at least two samples. So the scale is larger than both the
-/// tolerance and the sampling. If the pen slows down or rests in the corner, the noise of the
-/// sensor adds more path length than the hand; the arms are long enough to reach beyond it. Three
-/// conditions keep noise and tight curves out:
+/// arms that meet at the sample. One arm reaches back and one forward, each to the first point of
+/// the ink that is kCornerArm tolerances away, but over at least two samples. So the scale is
+/// larger than both the tolerance and the sampling. If the pen slows down or rests in the corner,
+/// most of the path length there is noise of the sensor; the arms are long enough to reach beyond
+/// this noise. Three conditions keep noise and tight curves out:
 ///   - the part of the turn that curved or noisy arms can cause is subtracted first: 2 da / a + 2
-///     db / b, with da and db the largest distances of the arms' samples from their chords, whose
-///     lengths are a and b. This removes half the turn of a circle, and nothing of a corner;
+///     db / b, where da and db are the largest distances of the arms' samples from the arms'
+///     chords, and a and b are the lengths of these chords. This removes half the turn of a circle,
+///     and nothing of a corner;
 ///   - with arms of half the length, at least kCornerPersistence of the turn must remain: a corner
 ///     keeps all of its turn, a circle half;
 ///   - if several turns lie within one arm, only the largest counts.
-/// An arm does not exist if the ink needs a path of more than kCornerDetour times its length to get
-/// that far. No corner is reported within kCornerMargin tolerances of path of an end of the stroke,
-/// because hooks occur there.
+/// A sample has no arm if the path of the ink to the arm's end is longer than kCornerDetour times
+/// the arm. No corner is reported if the path to an end of the stroke is shorter than kCornerMargin
+/// tolerances, because hooks occur there.
 ///
 ///            P                 turn = angle(P - A, B - P)
 ///      h   /   \   h
 ///        A       B
 ///
 /// A corner is decided when the ink has continued for kCornerMargin + kCornerArm tolerances, about
-/// 1.7 mm at the default tolerance, or later if the pen dwells. The corners do not depend on how
-/// the samples are divided into calls (R5, R7). The work is bounded: merged samples are not
-/// examined, so an arm has at most kCornerDetour * kCornerArm tolerances /
-/// CurveFitter::spacing_mm() of them.
+/// 1.7 mm at the default tolerance, or later if the pen rests. The corners do not depend on how the
+/// samples are divided into calls (R5, R7). The work is bounded: only kept samples are examined,
+/// and an arm has at most kCornerDetour * kCornerArm tolerances / CurveFitter::spacing_mm() of
+/// these.
 class CornerDetector {
  public:
   static constexpr double kCornerDeg = 60.0;
@@ -55,7 +56,7 @@ class CornerDetector {
   void measure(KeptSamples& kept, std::size_t most) noexcept;
   void decide(KeptSamples& kept) noexcept;
 
-  std::size_t measured_ = 0;  // samples before it have a turn
+  std::size_t measured_ = 0;  // number of samples with a measured turn
   std::size_t decided_ = 0;
 };
 

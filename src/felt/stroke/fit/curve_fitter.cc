@@ -146,8 +146,8 @@ bool CurveFitter::start_search() {
   return true;
 }
 
-// Advances `scanned_`. The open run may use the samples before `scanned_`. It ends there if they
-// end at a corner.
+// Advances `scanned_`, up to and including the next corner. The open run may use the samples before
+// `scanned_`.
 void CurveFitter::scan_for_corner() noexcept {
   const std::size_t end = std::min(corners_.decided(), scanned_ + kStepSamples);
   while (!at_corner_ && scanned_ < end) {
@@ -156,7 +156,8 @@ void CurveFitter::scan_for_corner() noexcept {
   }
 }
 
-// Decides what becomes of the run after its search.
+// Proposes a segment after the search for a run: the whole run if it ends at a corner or at the end
+// of the stroke, otherwise its part up to a cut.
 void CurveFitter::finish_run() noexcept {
   run_.ensure_length();
   const bool is_corner = at_corner_ && run_.end() == scanned_;
@@ -206,7 +207,8 @@ void CurveFitter::place_some() {
 }
 
 // Handles a run that misses kept sample `sample`: searches again with that sample held in the
-// window, a limited number of times. After that it uses the part before the sample if that is long.
+// window, a limited number of times. After that, proposes the part before the sample if that part
+// is long, or else searches again with every sample in the window.
 void CurveFitter::retry_before(std::size_t sample) noexcept {
   places_.truncate(placed_before_);
   if (run_.search_again(kept_, sample, placer_.furthest())) {

@@ -16,20 +16,21 @@
 
 namespace felt {
 
-/// Appends the parameter of each sample that `place` stands for, on `segment`. The parameters
-/// differ slightly, so that the width can change while the pen rests (R15), but only as far as the
-/// next parameter `next_u` and the reserve in the tolerance (KeptSamples::kReserve) allow.
+/// Appends one stroke parameter on `segment` for each sample that `place` represents. The
+/// parameters increase slightly from sample to sample, so that the width can change while the pen
+/// rests (R15). They do not exceed `next_u`, the next parameter, and the curve moves by less than
+/// the reserve in the tolerance (KeptSamples::kReserve) from the first to the last.
 void append_sample_places(const SamplePlace& place, double next_u, const Cubic& segment,
                           double tolerance_mm, std::vector<double>& sample_u);
 
 /// Fits joined cubics to the samples of a pen while it draws.
 ///
-/// Greedy: from the last joint, LongRun finds how far one cubic can go; the joint is then put at
-/// kReach of that run. There the long fit has samples on both sides, so its position and tangent
-/// are well determined; at the end of the run they are not. The next segment starts with this
-/// position and tangent, so smooth joints are G1 exactly. A run never passes a corner
-/// (CornerDetector): the segment ends at the corner, and the next segment starts there with a new
-/// tangent.
+/// The fitter is greedy: from the last joint on, LongRun finds the longest run of samples that one
+/// cubic fits. The next joint is put at the fraction kReach of that run. At the joint, the long fit
+/// has samples on both sides, so the position and tangent of its curve are well determined; at the
+/// end of the run they are not. The next segment starts with this position and tangent, so smooth
+/// joints are G1 exactly. A run never passes a corner (CornerDetector): the segment ends at the
+/// corner, and the next segment starts there with a new tangent.
 ///
 ///      o--o--o--o--o--o--o--o--o--o            samples
 ///      |===== run, one cubic ======|           longest within the tolerance
@@ -50,8 +51,8 @@ class CurveFitter {
   /// The joint is put at this fraction of the longest run.
   static constexpr double kReach = 0.8;
   /// Bounds of the spacing of data points: the resolution of the paper's devices [Paper section 2:
-  /// PHANToM, 0.03 mm], and its threshold (docs/design/strokes.md#data-points). Between them the
-  /// spacing is the fraction kSpacing of the tolerance.
+  /// PHANToM, 0.03 mm], and the threshold of docs/design/strokes.md#data-points. Between these
+  /// bounds the spacing is the fraction kSpacing of the tolerance.
   static constexpr double kResolutionMm = 0.03;
   static constexpr double kDataPointMm = 0.25;
   static constexpr double kSpacing = 0.125;
@@ -60,15 +61,15 @@ class CurveFitter {
   static constexpr double kMaxSpacing = 0.2;
   /// Returns the spacing of data points in mm. A sample becomes a data point if it is farther than
   /// this from the last data point (R3); other samples are merged into that data point
-  /// (KeptSamples). 0.03 mm at the default tolerance.
+  /// (KeptSamples). At the default tolerance, the spacing is 0.03 mm.
   static constexpr double spacing_mm(double tolerance_mm) noexcept {
     return std::min(std::clamp(kSpacing * tolerance_mm, kResolutionMm, kDataPointMm),
                     kMaxSpacing * tolerance_mm);
   }
   /// Work of one push, in samples x rounds of the fit. This work takes about 10 microseconds.
   static constexpr long kWorkPerPush = 1000;
-  /// Upper bound of the work of one push. It stops after the step that exceeds kWorkPerPush; a step
-  /// is an exact fit, the fits of a commit, or placing some samples.
+  /// Upper bound of the work of one push. A push stops after the step that exceeds kWorkPerPush; a
+  /// step is an exact fit, the fits of a commit, or placing some samples.
   static constexpr long kMaxWorkPerPush = kWorkPerPush + 4 * SegmentFit::kMaxWork;
 
   explicit CurveFitter(const CurveFitOptions& options);
@@ -108,16 +109,16 @@ class CurveFitter {
  private:
   /// State of the open run.
   enum class Phase {
-    kWait,    ///< waits for its first samples
-    kSearch,  ///< searches how far it goes
-    kPlace,   ///< places its samples on the segment that it becomes
+    kWait,    ///< waits for the first samples of the run
+    kSearch,  ///< searches for the end of the longest run
+    kPlace,   ///< assigns the samples of the run their parameters on its segment
   };
   /// The segment that is committed next.
   struct Candidate {
     Cubic segment{};
-    std::size_t last = 0;   // kept sample at its end
-    bool is_whole = false;  // it ends on that sample, as the run does
-    Vec end_tangent;        // else: tangent at the start of the next one
+    std::size_t last = 0;   // last kept sample of the segment
+    bool is_whole = false;  // true if the segment is the whole run
+    Vec end_tangent;        // otherwise: the tangent at which the run is cut
   };
 
   void advance(long work);
@@ -144,20 +145,21 @@ class CurveFitter {
   RunStart::Kind next_kind_ = RunStart::Kind::kFree;
   Vec next_tangent_;
   std::size_t next_first_ = 0;  // first sample of the open run
-  std::size_t scanned_ = 0;     // samples before it are known to have no corner in the open run
-  bool at_corner_ = false;      // the sample before scanned_ is a corner
+  std::size_t scanned_ = 0;     // the open run may use the samples before this one
+  bool at_corner_ = false;      // the sample before scanned_ is a corner, where the run ends
   ChunkedVector<Point> points_;
   ChunkedVector<JointKind> joints_;
   ChunkedVector<SamplePlace> places_;
 };
 
 /// Returns where to cut a run that one cubic covers: the index into `parameters` of the sample that
-/// becomes the joint. It is near the fraction `reach` of the run, where the curve moves fast enough
-/// for its tangent to be meaningful, and far enough along for a segment. Requires at least one
+/// becomes the joint. Prefers samples near the fraction `reach` of the run. At the joint, the curve
+/// moves fast enough for a well-determined tangent, and the part before the joint is long enough
+/// for a segment; if there is no such sample, the last one is the joint. Requires at least one
 /// sample.
 std::size_t choose_joint(const Cubic& curve, std::span<const double> parameters,
                          double reach) noexcept;
-/// The same, near the parameter at index `middle`.
+/// Does the same, but prefers samples near the index `middle`.
 std::size_t choose_joint_near(const Cubic& curve, std::span<const double> parameters,
                               std::size_t middle) noexcept;
 

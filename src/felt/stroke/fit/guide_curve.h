@@ -13,8 +13,8 @@ struct FittedCurve;
 
 /// A curve that a later fit of the same samples must stay close to, because the user has seen it
 /// while drawing. It stores the point of that curve at each kept sample and at three positions
-/// between neighbours. So closeness is checked between corresponding points and costs only a few
-/// distances.
+/// between neighbours. So a check of closeness compares corresponding points and takes only a few
+/// distance computations.
 class GuideCurve {
  public:
   /// Points stored from one sample to the next.
@@ -37,7 +37,7 @@ class GuideCurve {
                                       double limit_mm) const noexcept;
 
  private:
-  std::vector<Point> places_;  // kPlaces for each kept sample: at it, and between it and the next
+  std::vector<Point> places_;  // kPlaces for each kept sample, up to the next one
 };
 
 }  // namespace felt

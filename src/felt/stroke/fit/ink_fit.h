@@ -13,11 +13,11 @@
 /// Input, options and result of a fit of ink (InkFitter).
 namespace felt {
 
-/// One pen sample, reduced to what ink is made of: position, pressure, time and tilt.
+/// One pen sample with only the values that determine ink: position, pressure, time and tilt.
 struct InkSample {
   Point position;                       ///< mm, page coordinates
   std::optional<double> pressure;       ///< 0..1; absent if the source reports none
-  std::optional<std::int64_t> time_ns;  ///< since the drawing session began; can run backwards
+  std::optional<std::int64_t> time_ns;  ///< since the session began; can run backwards
   std::optional<double> tilt_deg{};  ///< tilt from the upright, 0..90 (geometry/tilt.h converts it
                                      ///< to 0..1); absent if the source reports none
 
@@ -42,15 +42,15 @@ struct PenFilterOptions {
   /// Assumed time between samples without times (a tablet at 133 Hz).
   double interval_ms = 7.5;
 
-  /// A pressure blob: for at most blob_ms and blob_mm from an end of the stroke, the pressure
-  /// exceeds the one a window away by this ratio.
+  /// A pressure blob: within blob_ms and blob_mm of an end of the stroke, the pressure is more than
+  /// blob_ratio times the pressure one window away from that end.
   double blob_ratio = 1.3;
   double blob_ms = 25.0;
   double blob_mm = 0.5;
 
-  /// A hook at lift: at most hook_max_mm of path after a turn by at least hook_angle_deg, all of it
-  /// below hook_pressure_ratio of the pressure before. A shorter path than hook_min_mm counts as
-  /// noise.
+  /// A hook at lift: at most hook_max_mm of path after a turn by at least hook_angle_deg, with
+  /// pressures of at most hook_pressure_ratio times the largest pressure up to the turn. If the
+  /// stroke ends nearer than hook_min_mm to the turn, the turn counts as noise.
   double hook_max_mm = 1.5;
   double hook_min_mm = 0.15;
   double hook_angle_deg = 90.0;
@@ -66,7 +66,7 @@ struct PenFilterOptions {
 ///   tone = (light + (heavy - light) p^gamma) (1 + (tilt - 1) l)
 struct ToneMapOptions {
   double light = 0.0;  ///< tone at p = 0; 0..1
-  double heavy = 1.0;  ///< at p = 1; 0..1
+  double heavy = 1.0;  ///< tone at p = 1; 0..1
   double gamma = 1.0;  ///< > 0
   double tilt = 1.0;   ///< tone of a fully tilted pen relative to an upright one; 0..1
 
@@ -75,17 +75,18 @@ struct ToneMapOptions {
 
 /// How pressure becomes width: W = (min + (max - min) p^gamma) (1 + (tilt_width - 1) l), by
 /// docs/design/strokes.md#width, with the tilt l of geometry/tilt.h. The defaults are for the
-/// haptic plane, on which the paper draws broader lines by pressing harder; tilt has no effect.
+/// haptic plane, on which the paper draws broader lines by pressing harder. By default, tilt has no
+/// effect.
 struct WidthMapOptions {
   double min_mm = 0.3;             ///< width at p = 0; not below kMinWidthMm
   double max_mm = 6.0;             ///< width at p = 1; not below min_mm
   double gamma = 1.0;              ///< > 0; above 1 keeps a light hand thin
-  double absent_pressure = 0.5;    ///< p if the source reports none (a mouse)
-  double time_constant_ms = 20.0;  ///< of the low-pass on p; 0 switches it off
-  double interval_ms = 7.5;        ///< between samples without times (a tablet at 133 Hz)
+  double absent_pressure = 0.5;    ///< p to use if the source reports none (a mouse)
+  double time_constant_ms = 20.0;  ///< of the low-pass filters of p and l; 0: no filters
+  double interval_ms = 7.5;        ///< assumed time between samples without times
   double tilt_width = 1.0;         ///< width of a fully tilted pen relative to an upright one; >= 1
-  double absent_tilt_deg = 0.0;    ///< tilt if the source reports none
-  std::optional<ToneMapOptions> tone{};  ///< if absent, tone_of_width(width)
+  double absent_tilt_deg = 0.0;    ///< tilt to use if the source reports none
+  std::optional<ToneMapOptions> tone{};  ///< if absent, the tone is tone_of_width(width)
 
   friend bool operator==(const WidthMapOptions&, const WidthMapOptions&) = default;
 };
@@ -102,14 +103,15 @@ struct WidthFitOptions {
   double min_mm = kMinWidthMm;  ///< widths are clamped to [min_mm, max_mm] (I4)
   double max_mm = 6.0;
   /// Largest difference between the profile and the tone of any sample, if samples have their own
-  /// tone. Measured with handwriting on a tablet: 0.05 costs 11 % more knots than widths of 0.3..2
-  /// mm alone, and no more than widths of 0.3..6 mm; 0.1 costs none, 0.03 costs 28 %.
+  /// tone. Measured with handwriting on a tablet and widths of 0.3..2 mm, compared with a fit of
+  /// the widths alone: a tolerance of 0.1 adds no knots, 0.05 adds 11 %, and 0.03 adds 28 %. With
+  /// widths of 0.3..6 mm, 0.05 adds none.
   double tone_tolerance = 0.05;
 };
 
-/// Which curve fitting to use.
+/// The scheme by which the curve of a stroke is fitted.
 enum class FitScheme {
-  kFeltline,   ///< Feltline's own: max error within the tolerance, G1 joints, corners kept
+  kFeltline,   ///< Feltline's own: all samples within the tolerance, G1 joints, sharp corners
   kPaper2002,  ///< the scheme of the paper, eq. 2 with s shared samples (R6), for study
 };
 
@@ -117,12 +119,12 @@ enum class FitScheme {
 struct InkFitOptions {
   FitScheme scheme = FitScheme::kFeltline;
   CurveFitOptions curve;
-  int shared_samples = 4;         ///< s of [Paper eq. 2]; kPaper2002 only
+  int shared_samples = 4;         ///< s of [Paper eq. 2]; used by kPaper2002 only
   bool filter_artefacts = false;  ///< pen-down / pen-up filter before the fit (PenFilter)
   PenFilterOptions filter;
   WidthMapOptions width_map = kPenWidths;
   WidthFitOptions width;
-  std::string material = StrokeData{}.material;  ///< of the stroke
+  std::string material = StrokeData{}.material;  ///< medium of the stroke
 };
 
 /// A chain of joined cubics fitted to samples.
@@ -130,7 +132,8 @@ struct FittedCurve {
   std::vector<Point> points;      ///< 3n + 1 control points; empty before the first segment
   std::vector<JointKind> joints;  ///< n - 1 kinds of the inner joints
   /// For each sample that the n segments cover, in order: its parameter u = segment index + t on
-  /// the curve. Non-decreasing; the curve at u lies within the tolerance of the sample.
+  /// the curve. The parameters never decrease, and the curve at u lies within the tolerance of the
+  /// sample.
   std::vector<double> sample_u;
 
   [[nodiscard]] int segment_count() const noexcept {

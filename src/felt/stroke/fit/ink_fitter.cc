@@ -47,8 +47,8 @@ struct InkFitter::State {
   ChunkedVector<InkSample> samples;
   std::size_t ignored = 0;
   bool ended = false;
-  // Whether `curve` is valid. The curve is made on the first request after end(), because copying a
-  // long stroke takes longer than the time of a sample.
+  // True if `curve` is valid. It is made on the first request after end(), because copying a long
+  // stroke takes longer than the time between two samples.
   bool has_curve = false;
   FittedCurve curve;
   std::vector<Cubic> tail;

@@ -49,9 +49,9 @@ class InkFitter {
   [[nodiscard]] Cubic segment(int i) const;
   /// Returns the kind of the joint before segment i, 0 < i < segment_count().
   [[nodiscard]] JointKind joint(int i) const;
-  /// Returns the positions, on the stable prefix, of the samples that it covers, in order. The
-  /// remaining samples() have no final position yet. Empty unless the scheme is kFeltline. Valid
-  /// until refine().
+  /// Returns the parameters u of the samples that the stable prefix covers, in order. The remaining
+  /// samples() have no final parameter yet. The result is empty unless the scheme is kFeltline.
+  /// Valid until refine().
   [[nodiscard]] const ChunkedVector<SamplePlace>& places() const;
   /// Returns provisional segments from the stable prefix to the newest sample, for display only.
   /// Valid until the next call.

@@ -52,7 +52,7 @@ void KeptSamples::share_open(Sample& next) noexcept {
   Sample& last = samples_.back();
   double before = last.slack;
   double after = 0.0;
-  std::size_t first = open_count_;  // of the open samples that `next` represents
+  std::size_t first = open_count_;  // the open samples from this index on belong to `next`
   while (first > 0) {
     const double slack = std::max(after, distance(open_[first - 1], next.point));
     if (slack >= before) break;

@@ -12,11 +12,11 @@ namespace felt {
 /// The data points of a stroke: the samples that a curve fit keeps, from the first one on.
 ///
 /// A sample within the spacing of the last kept sample is not stored. The last kept sample
-/// represents it, or the next kept sample if that turns out to be nearer. It only widens the
-/// *slack* of the kept sample that represents it: the largest distance to a represented sample. A
-/// curve that stays within (tolerance - slack) of a kept sample stays within the tolerance of all
-/// samples that it represents. So the tolerance holds for every sample (R3, R8), and resting the
-/// pen costs nothing.
+/// represents it, or the next kept sample if that turns out to be nearer. It only increases the
+/// *slack* of the kept sample that represents it. The slack is the largest distance from a kept
+/// sample to a sample that it represents. A curve that stays within (tolerance - slack) of a kept
+/// sample stays within the tolerance of all samples that it represents. So the tolerance holds for
+/// every sample (R3, R8), and a resting pen adds no kept samples.
 ///
 /// Adding a sample takes constant time and does not allocate after warm-up.
 class KeptSamples {
@@ -83,7 +83,7 @@ class KeptSamples {
   Point newest_;
   std::array<Point, kMaxOpen> open_{};
   std::size_t open_count_ = 0;
-  double settled_slack_ = 0.0;  // slack of the newest kept sample without the open ones
+  double settled_slack_ = 0.0;  // slack of the newest kept sample without open_
   ChunkedVector<Sample> samples_;
 };
 

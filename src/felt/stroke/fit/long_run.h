@@ -14,14 +14,15 @@ namespace felt {
 /// Finds how far one cubic can go over the kept samples of a stroke, for any number of samples: a
 /// slow stroke has more samples but the same curve.
 ///
-/// RunSearch looks at a window of at most SegmentFit::kMaxRun samples. When the run fills it,
-/// samples are removed from the window (RunSearch::thin) and the search continues with those that
-/// follow. Then the result is proven only for the samples in the window; RunPlacer proves it for
-/// all samples. If the curve misses a sample, call search_again(), which holds that sample in the
-/// window, and finally begin() with Detail::kEverySample: such a run ends at the end of the window
-/// and needs no proof.
+/// RunSearch looks at a window of at most SegmentFit::kMaxRun samples. When the run fills the
+/// window, samples are removed from the window (RunSearch::thin) and the search continues with
+/// those that follow. Then the result is proven only for the samples in the window; RunPlacer
+/// proves it for all samples. If the curve misses a sample, call search_again(), which holds that
+/// sample in the window. If search_again() returns false, call begin() with Detail::kEverySample:
+/// such a run ends at the end of the window and needs no proof.
 ///
-/// Work of one step() is bounded by kMaxRun additions and one step of RunSearch. No allocation.
+/// One step() takes at most kMaxRun additions to the window and one step of RunSearch. Nothing is
+/// allocated.
 class LongRun {
  public:
   enum class Detail {
@@ -29,7 +30,7 @@ class LongRun {
     kEverySample,  ///< at most SegmentFit::kMaxRun samples, all of them in the window
   };
 
-  /// Samples that search_again() can hold in the window.
+  /// Maximum number of samples that search_again() can hold in the window.
   static constexpr std::size_t kMaxHeld = 16;
 
   LongRun() : window_(SegmentFit::kMaxRun) {}
@@ -52,14 +53,14 @@ class LongRun {
   void pin(bool start, bool end) noexcept { search_.pin(window_, start, end); }
 
   [[nodiscard]] const RunStart& start() const noexcept { return search_.start(); }
-  /// Return the first kept sample of the run, and one past the last. Equal before the first exact
-  /// fit.
+  /// Return the first kept sample of the run, and one past the last. The two are equal before the
+  /// first exact fit.
   [[nodiscard]] std::size_t first() const noexcept { return first_; }
   [[nodiscard]] std::size_t end() const noexcept {
     return count() == 0 ? first_ : source(count() - 1) + 1;
   }
-  /// Return the number of window samples in the run, their parameters, and the kept sample that
-  /// window sample i is.
+  /// Return the number of window samples in the run, their parameters, and the index that window
+  /// sample i has among the kept samples.
   [[nodiscard]] std::size_t count() const noexcept { return search_.count(); }
   [[nodiscard]] std::span<const double> parameters() const noexcept { return search_.parameters(); }
   [[nodiscard]] std::size_t source(std::size_t i) const noexcept { return window_.source(i); }
@@ -78,14 +79,15 @@ class LongRun {
   std::size_t held_count_ = 0;
   Detail detail_ = Detail::kThinned;
   std::size_t first_ = 0;
-  std::size_t next_ = 0;  // kept sample that is added to the window next
+  std::size_t next_ = 0;  // index of the kept sample to add to the window next
 };
 
 /// Assigns parameters on a run's curve to its kept samples, one after the other, including those
 /// that are not in the window. This proves that each sample is within its limit, in order.
 class RunPlacer {
  public:
-  /// Starts at the first sample of `run`. `curve` is the run's curve up to parameter `end`.
+  /// Starts at the first sample of `run`. `curve` is the part of the run's curve from 0 to
+  /// parameter `end`.
   void begin(const LongRun& run, const Cubic& curve, double end) noexcept;
   /// Returns the kept sample to place next.
   [[nodiscard]] std::size_t next() const noexcept { return next_; }
@@ -102,7 +104,7 @@ class RunPlacer {
   Cubic curve_{};
   double scale_ = 1.0;
   std::size_t next_ = 0;
-  std::size_t in_window_ = 0;  // first sample of the window that is not before it
+  std::size_t in_window_ = 0;  // first window sample that is not before next_
   double furthest_ = 0.0;
   std::size_t furthest_sample_ = 0;
 };

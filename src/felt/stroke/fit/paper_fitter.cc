@@ -141,7 +141,8 @@ bool PaperFitter::fit_within(Run& run) const {
 }
 
 // Least squares for B2, B3 with B1, B4 fixed: with b1..b4 the Bernstein basis at t_i,
-//   sum b2 b2 B2 + sum b2 b3 B3 = sum b2 R_i,   R_i = P_i - b1 B1 - b4 B4   (and b3 alike).
+//   sum b2 b2 B2 + sum b2 b3 B3 = sum b2 R_i,   sum b3 b2 B2 + sum b3 b3 B3 = sum b3 R_i,
+// where R_i = P_i - b1 B1 - b4 B4.
 double PaperFitter::fit(Run& run) const {
   const Point b1 = points_[run.from], b4 = points_[run.to];
   const std::size_t first = run.from - std::min(run.from, shared_);
@@ -152,7 +153,7 @@ double PaperFitter::fit(Run& run) const {
   for (std::size_t i = first; i <= last; ++i) {
     const double t = share_of(path_mm_[i] - path_mm_[run.from], length), s = 1.0 - t;
     const double w2 = 3.0 * t * s * s, w3 = 3.0 * t * t * s;
-    const Vec rest = (points_[i] - b1) - t * t * t * (b4 - b1);  // relative to B1, which drops out
+    const Vec rest = (points_[i] - b1) - t * t * t * (b4 - b1);  // relative to B1, so B1 drops out
     s22 += w2 * w2;
     s23 += w2 * w3;
     s33 += w3 * w3;
@@ -220,7 +221,7 @@ void PaperFitter::uncommit_last() {
 
 // The samples after the last joint are too close to it for a segment (I5). So the last segment is
 // fitted again to draw them too. If that fit misses the tolerance, the segment stays as it is, and
-// its end represents them.
+// its end represents these samples.
 void PaperFitter::absorb_tail() {
   const std::size_t last = points_.size() - 1;
   const std::size_t from = ends_[ends_.size() - 2];

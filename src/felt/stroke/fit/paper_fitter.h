@@ -21,8 +21,8 @@ namespace felt {
 ///     so the curve is exactly C0. The first segment starts at its P_1 and the last one ends at its
 ///     P_n.
 ///   - B2 and B3 are the least-squares solution over P_1..P_n at chord-length parameters, 0 at B1
-///     and 1 at B4. The s samples outside have parameters below 0 and above 1 and bend the
-///     handles, although the segment does not draw them.
+///     and 1 at B4. The s samples beyond each end have parameters below 0 or above 1. They
+///     influence the handles, although the segment does not cover them.
 ///   - [docs/design/errata.md#e9] the tolerance limits the largest distance of the data points that
 ///     the segment draws, each measured at its parameter after one Newton step towards the nearest
 ///     point.
@@ -36,9 +36,9 @@ namespace felt {
 ///                     |--------|--------|         shared: 2s + 1 = 5
 ///                              B1==========...    second segment
 ///
-/// Use: begin(); push() for each point; end(). Each sample refits the run from scratch, so its work
-/// is bounded only by the longest run, kMaxRun samples. So this class is for study, not for drawing
-/// with a device.
+/// Use: begin(); push() for each point; end(). Each new sample fits the whole run again, so the
+/// work per sample is bounded only by the longest run, kMaxRun samples. Therefore this class is for
+/// study, not for drawing with a device.
 class PaperFitter {
  public:
   /// Maximum number of samples that one segment may draw.
@@ -55,10 +55,10 @@ class PaperFitter {
   /// Fits the remaining points. Called at pen-up. A stroke that stays within kMinSegmentMm becomes
   /// one straight segment of that length (R10). If no point was added, the curve stays empty.
   void end();
-  /// Returns the segments so far; complete after end(). `sample_u` has the data points until end(),
-  /// then every sample; a sample between two data points lies between their parameters. No chord is
-  /// below kMinSegmentMm (I5), so the curve may stop up to that distance before the end of the
-  /// stroke if the tolerance is smaller.
+  /// Returns the segments so far; complete after end(). `sample_u` contains the parameters of the
+  /// data points until end(), then those of all samples; a sample between two data points has a
+  /// parameter between theirs. No segment has a chord shorter than kMinSegmentMm (I5), so the curve
+  /// may stop up to that distance before the end of the stroke if the tolerance is smaller.
   [[nodiscard]] const FittedCurve& curve() const noexcept { return curve_; }
 
  private:
@@ -83,10 +83,10 @@ class PaperFitter {
   double tolerance_mm_;
   std::size_t shared_;
   double data_point_mm_;
-  std::vector<std::size_t> merged_;  // samples after each data point that are not data points
+  std::vector<std::size_t> merged_;  // number of merged samples after each data point
   Point newest_;
   std::vector<Point> points_;
-  std::vector<double> path_mm_;    // along the chords from the first point
+  std::vector<double> path_mm_;    // path length along the chords from the first point
   Run good_, trial_;               // longest run within the tolerance; the one being tried
   std::vector<std::size_t> ends_;  // sample index of each joint so far, the start included
   FittedCurve curve_;

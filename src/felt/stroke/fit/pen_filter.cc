@@ -95,9 +95,9 @@ void PenFilter::mend_start(bool level_is_known) {
   for (std::size_t i = 0; i < held_.size() && is_blob(i, 0, *level); ++i) held_[i].pressure = level;
 }
 
-// Returns true if sample i may belong to a blob at the sample `end`, an end of the stroke. Callers
-// stop at the first sample that does not belong to a blob, because pressure that rises first and
-// then falls comes from the hand.
+// Returns true if sample i may belong to a blob at `end`, the first or last sample of the stroke.
+// Callers stop at the first sample that does not belong to a blob, because pressure that rises
+// first and then falls comes from the hand.
 bool PenFilter::is_blob(std::size_t i, std::size_t end, double level) const noexcept {
   return held_[i].pressure.value_or(0.0) > options_.blob_ratio * level &&
          std::fabs(held_ms_[i] - held_ms_[end]) <= options_.blob_ms &&

@@ -98,8 +98,8 @@ void Refiner::find_longest(const Partial& from, Run& run) {
   run.curve = search_.curve();
 }
 
-// Gives each sample of the run its parameter. Returns false if the curve does not meet all of them;
-// the run then ends before the first that it misses.
+// Assigns each sample of the run its parameter. Returns false if the curve misses a sample; the run
+// then ends before the first sample that it misses.
 bool Refiner::place_samples(RunPlacer& placer, Run& run) const {
   run.t.clear();
   placer.begin(search_, run.curve, 1.0);

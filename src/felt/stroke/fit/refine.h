@@ -19,8 +19,8 @@ namespace felt {
 /// 1 segments it keeps those that cover most ink. The first candidate that covers all ink is the
 /// result. Fits, corners and guarantees are those of CurveFitter.
 ///
-/// Time is linear in the samples, about kBeam times that of the online fit. Runs on any thread,
-/// one Refiner per thread; buffers are kept between strokes.
+/// The time is linear in the number of samples, about kBeam times the time of the online fit. Any
+/// thread may use a Refiner, but only one at a time. Buffers are kept between strokes.
 class Refiner {
  public:
   static constexpr std::size_t kBeam = 8;
@@ -47,7 +47,7 @@ class Refiner {
   struct Node {
     std::size_t parent = 0;
     Cubic segment{};
-    JointKind joint = JointKind::kCorner;  // at its start
+    JointKind joint = JointKind::kCorner;  // kind of the joint at its start
     std::size_t first = 0, count = 0;      // samples that it covers
     std::size_t places = 0;                // index in places_ of their parameters
   };

@@ -11,9 +11,9 @@ namespace felt {
 /// 0..3) and sum |P|^2, with positions P relative to the origin. Divided by powers of the whole
 /// length L they become sums over t = s / L. From these follow the normal equations and the sum of
 /// squared distances at chord-length parameters. If that sum is at most tolerance^2, every single
-/// sample is within the tolerance, so the run can grow without visiting its samples again. If it is
-/// larger, the exact fit must decide, because the sum also counts distance along the curve as
-/// error. Doubles lose 3e-10 mm over 100,000 samples.
+/// sample is within the tolerance, so the run can grow without visiting its samples again. If the
+/// sum is larger, the exact fit must decide, because the sum also counts distance along the curve
+/// as error. After 100,000 samples the rounding error is 3e-10 mm.
 class RunMoments {
  public:
   /// Starts a run at `origin` with a free tangent.

@@ -16,17 +16,18 @@ namespace felt {
 ///
 ///   1. Gate: while running sums prove that the run is within the tolerance, each sample takes one
 ///      update (RunMoments).
-///   2. Gallop: exact fits are tried, each a quarter longer than the last good one.
-///   3. Bisect: after the first fit that fails, the gap to the last good fit is halved until it is
-///      within a sixteenth of the run. Greater precision is not needed, because the last samples of
-///      a run go to the next segment anyway.
+///   2. Gallop: runs are fitted exactly, each a quarter longer than the last accepted one. If the
+///      window was thinned, all of it is tried immediately.
+///   3. Bisect: after the first run that fails, the gap between the shortest failed and the longest
+///      accepted run is halved until it is within a sixteenth of the run. Greater precision is not
+///      needed, because the last samples of a run go to the next segment anyway.
 ///
 /// Use: begin(); step() until it returns kDone; then count(), curve(), parameters().
 class RunSearch {
  public:
   enum class Status {
     kNeedSamples,  ///< all available samples are used; call again when more have arrived
-    kBusy,         ///< one step of work done, more to do
+    kBusy,         ///< one step was done; call step() again
     kDone,         ///< the run is found
   };
 
@@ -50,18 +51,19 @@ class RunSearch {
   [[nodiscard]] std::size_t first() const noexcept { return first_; }
   /// Returns the number of samples in the best run so far; 0 before the first exact fit.
   [[nodiscard]] std::size_t count() const noexcept { return good_; }
-  /// Return its curve, and the parameters of its samples.
+  /// Return the curve of the best run, and the parameters of its samples.
   [[nodiscard]] const Cubic& curve() const noexcept { return curve_; }
   [[nodiscard]] std::span<const double> parameters() const noexcept { return {t_.data(), good_}; }
 
-  /// Replaces the run found by one with the same samples that begins or ends exactly on its first
-  /// or last sample, if such a curve is within the tolerance. Used at the ends of a stroke.
+  /// Replaces the curve of the run found by one that begins exactly on the first sample (if
+  /// `start`) and ends exactly on the last sample (if `end`). If such a curve is not within the
+  /// tolerance, tries only the start, then only the end. Used at the ends of a stroke.
   void pin(const SampleWindow& window, bool start, bool end) noexcept;
 
   /// If the run found is shorter than a segment may be (I5), replaces it by a bridge
   /// (SegmentFit::bridge) to the first sample that is far enough from the start, or to the last
   /// available one. All samples between are within kMinSegmentMm of the start, so the tolerance
-  /// holds. After kDone; may change count().
+  /// holds. Call it after kDone. May change count().
   void ensure_length(const SampleWindow& window) noexcept;
 
   /// Removes samples from a window that the run found fills, and resumes the search. The samples
@@ -88,14 +90,14 @@ class RunSearch {
   std::size_t first_ = 0;
   Phase phase_ = Phase::kDone;
   RunMoments moments_;
-  double lead_mm_ = 0.0;     // from the start point to sample `first`
-  double tightest_ = 0.0;    // largest inverse limit in the gate
-  std::size_t gated_ = 0;    // samples in the moments
-  std::size_t proven_ = 0;   // longest run that the gate accepted
-  std::size_t good_ = 0;     // longest run that the exact fit accepted
-  std::size_t next_ = 0;     // next run to try
-  std::size_t bad_ = 0;      // shortest run that failed
-  std::size_t offered_ = 0;  // samples that may be used
+  double lead_mm_ = 0.0;     // distance from the start point to sample first_
+  double tightest_ = 0.0;    // largest inverse limit of the samples in the gate
+  std::size_t gated_ = 0;    // number of samples added to moments_
+  std::size_t proven_ = 0;   // size of the longest run that the gate accepted
+  std::size_t good_ = 0;     // size of the longest run that was fitted
+  std::size_t next_ = 0;     // size of the next run to try
+  std::size_t bad_ = 0;      // size of the shortest run that failed
+  std::size_t offered_ = 0;  // number of samples that may be used
   bool is_close_to_guide_ = true;
   SegmentFit fit_;
   Cubic curve_{};

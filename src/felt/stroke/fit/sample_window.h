@@ -16,8 +16,8 @@ class SampleWindow {
  public:
   /// Number of padding elements of each array, so that four lanes may be read at any sample.
   static constexpr std::size_t kPadding = 4;
-  /// Once samples are left out, the limits are reduced to this fraction. The rest is for the
-  /// samples left out, because they lie between the remaining ones only approximately.
+  /// Once samples are left out, the limits are reduced to this fraction. The remaining 3 % are for
+  /// the samples left out, which lie only approximately between the ones that stay.
   static constexpr double kThinnedShare = 0.97;
 
   explicit SampleWindow(std::size_t capacity);
@@ -28,11 +28,11 @@ class SampleWindow {
   void add(const KeptSamples& kept, std::size_t source) noexcept;
   /// Marks the newest sample as held, so that thin() never leaves it out.
   void hold_newest() noexcept { is_held_[size_ - 1] = 1; }
-  /// Leaves samples out, so that about a quarter of a full window becomes free. Of four neighbours
-  /// that represent few others, the one with the least `left` and the one with the greatest `right`
-  /// stay, and share what the four represented. The first, the last and all held samples always
-  /// stay. Indices shift down, and `parameters` is reduced in the same way. Each array needs one
-  /// value for each sample.
+  /// Leaves samples out, so that at least about a quarter of a full window becomes free. Of four
+  /// neighbours that together represent few samples, only the one with the smallest `left` and the
+  /// one with the largest `right` stay; each then represents half of the samples of the four. The
+  /// first, the last and all held samples always stay. Indices shift down, and `parameters` is
+  /// reduced in the same way. Each array needs one value for each sample.
   void thin(const double* left, const double* right, double* parameters) noexcept;
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }

@@ -97,8 +97,8 @@ bool SegmentFit::solve(const SampleWindow& window, double tangent_weight, End en
   const double* weights = run.weight;
   double weight = 0.0;
   for (std::size_t i = 0; i < count_; ++i) weight += weights[i];
-  // Samples fix the curve mainly across its direction. Along its direction only the end sample
-  // does, so the weight of the end sample grows with the number of samples.
+  // Samples determine the curve mainly across its direction. Along its direction, only the end
+  // sample determines it, so the weight of the end sample grows with the number of samples.
   const double least = kEndShare * weight;
   const double end_weight = end == End::kPinned ? kPinWeight * weight / static_cast<double>(count_)
                                                 : std::max(least, weights[count_ - 1]);
@@ -123,7 +123,8 @@ bool SegmentFit::solve(const SampleWindow& window, double tangent_weight, End en
       break;
   }
   if (end == End::kPinned) {
-    // The large weight leaves only a rounding error here; B3 moves with B4.
+    // Because of the large weight, only a rounding error is left. B3 moves by the same amount as
+    // B4.
     const Vec shift = window.point(first_ + count_ - 1) - curve_.p[3];
     curve_.p[2] += shift;
     curve_.p[3] = window.point(first_ + count_ - 1);

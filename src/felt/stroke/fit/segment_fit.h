@@ -16,12 +16,12 @@ class GuideCurve;
 /// rounding.
 inline constexpr double kShortestSegmentMm = 1.001 * kMinSegmentMm;
 
-/// Which properties are already fixed at the start of a segment.
+/// The properties that are already fixed at the start of a segment.
 struct RunStart {
   enum class Kind {
-    kFree,     ///< nothing: first segment of a stroke
-    kPoint,    ///< B1: after a corner
-    kTangent,  ///< B1 and its tangent: after a smooth joint (G1)
+    kFree,     ///< nothing is fixed: first segment of a stroke
+    kPoint,    ///< B1 is fixed: after a corner
+    kTangent,  ///< B1 and its tangent are fixed: after a smooth joint (G1)
   };
   Kind kind = Kind::kFree;
   Point point;
@@ -34,13 +34,15 @@ struct RunStart {
 /// noise of single samples is averaged away there as everywhere else. This halves the number of
 /// segments at noise-level tolerances (docs/decisions/0004-joints-leave-the-samples.md).
 ///
-/// It minimises  sum_i w_i |f(t_i) - P_i|^2_M + n kEnergy |f'''/6|^2 + n kRidge |B - B_chord|^2,
-/// with w_i the weight of a sample (SampleWindow) and n the sum of all weights. The norm M counts
-/// the distance to the curve's tangent line at the foot point and a little of the distance along it
-/// (segment_fit_kernels.h). The two small terms determine what the samples do not. The jerk f'''/6
-/// = B4 - 3 B3 + 3 B2 - B1 is zero on parabolas and small on arcs, so it keeps curls out without
-/// flattening round shapes. Each round solves for the control points and moves every t_i one Newton
-/// step to its foot point; 2 to 4 rounds achieve as much as 10 rounds of ordinary least squares.
+/// The fit minimises
+///   sum_i w_i |f(t_i) - P_i|^2_M + n kEnergy |f'''/6|^2 + n kRidge |B - B_chord|^2,
+/// where w_i is the weight of a sample (SampleWindow) and n is the sum of all weights. The norm M
+/// counts the distance to the curve's tangent line at the foot point and a little of the distance
+/// along that line (segment_fit_kernels.h). The two small terms determine the curve as far as the
+/// samples do not. The jerk f'''/6 = B4 - 3 B3 + 3 B2 - B1 is zero on parabolas and small on arcs,
+/// so it keeps curls out without flattening round shapes. Each round solves for the control points
+/// and moves every t_i one Newton step to its foot point; 2 to 4 rounds achieve as much as 10
+/// rounds of ordinary least squares.
 ///
 /// A curve is accepted if it passes within (tolerance - slack) of every sample *in the order of the
 /// samples*: t_i never decreases. Between neighbours it stays within tolerance + kGapBulge x gap of
@@ -59,7 +61,8 @@ class SegmentFit {
   static constexpr double kTangentWeight = 0.05;
   static constexpr double kEnergy = 2e-5;
   static constexpr double kRidge = 1e-4;
-  /// Bounds of the handle at a smooth start, as fractions of the chord length of the run.
+  /// Bounds of the handle at a smooth start, as fractions of the path length along the run's
+  /// samples.
   static constexpr double kMinHandle = 0.03;
   static constexpr double kMaxHandle = 2.0;
   static constexpr double kGapBulge = 0.1;
@@ -67,13 +70,14 @@ class SegmentFit {
   /// Position of the end of the curve.
   enum class End {
     kFree,    ///< near the last sample, as far as the tolerance allows
-    kPinned,  ///< exactly on it
+    kPinned,  ///< exactly on the last sample
   };
 
   /// Fits samples [first, first + count) of `window`. Returns true if the curve is accepted;
-  /// `curve()` and `parameters()` then return it. Requires 1 <= count <= kMaxRun and, if the start
-  /// is free, count >= 2. `known` are the parameters of the first samples on a shorter curve from
-  /// the same start, which are a better first guess than path lengths if there is noise.
+  /// `curve()` and `parameters()` then return the curve and its parameters. Requires 1 <= count <=
+  /// kMaxRun and, if the start is free, count >= 2. `known` are the parameters of the first samples
+  /// on a shorter curve from the same start, which are a better first guess than path lengths if
+  /// there is noise.
   bool fit(const SampleWindow& window, const RunStart& start, std::size_t first, std::size_t count,
            End end = End::kFree, std::span<const double> known = {}) noexcept;
 
@@ -108,7 +112,7 @@ class SegmentFit {
   RunStart start_;
   std::size_t first_ = 0;
   std::size_t count_ = 0;
-  double length_mm_ = 0.0;  // along the run's samples from its start
+  double length_mm_ = 0.0;  // path length along the run's samples
   Cubic curve_{};
   long work_ = 0;
   alignas(32) std::array<double, kRoom> t_{};

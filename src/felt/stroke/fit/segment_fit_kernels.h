@@ -7,7 +7,7 @@
 /// The two inner loops of the segment fit, four samples at a time. They use explicit SIMD lanes, so
 /// that every machine adds in the same order and computes the same bits. On x86-64 a second version
 /// for wider registers is chosen at load time (without fused multiply-add, see options.cmake).
-/// Private to the stroke layer. Thread: any; no allocation.
+/// Private to the stroke layer. Any thread may call them. They do not allocate.
 namespace felt::detail {
 
 /// A cubic in power form relative to an origin: f(t) = ((a3 t + a2) t + a1) t + a0.
@@ -15,7 +15,7 @@ struct PowerCubic {
   Vec a0, a1, a2, a3;
 };
 
-/// Samples of a run. The arrays may be read up to three beyond `count`.
+/// Samples of a run. The kernels may read up to three elements beyond `count` from each array.
 struct RunView {
   const double* x;
   const double* y;
@@ -29,7 +29,7 @@ struct RunView {
 /// and sets `ratio` to the squared distance at the new parameter divided by its limit.
 ///   t <- t - (e.f') / (f'.f' + e.f''), e = f(t) - P [Plass & Stone 1983; Schneider 1990]
 /// If this denominator is not safely positive, the Gauss-Newton denominator f'.f' is used. Requires
-/// that t and ratio have room for `count` + 3 values.
+/// that t and ratio have space for `count` + 3 values.
 void project(const PowerCubic& curve, const RunView& run, double* t, double* ratio) noexcept;
 
 /// Sums over samples for the normal equations of the control points. Index pairs (j, k) of the
@@ -46,11 +46,11 @@ struct NormalSums {
 /// free; B2..B4 if it is fixed (the caller has then made B1 the origin). The metric of each sample
 /// is
 ///   M = (1 - w) n n' + w I,   n = unit normal of the curve at t,
-/// that is, the squared distance along the normal plus w times that along the tangent (tangent
-/// distance minimisation with a damping term: Wang, Pottmann, Liu 2006, "Fitting B-spline curves to
-/// point clouds by curvature-based squared distance minimization", section 3). w = 1 is the
-/// ordinary least squares. Each sample counts by its weight. Only samples with an index in [begin,
-/// end) count.
+/// that is, the squared distance along the normal plus w times the squared distance along the
+/// tangent (tangent distance minimisation with a damping term: Wang, Pottmann, Liu 2006, "Fitting
+/// B-spline curves to point clouds by curvature-based squared distance minimization", section 3).
+/// With w = 1, this is ordinary least squares. The term of each sample is multiplied by its weight.
+/// Only samples with an index in [begin, end) are included.
 void accumulate_fixed_start(const PowerCubic& curve, const RunView& run, const double* t,
                             std::size_t begin, std::size_t end, double w,
                             NormalSums& sums) noexcept;

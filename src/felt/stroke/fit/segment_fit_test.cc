@@ -33,7 +33,8 @@ std::vector<Point> samples_of(const Cubic& cubic, int count) {
   return ink;
 }
 
-// Returns a start for a run: free, on the first sample, or on it with a tangent near the ink's.
+// Returns a start for a run: free, on the first sample, or on the first sample with a tangent near
+// that of the ink.
 RunStart random_start(TestInk& random, const SampleWindow& window) {
   const Point first = window.point(0);
   switch (random.pick(0, 2)) {

@@ -137,7 +137,8 @@ INSTANTIATE_TEST_SUITE_P(Lines, AtAnySpeed,
                                            Case{Line::kWriting, Sensor::kNoisy, 120.0, 10.0}),
                          ::testing::PrintToStringParamName());
 
-// Tests which samples of much denser ink the fit keeps. places() shows them.
+// Tests which samples of much denser ink the fit keeps. CurveFitter::places() shows the kept
+// samples.
 TEST(CurveFitter, R3_ADataPointIsKeptOnlyAfterTheThreshold) {
   for (const double tolerance : {0.05, 0.15, 0.5, 3.0}) {
     SCOPED_TRACE(tolerance);
@@ -169,8 +170,8 @@ TEST(CurveFitter, R3_TheThresholdIsThatOfTheDeviceOrTheSpecification) {
   EXPECT_EQ(CurveFitter::spacing_mm(0.2), 0.03);
   EXPECT_EQ(CurveFitter::spacing_mm(2.0), 0.25);
   EXPECT_EQ(CurveFitter::spacing_mm(3.0), 0.25);
-  // Between these two values it grows with the tolerance. At most a fifth of the tolerance is
-  // subtracted for merged samples.
+  // Between these two values the threshold grows with the tolerance. At most a fifth of the
+  // tolerance is subtracted for merged samples.
   for (double tolerance = kMinSegmentMm; tolerance < 3.0; tolerance *= 1.1) {
     EXPECT_LE(CurveFitter::spacing_mm(tolerance), 0.2 * tolerance + 1e-15);
     EXPECT_LE(CurveFitter::spacing_mm(tolerance), CurveFitter::spacing_mm(1.1 * tolerance));

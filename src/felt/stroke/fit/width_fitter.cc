@@ -129,12 +129,12 @@ void WidthFitter::finish(double u_end) {
   }
 }
 
-// Adds the samples collected at one position. If no slope of the open segment reaches them, it ends
-// at the previous position, and the next one starts there.
+// Adds the samples collected at one position. If no slope of the open segment reaches them, that
+// segment ends at the previous position, and the next segment starts there.
 void WidthFitter::take_place() {
   if (knots_.empty()) start_segment(knot(0.0, width_.first(count_), tone_.first(count_)));
   double du = place_u_ - knots_.back().u;
-  if (du < kSameWidthPlace) return;  // the start already meets it
+  if (du < kSameWidthPlace) return;  // the segment starts at this position
 
   if (!width_.can_reach(du) || (has_tone_ && !tone_.can_reach(du))) {
     const double span = reach_ - knots_.back().u;
@@ -148,8 +148,8 @@ void WidthFitter::take_place() {
   reach_ = place_u_;
 }
 
-// If samples at or beyond `u` were added, removes the knots there, and restarts the segment before
-// them without its samples.
+// If samples at or beyond `u` were added, removes all knots at or beyond `u`, and restarts the
+// segment before these knots without its samples.
 void WidthFitter::forget_from(double u) {
   if (knots_.empty() || reach_ < u) return;
   while (knots_.size() > 1 && knots_.back().u >= u) knots_.pop_back();

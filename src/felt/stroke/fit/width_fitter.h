@@ -21,7 +21,7 @@ inline constexpr double kSameWidthPlace = 1e-9;
 /// Each segment starts at the end (u1, W1) of the last one [docs/design/errata.md#e10] and has one
 /// unknown, its slope a. A sample (u, w) is within the tolerance if a lies in
 ///   [(w - tol - W1) / (u - u1), (w + tol - W1) / (u - u1)].
-/// So the intersection of these intervals tells exactly and in O(1) whether one more sample fits.
+/// So the intersection of these intervals shows exactly, and in O(1), whether one more sample fits.
 /// This is the swing filter of Elmeleegy, Elmagarmid, Cecchet, Aref, Zwaenepoel, "Online piece-wise
 /// linear approximation of numerical streams with precision guarantees", VLDB 2009, section 3. The
 /// slope is the least-squares slope
@@ -35,15 +35,15 @@ inline constexpr double kSameWidthPlace = 1e-9;
 ///
 /// If samples have their own tone, it is fitted by the same filter as the width, on the same knots:
 /// width and tone each have a slope, and the segment ends as soon as either intersection is empty.
-/// Otherwise a knot gets the tone of its width, which costs no additional knots.
+/// Otherwise a knot gets the tone of its width, which needs no additional knots.
 class WidthFitter {
  public:
   explicit WidthFitter(const WidthFitOptions& options = {});
 
   /// Discards the last stroke and starts a new one.
   void begin() noexcept;
-  /// Adds the width of the next sample, at stroke parameter `u`. A `u` below the one before counts
-  /// as equal to it. Ignores a sample that is not finite.
+  /// Adds the width of the next sample, at stroke parameter `u`. A `u` below the previous one
+  /// counts as equal to the previous one. Ignores a sample that is not finite.
   void push(double u, double width_mm);
   /// Adds a width and a tone, which is clamped to 0..1. Requires that either all samples of a
   /// stroke have a tone or none.
@@ -71,7 +71,7 @@ class WidthFitter {
   // A quantity that is linear between knots: the width or the tone.
   struct Channel {
     double min, max, tolerance;
-    Values here{};      // at the position that still collects samples
+    Values here{};      // values at the position that still collects samples
     double from = 0.0;  // value at the start of the open segment
     Range slopes{};     // feasible slopes of the open segment
     double sum_uw = 0.0;

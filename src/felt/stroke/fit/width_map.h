@@ -8,15 +8,15 @@
 namespace felt {
 
 /// Returns the width in mm for the pressure p, which is clamped to [0, 1]; NaN counts as absent.
-/// Non-decreasing in p; exactly min_mm at 0 and max_mm at 1 (R14).
+/// The width never decreases as p increases, and is exactly min_mm at 0 and max_mm at 1 (R14).
 double width_of_pressure(const WidthMapOptions& options, double p) noexcept;
 
-/// Returns the width in mm for the pressure p and the tilt l, both clamped to [0, 1]. Exactly
-/// width_of_pressure() at l = 0.
+/// Returns the width in mm for the pressure p and the tilt l, both clamped to [0, 1]. At l = 0, the
+/// result is exactly width_of_pressure().
 double width_of(const WidthMapOptions& options, double p, double l) noexcept;
 
 /// Returns the tone, 0..1, for the pressure p and the tilt l; the default tone of the width if the
-/// medium has no own tone. Monotonic in both.
+/// medium has no own tone. The tone is monotonic in p and in l.
 double tone_of(const WidthMapOptions& options, double p, double l) noexcept;
 
 /// Width and tone of the ink under the pen.
@@ -30,10 +30,10 @@ struct InkWidth {
 /// Computes the filtered widths and tones of one stroke's samples, one after the other.
 ///
 /// Pressure and tilt each pass a first-order low-pass before they are mapped, because the noise of
-/// the sensor and the tremor of the hand would otherwise cost 2.6 to 8.5 times as many width
-/// segments (docs/design/strokes.md#width). Implicit Euler, y += (x - y) dt / (tau + dt): stable
-/// and without overshoot for every dt. It uses no transcendental functions, because their last bit
-/// depends on the machine.
+/// the sensor and the tremor of the hand would otherwise cause 2.6 to 8.5 times as many width
+/// segments (docs/design/strokes.md#width). The low-pass is integrated by implicit Euler, y += (x -
+/// y) dt / (tau + dt), which is stable and does not overshoot for any dt. It uses no transcendental
+/// functions, because their last bit depends on the machine.
 class WidthMap {
  public:
   /// Moves options that are out of range to the nearest valid value.
@@ -42,8 +42,9 @@ class WidthMap {
   /// Discards the last stroke. The first sample sets the filters to its pressure and tilt.
   void begin() noexcept;
   /// Processes the next sample and returns its width and tone. If a sample has no pressure or tilt,
-  /// the last value of the stroke is used. Time that stands still or runs backwards counts as 0.2
-  /// ms, the tick of the fastest device, so a stuck clock cannot freeze the width.
+  /// uses the last one of the stroke or, before the first one, the default of the options. Time
+  /// that stands still or runs backwards counts as 0.2 ms, the tick of the fastest device, so a
+  /// stuck clock cannot freeze the width.
   InkWidth push(const InkSample& sample) noexcept;
 
   [[nodiscard]] const WidthMapOptions& options() const noexcept { return options_; }
@@ -53,7 +54,7 @@ class WidthMap {
 
   WidthMapOptions options_;
   bool is_first_ = true;
-  double pressure_ = 0.0, tilt_ = 0.0;  // the last ones seen, 0..1
+  double pressure_ = 0.0, tilt_ = 0.0;  // of the last sample that had them, 0..1
   double filtered_pressure_ = 0.0, filtered_tilt_ = 0.0;
   std::optional<std::int64_t> last_time_ns_;
 };

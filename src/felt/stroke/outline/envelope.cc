@@ -24,10 +24,10 @@ bool reaches_into(Vec normal, const EnvelopeFrame& strip, double begin, double e
 double normal_turn(const EnvelopeFrame& from, const EnvelopeFrame& to, int tie) noexcept {
   const double c = cross(from.tangent, to.tangent), d = dot(from.tangent, to.tangent);
   const Vec n = from.normal(), m = to.normal();
-  // Both turn by less than a right angle and are close: the angle is unambiguous.
+  // The tangents and the normals differ by less than a right angle, so the angle is unambiguous.
   if (d > 0.0 && dot(n, m) > 0.5) return std::atan2(cross(n, m), dot(n, m));
-  // If the stroke reverses, rounding must not decide which way it turns, because it differs between
-  // the sides.
+  // If the stroke reverses its direction, rounding must not decide whether it turns left or right,
+  // because rounding differs between the sides.
   const bool reverses = d < 0.0 && std::fabs(c) < 1e-9;
   const double heading = reverses ? tie * std::numbers::pi : std::atan2(c, d);
   return heading + to.normal_angle() - from.normal_angle();

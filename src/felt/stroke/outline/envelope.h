@@ -11,7 +11,7 @@ namespace felt {
 /// normal n with
 ///   n . tangent = -slope.
 /// So the normal tilts backwards if the stroke widens. If the slope is 1 or more, later dabs cover
-/// earlier ones completely; then there is no edge, and n is on the axis.
+/// earlier ones completely; then there is no edge, and n is parallel to the tangent.
 ///
 /// This struct describes the left side, which is the side of perp(tangent). The right side is the
 /// left side of the same stroke in the opposite direction (`backwards`).
@@ -37,15 +37,15 @@ struct EnvelopeFrame {
 /// How the left outline continues from one stretch to the next at the dab between them.
 struct Turn {
   enum class Kind {
-    kArc,       ///< outside of the bend: along the dab, by `sweep`
-    kShortcut,  ///< inside, with room: a straight line, because both stretches ink the corner
-    kPivot,     ///< inside, tighter than the radius: through the centre of the dab
+    kArc,       ///< outside of the bend: along the edge of the dab, by `sweep`
+    kShortcut,  ///< inside, if has_room(): a straight line; both stretches ink the corner
+    kPivot,     ///< inside, if the bend is tighter than the radius: through the dab's centre
   };
   Kind kind = Kind::kArc;
-  double sweep = 0.0;  ///< radians, at most 0; turns against perp()
+  double sweep = 0.0;  ///< radians, at most 0: a rotation opposite to that of perp()
 };
 
-/// The data of a stretch of the stroke that a turn at its end needs.
+/// A stretch of the stroke, with only the data that are needed for a turn at its end.
 struct Stretch {
   EnvelopeFrame frame;
   double length_mm = 0.0;
@@ -65,8 +65,8 @@ bool has_room(const Stretch& from, const Stretch& to, double radius_mm) noexcept
 /// strip. If it is a dab between stretches, the point is between the normals of an outside turn, so
 /// it is in the sector. A shortcut removes one layer of a triangle that both strips cover.
 ///
-/// `tie` is +1 for the forward direction and -1 for backwards. If a stroke reverses exactly, it
-/// decides which way it turns, so that both sides agree.
+/// `tie` is +1 for the forward direction and -1 for backwards. If the stroke reverses its direction
+/// exactly, `tie` decides whether it turns left or right, so that both sides agree.
 Turn turn_between(const Stretch& from, const Stretch& to, double radius_mm, int tie) noexcept;
 
 }  // namespace felt

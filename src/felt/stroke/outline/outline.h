@@ -21,8 +21,8 @@ struct Dab {
 /// the size of the segment.
 inline constexpr int kMaxFlattenSteps = 1 << 14;
 
-/// Maximum number of steps of a stroke with many segments. They are shared evenly, with at least
-/// one step for each segment; 2^24 dabs take 540 MB.
+/// Maximum number of steps of a stroke with many segments. The steps are divided evenly among the
+/// segments, with at least one step for each; 2^24 dabs take 540 MB.
 inline constexpr int kMaxStrokeSteps = 1 << 24;
 
 /// Returns the number of steps, at least 1, into which a part of c with a length of `span` in t
@@ -37,8 +37,8 @@ int flatten_steps(const Cubic& c, double span, double tolerance_mm) noexcept;
 /// get a dab. The seam of a closed stroke appears at both ends.
 void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out);
 
-/// Replaces `out` by the dabs of the segments from `first` up to, but not including, `last`; they
-/// are the same as those of the whole stroke. Requires 0 <= first < last <= segment_count().
+/// Replaces `out` by the dabs of the segments from `first` up to, but not including, `last`. They
+/// are the same dabs as in the whole stroke. Requires 0 <= first < last <= segment_count().
 void flatten(const Stroke& stroke, int first, int last, double tolerance_mm, std::vector<Dab>& out);
 
 struct Stretch;
@@ -82,8 +82,9 @@ class StrokeOutliner {
   /// inside the ink. Requires tolerance_mm > 0. The result is valid until the next call.
   const Outline& trace(const Stroke& stroke, double tolerance_mm);
 
-  /// Returns the outline of a row of dabs joined by tapered strips. Exact, except for arcs and
-  /// gentle bends, which are within the tolerance. An empty row has no contour.
+  /// Returns the outline of a row of dabs joined by tapered strips. The outline is exact, except
+  /// for arcs and gentle bends, which are within the tolerance. The outline of an empty row has no
+  /// contour.
   const Outline& trace(std::span<const Dab> dabs, bool closed, double tolerance_mm);
 
  private:
@@ -95,7 +96,7 @@ class StrokeOutliner {
 
   std::vector<Dab> flattened_;
   std::vector<Dab> dabs_;       // neighbours differ in centre or radius
-  std::vector<Stretch> edges_;  // from dab i to the next one
+  std::vector<Stretch> edges_;  // edge i leads from dab i to the next one
   double tolerance_mm_ = 0.0;
   Outline outline_;
 };

@@ -15,12 +15,12 @@ namespace {
 //     flush_curves replaces as many neighbouring curves as possible by one.
 //  2. If the bend is tighter than the radius everywhere, the edge follows the centres of the bend
 //     with straight lines.
-//  3. Otherwise the piece is halved. If that does not help, strips along the flattened centre line
-//     replace it.
+//  3. Otherwise the piece is halved. If repeated halving does not help, strips along the flattened
+//     centre line replace it.
 
 /// Fits one cubic to points along a smooth edge.
 ///
-/// Usage: `clear`, `add` for each point in order, `fit`. Keeps its buffers.
+/// Use: clear(); add() for each point in order; fit(). Keeps its buffers.
 class EdgeFit {
  public:
   void clear() noexcept { points_.clear(); }
@@ -144,8 +144,8 @@ EdgePoint edge_at(const InkPiece& piece, double t) noexcept {
   EdgePoint e;
   e.dab = {evaluate(piece.center, t), r};
   e.frame = EnvelopeFrame::of(tangent(piece.center, t), dr, ds);
-  // The normal is at the angle acos(-slope) from the tangent and turns with both. As t grows, a
-  // point on it moves forward by `onward` minus its share of `backward`.
+  // The normal is at the angle acos(-slope) from the tangent and turns with both. As t grows, the
+  // point at the fraction s of the normal moves forward by `onward` - s * `backward`.
   e.is_regular = e.frame.height > 0.0 && ds > 0.0;
   if (e.is_regular) {
     const double turning = cross(v, a) / v2;
@@ -237,8 +237,8 @@ class LeftEdge {
 
   // --- Curves
 
-  /// Returns true if a line from sample `a` to the next one, `b`, may replace the edge. If one of
-  /// them is on the true edge, the edge may bulge between them, by r (1 - cos(turn / 2)).
+  /// Returns true if a line from sample `a` to the next one, `b`, may replace the edge. If `a` or
+  /// `b` is on the true edge, the edge may bulge between them, by r (1 - cos(turn / 2)).
   [[nodiscard]] bool lines_will_do(const EdgePoint& a, const EdgePoint& b) const noexcept {
     if (!is_simple(a, b)) return false;
     if (a.share < 1.0 && b.share < 1.0) return true;

@@ -9,8 +9,8 @@
 
 namespace felt {
 
-/// A piece of a stroke between neighbouring joints and width breakpoints: the radius is linear in
-/// the parameter of the centre line.
+/// The part of a stroke from one joint or width breakpoint to the next. Its radius is linear in the
+/// parameter of the centre line.
 struct InkPiece {
   Cubic center;
   double radius0_mm = 0.0;
@@ -33,7 +33,7 @@ constexpr InkPiece reversed(const InkPiece& piece) noexcept {
 struct SideStretch {
   Dab from{}, to{};
   EnvelopeFrame begin{}, end{};
-  /// Lengths of the chord of the centre line next to `from`, and next to `to`.
+  /// Lengths of the first and the last chord of the centre line, next to `from` and to `to`.
   double begin_length_mm = 0.0, end_length_mm = 0.0;
   Point start{}, finish{};     ///< ends of the edge
   bool curved = false;         ///< false for a straight line from `start` to `finish`
@@ -44,9 +44,9 @@ struct SideStretch {
   bool starts_inside = false, finishes_inside = false;
 };
 
-/// Appends the left edge of consecutive pieces. Where the edge is smooth, it uses as few cubics as
-/// stay within the tolerance of the true edge, also across pieces; elsewhere it uses straight
-/// lines.
+/// Appends the left edge of consecutive pieces. If the edge is smooth, uses as few cubics as stay
+/// within the tolerance of the true edge; one cubic may replace the edge of several pieces.
+/// Otherwise uses straight lines.
 void append_left_edge(std::span<const InkPiece> pieces, double tolerance_mm,
                       std::vector<SideStretch>& out);
 
