@@ -16,7 +16,7 @@ struct TowOptions {
   /// Time constant of the motion of the nib towards the pen when the rope is taut.
   double time_constant_s = 0.020;
   ForceLaw law{.spread_mm = 10.0};  ///< pull of the rope as a function of its stretch
-  double damping_n_s_per_m = 1.0;   ///< while the rope is taut
+  double damping_n_s_per_m = 1.0;   ///< acts only while the rope is taut
 };
 
 /// Returns the position of the nib one tick later. If the rope is taut, the nib moves along it by e
