@@ -147,11 +147,11 @@ class CueLaw {
   std::optional<Cue> say_humming() noexcept;
 
   CueFeel feel_;
-  std::int64_t last_ns_ = 0;  // of the previous step
+  std::int64_t last_ns_ = 0;  // time of the previous step
   bool has_stepped_ = false;
   bool is_down_ = false;
   double away_ns_ = 0.0;  // since the last contact, while is_down_
-  double level_ = 0.0;    // follows rub_intensity with its hill_swell
+  double level_ = 0.0;    // follows rub_intensity times hill_swell
   bool hums_ = false;
   Cue playing_;                     // the continuous cue that was sent last
   double quiet_ns_ = kLongAgo;      // since the last cue

@@ -71,7 +71,7 @@ class ForceTerms {
 /// starts again.
 struct Follower {
   Point position{};  ///< mm
-  Vec velocity{};    ///< mm/s, of followers that have one
+  Vec velocity{};    ///< mm/s, for followers that have a velocity
   std::uint32_t gesture = 0;
   bool is_set = false;
 };
@@ -82,10 +82,10 @@ struct Follower {
 /// constant size and is trivially copyable.
 struct ForceMemory {
   // Set by the loop before each evaluation.
-  double dt_s = 0.001;                ///< measured since the last tick, clamped to 0.2..5 ms
-  double period_s = 0.001;            ///< nominal
-  StiffnessScale scale;               ///< from the budget of R56
-  double material_cap_n_per_m = 0.0;  ///< stiffest plane of the device (R55); 0 = no bound
+  double dt_s = 0.001;                ///< time since the last tick, clamped to 0.2..5 ms
+  double period_s = 0.001;            ///< nominal period of the loop
+  StiffnessScale scale;               ///< shares from the stiffness budget (R56)
+  double material_cap_n_per_m = 0.0;  ///< the device's maximum for a plane (R55); 0 = no bound
   // Set by bricks and read by later bricks of the same model, such as the friction after the plane.
   double normal_force_n = 0.0;  ///< total force of the plane on this tick
   /// Only the spring part of that push, which determines the width (R14).
@@ -104,7 +104,7 @@ struct ForceMemory {
   bool turn_is_set = false;
   Follower nib;  ///< the nib that the pen tows or that has inertia (stabiliser)
 
-  ForceTerms terms;  ///< of this tick
+  ForceTerms terms;  ///< parts of the force on this tick
 
   /// Prepares for an evaluation: sets the measured time and clears the terms and the push of the
   /// plane.

@@ -90,10 +90,10 @@ class RecordRun {
   std::unique_ptr<LiveLoop> loop_;
   Clock::time_point start_ = Clock::now();
   std::int64_t offset_ns_ = 0;  // session time minus loop time
-  std::int64_t last_ns_ = 0;    // of the session
+  std::int64_t last_ns_ = 0;    // latest time of the session
   std::int64_t last_tick_ns_ = -1;
-  std::uint32_t reported_faults_ = 0;  // of this loop
-  std::uint32_t reported_cuts_ = 0;    // of this loop
+  std::uint32_t reported_faults_ = 0;  // faults of this loop that were reported
+  std::uint32_t reported_cuts_ = 0;    // cuts of this loop that were reported
   std::optional<DeviceFault> reported_device_fault_;
   std::optional<ShortText> reported_notice_;
   bool wants_forces_ = false;

@@ -83,7 +83,7 @@ class ScriptFeed {
   FeedOptions options_;
   FeedSink sink_;
   Tremor tremor_;
-  std::int64_t file_start_ns_ = 0;  // of the times in this script
+  std::int64_t file_start_ns_ = 0;  // the time to which the times in this script are relative
   std::int64_t now_ns_ = 0;
   std::optional<Vec3> hand_;  // the last aim
   std::int64_t strokes_ = 0;

@@ -51,7 +51,7 @@ class LeapFilter {
   PenSample last_;                 // the last sample passed on
   bool is_lost_ = false;
   bool was_held_ = false;  // the previous sample was held
-  double steady_s_ = 0.0;  // while lost
+  double steady_s_ = 0.0;  // how long positions have been steady, while is_lost_
   std::uint32_t cuts_ = 0;
 };
 

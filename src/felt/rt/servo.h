@@ -145,7 +145,7 @@ class Servo {
   std::unique_ptr<LeapFilter> leaps_;
   ForceModel current_;
   ForceMemory memory_;
-  ForceModel outgoing_;  // while fade_ < 1
+  ForceModel outgoing_;  // the model that fades out, while fade_ < 1
   ForceMemory outgoing_memory_;
   double fade_ = 1.0;         // weight of current_
   bool model_waits_ = false;  // models_.get() has not been applied yet

@@ -24,7 +24,7 @@ struct RubbingPair {
   double surface_brightness = 0.5;  ///< 0..1
   double medium_brightness = 0.5;   ///< 0..1
   double squeak = 0.0;              ///< 0..1
-  std::uint32_t seed = 1;           ///< of the roughness
+  std::uint32_t seed = 1;           ///< seed of the roughness
 
   friend bool operator==(const RubbingPair&, const RubbingPair&) = default;
 };

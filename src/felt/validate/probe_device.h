@@ -14,9 +14,9 @@ namespace felt {
 struct ProbeTick {
   std::int64_t now_ns = 0;
   PenSample sample;  ///< the sample as read; the last good one if reading failed
-  std::optional<DeviceFault> read_fault;   ///< why reading failed
+  std::optional<DeviceFault> read_fault;   ///< reason why reading failed
   Force force;                             ///< the force as written
-  std::optional<DeviceFault> write_fault;  ///< why writing failed
+  std::optional<DeviceFault> write_fault;  ///< reason why writing failed
   bool after_stall = false;                ///< a stall preceded this read
 };
 
@@ -58,7 +58,7 @@ class ProbeDevice final : public Device {
  private:
   struct Ball {
     Vec3 middle;
-    double radius_mm = 0.0;  // 0 = none
+    double radius_mm = 0.0;  // 0 = there is no ball
   };
   static constexpr std::int64_t kNoStall = -1;
 

@@ -21,8 +21,9 @@ inline constexpr double kHeldWithinMm = 15.0;
 /// Forces are off until arm(), and are always switched off when the trial ends.
 ///
 ///   Result<std::unique_ptr<Trial>> trial = Trial::begin(subject, loop, is_cancelled);
-///   (*trial)->pass(2.0); // 2 s; the ticks are in ticks() (*trial)->arm(); (*trial)->push({0.3, 0,
-///   0}); ... if (!(*trial)->trouble().empty()) ... // cancelled, moved too far, the device failed
+///   (*trial)->pass(2.0);                       // 2 s; the ticks are in ticks()
+///   (*trial)->arm(); (*trial)->push({0.3, 0, 0}); ...
+///   if (!(*trial)->trouble().empty()) ...      // cancelled, moved too far, the device failed
 class Trial {
  public:
   /// Starts the loop. `subject` must be open; all arguments must outlive the trial. Fails if the

@@ -42,7 +42,7 @@ struct CurveNear {
   Point curve{};             ///< the point of the curve nearest to the pen
   Vec normal{};              ///< unit normal of the curve at that point; unused if is_end
   bool is_end = false;       ///< an end or a corner: the pen may deviate in any direction
-  std::int64_t time_ns = 0;  ///< of that sample
+  std::int64_t time_ns = 0;  ///< time of that sample
 };
 
 /// Pulls the pen towards a curve that yields with a time constant (R29, eq. 8;

@@ -50,7 +50,7 @@ struct SafetyReport {
   SafetyState state = SafetyState::kOff;
   SafetyFault fault = SafetyFault::kNone;
   std::uint32_t limited_by = 0;
-  std::uint32_t soft_faults = 0;  ///< since the start
+  std::uint32_t soft_faults = 0;  ///< number since the start
   std::uint32_t hard_faults = 0;
   double rms_force_n =
       0.0;                 ///< RMS of the force, low-pass filtered as a motor warms up (MotorGuard)

@@ -49,8 +49,8 @@ struct SafetyLimits {
   int soft_faults = 3;  ///< this many soft faults within soft_fault_window_s are a hard fault
   double soft_fault_window_s = 10.0;
 
-  double budget_fast_n_per_m = 900.0;  ///< R56: sum of slopes per axis at up to 2 ms of loop delay
-  double budget_slow_n_per_m = 600.0;  ///< at 3 ms, and in proportion to 1/delay beyond
+  double budget_fast_n_per_m = 900.0;  ///< R56: sum of slopes per axis up to 2 ms of delay
+  double budget_slow_n_per_m = 600.0;  ///< R56: the budget at 3 ms; in proportion to 1/delay
 
   std::int64_t period_ns = 1'000'000;
   int delay_ticks = 1;
