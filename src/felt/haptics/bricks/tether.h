@@ -36,9 +36,10 @@ namespace felt {
 ///
 /// A constrained tether resists only the motion that the transform really makes (constrained()): a
 /// translation along the axis of the larger component, or a rotation by whole steps of
-/// kTurnStepRad. When the axis or the step changes, the force starts from its previous value and
-/// changes by at most Kcap times the distance from there. So the force never jumps, and it is zero
-/// before anything has moved.
+/// kTurnStepRad. On the diagonal, where the axis changes, the force is zero; beside it, the force
+/// is at most Kcap times the distance from the diagonal. When the step changes, the force starts
+/// from its value for the previous step and grows by at most Kcap times the distance from there. So
+/// the force never jumps, and it is zero before anything has moved.
 class Tether {
  public:
   /// Makes a tether without anchors, which has no force.
