@@ -17,17 +17,17 @@ inline constexpr double kLargestSheetScale = 2.0;
 struct Capabilities {
   int sensed_axes = 3;
   int actuated_axes = 3;
-  double max_force_n = 0.0;         ///< nominal peak
+  double max_force_n = 0.0;         ///< nominal peak force
   double continuous_force_n = 0.0;  ///< force that the motors can hold permanently
   /// The maximum force that we recommend for the device; 0 = no recommendation
   /// (docs/design/devices.md#advised-forces).
   double advised_force_n = 0.0;
-  double max_stiffness_n_per_m = 0.0;  ///< of a wall, from the maker or CHAI3D's table
-  double max_damping_n_s_per_m = 0.0;  ///< from the same source
+  double max_stiffness_n_per_m = 0.0;  ///< of a virtual wall; from the maker or CHAI3D's table
+  double max_damping_n_s_per_m = 0.0;  ///< of a virtual damper; from the same source
   Vec3 workspace_min{-80, -60, -35};   ///< mm
   Vec3 workspace_max{80, 60, 35};      ///< mm
   double position_step_mm = 0.0;       ///< resolution of the position; 0 = unknown
-  std::int64_t period_ns = 1'000'000;  ///< of the servo loop, 0.2..4 ms
+  std::int64_t period_ns = 1'000'000;  ///< period of the servo loop, 0.2..4 ms
   int delay_ticks = 1;                 ///< ticks from reading a position to its force
   bool senses_pressure = false;
   /// Millimetres on the page for one millimetre of the hand, 0.5..2 (PlaneCalibration::scale). The

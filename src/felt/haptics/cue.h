@@ -4,8 +4,9 @@
 
 namespace felt {
 
-/// Waveforms of consumer haptics: those of page 0x0E of the HID Usage Tables, to which other
-/// families are mapped. Waveforms of the first group are continuous; those of the second play once.
+/// Waveforms of consumer haptic devices, as defined on page 0x0E of the HID Usage Tables. Drivers
+/// of other device families convert them to their own waveforms. Waveforms of the first group are
+/// continuous; those of the second play once.
 enum class CueWaveform : std::uint8_t {
   kNone,
   // Continuous waveforms: how the nib rubs on the surface.

@@ -17,20 +17,20 @@ struct CueFeel {
   CueWaveform waveform = CueWaveform::kPencil;
   double friction = 0.25;   ///< mu of the medium on the surface
   double roughness = 0.75;  ///< share of the rubbing that becomes humming, 0..1
-  double grain = 0.0;       ///< 0..1, share of the relief that is felt through it (Medium::grain)
+  double grain = 0.0;       ///< 0..1, share of the relief that is felt through the medium
   double wear = 0.0;        ///< 0..1, share of the relief that a firm push flattens (Medium::wear)
   /// Relief of the surface (surface_grain); null means smooth.
   const HeightField* relief = nullptr;
 };
 
 /// Returns the cue feel of a medium on a surface. The waveform follows from the medium's
-/// properties, so that user-defined media get one, too: an eraser if it does not draw; if little
-/// grain is felt through it (hairs and fibres), brush or marker by its friction; ink if it glides;
-/// a chisel marker if it is waxy; a pencil, which on a surface without grain glides like ink; and a
-/// buzz if it drags more than a pencil (charcoal, chalk). The roughness grows with the relief and
-/// with the share of it that is felt: 0.4 on glass, 0.81 for a pencil on paper, towards 1 for chalk
-/// on a blackboard. These values are estimates. The function looks up the relief, so don't call it
-/// on the haptic thread.
+/// properties, so that user-defined media have one, too. It is kEraser if the medium does not draw;
+/// kBrush or kMarker, by friction, if little grain is felt through it (hairs and fibres); kInk if
+/// it glides; kChiselMarker if it is waxy; kPencil (on a surface without grain kInk) if it has no
+/// more friction than a pencil; otherwise kBuzz (charcoal, chalk). The roughness grows with the
+/// relief and with the share of the relief that is felt: 0.4 on glass, 0.81 for a pencil on paper,
+/// towards 1 for chalk on a blackboard. These values are estimates. The function looks up the
+/// relief, so don't call it on the haptic thread.
 CueFeel cue_feel_of(const Medium& tool, const SurfaceMaterial& surface);
 
 /// The state of the pen at one moment.
@@ -49,27 +49,28 @@ CueInput cue_input_of(const PenSample& sample, const SurfaceMaterial& surface) n
 inline constexpr double kFullPushN = 2.0;  ///< full width of a line (R17)
 
 /// Returns how strongly rubbing is felt, 0..1. It is continuous and grows with speed up to 1. It
-/// also grows with push as long as the medium does not wear the relief away (relief_left of
-/// push/kFullPushN, the same formula as for the felt and the displayed relief); with a wear of up
-/// to 0.5 it always grows.
+/// also grows with push, unless the push flattens the relief faster than that: relief_left(wear,
+/// push/kFullPushN), the same formula as for the felt and the displayed relief. If the wear is at
+/// most 0.5, it always grows with push.
 ///
 ///   I = r sqrt(P / 75 mW), at most 1,    P = mu Fn (v - 2 mm/s)+
 ///   r = 0.4 + (roughness - 0.4) relief_left
 ///
 /// It is 0 at rest and without push: the first 2 mm/s are ignored because they may be hand tremor.
-/// It is the root of the power of friction because, if a fixed share of that power becomes
-/// vibration, the amplitude of the vibration grows with the root. Recordings of tools dragged over
-/// materials agree in kind: vibration grows with speed and with normal force (Romano and
-/// Kuchenbecker, IEEE Trans. Haptics 5(2), 2012), and felt texture grows with the amplitude of
-/// vibration that is coupled to the motion (Strohmeier and Hornbaek, CHI 2017). 75 mW is a pencil
-/// pressed with 1.5 N at 200 mm/s. The constants are estimates.
+/// It is proportional to the root of the friction power P because, if a fixed share of P becomes
+/// vibration, the amplitude of the vibration is proportional to the root of P. Recordings of tools
+/// dragged over materials show the same tendency: vibration grows with speed and with normal force
+/// (Romano and Kuchenbecker, IEEE Trans. Haptics 5(2), 2012), and felt texture grows with the
+/// amplitude of vibration that is coupled to the motion (Strohmeier and Hornbaek, CHI 2017). 75 mW
+/// is the power of a pencil that is pressed with 1.5 N and moved at 200 mm/s. The constants are
+/// estimates.
 double rub_intensity(const CueFeel& feel, double speed_mm_per_s, double push_n) noexcept;
 
 /// Returns a factor of the intensity, around 1, that renders the hills of the relief that the pen
 /// crosses: 1 + told grain relief_left h/(2 rms), with h limited to 2 rms in either direction. The
-/// relief is the one that is also felt, seen and heard. A device that is used sparingly receives
-/// some 20 cues a second, so hills can be rendered only while at most kToldHillsPerS of them pass
-/// per second. From kLostHillsPerS on, which is typical of drawing, they merge into steady humming:
+/// relief is the same object that is also felt, seen and heard. A device receives only some 20 cues
+/// a second, so hills can be rendered only while at most kToldHillsPerS of them pass per second. At
+/// kLostHillsPerS and more, which is typical of drawing, the hills merge into steady humming:
 /// `told` falls from 0.6 to 0 between the two rates. The result is 0.4 to 1.6, continuous, and 1
 /// without a relief.
 double hill_swell(const CueFeel& feel, const CueInput& now) noexcept;
@@ -92,15 +93,17 @@ enum class CueEvent : std::uint8_t {
 ///   law.tell(CueEvent::kSnapped);                        // when it happens
 ///   if (auto cue = law.step(cue_input_of(pen, surface))) device.play(*cue, now_ns);
 ///
-/// * It sends at most one cue every kMinApartNs; single cues of one kind are kSameApartNs apart.
-///   A cue that could not be sent within kStaleNs is dropped; of two events the more important one
-///   is sent.
+/// * It sends at most one cue every kMinApartNs; single cues of one kind are at least kSameApartNs
+///   apart. A cue that could not be sent within kStaleNs is dropped; of two events the more
+///   important one is sent.
 /// * Contact has the same hysteresis as ink: a pen counts as lifted when it is 0.5 mm above the
-///   surface or has been away for 25 ms. So a pen that chatters on the surface touches once.
-/// * Humming starts at 0.06, ends below 0.03, follows changes within some 15 ms, and is sent again
-///   if it differs by 0.08 or every kSayAgainNs; a single cue interrupts it for kSingleNs.
+///   surface or has been off the surface for 25 ms. So a pen that chatters on the surface counts as
+///   touching once.
+/// * Humming starts at an intensity of 0.06 and ends below 0.03. It follows changes within some 15
+///   ms. It is sent again when its intensity has changed by 0.08, or every kSayAgainNs. A single
+///   cue interrupts it for kSingleNs.
 /// * A pen above the surface does not hum. Numbers that are not finite count as 0, and if time runs
-///   backwards, no time has passed.
+///   backwards, the law assumes that no time has passed.
 ///
 /// CueLaw is a value type that does not allocate. It is normally used on the edit thread, but it is
 /// real-time safe, too.
@@ -144,11 +147,11 @@ class CueLaw {
   std::optional<Cue> say_humming() noexcept;
 
   CueFeel feel_;
-  std::int64_t last_ns_ = 0;  // of the previous step
+  std::int64_t last_ns_ = 0;  // time of the previous step
   bool has_stepped_ = false;
   bool is_down_ = false;
   double away_ns_ = 0.0;  // since the last contact, while is_down_
-  double level_ = 0.0;    // follows rub_intensity with its hill_swell
+  double level_ = 0.0;    // follows rub_intensity times hill_swell
   bool hums_ = false;
   Cue playing_;                     // the continuous cue that was sent last
   double quiet_ns_ = kLongAgo;      // since the last cue

@@ -10,11 +10,12 @@
 
 namespace felt {
 
-/// Upper bounds of the stiffness (dF/dx, N/m) that a force model presents to the hand, by purpose:
-/// the budget of R56 reduces friction first, then the others. Slopes along the same axis add.
+/// Upper bounds of the stiffness (dF/dx, N/m) that a force model presents to the hand, by purpose.
+/// Slopes along the same axis add. If their sum exceeds the budget of R56, friction is reduced
+/// first, then the others.
 struct Slopes {
-  double normal_n_per_m = 0.0;    ///< away from the surface: plane
-  double friction_n_per_m = 0.0;  ///< along the surface: bristles
+  double normal_n_per_m = 0.0;    ///< across the surface: the plane
+  double friction_n_per_m = 0.0;  ///< along the surface: the bristle of friction
   double lateral_n_per_m = 0.0;   ///< along the surface: all others (edit, well, tether, texture)
 
   friend constexpr Slopes operator+(const Slopes& a, const Slopes& b) noexcept {
@@ -24,8 +25,8 @@ struct Slopes {
   friend constexpr bool operator==(const Slopes&, const Slopes&) noexcept = default;
 };
 
-/// For each kind of brick, the share of its stiffness that it may use, 0..1. It is set from the
-/// stiffness budget of the limiter.
+/// For each kind of brick (see Compose), the share of its stiffness that it may use, 0..1. The
+/// safety chain sets these shares from its stiffness budget.
 struct StiffnessScale {
   double normal = 1.0;
   double friction = 1.0;
@@ -70,7 +71,7 @@ class ForceTerms {
 /// starts again.
 struct Follower {
   Point position{};  ///< mm
-  Vec velocity{};    ///< mm/s, of followers that have one
+  Vec velocity{};    ///< mm/s, for followers that have a velocity
   std::uint32_t gesture = 0;
   bool is_set = false;
 };
@@ -81,15 +82,15 @@ struct Follower {
 /// constant size and is trivially copyable.
 struct ForceMemory {
   // Set by the loop before each evaluation.
-  double dt_s = 0.001;                ///< measured since the last tick, clamped to 0.2..5 ms
-  double period_s = 0.001;            ///< nominal
-  StiffnessScale scale;               ///< from the budget of R56
-  double material_cap_n_per_m = 0.0;  ///< stiffest plane of the device (R55); 0 = no bound
+  double dt_s = 0.001;                ///< time since the last tick, clamped to 0.2..5 ms
+  double period_s = 0.001;            ///< nominal period of the loop
+  StiffnessScale scale;               ///< shares from the stiffness budget (R56)
+  double material_cap_n_per_m = 0.0;  ///< the device's maximum for a plane (R55); 0 = no bound
   // Set by bricks and read by later bricks of the same model, such as the friction after the plane.
-  double normal_force_n = 0.0;  ///< total push of the plane, this tick
+  double normal_force_n = 0.0;  ///< total force of the plane on this tick
   /// Only the spring part of that push, which determines the width (R14).
   double spring_force_n = 0.0;
-  // Set by the texture; the friction after it uses and resets it.
+  // Set by the texture; used and reset by the friction, which comes after the texture.
   double friction_factor = 1.0;  ///< mu(x) / mu of this tick
   // Each of the following belongs to one kind of brick.
   Point bristle{};                     ///< anchor of the friction's bristle, mm
@@ -103,7 +104,7 @@ struct ForceMemory {
   bool turn_is_set = false;
   Follower nib;  ///< the nib that the pen tows or that has inertia (stabiliser)
 
-  ForceTerms terms;  ///< of this tick
+  ForceTerms terms;  ///< parts of the force on this tick
 
   /// Prepares for an evaluation: sets the measured time and clears the terms and the push of the
   /// plane.

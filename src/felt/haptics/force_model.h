@@ -18,8 +18,8 @@ namespace felt {
 inline constexpr std::size_t kForceFunctorBytes = 2048;
 
 /// A force that may run on the haptic thread. It has constant size, is copied as bytes and never
-/// throws. `slopes()` is the stiffness that it claims from the budget (R56). Objects that it points
-/// to must outlive the loop.
+/// throws. `slopes()` returns the stiffness that the force needs from the stiffness budget (R56).
+/// Objects that it points to must outlive the loop.
 template <class F>
 concept ForceFunctor = std::is_trivially_copyable_v<F> && sizeof(F) <= kForceFunctorBytes &&
                        alignof(F) <= alignof(std::max_align_t) &&
@@ -55,7 +55,7 @@ class ForceModel {
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
     return call_ ? call_(storage_.data(), sample, memory) : Force{};
   }
-  /// Returns the stiffness that the functor claims.
+  /// Returns the stiffness that the functor needs from the budget.
   [[nodiscard]] const Slopes& slopes() const noexcept { return slopes_; }
   /// Returns true if the model holds a functor.
   [[nodiscard]] explicit operator bool() const noexcept { return call_ != nullptr; }
@@ -78,8 +78,8 @@ class ForceModel {
 
 static_assert(std::is_trivially_copyable_v<ForceModel>);
 
-/// The sum of several force bricks, evaluated in the order given: a brick that reads the push of
-/// the plane must come after the plane. A Compose is itself a brick; slopes add.
+/// The sum of several force functors, called bricks, evaluated in the order given: a brick that
+/// reads the push of the plane must come after the plane. A Compose is itself a brick; slopes add.
 ///
 ///   ForceModel model(Compose(Plane(plane), Texture(grain), Friction(friction), SnapWells(...)));
 ///

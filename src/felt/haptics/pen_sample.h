@@ -83,9 +83,9 @@ inline constexpr double kUnknownSpeedMmPerS = 6.0;
 /// Hz as 12 mm/s at 1 kHz and 17 mm/s at 5 kHz, whether the pen moved by a step or crept over an
 /// edge. At rest, dampers of 3 N s/m in total turn that into kicks that keep a frictionless pen
 /// oscillating between two steps: 0.031 N above 30 Hz at 1 kHz and 0.038 N at 5 kHz beside
-/// stiffnesses of 900 N/m. With this function it is 0.018 and 0.023 N (spring_test.cc checks the
-/// bound). Motion that remains undamped is smaller than 0.05 mm at 20 Hz. Shortening keeps the
-/// direction, so a damper can still only remove energy.
+/// stiffnesses of 900 N/m. With this function, the force above 30 Hz is 0.018 and 0.023 N
+/// (spring_test.cc checks the bound). Oscillations that remain undamped are smaller than 0.05 mm at
+/// 20 Hz. Shortening keeps the direction, so a damper can still only remove energy.
 inline Vec known_velocity(const PenSample& sample) noexcept {
   const Vec v = in_plane(sample.velocity);
   const double speed = norm(v);

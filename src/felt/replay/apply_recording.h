@@ -8,12 +8,12 @@
 #include "felt/session/session.h"
 #include "felt/store/felt_file.h"
 
-/// Applies a recording to a session, with every event unchanged. No device or haptic loop is
-/// simulated, because the recorded samples are already the output of one. At the end, the gesture
-/// in progress is ended.
+/// Functions that apply a recording to a session, with every event unchanged. They simulate no
+/// device and no haptic loop, because the recorded samples already come from a haptic loop. At the
+/// end they end the gesture in progress.
 ///
-/// Fails at an event that the session refuses, or if a file that it names cannot be read. Earlier
-/// events have been applied.
+/// Both fail at an event that the session refuses or whose file cannot be read. The events before
+/// it have then been applied.
 namespace felt {
 
 /// Reads the strokes of the file that an import event names.

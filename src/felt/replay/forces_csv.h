@@ -23,8 +23,8 @@ namespace felt {
 /// in order of first occurrence; a term is 0 on ticks without it. `pressure` is empty if it is
 /// unknown.
 ///
-/// All terms are known only at the end. Until then rows are kept in an unnamed temporary file, so
-/// that memory use does not grow with the number of ticks.
+/// Which terms occur is known only at the end. Until then the rows are in an unnamed temporary
+/// file, so that memory use does not grow with the number of ticks.
 class ForcesCsv {
  public:
   using Write = std::function<Result<void>(std::string_view bytes)>;
@@ -57,9 +57,9 @@ class ForcesCsv {
   Result<void> copy_rows(const Write& write);
 
   std::unique_ptr<std::FILE, Close> spool_;
-  std::string rows_;                // not yet in the temporary file
-  std::vector<std::string> names_;  // of the terms, by group
-  std::vector<Force> forces_;       // of this row, by group
+  std::string rows_;                // the rows that are not yet in the temporary file
+  std::vector<std::string> names_;  // names of the terms, by group
+  std::vector<Force> forces_;       // forces of this row, by group
   std::vector<Growth> growth_;
   std::int64_t row_count_ = 0;
 };

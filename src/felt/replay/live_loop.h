@@ -17,9 +17,9 @@ class LiveLoop {
   /// Asks the user, with the maker's instructions, whether the arm may move on its own.
   using MayMove = std::function<bool(const std::string& instructions)>;
 
-  /// Opens the device, runs its homing if it needs that (without asking if `may_move` is null), and
+  /// Opens the device, homes it if necessary (without asking the user if `may_move` is null), and
   /// starts the loop. If no plane was calibrated, the centre of the device's workspace is the
-  /// centre of `page`. On failure, the error has the maker's message and a suggestion.
+  /// centre of `page`. On failure, the error contains the maker's message and a suggestion.
   static Result<std::unique_ptr<LiveLoop>> start(const RealDevice& device, const Rect& page,
                                                  double force_limit_n, const MayMove& may_move);
   LiveLoop(const LiveLoop&) = delete;

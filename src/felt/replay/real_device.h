@@ -14,7 +14,8 @@ namespace felt {
 struct RealDevice {
   Driver* driver = nullptr;
   DeviceDescriptor found;
-  /// Profile for this id; the unit may differ, because its serial number is not known yet.
+  /// The profile for this id. It may be that of another unit of the same model, because the serial
+  /// number of this one is not known before it is opened.
   DeviceProfile profile;
 };
 

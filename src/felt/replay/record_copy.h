@@ -10,17 +10,17 @@
 
 namespace felt {
 
-/// A copy of a drawing in progress, as .ndjson next to the future output, because a crash in a
-/// vendor's library would otherwise lose all ink. It contains the finished strokes and, as the last
-/// one, the stroke in progress as far as it is drawn. While the drawing changes, the copy is
+/// Keeps a copy of a drawing in progress, as .ndjson next to the future output, because a crash in
+/// a vendor's library would otherwise lose all ink. The copy contains the finished strokes,
+/// followed by the drawn part of the stroke in progress. While the drawing changes, the copy is
 /// rewritten every few seconds, completely or not at all. A thread of its own writes it, so that a
 /// slow disk does not delay the drawing. Call all functions on the thread that draws.
 class RecordCopy {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Keeps a copy for a future file `output`. If that is not a file ("-", a pipe), the copy is in
-  /// the folder for temporary files. Its name contains our process id, so that no other copy is
+  /// Keeps a copy for a future file `output`. If `output` is not a file ("-", a pipe), the copy is
+  /// in the folder for temporary files. Its name contains our process id, so that no other copy is
   /// overwritten.
   explicit RecordCopy(const std::string& output, Clock::duration every = std::chrono::seconds(3));
 

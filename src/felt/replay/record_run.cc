@@ -232,8 +232,8 @@ Result<void> RecordRun::reconnect(const std::string& why) {
   return {};
 }
 
-/// Opens the device again. Returns false if that failed. The reason is reported once. Waits for the
-/// user if the user refused, and tries again if a port is not free yet.
+/// Opens the device again. Returns false if that failed. The reason is reported once. If the user
+/// refused, waits for the user; if a port is not free yet, tries again later.
 bool RecordRun::tries_again(std::optional<Error>& refusal) {
   const auto waits = [](const Error& error) { return error.code == ErrorCode::kUnsupported; };
   const bool has_waited = refusal && waits(*refusal);

@@ -13,7 +13,7 @@ namespace felt {
 
 /// Status of a recording.
 struct RecordStatus {
-  double rate_hz = 0.0;  ///< of the loop
+  double rate_hz = 0.0;  ///< rate of the loop
   double sent_n = 0.0;
   SafetyState state{};
   std::size_t strokes = 0;
@@ -31,17 +31,17 @@ struct RecordOptions {
   std::function<bool()> wants_pause = {};
   std::function<void()> pause = {};
   LiveLoop::MayMove may_move = {};
-  /// True if the user has already agreed to forces. Otherwise the first Enter calls `ask_consent`,
-  /// and the second one agrees.
+  /// True if the user has already agreed to forces. Otherwise the first press of Enter calls
+  /// `ask_consent`, and the second one means that the user agrees.
   bool has_agreed = false;
   std::function<void()> ask_consent = {};
   /// Returns true if Enter was pressed since the last call.
   std::function<bool()> enter_pressed = {};
   std::function<void(const std::string&)> on_notice = {};
   std::function<void(const RecordStatus&)> on_status = {};  ///< every 4 ms
-  /// Receives reports of the loop, about 250 per second, with times of the session.
+  /// Receives reports of the loop, about 250 per second, with their times in session time.
   std::function<Result<void>(const TickReport&)> on_tick = {};
-  /// Called every 4 ms: saves a copy of the drawing that survives a crash.
+  /// Called every 4 ms, for example to save a copy of the drawing (RecordCopy).
   std::function<void(const Session&)> keep = {};
 };
 
@@ -49,7 +49,7 @@ struct RecordOptions {
 /// device fails, the ink stays. The session continues when the device is connected again, without
 /// forces until the user allows them again.
 ///
-/// Enter switches forces off and on; a notice confirms it.
+/// Pressing Enter switches forces off and on; a notice confirms the change.
 class RecordRun {
  public:
   /// Requires that device and session outlive it.
@@ -58,8 +58,8 @@ class RecordRun {
   /// Opens the device. Call it before the first event, because it informs the session of the
   /// device's capabilities.
   Result<void> begin();
-  /// Draws until the end. Fails if the device becomes unresponsive, or if `on_tick` fails. The
-  /// session has all ink so far in any case.
+  /// Runs the session until the end of the recording. Fails if the device becomes unresponsive, or
+  /// if `on_tick` fails. The session has all ink so far in any case.
   Result<void> draw();
   /// Returns true if the device became unresponsive and was abandoned with its loop. In that case
   /// do not use or destroy its driver, and exit the program without running the exit handlers of
@@ -90,10 +90,10 @@ class RecordRun {
   std::unique_ptr<LiveLoop> loop_;
   Clock::time_point start_ = Clock::now();
   std::int64_t offset_ns_ = 0;  // session time minus loop time
-  std::int64_t last_ns_ = 0;    // of the session
+  std::int64_t last_ns_ = 0;    // latest time of the session
   std::int64_t last_tick_ns_ = -1;
-  std::uint32_t reported_faults_ = 0;  // of this loop
-  std::uint32_t reported_cuts_ = 0;    // of this loop
+  std::uint32_t reported_faults_ = 0;  // faults of this loop that were reported
+  std::uint32_t reported_cuts_ = 0;    // cuts of this loop that were reported
   std::optional<DeviceFault> reported_device_fault_;
   std::optional<ShortText> reported_notice_;
   bool wants_forces_ = false;

@@ -15,7 +15,7 @@ namespace felt {
 std::vector<std::pair<std::string, std::string>> options_of(const Drawing& drawing,
                                                             const Materials& known);
 
-/// Returns the drawing after a session that began with `start`: with this document, and with the
+/// Returns `start`, the drawing with which the session began, with this document and with the
 /// current surface, colour, layer and material texts of the session.
 Drawing drawing_after(Drawing start, const Session& session, Document document);
 

@@ -18,10 +18,10 @@ bool draws(const Session& session) {
   return session.tool().info().kind == ToolKind::kDraws;
 }
 
-/// Enough for about 200 s of aims, 20 MB.
+/// Number of queued events that is_full() reports: about 200 s of aims, 20 MB.
 constexpr std::size_t kManyEvents = 200'000;
 
-/// Half the workspace, in mm: beyond the largest coordinate in a script.
+/// Half the extent of the workspace, in mm. It exceeds the largest coordinate in a script.
 constexpr double kEndlessMm = 1e10;
 
 double drawing_number(const Session& session, std::string_view option, double otherwise) {

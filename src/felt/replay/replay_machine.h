@@ -23,7 +23,7 @@ namespace felt {
 struct ReplaySettings {
   StylusPreset device;
   SimulatedHand hand;
-  bool force = true;  ///< false: the loop sends no forces
+  bool force = true;  ///< if false, the loop sends no forces
   /// How the hand draws raw strokes.
   HandScriptOptions script;
   /// Surfaces and media that options may name.
@@ -36,7 +36,8 @@ struct ReplaySettings {
 /// device's values.
 ///
 /// The workspace is unlimited in x and y, as if the paper were moved under the device. Without
-/// force nothing stops the hand, so the pressure controls how hard it presses.
+/// force nothing stops the hand at the surface, so contact and width follow from its pressure
+/// instead of its depth.
 ReplaySettings replay_settings(const StylusPreset& device, const SimulatedHand& hand, bool force,
                                std::optional<double> rate_hz, std::optional<int> delay_ticks);
 
@@ -50,8 +51,8 @@ struct ReplayTick {
 /// Device, hand, loop, tools and document in one object. It plays events on a virtual clock and
 /// counts them. The same events give the same ticks and the same document.
 ///
-/// Adding an event fails if the session would refuse it. Events are kept until `play`; the loop
-/// then starts again with the events that follow.
+/// Adding an event fails if the session would refuse it. Added events are queued until `play`.
+/// Events that are added after a play are played on a new loop.
 class ReplayMachine {
  public:
   struct Observer {
@@ -85,7 +86,7 @@ class ReplayMachine {
   /// Returns true if so many events are queued that they should be played as soon as the pen is
   /// lifted.
   [[nodiscard]] bool is_full() const noexcept;
-  /// Plays the added events. Does nothing after a play was stopped.
+  /// Plays the added events. Has no effect after a play was stopped (Observer::until_ns).
   Result<void> play();
   /// Returns the earliest time that the next event may have.
   [[nodiscard]] std::int64_t next_ns() const noexcept { return next_ns_; }
@@ -124,13 +125,13 @@ class ReplayMachine {
   Session session_;
   Session probe_;  // has tools and options only; finds events that the session would refuse
   Player player_;
-  std::vector<Event> events_;  // not played yet
-  std::vector<Meant> meant_;   // of these events
+  std::vector<Event> events_;  // added, and not played yet
+  std::vector<Meant> meant_;   // paths of the events in events_
   bool hand_is_down_ = false;
   bool in_stroke_ = false;
-  std::vector<Ink> ink_;        // of this play
+  std::vector<Ink> ink_;        // the ink of this play
   std::set<StrokeId> changed_;  // since take_stats
-  PenSample pen_;               // of the last tick
+  PenSample pen_;               // the pen at the last tick
   bool is_stopped_ = false;
   std::int64_t next_ns_ = 0;
   bool pen_is_down_ = false;

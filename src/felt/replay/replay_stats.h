@@ -37,16 +37,16 @@ class InkDistance {
 struct ReplayStats {
   std::int64_t ticks = 0;
   double simulated_s = 0.0;
-  double wall_s = 0.0;               ///< of the whole loop, including reading and writing
+  double wall_s = 0.0;               ///< wall time of the whole run, including reading and writing
   std::int64_t touches = 0;          ///< times that the pen came down
-  std::int64_t strokes_meant = 0;    ///< that the hand had to draw
-  std::int64_t strokes_changed = 0;  ///< added, changed or removed; each counted once
-  std::int64_t strokes = 0;          ///< in the document at the end
-  std::int64_t segments = 0;         ///< of these strokes
-  std::int64_t edits = 0;            ///< of the document, including undo and redo
+  std::int64_t strokes_meant = 0;    ///< strokes that the hand had to draw
+  std::int64_t strokes_changed = 0;  ///< strokes added, changed or removed; each counts once
+  std::int64_t strokes = 0;          ///< strokes in the document at the end
+  std::int64_t segments = 0;         ///< segments of these strokes
+  std::int64_t edits = 0;            ///< edits of the document, including undo and redo
   std::int64_t soft_faults = 0, hard_faults = 0;
   double max_asked_n = 0.0, max_sent_n = 0.0;
-  double sent_sum_n = 0.0;  ///< over the ticks in contact
+  double sent_sum_n = 0.0;  ///< sum over the ticks in contact
   std::int64_t ticks_in_contact = 0;
   InkDistance distance;  ///< from the intended path to the ink
 

@@ -14,14 +14,14 @@
 
 namespace felt {
 
-/// Receives the content of a script. All but `event` may be null.
+/// Receives the content of a script. All functions except `event` may be null.
 struct FeedSink {
   /// Handles the next event. Times never decrease, even across scripts.
   std::function<Result<void>(const Event&)> event;
   /// Called before the events of a raw stroke.
   std::function<void()> stroke_begins{};
   /// Called after all events of a raw stroke were sent and the hand has lifted the pen. `meant` is
-  /// its path in mm.
+  /// the path of the stroke in mm.
   std::function<Result<void>(const std::vector<Point>& meant)> stroke_drawn{};
   /// Returns how the hand draws raw strokes with the current tool and surface. If null, FeedOptions
   /// are used.
@@ -32,7 +32,7 @@ struct FeedOptions {
   double mm_per_unit = 1.0;
   /// How the hand draws raw strokes.
   HandScriptOptions hand;
-  std::uint64_t seed = 0;  ///< of a tremor; 0 = no tremor
+  std::uint64_t seed = 0;  ///< seed of a Tremor; 0 = no tremor
 };
 
 /// Physiological tremor: a displacement of 0.03 mm rms on each axis at 8 to 12 Hz. It depends only
@@ -55,8 +55,8 @@ class Tremor {
 ///
 /// A raw stroke is drawn after all earlier events and strokes: the hand moves to its start above
 /// the surface, lands, draws at the recorded speed, and lifts the pen. An event after the stroke is
-/// sent at its own time, or after the stroke if that is later. Times of a second script count from
-/// the end of the first. Memory use is proportional to the longest stroke.
+/// sent at its own time, or after the stroke if that is later. The times of a second script are
+/// relative to the end of the first. Memory use is proportional to the longest stroke.
 class ScriptFeed {
  public:
   ScriptFeed(const FeedOptions& options, FeedSink sink);
@@ -83,7 +83,7 @@ class ScriptFeed {
   FeedOptions options_;
   FeedSink sink_;
   Tremor tremor_;
-  std::int64_t file_start_ns_ = 0;  // of the times in this script
+  std::int64_t file_start_ns_ = 0;  // the time to which the times in this script are relative
   std::int64_t now_ns_ = 0;
   std::optional<Vec3> hand_;  // the last aim
   std::int64_t strokes_ = 0;

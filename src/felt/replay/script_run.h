@@ -30,11 +30,11 @@ class ScriptRun {
 
   ReplayMachine& machine_;
   ScriptFeed feed_;
-  std::string name_;  // of the last script
+  std::string name_;  // name of the last script
   std::string folder_;
-  double expected_bytes_ = 0.0;  // of all files
-  double read_bytes_ = 0.0;      // so far
-  double played_bytes_ = 0.0;    // before the current play
+  double expected_bytes_ = 0.0;  // size of all files
+  double read_bytes_ = 0.0;      // bytes read so far
+  double played_bytes_ = 0.0;    // bytes played before the current play
 };
 
 }  // namespace felt

@@ -48,8 +48,8 @@ class Device {
   [[nodiscard]] virtual const Capabilities& capabilities() const noexcept = 0;
   /// Returns the current state of the pen. If no newer sample has arrived since the last read(),
   /// returns the same sample again with the same time_ns, so that code that measures speeds can
-  /// tell it from a pen that stands still. `now_ns` is the time of the loop's clock; a simulated
-  /// device advances to it.
+  /// distinguish this from a pen that stands still. `now_ns` is the time of the loop's clock; a
+  /// simulated device advances to it.
   virtual tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept = 0;
   /// Returns the samples between the last two calls of read(), one per call, oldest first; nullopt
   /// if no more are left. It is for pens that report faster than the loop runs and have no motors,
@@ -108,8 +108,8 @@ class HandInput {
 };
 
 /// A device for which the vendor's library runs the servo loop: its scheduler calls us once per
-/// tick on its own thread (OpenHaptics). If `RealtimeThread` is given a LoopHost, it uses it
-/// instead of a thread of its own.
+/// tick on its own thread (OpenHaptics). A `RealtimeThread` that is given a LoopHost runs the loop
+/// on the host's thread instead of its own.
 class LoopHost {
  public:
   using Tick = void (*)(void* context) noexcept;

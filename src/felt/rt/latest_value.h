@@ -12,8 +12,8 @@ namespace felt {
 /// the publisher owns one slot, the reader another, and one atomic exchange swaps the third. The
 /// reader never sees a partial value, and never a value older than one that it has already seen.
 ///
-/// A seqlock would save one copy, but its reader must retry if the writer interferes, and the
-/// haptic thread, which is one of the readers, must not.
+/// A seqlock would save one copy, but its reader must retry if the writer interferes. The haptic
+/// thread is one of the readers and must not retry.
 template <class T>
 class LatestValue {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -32,7 +32,8 @@ class LatestValue {
     writing_ = old & kIndex;
   }
 
-  /// Fetches the newest value. Returns false if get() already returns it. Reader's thread only.
+  /// Fetches the newest value. Returns false if get() already returns that value. Reader's thread
+  /// only.
   bool update() noexcept {
     if ((shared_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
     reading_ = shared_.exchange(reading_, std::memory_order_acq_rel) & kIndex;

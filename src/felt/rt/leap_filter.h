@@ -18,8 +18,8 @@ namespace felt {
 /// it may be a bounce within a stroke (Contact).
 ///
 /// If the loop stood still (Lateness::kVeryLate), the motion of the pen meanwhile is unknown. If
-/// the pen is afterwards farther away than JumpGuard's longest reach, the stroke ends and a new one
-/// begins at the new position.
+/// the pen is afterwards farther away than JumpGuard's longest reach (kMaxReachS), the stroke ends
+/// and a new one begins at the new position.
 ///
 /// Samples that repeat the last one (repeats()) are not passed on.
 ///
@@ -33,8 +33,8 @@ class LeapFilter {
       : clock_(limits), leaps_(limits), steady_(limits) {}
 
   /// Processes the next finite sample of an arm. Returns the sample to pass on: usually the same
-  /// one. If jumps have lasted too long, returns once the last accepted sample, lifted off the
-  /// surface. Returns nullopt if no sample is to be passed on.
+  /// one. If jumps have lasted too long, returns the last accepted position once more, lifted off
+  /// the surface, which ends the stroke. Returns nullopt if no sample is to be passed on.
   std::optional<PenSample> pass(const PenSample& sample, std::int64_t now_ns) noexcept;
 
   /// Returns the number of strokes that were ended by a jump.
@@ -51,7 +51,7 @@ class LeapFilter {
   PenSample last_;                 // the last sample passed on
   bool is_lost_ = false;
   bool was_held_ = false;  // the previous sample was held
-  double steady_s_ = 0.0;  // while lost
+  double steady_s_ = 0.0;  // how long positions have been steady, while is_lost_
   std::uint32_t cuts_ = 0;
 };
 

@@ -118,7 +118,7 @@ TEST(LeapFilter, R49_AStallWhileDrawingLosesNoInk) {
   for (const int stall_ms : {5, 8, 12, 16, 20, 30, 60}) {
     for (const double mm_per_ms : {0.1, 0.2, 0.35, 0.5}) {
       for (const bool repeats : {true, false}) {
-        if (repeats && stall_ms > 20) continue;  // that is a fault of the device
+        if (repeats && stall_ms > 20) continue;  // because that would be a fault of the device
         SCOPED_TRACE(std::to_string(stall_ms) + " ms at " + std::to_string(mm_per_ms));
         Pen pen;
         double x = 0.0;

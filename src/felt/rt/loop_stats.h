@@ -120,7 +120,7 @@ class LoopStats {
   std::int64_t first_ns_ = 0;
   std::int64_t last_ns_ = 0;
   std::uint64_t missed_ = 0;
-  std::uint64_t runs_ = 1;  // runs merged; each has one interval fewer than ticks
+  std::uint64_t runs_ = 1;  // merged runs; each has one interval fewer than it has ticks
   TimeHistogram lateness_;
   TimeHistogram cpu_;
 };

@@ -19,8 +19,9 @@ __attribute__((tls_model("initial-exec")))
 #endif
 inline constinit thread_local int realtime_depth = 0;
 
-/// Marks a scope, one tick of the haptic loop, in which no call may block. Costs two additions. An
-/// interposer in tests/devices/rt checks this and, with FELT_RTSAN, RealtimeSanitizer.
+/// Marks a scope, one tick of the haptic loop, in which no call may block. The scope costs two
+/// additions. An interposer in tests/devices/rt checks that no call blocks; with FELT_RTSAN,
+/// RealtimeSanitizer checks it, too.
 class FELT_ROLE_ATTRIBUTE(scoped_lockable) RealtimeScope {
  public:
   RealtimeScope() noexcept FELT_ROLE_ATTRIBUTE(exclusive_lock_function(kHapticRole)) {

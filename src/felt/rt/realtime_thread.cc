@@ -56,7 +56,7 @@ LoopScheduling schedule(int fifo_priority) noexcept {
   if (fifo_priority > 0 && pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted) == 0) {
     return LoopScheduling::kFifo;
   }
-  prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);  // of this thread; needs no permission
+  prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);  // for this thread; needs no permission
   // On Linux the nice value belongs to the thread, too.
   const auto thread = static_cast<id_t>(syscall(SYS_gettid));
   return setpriority(PRIO_PROCESS, thread, -20) == 0 ? LoopScheduling::kNice

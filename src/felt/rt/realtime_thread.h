@@ -45,8 +45,8 @@ struct RealtimeOptions {
   bool measure_cpu = false;
   /// Time that start() waits for a host's first tick, and stop() for its last tick.
   std::int64_t host_patience_ns = 2'000'000'000;
-  /// Time that stop() waits for the loop's own thread to end, which may be blocked forever in a
-  /// call of the vendor's driver.
+  /// Time that stop() waits for the loop's own thread to end. That thread may be blocked forever in
+  /// a call of the vendor's driver.
   std::int64_t stop_patience_ns = 2'000'000'000;
 };
 
@@ -100,9 +100,9 @@ class RealtimeThread {
   /// and only for a device without motors, because nothing monitors the forces during the pause.
   /// Has no effect with a host. Stopping the loop ends the pause.
   void pause() noexcept;
-  /// Ends the pause. The next tick comes within a period, at a time when it would have come without
-  /// the pause. Call Servo::heartbeat() before; otherwise the edit thread seems to have been
-  /// silent.
+  /// Ends the pause. The next tick comes within a period, at a time at which a tick would have come
+  /// without the pause. Call Servo::heartbeat() before resume(); otherwise the edit thread seems to
+  /// have been silent.
   void resume() noexcept;
   [[nodiscard]] bool is_paused() const noexcept {
     return pause_asked_.load(std::memory_order_relaxed);
@@ -149,12 +149,13 @@ class RealtimeThread {
   std::int64_t first_due_ns_ = 0;
   RealtimeStatus status_;
   bool is_hosted_ = false;
-  bool is_detached_ = false;  // its tick hangs; has_ended_ says if the thread has ended since
+  bool is_detached_ =
+      false;  // the thread's tick hangs; has_ended_ says if the thread has ended since
   std::atomic<bool> is_set_up_{false};
   std::atomic<bool> stop_asked_{false};
   std::atomic<bool> pause_asked_{false};
   std::atomic<bool> has_ended_{false};   // the loop's own thread will not access anything any more
-  std::atomic<bool> is_in_tick_{false};  // the host's
+  std::atomic<bool> is_in_tick_{false};  // of the host's thread
   std::atomic<Hosted> hosted_{Hosted::kDone};
   std::atomic<std::int64_t> ticked_ns_{kNever};  // when the last tick began
   std::atomic<std::int64_t> resumed_ns_{kNever};

@@ -46,7 +46,8 @@ void Servo::stop() noexcept {
 }
 
 void Servo::take_orders() noexcept {
-  // "Off" is handled first, so that off and on again between two ticks engages from zero.
+  // disarm() is handled first, so that the force rises from zero if both disarm() and arm() were
+  // called since the last tick.
   if (disarm_asked_.exchange(false, std::memory_order_acquire)) chain_.disarm();
   if (arm_asked_.exchange(false, std::memory_order_acquire)) chain_.arm();
   const std::int64_t heard_ns = heartbeat_ns_.load(std::memory_order_acquire);
@@ -64,7 +65,7 @@ void Servo::sense_and_act(std::int64_t now_ns) noexcept {
   report_.terms.clear();
   if (!sample) {
     chain_.device_failed();
-    // The device has already failed, so errors are ignored. A call that still works helps to
+    // The device has already failed, so errors are ignored. If these calls still work, they help to
     // release the device.
     static_cast<void>(device_.write(Force{}));
     device_.stop();

@@ -21,7 +21,7 @@ class LeapFilter;
 /// The report of one tick of the haptic loop. `--forces` writes it to a file, and the force panel
 /// plots it.
 struct TickReport {
-  PenSample sample;        ///< as read; the last good sample if reading failed
+  PenSample sample;        ///< the sample as read; the last good one if reading failed
   bool sample_ok = false;  ///< the sample was read, and the safety chain accepted it
   double dt_s = 0.0;
   Force asked;            ///< sum of the model's terms after the cross-fade, times the strength
@@ -80,9 +80,9 @@ class Servo {
   void heartbeat(std::int64_t now_ns) noexcept FELT_NOT_HAPTIC;
   /// Enables forces on behalf of the user. Safe to call from any thread.
   void arm() noexcept;
-  /// Disables forces, for the user's force-off key. Safe to call from any thread. It takes effect
-  /// on the next tick and is never lost: if arm() is called after it, the force rises again from
-  /// zero.
+  /// Disables forces, for the user's force-off key. Safe to call from any thread. The call takes
+  /// effect on the next tick and is never lost: even if arm() is called before that tick, the force
+  /// rises again from zero.
   void disarm() noexcept;
   /// Sets the master strength: the fraction of the model's force that is requested from the device,
   /// 0..1 (clamped; NaN is ignored; initially 1). The strength changes linearly, by the whole range
@@ -145,7 +145,7 @@ class Servo {
   std::unique_ptr<LeapFilter> leaps_;
   ForceModel current_;
   ForceMemory memory_;
-  ForceModel outgoing_;  // while fade_ < 1
+  ForceModel outgoing_;  // the model that fades out, while fade_ < 1
   ForceMemory outgoing_memory_;
   double fade_ = 1.0;         // weight of current_
   bool model_waits_ = false;  // models_.get() has not been applied yet

@@ -490,7 +490,7 @@ TEST(Servo, StoppingTakesTheForceOffTheDeviceAndItCanGoOnLater) {
   Loop loop;
   loop.servo->publish(model_of(Constant{{0.15, 0.0, 0.0}, {}}));
   loop.engage();
-  loop.servo->arm();  // too late
+  loop.servo->arm();  // too late to have an effect
   loop.servo->stop();
   EXPECT_EQ(loop.device.force, Force{});
   EXPECT_EQ(loop.device.stops, 1);

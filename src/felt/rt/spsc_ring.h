@@ -79,7 +79,7 @@ class SpscRing {
 
   std::unique_ptr<T[]> slots_;
   alignas(kCacheLine) std::atomic<std::size_t> tail_{0};  // written by the producer
-  std::size_t head_seen_ = 0;                             // its last copy of head_
+  std::size_t head_seen_ = 0;                             // the producer's last copy of head_
   std::atomic<std::uint64_t> dropped_{0};
   alignas(kCacheLine) std::atomic<std::size_t> head_{0};  // written by the consumer
 };

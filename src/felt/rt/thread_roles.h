@@ -5,9 +5,9 @@
 ///
 /// A role is a capability without a lock. RealtimeScope acquires the haptic role for its scope, and
 /// a function that requires this role is marked FELT_HAPTIC. A function of the edit thread is
-/// marked FELT_NOT_HAPTIC, and clang warns if it is called while the haptic role is held. So code
-/// of the edit thread does not need a scope of its own. Clang checks direct calls only; the
-/// interposer of tests/devices/rt checks the others.
+/// marked FELT_NOT_HAPTIC, and clang warns if it is called while the haptic role is held. So most
+/// code of the edit thread needs no EditScope. Clang checks direct calls only; the interposer of
+/// tests/devices/rt checks the others.
 #if defined(__clang__)
 #define FELT_ROLE_ATTRIBUTE(x) __attribute__((x))
 #else

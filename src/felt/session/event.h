@@ -102,8 +102,8 @@ struct RestyleEvent {
 /// {"event":"layer","do":"add","name":"Ideas"}
 struct LayerEvent {
   enum class Do : std::uint8_t {
-    kAdd,     ///< above the current one, and makes it current; "Layer N" if it has no name
-    kRemove,  ///< with its strokes
+    kAdd,  ///< adds a layer above the current one and uses it; if `name` is empty, it is "Layer N"
+    kRemove,  ///< removes the layer with its strokes
     kRename,
     kShow,
     kHide,
@@ -121,8 +121,8 @@ struct LayerEvent {
   friend bool operator==(const LayerEvent&, const LayerEvent&) = default;
 };
 
-/// The version of the tools' default options. Recordings name it because they leave out options
-/// that have their default. 1: Feltline 0.1.0 (old_defaults.h).
+/// The version of the tools' default options. A recording contains this version, because it leaves
+/// out options that have their default. Version 1 is that of Feltline 0.1.0 (old_defaults.h).
 inline constexpr int kOptionDefaults = 2;
 
 /// Sets the device that samples come from and forces go to. Applies to all later events.
@@ -132,9 +132,9 @@ inline constexpr int kOptionDefaults = 2;
 /// use it.
 struct UseDevice {
   Capabilities capabilities;
-  /// The version of the defaults in the program that made the recording. At the first event whose
-  /// version differs from the session's, options that still have their default are set to those of
-  /// that version.
+  /// The version of the defaults in the program that made the recording. If it differs from the
+  /// version of the session, options that still have their default are set to the defaults of this
+  /// version.
   int defaults = kOptionDefaults;
   friend bool operator==(const UseDevice&, const UseDevice&) = default;
 };

@@ -12,7 +12,7 @@ class HeardPen {
  public:
   explicit HeardPen(const Session& session) : session_(&session) {}
 
-  /// Sets the session. The sound continues.
+  /// Replaces the session, without interrupting the sound.
   void follow(const Session& session) noexcept { session_ = &session; }
 
   /// Returns the input for a sample. Call it for every sample, after the session has processed it.

@@ -16,12 +16,12 @@ inline bool is_open(const Layer& layer) noexcept {
 /// if no layer is open.
 LayerId highest_open_layer(const Document& document) noexcept;
 
-/// Returns the whole effect of a layer event on a document, as one undo step; empty if nothing
-/// changes, as always for kUse. If no open layer would remain, the edit also adds one on top,
-/// because ink must never go to a layer that the user cannot see.
+/// Returns the whole effect of a layer event on a document as one edit, and so one undo step. The
+/// edit is empty if nothing changes; for kUse it is always empty. If no open layer would remain,
+/// the edit also adds one on top, because ink must never go to a layer that the user cannot see.
 ///
-/// Fails if the layer does not exist, or for kUse if it is not open. The message names the layer
-/// and the reason.
+/// Fails if the layer does not exist, or if the event is kUse and the layer is not open. The
+/// message names the layer and the reason.
 Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use);
 
 /// Returns an edit that adds an open layer on top.

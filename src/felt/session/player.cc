@@ -207,8 +207,8 @@ class Player::Run {
       samples_.push_back(sample);
       told = true;
     }
-    // The loop does not pass on samples that it rejected. If the script moves the pen, the sample
-    // is used even then, because its position is certain.
+    // The loop does not pass on samples that it rejected. If the script moves the pen, a rejected
+    // sample is used, too, because the script defines its position.
     if (!told && !device_.by_hand()) samples_.push_back(tick.sample);
     pen_is_down_ = in_contact(tick.sample);
     if (options_.on_tick) options_.on_tick(tick);

@@ -34,16 +34,16 @@ struct PlayerOptions {
 /// The results of a play, in numbers that do not depend on the machine.
 struct PlayReport {
   std::uint64_t ticks = 0;
-  std::uint64_t samples = 0;  ///< processed by the session
-  std::uint64_t events = 0;   ///< of the script, including poses
-  std::uint64_t edits = 0;    ///< applied to the document, including those of undo and redo
+  std::uint64_t samples = 0;  ///< pen samples that the session processed
+  std::uint64_t events = 0;   ///< events of the script, including poses
+  std::uint64_t edits = 0;    ///< edits of the document, including those of undo and redo
   std::uint64_t turns = 0;    ///< times that the work of the edit thread was done (edit_period_ns)
   std::uint64_t unread = 0;   ///< ticks whose sample could not be read or was not accepted
-  std::int64_t start_ns = 0;  ///< of the first tick
-  std::int64_t end_ns = 0;    ///< of the last
+  std::int64_t start_ns = 0;  ///< time of the first tick
+  std::int64_t end_ns = 0;    ///< time of the last tick
   double largest_asked_n = 0.0;
   double largest_sent_n = 0.0;
-  SafetyReport safety;  ///< at the end
+  SafetyReport safety;  ///< the safety report at the end
   bool cancelled = false;
 
   friend bool operator==(const PlayReport&, const PlayReport&) = default;

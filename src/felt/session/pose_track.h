@@ -48,9 +48,9 @@ class PoseTrack {
 
   std::span<const Event> events_;
   std::size_t searched_ = 0;        // events examined so far
-  std::int64_t end_ns_ = 0;         // of the last event of any kind
+  std::int64_t end_ns_ = 0;         // time of the last event of any kind
   std::optional<ScriptPose> last_;  // pose at or before now; before the first pose, a pose above it
-  std::optional<ScriptPose> next_;  // after now
+  std::optional<ScriptPose> next_;  // the first pose after now
 };
 
 /// Returns the pose at a time between a.time_ns and b.time_ns, interpolated between the two poses.

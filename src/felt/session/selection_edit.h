@@ -24,8 +24,8 @@ Edit delete_edit(const Document& document, const Selection& selection);
 
 /// Copies the strokes that are wholly selected, shifted, to the top of their layers in drawing
 /// order. The edit is empty if no stroke is wholly selected. Fails if a shifted stroke breaks an
-/// invariant, because it is so far out that its joints are lost to rounding; the message names the
-/// stroke.
+/// invariant: at very large coordinates, rounding can make its points invalid. The message names
+/// the stroke.
 Result<Edit> duplicate_edit(const Document& document, const Selection& selection);
 
 /// Sets the colour (nullopt keeps it) and the medium ("" keeps it) of the strokes that are selected
@@ -33,7 +33,7 @@ Result<Edit> duplicate_edit(const Document& document, const Selection& selection
 Result<Edit> restyle_edit(const Document& document, const Selection& selection,
                           std::optional<Rgba> color, const std::string& medium);
 
-/// Returns a selection of all strokes that an edit adds, whole.
+/// Returns a selection that contains every stroke that an edit adds, wholly selected.
 Selection made_by(const Edit& edit);
 
 }  // namespace felt

@@ -28,13 +28,14 @@ struct SessionOptions {
   Materials materials = Materials::built_in();
   /// The document before the first event; the undo history starts after it.
   Document document = {};
-  /// The selection before the first event. Invalid marks are ignored.
+  /// The selection before the first event. Strokes whose marks do not fit the document are left
+  /// out.
   Selection selection = {};
-  /// Called with every event that the session accepted, including pen samples as PenEvent, in
-  /// order; for example a Recorder.
+  /// Called with every event that the session accepted, in order, including pen samples as
+  /// PenEvent. It may be a Recorder.
   std::function<void(const Event&)> on_event = {};
-  /// Called with every edit applied to the document, including those of undo and redo, in order;
-  /// for the autosave.
+  /// Called with every edit applied to the document, in order, including those of undo and redo.
+  /// The autosave uses it.
   std::function<void(const Edit&)> on_edit = {};
   std::size_t history_limit_bytes = History::kDefaultLimitBytes;
 };
@@ -47,9 +48,9 @@ struct SessionOptions {
 ///   session.apply({t, SetOption{"pencil.snap", "both"}});
 ///   servo.publish(session.force());       // every few ms
 ///
-/// A *gesture* is in progress from the sample that touches the surface until the tool returns its
-/// result, usually when the pen is lifted, and as long as the gesture's preview is shown. The
-/// preview of a hovering pen is not a gesture. During a gesture:
+/// A *gesture* begins with the sample that touches the surface. It is in progress until the tool
+/// returns its result, which is usually when the pen is lifted, and as long as the gesture's
+/// preview is shown. The preview of a hovering pen is not a gesture. During a gesture:
 ///   tool, import, device, finish   end it as if the pen had been lifted, so that no ink is lost
 ///   cancel                         discards it
 ///   undo                           discards it, and undoes nothing else
@@ -97,8 +98,9 @@ class Session {
   [[nodiscard]] ForceModel force() const;
   /// Replaces the content of `overlay` with everything to show besides the document.
   void draw(Overlay& overlay) const;
-  /// Returns the edit to show applied to the document, if any: the result so far of the gesture in
-  /// progress, or of a gesture that would begin at the pen.
+  /// Returns the preview, if there is one: an edit that the display shows as if it were applied to
+  /// the document. It is the result so far of the gesture in progress, or the result of a gesture
+  /// that would begin at the position of the pen.
   [[nodiscard]] const std::optional<Edit>& preview() const noexcept { return preview_; }
 
   [[nodiscard]] const Document& document() const noexcept { return document_; }
@@ -124,8 +126,7 @@ class Session {
   [[nodiscard]] std::uint64_t edit_count() const noexcept { return edits_; }
   /// Returns a count that grows whenever the selection may have changed.
   [[nodiscard]] std::uint64_t selection_count() const noexcept { return selections_; }
-  /// Returns the version of the default options (kOptionDefaults), which apply to options without
-  /// an event.
+  /// Returns the version (kOptionDefaults) of the defaults of those options that no event has set.
   [[nodiscard]] int option_defaults() const noexcept { return option_defaults_; }
   /// Returns the number of dropped samples.
   [[nodiscard]] std::uint64_t dropped_samples() const noexcept { return dropped_; }
@@ -174,7 +175,7 @@ class Session {
   std::optional<Edit> preview_;
   bool preview_is_of_gesture_ = false;
   std::int64_t last_sample_ns_ = 0;
-  bool must_lift_ = false;  // until then the pen cannot begin a gesture
+  bool must_lift_ = false;  // the pen must be lifted before it can begin a gesture
   bool pen_is_down_ = false;
   // The pen has touched the surface, and the gesture has no result yet.
   bool gesture_is_open_ = false;

@@ -82,7 +82,7 @@ Result<void> Session::restyle_selected(const RestyleEvent& event) {
 
 Result<void> Session::change_layer(const LayerEvent& event) {
   if (gesture_in_work()) return {};
-  // Reports an error before anything changes. The later settle() does not change layers.
+  // Reports an error before anything changes. The call of settle() below does not change layers.
   if (Result<Edit> edit = layer_edit(document_, event, layer_); !edit) {
     return tl::unexpected(edit.error());
   }

@@ -14,8 +14,8 @@ namespace felt {
 ///   color      the colour of new ink: "#rgb", "#rrggbb" or "#rrggbbaa"
 class SheetOptions {
  public:
-  /// Returns the options that a table can describe: all but the colour, which is a text of that
-  /// form.
+  /// Returns the table of these options. It does not contain the colour, because an OptionSpec
+  /// cannot describe the text form of a colour.
   static std::span<const OptionSpec> table();
 
   /// Sets an option. Fails if the option does not exist, if it does not accept the value, or if the
@@ -23,7 +23,7 @@ class SheetOptions {
   Result<void> set(std::string_view id, const OptionValue& value, const Materials& known);
   [[nodiscard]] Result<OptionValue> get(std::string_view id) const;
 
-  /// Updates the surface after a known material with its id has changed.
+  /// Updates the surface if the material with its id has changed in `known`.
   void follow(const Materials& known);
 
   [[nodiscard]] const SurfaceMaterial& material() const noexcept { return material_; }

@@ -4,12 +4,12 @@
 
 #include "felt/sound/plain_math.h"
 
-/// The filters of the sound; not public. All are for one channel and one thread, and do not
-/// allocate.
+/// The filters of the sound; not public. Each filter has one channel, is for one thread, and does
+/// not allocate.
 namespace felt {
 
-/// Returns the share of the remaining difference that a first-order follower with this time
-/// constant covers in one sample.
+/// Returns the coefficient of a first-order low-pass filter with this time constant: the share of
+/// the difference between input and output that the output covers in one sample.
 constexpr double follow_share(double time_s, double rate_hz) noexcept {
   return 1.0 - plain::exp(-1.0 / (time_s * rate_hz));
 }

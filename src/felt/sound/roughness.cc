@@ -47,8 +47,8 @@ void Roughness::set(double longest_mm, std::uint32_t seed) noexcept {
   for (count_ = 0; count_ < kMaxOctaves && length >= kFinestMm; length *= 0.5) {
     Octave& octave = octaves_[count_++];
     random = mixed(random + 0x9E3779B97F4A7C15u);
-    // The lattices of the octaves are shifted against each other, so that a line does not lie on
-    // all of them.
+    // The lattices of the octaves are shifted against each other, so that no line lies on lattice
+    // lines of all octaves.
     const double shift = static_cast<double>(random >> 40) / 16777216.0;
     octave = {1.0 / length, 0.37 * shift, 0.61 * shift, octave.weight, 0.0, random};
   }

@@ -8,11 +8,12 @@
 
 namespace felt {
 
-/// The roughness of a surface below the waves of its relief: noise as a function of *position*, not
-/// of time (Siira and Pai 1996), so that the same path sounds the same again. It is a sum of
-/// octaves, each with half the wavelength of the previous one, down to kFinestMm, and never
-/// repeats. The weight of an octave depends on the speed. If an octave is too fast for the sample
-/// rate, it is left out to prevent aliasing. A slow pen sounds duller.
+/// The roughness of a surface at wavelengths shorter than those of its relief. It is noise as a
+/// function of *position*, not of time (Siira and Pai 1996), so that the same path sounds the same
+/// again. It is a sum of octaves, each with half the wavelength of the previous one, down to
+/// kFinestMm, and never repeats. The weight of an octave depends on the speed. An octave whose
+/// frequency is too high for the sample rate is left out to prevent aliasing. A slow pen sounds
+/// duller.
 ///
 /// A value type that does not allocate. Use it on one thread at a time.
 class Roughness {

@@ -14,17 +14,17 @@ struct RubbingPair {
   const HeightField* relief = nullptr;  ///< surface_grain(surface), the same relief that is felt
                                         ///< and displayed (R47), or null
   double grain_um = 0.0;                ///< RMS height of the relief and of the roughness
-  double stiffness_n_per_m = 500.0;     ///< of the surface; sets its lowest resonance
+  double stiffness_n_per_m = 500.0;     ///< of the surface; determines its lowest resonance
   double friction = 0.25;               ///< mu of the pair
   double through = 1.0;                 ///< share of the relief that the medium transmits, 0..1
   /// Share of the relief that a firm push flattens (relief_left).
   double wear = 0.0;
   double firm_push_n = 2.0;         ///< the push that counts as firm, N
-  double loudness = 1.0;            ///< of both together, 0..1
+  double loudness = 1.0;            ///< loudness of the medium on the surface, 0..1
   double surface_brightness = 0.5;  ///< 0..1
   double medium_brightness = 0.5;   ///< 0..1
   double squeak = 0.0;              ///< 0..1
-  std::uint32_t seed = 1;           ///< of the roughness
+  std::uint32_t seed = 1;           ///< seed of the roughness
 
   friend bool operator==(const RubbingPair&, const RubbingPair&) = default;
 };

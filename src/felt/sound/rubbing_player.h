@@ -25,13 +25,13 @@ class RubbingPlayer {
   static constexpr double kRateHz = RubbingSynth::kRateHz;
   /// Maximum number of samples in the queue. If more are pushed, the oldest is dropped.
   static constexpr std::size_t kMaxWaiting = 1024;
-  /// If a path has a longer gap, or is faster than any hand, it is split into two, and the pen
-  /// counts as lifted in between.
+  /// A path that has a longer gap, or that is faster than kFastestMmPerS, is split into two, and
+  /// the pen counts as lifted in between.
   static constexpr std::int64_t kLongestGapNs = 50'000'000;
   static constexpr double kFastestMmPerS = 5000.0;
 
-  /// Sets the pair for the samples that are rendered next. Before that the current sound fades out
-  /// within 12 ms.
+  /// Sets the pair for the samples that are rendered next. The sound of the previous pair first
+  /// fades out within 12 ms.
   void set_pair(const RubbingPair& pair) noexcept;
 
   /// Appends a sample of the path. Ignores it if it is not later than the last sample. A sample
@@ -43,8 +43,8 @@ class RubbingPlayer {
 
   /// Keeps the playback delay near `behind_s` seconds after the newest sample. If the path has run
   /// out, pauses until `behind_s` of path is available again. If the delay has grown, skips a part
-  /// of the path: during silence if it is more than twice `behind_s`, always if it is more than
-  /// kMaxBehindS. Call it before each render() in real time.
+  /// of the path: during silence, if the delay is more than twice `behind_s`; at any time, if it is
+  /// more than kMaxBehindS. Call it before each render() in real time.
   void keep_up(double behind_s) noexcept;
   static constexpr double kMaxBehindS = 0.250;
 
@@ -70,8 +70,8 @@ class RubbingPlayer {
   RubbingPair pair_, next_pair_;
   std::array<RubbingSample, kMaxWaiting> way_{};
   std::size_t first_ = 0, count_ = 0;  // the queue; its first sample is not after the playback time
-  std::int64_t start_ns_ = 0;          // the playback time when it started,
-  std::int64_t played_ = 0;            // and the samples of sound since then
+  std::int64_t start_ns_ = 0;          // the playback time at which playback started
+  std::int64_t played_ = 0;            // samples of sound played since start_ns_
   bool has_started_ = false, waits_ = false;
   std::int64_t struck_ns_ = -1;  // the time of the last touch played
   // The current position of the pen.

@@ -13,7 +13,7 @@ constexpr double kRateHz = RubbingSynth::kRateHz;
 // motion of a hand.
 constexpr double kWay = follow_share(0.003, kRateHz);
 constexpr double kStillMmPerS = 1.5,
-                 kMovesMmPerS = 5.0;  // silent below the first; full loudness above the second
+                 kMovesMmPerS = 5.0;  // silent below kStillMmPerS, full loudness above kMovesMmPerS
 constexpr double kFastestMmPerS = 3000.0;
 constexpr double kMaxHeardPushN = 4.0;
 // The gate opens before anything is audible, and closes before the user notices a delay.
@@ -23,17 +23,18 @@ constexpr double kFullPowerMw = 60.0;
 constexpr double kUsualGrainUm = 10.0, kMinGrainUm = 1.5, kMaxRough = 1.6;
 constexpr double kHissGain = 1.8;
 constexpr double kHillGain = 0.02;   // multiplies slope and speed in mm/s, at a push of 1 N
-constexpr double kHillDepth = 0.75;  // how much louder uphill
+constexpr double kHillDepth = 0.75;  // how much louder the roughness is uphill
 constexpr double kLevel = 0.32;
 constexpr double kCeiling = 0.9;
 constexpr double kLowestHz = 45.0;
-/// The low tones of roughness are weak, because it does not shake a table.
+/// Corner of the high-pass filter of the roughness, whose low tones are weak because it does not
+/// shake the table.
 constexpr double kHissHz = 500.0;
 constexpr double kInaudible = 1e-7;  // -140 dB
 // For the squeak: the Stribeck curve falls most steeply at kStribeckMmPerS / sqrt(2).
 constexpr double kStribeckMmPerS = 130.0;
 constexpr double kSqueakRate = 0.012, kSqueakLoss = 0.55, kSqueakGain = 4.0, kSqueakSeed = 2e-4;
-// The tap is a touch of 1.2 ms that is audible for kTapS.
+// The tap is a pulse of 1.2 ms that remains audible for kTapS.
 constexpr double kTapForceS = 0.0012, kTapS = 0.012, kFullStrike = 150.0;
 constexpr double kTapGain = 1.8;
 /// Longest wave of the roughness if the surface has no relief.
@@ -87,7 +88,7 @@ void RubbingSynth::strike(double mm_per_s) noexcept {
 void RubbingSynth::follow(Point at, double push_n) noexcept {
   const bool touches = push_n > 0.0;
   if (touches && !touches_ && gate_ == 0.0)
-    first_ = at_ = at;  // the motion above the surface is not rubbing
+    first_ = at_ = at;  // because the motion above the surface is not rubbing
   touches_ = touches;
   first_ = first_ + kWay * (at - first_);
   const Vec step = kWay * (first_ - at_);

@@ -22,11 +22,11 @@ namespace felt {
 ///              fed by the slope of a Stribeck curve
 ///   tap        a pulse of force when the pen comes down
 ///
-/// These go through the bodies: resonances of surface and medium, and a low pass that depends on
-/// the brightness of both (the squeak bypasses them). After these come a soft limiter and a gate.
-/// The gate is exactly 0 at most kSilentAfterS after the pen is lifted or stops. |sample| is always
-/// less than 1, and never NaN for the input that next() allows. A value type that does not
-/// allocate. Use it on one thread at a time.
+/// All parts but the squeak go through the bodies (resonances of surface and medium) and, in
+/// parallel, through a low-pass filter that depends on the brightness of both. The sum then goes
+/// through a soft limiter and a gate. The gate is exactly 0 at most kSilentAfterS after the pen is
+/// lifted or stops. |sample| is always less than 1, and never NaN for the input that next() allows.
+/// A value type that does not allocate. Use it on one thread at a time.
 class RubbingSynth {
  public:
   static constexpr double kRateHz = 48000.0;
@@ -37,7 +37,7 @@ class RubbingSynth {
   /// Sets the pair, which is used from the next sample on. Call it during silence (is_silent()),
   /// because the change of parameters would be audible as a click.
   void set_pair(const RubbingPair& pair) noexcept;
-  static constexpr double kUsualStrike = 40.0;  ///< mm/s, if the speed of the touch is unknown
+  static constexpr double kUsualStrike = 40.0;  ///< mm/s; for strike() if the speed is unknown
   /// Starts the tap of a pen that came down at this speed, mm/s.
   void strike(double mm_per_s) noexcept;
   /// Returns the next sample of sound. A `push_n` of 0 means that the pen is lifted. Requires

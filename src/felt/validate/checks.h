@@ -14,8 +14,8 @@ namespace felt {
 
 /// The response of the pen to a small force along an axis; the mean over several pushes.
 struct PushResponse {
-  Vec3 moved{};              ///< mm, displacement from a push in - to one in + along the axis
-  double uncertainty = 0.0;  ///< mm, its standard error
+  Vec3 moved{};              ///< mm, displacement from a push in -axis to a push in +axis
+  double uncertainty = 0.0;  ///< mm, standard error of `moved`
 };
 
 /// Forces below this count as zero.
@@ -36,7 +36,7 @@ struct CheckContext {
   /// Opens the device, homes it if necessary, and starts a trial in the loop.
   Result<std::unique_ptr<Trial>> begin();
   /// Returns the reason why forces are not possible: the device has no forces, or the user did not
-  /// agree (asks once). Empty if they are possible.
+  /// agree (asks once). Empty if forces are possible.
   std::string refusal();
   /// Returns the axis along which forces move the pen most, or nullopt if that was not measured.
   [[nodiscard]] std::optional<int> best_axis() const;

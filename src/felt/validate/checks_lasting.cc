@@ -32,8 +32,8 @@ bool wait_for_device(CheckContext& context) {
   return false;
 }
 
-/// after_s is the time at which reading began to fail, or negative if it did not fail. came_back is
-/// true if a later read succeeded.
+/// after_s is the time at which reading began to fail, or negative if reading did not fail.
+/// came_back is true if a later read succeeded.
 struct Gone {
   double after_s = -1.0;
   DeviceFault fault = DeviceFault::kOther;

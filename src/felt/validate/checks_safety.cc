@@ -9,7 +9,7 @@ namespace felt {
 namespace {
 
 constexpr double kAskedN = 3.0;  // ten times the permitted force
-/// A late tick is credited with at most two periods (TickClock).
+/// After a late tick, the force may rise for at most two periods (TickTime::credited_s).
 constexpr double kCreditedPeriods = 2.0;
 
 constexpr double kStallS = 0.100;
@@ -25,7 +25,7 @@ constexpr double kLimp = 0.5;
 constexpr const char* kHoldStill =
     "Hold the pen in the air as for writing, loosely, and keep it still.";
 
-/// The largest force that was sent, and the largest rise from tick to tick.
+/// The largest force that was sent, and the largest rise of the force between two ticks.
 struct Sent {
   double most_n = 0.0;
   double rise_n = 0.0;

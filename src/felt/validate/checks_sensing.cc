@@ -18,7 +18,7 @@ constexpr double kMaxNoiseMm = 0.1;
 constexpr double kNoiseSteps = 2.0;
 /// Permitted distance beyond the edge, as a fraction of the size of the workspace.
 constexpr double kWithinReach = 0.5;
-/// Added to it, because the z of a planar device comes from touch alone.
+/// Added to this distance, because the z of a planar device comes from touch alone.
 constexpr double kMinRoomMm = 1.0;
 constexpr double kFarMm = 5000.0;
 

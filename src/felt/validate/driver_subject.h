@@ -6,11 +6,12 @@
 
 namespace felt {
 
-/// A driver's device under test, in the frame of the surface.
+/// A device under test that a driver opens, with positions in the frame of the surface.
 class DriverSubject final : public TestSubject {
  public:
-  /// `driver` must outlive this object. Uses the profile's plane if it was set with the same unit,
-  /// otherwise the driver's default plane. Does not use the user's limits.
+  /// `driver` must outlive this object. Uses the plane of the profile if that plane was set with
+  /// the same unit of the device, otherwise the driver's default plane. Does not use the user's
+  /// limits.
   DriverSubject(Driver& driver, DeviceDescriptor found, const OpenOptions& options,
                 DeviceProfile profile = {});
 
@@ -23,7 +24,7 @@ class DriverSubject final : public TestSubject {
  private:
   Driver& driver_;
   DeviceDescriptor found_;
-  bool was_seen_;  // so find() can report whether it is connected
+  bool was_seen_;  // find() reported it as connected, so such reports can be trusted
   DeviceSetup setup_;
   std::unique_ptr<OpenDevice> device_;
 };

@@ -13,16 +13,16 @@ namespace felt {
 /// The data that was read from and written to a device at one tick.
 struct ProbeTick {
   std::int64_t now_ns = 0;
-  PenSample sample;                        ///< as read; the last good one if reading failed
-  std::optional<DeviceFault> read_fault;   ///< why reading failed
-  Force force;                             ///< as written
-  std::optional<DeviceFault> write_fault;  ///< why writing failed
+  PenSample sample;  ///< the sample as read; the last good one if reading failed
+  std::optional<DeviceFault> read_fault;   ///< reason why reading failed
+  Force force;                             ///< the force as written
+  std::optional<DeviceFault> write_fault;  ///< reason why writing failed
   bool after_stall = false;                ///< a stall preceded this read
 };
 
 /// Sits between the safety chain and a device under test. It records every tick, and sets the force
 /// to zero permanently if the pen leaves a ball around the point at which it was held. It never
-/// adds force. It is real-time safe if the device is.
+/// adds force. It is real-time safe if the device under test is real-time safe.
 class ProbeDevice final : public Device {
  public:
   static constexpr std::size_t kRingTicks = 8192;
@@ -48,8 +48,8 @@ class ProbeDevice final : public Device {
   void guard(const Vec3& middle_mm, double radius_mm) noexcept;
   /// Returns true if the pen has left the ball. The force has been zero since.
   [[nodiscard]] bool has_tripped() const noexcept { return tripped_.load(); }
-  /// Makes the next read() sleep for `for_ns` before it reads, as in a program that hangs. Applies
-  /// to one read() only.
+  /// Makes the next read() sleep for `for_ns` before it reads, which simulates a program that
+  /// hangs. Applies to one read() only.
   void stall(std::int64_t for_ns) noexcept { stall_ns_.store(for_ns); }
   /// Marks the next tick as the first after a stall, for a loop that does the waiting itself.
   void note_stall() noexcept { stall_ns_.store(0); }
@@ -58,7 +58,7 @@ class ProbeDevice final : public Device {
  private:
   struct Ball {
     Vec3 middle;
-    double radius_mm = 0.0;  // 0 = none
+    double radius_mm = 0.0;  // 0 = there is no ball
   };
   static constexpr std::int64_t kNoStall = -1;
 

@@ -14,8 +14,8 @@ struct SimulatedSubjectOptions {
 };
 
 /// A simulated device under test and the simulated person who holds it. The person agrees to
-/// everything and immediately does what the test asks. Requires a VirtualTestLoop with this
-/// object's before_tick().
+/// everything and immediately does what the test asks. Requires a VirtualTestLoop that calls
+/// before_tick() of this object.
 class SimulatedSubject final : public TestSubject, public TestPerson {
  public:
   /// `device` and `hand` (usually the same object) must outlive this object.

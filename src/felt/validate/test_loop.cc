@@ -89,7 +89,7 @@ Result<void> ThreadTestLoop::start(Servo& servo, LoopHost* host) {
 }
 
 void ThreadTestLoop::stop() noexcept {
-  thread_.reset();  // stops the loop
+  thread_.reset();  // the destructor stops the loop
   servo_ = nullptr;
 }
 

@@ -22,14 +22,15 @@ class TestLoop {
   TestLoop& operator=(const TestLoop&) = delete;
   virtual ~TestLoop() = default;
 
-  /// Starts ticking the servo. `host` as in RealtimeThread.
+  /// Starts to call the ticks of the servo. `host` is the device's LoopHost or null, as for
+  /// RealtimeThread.
   virtual Result<void> start(Servo& servo, LoopHost* host) = 0;
-  /// Ends ticking with zero force. Has no effect if no servo runs.
+  /// Ends the ticks of the servo with zero force. Has no effect if no servo runs.
   virtual void stop() noexcept = 0;
-  /// Lets `ns` pass, with heartbeats. Calls `turn` every few ms and once at the end. It also works
-  /// while no servo runs.
+  /// Lets `ns` nanoseconds pass and sends heartbeats to the servo. Calls `turn` every few ms and
+  /// once at the end. It also works while no servo runs.
   virtual void pass(std::int64_t ns, const std::function<void()>& turn) = 0;
-  /// Lets `ns` pass without communication with the device. The next tick follows.
+  /// Lets `ns` nanoseconds pass without communication with the device, before the next tick.
   virtual void stall(ProbeDevice& probe, std::int64_t ns) = 0;
   /// Returns a time that increases while time passes. It does not restart with start().
   [[nodiscard]] virtual std::int64_t now_ns() const noexcept = 0;
@@ -42,8 +43,8 @@ class TestLoop {
 /// Runs as fast as the processor can, and identically each time. It is for simulated devices.
 class VirtualTestLoop final : public TestLoop {
  public:
-  /// `before_tick` moves the simulated hand. If `lateness_ns` is given, tick k is late by its entry
-  /// k mod its length; it must outlive this object.
+  /// `before_tick` moves the simulated hand. If `lateness_ns` has n > 0 entries, tick k is late by
+  /// entry k mod n; they must outlive this object.
   explicit VirtualTestLoop(std::function<void(std::int64_t now_ns)> before_tick,
                            std::span<const std::int64_t> lateness_ns = {});
 

@@ -23,7 +23,7 @@ inline constexpr double kHeldWithinMm = 15.0;
 ///   Result<std::unique_ptr<Trial>> trial = Trial::begin(subject, loop, is_cancelled);
 ///   (*trial)->pass(2.0);                       // 2 s; the ticks are in ticks()
 ///   (*trial)->arm(); (*trial)->push({0.3, 0, 0}); ...
-///   if ((*trial)->trouble() != nullptr) ...    // cancelled, moved too far, the device failed
+///   if (!(*trial)->trouble().empty()) ...      // cancelled, moved too far, the device failed
 class Trial {
  public:
   /// Starts the loop. `subject` must be open; all arguments must outlive the trial. Fails if the

@@ -24,16 +24,16 @@ struct CheckResult {
   std::string title;  ///< for the user: "pushes the way it is told"
   Verdict verdict = Verdict::kNotRun;
   std::string measured;  ///< measured values with their units, one line
-  std::string words;     ///< if it did not pass: why, and what to try
+  std::string words;     ///< if the check did not pass: the reason, and what to try
 };
 
-/// The result of a device test, which users send in.
+/// The result of a device test. Users can send it to the project.
 struct ValidationReport {
   std::string program;      ///< "feltline 0.1.0"
   DeviceDescriptor device;  ///< as found at the start of the test
   std::uint64_t seed = 0;
   int level = 10;
-  std::string loop;  ///< how time passed: virtual, or with the granted scheduling
+  std::string loop;  ///< how time passed: "virtual", or the scheduling that the system granted
   bool was_interrupted = false;
   std::vector<CheckResult> checks;
 

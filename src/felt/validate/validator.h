@@ -13,7 +13,7 @@ namespace felt {
 struct ValidationOptions {
   std::string program;     ///< name and version of the caller, for the report
   int level = 10;          ///< run the checks of levels 1 to `level`
-  std::uint64_t seed = 1;  ///< of the order of axes in the checks that push
+  std::uint64_t seed = 1;  ///< random seed for the order of the axes in the checks that push
   int openings = 100;
   double rate_s = 10.0;  ///< duration of measuring the loop's rate
   double soak_s = 60.0;  ///< level 10
@@ -40,9 +40,9 @@ struct ValidationOptions {
 ///   9      unplugging is noticed; plugged in again, it works
 ///   10     a soak test: no fault, no energy gain
 ///
-/// Levels from 5 on need forces: at most kTestForceN, through servo and safety chain, and only
-/// after the person has agreed. The test is deterministic on a virtual loop. Call it on the edit
-/// thread; it blocks until the test is over.
+/// Levels from 5 on need forces. These are at most kTestForceN, pass the servo and its safety
+/// chain, and are sent only after the person has agreed. The test is deterministic on a
+/// VirtualTestLoop. Call it on the edit thread; it blocks until the test is over.
 ValidationReport validate(TestSubject& subject, TestLoop& loop, TestPerson& person,
                           const ValidationOptions& options);
 

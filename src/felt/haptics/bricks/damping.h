@@ -11,7 +11,7 @@ enum class DampingWhere { kInAir, kOnSheet, kEverywhere };
 
 struct DampingOptions {
   double damping_n_s_per_m = 0.5;
-  double max_force_n = 0.3;  ///< so that a fast pen does not feel a wall
+  double max_force_n = 0.3;  ///< small, so that a fast pen does not feel a wall
   DampingWhere where = DampingWhere::kInAir;
 };
 

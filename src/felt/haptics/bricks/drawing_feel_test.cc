@@ -97,7 +97,7 @@ TEST(DrawingFeel, ASlowLoopGetsTheSofterBristle) {
   EXPECT_DOUBLE_EQ(slow.damping_n_s_per_m, 1.0);
 }
 
-/// Returns the worst high-frequency force over rest, slow circles and strokes.
+/// Returns the largest high-frequency force at rest, in slow circles and in strokes.
 template <class Make>
 double worst_hf(const rig::Setup& setup, const Make& make) {
   double worst = 0.0;

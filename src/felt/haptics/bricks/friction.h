@@ -26,9 +26,9 @@ struct FrictionOptions {
 ///
 /// v is known_velocity() (pen_sample.h): the measured velocity, shortened by 6 mm/s of uncertainty.
 /// The damper acts on v and not on dz/dt, because dz/dt jumps when the foot starts to move, and
-/// flips the force (docs/design/forces.md#friction: spikes of -1.2 N). In a steady slide, clamping
-/// F to mu Fn removes the damper's contribution. If the normal force is zero, the friction is zero,
-/// and the foot is lifted.
+/// would reverse the force (docs/design/forces.md#friction: spikes of -1.2 N). In a steady slide,
+/// clamping F to mu Fn removes the damper's contribution. If the normal force is zero, the friction
+/// is zero, and the bristle is detached.
 ///
 /// memory.scale.friction scales k and d. memory.friction_factor, set by a texture before this
 /// brick, multiplies mu for one tick; the resulting change of the force is reported as the term

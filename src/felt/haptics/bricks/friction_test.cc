@@ -14,7 +14,7 @@
 namespace felt::friction_test {
 namespace {
 
-/// Returns the force of only the bristle at the pen's current position, if it is pushed with
+/// Returns the force of the bristle alone at the current position of the pen, for a push of
 /// `normal_n`.
 Force step(const Friction& friction, ForceMemory& memory, Vec3 position, Vec3 velocity,
            double normal_n, double dt_s = 0.001) {
@@ -95,9 +95,9 @@ TEST(Friction, StaticEqualsKinetic) {
 }
 
 TEST(Friction, MovingTheFootAlongMakesNoSpike) {
-  // docs/design/forces.md#friction: a damper on dz/dt flips the force when the foot starts to move.
-  // On any path with the true velocity of the pen, the force must change between ticks only by the
-  // changes of stretch and velocity.
+  // docs/design/forces.md#friction: a damper on dz/dt would reverse the force when the foot starts
+  // to move. On any path with the true velocity of the pen, the force must change between ticks
+  // only by the changes of stretch and velocity.
   const Friction friction({.coefficient = 0.5, .stiffness_n_per_m = 600, .damping_n_s_per_m = 1.5});
   for (const double hz : {1.0, 3.0, 7.0}) {
     ForceMemory memory;
@@ -116,7 +116,7 @@ TEST(Friction, MovingTheFootAlongMakesNoSpike) {
         // both.
         EXPECT_LE(norm(force - last),
                   2 * 0.6 * moved_mm + 1.5e-3 * norm(velocity - last_velocity) + 1e-9);
-        // Whenever the foot moves, the force brakes.
+        // Whenever the foot moves, the force opposes the motion.
         if (distance(memory.bristle, foot) > 1e-9) {
           EXPECT_LT(work_mj(force, position - last_position), 0.0);
         }
@@ -147,7 +147,7 @@ TEST(Friction, OnlyTakesEnergyOnAClosedPath) {
         last = now;
       }
       EXPECT_LE(energy, 1e-6) << radius_mm << " mm, T " << period_s;
-      // Sliding costs mu Fn per distance, except while the bristle reverses (0.42 mm).
+      // The work of sliding is mu Fn per distance, except while the bristle reverses (0.42 mm).
       if (radius_mm >= 10.0) {
         EXPECT_NEAR(energy / (-0.25 * length_mm), 1.0, 0.1) << "T " << period_s;
       }

@@ -25,7 +25,7 @@ struct PlaneOptions {
 ///   tick.
 /// * The first sample, and the first one after a gap of more than 20 ms, start with vz = 0, because
 ///   the displacement in between says nothing about the present speed.
-/// * |vz| counts up to 500 mm/s, so the damper adds at most 1 N. Faster motion is left to the
+/// * |vz| is clamped to 500 mm/s, so the damper adds at most 1 N. Faster motion is left to the
 ///   safety chain, so that a stale position does not cause a kick.
 /// * A smaller budget reduces K and leaves B unchanged, because at a longer delay the damper keeps
 ///   a soft plane calm (docs/design/forces.md#plane).

@@ -155,8 +155,8 @@ TEST(Plane, R12_R50_EverySurfaceIsCalmAsTheDeviceGetsIt) {
 }
 
 TEST(Plane, TheBenchSeesABoardThatBuzzes) {
-  // docs/design/forces.md#plane: 800 N/m at two ticks of delay, light hand, no friction: 0.32 N and
-  // growing.
+  // In docs/design/forces.md#plane, 800 N/m with two ticks of delay, a light hand and no friction
+  // gave an oscillation of 0.32 N that was still growing.
   const rig::Setup setup{rig::kHands[0], rig::kStyluses[0], 0.001, 2};
   EXPECT_GT(press(setup, {.stiffness_n_per_m = 800.0}, 1.0).hf_n, 0.2);
 }

@@ -40,8 +40,8 @@ Force SweepSpring::operator()(const PenSample& sample, ForceMemory& memory) cons
       std::clamp(1e-9 * (static_cast<double>(sample.time_ns) - static_cast<double>(curve_.time_ns)),
                  0.0, kOldestS);
   // Solves V' = v - V/tau with constant v, starting from the published V. `kept` is the fraction of
-  // the published V that remains. `counts` is the fraction of the displacement since then that is
-  // added.
+  // the published V that remains. `counts` is the fraction of the displacement since the
+  // publication that is added.
   const double kept = std::exp(-age_s / time_constant_s_);
   const double counts = age_s > kBriefS ? time_constant_s_ / age_s * (1.0 - kept) : 1.0;
   const Vec before = curve_.pen - curve_.curve;

@@ -13,7 +13,7 @@ namespace felt {
 /// Parameters of the force of an edit during its gesture.
 struct EditOptions {
   ForceLaw law = kEditLaw;
-  double damping_n_s_per_m = 1.0;  ///< Bed, on the known velocity (pen_sample.h)
+  double damping_n_s_per_m = 1.0;  ///< Bed, multiplied by known_velocity()
 };
 
 /// Pulls the pen back to the point at which it grabbed (R29, R30;
@@ -42,7 +42,7 @@ struct CurveNear {
   Point curve{};             ///< the point of the curve nearest to the pen
   Vec normal{};              ///< unit normal of the curve at that point; unused if is_end
   bool is_end = false;       ///< an end or a corner: the pen may deviate in any direction
-  std::int64_t time_ns = 0;  ///< of that sample
+  std::int64_t time_ns = 0;  ///< time of that sample
 };
 
 /// Pulls the pen towards a curve that yields with a time constant (R29, eq. 8;
@@ -76,14 +76,14 @@ struct LineUnderNib {
   Point pen{};                   ///< the pen at that sample
   Vec normal{};                  ///< unit vector from the line to the pen; zero if no line is near
   double gap_mm = 0.0;           ///< between the nib and the line
-  double displacement_mm = 0.0;  ///< how far the line has been pushed there
-  double share = 1.0;            ///< 0..1; below 1 if lines push from opposite sides
+  double displacement_mm = 0.0;  ///< how far the line has been pushed at its nearest point
+  double share = 1.0;            ///< factor of the force; below 1 if lines push from opposite sides
 };
 
-/// Resists a nib that pushes lines (R29, eq. 8): phi(d) along the normal, where d is the
-/// displacement of the pushed line. A pushed line does not move back, so the force remains while
-/// the nib rests against it, and falls to zero within a distance of phi(d)/Kcap when the nib
-/// leaves. Only over that distance does the hand get back work that it has done on the line.
+/// Resists a nib that pushes lines (R29, eq. 8). The force is phi(d) along the normal, where d is
+/// the displacement of the pushed line. A pushed line does not move back, so the force remains
+/// while the nib rests against it, and falls to zero within a distance of phi(d)/Kcap when the nib
+/// leaves. The hand gets back work that it has done on the line only over that distance.
 class PushSpring {
  public:
   explicit PushSpring(const LineUnderNib& line, const EditOptions& options = {}) noexcept

@@ -16,7 +16,7 @@ struct TowOptions {
   /// Time constant of the motion of the nib towards the pen when the rope is taut.
   double time_constant_s = 0.020;
   ForceLaw law{.spread_mm = 10.0};  ///< pull of the rope as a function of its stretch
-  double damping_n_s_per_m = 1.0;   ///< while the rope is taut
+  double damping_n_s_per_m = 1.0;   ///< acts only while the rope is taut
 };
 
 /// Returns the position of the nib one tick later. If the rope is taut, the nib moves along it by e
@@ -42,10 +42,10 @@ class Towed {
 /// Parameters of a heavier nib: a mass that the pen pulls by a spring and a damper.
 struct InertiaOptions {
   double mass_kg = 0.05;
-  double stiffness_n_per_m = 300.0;  ///< of the coupling, 300..800
-  double damping_n_s_per_m = 2.0;    ///< of the coupling
-  double drag_n_s_per_m = 1.5;       ///< on the mass, so that it comes to rest without ringing
-  double max_force_n = 1.0;          ///< above it the coupling slips
+  double stiffness_n_per_m = 300.0;  ///< stiffness of the coupling, 300..800
+  double damping_n_s_per_m = 2.0;    ///< damping of the coupling
+  double drag_n_s_per_m = 1.5;       ///< drag on the mass, so that it comes to rest without ringing
+  double max_force_n = 1.0;          ///< above this force the coupling slips
 };
 
 /// Moves the mass by one tick, in place. Returns the pull of the coupling on the mass, N.

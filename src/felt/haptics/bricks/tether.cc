@@ -149,8 +149,8 @@ Vec Tether::scale_pull(Point pen) const noexcept {
 
 Force Tether::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   // The share of the stiffness budget softens the spring but keeps the force level of the force
-  // law. The share is squared because many lines make a spring with a long range, and a slow loop
-  // can render that only if it is softer than its share.
+  // law. The share is squared because the spring of many lines has a long range, and a slow loop
+  // can render such a spring only if it is softer than its share.
   const double share = memory.scale.lateral;
   const Tether softened = with_law(law_.softened(share * share));
   const Point pen = on_sheet(sample.position);

@@ -11,8 +11,8 @@
 namespace felt {
 
 /// The counter-force of a transform (paper, eq. 10; docs/design/forces.md#tether; R35-R38). Curves
-/// that connect the selection to the rest resist the transform, in proportion to how far their
-/// fixed ends *would* have moved:
+/// that connect the selection to the rest of the drawing resist the transform. The resistance grows
+/// with S, the sum of the distances that their fixed ends (anchors) *would* have moved:
 ///
 ///   translation  S = N |d|              F along -d
 ///   rotation     S = sum r_i |th|       F across the arm from centre to pen, against th
@@ -25,19 +25,21 @@ namespace felt {
 /// `way` is the distance that the pen has moved, defined so that no slope exceeds Kcap (R38): |d|;
 /// r |th|/sqrt(1 + th^2), where th is unwrapped beyond full turns; r0 (1 - min(s, 1/s)), which is
 /// the same for s and 1/s (R37). Within 5 mm of the centre, the direction of a rotation or scaling
-/// is not well defined, so F fades with r/5 mm. s is limited to 0.05..20. The damping Bed is active
-/// while the tether is.
+/// is not well defined, so F fades with r/5 mm. s is limited to 0.05..20. A tether with anchors
+/// also damps the motion of the pen (Bed).
 ///
 /// If the share s of the stiffness budget is below 1 (R56), Kcap is reduced to s^2 Kcap (169 N/m at
 /// 250 Hz; with s Kcap a light hand trembles) and the damping by s. The level l does not change, so
-/// that a slow loop resists as strongly as a fast one (R30). The fade is then wider, because F/r,
-/// the slope of a force that turns with the arm, must also stay within Kcap.
+/// that a slow loop resists as strongly as a fast one (R30). The force then fades within a larger
+/// radius, because F/r, the slope of a force that turns with the arm, must also stay within the
+/// reduced Kcap.
 ///
 /// A constrained tether resists only the motion that the transform really makes (constrained()): a
 /// translation along the axis of the larger component, or a rotation by whole steps of
-/// kTurnStepRad. When the axis or the step changes, the force starts from its previous value and
-/// changes by at most Kcap times the distance from there. So the force never jumps, and it is zero
-/// before anything has moved.
+/// kTurnStepRad. On the diagonal, where the axis changes, the force is zero; beside it, the force
+/// is at most Kcap times the distance from the diagonal. When the step changes, the force starts
+/// from its value for the previous step and grows by at most Kcap times the distance from there. So
+/// the force never jumps, and it is zero before anything has moved.
 class Tether {
  public:
   /// Makes a tether without anchors, which has no force.
@@ -55,8 +57,8 @@ class Tether {
   [[nodiscard]] Tether constrained() const noexcept;
   /// Returns this tether for a scale whose factor is never less than `factor`.
   [[nodiscard]] Tether with_least_scale(double factor) const noexcept;
-  /// Returns this tether with another force law than kTransformLaw, for devices that cannot hold 1
-  /// N for long (ForceLaw::gain).
+  /// Returns this tether with this force law instead of kTransformLaw, for example with a lower
+  /// ForceLaw::gain for devices that cannot hold 1 N for long.
   [[nodiscard]] Tether with_law(const ForceLaw& law) const noexcept;
 
  private:

@@ -21,9 +21,9 @@ struct TextureOptions {
   double strength = 1.0;  ///< 0..1, share of the grain that is felt (Medium::grain)
   /// 0..1, share of the grain that a firm push flattens (Medium::wear).
   double wear = 0.0;
-  /// The push that flattens the share `wear`; if it is not > 0, any push does.
+  /// The push that flattens the share `wear`. If this is not > 0, every push flattens that share.
   double firm_push_n = 2.0;
-  double friction = 0.25;          ///< mu0 of the friction brick after it
+  double friction = 0.25;          ///< mu0 of the Friction that comes after the texture
   double bristle_n_per_m = 600.0;  ///< stiffness of that friction
   double period_s = 0.001;         ///< period of the loop; it bounds the strength
 };
@@ -38,19 +38,21 @@ double texture_stiffness_limit_n_per_m(double period_s) noexcept;
 /// Why the default is friction and not the gradient: a gradient force pushes the pen even at rest,
 /// is a spring (of either sign) that adds to all others along the surface, and with the measured Fn
 /// has no potential, so that moving the pen in a loop can gain energy. A modulated friction only
-/// removes energy (Campion and Hayward 2008), is silent at rest, because the bristle holds, and
-/// costs no stiffness: while the bristle sticks, its own k is felt and no texture; while it slides,
-/// the texture and no k. k = 2 pi/(lambda mu0), so that both kinds of texture give the same force,
-/// Fn A 2 pi/lambda, for a wave of height A. Near mu0 Fn that is not possible, because friction has
-/// reached its maximum. The function s prevents that: it is nowhere steeper than 1 and leaves a
-/// fifth of the friction in the deepest valley. So coarse and high relief is felt as broad hills,
-/// and a rare peak does not weaken all the rest.
+/// removes energy (Campion and Hayward 2008) and is silent at rest, because the bristle holds. It
+/// also adds no stiffness: while the bristle sticks, the hand feels the stiffness of the bristle
+/// and no texture; while it slides, the hand feels the texture and no stiffness of the bristle. k =
+/// 2 pi/(lambda mu0), so that both kinds of texture give the same force, Fn A 2 pi/lambda, for a
+/// wave of height A. If that force comes near mu0 Fn, this is not possible, because friction cannot
+/// fall below 0. The function s therefore bounds the modulation: it is nowhere steeper than 1 and
+/// leaves a fifth of the friction in the deepest valley. So coarse and high relief is felt as broad
+/// hills, and a rare peak does not weaken the rest of the texture.
 ///
-/// Bounds. A wave presents the stiffness Fn A (2 pi/lambda)^2. Here it stays within the limit for
-/// the loop's period at every point of the field, not only for its average wave; the bounds come
-/// from the field itself. For pushes above 0.6 N the texture stops growing, because a hand draws
-/// with 0.3 to 1 N, and strength that is reserved for harder pushes would be missing in that range.
-/// If a field is too coarse, it is rendered lower than it is.
+/// Bounds. A wave presents the stiffness Fn A (2 pi/lambda)^2. This stiffness stays within
+/// texture_stiffness_limit_n_per_m() at every point of the field, not only for its average wave,
+/// because it is computed from the field's own maxima. For pushes above 0.6 N the texture stops
+/// growing, because a hand draws with 0.3 to 1 N, and a texture that could still grow at harder
+/// pushes would have to be weaker in that range. If a field is too steep for the limit, it is
+/// rendered lower than it is.
 ///
 /// Wear. A soft medium fills the grain when it is pressed: the rest of the relief decreases with
 /// the push just as it does visually with the tone (relief_left in materials.h). This is a factor

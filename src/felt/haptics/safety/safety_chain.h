@@ -50,7 +50,7 @@ struct SafetyReport {
   SafetyState state = SafetyState::kOff;
   SafetyFault fault = SafetyFault::kNone;
   std::uint32_t limited_by = 0;
-  std::uint32_t soft_faults = 0;  ///< since the start
+  std::uint32_t soft_faults = 0;  ///< number since the start
   std::uint32_t hard_faults = 0;
   double rms_force_n =
       0.0;                 ///< RMS of the force, low-pass filtered as a motor warms up (MotorGuard)
@@ -67,7 +67,7 @@ struct SafetyReport {
 /// docs/safety.md has the numbers.
 ///
 /// One tick, in this order:
-/// begin(now) measures dt; checks if the tick is late and if the edit thread is alive
+///   begin(now)          measures dt; checks the time since the last tick and the heartbeats
 ///   admit(sample)       checks if the sample is plausible (false: do not evaluate the model)
 ///   budget(slopes)      returns the share of its stiffness that the model may use
 ///   limit(asked)        applies the stages in order: finite, peak, speed, continuous, engaging or
@@ -81,8 +81,8 @@ struct SafetyReport {
 /// zero until the pen is lifted. The ramp ends when its time has passed and the force has reached
 /// the target.
 ///
-/// Call it on the haptic thread, unless noted otherwise. All functions take bounded time, do not
-/// allocate or lock, and are deterministic.
+/// Call all functions on the haptic thread. They take bounded time, do not allocate or lock, and
+/// are deterministic.
 class SafetyChain {
  public:
   explicit SafetyChain(const SafetyLimits& limits) noexcept;
@@ -151,12 +151,12 @@ class SafetyChain {
 
   TickTime time_;
   Call call_ = Call::kNone;
-  PenSample seen_;  // the last finite one
+  PenSample seen_;  // the last finite sample
   bool has_seen_ = false;
   double silence_s_ = 0.0;
   Force sent_;          // the force that the device holds
-  int calm_ticks_ = 0;  // in kWaiting
-  double ramp_ = 0.0;   // in kEngaging, 0..1
+  int calm_ticks_ = 0;  // ticks in a row with a small commanded force, while kWaiting
+  double ramp_ = 0.0;   // progress of the ramp of kEngaging, 0..1
   double credited_s_ =
       0;  // sum of TickTime::credited_s since the start; the time stamps of soft faults use it
   std::array<double, 8> soft_fault_at_s_{};

@@ -183,7 +183,8 @@ double MotorGuard::allowed_n() const noexcept {
   if (!(sustained_n_ > 0.0)) return std::numeric_limits<double>::infinity();
   const double room = std::max(sustained_n_ * sustained_n_ - mean_square_, 0.0);
   const double fading = sustained_n_ + std::sqrt(gain_ * room);
-  // The force that reaches the bound within a single tick. It decides at the end of the fade.
+  // The force that reaches the bound within a single tick. This limit decides at the end of the
+  // fade.
   const double in_a_tick = std::sqrt(sustained_n_ * sustained_n_ + room * (tau_s_ / kLongestTickS));
   return std::min(fading, in_a_tick);
 }

@@ -17,18 +17,19 @@ enum class Lateness : std::uint8_t {
   kVeryLate,  ///< more than very_late_s; the motion of the pen in between is unknown
 };
 
-/// The time since the last tick, in three versions. If time is in doubt, less force must result. So
-/// stages that let a force grow are credited with little time, and stages that reduce it are
-/// charged with much time.
+/// The time since the last tick, in three versions. If the time is uncertain, less force must
+/// result. So stages that let a force grow use the short `credited_s`, and stages that reduce a
+/// force use the long `charged_s`.
 struct TickTime {
-  double model_s = 0.001;    ///< for the force models: clamped to 0.2..5 ms
-  double credited_s = 0.0;   ///< for rises, ramps: at most two periods or 5 ms; 0 if time stops
+  double model_s = 0.001;  ///< for the force models: clamped to 0.2..5 ms
+  double credited_s =
+      0.0;  ///< for rises, ramps: at most two periods and at most 5 ms; 0 if time stops
   double charged_s = 0.001;  ///< for watchdogs, falls, heat: at least 0.2 ms, no upper bound
   Lateness lateness = Lateness::kOnTime;
 };
 
-/// Measures ticks (docs/design/limits.md#tick-time). If time stands still or runs backwards, no
-/// time is credited. Running backwards by t counts as late by t. Real-time safe.
+/// Measures ticks (docs/design/limits.md#tick-time). If time stands still or runs backwards,
+/// credited_s is 0. A clock that runs backwards by t counts as late by t. Real-time safe.
 class TickClock {
  public:
   explicit TickClock(const SafetyLimits& limits) noexcept;
@@ -154,8 +155,8 @@ class SpeedGuard {
   bool must_cut_ = false;
 };
 
-/// Returns the force that the motors may hold indefinitely, N. MotorGuard finally limits to this
-/// force. Infinite if the device has no rating.
+/// Returns the force that the motors may hold indefinitely, N. MotorGuard limits a force that lasts
+/// to this value. Infinite if the device has no rating.
 double sustained_force_n(const SafetyLimits& limits) noexcept;
 
 /// Protects the motors from overheating (docs/design/limits.md#motors: RMS over 10 s at most 80 %
@@ -178,9 +179,9 @@ class MotorGuard {
   [[nodiscard]] double allowed_n() const noexcept;
   /// Returns the root of the mean square, N.
   [[nodiscard]] double rms_n() const noexcept;
-  /// Returns whether to show the notice. Pass whether the force was limited on this tick: the
-  /// result is true from then until the motors have cooled to half the heat. This hysteresis
-  /// applies to the notice only, not to the force.
+  /// Returns true if the notice should be shown: from a tick with `limited` (the force was limited
+  /// on that tick) until the motors have cooled to half the heat. This hysteresis applies to the
+  /// notice only, not to the force.
   bool is_warm(bool limited) noexcept;
 
  private:

@@ -11,8 +11,8 @@ inline constexpr std::int64_t kShortestPeriodNs = 200'000;
 inline constexpr std::int64_t kLongestPeriodNs = 4'000'000;
 inline constexpr int kMaxDelayTicks = 100;
 
-/// The numbers of the safety chain (docs/design/limits.md). The
-/// defaults are the upper bounds: `limits_for` only lowers forces, and no tool can change them.
+/// The numbers of the safety chain (docs/design/limits.md). The defaults are the upper bounds:
+/// `limits_for` only lowers forces. No tool can change these numbers.
 struct SafetyLimits {
   double peak_force_n = 3.0;
   double continuous_force_n = 0.0;  ///< the RMS over any rms_window_s stays below it; 0 = no bound
@@ -23,32 +23,34 @@ struct SafetyLimits {
 
   double rise_n_per_ms = 0.3;
   double engage_rise_n_per_ms = 0.01;
-  double soft_fall_n_per_ms = 0.06;  ///< after a soft fault; a hard one takes one tick
+  double soft_fall_n_per_ms =
+      0.06;  ///< after a soft fault; after a hard one the force is 0 in one tick
 
   double engage_below_n = 0.2;  ///< engaging may start if the commanded force is below this
-  int engage_ticks = 4;         ///< number of ticks in a row for which it must be below
+  int engage_ticks = 4;         ///< number of ticks in a row for which it must be below that
   double engage_s = 0.5;        ///< duration of the ramp that follows
 
   double brake_from_m_per_s = 0.6;  ///< additional damping grows from this speed
-  double brake_n_s_per_m = 2.0;     ///< to this value at cut_m_per_s
+  double brake_n_s_per_m = 2.0;     ///< additional damping at cut_m_per_s
   double cut_m_per_s = 1.0;         ///< the force is cut after cut_samples above this speed
   int cut_samples = 3;
   double cut_now_m_per_s = 2.0;  ///< the force is cut after a single sample above this speed
 
-  double jump_mm_per_ms = 3.0;  ///< a sample farther away is not accepted
+  double jump_mm_per_ms = 3.0;  ///< a sample farther from the previous one is not accepted
   double jump_hold_s = 0.002;   ///< time for which the last force is held before it is a hard fault
 
-  double silent_damp_s = 0.5;  ///< if the edit thread is silent for this time: damping only
-  double silent_stop_s = 2.0;  ///< if silent for this time: zero, a soft fault
+  double silent_damp_s = 0.5;  ///< if the edit thread is silent for this time, only damping remains
+  double silent_stop_s =
+      2.0;  ///< if it is silent for this time, the force falls to zero (soft fault)
   double silent_damping_n_s_per_m = 2.0;
 
-  double late_s = 0.005;       ///< after a later tick the chain engages again, softly
-  double very_late_s = 0.020;  ///< if a tick is later: zero immediately, then engages again
-  int soft_faults = 3;         ///< as many soft faults within soft_fault_window_s are a hard fault
+  double late_s = 0.005;  ///< after a tick that is later than this, the chain engages again, softly
+  double very_late_s = 0.020;  ///< if a tick is later than this, the force is zero immediately
+  int soft_faults = 3;  ///< this many soft faults within soft_fault_window_s are a hard fault
   double soft_fault_window_s = 10.0;
 
-  double budget_fast_n_per_m = 900.0;  ///< R56: sum of slopes per axis at up to 2 ms of loop delay
-  double budget_slow_n_per_m = 600.0;  ///< at 3 ms, and in proportion to 1/delay beyond
+  double budget_fast_n_per_m = 900.0;  ///< R56: sum of slopes per axis up to 2 ms of delay
+  double budget_slow_n_per_m = 600.0;  ///< R56: the budget at 3 ms; in proportion to 1/delay
 
   std::int64_t period_ns = 1'000'000;
   int delay_ticks = 1;

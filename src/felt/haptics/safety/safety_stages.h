@@ -21,7 +21,8 @@ Force clamp_length(const Force& f, double max_n) noexcept;
 /// previous, wanted, so it is never longer than both `previous` and `wanted`.
 Force limit_rise(const Force& previous, const Force& wanted, double step_n) noexcept;
 
-/// Returns a force at most step_n N from `previous` towards `wanted`. It also limits a fall.
+/// Returns a force at most step_n N from `previous` towards `wanted`. Unlike limit_rise(), it also
+/// limits a fall.
 Force step_towards(const Force& previous, const Force& wanted, double step_n) noexcept;
 
 /// Returns the damping in N s/m that the brake adds at a speed: 0 up to brake_from_m_per_s, then

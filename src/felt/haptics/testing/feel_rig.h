@@ -12,11 +12,11 @@
 #include "felt/haptics/force_model.h"
 #include "felt/haptics/pen_sample.h"
 
-/// Test helper: a bench that tests the force laws of this layer in the same manner as during design
-/// (docs/design/simulation.md#model). It simulates a point mass in 20 us steps, a hand that pulls
-/// it towards a target, Coulomb friction of the device, a position in steps of 0.03 mm, and a force
-/// that is some ticks late and held for a tick. The bench has no safety chain, because a force law
-/// must be calm by itself.
+/// Test helper: a bench that tests the forces of this layer in the same way as when they were
+/// designed (docs/design/simulation.md#model). It simulates a point mass in 20 us steps, a hand
+/// that pulls it towards a target, Coulomb friction of the device, a position sensor with steps of
+/// 0.03 mm, and a force that is some ticks late and is held for one tick. The bench has no safety
+/// chain, because a force law must be calm by itself.
 ///
 /// It is small and intentionally independent of devices/simulated, because two independent
 /// simulations that agree are stronger evidence.
@@ -67,7 +67,7 @@ struct Setup {
   }
 };
 
-/// Returns every combination of hand and stylus.
+/// Calls `visit` with every combination of hand and stylus.
 template <class Visit>
 void for_each_grip(double period_s, int delay_ticks, const Visit& visit) {
   for (const Hand& hand : kHands) {
@@ -75,10 +75,10 @@ void for_each_grip(double period_s, int delay_ticks, const Visit& visit) {
   }
 }
 
-/// Measures the part of a force above 30 Hz: a Butterworth high-pass filter of the fourth order,
-/// RMS over everything after `begin`, of the axis on which it is largest (the bench of
-/// docs/design/simulation.md#measures had one axis or two). The force is held between ticks, so one
-/// value per tick suffices.
+/// Measures the part of a force above 30 Hz with a Butterworth high-pass filter of the fourth
+/// order. The result is the RMS since begin() of the axis on which it is largest (the bench of
+/// docs/design/simulation.md#measures had only one or two axes). The force is held between ticks,
+/// so one value per tick suffices.
 class HighFrequency {
  public:
   explicit HighFrequency(double period_s) {

@@ -12,7 +12,7 @@
 
 #include "felt/driver/driver.h"
 
-/// A driver for tests, with one device that draws by itself, is lost, or becomes unresponsive.
+/// A driver for tests. Its only device draws by itself and can be lost or become unresponsive.
 namespace felt {
 
 /// State shared by a driver and its devices. The loop's thread also writes it.

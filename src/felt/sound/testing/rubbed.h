@@ -45,7 +45,7 @@ inline std::vector<float> sound_of(const RubbingPair& pair, const RubbedStroke& 
   return sound_of(sound, stroke);
 }
 
-/// Returns the sound without its first `seconds`, which contain the touch.
+/// Returns the sound without its first `seconds`, which contain the sound of the touch.
 inline std::vector<float> after(const std::vector<float>& sound, double seconds) {
   const auto n = static_cast<std::ptrdiff_t>(seconds * RubbingPlayer::kRateHz);
   return {sound.begin() + n, sound.end()};
