@@ -20,9 +20,9 @@ inline bool is_pen_position(const Vec3& at) noexcept {
 ///
 /// Contact begins with the first sample in contact, so a single tap makes a dot. It ends when the
 /// pen is
-///   - kLiftMm above the surface. This is more than sensors resolve (0.03 mm), grain is high (0.1
-///     mm) and a tip bounces (0.3 mm), but a hand that lifts the pen (50 mm/s and more) reaches it
-///     in 10 ms; or
+///   - kLiftMm above the surface. This is more than the resolution of a sensor (0.03 mm), the
+///     height of grain (0.1 mm) and a bounce of the tip (0.3 mm), but a hand that lifts the pen (50
+///     mm/s and more) reaches it in 10 ms; or
 ///   - out of contact for kLiftNs. This is the time of three reports of a 133 Hz tablet, one of
 ///     which may be lost, and half of the shortest lift between two strokes of handwriting; or
 ///   - out of contact for kMaxGapSamples samples, in case the clock stands still.
