@@ -85,7 +85,8 @@ class HandleFit {
   Cubic now_;
 };
 
-/// Divides segment i until no piece is much longer than its chord. Returns the number of pieces.
+/// Divides segment i until no piece winds or has a handle that is too long (SegmentShape). Returns
+/// the number of pieces.
 int unwind(Strand& strand, int i) {
   int pieces = 1;
   for (int k = 0; k < pieces && pieces < kMaxPieces;) {
