@@ -42,7 +42,8 @@ class EraserGesture {
   static constexpr int kMaxCuts = 64;
   /// Minimum pause before a line is cut again: kCutPauseNs, plus kCutPauseNsPerPlace for each point
   /// that the last cut processed. A hatching of 5 m has 25,000 points, so it is cut four times a
-  /// second. So the cost of all cuts is at most proportional to the duration of the gesture.
+  /// second. Therefore the time for all cuts is at most proportional to the duration of the
+  /// gesture.
   static constexpr std::int64_t kCutPauseNs = 4'000'000;
   static constexpr std::int64_t kCutPauseNsPerPlace = 10'000;
   /// Maximum number of lines that one sample checks for the end of their pause.

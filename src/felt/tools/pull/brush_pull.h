@@ -59,9 +59,10 @@ class BrushPull {
   /// The influence over one segment as a cubic in t, by control point.
   struct Run {
     int segment = 0;
-    double sign = 1.0;                       ///< +1 if the distance from the grab grows with t
-    double start_mm = 0.0, radius_mm = 0.0;  ///< from the grab: near end; where w = 0
-    std::array<double, 4> weights{};         ///< w by control point, near end first
+    double sign = 1.0;  ///< +1 if the distance from the grab grows with t
+    /// Arc lengths from the grab to the near end of the segment, and to the point where w = 0.
+    double start_mm = 0.0, radius_mm = 0.0;
+    std::array<double, 4> weights{};  ///< w by control point, near end first
   };
 
   void cut(std::span<const double> places, std::span<const double> more);

@@ -16,7 +16,8 @@ namespace felt {
 /// steps of at most half its radius r. Let f be the point of the stroke nearest to the pen p. After
 /// each step, f is moved to p - r n, n = (p - f)/|p - f|, until its distance is at least r. So the
 /// stroke is pushed from outside and never dragged along. Because a step is at most half a radius,
-/// the pen never comes nearer to the stroke than that, so the nib cannot pass through the stroke.
+/// the pen never comes nearer to the stroke than half a radius, so the nib cannot pass through the
+/// stroke.
 ///
 /// The neighbourhood of f moves with it: a point moves by w(s) times the displacement of f, with
 /// w(s) = 1 - 3x^2 + 2x^3, x = |s - s_f|/R, and s the arc length in the stroke at the touch. The

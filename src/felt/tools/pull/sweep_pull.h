@@ -11,8 +11,8 @@ namespace felt {
 
 /// A stroke being redrawn (docs/design/editing.md#sweep): in each step the point nearest to the pen
 /// moves towards the pen by a fraction of their distance, with the weights of soft_weights(). Each
-/// step starts from the result of the last one, so moving back does not undo it. Because the
-/// fraction is 1 - exp(-dt/tau), the result hardly depends on the step length.
+/// step starts from the result of the last one, so moving back does not undo the change. Because
+/// the fraction is 1 - exp(-dt/tau), the result hardly depends on the step length.
 ///
 /// The nearest point is searched only next to the last one, so that it moves along the stroke and
 /// does not leap to another part of the stroke that is near. Pieces near the pen are kept short
