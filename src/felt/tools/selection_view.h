@@ -14,8 +14,8 @@ namespace felt {
 
 /// The selection as the lasso and the transform tool show it: a box around the selected control
 /// points, and marks on the selected ink. The view is updated incrementally: each sample reads a
-/// part of the selection, so a selection of 10^5 strokes costs no more per sample than a selection
-/// of fifteen. If the selection has at most kPointsPerLook points, the view is up to date after
+/// part of the selection, so a sample takes no longer with a selection of 10^5 strokes than with
+/// one of fifteen. If the selection has at most kPointsPerLook points, the view is up to date after
 /// every look().
 ///
 ///   view.look(scene.document, scene.selection);   // each sample

@@ -9,8 +9,8 @@
 
 namespace felt {
 
-/// Tracks a pen: its speed, its heading, and the shape it has drawn since begin(). A sample costs
-/// constant time and memory. Not thread-safe.
+/// Tracks a pen: its speed, its heading, and the shape it has drawn since begin(). A sample takes
+/// constant time, and the memory does not grow. Not thread-safe.
 class PenTrack {
  public:
   /// Distance between stored points. It prevents a pen that trembles in one place from adding to

@@ -63,7 +63,7 @@ class Ironing {
 
  private:
   struct Run {
-    int first, last;  // places; each does not move or is an end
+    int first, last;  // first and last place
   };
 
   [[nodiscard]] double weight_of(int k, double share);

@@ -10,7 +10,7 @@ namespace felt {
 /// One point of a row to be filtered.
 struct FilterPlace {
   Point point;
-  double weight = 0.0;    ///< of the third differences here; 0: does not move
+  double weight = 0.0;    ///< weight of the third differences; 0: this point stays
   bool is_fixed = false;  ///< does not move, and the row may have a corner here
 };
 

@@ -12,8 +12,9 @@ namespace felt {
 /// Renders the roughness of the ink under the iron as friction, which vanishes as the ink gets
 /// smooth.
 ///
-///   mu = mu0 + min(kMaxN/Fn, kMaxFactor rho/(rho + kHalfMm)) mu0: friction coefficient, rho:
-///   roughness, mm
+///   mu = mu0 + min(kMaxN/Fn, kMaxFactor rho/(rho + kHalfMm))
+///
+/// with mu0 the friction coefficient of the surface and rho the roughness, mm.
 ///
 /// The force is friction and not a texture because friction only dissipates energy, is silent at
 /// rest, and uses the spring that the friction of the surface already has. RoughFeel must come

@@ -18,10 +18,10 @@ namespace felt {
 /// positions in the layers are looked up once, in time linear in the selection and its layers.
 ///
 /// The preview of a selection of up to kMaxPreviewPoints is made in portions of kPointsPerStep, one
-/// per sample, so that the cost of a sample does not depend on the selection: 40 strokes of ten
-/// segments are updated with every sample, 1,000 strokes 40 times a second. Larger selections have
-/// no preview: the frame and 2,000 marked segments follow the pen, and the lines move when the pen
-/// is lifted.
+/// per sample, so that the time per sample does not depend on the size of the selection: 40 strokes
+/// of ten segments are updated with every sample, 1,000 strokes 40 times a second. Larger
+/// selections have no preview: the frame and 2,000 marked segments follow the pen, and the lines
+/// move when the pen is lifted.
 class MovedStrokes {
  public:
   static constexpr std::size_t kPointsPerStep = 1'200;
