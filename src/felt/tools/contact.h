@@ -15,17 +15,17 @@ inline bool is_pen_position(const Vec3& at) noexcept {
 }
 
 /// Decides when a pen touches the surface and when it has left it, so that a bounce of the pen does
-/// not split the gesture in two. The session evaluates this once per sample and passes the result
+/// not split the gesture in two. The session calls update() once per sample and passes the result
 /// to the tool.
 ///
 /// Contact begins with the first sample in contact, so a single tap makes a dot. It ends when the
 /// pen is
-///   - kLiftMm above the surface: sensors resolve 0.03 mm, grain is less than 0.1 mm high and a
-///     bouncing tip stays below 0.3 mm, but a hand that lifts the pen (50 mm/s and more) reaches
-///     kLiftMm in 10 ms; or
-///   - out of contact for kLiftNs: three reports of a 133 Hz tablet (one report may be lost), and
-///     half of the shortest lift between two strokes of handwriting; or
-///   - out of contact for kMaxGapSamples, in case the clock stands still.
+///   - kLiftMm above the surface. This is more than the resolution of a sensor (0.03 mm), the
+///     height of grain (0.1 mm) and a bounce of the tip (0.3 mm), but a hand that lifts the pen (50
+///     mm/s and more) reaches it in 10 ms; or
+///   - out of contact for kLiftNs. This is the time of three reports of a 133 Hz tablet, one of
+///     which may be lost, and half of the shortest lift between two strokes of handwriting; or
+///   - out of contact for kMaxGapSamples samples, in case the clock stands still.
 /// Until contact ends, samples out of contact neither draw nor end the gesture; the caller buffers
 /// them.
 class Contact {

@@ -8,9 +8,9 @@
 
 namespace felt {
 
-/// Computes the fade_id of a force model. Models with different forces get different ids (except
-/// for a chance of 1 in 2^32), even if different tools make them. Models with the same forces get
-/// the same id.
+/// Computes the fade_id of a force model; when the id changes, the haptic loop cross-fades from the
+/// old model to the new one. Models with different forces get different ids (except for a chance of
+/// 1 in 2^32), even if different tools make them. Models with the same forces get the same id.
 ///
 ///   model.set_fade_id(FeelId("pencil").with(material).with(target.stroke.value).value());
 class FeelId {

@@ -13,8 +13,9 @@ namespace felt {
 ///                     +--cancel--> waiting for the lift --> air     drop()
 ///
 /// Samples out of contact that may be a bounce (Contact) are buffered: they are replayed if contact
-/// resumes, and discarded if the pen was lifted. If a button changes during a gesture, only the
-/// samples change. Options set during a gesture take effect after it.
+/// resumes, and discarded if the pen was lifted. A button that is pressed or released during a
+/// gesture does not end the gesture; move() sees the change in the samples. Options set during a
+/// gesture take effect after it.
 class GestureTool : public Tool {
  public:
   /// `info` must outlive the tool.
@@ -34,8 +35,8 @@ class GestureTool : public Tool {
   virtual ToolResult begin(const PenSample& sample, const Scene& scene) = 0;
   /// Handles each further sample. If it returns no preview, the previous one stays.
   virtual ToolResult move(const PenSample& sample, const Scene& scene) = 0;
-  /// Called when the pen is lifted. Returns the commit, if any. Strokes that the commit does not
-  /// change are removed from it.
+  /// Called when the pen is lifted. Returns the edit to commit, if any; the caller removes strokes
+  /// from it that have not changed.
   virtual ToolResult end(const Scene& scene) = 0;
   /// Discards the gesture.
   virtual void drop() = 0;
@@ -59,7 +60,7 @@ class GestureTool : public Tool {
 
   const ToolInfo& info_;
   OptionValues options_;
-  bool has_new_options_ = true;  // because a base constructor cannot call its derived class
+  bool has_new_options_ = true;  // options not yet passed to take_options()
   bool is_down_ = false;         // in contact at the last sample, or in a gap after it
   bool in_gesture_ = false;
   bool waiting_ = false;

@@ -18,8 +18,8 @@ constexpr OptionSpec kProbeOptions[] = {
     {"size_mm", "Size", "mm", OptionKind::kNumber, 0.1, 5.0, 1.0, {}, "Of something."}};
 constexpr ToolInfo kInfo{.id = "told", .label = "Told", .help = "Tells.", .options = kProbeOptions};
 
-/// Records the calls: h for hover, b for begin, m for move, e for end, d for drop. Records an
-/// option as its value.
+/// Records the calls of the virtual functions as text: h for hover, b for begin, m for move, e for
+/// end, d for drop, and the value of an option for take_options.
 class Told final : public GestureTool {
  public:
   Told() : GestureTool(kInfo) {}
@@ -91,7 +91,8 @@ TEST(GestureTool, FinishEndsAsIfLiftedAndThenWaits) {
   EXPECT_EQ(t.tool.said, "bme");
 }
 
-/// A tool that commits the replacement of a stroke by the given one. Null means an equal copy.
+/// A tool that commits the replacement of a stroke by another stroke, or by an equal copy if that
+/// is null.
 class Replaces final : public GestureTool {
  public:
   explicit Replaces(StrokePtr after) : GestureTool(kInfo), after_(std::move(after)) {}

@@ -22,9 +22,10 @@ struct Junction {
 inline constexpr double kSharedPointMm = 0.02;
 
 /// Returns the points that a stroke of the document shares with other strokes on visible layers:
-/// their ends on its curve, and its ends on their curves. On locked layers only ends of other
-/// strokes on its curve are found. The result is sorted by the other stroke and its u. Takes time
-/// linear in the segments of the stroke and the ink near them.
+/// the ends of other strokes that lie on its curve, and its own ends that lie on the curves of
+/// other strokes. Of strokes on locked layers, only the ends on its curve are found. The result is
+/// sorted by `other`, then by `other_u`. Takes time linear in the segments of the stroke and the
+/// ink near them.
 std::vector<Junction> junctions_of(const Document& document, const StrokeIndex& index, StrokeId id,
                                    const Stroke& stroke);
 

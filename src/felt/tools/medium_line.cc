@@ -5,8 +5,8 @@
 namespace felt {
 namespace {
 
-/// Returns true if tone_of_width() of the width at pressure p is again p. This is so for the
-/// default range without gamma or tilt.
+/// Returns true if the width alone determines the pressure: at pressure p, tone_of_width() of the
+/// width is p. This holds for the default range without gamma or tilt.
 bool says_it_all(const WidthMapOptions& widths) {
   const WidthMapOptions usual;
   return widths.gamma == 1.0 && widths.tilt_width == 1.0 && widths.min_mm == usual.min_mm &&

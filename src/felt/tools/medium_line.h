@@ -10,8 +10,9 @@ namespace felt {
 /// medium when the user picks it), except that the maximum width grows by the factor that tilt may
 /// add.
 ///
-/// If the tone of a medium follows from the width alone (the pencil's default range, linearly), no
-/// tone is set, because its ink then needs neither knots nor bytes for tone.
+/// If the tone of a medium is the default function of the width, and the range of widths is the
+/// pencil's default, no tone is set. The ink then needs no knots for tone, and files do not store
+/// it.
 InkFitOptions drawn_with(const Medium& medium, InkFitOptions ink);
 
 }  // namespace felt

@@ -20,7 +20,7 @@ struct Overlay {
     Cubic curve;
     double start_width_mm = 0.0;
     double end_width_mm = 0.0;
-    double start_tone = tone_of_width(start_width_mm);  ///< WidthKnot::tone at both ends
+    double start_tone = tone_of_width(start_width_mm);  ///< as WidthKnot::tone
     double end_tone = tone_of_width(end_width_mm);
 
     friend bool operator==(const InkSegment&, const InkSegment&) noexcept = default;
@@ -31,7 +31,7 @@ struct Overlay {
     kTether,    ///< a connection that holds the pen or a stroke back
     kGuide,     ///< a path or point that the hand is guided to
     kSpan,      ///< the part of a stroke that an edit affects
-    kVector,    ///< from the point where a gesture began to its current point
+    kVector,    ///< a line from the start of a gesture to the pen
     kSelected,  ///< selected, or about to be selected
     kHandle,    ///< a handle that can be grabbed
     kCut,       ///< ink that will be removed

@@ -16,7 +16,7 @@ namespace felt {
 ///   - else (a mouse): nullopt.
 class Pressing {
  public:
-  /// F0, N: up to this force the line does not become wider, because a hand rests with it.
+  /// F0, N. A hand that rests presses with up to this force, so the line keeps its minimum width.
   static constexpr double kMinN = 0.1;
 
   Pressing(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
@@ -24,7 +24,8 @@ class Pressing {
   /// Returns the rendered stiffness of the plane (plane_for): that of the surface, or less if the
   /// device cannot render it (R13, R55, R56).
   [[nodiscard]] double stiffness_n_per_m() const noexcept { return stiffness_n_per_m_; }
-  /// Returns F1, the force of full width, N. The device can hold it continuously (firm_push_n).
+  /// Returns F1, the force at which a line has its full width, N. The device can exert this force
+  /// continuously (firm_push_n).
   [[nodiscard]] double most_n() const noexcept { return most_n_; }
   /// Returns the pressure for a spring force in N.
   [[nodiscard]] double of_force(double spring_n) const noexcept;

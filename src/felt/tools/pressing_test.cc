@@ -53,7 +53,7 @@ TEST(Pressing, R14_TheSpringForceDecidesNotTheDepth) {
     EXPECT_NEAR(p, on_felt.of(at_depth(force / 0.3)).value(), 1e-12);
     EXPECT_NEAR(p, on_paper.of_force(force), 1e-12);
   }
-  // The same depth is a different force.
+  // The same depth gives a different force.
   EXPECT_GT(on_paper.of(at_depth(2)).value(), on_felt.of(at_depth(2)).value() + 0.15);
 }
 
@@ -72,7 +72,7 @@ TEST(Pressing, R14_FullWidthIsWhatTheMotorsHoldForEver) {
   for (int i = 0; i < 120'000; ++i) motors.heat(motors.allowed_n(), 0.001);
   const double slides_n = Pressing(paper(), touch).most_n() * std::hypot(1.0, 0.6);
   EXPECT_NEAR(slides_n, motors.allowed_n(), 0.01);
-  // The range also does not exceed the force that the device can render.
+  // F1 also does not exceed the force that the device can render.
   EXPECT_LE(Pressing(paper(), {.max_force_n = 1.0}).most_n(), 0.9);
   // Even a weak device has a usable range.
   const Pressing weak(paper(), {.continuous_force_n = 1e-6});
@@ -81,8 +81,8 @@ TEST(Pressing, R14_FullWidthIsWhatTheMotorsHoldForEver) {
   EXPECT_EQ(weak.of_force(1.0), 1.0);
 }
 
-// Beyond the user's force limit the surface yields and depth no longer measures the push, so full
-// width is reached before.
+// Beyond the user's force limit the surface yields and the depth no longer measures the force, so
+// the line has its full width below this limit.
 TEST(Pressing, R14_FullWidthIsWithinTheUsersForceLimit) {
   const Capabilities touch{.max_force_n = 3.3, .continuous_force_n = 0.88};
   for (const double limit_n : {0.25, 0.3, 0.4}) {
@@ -108,7 +108,7 @@ TEST(Pressing, R18_ADeviceThatSensesPressureSaysIt) {
   EXPECT_EQ(pressing.of(s).value(), 1.0);
   s.pressure = -1.0;
   EXPECT_EQ(pressing.of(s).value(), 0.0);
-  // An invalid pressure is ignored; the depth decides.
+  // An invalid pressure is ignored, and the depth is used instead.
   s.pressure = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(pressing.of(s), pressing.of(at_depth(1.7)));
 }

@@ -15,12 +15,12 @@ class StrokeIndex;
 /// device that renders forces. Does not change while a sample is handled.
 struct Scene {
   const Document& document;
-  const StrokeIndex& index;        ///< of this document, up to date
-  const Selection& selection;      ///< of this document, up to date
+  const StrokeIndex& index;        ///< index of `document`, up to date
+  const Selection& selection;      ///< selection in `document`, up to date
   LayerId layer;                   ///< layer that receives new ink
   const SurfaceMaterial& surface;  ///< the surface that the user draws on
   const Capabilities& device;
-  Rgba color{};  ///< of new ink
+  Rgba color{};  ///< colour of new ink
   /// All materials of the session, by id. The first medium is the pencil.
   const Materials& materials = Materials::built_in();
 };
@@ -32,8 +32,8 @@ inline const Medium& medium_of(const Scene& scene, std::string_view id) noexcept
 }
 
 /// Returns the medium with its friction (on every surface) and its grain multiplied by these
-/// factors. Tools use it to apply their `strength` option, and some use it to drag less than the
-/// medium.
+/// factors. Tools use it to apply their `strength` option. Tools that leave no ink also use it to
+/// reduce friction.
 inline Medium felt_with(Medium medium, double friction, double grain) {
   medium.friction *= friction;
   medium.grain *= grain;

@@ -14,8 +14,8 @@ namespace felt {
 
 /// The selection as the lasso and the transform tool show it: a box around the selected control
 /// points, and marks on the selected ink. The view is updated incrementally: each sample reads a
-/// part of the selection, so a selection of 10^5 strokes costs no more per sample than a selection
-/// of fifteen. If the selection has at most kPointsPerLook points, the view is up to date after
+/// part of the selection, so a sample takes no longer with a selection of 10^5 strokes than with
+/// one of fifteen. If the selection has at most kPointsPerLook points, the view is up to date after
 /// every look().
 ///
 ///   view.look(scene.document, scene.selection);   // each sample
@@ -28,8 +28,8 @@ class SelectionView {
   /// Control points read by one look(): 30 us at most, even for strokes that are scattered in
   /// memory.
   static constexpr std::size_t kPointsPerLook = 500;
-  /// Maximum number of marked segments. In a larger selection the first ones are marked, and a
-  /// frame is drawn around all of it.
+  /// Maximum number of marked segments. In a larger selection only the first kMaxSpans are marked,
+  /// and a frame is drawn around the whole selection.
   static constexpr std::size_t kMaxSpans = 2'000;
   static constexpr double kBesideMm = 3.0;
 
@@ -37,8 +37,8 @@ class SelectionView {
   void look(const Document& document, const Selection& selection);
   /// Reads the whole selection, in time linear in its size.
   void look_at_all(const Document& document, const Selection& selection);
-  /// Discards the pass in progress after its data became out of date. The next look() starts a new
-  /// pass.
+  /// Discards the pass in progress, so that the next look() starts a new one. Call this when the
+  /// strokes that the pass has read have changed.
   void start_over() noexcept { looked_at_ = {}; }
 
   [[nodiscard]] bool empty() const noexcept { return seen_.strokes == 0; }
@@ -57,8 +57,8 @@ class SelectionView {
   /// Returns the number of strokes that are only partly selected.
   [[nodiscard]] std::size_t partial_count() const noexcept { return seen_.partial; }
 
-  /// Adds marks for the selected ink (kSelected) and for the parts of strokes that would be bent
-  /// (kSpan).
+  /// Adds marks for the segments that are selected with both joints (kSelected), and for the
+  /// segments that are selected only in part, which a transform would bend (kSpan).
   void draw(Overlay& overlay) const;
 
  private:
@@ -73,7 +73,7 @@ class SelectionView {
     std::vector<Overlay::Span> spans;
   };
 
-  /// Reads up to `points` control points. Returns true if that completes the pass.
+  /// Reads up to `points` control points. Returns true if the pass is then complete.
   bool go_on(const Document& document, const Selection& selection, std::size_t points);
   void add(StrokeId id, const Stroke& stroke, const Selection::Marks& marks);
 

@@ -26,7 +26,7 @@ constexpr bool snaps(SnapMode mode) noexcept {
 struct SnapOptions {
   SnapMode mode = SnapMode::kBoth;
   double reach_mm = 8.0;   ///< M: the force acts within this distance
-  double radius_mm = 2.0;  ///< r_snap: within this the end snaps
+  double radius_mm = 2.0;  ///< r_snap: an end within this distance snaps
   double force_n = 0.6;    ///< Fp: maximum attraction
 };
 
@@ -34,9 +34,10 @@ struct SnapOptions {
 /// within the limit of 300 N/m for edits.
 inline constexpr double kWellSlopeNPerMm = 0.24;
 
-/// Returns the shape of the attraction. Core and rim are each a quarter of the reach wide. A larger
-/// force widens the core, so that the stiffness stays below kWellSlopeNPerMm. If the reach is too
-/// small for that, the force is reduced. `strength` scales force and damping.
+/// Returns the shape of the attraction. The core, where the force grows with the distance, and the
+/// rim, where it fades to zero, are each a quarter of the reach wide. If the force is large, the
+/// core is wider, so that the stiffness stays below kWellSlopeNPerMm. If the reach is too small for
+/// that, the force is reduced. `strength` scales force and damping.
 WellShape well_of(const SnapOptions& options, double strength = 1.0) noexcept;
 
 /// A point that attracts the pen: an end of a stroke of the document, a point on a stroke, or the
@@ -52,8 +53,8 @@ struct SnapTarget {
 
 /// Chooses the end that attracts an end being dragged. This is the nearest end within reach. It
 /// stays chosen until another is nearer by 1 mm, so that the force does not alternate between two
-/// ends. The other end of the same stroke is a target immediately, because an end is dragged to be
-/// connected. The class is not thread-safe.
+/// ends. The other end of the same stroke is a target immediately, because the user drags an end in
+/// order to connect it. The class is not thread-safe.
 class SnapFinder {
  public:
   static constexpr double kHysteresisMm = 1.0;

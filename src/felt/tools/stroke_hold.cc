@@ -56,8 +56,8 @@ double StrokeHold::find_near(Point pen, double window_mm, double& u) const noexc
   };
   const int here = std::min(static_cast<int>(place_.u), n - 1);
   look_at(here);
-  // Searches outwards in both directions until the window ends; on a closed stroke, until both
-  // meet.
+  // Searches outwards in both directions until the window ends or, on a closed stroke, until both
+  // directions meet.
   double ahead = map_->start_of(here + 1) - place_.length_mm;
   double behind = place_.length_mm - map_->start_of(here);
   const auto length_of = [&](int i) { return map_->start_of(i + 1) - map_->start_of(i); };

@@ -34,8 +34,7 @@ class StrokeHold {
   };
 
   /// Holds the editable stroke nearest to the pen, or none if no stroke is within kReachMm. Returns
-  /// true if it holds a stroke. If that is another stroke than before, takes time linear in its
-  /// segments.
+  /// holds(). If the stroke is not the one held before, takes time linear in its segments.
   bool take(const Scene& scene, Point pen);
   /// Follows the pen along the held stroke. Returns false, and keeps the point, while the pen is
   /// too far away. If the pen comes back elsewhere on the stroke, tracking continues there.
@@ -50,7 +49,7 @@ class StrokeHold {
   [[nodiscard]] const ArcMap& map() const noexcept { return *map_; }
   [[nodiscard]] const Place& place() const noexcept { return place_; }
   /// Returns the signed arc length from the previous point to this one (ArcMap::way), or nullopt if
-  /// there is no previous point or the pen was away.
+  /// there is no previous point or the pen was too far away.
   [[nodiscard]] std::optional<double> way_mm() const noexcept { return way_mm_; }
 
  private:

@@ -27,9 +27,9 @@ inline constexpr std::uint32_t kSecondModifier = 1U << 1;
 /// tool's id.
 enum class ToolKind : std::uint8_t {
   kDraws,  ///< adds strokes in the medium of its option "material"; a session starts with this tool
-  kEdits,  ///< changes strokes under the pen; a gesture that hits no stroke missed
-  kErases,      ///< removes ink; feels like the medium "eraser"
-  kSelects,     ///< changes the selection, which it also draws
+  kEdits,  ///< changes strokes under the pen
+  kErases,      ///< removes ink; its medium is "eraser"
+  kSelects,     ///< changes the selection and draws it
   kTransforms,  ///< changes the strokes that are selected when the gesture begins; draws the
                 ///< selection
 };
@@ -49,7 +49,7 @@ struct ToolUse {
   std::string_view mode = {};             ///< value of the option "mode"; "" matches any mode
   std::string_view hint = {};             ///< one line of text, shown while the pen hovers
   std::string_view first_modifier = {};   ///< effect of kFirstModifier: "thinner"; "" for none
-  std::string_view second_modifier = {};  ///< same for kSecondModifier
+  std::string_view second_modifier = {};  ///< effect of kSecondModifier; "" for none
   std::string_view size = {};  ///< id of the number option that sets the tool's size; "" for none
   ToolPath path = ToolPath::kAway;
 };
@@ -97,8 +97,8 @@ struct ToolResult {
 
 /// A tool: a state machine over pen samples, without threads, clock, files or widgets. It changes
 /// the document by edits, returns a force model for the hand, and draws previews and hints into an
-/// overlay. One folder per tool; ARCHITECTURE.md and `./dev new tool` describe its contents. Use it
-/// on the edit thread only.
+/// overlay. Each tool has its own folder; ARCHITECTURE.md and `./dev new tool` describe the
+/// contents. Use it on the edit thread only.
 class Tool {
  public:
   virtual ~Tool() = default;
@@ -127,7 +127,8 @@ class Tool {
   /// Returns the value of the option that the current ToolUse names as the tool's size, or nullopt
   /// if it does not name any.
   [[nodiscard]] virtual std::optional<ToolSize> size() const;
-  /// Returns the options to set, by id, so that the size becomes `mm`, clamped to its range.
+  /// Returns the ids and values of the options to set so that the size becomes `mm`, clamped to its
+  /// range.
   [[nodiscard]] virtual std::vector<std::pair<std::string_view, double>> options_for_size(
       double mm) const;
 

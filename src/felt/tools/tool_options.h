@@ -34,9 +34,9 @@ struct OptionSpec {
   double fallback = 0.0;  ///< default: a number, 0 or 1 for a switch, or the index of a choice
   std::span<const std::string_view> choices = {};  ///< kChoice
   std::string_view help;                           ///< one sentence
-  /// Another choice of the same table and those of its values for which this row has an effect:
-  /// "mode=brush" or "snap=force|both". A panel shows the row only for these values. "" means
-  /// always.
+  /// Condition for this row to have an effect: the id of a choice in the same table and one or more
+  /// of its values, "mode=brush" or "snap=force|both". A panel shows the row only for these values.
+  /// "" means always.
   std::string_view when = {};
   OpenChoice open = OpenChoice::kNone;  ///< kChoice
   bool is_seldom = false;               ///< rarely changed: a panel hides it in a collapsed section
@@ -81,7 +81,7 @@ std::string_view decider_of(const OptionSpec& spec) noexcept;
 /// Returns the default of the option.
 OptionValue default_value(const OptionSpec& spec);
 
-/// The values of the options of one table, by index. Every value is checked against the table.
+/// The values of all options of one table, by row. set() checks every value against the table.
 class OptionValues {
  public:
   /// Sets all options to their defaults. The table must outlive this object. Requires defaults

@@ -24,9 +24,10 @@ struct ConnectEndsOptions {
 ///   - if they are the two ends of one stroke, it is closed: "Close";
 ///   - if they belong to two strokes of one layer with the same medium and colour, the strokes are
 ///     joined: "Connect". The result keeps id, position in the layer and direction of the stroke of
-///     `to`. Widths are kept; if they differ, the profile steps at the joint;
-///   - otherwise the strokes share the point: "Connect", because ink must not change its look or
-///     layer. A stroke of a locked or hidden layer does not change.
+///     `to`. Both strokes keep their widths, so the width may change abruptly at the joint;
+///   - otherwise the strokes stay separate and share the point: "Connect". They are not joined
+///     because ink must not change its look or layer. A stroke of a locked or hidden layer does not
+///     change.
 /// Joints are smooth if the ink turns by less than 30 degrees, else corners. If the gap is too wide
 /// to close by bending, the moved end arrives in the direction of the target (TipLead).
 ///

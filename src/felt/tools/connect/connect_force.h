@@ -12,7 +12,7 @@
 
 namespace felt {
 
-/// The points at which forces in addition to the surface act.
+/// The points at which forces act in addition to the force of the surface.
 struct ConnectFeel {
   std::optional<Point> well;          ///< attracts the pen
   std::optional<Point> dragged_from;  ///< position of the pen when it grabbed an end
@@ -22,9 +22,9 @@ struct ConnectFeel {
 /// resists: at most 0.2 N.
 inline constexpr double kDragShare = 0.2;
 
-/// Returns the force model of the connect tool: the surface under a pencil, the end that attracts
-/// and, while an end is dragged, a weak spring back to the point of the grab (R43). These forces
-/// are at most 1 N in addition to friction.
+/// Returns the force model of the connect tool: the surface under a pencil, the attraction of an
+/// end and, while an end is dragged, a weak spring back to the point of the grab (R43). Attraction
+/// and spring together are at most 1 N.
 inline ForceModel make_connect_force(const ConnectSettings& settings, const Scene& scene,
                                      const ConnectFeel& feel) {
   const Medium material =

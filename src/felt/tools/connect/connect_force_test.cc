@@ -22,7 +22,7 @@ ConnectFeel dragged_from(Point p) {
   return {.well = {}, .dragged_from = p};
 }
 
-/// Returns the force on a hovering pen, which is without the forces of surface and friction.
+/// Returns the force on a hovering pen, on which surface and friction have no effect.
 Force force_at(const ForceModel& model, Point pen) {
   ForceMemory memory;
   memory.begin_tick(0.001);

@@ -78,7 +78,7 @@ TEST(Connect, R43_WithTheForceOnlyGeometryIsNeverConnected) {
   g.pen.line(way({50, 0}, {53, 0}));
   EXPECT_EQ(g.desk.document, before);
   g.set("extend", true);
-  g.pen.line(way({50, 0}, {53, 0}));  // exactly on it
+  g.pen.line(way({50, 0}, {53, 0}));  // exactly onto the other end
   EXPECT_EQ(g.desk.strokes().size(), 2u);
   EXPECT_EQ(tip_point(*g.desk.document.find(g.left), kEnd), (Point{53, 0}));
   EXPECT_EQ(*g.desk.document.find(g.right), straight_stroke({53, 0}, {103, 0}, 1, 1));
@@ -137,7 +137,7 @@ TEST(Connect, R44_NothingIsConnectedWithoutBeingAskedTo) {
   for (int k = 0; k < 600; ++k) c.pen.down({0, 6});
   c.pen.up({0, 6});
   EXPECT_EQ(c.desk.document, before);
-  // The end is dragged there and back.
+  // The end is dragged away and back to its start.
   c.pen.line(way({0, 6}, {0, 1}) + way({0, 1}, {0, 6}));
   EXPECT_EQ(c.desk.document, before);
   EXPECT_FALSE(c.desk.document.find(id)->closed());
@@ -278,7 +278,7 @@ TEST(Connect, TheEndThatIsShownIsTaken) {
   const StrokeId a = c.desk.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
   const StrokeId b = c.desk.add(straight_stroke({52, 0}, {102, 0}, 1, 1));
   c.pen.at({50.5, 0, 1});
-  for (int k = 0; k < 50; ++k) c.pen.at({51 + 0.4 * std::sin(k), 0, 1});  // no flicker
+  for (int k = 0; k < 50; ++k) c.pen.at({51 + 0.4 * std::sin(k), 0, 1});  // stays
   EXPECT_EQ(c.overlay().rings.at(0).center, (Point{50, 0}));
   c.pen.along(way({51.4, 0}, {51.4, 20}));
   c.pen.up({51.4, 20});

@@ -15,22 +15,22 @@ namespace felt {
 /// Joins two existing ends, or closes a stroke (paper, "Connect curves"; connect.md):
 ///
 ///   - drag: the pen grabs the nearest end, which moves with the pen. Within the snap radius of
-///     another end it is shown connected, and lifting the pen there commits that. Elsewhere the end
-///     moves back, or stays with the option `extend`.
-///   - tap: connects an end with another end within reach; each moves halfway.
+///     another end it is shown connected, and lifting the pen there commits the connection. If the
+///     pen is lifted elsewhere, the end moves back, or stays if the option `extend` is on.
+///   - tap: connects the tapped end with another end within reach; both ends move halfway.
 ///
 /// The other end of the same stroke is a target immediately, because the user grabs an end to close
-/// the stroke. With the pencil, a new line must first move away from its start (R44).
+/// the stroke. With the pencil, a new line closes only if it has gone around an area (R44).
 class ConnectTool final : public GestureTool {
  public:
-  /// A gesture is a tap until the pen has moved by this distance, ...
+  /// A gesture is a tap if the pen moves less than this distance ...
   static constexpr double kTapMm = 1.0;
-  /// ... but not after this time, because a user who presses on an end and hesitates wants no
+  /// ... and is lifted within this time. A user who presses on an end and hesitates wants no
   /// change.
   static constexpr std::int64_t kTapNs = 500'000'000;
-  /// If a hovering pen comes below this height, the end that it would grab attracts it ...
+  /// The end that a touch would grab begins to attract a hovering pen below this height ...
   static constexpr double kNearMm = 5.0;
-  /// ... until it is above this height.
+  /// ... and stops above this height.
   static constexpr double kFarMm = 7.0;
   /// Maximum number of ends shown before the touch, including the one that would be grabbed.
   static constexpr std::size_t kMaxShown = 4;
@@ -60,10 +60,10 @@ class ConnectTool final : public GestureTool {
     StrokeReplacement place;
     TipLead lead;
     Point at;                       ///< current position of the end
-    std::optional<TipId> on = {};   ///< the end that it is connected to
-    std::optional<Edit> edit = {};  ///< the current edit; nullopt: unchanged
+    std::optional<TipId> on = {};   ///< the other end that `tip` is connected to
+    std::optional<Edit> edit = {};  ///< the current edit; nullopt if none
     bool is_pulled = false;         ///< moved too far for a tap
-    bool is_long = false;           ///< too long for a tap
+    bool is_long = false;           ///< lasted too long for a tap
     bool extend = false;            ///< the option, inverted by the modifier
   };
 
@@ -78,7 +78,7 @@ class ConnectTool final : public GestureTool {
   ConnectSettings settings_;
   SnapFinder finder_;
   std::vector<TipHit> shown_;      // a touch would grab the first of these
-  std::optional<TipHit> partner_;  // the end that a tap would connect it to
+  std::optional<TipHit> partner_;  // the end that a tap would connect shown_[0] to
   bool near_ = false;
   // Position at which the last drag ended, until the pen leaves it.
   std::optional<Point> released_at_;

@@ -8,9 +8,9 @@
 namespace felt {
 namespace {
 
-/// The index has the ends of all visible strokes, including locked ones. At most kMaxSkipped locked
-/// ends are skipped one by one. If more are near, the segments of editable strokes are searched
-/// instead.
+/// The index contains the ends of all visible strokes, including those on locked layers. At most
+/// kMaxSkipped locked ends are skipped one by one. If more of them are near, the segments of
+/// editable strokes are searched instead.
 constexpr std::size_t kMaxSkipped = 32;
 
 bool is_before(const TipHit& a, const TipHit& b) noexcept {

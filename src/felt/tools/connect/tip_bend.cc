@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kBendAccuracy = 1e-3;
 
-/// A zero-length handle at a smooth joint gets this length (join.cc), so that it has a direction of
-/// its own.
+/// A zero-length handle at a smooth joint gets this length (join.cc), so that its direction does
+/// not depend on another control point.
 constexpr double kMinHandleMm = 1e-3;
 
 /// The part of the stroke from the tip to the point where the shift has faded out.
@@ -79,7 +79,8 @@ class TipBend {
   bool start_;
 };
 
-/// Appends `more`. Its first point, width and tone are the last ones of `data`.
+/// Appends `more`. Requires the first point, width and tone of `more` to be the last ones of
+/// `data`.
 void append(StrokeData& data, const StrokeData& more) {
   const auto n = static_cast<double>(data.points.size() / 3);
   data.points.insert(data.points.end(), more.points.begin() + 1, more.points.end());

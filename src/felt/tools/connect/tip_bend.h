@@ -10,11 +10,12 @@ namespace felt {
 /// the end to the target, x = s/L, S(x) = 1 - 3x^2 + 2x^3, L = reach_mm.
 ///
 /// with_tip_at() keeps the tangents of joints and is meant for the short distance of a snap (2 mm).
-/// This function also applies the slope of the displacement to the handles: a tangent T becomes T
-/// plus the slope, on both sides of a joint. So the joint stays smooth, and the curve between the
-/// joints is displaced in the same way, without dents. If `turn` is zero, the end keeps its tangent
-/// (R45 measures that angle). Otherwise the unit vector v in which the ink leaves the end becomes v
-/// - turn. The stroke is cut at L, and ink beyond it stays bit for bit.
+/// This function also turns the handles: it adds the derivative of the displacement by arc length
+/// to the unit tangent, on both sides of a joint. So the joint stays smooth, and the curve between
+/// the joints follows the same displacement, without dents. If `turn` is zero, the end keeps its
+/// tangent (R45 measures the angle at the joint). Otherwise the unit tangent v at the end, which
+/// points out of the stroke, becomes v minus `turn`. The stroke is cut at L, and ink beyond it
+/// stays bit for bit.
 ///
 /// Fails with kInvalidArgument if the stroke is closed, the target is not finite, the reach is more
 /// than the stroke's length, or the end moves by more than half of the reach (at two thirds the ink

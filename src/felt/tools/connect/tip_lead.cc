@@ -25,8 +25,8 @@ constexpr int kEnergySamples = 24;
 /// Strokes with fewer segments are changed as a whole.
 constexpr int kFewSegments = 48;
 
-/// Returns how many segments at the end of the stroke are needed for every bend. They are together
-/// at least twice as long as the longest fade.
+/// Returns the number of segments at the end of the stroke that a bend may change. Together they
+/// are at least twice as long as the longest bend.
 int segments_at(const Stroke& stroke, StrokeTip tip) {
   constexpr double kEnoughMm = 2.0 * TipLead::kMaxFadeMm;
   const int n = stroke.segment_count();
@@ -56,7 +56,8 @@ Stroke part_at(const Stroke& stroke, StrokeTip tip) {
   return part ? *part : stroke;
 }
 
-/// Appends `more`. Its first point, width and tone are the last ones of `data`.
+/// Appends `more`. Requires the first point, width and tone of `more` to be the last ones of
+/// `data`.
 void append(StrokeData& data, const StrokeData& more, JointKind joint) {
   const auto n = static_cast<double>(data.points.size() / 3);
   data.points.insert(data.points.end(), more.points.begin() + 1, more.points.end());
@@ -85,8 +86,9 @@ Result<Stroke> prolonged(const Stroke& stroke, StrokeTip tip, const Cubic& piece
 }
 
 /// Returns a cubic from the end of `stroke`, along its tangent, to `target`. Its handles have the
-/// length for a circular arc, 2/3 chord/(1 + cos), but at most that of the chord. If no arrival
-/// direction is given, its curvature at the target is zero.
+/// length for a circular arc, 2/3 chord/(1 + cos), with the angle between handle and chord, but at
+/// most the length of the chord. If no arrival direction is given, its curvature at the target is
+/// zero.
 Cubic bridge(const Stroke& stroke, StrokeTip tip, Point target, std::optional<Vec> arrival) {
   const Point from = tip_point(stroke, tip);
   const Vec direction = tip_direction(stroke, tip), chord = target - from;
@@ -150,7 +152,7 @@ Result<Stroke> TipLead::at(Point target, Vec arrival) const {
 }
 
 /// Extends the stroke straight ahead, then bends it by the remaining shift, over a reach that grows
-/// with that shift. If the stroke is too short for that, bridges the gap with a cubic.
+/// with that shift. If the bend fails, bridges the gap with a cubic.
 Result<Stroke> TipLead::bent(Point target, std::optional<Vec> arrival) const {
   const Point from = tip_point(part_, tip_);
   const Vec direction = tip_direction(part_, tip_);

@@ -10,14 +10,13 @@ namespace felt {
 /// intermediate positions do not matter. The constructor does the preparation, once per gesture;
 /// all other functions are pure.
 ///
-/// The stroke stays one fair curve (docs/design/editing.md#joining; R45). The part of the
-/// shift straight ahead extends the stroke along its tangent. The remaining shift bends the stroke
-/// (with_tip_bent) over a length of four times that shift, at least 25 mm and at most the extension
-/// plus half of the stroke. If that maximum is less than 2.7 times the remaining shift, the length
-/// is 2.7 times the remaining shift instead, but at most the extension plus 200 mm or 95 % of the
-/// stroke. If that bend fails, the stroke does not change, and one cubic along its tangent, with
-/// zero curvature at its end, bridges the gap. If the gap is at most `small_gap_mm`, the end keeps
-/// its tangent; for wider gaps it turns gradually towards the target.
+/// The stroke stays one fair curve (docs/design/editing.md#joining; R45). If the target lies ahead
+/// of the end, the stroke is first extended straight along its tangent by the distance a, until the
+/// target is beside it. The remaining shift s then bends the stroke (with_tip_bent) over the length
+/// max(min(max(25, 4 s), a + 0.5 L), min(2.7 s, a + min(0.95 L, 200))), in mm, with L the length of
+/// the stroke. If this bend fails, the stroke does not change, and one cubic that begins along its
+/// tangent and ends with zero curvature bridges the gap. If the gap is at most `small_gap_mm`, the
+/// end keeps its tangent; the wider the gap, the more the end turns towards the target.
 ///
 /// If a stroke has many segments, only a part at the end is changed; the remaining stroke stays bit
 /// for bit.
@@ -37,8 +36,9 @@ class TipLead {
   [[nodiscard]] Result<Stroke> at(Point target) const;
 
   /// Returns the same for an end that must continue in the direction `arrival` (a unit vector) at
-  /// the target. If the gap is more than small_gap_mm, it arrives in this direction: along the bent
-  /// stroke or, if that has less bending energy, along one cubic from the unchanged stroke.
+  /// the target. If the gap is more than small_gap_mm, the end arrives in this direction. The
+  /// result is the bent stroke, or the unchanged stroke extended by one cubic, whichever has less
+  /// bending energy.
   [[nodiscard]] Result<Stroke> at(Point target, Vec arrival) const;
 
   /// Returns an eighth of the length of the stroke, at most 6 mm.

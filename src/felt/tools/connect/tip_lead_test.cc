@@ -128,8 +128,9 @@ TEST(TipLead, R45_TheEndGoesThereOnOneFairCurveWithoutCorners) {
           const auto led = lead.at(from + shift);
           ASSERT_TRUE(led) << way << " " << a;
           EXPECT_EQ(tip_point(*led, tip), from + shift);
-          // The turn is at most 1.5 times the turn to the target. If the target is sideways and
-          // near, the stroke turns there and back, because its end keeps the tangent.
+          // The turn is at most 1.5 times the turn to the target. If the target is near and beside
+          // the end, the stroke turns towards the target and back, because its end keeps the
+          // tangent.
           EXPECT_LE(added_turn_deg(stroke, *led), 1.5 * std::fabs(a) + 40.0) << way << " " << a;
           EXPECT_LE(largest_joint_deg(*led), 1e-6) << way << " " << a;
         }

@@ -17,8 +17,8 @@ struct Piece {
   double width;
 };
 
-/// Splits a piece at the middle by de Casteljau. `left` becomes the left half; returns the right
-/// half.
+/// Splits a piece in the middle by de Casteljau's algorithm. Sets `left` to the left half and
+/// returns the right half.
 Piece halve(Piece& left, std::size_t n) noexcept {
   Piece right = left;
   left.width *= 0.5;
@@ -40,8 +40,8 @@ double value(const Piece& piece, std::size_t n, double u) noexcept {
   return c[0];
 }
 
-/// Returns true if the polynomial is positive just after the left end, judged by the first non-zero
-/// coefficient.
+/// Returns true if the polynomial is positive just after the left end. The sign of the first
+/// non-zero coefficient decides.
 bool starts_above(const Piece& piece, std::size_t n) noexcept {
   for (std::size_t k = 0; k < n; ++k) {
     if (piece.c[k] != 0.0) return piece.c[k] > 0.0;
@@ -49,8 +49,8 @@ bool starts_above(const Piece& piece, std::size_t n) noexcept {
   return true;
 }
 
-/// Returns the only root in a piece, u in [0, 1], by the Illinois method (secants that keep the
-/// bracket), with every third step a bisection.
+/// Returns the only root in a piece, u in [0, 1], by the Illinois method (a secant method that
+/// keeps an interval around the root). Every third step is a bisection.
 double only_root(const Piece& piece, std::size_t n) noexcept {
   double lo = 0.0, hi = 1.0;
   double at_lo = piece.c[0], at_hi = piece.c[n - 1];

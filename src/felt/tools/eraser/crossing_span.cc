@@ -90,7 +90,8 @@ void StrokeCrossings::meet_tips(const Candidate& with, const Stroke& other, cons
   const auto meet_tip = [&](Point tip) {
     const auto hit = nearest_within(mine, tip, kTeeMm * kTeeMm);
     if (!hit) return;
-    // If the end extends beyond the curve, its crossing is already in the list.
+    // If the end of the other stroke extends beyond this curve, the crossing is already in the
+    // list.
     for (const double u : work_.places) {
       if (distance(stroke_->position(u), tip) <= kTeeMm) return;
     }
@@ -123,7 +124,7 @@ bool SpanSearch::go_left(StrokeCrossings& crossings, const Scene& scene, int& bu
   for (const int last = stroke.closed() ? n : start; left_ <= last; ++left_) {
     const auto* places = crossings.on_segment((start - left_ + n) % n, scene, budget);
     if (!places) return false;
-    // Takes the largest parameter; on the first segment, the largest before the touch.
+    // Finds the largest parameter; on the first segment, the largest one before the touch.
     auto end = places->end();
     if (left_ == 0) end = std::lower_bound(places->begin(), end, from_ - kHere);
     if (end == places->begin()) continue;

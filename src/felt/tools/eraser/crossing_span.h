@@ -15,13 +15,13 @@ namespace felt {
 /// of this one counts as crossing it, because people rarely hit a line exactly.
 ///
 /// They are computed segment by segment on request, with a budget, so that a pen sample does not
-/// wait for a stroke with a thousand crossings. Results are cached, so they are from the time of
-/// the first request.
+/// wait for a stroke with a thousand crossings. Results are cached and stay as computed at the
+/// first request, even if other strokes change.
 class StrokeCrossings {
  public:
   static constexpr double kTeeMm = 0.5;
-  /// Limit on pairs of pieces for one pair of segments (intersect.h), because two almost identical
-  /// curves would use up any budget.
+  /// Maximum number of pairs of pieces that are compared for one pair of segments (intersect.h).
+  /// Without it, two almost identical curves would use up any budget.
   static constexpr int kMaxPairs = 1024;
 
   StrokeCrossings(StrokeId id, StrokePtr stroke) : id_(id), stroke_(std::move(stroke)) {}
@@ -60,19 +60,20 @@ class StrokeCrossings {
   Work work_;
 };
 
-/// Finds the part of a stroke between the crossings next to a touched part. The ends of an open
-/// stroke also limit it; a closed stroke with at most one crossing is erased whole.
+/// Finds the span to erase around a touched part of a stroke: it extends on both sides to the next
+/// crossing or to the end of an open stroke. A closed stroke with at most one crossing is erased
+/// whole.
 class SpanSearch {
  public:
   explicit SpanSearch(ParameterSet::Interval touched) : from_(touched.from), to_(touched.to) {}
 
   /// Continues the search. Returns true if the span is known. Each call uses up some of the budget.
   bool advance(StrokeCrossings& crossings, const Scene& scene, int& budget);
-  /// Return the start and end of the span, if it is known. On a closed stroke, to() <= from() means
-  /// that the span crosses the seam.
+  /// Return the start and end of the span. Require that advance() has returned true. On a closed
+  /// stroke, to() <= from() means that the span crosses the seam.
   [[nodiscard]] double from() const noexcept { return from_; }
   [[nodiscard]] double to() const noexcept { return to_; }
-  /// Returns true if the span is the whole stroke.
+  /// Returns true if the span is the whole stroke. Requires that advance() has returned true.
   [[nodiscard]] bool is_whole() const noexcept { return whole_; }
 
  private:

@@ -67,7 +67,7 @@ TEST(CrossingSpan, AnEndHalfAMillimetreAwayIsATee) {
   }
   const Fence beyond(0.51, 10);
   EXPECT_TRUE(span_at(beyond.desk, beyond.rail, 0.3).whole);
-  // An end that extends beyond the line by less than that makes one crossing, not two.
+  // An end that extends beyond the line by less than kTeeMm makes one crossing, not two.
   const Fence through(-0.3, 10);
   StrokeCrossings crossings(through.rail, through.desk.document.find(through.rail));
   int budget = 1'000'000;
@@ -90,7 +90,7 @@ TEST(CrossingSpan, WithoutCrossingsTheWholeStrokeGoes) {
           .value();
   const StrokeId closed = desk.add(ring);
   EXPECT_TRUE(span_at(desk, closed, 0.5).whole);
-  // With a single crossing, the search does not find another one to stop at.
+  // With a single crossing, the search finds no second crossing, so the whole stroke is erased.
   desk.add(straight_stroke({55, -20}, {55, 0}, 1, 1));
   EXPECT_TRUE(span_at(desk, closed, 0.1).whole);
   // With two crossings, each side is a span, including the side with the seam.
@@ -105,7 +105,7 @@ TEST(CrossingSpan, WithoutCrossingsTheWholeStrokeGoes) {
 }
 
 TEST(CrossingSpan, AStrokeCrossesItselfButNotAtItsJoints) {
-  // A smooth loop of three segments. Its ends cross below.
+  // A smooth loop of three segments. The segments at its ends cross each other.
   const Stroke loop = Stroke::create({.points = {{0, 40},
                                                  {10, 30},
                                                  {20, 20},
@@ -130,7 +130,7 @@ TEST(CrossingSpan, AStrokeCrossesItselfButNotAtItsJoints) {
   const Span leg = span_at(desk, id, 0.1);
   EXPECT_EQ(leg.from, 0.0);
   EXPECT_NEAR(leg.to, top.from, 1e-12);
-  // One segment that loops.
+  // One segment with a loop.
   const StrokeId one = desk.add(Stroke::create({.points = {{100, 0}, {140, 30}, {80, 30}, {120, 0}},
                                                 .joints = {},
                                                 .closed = false,

@@ -13,8 +13,8 @@
 namespace felt {
 
 /// Marks the ink that a touch would erase, in the modes that erase more than the eraser covers.
-/// Each sample searches for a limited number of crossings, so on a long line the mark appears some
-/// samples late.
+/// Each update searches for a limited number of crossings, so on a long line the mark appears only
+/// after some samples.
 class EraserAim {
  public:
   /// Maximum age of the marks. Older marks are computed again, because nearby strokes may have

@@ -18,34 +18,38 @@
 
 namespace felt {
 
-/// One gesture of the eraser: the parts erased so far of the strokes as they were at the touch.
+/// One gesture of the eraser. It holds the strokes as they were at the touch, and the parts of them
+/// that are erased so far.
 ///
 /// kTouched and kStroke act on all ink that the eraser covers. kCrossing acts on one line at a
 /// time, because otherwise a tail could not be erased without the line to which it is attached. At
 /// the touch this is the line nearest to the pen within the radius; after that, each line that the
 /// path of the pen crosses.
 ///
-/// Each sample processes the segments near its capsule, a few cuts, and a budget of crossings. The
-/// next samples, or finish(), do the remaining work. A preview contains everything erased so far,
-/// so it is made only as often as the eye can see, and less often if it is large.
+/// For each sample, the segments near the path of the pen are processed, a few strokes are cut, and
+/// a limited number of crossings is searched. The next samples, or finish(), do the remaining work.
+/// A preview contains everything erased so far, so previews are made only as often as the eye can
+/// distinguish them, and less often if they are large.
 class EraserGesture {
  public:
-  /// Maximum distance at which the path of the pen counts as crossing a line. It is small: less
-  /// than the tremor of a resting hand.
+  /// Maximum distance at which the path of the pen counts as crossing a line. It is less than the
+  /// tremor of a resting hand.
   static constexpr double kPointMm = 0.1;
   /// Budget for crossings per sample (StrokeCrossings::on_segment).
   static constexpr int kCrossingBudget = 120;
   /// Number of strokes cut per millisecond of pen time, and the maximum per sample.
   static constexpr int kCutsPerMs = 6;
   static constexpr int kMaxCuts = 64;
-  /// Minimum pause before a line is cut again. It grows with the number of points that a cut
-  /// processes (25,000 on a hatching of 5 m: a quarter of a second), so that the cost of all cuts
-  /// is proportional to the duration of the gesture.
+  /// Minimum pause before a line is cut again: kCutPauseNs, plus kCutPauseNsPerPlace for each point
+  /// that the last cut processed. A hatching of 5 m has 25,000 points, so it is cut four times a
+  /// second. Therefore the time for all cuts is at most proportional to the duration of the
+  /// gesture.
   static constexpr std::int64_t kCutPauseNs = 4'000'000;
   static constexpr std::int64_t kCutPauseNsPerPlace = 10'000;
   /// Maximum number of lines that one sample checks for the end of their pause.
   static constexpr int kMaxWaiting = 256;
-  /// Time between two previews: 120 Hz, longer for many strokes because they are copied.
+  /// Time between two previews: kShowNs (120 Hz), or kShowNsPerStroke for each stroke if that is
+  /// longer, because a preview copies the strokes; at most kShowNsAtMost.
   static constexpr std::int64_t kShowNs = 8'000'000;
   static constexpr std::int64_t kShowNsPerStroke = 10'000;
   static constexpr std::int64_t kShowNsAtMost = 40'000'000;
@@ -53,9 +57,9 @@ class EraserGesture {
   EraserGesture(const EraserSettings& settings, EraserMode mode) noexcept
       : settings_(settings), mode_(mode) {}
 
-  /// Begins the gesture. Returns true if a new preview is due, as move() does.
+  /// Begins the gesture. Returns true if a new preview is due.
   bool begin(Point pen, std::int64_t time_ns, const Scene& scene);
-  /// Moves the pen straight to this position.
+  /// Moves the pen straight to this position. Returns true if a new preview is due.
   bool move(Point pen, std::int64_t time_ns, const Scene& scene);
   /// Ends the gesture: does all remaining work.
   void finish(const Scene& scene);
@@ -71,7 +75,8 @@ class EraserGesture {
  private:
   struct Line {
     explicit Line(StrokePtr s) : stroke(s), remains(std::move(s)) {}
-    /// State of a line that is erased where the eraser covers its ink.
+    /// Makes the state of a line in the mode kTouched with include_width: its ink is erased where
+    /// the eraser covers it.
     Line(StrokePtr s, double radius_mm)
         : stroke(s),
           remains(s, RemainingPieces::Crumbs::kOfInk),
@@ -114,16 +119,16 @@ class EraserGesture {
   StrokeDivisions divisions_;
   std::deque<StrokeId> to_cut_;
   std::size_t cut_places_ = 0;
-  bool changed_ = false;       // since the last preview
+  bool changed_ = false;       // true if erased more since the last preview
   std::int64_t shown_ns_ = 0;  // time of the last preview
-  std::int64_t time_ns_ = 0;   // of the last sample
+  std::int64_t time_ns_ = 0;   // time of the last sample
   StrokePtr looked_at_;        // the last stroke that the sweep met, and
   StrokeId looked_at_id_;      // its id
-  ParameterSet covered_;       // reused
+  ParameterSet covered_;       // buffer, reused for each segment
 };
 
-/// Returns the line that the eraser would erase in kCrossing, the nearest to the pen within the
-/// radius, and its point nearest to the pen.
+/// Returns the line of which a touch in the mode kCrossing would erase a part, and its point
+/// nearest to the pen. It is the line nearest to the pen within the radius.
 std::optional<StrokeHit> aimed_at(Point pen, const EraserSettings& settings, const Scene& scene);
 
 }  // namespace felt

@@ -12,7 +12,7 @@ namespace {
 
 using testing::Desk;
 
-/// Returns shading made with one line: legs of 50 mm, 0.5 mm apart.
+/// Returns shading drawn as one zigzag line, with legs of 50 mm that are 0.5 mm apart.
 Stroke zigzag(int legs) {
   StrokeData data{.points = {{0, 0}}, .joints = {}, .closed = false, .widths = {}};
   for (int i = 0; i < legs; ++i) {

@@ -432,7 +432,7 @@ TEST(EraserForce, R41_DragsMoreThanTwiceAsMuchAsAPencilAndIsCalm) {
         });
         EXPECT_LT(bench.figures().hf_n, 0.03) << setup.name() << ", scenario " << scenario;
         worst = std::max(worst, bench.figures().hf_n);
-        // Soft hands do not slide steadily yet; they are dragged along.
+        // A soft hand does not slide steadily yet; friction drags it along.
         if (scenario == 1 && setup.hand.stiffness_n_per_m >= 300) {
           EXPECT_NEAR(drag / push, 0.6, 0.06) << setup.name();
           EXPECT_GE(drag / push, 2.0 * friction_of(*find_medium("pencil"), desk.surface));

@@ -64,7 +64,8 @@ std::vector<WidthKnot> with_narrowed(const Stroke& stroke, const ParameterSet& r
       knots.back().width_mm = std::min(knots.back().width_mm, k.width_mm);
     }
   }
-  // In a hole the width does not matter, so the first and the last width are continued to the ends.
+  // If an end of the stroke is erased, the width there does not matter. The first and the last knot
+  // are repeated at the ends.
   if (knots.front().u > kSame) knots.insert(knots.begin(), knots.front());
   if (knots.back().u < n - kSame) knots.push_back(knots.back());
   knots.front().u = 0.0;
@@ -163,7 +164,7 @@ std::vector<InkClearance::Part> InkClearance::parts() const {
       spans.back().to = n + spans.front().to;
       spans.erase(spans.begin());
     } else {
-      // The whole closed stroke is touched. Begins at an erased point, if any.
+      // The whole closed stroke is touched. The part begins at an erased point, if there is one.
       Part all = part_between(0.0, n);
       const auto gone = std::find_if(all.places.begin(), all.places.end(),
                                      [](const Place& p) { return !stays(p); });

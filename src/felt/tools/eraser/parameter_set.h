@@ -4,8 +4,9 @@
 
 namespace felt {
 
-/// A set of points of a stroke: disjoint intervals of u, ascending. It does not depend on the order
-/// in which they were added, so the result of erasing does not depend on the eraser's steps (R39).
+/// A set of points of a stroke: disjoint intervals of u, ascending. The set does not depend on the
+/// order in which intervals are added, so the result of erasing does not depend on the eraser's
+/// steps (R39).
 class ParameterSet {
  public:
   struct Interval {

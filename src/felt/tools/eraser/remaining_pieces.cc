@@ -103,8 +103,8 @@ std::shared_ptr<const Stroke> RemainingPieces::make(Interval part) const {
   if (!is_as_long_as(*stroke_, part, least)) return nullptr;
   auto piece = sub_stroke_of(*stroke_, part);
   if (!piece) {
-    // This can fail because of rounding if the ink is kilometres away from the page. Then only the
-    // whole segments are used, because they are copied bit for bit.
+    // Making the piece can fail because of rounding if the ink is kilometres away from the page.
+    // Then the piece contains only whole segments, because they are copied bit for bit.
     const Interval inner{std::ceil(part.from), std::floor(part.to)};
     if (inner.from >= inner.to) return nullptr;
     piece = sub_stroke_of(*stroke_, inner);

@@ -10,9 +10,10 @@
 
 namespace felt {
 
-/// The parts of a stroke that remain after parts were erased (R39, R40): each part that is not in
-/// the set becomes a separate open stroke, cut by de Casteljau, with a width breakpoint at each cut
-/// that keeps the width there. A closed stroke is opened; its seam is not a cut.
+/// The parts of a stroke that remain after parts were erased (R39, R40): each part that is not
+/// erased becomes a separate open stroke. Segments are cut by de Casteljau's algorithm, and each
+/// cut gets a breakpoint with the width of the stroke at that point. A closed stroke is opened; its
+/// seam is not a cut.
 ///
 /// Pieces that are too small are dropped (Crumbs). A cut less than 0.05 mm (I5) from a joint moves
 /// to the joint, so that no segment of the piece is too short; so slightly more is erased. Holes of
@@ -30,8 +31,8 @@ class RemainingPieces {
   explicit RemainingPieces(std::shared_ptr<const Stroke> stroke, Crumbs crumbs = Crumbs::kOfLine)
       : whole_stroke_(stroke), stroke_(std::move(stroke)), crumbs_(crumbs) {}
 
-  /// Cuts the stroke again; unchanged pieces keep their objects. If `widths` is not empty, it
-  /// replaces the width profile of the stroke.
+  /// Cuts the stroke again; pieces that have not changed stay the same Stroke objects. If `widths`
+  /// is not empty, it replaces the width profile of the stroke.
   void cut(const ParameterSet& erased, std::vector<WidthKnot> widths = {});
   /// Returns true if nothing is cut off and the widths are unchanged. pieces() is then empty.
   [[nodiscard]] bool is_whole() const noexcept { return whole_; }

@@ -43,8 +43,9 @@ class LassoArea {
   std::vector<std::uint32_t> edges_;   // indices of first points, by strip
 };
 
-/// Returns the unsigned area that a path sweeps as seen from its start: 0 for a straight line, but
-/// more than 0 for a figure eight, whose signed area is 0.
+/// Returns the area that the line from the start of a path to its moving end sweeps. Every part
+/// counts as positive: a straight path has 0, but a figure eight has more than 0, although its
+/// signed area is 0.
 double swept_area_mm2(std::span<const Point> path) noexcept;
 
 }  // namespace felt

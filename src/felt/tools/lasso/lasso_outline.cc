@@ -7,8 +7,8 @@
 namespace felt {
 namespace {
 
-/// Points nearer than kSpacingMm to the last point are skipped. This error and that of the
-/// simplification together stay within the tolerance.
+/// Points nearer than kSpacingMm to the last point are skipped. The sum of this error and the error
+/// of the simplification stays within the tolerance.
 constexpr double kSpacingMm = 0.05;
 constexpr double kSimplifyMm = LassoOutline::kToleranceMm - kSpacingMm;
 /// Number of points that are simplified together, which takes at most 30 us.

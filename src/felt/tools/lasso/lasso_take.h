@@ -22,13 +22,14 @@ enum class LassoCombine : std::uint8_t { kReplace, kAdd, kSubtract };
 /// Returns the marks that a lasso sets on a stroke, before close_marks (R31).
 Selection::Marks marks_inside(const Stroke& stroke, const LassoArea& area, LassoTake take);
 
-/// Returns the selection that the lasso makes among the editable strokes, closed by close_marks
-/// (R32). kPoints selects handles inside even if all of the ink is outside.
+/// Returns the selection that the lasso makes among the editable strokes, after close_marks (R32).
+/// kPoints selects handles inside even if all of the ink is outside.
 Selection taken_by(const LassoArea& area, LassoTake take, const Document& document,
                    const StrokeIndex& index);
 
-/// Returns the combined selection, with marks closed again. A stroke that is in only one of
-/// `before` and `taken` keeps its marks.
+/// Returns the combined selection, after close_marks. With kAdd, a stroke that is in only one of
+/// `before` and `taken` keeps its marks. With kSubtract, a stroke that is only in `taken` is
+/// ignored.
 Selection combined(const Document& document, const Selection& before, const Selection& taken,
                    LassoCombine combine);
 

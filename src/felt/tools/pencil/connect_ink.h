@@ -16,23 +16,23 @@ struct InkConnections {
   std::optional<Point> start_meets = std::nullopt;
   std::optional<Point> end_meets = std::nullopt;
   bool closes = false;  ///< the end moves to the start of the same ink
-  /// If true, strokes that meet stay separate, with a shared point. An outline of two strokes is
-  /// still closed.
+  /// If true, strokes that meet stay separate, with a shared point. Exception: ink that meets both
+  /// ends of one stroke still closes that stroke.
   bool keep_separate = false;
 };
 
 /// Returns the edit that adds new ink to the document, connected (R43, R45):
 ///   - An end moves exactly to its target. The shift fades out along the stroke over five times the
-///     length of the shift, limited to 2..25 mm, so that the remaining stroke stays as drawn.
+///     length of the shift, limited to 2..25 mm, so that the rest of the stroke stays as drawn.
 ///   - Ink whose end meets its own start becomes a closed stroke.
 ///   - Ink that meets the end of another stroke becomes one stroke with it, which keeps the id,
 ///     position and direction of that stroke. Ink that meets both ends of the same stroke closes
 ///     it. This happens only if both have the same medium and colour and the stroke is in the
-///     current, unlocked layer. Otherwise they share the point.
+///     current, unlocked layer. Otherwise both strokes stay separate and share the point.
 ///   - Ink that meets a point on another stroke shares that point; the other stroke does not
-///   change.
-/// An impossible connection (the stroke was removed meanwhile, the ink is too short to reach) is
-/// skipped, so that ink is never lost. This is a pure function.
+///     change.
+/// An impossible connection is skipped, so that ink is never lost: for example, if the other stroke
+/// was removed meanwhile, or the ink is too short to reach the target. This is a pure function.
 Edit connect_ink(const Stroke& ink, const InkConnections& connections, const Scene& scene);
 
 }  // namespace felt

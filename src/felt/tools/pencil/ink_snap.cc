@@ -20,7 +20,7 @@ using namespace snap_rules;
 constexpr double kRemainingS = 0.12;
 constexpr double kRestingMmPerS = 15.0;
 constexpr double kSlowMmPerS = 100.0;
-/// If the pen is faster, it is flicked off the surface or passes by.
+/// If the pen is faster than this, the user flicks it off the surface or passes the target.
 constexpr double kMaxEndMmPerS = 150.0;
 constexpr double kMaxCloseMmPerS = 400.0;
 constexpr double kMaxMeetMmPerS = 60.0;
@@ -30,13 +30,14 @@ constexpr double kMaxMeetMmPerS = 60.0;
 constexpr double kSureShare = 0.2;
 
 constexpr double kCrossingStepMm = 0.5;
-/// A longer step is a jump. At most kMaxCrossingPieces pieces of it are checked.
+/// Each step of the pen is checked for crossings in pieces of about 1 mm, but in at most
+/// kMaxCrossingPieces pieces.
 constexpr int kMaxCrossingPieces = 32;
 /// If a line crosses another line within this distance of its end, it is not heading for any line.
 constexpr double kClearMm = 4.0;
 constexpr double kMeetDeg = 35.0;
-/// A line that continues another line straight ahead begins at most kDashMm from its end. If it
-/// begins farther away, it is the next dash of a dashed line.
+/// A line that continues another line straight ahead begins at most kDashMm from the end of that
+/// line. If it begins farther away, it is the next dash of a dashed line.
 constexpr double kDashMm = 0.8, kDashDeg = 40.0;
 /// An attraction ends if the pen moves away from the target by kLeaveMm.
 constexpr double kLeaveMm = 1.0;
@@ -173,8 +174,8 @@ bool InkSnap::closes(Point target, const Part& before) const noexcept {
 }
 
 /// The shape of an outline is better evidence than the direction of its last millimetre. So the pen
-/// may head for the start less exactly than for the end of another line, and in a large outline its
-/// direction does not matter.
+/// may head for the start less exactly than for the end of another line, and if the gap is small
+/// compared with the outline, the direction of the pen does not matter.
 bool InkSnap::is_closing(Point target, const Part& before, const Aim& aim) const noexcept {
   const double gap = distance(track_.pen(), target);
   const double speed = track_.speed_mm_per_s();
@@ -219,8 +220,8 @@ std::optional<TipHit> InkSnap::nearest_end(const Aim& aim, const Scene& scene) c
   return std::nullopt;
 }
 
-/// Returns the first target that applies: the start of the line itself, the other end of the line
-/// on which it was begun, an end of another line, or a point on a line just ahead.
+/// Returns the first of these targets that applies: the start of the line being drawn, the other
+/// end of the line on which it was begun, an end of another line, or a point on a line just ahead.
 std::optional<SnapTarget> InkSnap::find(const Aim& aim, double meet_mm, const Scene& scene) const {
   if (is_drawing_ && is_closing(track_.start(), {}, aim)) return SnapTarget{{}, track_.start()};
   if (begun_on_) {
@@ -267,7 +268,8 @@ bool InkSnap::may_begin_on(const TipId& end, const Scene& scene) const {
   return !is_crowded(scene, {end, at}, StrokeId{});
 }
 
-/// Returns the end on which the line was begun, or else a point on a line just behind its start.
+/// Returns the end on which the line was begun. If there is none, returns a point on another line
+/// just behind the start of the line.
 std::optional<SnapTarget> InkSnap::find_start(const Scene& scene) const {
   const auto direction = track_.first_direction();
   if (!direction || track_.extent_mm() < kDotMm) return std::nullopt;

@@ -14,9 +14,10 @@ namespace felt {
 /// Decides to which target a line being drawn snaps, and which target attracts the pen
 /// (docs/decisions/0011-when-a-line-snaps.md; R43, R44):
 ///
-///   - an end of another line, if the pen approaches it slowly and is heading for it, and the two
-///     would continue as one line. Excluded are the end that the line was begun on, and ends of
-///     lines that it runs back along, that it has crossed, or that belong to a hatching;
+///   - an end of another line, if the pen approaches it slowly and is heading for it, and the new
+///     line would continue the other one. Excluded are the end that the new line was begun on, ends
+///     at which it would turn back along the other line, ends of lines that it has crossed, and
+///     ends that belong to a hatching;
 ///   - the start of the line itself, if the line goes once around an area;
 ///   - a point on another line, if the line stops just before the first line ahead of it.
 ///
@@ -29,7 +30,8 @@ class InkSnap {
   /// so far goes once around an area: 4 pi A / L^2 (1 for a circle, 0.24 for an ellipse of 10:1) is
   /// at least this ...
   static constexpr double kMinRoundness = 0.22;
-  /// ... or at least this, if the shape is large and the gap small: a star, the outline of a hand.
+  /// ... or at least this, if the extent is at least kLargeMm and the gap at most kLargeShare of
+  /// it. This is for shapes like a star or the outline of a hand.
   static constexpr double kMinRoundnessOfLarge = 0.06;
   static constexpr double kLargeMm = 15.0, kLargeShare = 0.05;
   /// Maximum number of turns. A line with more turns is a coil, which is shading.
@@ -39,11 +41,12 @@ class InkSnap {
   /// Maximum gap in a shape that closes, relative to the extent of the shape.
   static constexpr double kMaxGapShare = 0.62;
   /// The radius for closing, relative to the snap radius. It is larger because users often lift the
-  /// pen a little before the shape is closed, and earlier at full speed (kEarlyS).
+  /// pen a little before the shape is closed. The faster the pen, the earlier they lift it, so the
+  /// distance of the pen in kEarlyS is added, at most the snap radius.
   static constexpr double kCloseShare = 1.2;
   static constexpr double kEarlyS = 0.02;
   /// Maximum distance from an end at which a line that continues it may begin, relative to the snap
-  /// radius. Only the distance counts, because a landing pen has no direction yet.
+  /// radius. The direction is not checked, because a pen that lands has none yet.
   static constexpr double kStartShare = 0.6;
   /// Maximum distance from a line at which the pen may stop so that the lines still meet, relative
   /// to the snap radius.
@@ -69,14 +72,14 @@ class InkSnap {
   [[nodiscard]] const std::optional<SnapTarget>& attraction() const noexcept { return attraction_; }
 
  private:
-  /// How exactly the pen must be heading for a target.
+  /// Conditions on the distance and direction of the pen for a target.
   struct Aim {
     double within_mm;
     double cone_deg;
     double miss_mm;
-    double closing_mm;  ///< instead of within_mm, for the start of the line
-    double sure_share;  ///< a smaller gap relative to the extent closes from every direction
-    bool felt;          ///< for the attraction: excludes the line just finished
+    double closing_mm;  ///< the maximum gap to the start of the line
+    double sure_share;  ///< below this gap/extent, the direction does not matter
+    bool felt;          ///< true for the attraction; excludes the last line
   };
   /// The part of an outline that is already drawn: the line on which the new line was begun.
   struct Part {
@@ -103,12 +106,12 @@ class InkSnap {
   bool is_drawing_ = false, is_in_air_ = false;
   std::optional<StrokeId> last_;   // the line just finished
   std::optional<TipId> begun_on_;  // the end nearest to the start, joined or not
-  Part begun_part_;                // its stroke, from the other end to this one
+  Part begun_part_;                // stroke of begun_on_, from its other end
   std::optional<SnapTarget> target_, start_target_, attraction_;
   double closest_mm_ = 0.0;  // smallest distance of the pen from attraction_ so far
   Point crossings_from_;
   std::vector<snap_rules::Crossed> crossed_;
-  std::optional<double> first_crossing_mm_, last_crossing_mm_;  // along the path
+  std::optional<double> first_crossing_mm_, last_crossing_mm_;  // path length there
 };
 
 }  // namespace felt

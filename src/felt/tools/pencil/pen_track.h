@@ -9,15 +9,15 @@
 
 namespace felt {
 
-/// Tracks a pen: its speed, its heading, and the shape it has drawn since begin(). A sample costs
-/// constant time and memory. Not thread-safe.
+/// Tracks a pen: its speed, its heading, and the shape it has drawn since begin(). A sample takes
+/// constant time, and the memory does not grow. Not thread-safe.
 class PenTrack {
  public:
   /// Distance between stored points. It prevents a pen that trembles in one place from adding to
   /// the path.
   static constexpr double kNodeMm = 0.2;
-  /// Distance over which a direction is measured. Over it, a tremor of 0.1 mm and four times the
-  /// noise of a tablet change the direction by less than 15 degrees.
+  /// Distance over which a direction is measured. Over this distance, a tremor of 0.1 mm or four
+  /// times the noise of a tablet changes the direction by less than 15 degrees.
   static constexpr double kChordMm = 0.8;
   /// The first direction is measured between these distances from the start. The ink before them is
   /// often only a hook that the pen makes when it lands.
@@ -34,9 +34,9 @@ class PenTrack {
   /// Returns the speed, mm/s. It is low-passed over about 15 ms, because sampled positions jump by
   /// the resolution of the sensor.
   [[nodiscard]] double speed_mm_per_s() const noexcept { return norm(velocity_); }
-  /// Returns the unit direction in which the pen will probably draw the next `ahead_mm`: that of
-  /// the last kChordMm, turned further by the current bend of the path. Returns nullopt if the path
-  /// is shorter than kChordMm.
+  /// Returns the unit direction in which the pen will probably draw the next `ahead_mm`: the
+  /// direction of the last kChordMm, turned further according to the current curvature of the path.
+  /// Returns nullopt if the path is shorter than kChordMm.
   [[nodiscard]] std::optional<Vec> heading(double ahead_mm) const noexcept;
   /// Returns the unit direction in which the path began, or nullopt if the path is shorter than
   /// kFirstToMm.

@@ -12,8 +12,8 @@
 
 namespace felt {
 
-/// The inertia of the stabiliser, rendered with only a fraction of its force. The nib moves as it
-/// does with the full force, so that the line does not depend on the strength.
+/// The inertia of the stabiliser, rendered with only the fraction `share` of its force. The nib
+/// moves as with the full force, so that the line does not depend on the option `strength`.
 class FeltInertia {
  public:
   FeltInertia(const InertiaOptions& options, double share) noexcept
@@ -36,8 +36,8 @@ class FeltInertia {
 };
 
 /// Returns the force model of a pencil: the surface (plane, grain, friction of the pair), the
-/// attracting target, if any, and the stabiliser. It is the same above and on the surface, so that
-/// it does not change at the touch; each part detects by itself whether the pen is down.
+/// attracting target, if any, and the stabiliser. The model is the same above and on the surface,
+/// so that it does not change at the touch; each part detects by itself whether the pen is down.
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
                                     const std::optional<SnapTarget>& target) {
   const Medium material =

@@ -117,7 +117,7 @@ TEST(Pencil, R18_TabletPressureDecidesAndAMouseHasAConstant) {
   for (const double pressure : {0.0, 0.25, 0.5, 1.0}) {
     Pencil p;
     p.pen.pressure = pressure;
-    p.pen.depth = 3.0;  // does not count
+    p.pen.depth = 3.0;  // ignored
     p.pen.line(way({0, 0}, {50, 0}));
     EXPECT_NEAR(p.stroke().width_mm(0.5 * p.stroke().segment_count()), 0.3 + 5.7 * pressure, 1e-9);
   }
@@ -418,7 +418,7 @@ TEST(Pencil, R43_RingsShowWhatAttractsAndWhatWouldSnap) {
   EXPECT_EQ(o.rings[1].center, (Point{50, 50}));
   p.pen.up({49, 50});
   EXPECT_EQ(tip_point(*p.desk.strokes()[1], StrokeTip::kEnd), (Point{50, 50}));
-  // Around the line that was just drawn nothing attracts the pen.
+  // The ends of the line that was just drawn do not attract the pen.
   for (double x = 50; x > 45; x -= 0.1) {
     p.pen.at({x, 50, 2});
     for (const auto& ring : p.overlay().rings) EXPECT_EQ(ring.center, (Point{50, 50}));
@@ -440,7 +440,7 @@ TEST(Pencil, TheFeelHasANewIdExactlyWhenItChanges) {
   p.pen.at({21, 50, 2});
   EXPECT_EQ(id(), free);
   p.pen.down({22, 50});
-  EXPECT_EQ(id(), free);  // the same bricks detect by themselves whether the pen is down
+  EXPECT_EQ(id(), free);  // the parts of the model detect whether the pen is down
   p.pen.step_ns = 10'000'000;
   p.pen.along(way({22, 50}, {48.5, 50}));
   const auto attracted = id();
@@ -479,7 +479,7 @@ TEST(Pencil, R43_TheLineJustDrawnDoesNotAttractInTheAir) {
   p.pen.step_ns = 10'000'000;
   for (double x = 50; x < 60; x += 0.1) EXPECT_EQ(pull(x), 0.0);
   for (double x = 60; x > 50; x -= 0.1) EXPECT_EQ(pull(x), 0.0);
-  // After another line it does attract the pen.
+  // After another line was drawn, the end attracts the pen.
   p.pen.line(way({20, 80}, {50, 80}));
   p.pen.at({60, 50, 1});
   double largest = 0.0;

@@ -20,9 +20,9 @@ namespace felt {
 /// which completes it.
 class PencilTool final : public GestureTool {
  public:
-  /// If a hovering pen comes below this height, ends of lines attract it ...
+  /// Ends of lines begin to attract a hovering pen below this height ...
   static constexpr double kNearMm = 5.0;
-  /// ... until it is above this height.
+  /// ... and stop above this height.
   static constexpr double kFarMm = 7.0;
   /// Maximum number of samples of a line that is refined: a minute at 1 kHz, which takes 0.1 s to
   /// refine.
@@ -33,8 +33,8 @@ class PencilTool final : public GestureTool {
   [[nodiscard]] ForceModel force(const Scene& scene) const override;
   void draw(Overlay& overlay) const override;
 
-  /// Returns the width of the line that a mouse draws. A pen with pressure draws thinner and
-  /// broader lines.
+  /// Returns the width of the line that a mouse draws. With a pen that senses pressure, lines
+  /// become thinner or broader than this.
   [[nodiscard]] std::optional<ToolSize> size() const override;
   /// Keeps the ratio of the thinnest to the broadest line if their ranges allow it.
   [[nodiscard]] std::vector<std::pair<std::string_view, double>> options_for_size(

@@ -12,7 +12,8 @@
 namespace felt::snap_rules {
 namespace {
 
-/// Maximum number of ends that are checked around one end. More ends are a crowd anyway.
+/// Maximum number of ends that are checked around one end. With more ends nearby, the end is
+/// crowded in any case.
 constexpr std::size_t kMaxNeighbours = 8;
 /// Hits on one stroke within kJointMm of each other count as one hit, at the joint of two segments.
 constexpr double kJointMm = 0.01;

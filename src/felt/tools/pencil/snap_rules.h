@@ -9,14 +9,15 @@
 
 namespace felt {
 
-/// Rules that distinguish a line that is meant to meet another from one that only comes near it
-/// (docs/decisions/0011-when-a-line-snaps.md). Pure functions of the document.
+/// Rules that distinguish a line that is meant to meet another one from a line that only comes near
+/// it (docs/decisions/0011-when-a-line-snaps.md). The rules are pure functions of the document.
 namespace snap_rules {
 
 /// Maximum turn at a joint, degrees. If it would be larger, ends are not joined: neighbours in a
 /// hatching turn by 180 degrees, the corners of a five-pointed star by 144.
 inline constexpr double kFoldDeg = 150.0;
-/// Beyond this turn the ends must nearly coincide, because hatching fans out and is shaky.
+/// If the turn is larger than this, ends are joined only within kSharpRadiusMm, because the lines
+/// of a hatching are not exactly parallel and are shaky.
 inline constexpr double kSharpDeg = 115.0;
 inline constexpr double kSharpRadiusMm = 0.5;
 /// Shorter strokes are dots. Their ends have no direction.

@@ -8,9 +8,10 @@ namespace felt {
 namespace {
 
 constexpr double kStepS = 0.001;
-/// Maximum number of steps between two samples. After that many steps the nib has caught up.
+/// Maximum number of steps between two samples. After this many steps the nib has practically
+/// reached the pen.
 constexpr int kMaxSteps = 100;
-/// Step length of the remaining part of a line, as if drawn by a slow hand.
+/// Step length of the part of a line that is added at pen-up, as if a slow hand had drawn it.
 constexpr double kRestStepMm = 0.1;
 constexpr int kMaxRestSteps = 2000;
 constexpr double kArrivedMm = 0.02;
@@ -74,7 +75,8 @@ void Stabiliser::finish(std::vector<Step>& rest) {
   Point last = nib_.position;
   for (int i = 1; i < kMaxRestSteps && distance(nib_.position, pen_) > kArrivedMm; ++i) {
     if (options_.kind == StabiliserKind::kTowed) {
-      // The nib would stop one rope length away from the pen, so the rope is shortened.
+      // With a rope of constant length the nib would stop one rope length away from the pen, so the
+      // rope is shortened.
       const Vec rope = pen_ - nib_.position;
       nib_.position += std::min(1.0, kRestStepMm / norm(rope)) * rope;
     } else {

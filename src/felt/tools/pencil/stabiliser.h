@@ -23,16 +23,16 @@ struct StabiliserOptions {
   friend bool operator==(const StabiliserOptions&, const StabiliserOptions&) noexcept = default;
 };
 
-/// Returns the options of kInertia. The drag makes the mass critically damped, B + c = 2 sqrt(K m),
-/// because a nib that overshoots would draw loops. The nib trails by c v/K, 2 mm at 100 mm/s for 50
-/// g.
+/// Returns the options of kInertia. With K and B the stiffness and damping of the coupling and m
+/// the mass, the drag c makes the mass critically damped, B + c = 2 sqrt(K m), because a nib that
+/// overshoots would draw loops. At the speed v the nib trails by c v/K: 2 mm at 100 mm/s for 50 g.
 InertiaOptions inertia_of(const StabiliserOptions& options) noexcept;
 /// Returns the options of kTowed.
 TowOptions tow_of(const StabiliserOptions& options) noexcept;
 
-/// Steadies the line: moves the nib with the same functions that compute the force, so that the
-/// line and the force agree. The pen is assumed to move uniformly between samples, in steps of at
-/// most 1 ms, so that 133 Hz gives nearly the same line as 1 kHz. Not thread-safe.
+/// Computes the steadied line: it moves the nib with the same functions that compute the force, so
+/// that the line and the force agree. The pen is assumed to move uniformly between samples, in
+/// steps of at most 1 ms, so that 133 Hz gives nearly the same line as 1 kHz. Not thread-safe.
 class Stabiliser {
  public:
   explicit Stabiliser(const StabiliserOptions& options = {}) noexcept : options_(options) {}
@@ -48,8 +48,8 @@ class Stabiliser {
     std::int64_t time_ns = 0;
   };
   /// Ends the line at pen-up. Sets `rest` to the remaining path of the nib to the resting pen,
-  /// because users expect ink to reach the pen. The last point is that of the pen. At most 2000
-  /// points are added.
+  /// because users expect ink to reach the pen. The last point is the position of the pen. At most
+  /// 2000 points are added.
   void finish(std::vector<Step>& rest);
 
  private:

@@ -49,8 +49,8 @@ void WetInk::add_node(Point pen) {
   ++taken_;
 }
 
-/// Replays the samples of a segment through the width map. A piece ends each time the fraction
-/// 1/pieces of the segment has passed.
+/// Passes the samples of a segment through the width map again and divides the segment into pieces,
+/// each at least 1/pieces of the parameter range long.
 void WetInk::add_segment(const InkFitter& fitter, int i) {
   const Cubic segment = fitter.segment(i);
   const double pieces = pieces_of(segment);
@@ -92,8 +92,8 @@ InkWidth WetInk::open_width(double path_mm) const {
           a.ink.tone + share * (end.tone - a.ink.tone)};
 }
 
-/// Adds the stable pieces, then the tail. The tail does not have samples of its own, so the widths
-/// along the pen's path are mapped to the tail by relative length.
+/// Adds the stable pieces, then the tail. The tail does not have samples of its own, so a point of
+/// the tail gets the width of the point at the same relative length along the pen's path.
 void WetInk::draw(InkFitter& fitter, Overlay& overlay) const {
   overlay.add_stable_ink(stroke_, pieces_);
   const auto tail = fitter.live_tail();

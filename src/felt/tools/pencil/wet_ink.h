@@ -12,9 +12,9 @@ namespace felt {
 /// The picture of a stroke being drawn: the fitter's stable prefix, cut into pieces over which
 /// width and tone change linearly, and the provisional tail.
 ///
-/// A piece is made once, when its segment becomes stable, so the cost of a sample does not depend
-/// on the length of the stroke. If the stroke is drawn into the same overlay again, only the new
-/// pieces and the tail cost time.
+/// A piece is made once, when its segment becomes stable, so the time per sample does not depend on
+/// the length of the stroke. If the stroke is drawn into the same overlay again, only the new
+/// pieces and the tail are copied.
 class WetInk {
  public:
   static constexpr double kPieceMm = 2.0;

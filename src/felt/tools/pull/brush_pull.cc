@@ -12,17 +12,18 @@ namespace felt {
 namespace {
 
 constexpr double kPullAccuracy = 1e-7;
-/// The length of a handle shorter than kNoHandleMm counts as zero
+/// A handle shorter than kNoHandleMm counts as having zero length
 /// (docs/design/editing.md#smooth-joints). At a smooth joint this handle gets the length
-/// kStandingHandleMm, so that it has a direction of its own. The curve moves by less than a
-/// micrometre.
+/// kStandingHandleMm, so that its direction does not depend on another control point. The curve
+/// moves by less than a micrometre.
 constexpr double kNoHandleMm = 1e-6;
 constexpr double kStandingHandleMm = 1e-3;
-/// If the displacement is at most kExactRadii radii, the ink follows the influence within the
-/// tolerance. Beyond that the ink is stretched so far that the same relative error is not visible.
+/// If the displacement is at most kExactRadii radii, the ink follows the exact displacement within
+/// the tolerance. If it is larger, the ink is stretched so much that a proportionally larger error
+/// is not visible.
 constexpr double kExactRadii = 2.0;
-/// On release, joints may lie at multiples of 1/k of the segments. Each k of this list is tried,
-/// and the result with the fewest segments is used.
+/// At the lift, joints may lie at multiples of 1/k of a segment. Each k of this list is tried, and
+/// the result with the fewest segments is used.
 constexpr int kFiner[] = {3, 4, 5, 6};
 /// Fraction of the tolerance within which the pull follows the exact displacement.
 constexpr double kPullShare = 0.2;
@@ -30,8 +31,8 @@ constexpr double kPullShare = 0.2;
 constexpr int kMaxRounds = 5;
 /// Minimum handle length of ink that is compressed below the length that I5 requires.
 constexpr double kSliverHandleMm = 0.03;
-/// Lengthening these handles moves the grabbed point. Correcting that may compress another segment,
-/// so both steps are repeated up to kMendRounds times.
+/// Lengthening these handles moves the grabbed point. Moving this point back may compress another
+/// segment, so both steps are repeated up to kMendRounds times.
 constexpr int kMendRounds = 4;
 /// Squared sine of the largest angle between two handles that is not corrected: 6e-9 degrees.
 constexpr double kStraight = 1e-20;
@@ -140,7 +141,7 @@ void BrushPull::add_runs(int count, const BrushSide& side, double sign) {
   }
 }
 
-/// Returns the middles of the segments over which a cubic in t differs from the influence by more
+/// Returns the middles of the segments over which the influence differs from a cubic in t by more
 /// than `most_error`.
 std::vector<double> BrushPull::crooked(double most_error) const {
   std::vector<double> middles;
@@ -240,7 +241,8 @@ void BrushPull::keep_all_smooth(StrokeData& data) const {
   }
 }
 
-/// Corrects the error of the cubic pieces at the grab if that is not a joint.
+/// Moves the joint nearest to the grab, with its handles, so that the curve passes exactly through
+/// the target at the grab.
 void BrushPull::follow_exactly(StrokeData& data, Point target) const {
   const std::size_t n = data.points.size() / 3;
   const auto i = static_cast<std::size_t>(grab_segment_);

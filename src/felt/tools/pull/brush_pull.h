@@ -10,20 +10,20 @@
 
 namespace felt {
 
-/// Pulls a stroke at one point with a brush: the point under the pen follows it exactly, the
+/// Pulls a stroke at one point with a brush: the grabbed point moves by a given displacement, the
 /// influence falls off along the ink, and ink beyond the reach does not move
-/// (docs/design/editing.md#brush; R21, R23, R24, R26, R28). With V the displacement of the pen
-/// since the touch and s the arc length in the stroke at the touch,
+/// (docs/design/editing.md#brush; R21, R23, R24, R26, R28). With V the displacement of the grabbed
+/// point since the touch and s the arc length in the stroke at the touch,
 ///
 ///   g(t) = f(t) + V w(s(t)),   g' = f' + V w' |f'|
 ///
-/// The stroke is cut once: at both ends of the influence, at the grab, and in segments over which
-/// one cubic cannot approximate w(s(t)). After that, each piece is the Hermite interpolant of g: it
-/// has the position and derivative of g at both ends. The result is linear in V: every control
-/// point moves by V times a weight that is computed at the touch. So a sample costs one
-/// multiplication per control point, and the result depends on V only, not on the path or the
-/// sample rate. Derivatives on both sides of a smooth joint stay parallel because both are
-/// multiplied by the same expression (1 + V w' ...).
+/// The stroke is cut once, by the constructor: at both ends of the influence, at the grab, and
+/// within segments over which one cubic cannot approximate w(s(t)). Each piece of the result is the
+/// cubic that has the position and derivative of g at both ends (Hermite interpolation). The result
+/// is linear in V: every control point moves by V times a weight that is computed at the touch. So
+/// at() does one multiplication per control point, and the result depends on V only, not on the
+/// path of the pen or the sample rate. Derivatives on both sides of a smooth joint stay parallel
+/// because both are multiplied by the same expression (1 + V w' ...).
 ///
 /// If the stroke is pulled along itself by more than radius/1.5, the ink folds back like a rope
 /// that is pushed. The ink still follows the pen, and all invariants hold. Each piece of ink keeps
@@ -43,11 +43,11 @@ class BrushPull {
 
   /// Returns the grabbed point, in the snapshot.
   [[nodiscard]] Point origin() const noexcept { return origin_; }
-  /// Return the part of the snapshot that moves: all of it if the whole stroke moves. On a closed
-  /// stroke, last <= first means that the part crosses the seam.
+  /// Return the parameters at which the part of the snapshot that moves begins and ends; this may
+  /// be the whole stroke. On a closed stroke, last <= first means that the part crosses the seam.
   [[nodiscard]] double first_u() const noexcept { return first_u_; }
   [[nodiscard]] double last_u() const noexcept { return last_u_; }
-  /// Return the same part on strokes made by at(), as joint numbers.
+  /// Return the joints at which this part begins and ends on strokes made by at().
   [[nodiscard]] int first_joint() const noexcept { return joints_.first; }
   [[nodiscard]] int last_joint() const noexcept { return joints_.last; }
 
@@ -59,9 +59,10 @@ class BrushPull {
   /// The influence over one segment as a cubic in t, by control point.
   struct Run {
     int segment = 0;
-    double sign = 1.0;                       ///< +1 if the distance from the grab grows with t
-    double start_mm = 0.0, radius_mm = 0.0;  ///< arc length to the near end; arc length where w = 0
-    std::array<double, 4> weights{};         ///< from the near end to the far end
+    double sign = 1.0;  ///< +1 if the distance from the grab grows with t
+    /// Arc lengths from the grab to the near end of the segment, and to the point where w = 0.
+    double start_mm = 0.0, radius_mm = 0.0;
+    std::array<double, 4> weights{};  ///< w by control point, near end first
   };
 
   void cut(std::span<const double> places, std::span<const double> more);
@@ -88,7 +89,7 @@ class BrushPull {
   StrokeData base_;  // the snapshot with the cuts
   Joints joints_;
   std::vector<Run> runs_;        // segments over which the influence falls off
-  std::vector<double> weights_;  // of each control point
+  std::vector<double> weights_;  // w of each control point
   int grab_segment_ = 0;         // parameter of the grab, usually an end of the segment
   double grab_t_ = 0.0;
 };

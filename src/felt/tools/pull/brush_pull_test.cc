@@ -425,7 +425,8 @@ Nearest nearest_on(const Stroke& s, Point p) {
   return best;
 }
 
-/// An instrumented build takes ten times as long and searches for other faults.
+/// A build with sanitizers takes ten times as long and looks for other faults, so it does fewer
+/// pulls.
 #ifdef __SANITIZE_ADDRESS__
 constexpr int kManyPulls = 1'000;
 #else

@@ -9,8 +9,8 @@ namespace felt {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
-/// Pins within kNoRoomMm of held ink are held, too, and a ring shorter than ten times kNoRoomMm
-/// moves as a whole, because the influence does not have enough length to fall off.
+/// Pins within kNoRoomMm of held ink are held too, and a closed stroke shorter than ten times
+/// kNoRoomMm moves as a whole, because the influence needs some length to fall off.
 constexpr double kNoRoomMm = 0.1;
 /// If the ends of both sides are within kRingMeetMm, they count as one point.
 constexpr double kRingMeetMm = 0.01;
@@ -24,7 +24,8 @@ class Side {
   Side(const Stroke& stroke, const ArcMap& map, double grab_mm, double sign)
       : stroke_(stroke), map_(map), grab_(grab_mm), sign_(sign) {}
 
-  /// Returns the arc length from the grab to joint i, >= 0, or infinity if it is on the other side.
+  /// Returns the arc length from the grab to joint i, >= 0, or infinity if the joint is on the
+  /// other side of the grab.
   [[nodiscard]] double way_to(int joint) const {
     double way = sign_ * (map_.start_of(joint) - grab_);
     if (stroke_.closed() && way < 0.0) way += map_.length_mm();
@@ -45,8 +46,8 @@ class Side {
     std::sort(ways.begin(), ways.end());
     return ways;
   }
-  /// Returns the largest arc length to a joint that is between `shortest` and `longest`; if no
-  /// joint is, returns `longest`.
+  /// Returns the largest arc length from the grab to a joint that lies between `shortest` and
+  /// `longest`, or `longest` if there is no such joint.
   [[nodiscard]] double at_joint(double shortest, double longest) const {
     double best = -1.0;
     const int n = stroke_.segment_count();
@@ -138,7 +139,7 @@ double BrushReach::first_u(const ArcMap& map) const noexcept {
 
 double BrushReach::last_u(const ArcMap& map) const noexcept {
   if (is_whole) return map.u_at(map.length_mm());
-  // Both sides of a ring meet, so they end at the same point.
+  // The two sides of a closed stroke meet, so they end at the same point.
   const double reach = before.held_mm + before.way_mm + after.held_mm + after.way_mm;
   if (is_ring && reach >= map.length_mm() - kRingMeetMm) return first_u(map);
   return map.u_at(grab_mm + after.held_mm + after.way_mm);

@@ -11,7 +11,7 @@ struct BrushOptions {
   /// Whether ends and corners move like all other ink instead of staying in place.
   bool free_ends = false;
   /// How far ink that is not under the pen may move at the lift, mm, to save segments. During the
-  /// pull the ink follows the exact displacement within a fifth of that.
+  /// pull the ink is within a fifth of this tolerance of the exact displacement.
   double tolerance_mm = 0.1;
 };
 
@@ -33,10 +33,10 @@ struct BrushSide {
 /// Pins are ends and corners. Towards a pin the radius is at most the distance to it. Then w and w'
 /// are 0 at the pin, so the pin and its tangents do not move. If a pin is within kPinGrabMm of the
 /// grab, the pin and the ink up to it move exactly with the pen instead. The radius is still
-/// measured from the grab, so ink farther along the stroke never moves. If the radius is less than
-/// 4 mm, only pins within half of the radius move with the pen. On a closed stroke both sides share
-/// the length. If only the radius limits a side and its last fifth contains a joint, the side ends
-/// at that joint, so that no joint has to be added.
+/// measured from the grab, so ink farther away than the radius never moves. If the radius is less
+/// than 4 mm, only pins within half of the radius move with the pen. On a closed stroke each side
+/// is at most half of the length. If only the radius limits a side and the last fifth of the side
+/// contains a joint, the side ends at that joint, so that no joint has to be added.
 struct BrushReach {
   double grab_mm = 0.0;  ///< arc length from the start of the stroke
   BrushSide before, after;

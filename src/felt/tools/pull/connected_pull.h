@@ -19,15 +19,15 @@ namespace felt {
 /// Keeps strokes that share a point (junctions.h) together while one of them is pulled or pushed,
 /// in any mode (R33): adds the changes of the other strokes to the gesture's edit.
 ///
-/// If a shared point moves, a brush pulls the other stroke to its new position, so the other end
-/// and the corners of that stroke stay. Strokes connected to it follow in turn. If an end lies on a
-/// stroke of a locked layer, a brush pulls it back to that stroke instead. If at most kMaxFollowers
-/// strokes follow, the result depends only on the edit and the document at the touch, so moving
-/// back undoes it.
+/// If a shared point moves, a brush pulls the other stroke to the new position of that point, while
+/// the other end and the corners of that stroke stay. Strokes connected to the other stroke follow
+/// in turn. If an end of a changed stroke lies on a stroke of a locked layer, a brush pulls this
+/// end back to its position at the touch instead. If at most kMaxFollowers strokes follow, the
+/// result depends only on the edit and the document at the touch, so moving back undoes it.
 ///
-/// A stroke that has not changed since the last edit costs a look-up. A changed stroke costs the
-/// search for its shared points, and each of its followers costs one multiplication per control
-/// point. Make one object per gesture.
+/// For a stroke that has not changed since the last edit, complete() only does a look-up. For a
+/// changed stroke it searches the shared points, and for each follower it does one multiplication
+/// per control point. Make one object per gesture.
 class ConnectedPull {
  public:
   static constexpr int kMaxRounds = 4;
@@ -59,15 +59,15 @@ class ConnectedPull {
     StrokePtr before;
     std::vector<Junction> junctions;
     std::optional<ArcMap> arc;  // of `before`, made when needed
-    StrokePtr given;            // the gesture's result in the last edit
+    StrokePtr given;            // this stroke in the gesture's last edit
     StrokePtr after;            // `given` with the held ends pulled back
-    std::vector<Point> places;  // of the junctions, on `after`
+    std::vector<Point> places;  // positions of the junctions on `after`
   };
   struct Follower {
     explicit Follower(StrokeReplacement stroke) : place(std::move(stroke)), after(place.before()) {}
 
     StrokeReplacement place;
-    std::vector<Pull> pulls;  // the last pulls, and their result
+    std::vector<Pull> pulls;  // the last pulls; `after` is their result
     StrokePtr after;
     std::optional<BrushPull> brush;  // of the first pull, at brush_u
     double brush_u = 0.0;

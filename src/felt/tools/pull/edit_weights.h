@@ -4,8 +4,8 @@
 
 namespace felt {
 
-/// How far each control point of a segment moves if its point at t is pulled, as fractions of the
-/// pull V: B_i' = B_i + w_i V (paper, eq. 7 and its three cases;
+/// How far each control point of a segment moves if the point of the segment at t is pulled by V,
+/// as fractions of V: B_i' = B_i + w_i V (paper, eq. 7 and its three cases;
 /// docs/design/editing.md#pull-weights).
 ///
 /// All but `kPrinted` are w = (alpha, alpha + c2, beta + c3, beta) with sum b_i w_i = 1, so that
@@ -19,8 +19,8 @@ struct EditWeights {
 };
 
 enum class WeightKind {
-  /// The least motion of joints and handles that brings the curve to the pen: alpha = L (b1 + b2),
-  /// c2 = L b2, ...
+  /// The weights that have the smallest sum of squares of alpha, c2, c3, beta among those with
+  /// which the curve reaches the pen (soft_weights).
   kSoft,
   /// The paper's three cases, blended within tau = .25 of the joints (docs/design/errata.md#e4,
   /// #e5).
@@ -39,11 +39,11 @@ struct Compliance {
   double right_joint = 1.0;
 };
 
-/// Within this parameter distance of a joint, `paper` blends its cases and a pinned joint yields.
+/// Within this parameter distance of a joint, kPaper blends its cases, and a pinned joint may move.
 inline constexpr double kBlendTau = 0.25;
 
-/// Returns the weights of least motion: they minimise the sum of the squares of alpha, c2, c3,
-/// beta, each divided by its compliance. If all compliances are 1, these are the weights `soft` of
+/// Returns the weights kSoft: they minimise the sum of the squares of alpha, c2, c3, beta, each
+/// divided by its compliance. If all compliances are 1, these are the weights `soft` of
 /// docs/design/editing.md#pull-weights: the paper's case 1 at t = 0, case 2 at t = 1, and (.64,
 /// 1.12, 1.12, .64) at t = .5. The weights are all zero if no movable part moves the point at t.
 /// Requires t in [0, 1].

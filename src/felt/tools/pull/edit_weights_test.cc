@@ -17,7 +17,7 @@ std::vector<double> places() {
   return t;
 }
 
-/// Segments with every combination of joints that hold and joints that yield.
+/// Every combination of joints that are pinned and joints that may move.
 struct Pins {
   bool left, right;
   [[nodiscard]] Compliance at(double t) const {
@@ -87,7 +87,7 @@ TEST(EditWeights, R25_CasesOfThePaper) {
     const double c = 1.0 / (3.0 * t * (1.0 - t));
     expect(paper_weights(t), {0, c, c, 0});
   }
-  // Soft weights are the same cases at the joints.
+  // At the joints, soft weights are the same as the paper's cases.
   expect(soft_weights(0.0), {1, 1, 0, 0});
   expect(soft_weights(1.0), {0, 0, 1, 1});
 }

@@ -10,9 +10,9 @@
 namespace felt {
 
 /// Makes a gesture that bends the one segment that the pen grabbed (docs/design/editing.md#grab;
-/// GrabPull). The result depends only on the stroke at the touch and the displacement of the pen
-/// since, so moving back undoes the change and the sample rate has no effect (R23). The force is
-/// EditSpring around the point of the touch.
+/// GrabPull). The result depends only on the stroke at the touch and on the displacement of the pen
+/// since the touch, so moving back undoes the change and the sample rate has no effect (R23). The
+/// force is EditSpring around the point of the touch.
 ///
 /// `hit` is the result of scene.index for the touch. The touch itself moves nothing. `offset` says
 /// whether the curve moves to the pen after the touch (curve_displacement). If a shape would break

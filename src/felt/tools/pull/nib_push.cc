@@ -46,7 +46,8 @@ Rect box_of(Point a, Point b) noexcept {
 }
 
 /// Returns the parameter of the crossing of a segment with the straight line from a to b that is
-/// nearest to a. Uses chords, which are accurate enough to grab the segment.
+/// nearest to a. Approximates the segment by chords, which is accurate enough to find the segment
+/// that the nib jumped over.
 std::optional<double> crossing(const Cubic& c, Point a, Point b) noexcept {
   constexpr int kChords = 16;
   if (!control_bounds(c).intersects(box_of(a, b))) return std::nullopt;
@@ -152,8 +153,8 @@ bool NibPush::clear(Point p, Vec came_from) {
     const double depth = distance(p, met->point);
     Vec n = depth > 1e-9 ? (p - met->point) / depth : came_from;
     if (n == Vec{}) n = perp(tangent(strand_.segment(met->place.segment), met->place.t));
-    // If points push each other back under the nib, each correction moves them a little farther
-    // than the radius.
+    // A correction may move another point back under the nib. Therefore each additional correction
+    // moves the ink a little farther than the radius.
     const double room = k < kExactCorrections ? 0.0 : kRoomMm * (k - kExactCorrections + 1);
     contact_ = p - (radius_mm_ + room) * n;
     if (!displace(*met, *contact_)) break;
@@ -222,8 +223,8 @@ bool NibPush::divide_within(double s_mm, double reach_mm) {
 }
 
 NibPush::Influence NibPush::influence_at(int joint, double s_mm, double reach_mm) const {
-  // On a closed stroke both sides meet at half its length. The influence must be flat there, so a
-  // larger reach raises it everywhere instead.
+  // On a closed stroke both sides meet at half its length. The influence must have zero slope
+  // there, so a reach of more than half of the length raises the influence everywhere instead.
   const double half = strand_.closed() ? 0.5 * map_.length_mm() : reach_mm;
   const double radius = std::min(reach_mm, half);
   const double base = 1.0 - radius / reach_mm;
@@ -242,8 +243,8 @@ std::array<double, 3> NibPush::weights_at(int joint, const Influence& influence)
   double after = j < n ? length(3 * j, 3 * j + 1) : 0.0;
   if (strand_.closed() && j == 0) before = length(3 * n - 1, 3 * n);
   if (strand_.closed() && j == n) after = length(0, 1);
-  // Both handles turn by the same angle, independent of their current lengths. Together they turn
-  // as much as the original ink requires.
+  // Both handles of a joint turn by the same angle. The angle is that of the ink at the touch, so
+  // it does not depend on how far the handles are stretched by now.
   const double both = before + after;
   const double turn = both > 0.0 ? influence.slope * material_[j].handles_mm / both : 0.0;
   return {influence.weight - turn * before, influence.weight, influence.weight + turn * after};

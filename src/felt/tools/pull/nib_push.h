@@ -15,8 +15,9 @@ namespace felt {
 /// One stroke that a round nib pushes aside (R27; docs/design/editing.md#push). The nib moves in
 /// steps of at most half its radius r. Let f be the point of the stroke nearest to the pen p. After
 /// each step, f is moved to p - r n, n = (p - f)/|p - f|, until its distance is at least r. So the
-/// stroke is pushed from outside and never dragged along. Because the stroke is never closer to the
-/// pen than half a radius, the nib cannot pass through it.
+/// stroke is pushed from outside and never dragged along. Because a step is at most half a radius,
+/// the pen never comes nearer to the stroke than half a radius, so the nib cannot pass through the
+/// stroke.
 ///
 /// The neighbourhood of f moves with it: a point moves by w(s) times the displacement of f, with
 /// w(s) = 1 - 3x^2 + 2x^3, x = |s - s_f|/R, and s the arc length in the stroke at the touch. The
@@ -34,8 +35,8 @@ class NibPush {
   /// steps are longer, and ink that they jump over is found separately.
   static constexpr int kMaxSteps = 64;
   /// Usual and maximum number of corrections after each step (docs/design/editing.md#push: up to
-  /// 6). The additional ones are needed if ink lies all around the nib; they leave a distance some
-  /// micrometres greater than the radius.
+  /// 6). More than the usual number are needed if ink lies all around the nib. These additional
+  /// corrections move the ink some micrometres farther than the radius.
   static constexpr int kExactCorrections = 6;
   static constexpr int kCorrections = 24;
   /// Maximum number of segments into which a stroke is divided.
@@ -57,10 +58,12 @@ class NibPush {
     double displacement_mm = 0.0;
   };
   [[nodiscard]] std::optional<Under> under(Point p, double within_mm) const;
-  /// Returns the point at which the last move touched the stroke; nullopt if it did not.
+  /// Returns the point at which the last move touched the stroke, or nullopt if the move did not
+  /// touch it.
   [[nodiscard]] const std::optional<Point>& contact() const noexcept { return contact_; }
-  /// Returns the final stroke: changed segments are refitted (refit.h), but the nib at `pen` stays
-  /// as clear of the stroke as it is now.
+  /// Returns the final stroke, with its changed segments refitted (refit.h). The refit does not
+  /// bring the stroke nearer to a nib at `pen`: if it would, the result is pushed again or not
+  /// refitted.
   [[nodiscard]] Result<Stroke> finished(Point pen) const;
 
  private:
@@ -96,14 +99,14 @@ class NibPush {
   StrokePtr stroke_;
   Rect box_;
   double radius_mm_;
-  std::vector<std::uint8_t> is_in_pieces_;  // by segment of the snapshot
+  std::vector<std::uint8_t> is_in_pieces_;  // true for divided segments of the snapshot
   std::vector<Material> material_;          // by joint
   std::vector<double> weights_;             // buffer of displace_within()
   std::optional<Point> contact_;
 };
 
-/// Returns true if a nib that moves straight from `from` to `to`, in the same steps, meets the
-/// segment.
+/// Returns true if a nib that moves straight from `from` to `to`, in the same steps as
+/// NibPush::move(), touches the segment.
 bool nib_meets(const Cubic& c, Point from, Point to, double radius_mm) noexcept;
 
 }  // namespace felt

@@ -66,7 +66,7 @@ void go(NibPush& push, const std::vector<Point>& way, double step_mm, Check chec
       const double before = nearest_place(*push.stroke(), next).distance_mm;
       const StrokePtr old = push.stroke();
       const bool moved = push.move(last, next);
-      // Nothing moves without contact, neither along the step nor at its end.
+      // Without contact, along the step or at its end, nothing moves.
       if (step_mm <= 0.5 * kRadius && before >= kRadius) {
         ASSERT_FALSE(moved);
       }
@@ -87,13 +87,14 @@ TEST(NibPush, R27_ACrossingPartsTheLineAndNeverFlipsIt) {
         go(push, {{x, -20}, {x, 25}}, 1e-3 * speed, [&](Point pen, bool) {
           const Near near = nearest_place(*push.stroke(), pen);
           ASSERT_GE(near.distance_mm, kRadius - 1e-6) << speed << ", " << x << ", " << pen.y;
-          // The line is ahead of the pen: above it in y at the x of the pen.
+          // The line is ahead of the pen: at the x of the pen, the y of the line is larger.
           const Near ahead = nearest_place(*push.stroke(), pen + Vec{0.0, kRadius});
           if (pen.y > -3.0) {
             ASSERT_GT(ahead.point.y, pen.y);
           }
         });
-        // The straight line of 120 mm goes around the pen, 28 mm away; that takes 137 mm.
+        // The straight line of 120 mm now goes around the pen, 28 mm away, so it is at least 137 mm
+        // long.
         if (wave == 0.0) {
           EXPECT_LT(length_of(*push.stroke()), 150.0);
         }
@@ -141,10 +142,10 @@ TEST(NibPush, R27_StridesJumpOverNothing) {
 TEST(NibPush, R27_LandingOnALinePartsItToTheSideAwayFromThePen) {
   for (const double side : {-1.0, 1.0}) {
     NibPush push(line(10, 12.0), kRadius);
-    ASSERT_TRUE(push.move({50, 0}, {50, 0}, {0.0, side}));  // the pen came from that side
+    ASSERT_TRUE(push.move({50, 0}, {50, 0}, {0.0, side}));  // the pen came from the side `side`
     EXPECT_NEAR(nearest_place(*push.stroke(), {50, -5.0 * side}).point.y, -kRadius * side, 1e-2);
   }
-  NibPush push(line(10, 12.0), kRadius);  // without a direction, to either side
+  NibPush push(line(10, 12.0), kRadius);  // without a direction, the line may move to either side
   ASSERT_TRUE(push.move({50, 0}, {50, 0}));
   EXPECT_GE(nearest_place(*push.stroke(), {50, 0}).distance_mm, kRadius - 1e-6);
 }

@@ -54,7 +54,7 @@ TEST(GrabGesture, R23_BackHomeNothingHasHappened) {
   const auto moved = grab->move(pen_at({53, 7.5}), desk.scene());
   ASSERT_TRUE(moved);
   ASSERT_EQ(moved->changes.size(), 1U);
-  // The point keeps the distance at which it was grabbed.
+  // The grabbed point keeps the distance from the pen that it had at the touch.
   EXPECT_LE(distance_to(*after(*moved, hit.stroke), {53, 7}), 1e-9);
   EXPECT_FALSE(grab->move(pen_at({53, 7.5}), desk.scene()));
   Overlay overlay;

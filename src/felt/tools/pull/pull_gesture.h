@@ -25,7 +25,7 @@ struct PullFeel {
   Kind kind = Kind::kNone;
   Point origin{};           ///< kSpring: position of the pen at the grab
   CurveNear curve{};        ///< kSweep
-  std::uint32_t leaps = 0;  ///< kSweep: changes when `curve` leaps, which cross-fades the force
+  std::uint32_t leaps = 0;  ///< kSweep: counts leaps of `curve`, which cross-fade the force
   LineUnderNib line{};      ///< kPush
 };
 

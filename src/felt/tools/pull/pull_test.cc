@@ -103,13 +103,13 @@ TEST(Pull, R21_ALineTouchedFromBesideComesToThePenWithoutAJump) {
     for (double d = 0.05; d <= 60.0; d += 0.05) {
       const double gap = p.gap_at(p.touch + Vec{0.6 * d, 0.8 * d});
       EXPECT_LE(gap, last + 1e-9) << d;
-      EXPECT_LE(last - gap, 1.5 * 0.05 * 1.01) << d;  // the part of the offset that S removes
+      EXPECT_LE(last - gap, 1.5 * 0.05 * 1.01) << d;  // plus the part of the offset that S removes
       if (d >= 5.0) {
         EXPECT_LE(gap, 1e-9) << d;
       }
       last = gap;
     }
-    // Back at the start nothing has changed.
+    // When the pen is back at the start, nothing has changed.
     EXPECT_NEAR(p.gap_at(p.touch), 5.0, 1e-9);
     p.pen.up(p.touch);
     EXPECT_EQ(p.pen.commits, 0);
@@ -135,7 +135,7 @@ TEST(Pull, R20_FarFromEveryLineNothingHappens) {
   EXPECT_EQ(p.pen.commits, 0);
   EXPECT_EQ(p.desk.document, before);
   p.pen.down({70, 58.1});
-  p.pen.down({70, 50});  // the pen is on the line, but the touch was not
+  p.pen.down({70, 50});  // now the pen is on the line, unlike at the touch
   const Force force = p.force_at({70, 50});
   EXPECT_EQ(force.x, 0.0);
   EXPECT_EQ(force.y, 0.0);

@@ -12,7 +12,8 @@
 namespace felt {
 
 /// Corrects lines by pulling and pushing them (paper, "local modifications"; pull.md). A touch
-/// within the grab radius of a line grabs it; Each mode has its own PullGesture.
+/// within the grab radius of a line grabs the line; in the mode `push`, the nib pushes every line
+/// that it meets. Each mode has its own PullGesture.
 class PullTool final : public GestureTool {
  public:
   PullTool();
@@ -46,10 +47,10 @@ class PullTool final : public GestureTool {
   PullSettings settings_;
   Point pen_;  // position while hovering
   bool hovers_ = false;
-  std::unique_ptr<Target> target_;  // reused for the same stroke, because the map is linear in it
+  std::unique_ptr<Target> target_;  // kept for the same stroke, because a new map takes time
   bool has_target_ = false;
   std::unique_ptr<PullGesture> gesture_;
-  std::optional<ConnectedPull> connected_;  // set while gesture_ is
+  std::optional<ConnectedPull> connected_;  // set if gesture_ is set
 };
 
 std::unique_ptr<Tool> make_pull();

@@ -11,8 +11,8 @@ namespace felt {
 namespace {
 
 constexpr const char* kPushLabel = "Push";
-/// Distance from the nib beyond which a line has no force, because the force falls to zero within 1
-/// N/Kcap.
+/// Lines farther from the nib than this exert no force, because the force falls to zero within 1
+/// N/Kcap (Kcap is the maximum stiffness).
 constexpr double kFeltMm = 4.0;
 
 /// A stroke that the nib has met.
@@ -108,7 +108,7 @@ class PushGesture final : public PullGesture {
         nearest.displacement_mm = under->displacement_mm;
       }
     }
-    // The line does not exert a force yet, but the pen may reach it before the next sample.
+    // No line exerts a force yet, but the pen may reach the nearest one before the next sample.
     if (all_n == 0.0) return nearest;
     sum.normal = normalized(normals);
     sum.share = norm(normals) / all_n;

@@ -7,7 +7,7 @@
 namespace felt {
 
 struct PushOptions {
-  double radius_mm = 3.0;  ///< of the nib, docs/design/editing.md#push
+  double radius_mm = 3.0;  ///< radius of the nib (docs/design/editing.md#push)
 };
 
 /// Makes a gesture that pushes strokes aside with a soft round nib and never pulls them (R27,

@@ -28,8 +28,8 @@ bool winds(const Cubic& c, double length_mm, const SegmentShape& shape) {
          length_mm > shape.most_winding * distance(c.p[0], c.p[3]);
 }
 
-/// A least-squares fit of both handle lengths of a curve that has the ends and tangents of `c` and
-/// is as near to `c` as possible. Each round assigns new parameters to the samples.
+/// Finds the handle lengths of a curve with the ends and tangents of `c` that is as near to `c` as
+/// possible, by a least-squares fit. Each round assigns new parameters to the samples of `c`.
 class HandleFit {
  public:
   explicit HandleFit(const Cubic& c)
@@ -85,7 +85,8 @@ class HandleFit {
   Cubic now_;
 };
 
-/// Divides segment i until its pieces do not wind. Returns the number of pieces.
+/// Divides segment i until no piece winds or has a handle that is too long (SegmentShape). Returns
+/// the number of pieces.
 int unwind(Strand& strand, int i) {
   int pieces = 1;
   for (int k = 0; k < pieces && pieces < kMaxPieces;) {
@@ -121,8 +122,8 @@ struct Range {
   int first = 0, count = 0;
 };
 
-/// Returns the runs of changed segments, ascending by `first`. So a run that crosses the seam comes
-/// last.
+/// Returns the runs of changed segments, ascending by `first`. A run that crosses the seam is
+/// therefore the last one.
 std::vector<Range> changed_ranges(const Strand& strand) {
   const int n = strand.count();
   int start = 0;  // a start that does not divide a run

@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-/// Below this length, the shorter a handle is, the less it yields, because it would turn too fast.
+/// A handle shorter than this moves less, the shorter it is, because it would turn too fast.
 constexpr double kFreeHandleMm = 0.1;
 
 /// Minimum length of divided segments. It is slightly above the minimum of I5, to allow for
@@ -61,13 +61,13 @@ StrandPlace Strand::locate(double snapshot_u) const noexcept {
 bool Strand::divide(int i, double t) {
   const Cubic whole = segment(i);
   auto [a, b] = split(whole, t);
-  // Otherwise rounding would give a zero-length handle an arbitrary direction (I2).
+  // Restores zero-length handles, because rounding would give them an arbitrary direction (I2).
   if (whole.p[1] == whole.p[0]) a.p[1] = a.p[0];
   if (whole.p[2] == whole.p[3]) b.p[2] = b.p[3];
   const double shortest = std::min(control_length(a), control_length(b));
   const double handle = std::min(distance(a.p[2], a.p[3]), distance(b.p[0], b.p[1]));
   if (!(shortest >= kMinStrandSegmentMm && handle >= kStandingMm))
-    return false;  // too short, or a cusp
+    return false;  // a piece is too short, or there is a cusp at t
 
   const auto at = points_.begin() + 3 * static_cast<std::ptrdiff_t>(i);
   std::copy(a.p.begin() + 1, a.p.begin() + 3, at + 1);
@@ -170,7 +170,7 @@ bool Strand::shift(int first, std::span<const double> weights, Vec pull) {
     for (int j = 0; j < (is_last ? 4 : 3); ++j) p[j] += w[j] * pull;
   }
   if (closed()) {
-    // The point at the seam is stored twice. Copies the one that was moved to the other.
+    // The point at the seam is stored twice. Copies the moved one to the other.
     if (points_.front() != before.front()) points_.back() = points_.front();
     points_.front() = points_.back();
   }

@@ -57,7 +57,8 @@ class Strand {
   [[nodiscard]] StrandPlace locate(double snapshot_u) const noexcept;
 
   /// Divides segment i at t with a smooth joint into segments i and i + 1, which trace the same
-  /// curve. Returns false without a change if one would be shorter than I5 allows or t is a cusp.
+  /// curve. Returns false without a change if one of them would be shorter than I5 allows or the
+  /// curve has a cusp at t.
   bool divide(int i, double t);
   /// Divides segment i into as few pieces of equal arc length as possible, each at most
   /// `longest_mm` long, but into at most `most` pieces. Returns the number of pieces.
@@ -66,7 +67,7 @@ class Strand {
   /// neighbours.
   void prepare(int i);
   /// Returns how freely the parts of segment i may move if it is pulled at t. Pinned ends and
-  /// corners yield only if t is near them; zero-length handles at smooth joints do not turn.
+  /// corners may move only if t is near them; zero-length handles at smooth joints do not turn.
   [[nodiscard]] Compliance compliance(int i, double t, bool pins_joints) const noexcept;
   /// Bends segment i: B_i' = B_i + w_i V. The neighbours' handles move with the joints; at smooth
   /// joints they keep their lengths and turn to stay collinear. Requires an earlier prepare(i). The
@@ -83,8 +84,8 @@ class Strand {
   /// directions.
   void limit_handles(int i, double longest) noexcept;
 
-  /// Returns true if segment i may differ from the snapshot in shape, or only in its beginning and
-  /// end.
+  /// Returns true if segment i may have a different shape than in the snapshot, or is a piece of a
+  /// segment that was divided.
   [[nodiscard]] bool is_changed(int i) const noexcept {
     return changed_[static_cast<std::size_t>(i)] != 0;
   }
@@ -104,7 +105,7 @@ class Strand {
   std::vector<Point> points_;
   std::vector<JointKind> joints_;  // joint k + 1 at index k
   std::vector<WidthKnot> widths_;
-  std::vector<double> origins_;        // count() + 1
+  std::vector<double> origins_;        // snapshot_u() of the count() + 1 joints
   std::vector<std::uint8_t> changed_;  // by segment
 };
 

@@ -78,7 +78,7 @@ class SweepGesture final : public PullGesture {
     const double step = std::max(kStepNs, passed_ns / kMaxSweepSteps);
     const double part = 1.0 - std::exp(-step / time_constant_ns_);
     bool moved = false;
-    double at = next_ns_;  // since the last sample
+    double at = next_ns_;  // time since the last sample, ns
     for (; at <= passed_ns; at += step) {
       stepped_ = lerp(last_, now, at / passed_ns);
       // Clamped in double, because the sum of invalid times may overflow 64 bits.

@@ -13,9 +13,9 @@ struct SweepOptions {
 };
 
 /// Makes a gesture that redraws a stroke along the path of the pen (docs/design/editing.md#sweep):
-/// the point nearest to the pen relaxes towards it and moves along the stroke with the pen. The
-/// result depends on the path of the pen, so moving back does not undo it. The force is SweepSpring
-/// around the curve as it is now.
+/// the point nearest to the pen moves towards the pen with a time constant, and this point changes
+/// as the pen moves along the stroke. The result depends on the path of the pen, so moving back
+/// does not undo the change. The force is SweepSpring around the curve as it is now.
 ///
 /// `hit` is the result of scene.index for the touch. The sample rate has no effect, because the
 /// path of the pen is processed in steps of 1 ms from the touch on.

@@ -10,10 +10,9 @@
 namespace felt {
 
 /// A stroke being redrawn (docs/design/editing.md#sweep): in each step the point nearest to the pen
-/// moves a fraction of the distance to it, with the weights of least motion (soft_weights() in
-/// edit_weights.h). This is incremental, so
-/// moving back does not undo it. Because the fraction is 1 - exp(-dt/tau), the result hardly
-/// depends on the step length.
+/// moves towards the pen by a fraction of their distance, with the weights of soft_weights(). Each
+/// step starts from the result of the last one, so moving back does not undo the change. Because
+/// the fraction is 1 - exp(-dt/tau), the result hardly depends on the step length.
 ///
 /// The nearest point is searched only next to the last one, so that it moves along the stroke and
 /// does not leap to another part of the stroke that is near. Pieces near the pen are kept short

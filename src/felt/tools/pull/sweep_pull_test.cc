@@ -111,7 +111,7 @@ TEST(SweepPull, R30_TheRateOfSamplesMeansNothing) {
   const Stroke reference = swept(1000.0);
   EXPECT_LE(farthest(swept(5000.0), reference), 0.05);
   EXPECT_LE(farthest(reference, swept(5000.0)), 0.05);
-  // At 60 Hz the path of the pen is known only by chords: 0.014 mm from the wave.
+  // At 60 Hz the path of the pen consists of chords, up to 0.014 mm away from the wave.
   EXPECT_LE(farthest(swept(60.0), reference), 0.1);
   EXPECT_LE(farthest(reference, swept(60.0)), 0.1);
   EXPECT_LE(farthest(swept(250.0), reference), 0.05);

@@ -74,7 +74,8 @@ std::vector<IronPlaces::Step> IronPlaces::steps_between(int from_joint, int to_j
       steps[j].length_mm = start + share * length;
     }
   }
-  // The mean of the points flattens bends. 2 M - M(M), with M the mean, adds this error back once.
+  // A moving mean M of the points P flattens bends by about M(P) - M(M(P)). Adding this difference,
+  // 2 M(P) - M(M(P)), corrects most of that.
   constexpr auto kHalf = static_cast<std::size_t>(0.5 * kGuideMm / kSpacingMm);
   // If the seam is not a corner, the ink continues across it, so points from the other side are
   // added at both ends.
@@ -97,7 +98,8 @@ std::vector<IronPlaces::Step> IronPlaces::steps_between(int from_joint, int to_j
   return steps;
 }
 
-/// Adds the places after one joint up to another, which is fixed.
+/// Adds the places after joint `from_joint` up to and including joint `to_joint`, which is fixed or
+/// the seam.
 void IronPlaces::add_span(int from_joint, int to_joint) {
   const std::vector<Step> steps = steps_between(from_joint, to_joint);
   const double whole = steps.back().way_mm;
@@ -233,7 +235,8 @@ double IronPlaces::from_fixed_mm(int k, double most_mm) const noexcept {
 double IronPlaces::mean_curvature(int k, double window_mm) const {
   const int half = std::max(2, static_cast<int>(0.5 * window_mm / kSpacingMm));
   double sum = 0.0, length = 0.0;
-  // Goes outwards on both sides up to the next fixed place, because a corner is not part of a bend.
+  // Goes outwards on both sides, at most to the next fixed place, because a corner is not part of a
+  // bend.
   for (const int side : {-1, 1}) {
     for (int i = 0; i < half; ++i) {
       const int from = k + side * i - (side < 0 ? 1 : 0);

@@ -12,8 +12,8 @@ namespace felt {
 /// place 0, the seam. Points are computed on first use.
 ///
 /// The smoothed path ("way") is the ink with its jitter averaged out. Jittery ink is up to twice as
-/// long as its path. If doses were measured along its own arc, it would be ironed only half as
-/// much. For smooth ink both lengths are the same.
+/// long as its path. If doses were measured along the arc of the ink, jittery ink would be ironed
+/// only half as much. For smooth ink both lengths are the same.
 class IronPlaces {
  public:
   static constexpr double kSpacingMm = 0.25;
@@ -22,9 +22,9 @@ class IronPlaces {
   static constexpr double kCornerDeg = 30.0;
   static constexpr double kCornerArmMm = 3.0;
   static constexpr double kLongArmMm = 4.5;
-  /// Corners that alternately turn left and right come from a shaky hand and are not kept. The
-  /// condition is that each corner is within kShakeLengthMm of ink of the next one, and within
-  /// kShakeHeightMm of the line between its neighbours.
+  /// Corners that alternately turn left and right come from a shaky hand and are not kept. They are
+  /// removed if each corner is within kShakeLengthMm of the next one, measured along the ink, and
+  /// within kShakeHeightMm of the straight line between its two neighbours.
   static constexpr double kShakeLengthMm = 8.0;
   static constexpr double kShakeHeightMm = 2.0;
   /// Length of ink over which the smoothed path is averaged.
@@ -54,8 +54,8 @@ class IronPlaces {
   [[nodiscard]] bool is_fixed(int k) const noexcept { return fixed_[static_cast<std::size_t>(k)]; }
   /// Returns the arc length to the nearest fixed place, at most most_mm.
   [[nodiscard]] double from_fixed_mm(int k, double most_mm) const noexcept;
-  /// Returns the mean curvature within half of `window_mm` to both sides of a place, 1/mm. It is
-  /// computed from the total turn, so that tremor, which turns left and right, cancels out.
+  /// Returns the mean curvature within half of `window_mm` on both sides of a place, 1/mm. It is
+  /// the total turn divided by the length, so that tremor, which turns left and right, cancels out.
   [[nodiscard]] double mean_curvature(int k, double window_mm) const;
 
  private:
@@ -76,7 +76,7 @@ class IronPlaces {
   std::vector<double> lengths_;
   std::vector<bool> fixed_;
   mutable std::vector<double> us_;     // NaN: not computed yet
-  mutable std::vector<double> turns_;  // same
+  mutable std::vector<double> turns_;  // NaN: not computed yet
   mutable std::vector<Point> points_;
 };
 

@@ -120,7 +120,7 @@ Vec IronedStroke::direction(int k, int side) const {
 bool IronedStroke::try_segment(int from, int to, Vec start, Cubic& c) const {
   std::array<Point, kLongest + 1> points;
   std::array<double, kLongest + 1> ways{};
-  // A segment over more than kLongest places need not follow them.
+  // A segment over more than kLongest places need not be near the ironed points.
   const bool follows = to - from <= kLongest;
   double length = 0.0;
   Point last = point(from);
@@ -160,8 +160,8 @@ IronedStroke::Next IronedStroke::next_segment(int from, Vec start) const {
   return next;
 }
 
-/// Returns the segments from a place to the end of its block or of the stretch. They may extend
-/// slightly farther.
+/// Returns the segments from a place to the end of its block or of the stretch. The last segment
+/// may extend slightly beyond that.
 std::span<const IronedStroke::Next> IronedStroke::block(int from) {
   const int end = std::min(now_.last, from - from % kLongest + kLongest);
   // Segments that depend on an end of the stretch are not cached, because the stretch grows.

@@ -38,7 +38,7 @@ class IronedBlocks {
 /// All joints are smooth except kept corners. Each place keeps its width.
 class IronedStroke {
  public:
-  /// Maximum distance of the curve from the points, mm.
+  /// Maximum distance of the curve from the ironed points, mm.
   static constexpr double kCurveMm = 0.01;
   /// Maximum number of places per segment.
   static constexpr int kLongest = IronedBlocks::kPlaces;
@@ -101,7 +101,7 @@ class IronedStroke {
   ProfileBuilder profile_;
   double u_ = 0.0;  // the old stroke is copied up to here
   Stretch now_;
-  std::vector<ProfileBuilder::Match> matches_;  // parameters of the stretch, old and new
+  std::vector<ProfileBuilder::Match> matches_;  // old and new parameters in the stretch
   std::vector<Next> border_;                    // segments of a block at an end of the stretch
 };
 

@@ -84,7 +84,8 @@ void Ironing::filter_row(Run row, Run kept) {
   for (int k = kept.first - 2; k <= kept.last + 2; ++k) blocks_.forget(places_.wrapped(k));
 }
 
-/// Filters the new places among `scanned` and the places that they affect, within `row`.
+/// Filters the places of `scanned` that got a new dose and the places that these affect, within
+/// `row`.
 void Ironing::filter_new(Run scanned, Run row) {
   const int margin = static_cast<int>(kMarginWaves * options_.wave_mm / IronPlaces::kSpacingMm);
   for (int k = scanned.first; k <= scanned.last; ++k) {
@@ -112,8 +113,8 @@ void Ironing::catch_up() {
   if (places_.closed()) ironed_.back() = ironed_.front();
 }
 
-/// Filters a closed stroke that has a dose everywhere. The row overlaps itself, so that the
-/// position of the cut has no effect.
+/// Filters a closed stroke that has a dose everywhere. The filtered row continues beyond the place
+/// at which the stroke is cut open, on both sides, so that this place has no effect.
 void Ironing::catch_up_all_around() {
   const int n = places_.count();
   const int overlap = std::min(n, static_cast<int>(4.0 * options_.wave_mm / 0.25));
@@ -153,8 +154,8 @@ bool Ironing::has_moved() const {
   return false;
 }
 
-/// Compares the ink around the point as filtered by its doses so far with the fully filtered ink:
-/// the weighted rms distance is the roughness that still has to be ironed out.
+/// Compares the ink around the point, as filtered by its doses so far, with the fully filtered ink.
+/// The roughness is computed from the weighted rms distance between the two.
 double Ironing::roughness_mm(double length_mm, double reach_mm) {
   const int here = places_.nearest(length_mm);
   const int half = static_cast<int>(reach_mm / IronPlaces::kSpacingMm) + 1;

@@ -20,34 +20,36 @@ struct IronOptions {
 };
 
 /// A stroke being ironed. The result is a pure function of the stroke at the touch and of the total
-/// dose at each place. It does not matter in which order or in how many portions a dose is added.
+/// dose at each place. The order and the number of portions in which a dose is added do not matter.
 ///
 /// A dose d removes waves shorter than wave_mm sqrt(1 - exp(-d)) (JerkFilter): first the fine
 /// jitter, then longer and longer waves. A bend of mean curvature c is itself a wave of length 2
 /// pi/c, so waves longer than kBendShare of that are never removed. Therefore the radius of a
-/// circle changes by at most 0.02 % each time. Kept corners and ends do not move. Places without a
-/// dose do not move.
+/// circle changes by at most 0.02 % per gesture. Kept corners and ends do not move. Places without
+/// a dose do not move.
 class Ironing {
  public:
   static constexpr double kBendShare = 0.24;
-  /// The same share at ends and kept corners, where the filter is one-sided and less flat.
+  /// The value of kBendShare at ends and kept corners. It is smaller because the filter is
+  /// one-sided there and changes long waves more.
   static constexpr double kEndBendShare = 0.05;
-  /// Minimum change that makes an edit, mm. A pen does not resolve smaller changes, and repeated
-  /// fits on smooth ink would add up.
+  /// Minimum change that makes an edit, mm. A pen does not resolve smaller changes, and the errors
+  /// of the fits would add up if smooth ink were ironed repeatedly.
   static constexpr double kMinMm = 0.02;
 
   /// `stroke` and `map` must outlive this object.
   Ironing(const Stroke& stroke, const ArcMap& map, const IronOptions& options);
 
-  /// Irons at an arc length of the stroke: places nearer than `reach_mm` along the stroke get dose
-  /// S(distance/reach), multiplied by their inflation. Takes time linear in the reach.
+  /// Irons at an arc length of the stroke: each place nearer than `reach_mm` along the stroke gets
+  /// `dose` times S(distance/reach_mm) times its inflation. Takes time linear in the reach.
   void add(double length_mm, double reach_mm, double dose);
-  /// Returns the roughness of the ink around an arc length, mm: the rms distance still to be ironed
-  /// out within `reach_mm`, minus kSmoothMm, at least 0. Takes time linear in reach_mm + wave_mm.
+  /// Returns the roughness of the ink around an arc length, mm: the rms distance within `reach_mm`
+  /// between the ink as ironed so far and fully ironed ink, minus kSmoothMm, at least 0. Takes time
+  /// linear in reach_mm + wave_mm.
   [[nodiscard]] double roughness_mm(double length_mm, double reach_mm);
   /// Filters the places that got a dose since the last call, with a margin of kMarginWaves to both
-  /// sides, beyond which the effect is invisible. Takes time linear in those places, plus a quick
-  /// scan.
+  /// sides, beyond which the effect is invisible. Takes time linear in those places, plus a fast
+  /// loop over all places.
   void catch_up();
   /// Returns the stroke as of the last catch_up() for display, or nullopt if nothing has moved. It
   /// has many segments and is exact within 0.01 mm; only changed parts are refitted.
@@ -61,7 +63,7 @@ class Ironing {
 
  private:
   struct Run {
-    int first, last;  // places; both stay, or are ends of the stroke
+    int first, last;  // first and last place
   };
 
   [[nodiscard]] double weight_of(int k, double share);

@@ -39,8 +39,8 @@ void JerkFilter::solve(std::span<const FilterPlace> row, std::span<const double>
                        std::span<Point> out) {
   constexpr std::array<double, 4> kJerk = {1.0, -3.0, 3.0, -1.0};
   const std::size_t n = row.size();
-  // Uses coordinates relative to a point of the row, so that rounding depends on distances and not
-  // on the position on the page.
+  // Uses coordinates relative to a point of the row, so that rounding errors do not depend on the
+  // position on the page.
   const Point origin = row[0].point;
   const auto is_fixed = [&](std::size_t k) { return row[k].is_fixed || k == 0 || k + 1 == n; };
   rows_.assign(n, {1.0, 0.0, 0.0, 0.0, {}});

@@ -10,7 +10,7 @@ namespace felt {
 /// One point of a row to be filtered.
 struct FilterPlace {
   Point point;
-  double weight = 0.0;    ///< weight of the jerk around it; 0: this point does not move
+  double weight = 0.0;    ///< weight of the third differences; 0: this point stays
   bool is_fixed = false;  ///< does not move, and the row may have a corner here
 };
 
@@ -21,10 +21,10 @@ struct FilterPlace {
 /// The third difference is zero on parabolas. A wave of length L is scaled by 1/(1 + w (2 pi
 /// h/L)^6), h being the spacing: nearly flat below the cutoff (a Butterworth filter of the sixth
 /// order). A moving average, or a filter with the second difference, would shrink every circle. w_j
-/// is the smallest weight of its four points, so that a point with weight 0 neither moves nor moves
-/// others; no third difference reaches across a fixed point. Fixed points and both ends stay bit
-/// for bit. Writes to `out`, which must have the size of `row`. Takes linear time (one banded
-/// Cholesky factorisation).
+/// is the smallest weight of its four points, so that a point with weight 0 does not move and does
+/// not affect other points; no third difference reaches across a fixed point. Fixed points and both
+/// ends stay bit for bit. Writes to `out`, which must have the size of `row`. Takes linear time
+/// (one banded Cholesky factorisation).
 class JerkFilter {
  public:
   void apply(std::span<const FilterPlace> row, std::span<Point> out);

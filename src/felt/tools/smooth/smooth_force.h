@@ -12,14 +12,16 @@ namespace felt {
 /// Renders the roughness of the ink under the iron as friction, which vanishes as the ink gets
 /// smooth.
 ///
-///   mu = mu0 + min(kMaxN/Fn, kMaxFactor rho/(rho + kHalfMm))      rho: roughness, mm
+///   mu = mu0 + min(kMaxN/Fn, kMaxFactor rho/(rho + kHalfMm))
+///
+/// with mu0 the friction coefficient of the surface and rho the roughness, mm.
 ///
 /// The force is friction and not a texture because friction only dissipates energy, is silent at
 /// rest, and uses the spring that the friction of the surface already has. RoughFeel must come
-/// between Texture and Friction in the chain. Fn is the plane's force in this tick.
+/// between Texture and Friction in the chain. Fn is the force of the plane in this tick.
 class RoughFeel {
  public:
-  static constexpr double kMaxN = 0.4;  ///< maximum additional friction at any push, N
+  static constexpr double kMaxN = 0.4;  ///< maximum additional friction, N
   static constexpr double kMaxFactor =
       0.4;  ///< maximum addition to the coefficient, for infinite roughness
   static constexpr double kHalfMm = 0.1;
@@ -46,8 +48,8 @@ class RoughFeel {
   double friction_;
 };
 
-/// Returns the force model of the smooth tool: the surface and the roughness of the ink under the
-/// iron.
+/// Returns the force model of the smooth tool: the surface, with friction that depends on the
+/// roughness of the ink under the iron.
 inline ForceModel make_smooth_force(const Scene& scene, double roughness_mm, double strength) {
   const Medium material = felt_with(medium_of(scene, "pencil"), strength, strength);
   const FrictionOptions friction = friction_for(material, scene.surface, scene.device);

@@ -102,7 +102,7 @@ TEST(SmoothTool, TheResultDoesNotDependOnTheRateOfTheSamples) {
   for (std::size_t r = 0; r < 2; ++r) {
     for (int i = 0; i <= 500; ++i) {
       const Point p = results[r].position(i / 500.0 * results[r].segment_count());
-      // The tolerance is 0.02 mm, plus 0.05 mm because both were fitted within 0.05 mm.
+      // The tolerance is 0.02 mm, plus 0.05 mm because both lines were fitted within 0.05 mm.
       EXPECT_LE(std::sqrt(nearest_on_polyline(line, p).distance_squared), 0.07);
     }
   }
@@ -160,7 +160,7 @@ TEST(SmoothTool, HoverShowsRingAndSpan) {
   EXPECT_NEAR(o.spans[0].curve.p[3].x, 60.0, 1e-3);
 }
 
-/// Returns the mean friction on a pen that slides at 50 mm/s under a push.
+/// Returns the mean friction on a pen that slides at 50 mm/s and is pressed with a given force.
 double friction_n(const ForceModel& model, double push_n) {
   ForceMemory memory;
   Force last;

@@ -33,9 +33,10 @@ constexpr const char* kSmoothLabel = "Smooth";
 /// Maximum distance along the line between two applications of the iron within one sample.
 constexpr double kIronStepMm = 1.0;
 constexpr double kMaxIronSteps = 100.0;
-/// Longer lines are not ironed, because nobody draws one by hand and it would take too long.
+/// Longer lines are not ironed, because nobody draws such a line by hand and ironing it would take
+/// too long.
 constexpr double kLongestLineMm = 20'000.0;
-/// Time constant of the felt roughness.
+/// Time constant of the low-pass for the roughness that the user feels.
 constexpr double kFeelSeconds = 0.040;
 
 double seconds_off(std::int64_t a_ns, std::int64_t b_ns) {

@@ -17,12 +17,13 @@ namespace felt {
 class SmoothTool final : public GestureTool {
  public:
   static constexpr double kLongestStepS = 0.050;
-  /// Factor of the dose. With the pen at rest, full amount and pressure p, the dose per second is
-  /// kDoseRate (0.2 + 1.6 p).
+  /// Factor of the dose. If the pen rests at pressure p and the option `amount` is 1, the dose per
+  /// second is kDoseRate (0.2 + 1.6 p).
   static constexpr double kDoseRate = 6.0;
   static constexpr double kMousePressure = 0.5;
-  /// Minimum time between two updates of the felt roughness, and between two previews. Between
-  /// previews it is also at least kPreviewNsPerPoint per control point of the line.
+  /// Minimum time between two updates of the roughness that the user feels, and between two
+  /// previews. The time between previews is also at least kPreviewNsPerPoint per control point of
+  /// the line.
   static constexpr std::int64_t kPreviewNs = 12'000'000;
   static constexpr std::int64_t kPreviewNsPerPoint = 10'000;
 

@@ -18,7 +18,7 @@
 
 namespace felt::testing {
 
-/// Test fixture for tools: a document with a surface and a device. Applies the results of a tool as
+/// Test fixture for tools: a document, a surface and a device. It applies the results of a tool as
 /// a session does.
 struct Desk {
   Document document;
@@ -101,7 +101,8 @@ class Pen {
   void along(const std::vector<Point>& way) {
     for (const Point p : way) down(p);
   }
-  /// Draws one whole line: touch, points, lift.
+  /// Draws one whole line: touches at the first point, moves along the points and lifts at the last
+  /// one.
   void line(const std::vector<Point>& way) {
     up(way.front());
     along(way);

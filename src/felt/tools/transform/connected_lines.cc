@@ -28,7 +28,7 @@ Motion motion_at(const Selection::Marks& marks, double u) {
   return count == 4 ? Motion::kMapped : count == 0 ? Motion::kStays : Motion::kBends;
 }
 
-/// The changes that the connections of one stroke require.
+/// The changes to one stroke that its connections with moving strokes require.
 struct Demand {
   std::vector<double> us;  // parameters of points that are mapped
   std::optional<std::pair<MovedLine::Leader, double>> led;
@@ -81,7 +81,7 @@ std::optional<MovedLine> line_of(const Document& document, StrokeId id, Demand d
   return line;
 }
 
-/// Unmarks an end that lies on a locked stroke, and its handle.
+/// Unmarks an end that lies on a locked stroke, and the handle of this end.
 void hold_end(MovedLine& line, double u) {
   const auto end = end_at(*line.stroke, u);
   if (!end) return;

@@ -30,9 +30,10 @@ struct MovedLine {
 ///   - an end on a point that is mapped is marked; an end on a part that bends gets a leader;
 ///   - a stroke on which a mapped end lies gets a joint there, which is marked;
 ///   - strokes that share a point with these follow in the same manner, recursively.
-/// Strokes of the selection keep their marks. Exception: if a stroke moves only in part, an end
-/// that shares a point with a stroke of a locked layer is unmarked, so that it stays and holds. A
-/// stroke that moves as a whole separates from the locked one.
+/// Strokes of the selection keep their marks. Exception: if a stroke of the selection moves only in
+/// part, an end that shares a point with a stroke of a locked layer is unmarked, so that this end
+/// stays and holds the stroke back. A stroke that moves as a whole separates from the locked
+/// stroke.
 std::vector<MovedLine> connected_lines(const Document& document, const StrokeIndex& index,
                                        std::vector<MovedLine> selected);
 

@@ -74,7 +74,7 @@ TEST(ConnectedLines, R33_ALineOnWhichAMovedEndStandsBendsThere) {
   EXPECT_EQ(anchors.size(), 2u);
 }
 
-/// Adds a line of a locked layer that has an end on the end of `line`.
+/// Adds a line to a locked layer. One of its ends lies on the end of `line`.
 StrokeId add_locked(Moved& m) {
   m.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Other"}, 0, 1}}});
   m.layer = LayerId{2};

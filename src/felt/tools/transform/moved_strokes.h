@@ -18,10 +18,10 @@ namespace felt {
 /// positions in the layers are looked up once, in time linear in the selection and its layers.
 ///
 /// The preview of a selection of up to kMaxPreviewPoints is made in portions of kPointsPerStep, one
-/// per sample, so that the cost of a sample does not depend on the selection: 40 strokes of ten
-/// segments are updated with every sample, 1,000 strokes 40 times a second. Larger selections have
-/// no preview: the frame and 2,000 marked segments follow the pen, and the lines move when the pen
-/// is lifted.
+/// per sample, so that the time per sample does not depend on the size of the selection: 40 strokes
+/// of ten segments are updated with every sample, 1,000 strokes 40 times a second. Larger
+/// selections have no preview: the frame and 2,000 marked segments follow the pen, and the lines
+/// move when the pen is lifted.
 class MovedStrokes {
  public:
   static constexpr std::size_t kPointsPerStep = 1'200;
@@ -37,9 +37,9 @@ class MovedStrokes {
   ///
   /// Strokes that are not selected but share a point (junctions.h) with moving ink follow at that
   /// point: an end moves with the point, and a line on which an end lies gets a joint at that
-  /// point. The remaining parts of these strokes hold like the unselected part of a partly selected
-  /// line. Strokes on locked layers stay, and so does the end of a line that lies on one, unless
-  /// that line is selected as a whole.
+  /// point. The remaining parts of these strokes resist like the unselected part of a partly
+  /// selected line. Strokes on locked layers stay. The end of a line that lies on such a stroke
+  /// stays too, unless this line is selected as a whole.
   MovedStrokes(const Document& document, const StrokeIndex& index, const Selection& selection,
                bool duplicates);
 
@@ -48,12 +48,12 @@ class MovedStrokes {
   [[nodiscard]] const std::vector<Point>& anchors() const noexcept { return anchors_; }
   /// Returns the factor below which a segment would become too short (I5); at most 1.
   [[nodiscard]] double least_scale() const noexcept { return least_scale_; }
-  /// Returns a selection of all copies, whole; nullopt without duplicates.
+  /// Returns a selection of all copies as whole strokes, or nullopt if `duplicates` was false.
   [[nodiscard]] const std::optional<Selection>& copies() const noexcept { return copies_; }
 
   /// Continues the preview in progress, or starts a preview of this map. Returns the preview if it
-  /// is now complete; it may be of an earlier map. Returns nullopt if the preview is not complete
-  /// or a stroke cannot be mapped.
+  /// is now complete. The preview may be that of an earlier map, because it can take several
+  /// samples. Returns nullopt if the preview is not complete or a stroke cannot be mapped.
   std::optional<Edit> step(const Affine& map, double width_factor);
   /// Returns the whole edit. If a stroke cannot be mapped, returns the edit of the last preview
   /// instead, or an empty one.
@@ -63,7 +63,7 @@ class MovedStrokes {
   struct Item {
     StrokePtr before;
     Selection::Marks marks;
-    bool is_small = false;  // one segment, whole: kept at the minimum length
+    bool is_small = false;  // one whole segment; keeps at least the minimum length
     /// The marked end moves with this point on an earlier item, which bends.
     std::optional<MovedLine::Leader> leader;
   };
@@ -84,19 +84,20 @@ class MovedStrokes {
   void prepare_copies(const Document& document, const Selection& selection);
   void add(MovedLine line);
   [[nodiscard]] static StrokePtr moved(const Item& item, const Aim& aim);
-  /// Returns the map of an item; with a leader, the displacement of that in `done`.
+  /// Returns the map of an item. If the item has a leader, this is a translation by the
+  /// displacement of the leader's point in `done`.
   [[nodiscard]] Aim aim_of(const Item& item, const Aim& aim,
                            const std::vector<StrokeChange>& done) const;
   [[nodiscard]] std::optional<Edit> all_moved(const Aim& aim, std::string label) const;
 
   std::vector<Item> items_;
-  Edit places_;  // change i belongs to item i; without `after`
+  Edit places_;  // changes without `after`; change i belongs to item i
   std::size_t points_ = 0;
   std::vector<Point> anchors_;
   double least_scale_ = 0.0;
   std::optional<Selection> copies_;
 
-  Edit work_;  // the preview in progress: its first strokes
+  Edit work_;  // the preview in progress, with its first strokes
   std::vector<Shown> shown_;
   std::optional<Aim> aim_;   // of the preview in progress
   std::optional<Aim> done_;  // of the last complete preview

@@ -45,7 +45,8 @@ void TransformDrag::update(Point pen, bool constrained) noexcept {
     now_ = std::fabs(first.x) >= std::fabs(first.y) ? TransformKind::kStretchX
                                                     : TransformKind::kStretchY;
   }
-  // Updated for every kind, so that no turn is lost when a button changes the kind.
+  // The turn is updated for every kind, so that full turns are still counted after a button changes
+  // the kind.
   turn_rad_ = unwrapped_turn_rad(first, pen - centre_, turn_rad_);
   switch (now_) {
     case TransformKind::kMove:
@@ -73,8 +74,8 @@ void TransformDrag::move(Vec way, bool constrained) noexcept {
 }
 
 void TransformDrag::rotate(Point pen, bool constrained) noexcept {
-  // At the start the map must be exactly the identity. With a rounding error in the angle it would
-  // not be.
+  // If the pen is at the grab, the map must be exactly the identity, without a rounding error in
+  // the angle.
   const double turn = pen == grab_ && std::fabs(turn_rad_) < 1e-12 ? 0.0 : turn_rad_;
   shown_turn_rad_ = constrained ? kTurnStepRad * std::round(turn / kTurnStepRad) : turn;
   map_ = shown_turn_rad_ == 0.0 ? Affine{} : rotation(shown_turn_rad_, centre_);

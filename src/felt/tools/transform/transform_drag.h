@@ -17,12 +17,12 @@ enum class TransformKind : std::uint8_t {
 };
 
 /// Computes the map, relative to the state at the touch, from the point that the pen grabbed and
-/// its current position (docs/design/editing.md#transform). Turns and factors are those of
-/// haptics/tether.h, so that the user feels what they see.
+/// its current position (docs/design/editing.md#transform). Turns and factors are computed as in
+/// haptics/bricks/tether.h, so that the force agrees with the picture.
 ///
 /// Factors stay within 0.05..20. Scaling depends only on the distance from the centre, not on the
-/// side. An axis that is stretched through the centre stays at the smallest factor; nothing is
-/// mirrored.
+/// side. If the pen crosses the centre along a stretched axis, the factor of that axis stays at its
+/// minimum, so nothing is mirrored.
 class TransformDrag {
  public:
   static constexpr double kMinScale = 0.05;
@@ -64,7 +64,7 @@ class TransformDrag {
   Point centre_, grab_;
   double least_scale_ = kMinScale;
   bool constrained_ = false;
-  double turn_rad_ = 0.0;  // unwrapped, unconstrained
+  double turn_rad_ = 0.0;  // turn of the pen, unwrapped, before the constraint
   Affine map_;
   Vec way_;
   double shown_turn_rad_ = 0.0;

@@ -80,7 +80,7 @@ TEST(TransformDrag, R37_FactorsKeepToTheirRange) {
   EXPECT_EQ(drag.map().a, 20.0);
   drag.update({0, 0}, false);
   EXPECT_EQ(drag.map().a, 0.05);
-  // The factor is the same on either side, as for the force.
+  // The factor is the same on both sides of the centre, as it is for the force.
   drag.update({-15, 0}, false);
   EXPECT_EQ(drag.map().a, scale_factor({10, 0}, {-15, 0}));
 

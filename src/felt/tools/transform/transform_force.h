@@ -17,8 +17,8 @@ namespace felt {
 
 /// The tether of a stretch: a scale tether for each axis, with the pen projected onto the axis, S =
 /// sum |x_i - c| |ln s_x| and the same for y. If both axes act, each has 1/sqrt 2 of the force, so
-/// that together they stay within 1 N and Kcap. If the pen has crossed the centre along an axis,
-/// that axis exerts no force, because its factor is constant.
+/// that together they stay within 1 N and the stiffness limit Kcap (tether.h). If the pen has
+/// crossed the centre along an axis, that axis exerts no force, because its factor is constant.
 class StretchTether {
  public:
   StretchTether() noexcept = default;
@@ -80,12 +80,12 @@ struct TransformHold {
   Point centre, grab;
   std::span<const Point> anchors;
   std::uint32_t gesture = 0;
-  bool constrained = false;  ///< along one axis, or in steps of a turn (Tether::constrained)
+  bool constrained = false;  ///< moves along one axis, or turns in steps (Tether::constrained)
   double least_scale = TransformDrag::kMinScale;
 };
 
-/// Returns the force model of the transform tool: the surface with little friction and, while a
-/// selection is held, its tethers.
+/// Returns the force model of the transform tool: the surface with little friction and, while the
+/// pen holds a selection (`hold` is not null), the tethers of the selection.
 inline ForceModel make_transform_force(const Scene& scene, double strength,
                                        const TransformHold* hold) {
   const Medium material =

@@ -244,7 +244,7 @@ void TransformTool::draw_gesture(Overlay& overlay) const {
   Overlay marked;
   selected_.draw(marked);
   for (Overlay::Span span : marked.spans) {
-    if (span.role != Overlay::Role::kSelected) continue;  // it bends: its preview shows it
+    if (span.role != Overlay::Role::kSelected) continue;  // it bends, so only the preview shows it
     span.curve = apply(map, span.curve);
     overlay.spans.push_back(span);
   }

@@ -13,7 +13,7 @@
 
 namespace felt {
 
-/// Moves, turns, scales and stretches the selection. Lines that connect it to the rest stay
+/// Moves, turns, scales and stretches the selection. Lines that connect it to other strokes stay
 /// attached and resist (paper, "Transformations", eq. 10; transform.md; R33-R38). The result is
 /// always computed from the state at the touch, so moving back undoes it and the sample rate has no
 /// effect.

@@ -8,9 +8,9 @@
 namespace felt {
 
 /// Evenly spaced sample positions ("places") along a stroke, numbered 0 to count() from its start
-/// to its end; the u of each is computed on first use. The same stroke always has the same places,
-/// so that successive edits do not accumulate breakpoints. On a closed stroke place count() is the
-/// same point as place 0, reached from the other side of the seam.
+/// to its end; the parameter u of a place is computed on first use. The same stroke always has the
+/// same places, so that successive edits do not accumulate breakpoints. On a closed stroke place
+/// count() is the same point as place 0, reached from the other side of the seam.
 class ArcPlaces {
  public:
   /// `stroke` and `map` must outlive this object. The spacing is rounded so that a whole number of

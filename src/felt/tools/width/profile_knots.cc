@@ -8,10 +8,11 @@
 namespace felt {
 namespace {
 
-/// Maximum number of knots that one straight line replaces. It bounds the work.
+/// Maximum number of knots that one straight line replaces. This limits the time per knot.
 constexpr std::size_t kMaxRun = 200;
 
-/// The interval of slopes from a knot that pass within a tolerance of the knots so far.
+/// The interval of slopes of the straight lines from a knot that pass all knots added so far within
+/// a tolerance.
 struct KnotSlopes {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();

@@ -15,10 +15,11 @@ struct ProfileKnot {
 
 /// Returns the profile with as few of the given knots as a greedy search finds. No omitted knot
 /// differs from the result by more than tolerance_mm in width or kFollowedTone in tone. From each
-/// knot the search goes to the farthest knot that it can reach: the slopes that pass within the
-/// tolerance of all knots so far form an interval (as in WidthFitter), and the slope to the next
-/// knot must lie in that interval. The first and the last knot stay. Requires strictly increasing
-/// u. Takes linear time, because the length of runs is bounded.
+/// knot that is kept, the search goes on to the farthest knot such that a straight line to it
+/// passes all knots in between within the tolerance. For this it keeps the interval of slopes that
+/// pass the knots so far (as in WidthFitter); the slope to the next knot must lie in that interval.
+/// The first and the last knot stay. Requires strictly increasing u. Takes linear time, because the
+/// number of knots in between is bounded.
 std::vector<WidthKnot> thinned(std::span<const ProfileKnot> knots, double tolerance_mm);
 
 /// Returns the profile scaled by a factor, clamped to kMinWidthMm..max_width_mm; tones do not

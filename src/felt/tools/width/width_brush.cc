@@ -24,8 +24,8 @@ WidthBrush::WidthBrush(const Stroke& stroke, const ArcMap& map, double reach_mm,
       added_(places_.slot_count(), 0.0) {}
 
 double WidthBrush::limited(double base_mm, double added_mm) const noexcept {
-  // An unchanged place keeps its width. But between two knots of width 0.05 mm rounding may give
-  // less.
+  // A place to which nothing was added keeps its width. The maximum is needed because interpolation
+  // between two knots of 0.05 mm may give slightly less by rounding.
   if (added_mm == 0.0) return std::max(base_mm, kMinWidthMm);
   return std::clamp(base_mm + added_mm, kMinWidthMm, std::max(max_width_mm_, base_mm));
 }
@@ -50,7 +50,8 @@ void WidthBrush::add(double u, double length_mm, double amount_mm) {
   const double u0 = places_.u(cell), u1 = places_.u(cell + 1);
   const double tw = std::clamp((u - u0) / (u1 - u0), 0.0, 1.0);
   const double own = (1.0 - tw) * share(cell) + tw * share(cell + 1);
-  // On a line of 100 km the places may be farther apart than the reach.
+  // On a line of 100 km the places may be farther apart than the reach, so that no place is within
+  // it.
   if (!(own > 0.0)) return;
   for (long k = first; k <= last; ++k) {
     const double change = amount_mm * share(k) / own;
@@ -94,7 +95,7 @@ std::vector<WidthKnot> WidthBrush::profile(std::span<const double> pinned) const
   knots.reserve(base.size() + added.size() + pinned.size());
   std::size_t i = 0, j = 0, p = 0;
   const auto added_at = [&](double u) {
-    // Before the first and after the last of these knots nothing was added.
+    // Nothing was added before the first and after the last of the added knots.
     return u < added.front().u || u > added.back().u ? 0.0 : width_at(added, u);
   };
   const auto push = [&](const WidthKnot& ink, bool is_base, bool stays) {

@@ -9,8 +9,8 @@
 namespace felt {
 
 /// Broadens and narrows a stroke around a point. The result is a pure function of the stroke at the
-/// touch and the amounts added since. Changes only breakpoints of the width, never the curve
-/// (docs/design/editing.md#width-brush; paper, "Change curve width"; R46).
+/// touch and of the amounts added since then. Changes only breakpoints of the width, never the
+/// curve (docs/design/editing.md#width-brush; paper, "Change curve width"; R46).
 ///
 /// An amount dW at u adds dW S(s/reach) / S_u to the profile, s being the arc length from u, linear
 /// between places 0.5 mm apart; this replaces the paper's splitting of width segments. S_u is the

@@ -15,7 +15,7 @@ namespace {
 using testing::RandomStroke;
 using testing::straight_stroke;
 
-/// Returns the stroke with another profile. The test fails if that breaks an invariant.
+/// Returns the stroke with another profile. The test fails if the result breaks an invariant.
 Stroke with_widths(const Stroke& stroke, std::vector<WidthKnot> widths) {
   StrokeData data = stroke.data();
   data.widths = std::move(widths);

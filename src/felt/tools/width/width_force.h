@@ -26,10 +26,11 @@ struct WidthStops {
 ///
 ///   F = K (harder max(0, d - d0) + lighter min(d, d0)) - B vz,   |B vz| at most the spring
 ///
-/// So at the broadest width the surface stiffens against pressing harder, and at the thinnest it
-/// takes more force to leave: a detent. The force is zero at the surface, never pulls inwards, and
-/// is continuous. Both springs depend on the depth alone, so they are passive. WidthStop must come
-/// after the plane in the chain, because it reads the plane's speed. K is the part of the device's
+/// So at the broadest width the surface gets stiffer when the user presses harder. At the thinnest
+/// width, the user needs more force to press down to the depth d0, beyond which the width grows
+/// again: a detent. The force is zero at the surface, never pulls inwards, and is continuous. The
+/// force of both springs depends only on the depth, so they are passive. WidthStop must come after
+/// the plane in the chain, because it reads the plane's speed. K is the part of the device's
 /// stiffness that the plane does not use (see width_stop_stiffness).
 class WidthStop {
  public:
@@ -60,9 +61,9 @@ class WidthStop {
 };
 
 /// Returns the stiffness that is left for a stop in addition to the plane of a surface, N/m: the
-/// minimum of the budget (R56), 0.9 of the device's cap (R55) and the limit from its sensor
-/// resolution, minus the stiffness of the plane; at most 400. Returns 0 if the plane uses all of
-/// the stiffness; then a stop can be felt only as higher friction.
+/// minimum of the stiffness budget (R56), 0.9 of the device's maximum stiffness (R55) and the limit
+/// from its sensor resolution, minus the stiffness of the plane; at most 400. Returns 0 if the
+/// plane uses all of this; then the user feels a stop only as higher friction.
 inline double width_stop_stiffness(const SurfaceMaterial& surface, const Capabilities& device) {
   constexpr double kMax = 400.0, kMaxPerStepN = 0.025;
   double room = stiffness_budget_n_per_m(device);
@@ -101,7 +102,7 @@ class HeightSpring {
 
 /// The state of the width tool that its force model depends on.
 struct WidthFeel {
-  WidthStops stops;  ///< how near the limits of the brush are
+  WidthStops stops;  ///< how near the width is to the limits of the brush
   WidthDirection direction = WidthDirection::kPressure;
   std::optional<double> origin_y_mm;  ///< set while a line is scaled
 };
@@ -124,7 +125,7 @@ inline ForceModel make_width_force(const WidthSettings& settings, const Scene& s
     id.with("scale").with(*feel.origin_y_mm);
     model = ForceModel(Compose(sheet, HeightSpring(*feel.origin_y_mm, settings.strength)));
   } else {
-    // The push at which the width does not change: that of half pressure, or the minimum push if
+    // The force at which the width does not change: that of half pressure, or the minimum force if
     // the direction is fixed.
     const Pressing pressing(scene.surface, scene.device);
     const bool by_pressure = feel.direction == WidthDirection::kPressure;

@@ -116,7 +116,7 @@ struct WidthSettings {
   WidthDirection direction = WidthDirection::kPressure;
   double rate_mm_per_s = 6.0;
   double reach_mm = 10.0;
-  WidthMapOptions map;  ///< of retracing; map.max_mm limits all modes
+  WidthMapOptions map;  ///< for retracing; map.max_mm limits the width in all modes
   double strength = 1.0;
 };
 

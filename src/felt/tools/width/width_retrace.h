@@ -11,11 +11,11 @@ namespace felt {
 /// (docs/design/editing.md#retrace). The result is a pure function of the stroke at the touch and
 /// the pen's path.
 ///
-/// Between the first and the last point that the pen reached, the width is the newest one drawn
-/// there, linear between places 0.25 mm apart. Over 2 mm at both ends of that part the width blends
-/// into the old width by S(x), except at an end of the stroke. Around the pen, newer ink meets
-/// older ink of the same trace; there the width is the mean over 2 mm. Elsewhere the profile stays
-/// bit for bit.
+/// Between the first and the last point that the pen reached, each place has the width that was
+/// drawn there last; the width is linear between places, which are 0.25 mm apart. Over 2 mm at both
+/// ends of that part the width blends into the old width by S(x), except at an end of the stroke.
+/// Within 1 mm of the pen the width is the mean over 2 mm, because there newer widths meet older
+/// ones of the same gesture. Elsewhere the profile stays bit for bit.
 class WidthRetrace {
  public:
   static constexpr double kSpacingMm = 0.25;

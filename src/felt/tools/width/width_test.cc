@@ -28,7 +28,7 @@ struct Width {
   }
   void mode(const char* name) { set("mode", std::string(name)); }
   [[nodiscard]] const Stroke& stroke(std::size_t i = 0) const { return *desk.strokes().at(i); }
-  /// Rests at a point with a pressure.
+  /// Lets the pen rest at a point with a pressure.
   void press(Point at, double pressure, double seconds, std::uint32_t buttons = 0) {
     const auto n = std::llround(seconds * 1e9 / static_cast<double>(pen.step_ns));
     for (std::int64_t i = 0; i <= n; ++i) {

@@ -40,7 +40,7 @@ constexpr std::string_view kWidthLabel = "Width";
 /// Maximum distance along the line between two applications of the brush within one sample.
 constexpr double kBrushStepMm = 1.0;
 constexpr double kMaxBrushSteps = 200.0;  // farther than a hand moves in a sample
-/// Time constant of the stops. It prevents an edge that the hand could feel.
+/// Time constant of the low-pass for the stops, so that the force does not jump.
 constexpr double kStopSeconds = 0.030;
 /// Maximum number of lines marked while several are scaled.
 constexpr std::size_t kMaxMarked = 64;
@@ -176,7 +176,8 @@ double WidthTool::brush_rate(double pressure) const noexcept {
   return 0.0;
 }
 
-/// Spreads the amount since the last sample over the distance moved since then.
+/// Spreads the change of width since the last sample over the distance that the pen has moved since
+/// then.
 void WidthTool::brush(double seconds, double rate) {
   const double amount = rate * seconds, way = hold_.way_mm().value_or(0.0);
   if (amount == 0.0) return;
@@ -212,8 +213,8 @@ void WidthTool::update_stops(double seconds) {
   const double width = width_here();
   const auto nearness = [](double room_mm) { return bump(std::max(0.0, room_mm) / kStopMm); };
   const double broadest = nearness(settings_.map.max_mm - width);
-  // A line of normal width is always within 1 mm of the thinnest, so at this limit the stop begins
-  // at half of kStopMm.
+  // A line of normal width is always within kStopMm of the minimum width, so at this limit the stop
+  // begins at half of kStopMm.
   const double thinnest = nearness(2.0 * (width - kMinWidthMm));
   WidthStops aim;
   aim.harder = direction_ == WidthDirection::kThinner ? thinnest : broadest;

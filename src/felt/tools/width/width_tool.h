@@ -29,8 +29,9 @@ class WidthTool final : public GestureTool {
   static constexpr double kLongestStepS = 0.050;
   /// The user feels the stop if the width is within this distance of a limit.
   static constexpr double kStopMm = 1.0;
-  /// Minimum time between previews; it is also at least kPreviewNsPerPoint per control point. More
-  /// previews would not be visible, and a long line should not be copied a thousand times a second.
+  /// Minimum time between previews. The time is also at least kPreviewNsPerPoint per control point.
+  /// More previews would not be visible, and a long line should not be copied a thousand times a
+  /// second.
   static constexpr std::int64_t kPreviewNs = 4'000'000;
   static constexpr std::int64_t kPreviewNsPerPoint = 2'000;
 
@@ -66,7 +67,7 @@ class WidthTool final : public GestureTool {
   StrokeHold hold_;
   Point pen_;
   // State of the gesture:
-  Edit edit_;  // the lines being changed, as shown; the held one first
+  Edit edit_;  // the lines being changed, as shown; the line under the pen first
   std::optional<WidthBrush> brush_;
   std::optional<WidthRetrace> retrace_;
   WidthMap width_map_;

@@ -44,7 +44,7 @@ inline Stroke jittery(const Way& way, const Jitter& jitter, std::uint64_t seed) 
   double length = 0.0;
   for (int i = 0; i < 1000; ++i) length += distance(way(0.001 * i), way(0.001 * (i + 1)));
   const int n = std::max(4, static_cast<int>(4.0 * length));
-  // Adds two waves per axis, one a tenth shorter and one a tenth longer.
+  // Adds two waves per axis, one a tenth shorter and one a tenth longer than wave_mm.
   double phases[4], sizes[4];
   for (double& p : phases) p = 2.0 * std::numbers::pi * uniform(random);
   for (double& s : sizes) s = 0.7 + 0.6 * uniform(random);
