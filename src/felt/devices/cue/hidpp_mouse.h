@@ -25,7 +25,7 @@ class HidppMouse final : public CueDevice {
   static constexpr std::size_t kBytes = 20;
   static constexpr std::uint8_t kLongReport = 0x11;
   static constexpr std::uint8_t kDirect = 0xFF;   ///< device number without a receiver
-  static constexpr std::uint8_t kMaxPaired = 6;   ///< a receiver numbers its devices 1..6
+  static constexpr std::uint8_t kMaxPaired = 6;   ///< on a receiver, the numbers are 1..6
   static constexpr std::uint8_t kSoftware = 0x5;  ///< our software number; Solaar uses 0xB..0xF
 
   /// Looks for a mouse with haptics: at each device number of a receiver, or at kDirect. Takes

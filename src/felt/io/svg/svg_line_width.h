@@ -9,7 +9,7 @@ namespace felt {
 
 /// The widths of a line that was drawn in user units.
 struct SvgLineWidths {
-  std::vector<WidthKnot> knots;  ///< in mm; empty if `to_mm` has the determinant 0
+  std::vector<WidthKnot> knots;  ///< in mm; empty if `to_mm` has no inverse
   bool is_stretched = false;     ///< the width depends on the direction, so it was sampled
   bool was_thin = false;         ///< the width was below kMinWidthMm at some point and was raised
 };
