@@ -230,7 +230,7 @@ void SvgWalker::draw_line(const Element& e, SvgShape& shape) {
     line.dashes = *style.dashes;
     dash_scale = path_length_scale(e.node.attribute("pathLength").value(), shape.contours);
   }
-  // The width does not scale with the transform (non-scaling-stroke): 1 px is 1/96 inch on the
+  // With non-scaling-stroke, the width does not scale with the transform: 1 px is 1/96 inch on the
   // page.
   const double scale = std::sqrt(std::fabs(determinant(shape.to_mm))) / kSvgMmPerPx;
   if (!style.scales_line && scale > 0.0) {
