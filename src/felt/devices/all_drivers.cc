@@ -1,4 +1,5 @@
-// This is the only file that lists all folders with drivers. A new driver needs one line here.
+// This is the only file that lists all drivers. A new driver needs an #include and one line in
+// make_drivers().
 #include "felt/devices/cue/cue_driver.h"
 #include "felt/devices/drivers.h"
 #include "felt/devices/evdev/evdev_driver.h"

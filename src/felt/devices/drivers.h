@@ -8,11 +8,11 @@
 
 namespace felt {
 
-/// Returns one driver of each kind in this build, in the order of display. This is cheap, see
-/// Driver.
+/// Makes one driver of each kind in this build, in the order of display. This is cheap, because
+/// constructing a Driver is.
 std::vector<std::unique_ptr<Driver>> make_drivers();
 
-/// Returns the driver for a device id ("haply:049D"), or null.
+/// Returns the driver that a device id names ("haply:049D"), or null if there is no such driver.
 Driver* driver_of(const std::vector<std::unique_ptr<Driver>>& drivers, std::string_view device_id);
 
 }  // namespace felt

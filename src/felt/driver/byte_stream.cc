@@ -30,7 +30,8 @@ std::int64_t monotonic_ns() noexcept {
 }
 
 // Waits until the descriptor is ready, at most until `until_ns` on the monotonic clock. Returns
-// false if it was not ready in time. The transfer that follows reports errors of the descriptor.
+// false if it was not ready in time. An error of the descriptor counts as ready, because the
+// transfer that follows reports it.
 bool wait_for(int descriptor, short events, std::int64_t until_ns) noexcept {
   for (;;) {
     const std::int64_t left_ns = std::max<std::int64_t>(0, until_ns - monotonic_ns());
@@ -112,7 +113,7 @@ int make_raw(int port) {
   if (tcgetattr(port, &settings) != 0) return errno;
   cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
-  settings.c_cc[VMIN] = 1;  // so that read() returns EAGAIN if nothing waits, and 0 if unplugged
+  settings.c_cc[VMIN] = 1;  // read() returns EAGAIN if no byte is waiting, and 0 after unplugging
   settings.c_cc[VTIME] = 0;
   // The rate has no effect on USB, but must never be 1200, because that starts the boot loader of
   // many boards.
@@ -160,7 +161,7 @@ tl::expected<void, StreamFault> DescriptorStream::send(std::span<const std::byte
     }
     if (wait_for(descriptor_, POLLOUT, until_ns)) continue;
     if (sent == 0) return tl::unexpected(StreamFault::kTimedOut);
-    return end(StreamFault::kFailed, ETIMEDOUT);  // the sent part of a message cannot be undone
+    return end(StreamFault::kFailed, ETIMEDOUT);  // a part was sent, and cannot be taken back
   }
   return {};
 }

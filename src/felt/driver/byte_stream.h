@@ -16,13 +16,13 @@ namespace felt {
 /// Why a transfer failed. This is an enumeration, because the haptic thread must not allocate
 /// strings.
 enum class StreamFault : std::uint8_t {
-  kTimedOut,  ///< the time was too short; nothing was lost, and the caller may retry
+  kTimedOut,  ///< the time limit passed; no bytes were lost, and the caller may retry
   kClosed,    ///< the peer closed the stream, or the device was unplugged
-  kFailed,    ///< the system reported an error (last_errno()), or only a part was sent
+  kFailed,    ///< the system reported an error (last_errno()), or sent only a part of the bytes
 };
 
-/// A byte stream to a device or its service that is used on the haptic thread: a socket, a serial
-/// port, or in tests a fake without thread or clock.
+/// A byte stream to a device or to the service of its maker, for use on the haptic thread. It is a
+/// socket or a serial port; tests use a fake that has neither a thread nor a clock.
 ///
 /// send() and receive() block for at most the given time, and neither allocate nor throw. After
 /// kClosed or kFailed the stream is unusable: every call returns the same fault. The destructor
@@ -34,33 +34,33 @@ class ByteStream {
   ByteStream& operator=(const ByteStream&) = delete;
   virtual ~ByteStream() = default;
 
-  /// Sends all bytes within `within_ns`. If that is 0, sends them only if it need not wait. Fails
-  /// with kTimedOut if nothing was sent.
+  /// Sends all bytes within `within_ns`. If `within_ns` is 0, sends them only if that is possible
+  /// without waiting. Fails with kTimedOut if nothing was sent.
   virtual tl::expected<void, StreamFault> send(std::span<const std::byte> bytes,
                                                std::int64_t within_ns) noexcept = 0;
   /// Receives between 1 and `room.size()` bytes. Waits for the first byte only, and not at all if
-  /// `within_ns` is 0. A caller that needs more bytes calls it again with the remaining time
+  /// `within_ns` is 0. A caller that needs more bytes calls receive() again with the remaining time
   /// (StreamDeadline).
   virtual tl::expected<std::size_t, StreamFault> receive(std::span<std::byte> room,
                                                          std::int64_t within_ns) noexcept = 0;
   /// Returns the errno of the newest kFailed, or 0 if no call has failed.
   [[nodiscard]] virtual int last_errno() const noexcept { return 0; }
   /// Starts a guard process (PortGuard) that sends `last_words` if nothing has been sent for
-  /// `patience_ns`, or if this program ends for any reason. Ends an earlier guard first, which then
-  /// sends its own last words. If `last_words` is empty, only ends the earlier guard. Returns true
-  /// if a guard runs now. Used on the edit thread.
+  /// `patience_ns`, or if this program ends for any reason. If a guard already runs, ends it first;
+  /// that guard then sends its own last words. If `last_words` is empty, no new guard is started.
+  /// Returns true if a guard runs now. Used on the edit thread.
   virtual bool keep_guard(std::span<const std::byte> last_words, std::int64_t patience_ns) {
     static_cast<void>(last_words);
     static_cast<void>(patience_ns);
     return false;
   }
-  /// Returns false if the guard of keep_guard() has ended unexpectedly, which the next send()
-  /// detects. Used on the thread that calls send().
+  /// Returns false if send() has found that the guard of keep_guard() ended unexpectedly. Used on
+  /// the thread that calls send().
   [[nodiscard]] virtual bool is_guarded() const noexcept { return true; }
 };
 
-/// Measures how much of a time limit is left, on the system's monotonic clock, so that several
-/// calls can share one limit.
+/// Measures on the system's monotonic clock how much of a time limit is left, so that several calls
+/// can share one limit.
 class StreamDeadline {
  public:
   explicit StreamDeadline(std::int64_t within_ns) noexcept;
@@ -71,7 +71,7 @@ class StreamDeadline {
   std::int64_t until_ns_;
 };
 
-/// A stream over a non-blocking file descriptor that it owns.
+/// A stream that owns a non-blocking file descriptor and transfers its bytes through it.
 class DescriptorStream : public ByteStream {
  public:
   ~DescriptorStream() override;
@@ -114,8 +114,8 @@ class TcpStream final : public DescriptorStream {
 /// waiting.
 class SerialStream final : public DescriptorStream {
  public:
-  /// Opens a port. Fails with the system's message if the port does not exist, is in use by another
-  /// program, is not a serial port, or if access is denied. Used on the edit thread.
+  /// Opens a port. Fails with the system's message if the port does not exist, is not a serial port
+  /// or is in use by another program, or if access is denied. Used on the edit thread.
   static Result<std::unique_ptr<ByteStream>> open(const std::string& path);
 
   tl::expected<void, StreamFault> send(std::span<const std::byte> bytes,

@@ -11,8 +11,8 @@ namespace felt {
 struct DeviceDescriptor;
 
 /// A device that plays waveforms instead of forces: a haptic pen, a mouse, a touchpad, a game
-/// controller (docs/design/devices.md#kinds-of-devices: every tool feeds both classes). A CueLaw
-/// usually calls it, at most 50 times a second; drivers skip cues that come too fast for the
+/// controller (docs/design/devices.md#kinds-of-devices: every tool feeds both classes). Usually a
+/// CueLaw calls play(), at most 50 times a second. Drivers skip cues that come too fast for the
 /// device. Used on the edit thread. The destructor silences and closes the device.
 class CueDevice {
  public:
@@ -25,10 +25,11 @@ class CueDevice {
   /// Returns true if the device plays this waveform, directly or as the nearest one it supports.
   [[nodiscard]] virtual bool plays(CueWaveform waveform) const noexcept = 0;
   /// Plays a cue. `now_ns` is the time of any clock that never goes back. Fails with kOther if the
-  /// device refuses this cue but may accept others, and with kDisconnected, then permanently, if
-  /// the device is disconnected.
+  /// device refuses this cue but may accept others. Fails with kDisconnected if the device is
+  /// disconnected; all later calls then fail in the same way.
   virtual tl::expected<void, DeviceFault> play(const Cue& cue, std::int64_t now_ns) noexcept = 0;
-  /// Silences the device immediately. An implementation must do this in every state.
+  /// Silences the device immediately. Implementations must do so in every state of the object, also
+  /// after a fault.
   virtual void stop() noexcept = 0;
 };
 

@@ -13,7 +13,7 @@ constexpr Capabilities in_box(Vec3 size_mm, Capabilities device) {
 }
 
 // Returns `device` with the largest cube in this sphere as its workspace. The workspaces in
-// CHAI3D's table are spheres; in the cube, every position can be reached.
+// CHAI3D's table are spheres, but ours is a box; every position in this cube can be reached.
 constexpr Capabilities in_sphere(double radius_mm, const Capabilities& device) {
   const double side_mm = 2.0 * radius_mm / 1.7320508075688772;
   return in_box({side_mm, side_mm, side_mm}, device);

@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// A model of force device, and its limits. All figures of devices are in the table of
-/// device_models(); the simulated styluses use them, too.
+/// A model of force device, and its limits. The table of device_models() holds the figures of all
+/// devices, and the simulated styluses use the same table.
 struct DeviceModel {
   std::string_view id;     ///< "omega.3": DeviceDescriptor::model, and the key in settings
   std::string_view label;  ///< for the user, with the maker: "Force Dimension omega.3"
@@ -17,10 +17,11 @@ struct DeviceModel {
   /// workspace is around the device's own origin, as the driver reports it; period_ns is the
   /// nominal period.
   Capabilities capabilities;
-  /// The source of the figures. A figure that could not be checked on a data sheet is called an
-  /// estimate. If the device itself reports other figures, a driver may only lower the forces.
+  /// The source of the figures. It says "estimate" if a figure could not be checked on a data
+  /// sheet. If the device itself reports other figures, a driver may lower the force limits to
+  /// them, but not raise them.
   std::string_view source;
-  /// True if one of our drivers can open it. Other models are listed for reference.
+  /// True if one of our drivers can open this model. Other models are listed for reference.
   bool is_driven = true;
 };
 

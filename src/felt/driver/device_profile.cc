@@ -369,7 +369,7 @@ Result<DeviceProfile> load_device_profile(const std::string& folder, std::string
 Result<void> save_device_profile(const std::string& folder, const DeviceProfile& profile) {
   const std::string path = device_profile_path(folder, profile.device_id);
   const std::string text = device_profile_text(profile);
-  // Reads the text back, so that nothing is written that could not be loaded.
+  // Parses the text again, so that no profile is written that could not be loaded.
   const Result<DeviceProfile> again = parse_device_profile(text, path);
   if (!again) return tl::unexpected(again.error());
   if (*again != profile) {

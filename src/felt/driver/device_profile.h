@@ -31,22 +31,22 @@ namespace felt {
 ///   area_middle_mm = 0 20 -15
 ///   area_mm = 160 120
 ///
-/// Each hand has its own plane and area, because the device stands on the side of the hand that
-/// holds it. plane_... and area_... are for the right hand, left_plane_... and left_area_... for
-/// the left.
+/// Each hand has its own plane and area, because the device stands to the right or left of the
+/// user, on the side of the hand that holds it. plane_... and area_... are for the right hand,
+/// left_plane_... and left_area_... for the left.
 struct DeviceProfile {
   std::string device_id;     ///< DeviceDescriptor::id
-  std::string serial = {};   ///< of the device at the time; empty if unknown
+  std::string serial = {};   ///< serial number of the device; empty if unknown
   std::string name = {};     ///< given by the user; if empty, the maker's name is used
   bool left_handed = false;  ///< the hand that holds it now, see switch_hand()
-  std::optional<PlaneCalibration> plane = {};        ///< for that hand; nullopt if not calibrated
-  std::optional<DrawingArea> area = {};              ///< set together with the plane
+  std::optional<PlaneCalibration> plane = {};  ///< plane for that hand; nullopt if not calibrated
+  std::optional<DrawingArea> area = {};        ///< set together with the plane
   std::optional<PlaneCalibration> other_plane = {};  ///< plane for the other hand
   std::optional<DrawingArea> other_area = {};
   /// The user's limits. They can only lower the device's own limits, see limited_by().
   std::optional<double> force_limit_n = {};
   std::optional<double> stiffness_cap_n_per_m = {};
-  /// Lines that a newer program wrote, kept unchanged.
+  /// Lines that a newer version of Feltline wrote. They are kept unchanged.
   std::vector<std::string> unknown = {};
 
   friend bool operator==(const DeviceProfile&, const DeviceProfile&) = default;
@@ -55,24 +55,25 @@ struct DeviceProfile {
 inline constexpr double kMinForceLimitN = 0.1;
 inline constexpr double kMinStiffnessCap = 50.0;  ///< N/m
 
-/// Returns false if both serials are known and differ. The profile was then made with another unit
-/// of the same model, and its planes are invalid.
+/// Returns true unless the profile's serial number and `serial` are both known and differ. If they
+/// differ, the profile was made with another unit of the same model, and its planes are invalid.
 bool is_of(const DeviceProfile& profile, std::string_view serial) noexcept;
 
 /// Switches the device to the other hand, with that hand's plane and area.
 void switch_hand(DeviceProfile& profile) noexcept;
-/// Removes all planes and areas unless is_of(). Sets the serial to `serial` if it is not empty.
+/// Removes all planes and areas if is_of() returns false. Sets the profile's serial number to
+/// `serial` if `serial` is not empty.
 void forget_planes_of_another(DeviceProfile& profile, std::string_view serial);
 
 /// Returns `device` with the user's limits, which can only lower the device's own.
 Capabilities limited_by(const DeviceProfile& profile, Capabilities device) noexcept;
 
-/// Returns "$XDG_CONFIG_HOME/feltline/devices", or the folder below "$HOME/.config". Fails if
-/// neither variable is set.
+/// Returns "$XDG_CONFIG_HOME/feltline/devices", or "$HOME/.config/feltline/devices" if that
+/// variable is not set. Fails if neither variable is set.
 Result<std::string> device_profiles_folder();
-/// Returns the file of an id in a folder. Letters, digits, "-" and "_" stay, ":" becomes "+",
-/// and other characters are escaped ("%41"), so that each id has its own file in this folder. A
-/// very long id is shortened and ends in a fingerprint.
+/// Returns the path of the profile of a device in `folder`. In the file name, letters, digits, "-"
+/// and "_" of the id stay, ":" becomes "+", and other characters are escaped ("%41"), so that each
+/// id has its own file. A very long name is shortened and ends in a fingerprint of the id.
 std::string device_profile_path(const std::string& folder, std::string_view device_id);
 
 /// Parses the text of a profile; `where` is for messages ("FILE:LINE: reason").

@@ -12,18 +12,17 @@ namespace felt {
 
 enum class FindingLevel : std::uint8_t {
   kOk,       ///< present and working
-  kAbsent,   ///< neither device nor software of this maker was found; this is not a problem
+  kAbsent,   ///< neither a device nor software of this maker was found, which is not a problem
   kWarning,  ///< works, but not as well as it could
   kProblem,  ///< does not work; `steps` tell the user how to repair it
 };
 
 /// A file that only root may write, and its content. `doctor --fix` writes it.
 struct SystemFix {
-  std::string path;  ///< "/etc/udev/rules.d/70-feltline-novint.rules"
-  std::string
-      content;  ///< the whole file; a first line that marks it as ours is added (kOurFileMark)
-  /// The shell command that activates the file, run as root. It is empty if only a step of the user
-  /// can activate it.
+  std::string path;     ///< "/etc/udev/rules.d/70-feltline-novint.rules"
+  std::string content;  ///< the content that follows the first line, kOurFileMark
+  /// The shell command that activates the file, run as root. It is empty if no command can activate
+  /// the file, only an action of the user such as a new login.
   std::string activate;
 };
 
@@ -31,18 +30,18 @@ struct SystemFix {
 struct Finding {
   FindingLevel level = FindingLevel::kOk;
   std::string what;          ///< "The OpenHaptics library was not found."
-  std::string details = {};  ///< verbatim: dlerror(), errno's text, a version; may be empty
-  /// The actions that the user should do, in this order. Each is a sentence. If it needs a command,
-  /// the command follows on a line of its own so that it can be copied: "Install the library that
-  /// it needs:\nsudo apt install libncurses5".
+  std::string details = {};  ///< unchanged text of dlerror() or errno, or a version; may be empty
+  /// The actions that the user should take, in this order. Each is a sentence. If an action needs a
+  /// command, the command follows on a line of its own so that the user can copy it: "Install the
+  /// library that it needs:\nsudo apt install libncurses5".
   std::vector<std::string> steps = {};
   /// The file that `doctor --fix` writes. If it is set, a step must mention it: "Let Feltline do
   /// it:\nfeltline doctor --fix".
   std::optional<SystemFix> fix = {};
 };
 
-/// The first line of every file that `doctor --fix` writes. Feltline may change the files that
-/// start with it.
+/// The first line of every file that `doctor --fix` writes. Feltline overwrites an existing file
+/// only if the file starts with this line.
 inline constexpr std::string_view kOurFileMark =
     "# Written by 'feltline doctor --fix', which may write it anew.\n";
 /// The command that applies udev rules to devices that are already plugged in. It is the
@@ -52,8 +51,8 @@ inline constexpr std::string_view kReloadUdev =
     " --subsystem-match=hidraw --subsystem-match=tty --subsystem-match=input";
 
 /// The interface through which a diagnosis reads the system: files, the user, environment
-/// variables, libraries that can be loaded and TCP ports that are open. Tests substitute another
-/// system. It does not change anything. Used on the edit thread.
+/// variables, libraries that can be loaded and TCP ports that are open. Tests replace it by a fake
+/// system. No function changes the system. Used on the edit thread.
 class SystemView {
  public:
   virtual ~SystemView() = default;

@@ -10,14 +10,15 @@
 
 namespace felt {
 
-/// The time at which a library is unloaded.
+/// How long a library stays loaded.
 enum class LibraryLife : std::uint8_t {
-  kAsLongAsUsed,     ///< when its last DynamicLibrary is destroyed
-  kAsLongAsProgram,  ///< never, because the library has threads that need its code
+  kAsLongAsUsed,     ///< until its last DynamicLibrary is destroyed
+  kAsLongAsProgram,  ///< until the program ends, because threads of the library need its code
 };
 
-/// A library of a device maker. It is loaded at run time, because it may be absent. Its symbols are
-/// invisible to other libraries and bound lazily. Used on the edit thread.
+/// A library of a device maker. It is loaded at run time, because it may be absent. Other libraries
+/// do not see its symbols (RTLD_LOCAL), and each function is resolved at its first call
+/// (RTLD_LAZY). Used on the edit thread.
 ///
 ///   auto library = DynamicLibrary::open(names, LibraryLife::kAsLongAsProgram);
 ///   if (!library) return fail(library.error()...);

@@ -16,9 +16,9 @@ inline constexpr std::uint16_t kAbsX = 0x00, kAbsY = 0x01, kAbsZ = 0x02, kAbsRz 
 inline constexpr std::uint16_t kAbsThrottle = 0x06, kAbsWheel = 0x08, kAbsGas = 0x09;
 inline constexpr std::uint16_t kAbsBrake = 0x0A;
 
-inline constexpr std::uint16_t kButtonTrigger = 0x120;  ///< first of a joystick
+inline constexpr std::uint16_t kButtonTrigger = 0x120;  ///< first button of a joystick
 inline constexpr std::uint16_t kButtonJoystickEnd = 0x130;
-inline constexpr std::uint16_t kButtonSouth = 0x130;  ///< first of a game pad
+inline constexpr std::uint16_t kButtonSouth = 0x130;  ///< first button of a game pad
 inline constexpr std::uint16_t kButtonGamepadEnd = 0x140;
 inline constexpr std::uint16_t kButtonGearDown = 0x150;  ///< BTN_WHEEL
 inline constexpr std::uint16_t kButtonGearUp = 0x151;

@@ -26,7 +26,7 @@ struct EvdevAxis {
 
 /// A spring, damper or friction along one axis, in the kernel's units: positions -32767..32767 over
 /// the range of the axis, saturations 0..65535 and coefficients -32767..32767 of the device's full
-/// force. A positive coefficient of a spring pulls to the centre; that of a damper or friction
+/// force. With a positive coefficient, a spring pulls to the centre, and a damper or friction
 /// brakes.
 struct EvdevCondition {
   std::uint16_t right_saturation = 0, left_saturation = 0;
@@ -45,20 +45,21 @@ struct EvdevEffect {
   /// Direction of a constant force: 0 towards the user, 0x4000 left, 0x8000 away, 0xC000 right.
   std::uint16_t direction = 0;
   std::uint16_t length_ms = 0;                 ///< 0 plays until stopped
-  std::array<EvdevCondition, 2> conditions{};  ///< of x and y
-  std::int16_t level = 0;                      ///< of a constant
-  std::uint16_t strong = 0, weak = 0;          ///< motors of a rumble
-  std::uint16_t hid_usage = 0;                 ///< of a haptic effect; waveform of page 0x0E
-  std::uint16_t intensity_percent = 0;         ///< of a haptic effect, 0..100
+  std::array<EvdevCondition, 2> conditions{};  ///< conditions of axes x and y
+  std::int16_t level = 0;                      ///< level of a constant force
+  std::uint16_t strong = 0, weak = 0;          ///< strength of both motors of a rumble effect
+  std::uint16_t hid_usage = 0;                 ///< waveform of a haptic effect (HID page 0x0E)
+  std::uint16_t intensity_percent = 0;         ///< intensity of a haptic effect, 0..100
   friend constexpr bool operator==(const EvdevEffect&, const EvdevEffect&) = default;
 };
 
 /// An open input device of the kernel (/dev/input/eventN), or in tests a fake. Errors are errno
 /// numbers; ENODEV is permanent.
 ///
-/// next() never waits and may be called on the haptic thread. All other functions wait for the
-/// kernel's lock of the device, which an upload holds until its transfer is over. Two threads may
-/// call different functions at the same time. Closing the port stops and erases all effects.
+/// next() never waits and may be called on the haptic thread. All other functions wait for the lock
+/// by which the kernel protects the device; an upload holds this lock until its transfer is over.
+/// Two threads may call different functions at the same time. Closing the port stops and erases all
+/// effects.
 class EvdevPort {
  public:
   EvdevPort() = default;
@@ -85,8 +86,8 @@ class EvdevPort {
 /// Opens a device node. Fails with kNotFound, or kIo with the path and errno's text.
 Result<std::unique_ptr<EvdevPort>> open_evdev(const std::string& path);
 
-/// Returns the kernel's form of an effect: the bytes of a struct ff_effect, with FF_HAPTIC in its
-/// position even if the headers lack it.
+/// Returns an effect as the bytes of the kernel's struct ff_effect. The values of FF_HAPTIC are at
+/// their positions even if the installed headers do not define FF_HAPTIC.
 inline constexpr std::size_t kEvdevEffectBytes = 48;
 std::array<std::byte, kEvdevEffectBytes> packed(const EvdevEffect& effect) noexcept;
 

@@ -23,14 +23,16 @@ double most_for(const Capabilities& device) noexcept {
   return device.advised_force_n == 0.0 ? most_n : std::min(most_n, sane(device.advised_force_n));
 }
 
-// Returns the same credit as the chain's TickClock: two periods, at most 5 ms.
+// Returns the longest time for which the force may rise in one call, ms. It is the same as in the
+// chain's TickClock: two periods, at most 5 ms.
 double longest_credit_for(const Capabilities& device) noexcept {
   constexpr double kMaxMs = 5.0;
   return std::clamp(2e-6 * static_cast<double>(device.period_ns), 0.0, kMaxMs);
 }
 
-// Returns limits that allow the full rated RMS over any 10 s; the chain limits it to 80 %. The fade
-// is ten times as steep as the chain's, so that the chain's limit is lower at every temperature.
+// Returns limits that allow the full rated RMS force over any 10 s; the safety chain allows only 80
+// % of it. The limit falls ten times as steeply with the motor temperature as that of the chain, so
+// that the chain's limit is the lower one at every temperature.
 SafetyLimits motor_limits(const Capabilities& device, double most_n) noexcept {
   SafetyLimits limits;
   limits.peak_force_n = most_n;
@@ -61,7 +63,7 @@ double ForceGate::credit_ms(std::int64_t now_ns) noexcept {
   return std::min(since_ms, longest_credit_ms_);
 }
 
-// Shortens the force to the limit, keeping its direction.
+// Reduces the force to the limit and keeps its direction.
 Force ForceGate::shortened(const Force& asked) const noexcept {
   // Divides by the largest component first, so that the norm of a finite force cannot overflow.
   const double part_n = std::max({std::abs(asked.x), std::abs(asked.y), std::abs(asked.z)});

@@ -9,29 +9,31 @@
 
 namespace felt {
 
-/// The last limit of a force, in a driver's write(), behind the safety chain. It does not depend on
-/// the caller: the force never exceeds the limits of the device in device_models(), and rises by at
-/// most kRiseNPerMs.
+/// Limits the force in a driver's write(), after the safety chain. Whatever the caller requests,
+/// the force never exceeds the limits of the device in device_models() and rises by at most
+/// kRiseNPerMs.
 ///
 ///   const ForceGate::Passed passed = gate_.pass(asked, now_ns);      // now of the last read()
 ///   send(passed.force);
 ///   if (!passed.was_finite) return tl::unexpected(DeviceFault::kBadData);
 ///
-/// The limits are above those of the chain (limits_for uses the same figures, the user's 3 N and 80
-/// % of the continuous force), so a force from a working chain passes unchanged, to the bit. They
-/// have an effect if the driver does something that the chain cannot see: if it holds a force
-/// because the peer answers late, or does not send a force for a while.
+/// These limits are higher than those of the safety chain, which limits_for() derives from the same
+/// figures (but with the user's 3 N and 80 % of the continuous force). A force from a working chain
+/// therefore passes exactly unchanged. The limits matter if the driver does something that the
+/// chain cannot see, for example if it holds a force because the device answers late, or sends no
+/// force for a while.
 ///
 /// Used on the haptic thread; real-time safe. A copy of a ForceGate is a snapshot of its state;
 /// assign it back if sending failed.
 class ForceGate {
  public:
-  /// The largest rise (docs/safety.md, "rise"). A call may use the time since the last call, at
-  /// most two periods of the device.
+  /// The largest rise of the force (docs/safety.md, "rise"). In a call of pass(), the force may
+  /// rise for the time since the last call, but for at most two periods of the device and at most 5
+  /// ms.
   static constexpr double kRiseNPerMs = 0.3;
 
-  /// Sets the limits of a device. A device with an invalid force limit gets no force; one without a
-  /// continuous force has no limit of that kind.
+  /// Sets the limits of a device. A device with an invalid force limit gets no force. If the
+  /// continuous force of the device is unknown, only its maximum force is limited.
   explicit ForceGate(const Capabilities& device) noexcept;
 
   struct Passed {
@@ -39,11 +41,11 @@ class ForceGate {
     bool was_finite = true;  ///< false if NaN or infinity was requested; the force is then zero
     bool was_cut = false;    ///< the requested force was larger than allowed, or rose too fast
   };
-  /// Returns the force that may be sent at `now_ns`, and assumes that it is held until the next
-  /// call. If the clock stands still or goes back, no time is counted.
+  /// Returns the force that may be sent at `now_ns`, and assumes that the device holds it until the
+  /// next call. If `now_ns` is not later than in the last call, the force may not rise.
   Passed pass(const Force& asked, std::int64_t now_ns) noexcept;
-  /// Sets the force that was sent instead of the one that pass() returned last. Requires that it is
-  /// not larger.
+  /// Records that the driver sent `force` instead of the force that pass() returned last. Requires
+  /// that `force` is not larger.
   void sent_less(const Force& force) noexcept { held_ = force; }
   /// Records that the device holds no force, because it was stopped or has stopped by itself.
   void let_go() noexcept { held_ = {}; }

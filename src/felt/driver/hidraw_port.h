@@ -11,10 +11,10 @@
 
 namespace felt {
 
-/// An open HID device that is accessed without its kernel driver (/dev/hidrawN), or in tests a
-/// fake. Reports begin with their number, which is 0 if the device does not number them. Errors are
-/// errno numbers; ENODEV and EIO of an unplugged device are permanent. For use by one thread at a
-/// time.
+/// An open HID device that is accessed directly, bypassing its kernel driver (/dev/hidrawN). Tests
+/// use a fake. Reports begin with their number, which is 0 if the device does not number them.
+/// Errors are errno numbers. ENODEV is permanent, and so is EIO after the device was unplugged. For
+/// use by one thread at a time.
 class HidrawPort {
  public:
   HidrawPort() = default;
@@ -25,12 +25,12 @@ class HidrawPort {
   /// Sends an output report, either completely or not at all. Blocks as long as the transfer to the
   /// device takes.
   virtual tl::expected<void, int> write(std::span<const std::uint8_t> report) noexcept = 0;
-  /// Reads the next input report, cut to the size of `room`, and returns its size. Returns 0 if a
-  /// report did not come within the time; with a time of 0, does not wait. Other programs that have
+  /// Reads the next input report, cut to the size of `room`, and returns its size. Returns 0 if no
+  /// report came within the given time; if the time is 0, does not wait. Other programs that have
   /// opened the device also receive all reports.
   virtual tl::expected<std::size_t, int> read(std::span<std::uint8_t> room,
                                               std::int64_t within_ns) noexcept = 0;
-  /// Requests the feature report with the number in room[0]; its data follows behind that number.
+  /// Requests the feature report with the number in room[0]; the data is stored after that number.
   /// Returns the length including the number.
   virtual tl::expected<std::size_t, int> feature(std::span<std::uint8_t> room) noexcept = 0;
 };

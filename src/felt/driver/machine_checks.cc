@@ -63,8 +63,8 @@ bool may_lock_memory(const SystemView& system) {
   return has_capability(system, kCapIpcLock) || soft_limit(system, "Max locked memory") == -1;
 }
 
-/// Returns true if the name can be written to a limits file. Other texts could add lines of their
-/// own.
+/// Returns true if the name can be written to a limits file. Other texts, such as one with a line
+/// break, could add further lines to the file.
 bool is_plain(const std::string& user) {
   return !user.empty() && user.size() <= 32 && std::all_of(user.begin(), user.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||

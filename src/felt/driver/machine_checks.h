@@ -7,17 +7,17 @@
 
 namespace felt {
 
-/// The file in which `doctor --fix` allows this user's programs to run in real time.
+/// The file that `doctor --fix` writes to allow this user's programs to run in real time.
 inline constexpr std::string_view kLimitsFile = "/etc/security/limits.d/70-feltline.conf";
 
 /// Checks the computer itself, independent of devices: whether the force loop may run in real time
 /// with its memory locked, whether settings and unsaved drawings can be stored, whether a screen
-/// exists, whether the kernel supports haptic touchpads, and whether a service grants access to
-/// devices that are plugged in. Uses the system only through `system`.
+/// exists, whether the kernel supports haptic touchpads, and whether a system service gives the
+/// user access to devices that are plugged in. Uses the system only through `system`.
 std::vector<Finding> diagnose_machine(const SystemView& system);
 
-/// The major and minor number of a text like "6.1.0-13-amd64"; both are 0 if the text has another
-/// form.
+/// A version of the kernel: the major and minor number of a text like "6.1.0-13-amd64". Both are 0
+/// if the text has another form.
 struct KernelVersion {
   int major = 0, minor = 0;
   friend auto operator<=>(const KernelVersion&, const KernelVersion&) = default;

@@ -19,27 +19,30 @@ namespace felt {
 /// Options for opening a driver's device.
 struct DeviceSetup {
   OpenOptions open = {};
-  /// The user's settings; planes that were set with another unit are ignored.
+  /// The user's settings; if they were made with another unit of this model, the planes in them are
+  /// ignored.
   DeviceProfile profile = {};
   /// If the user has not set a plane, the driver's default plane is moved so that the centre of the
   /// reachable area is the centre of this page. Without a page the default plane is used unchanged.
   std::optional<Rect> page = {};
-  /// A mutex for drivers that other threads also use. It is locked during homing and while the
-  /// device is closed.
+  /// A mutex for a driver that other threads also use. OpenDevice locks it during homing and while
+  /// it closes the device.
   std::shared_ptr<std::timed_mutex> driver_lock = {};
 };
 
-/// A device in use, in the frame of the page and within the limits that its user has set. The
-/// servo, the window, the command line and the device test use each device through an OpenDevice.
+/// An open device, with positions in the frame of the page and forces within the limits that the
+/// user has set. The servo, the window, the command line and the device test use every device
+/// through an OpenDevice.
 ///
-/// Positions and velocities are mapped into the frame of the surface, and forces out of it by the
-/// inverse rotation. So +z lifts the pen off the surface however the plane is tilted. Pressure,
-/// buttons, times and faults pass unchanged. If the device reports the axis of the pen, its tilt is
-/// measured against this plane. Otherwise the tilt that the device reports is kept.
+/// Positions and velocities are mapped from the device's frame into the frame of the surface;
+/// forces are mapped back by the inverse rotation. So a movement along +z lifts the pen off the
+/// surface, however the plane is tilted. Pressure, buttons, times and faults pass unchanged. If the
+/// device reports the axis of the pen, its tilt is measured against this plane. Otherwise the tilt
+/// that the device reports is kept.
 ///
 /// read(), between(), write(), held_force() and stop() are used on the thread that Device requires,
-/// and are as real-time safe as the device's own. set_pen_down() may be called from any thread. All
-/// other functions are used on the edit thread.
+/// and are real-time safe if the same functions of the device are. set_pen_down() may be called
+/// from any thread. All other functions are used on the edit thread.
 class OpenDevice final : public Device {
  public:
   /// Time that the destructor waits for the driver. If the driver does not return, the device is
@@ -49,7 +52,8 @@ class OpenDevice final : public Device {
   /// Opens a device that the driver has found. Fails as Driver::open() does.
   static Result<std::unique_ptr<OpenDevice>> open(Driver& driver, const DeviceDescriptor& found,
                                                   const DeviceSetup& setup);
-  /// Takes a device that its driver has opened, and Driver::default_plane().
+  /// Takes ownership of a device that its driver has opened. `default_plane` is that of
+  /// Driver::default_plane().
   OpenDevice(std::unique_ptr<DriverDevice> device, const PlaneCalibration& default_plane,
              const DeviceSetup& setup);
   /// Uses a device without a driver. `device` must outlive this.
@@ -66,8 +70,8 @@ class OpenDevice final : public Device {
   [[nodiscard]] bool is_arm() const noexcept override { return device_.is_arm(); }
   void stop() noexcept override { device_.stop(); }
 
-  /// Returns the mapping from the device's frame to the page's; the identity for a device without a
-  /// frame of its own.
+  /// Returns the mapping from the device's frame to the page's frame. It is the identity if the
+  /// device already reports positions in the frame of the page.
   [[nodiscard]] const PlaneCalibration& plane() const noexcept { return plane_; }
   /// Returns the plane that is used until the user has set one.
   [[nodiscard]] const PlaneCalibration& default_plane() const noexcept { return default_plane_; }
@@ -75,10 +79,11 @@ class OpenDevice final : public Device {
   [[nodiscard]] const Capabilities& device_capabilities() const noexcept {
     return device_.capabilities();
   }
-  /// Changes plane and limits. Requires that no loop runs.
+  /// Sets the plane and the user's limits from a profile. Requires that no loop runs.
   void set_profile(DeviceProfile profile);
 
-  // As in DriverDevice; without a driver they return the defaults of DriverDevice.
+  // The same functions as in DriverDevice. If the device has no driver, they return the defaults of
+  // DriverDevice.
   [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept;
   [[nodiscard]] DeviceStatus status() noexcept;
   [[nodiscard]] LoopHost* loop_host() noexcept;

@@ -40,7 +40,7 @@ PlaneCalibration fit_to_page(const PlaneCalibration& plane, const DrawingArea& a
   const auto turned = PlaneCalibration::from(plane.rows(), {}, wanted);
   if (!turned) return plane;
   const Vec3 middle = turned->to_sheet(area.middle_mm);
-  // Heights above the page scale as all lengths do.
+  // Heights above the page are scaled like all other lengths.
   const Vec3 offset{0.5 * (page.x0 + page.x1) - middle.x, 0.5 * (page.y0 + page.y1) - middle.y,
                     plane.offset().z * wanted / plane.scale()};
   return PlaneCalibration::from(plane.rows(), offset, wanted).value_or(plane);

@@ -100,7 +100,7 @@ Result<void> check(std::span<const PlaneTouch> touches) {
 }
 
 /// The best rotation within the plane, in its own axes u and v: page = turn * (u, v), with or
-/// without a mirror.
+/// without a reflection.
 struct Turn {
   double a = 1.0, b = 0.0;  // cosine and sine
   double gain = 0.0;        // sum of products; a larger sum means a smaller residual
@@ -172,9 +172,10 @@ std::array<PlaneTouch, 3> corner_touches(const Vec3& upper_left, const Vec3& upp
            {lower_left, origin + Vec{0.0, norm(lower_left - upper_left)}}}};
 }
 
-// The plane goes through the mean of the touches. The two largest principal axes of their spread
-// span it, and the third is its normal. The rotation within the plane is fitted twice, plain and
-// mirrored, and the better fit is kept. `device` chooses the sign of the normal. The scale is 1.
+// The plane goes through the mean of the touches. The two largest principal axes of the touches
+// span the plane, and the third axis is its normal. The rotation within the plane is fitted twice,
+// with and without a reflection, and the better fit is used. `device` chooses the sign of the
+// normal. The scale is 1.
 Result<PlaneFit> fit_plane(std::span<const PlaneTouch> touches, Handedness device) {
   if (Result<void> checked = check(touches); !checked) return tl::unexpected(checked.error());
   const double share = 1.0 / static_cast<double>(touches.size());

@@ -12,10 +12,11 @@
 
 namespace felt {
 
-/// The position of the drawing plane in front of a device, as a map from the device's frame to the
-/// page's (R55: "a driver maps into it"). The map consists of a rotation, an offset, and one scale
-/// for all directions. The page's frame (x right, y down, z towards the hand) is left-handed, and
-/// most devices' frames are right-handed, so the map usually mirrors.
+/// The position and orientation of the drawing plane in front of a device, stored as a map from the
+/// device's frame to the page's frame (R55: "a driver maps into it"). The map consists of a
+/// rotation, an offset, and one scale for all directions. The page's frame (x right, y down, z
+/// towards the hand) is left-handed, and most devices' frames are right-handed, so the map usually
+/// contains a reflection.
 ///
 /// With the rotation R and the scale s (mm on the page per mm of the hand, 0.5..2, usually 1):
 ///
@@ -34,22 +35,23 @@ namespace felt {
 /// A value type that is trivially copyable. The maps are real-time safe.
 class PlaneCalibration {
  public:
-  /// Makes the identity, for a device that has the frame of the page.
+  /// Makes the identity map, for a device that already reports positions in the frame of the page.
   constexpr PlaneCalibration() noexcept = default;
-  /// Restores a map from stored rows(), offset() and scale(). Returns nullopt if it is invalid: the
-  /// axes are not of length 1 and at right angles within 1e-6, a number is not finite or exceeds
-  /// 1e6 mm, or the scale is not within 0.5..2.
+  /// Restores a map from stored rows(), offset() and scale(). Returns nullopt if the map is
+  /// invalid. It is invalid if the axes do not have length 1 or are not at right angles (both
+  /// within 1e-6), if a number is not finite or exceeds 1e6 mm, or if the scale is not within
+  /// 0.5..2.
   static std::optional<PlaneCalibration> from(const std::array<Vec3, 3>& rows, const Vec3& offset,
                                               double scale = 1.0);
 
-  /// Maps a position, mm.
+  /// Maps a position from the device's frame to the page's, mm.
   [[nodiscard]] constexpr Vec3 to_sheet(const Vec3& device_mm) const noexcept {
     return turn_to_sheet(device_mm) + offset_;
   }
   [[nodiscard]] constexpr Vec3 to_device(const Vec3& sheet_mm) const noexcept {
     return turn_to_device(sheet_mm - offset_);
   }
-  /// Maps a displacement or a velocity.
+  /// Maps a displacement or a velocity from the device's frame to the page's.
   [[nodiscard]] constexpr Vec3 turn_to_sheet(const Vec3& v) const noexcept {
     return {scale_ * dot(rows_[0], v), scale_ * dot(rows_[1], v), scale_ * dot(rows_[2], v)};
   }
@@ -57,7 +59,7 @@ class PlaneCalibration {
     const double share = 1.0 / scale_;
     return (share * v.x) * rows_[0] + (share * v.y) * rows_[1] + (share * v.z) * rows_[2];
   }
-  /// Maps a force. Rotates it, but does not scale it.
+  /// Maps a force from the page's frame to the device's. Rotates it, but does not scale it.
   [[nodiscard]] constexpr Force turn_to_device(const Force& f) const noexcept {
     const Vec3 v = f.x * rows_[0] + f.y * rows_[1] + f.z * rows_[2];
     return {v.x, v.y, v.z};
@@ -66,8 +68,9 @@ class PlaneCalibration {
     const Vec3 v{f.x, f.y, f.z};
     return {dot(v, rows_[0]), dot(v, rows_[1]), dot(v, rows_[2])};
   }
-  /// Returns the device's capabilities in the frame of the surface: the box around its workspace,
-  /// its maximum stiffness and damping divided by the scale, its resolution multiplied by it.
+  /// Returns the device's capabilities in the frame of the surface: the bounding box of its
+  /// workspace, its maximum stiffness and damping divided by the scale, and its resolution
+  /// multiplied by the scale.
   [[nodiscard]] Capabilities to_sheet(const Capabilities& device) const noexcept;
 
   /// Returns the axes of the surface in the device's frame, each of length 1.
@@ -105,15 +108,17 @@ struct PlaneFit {
   double worst_mm = 0.0;  ///< the largest of these distances
 };
 
-/// Returns touches from three corners of the wanted drawing area, so that the user need not
-/// measure. The upper left corner of the area becomes `origin` on the page. If the angle at the
-/// corner is not a right angle, the residual of the fit is larger.
+/// Makes three touches for fit_plane() from three touched corners of the wanted drawing area, so
+/// that the user need not measure any distance. The upper left corner of the area gets the position
+/// `origin` on the page. If the angle at the corner is not a right angle, the residual of the fit
+/// is larger.
 std::array<PlaneTouch, 3> corner_touches(const Vec3& upper_left, const Vec3& upper_right,
                                          const Vec3& lower_left, Point origin);
 
-/// Returns the rigid map that fits the touches best: the least-squares plane, and the least-squares
-/// rotation within it (Procrustes). `device` is the handedness of the device's frame. It is needed
-/// because three touches do not show which side of the plane is above.
+/// Returns the rigid map that fits the touches best. It consists of the least-squares plane and of
+/// the least-squares rotation within that plane (Procrustes). `device` is the handedness of the
+/// device's frame. It is needed because three touches do not show which side of the plane faces the
+/// hand.
 ///
 /// Fails if there are fewer than three touches, one is not finite or exceeds 1e6 mm, two are closer
 /// than kMinApartMm, or all are closer than kMinBesideMm to one line.

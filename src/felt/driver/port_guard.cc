@@ -94,7 +94,8 @@ std::unique_ptr<PortGuard> PortGuard::start(int port, std::span<const std::byte>
   std::copy(last_words.begin(), last_words.end(), watch.words.begin());
   watch.size = last_words.size();
   watch.patience = {.tv_sec = patience_ns / kSecond, .tv_nsec = patience_ns % kSecond};
-  // Signals are blocked first, so that none of our handlers ever runs in the guard.
+  // All signals are blocked before the fork, so that none of our signal handlers ever runs in the
+  // guard.
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
@@ -117,7 +118,8 @@ PortGuard::~PortGuard() {
 
 bool PortGuard::beat() noexcept {
   const char life = 1;
-  // The socket may be full if the guard had no time to read. Enough heartbeats then wait in it.
+  // The socket is full if the guard had no time to read. This is not an error, because enough
+  // heartbeats are then waiting in the socket.
   const ssize_t sent = ::send(connection_, &life, 1, MSG_DONTWAIT | MSG_NOSIGNAL);
   return sent >= 0 || (errno != EPIPE && errno != ECONNRESET);
 }

@@ -9,16 +9,18 @@
 
 namespace felt {
 
-/// A small process that releases a device without a watchdog if our program cannot do so, because
-/// it was killed, has crashed, is stopped (Ctrl-Z, a debugger) or is unresponsive.
+/// A small process that sets the force of a device without a watchdog to zero when our program
+/// cannot do so: because the program was killed, has crashed, is stopped (Ctrl-Z, a debugger) or is
+/// unresponsive.
 ///
-/// The guard holds a copy of the port and one end of a connection to our program. If a beat does
-/// not arrive within the patience, it writes the last words once, and again only after new beats
-/// and another silence. When the connection ends, which happens however our program ends, it writes
-/// the last words and exits. It has a session of its own, receives only SIGKILL, keeps no other
-/// file of ours open, and calls only functions that are safe after a fork of a program with
-/// threads. Its memory is shared with ours until we write to it, so start the guard before the loop
-/// runs.
+/// The guard holds a copy of the port and one end of a connection to our program. If the heartbeats
+/// (see beat()) stop for `patience_ns`, the guard writes `last_words`, a message that releases the
+/// force, to the port. It does so once for each silence. When the connection ends, which happens
+/// however our program ends, the guard writes `last_words` and exits. The guard runs in its own
+/// session, blocks all signals (only SIGKILL and SIGSTOP still reach it), closes all other files of
+/// our program, and calls only functions that are safe after a fork of a program with threads.
+/// After the fork, the kernel copies a page of memory when our program first writes to it, which
+/// takes time; therefore start the guard before the loop runs.
 class PortGuard {
  public:
   static constexpr std::size_t kMaxBytes = 64;
@@ -27,15 +29,15 @@ class PortGuard {
   /// kMaxBytes, or if a process or connection cannot be created. Used on the edit thread.
   static std::unique_ptr<PortGuard> start(int port, std::span<const std::byte> last_words,
                                           std::int64_t patience_ns);
-  /// Ends the guard, which then writes the last words. Waits until it has exited and the port is
-  /// free.
+  /// Ends the guard, which then writes the last words. Waits until the guard has exited and has
+  /// closed the port.
   ~PortGuard();
   PortGuard(const PortGuard&) = delete;
   PortGuard& operator=(const PortGuard&) = delete;
 
   /// Sends a heartbeat. Returns false if the guard has ended (it was killed) and no longer protects
-  /// the device. Safe to call from any thread. Real-time safe, because it makes only one transfer,
-  /// which never waits.
+  /// the device. Safe to call from any thread. Real-time safe, because it makes a single system
+  /// call that never waits.
   bool beat() noexcept;
 
  private:

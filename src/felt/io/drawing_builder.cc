@@ -11,8 +11,9 @@
 namespace felt {
 namespace {
 
-/// An id that a name requests must be below this. It is far below the largest id that a file can
-/// hold (2^53), so that new strokes get ids that can be saved.
+/// The id in a name is used only if it is below this limit. The limit is far below the largest id
+/// that a file can hold (2^53), so that the ids of new strokes, which are larger, can still be
+/// saved.
 constexpr std::uint64_t kMaxId = std::uint64_t{1} << 40;
 
 /// Returns 12 for "s12", and 0 for any other name.

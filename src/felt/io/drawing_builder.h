@@ -19,13 +19,13 @@ namespace felt {
 ///   builder.add(layer, stroke, "s12");
 ///   return std::move(builder).build();
 ///
-/// A stroke named "s12" gets id 12, if it is the first stroke with that name. All other strokes get
-/// ids above the largest id in use, layer by layer in order. A file that was written with
-/// stroke_name() therefore gets its ids back.
+/// The first stroke named "s12" gets id 12. Strokes without such a name, and further strokes with
+/// the same name, get new ids above the largest requested one, layer by layer in order. A file that
+/// was written with stroke_name() therefore gets its ids back.
 class DrawingBuilder {
  public:
-  /// Returns everything except the document: page, materials, extras. The drawing has no page until
-  /// `has_page` is set.
+  /// Returns the drawing, so that the caller can set everything except its document: page,
+  /// materials, extras. The drawing has no page unless the caller sets `has_page`.
   [[nodiscard]] Drawing& drawing() noexcept { return drawing_; }
 
   /// Adds a layer on top and returns its index. If the name is empty, too long, not UTF-8 or has a
@@ -34,11 +34,12 @@ class DrawingBuilder {
   [[nodiscard]] std::size_t layer_count() const noexcept { return layers_.size(); }
   /// Adds a stroke on top of that layer. Requires an index from add_layer().
   void add(std::size_t layer, Stroke stroke, std::string_view name = {});
-  /// Adds a stroke that another document holds as `id`. The stroke keeps that id.
+  /// Adds a stroke that has the id `id` in another document. The stroke keeps that id.
   void add(std::size_t layer, StrokePtr stroke, StrokeId id);
 
-  /// Returns the drawing. If no layer was added, it gets an empty layer, "Ink". A page larger than
-  /// allowed gets the default size. A surface with an invalid name is dropped.
+  /// Returns the drawing. If no layer was added, the drawing gets an empty layer, "Ink". If the
+  /// page is larger than allowed, it gets the default size. If the name of the surface is invalid,
+  /// the surface is dropped.
   [[nodiscard]] Drawing build() &&;
 
  private:

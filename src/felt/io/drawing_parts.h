@@ -18,7 +18,7 @@ using ByteSink = std::function<Result<void>(std::string_view bytes)>;
 /// A piece of a file.
 struct DrawingPart {
   std::string bytes{};
-  /// Size and checksum of the unpacked bytes, for packed parts only.
+  /// Size and checksum of the bytes before packing; used only in packed parts.
   std::uint64_t raw_bytes = 0;
   std::uint32_t checksum = 0;
   void clear() {
@@ -28,10 +28,11 @@ struct DrawingPart {
   }
 };
 
-/// A file that is being written, in parts of a bounded number of strokes, so that only a few parts
-/// are in memory at a time. The file is parts 0, 1, ... count() - 1 and then the tail. Parts do not
-/// depend on each other, so several threads can make them, and the bytes are the same for any
-/// number of threads. Requires that the drawing from which it was made exists and does not change.
+/// A file that is being written. It is divided into parts with a bounded number of strokes, so that
+/// only a few parts are in memory at a time. The file consists of the parts 0, 1, ... count() - 1,
+/// followed by the tail. Parts do not depend on each other (if any_order() is true), so several
+/// threads can make them; the bytes are the same for any number of threads. The drawing must exist
+/// and must not change while its parts are made.
 class DrawingParts {
  public:
   virtual ~DrawingParts() = default;
@@ -45,7 +46,7 @@ class DrawingParts {
   [[nodiscard]] virtual bool any_order() const { return true; }
   /// Records that a part was written to the file. Called for each part in order, on one thread.
   virtual void add(const DrawingPart&) {}
-  /// Returns the bytes after the last part. Call once, after the last add().
+  /// Returns the bytes after the last part. Must be called once, after the last add().
   virtual std::string tail() { return {}; }
 };
 
@@ -61,17 +62,17 @@ struct StrokeRange {
   std::size_t before = 0;
 };
 
-/// Maximum number of strokes and of control points in a part. A single larger stroke becomes a
-/// separate part.
+/// Maximum number of strokes and of control points in a part. A single stroke with more control
+/// points becomes a part of its own.
 inline constexpr std::size_t kPartStrokes = 128;
 inline constexpr std::size_t kPartPoints = 8192;
 
-/// Divides the strokes of these layers into ranges, one for each part, in order. A layer without
-/// strokes has one empty range.
+/// Divides the strokes of these layers into ranges, one for each part of the file, in the order of
+/// the file. A layer without strokes gets one empty range.
 std::vector<StrokeRange> stroke_ranges(const Document& document, LayerChoice layers);
 
-/// Returns the part of the page that a picture shows: `page`, or, if absent, the ink and
-/// `margin_mm` around it, with its edges rounded outwards to 0.01 mm.
+/// Returns the area that a picture shows. This is `page`; if `page` is nullopt, it is the box
+/// around the ink with a margin of `margin_mm`, with its edges rounded outwards to 0.01 mm.
 Rect picture_area(const Rect& ink, const std::optional<Rect>& page, double margin_mm) noexcept;
 
 /// Packs text parts into one gzip file. Each part is packed separately. The file contains no time

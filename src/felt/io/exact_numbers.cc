@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kNumberDigits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr unsigned kBits = 6;
-/// Digits that are enough for 64 bits.
+/// Number of digits, of six bits each, that is enough for 64 bits.
 constexpr std::size_t kMaxDigits = 11;
 constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
 
@@ -27,7 +27,8 @@ double of_rank(std::uint64_t rank) noexcept {
   return std::bit_cast<double>((rank & kSign) != 0 ? rank ^ kSign : ~rank);
 }
 
-/// Returns the difference in rank between value and guess; 0, -1, 1, -2, ... become 0, 1, 2, 3, ...
+/// Returns the difference in rank between value and guess as an unsigned number: 0, -1, 1, -2, ...
+/// become 0, 1, 2, 3, ...
 std::uint64_t folded_difference(double value, double guess) noexcept {
   const std::uint64_t d = rank_of(value) - rank_of(guess);
   return (d << 1) ^ ((d & kSign) != 0 ? ~std::uint64_t{0} : 0);

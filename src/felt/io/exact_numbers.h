@@ -6,10 +6,12 @@
 
 namespace felt {
 
-/// Exact doubles, written next to rounded numbers (docs/formats/svg.md, "Exact numbers").
+/// Writes and reads exact doubles as small differences from rounded numbers that are in the same
+/// file (docs/formats/svg.md, "Exact numbers").
 
-/// Appends the differences between `values` and their rounded `guesses`: a letter that gives the
-/// number of digits, then that many digits for each value. Requires as many guesses as values.
+/// Appends the differences between `values` and `guesses`, their rounded values: first one
+/// character that gives the number of digits, then that many digits for each value. Requires as
+/// many guesses as values.
 void append_exact(std::string& out, std::span<const double> values,
                   std::span<const double> guesses);
 
@@ -17,8 +19,9 @@ void append_exact(std::string& out, std::span<const double> values,
 std::size_t exact_count(std::string_view text) noexcept;
 
 /// Reads one value for each guess from `text` into `values`. If a value is farther than `near` from
-/// its guess, the guess is used, because another program changed that number. Returns false, and
-/// leaves `values` unspecified, if the text is malformed or has another number of values.
+/// its guess, stores the guess instead, because another program has changed the rounded number.
+/// Returns false, and leaves `values` unspecified, if the text is malformed or has another number
+/// of values.
 bool read_exact(std::string_view text, std::span<const double> guesses, double near,
                 std::span<double> values);
 

@@ -12,7 +12,7 @@ namespace felt {
 /// optional; then a line "R G B name" for each colour, 0..255, separated by spaces or tabs. Empty
 /// lines and lines that begin with # are ignored. Lines may end in CR LF.
 ///
-/// Fails at the first line that is none of these, or if a limit is exceeded. The message is
+/// Fails at the first line that has another form, or if a limit is exceeded. The message is
 /// "file:line: reason". Names must be UTF-8 without control characters.
 Result<Palette> read_gpl(const std::string& file, std::string_view text);
 

@@ -15,8 +15,8 @@ namespace felt {
 /// A kind of content that a reader skipped or changed, as a notice for the user (notice_text).
 struct ImportNotice {
   std::int64_t line = 0;   ///< line of the first occurrence, from 1; 0 if the format has no lines
-  std::string element;     ///< "path 'leaf'", "trace 7": the first occurrence
-  std::string what;        ///< how it was handled: a clause that follows the element
+  std::string element;     ///< element of the first occurrence: "path 'leaf'", "trace 7"
+  std::string what;        ///< how the content was handled; a clause that follows the element
   std::int64_t count = 1;  ///< number of occurrences in this file
 
   friend bool operator==(const ImportNotice&, const ImportNotice&) = default;
@@ -24,7 +24,8 @@ struct ImportNotice {
 
 /// Notices of one file, in the order in which they first occurred. Notices with the same `what` are
 /// counted together. If notices differ only in numbers and quoted names, only the first three are
-/// kept. The size is bounded for any file: beyond kMaxKinds, all others become one notice.
+/// kept. The size is bounded for any file: after kMaxKinds notices, all further ones are counted in
+/// one last notice.
 class ImportReport {
  public:
   static constexpr std::size_t kMaxKinds = 100;
@@ -59,11 +60,12 @@ struct Imported {
   bool is_exact = false;
 };
 
-/// Medium of lines from programs that have no media. It is drawn solid, in exactly the colour of
-/// the line.
+/// The medium for lines from programs that have no media. Feltline draws it solid, in exactly the
+/// colour of the line.
 inline constexpr const char* kSolidMedium = "ink-pen";
 
-/// Returns `fit` with the solid medium, unless the caller chose a medium other than the default.
+/// Returns `fit` with kSolidMedium as its medium, unless the caller has chosen a medium other than
+/// the default one.
 inline InkFitOptions solid_fit(InkFitOptions fit) {
   if (fit.material == InkFitOptions{}.material) fit.material = kSolidMedium;
   return fit;

@@ -12,16 +12,17 @@
 namespace felt {
 namespace {
 
-/// Distance between the points at which the fit checks a drawn line: near its ends, and the largest
-/// distance in between.
+/// Distances between the points at which the fit checks a straight piece of a drawn line: the
+/// distance near the ends of the piece, and the largest distance (line_steps()).
 constexpr double kFirstStepMm = 0.15, kMaxStepMm = 1.0;
-/// Largest number of points inserted between others in one file. After that, the pieces of a line
-/// stay straight segments, so that a small file with long lines cannot keep us busy.
+/// Largest number of points inserted between others in one file. After that, long straight pieces
+/// become straight segments, so that a small file with very long lines cannot cause very much work.
 constexpr std::size_t kMaxInserted = 4'000'000;
-/// A longer run is fitted in parts that meet in corners, so that memory stays bounded.
+/// Largest number of points that are fitted together. A longer run is fitted in parts that meet in
+/// corners, so that memory is bounded.
 constexpr std::size_t kLongestRun = 100'000;
-/// Replaces kRuledMm once kMaxInserted points were inserted: pieces up to this length go to the
-/// fit without extra points.
+/// Once kMaxInserted points were inserted, this length replaces kRuledMm: a longer piece becomes a
+/// straight segment, and a shorter one is fitted without extra points.
 constexpr double kMinRuledMm = 1.0;
 
 InkFitOptions drawn_line_options() {
@@ -66,8 +67,8 @@ class InkOfPoints::Pieces {
       const Cubic line = straight(data_.points[last - 3], run.points.front());
       std::copy(line.p.begin(), line.p.end(), data_.points.end() - 4);
     }
-    // If another run precedes this one, this one begins at the end of the other, which is within
-    // the tolerance.
+    // If another fitted run precedes this one, moves the start of this run to the end of that run.
+    // The two differ by less than the tolerance.
     if (!empty() && !after_straight_) run.points.front() = data_.points.back();
     const double offset = segments();
     begin_part(run.points.front(), run.widths.front().width_mm);
@@ -191,7 +192,8 @@ Result<StrokeData> InkOfPoints::of_line(std::span<const WidePoint> line) {
   return whole;
 }
 
-// Extends the run to `to`, with points in between so that the fit cannot leave the line.
+// Appends `to` to the run, after points on the straight line to it, so that the fitted curve cannot
+// leave that line.
 void InkOfPoints::add_between(const WidePoint& from, const WidePoint& to) {
   if (inserted_ < kMaxInserted) {
     line_steps(distance(from.position, to.position), kFirstStepMm, kMaxStepMm, steps_);

@@ -20,33 +20,33 @@ struct WidePoint {
 };
 
 /// Largest distance between the curve and the points of a drawn line. The fit also checks points on
-/// the straight lines between them, at most 1 mm apart. Elsewhere the curve stays within twice this
-/// distance.
+/// the straight lines between the points, at most 1 mm apart. Between the checked points, the curve
+/// stays within twice this distance.
 inline constexpr double kDrawnLineToleranceMm = 0.05;
 /// Largest difference between the width profile and the widths of a drawn line.
 inline constexpr double kDrawnWidthToleranceMm = 0.02;
-/// Length in mm above which a straight piece of a drawn line counts as drawn with a ruler. Such a
-/// piece becomes one straight segment.
+/// A straight piece of a drawn line that is longer than this, in mm, is assumed to be drawn with a
+/// ruler and becomes one straight segment.
 inline constexpr double kRuledMm = 20.0;
 
 /// Converts the data of other programs to strokes: pen samples, or lines with widths. Use one
-/// object for each file: it reuses its buffers, and its work for the file is bounded. Not
-/// thread-safe.
+/// object for each file, because the object reuses its buffers and limits the total work for the
+/// file. Not thread-safe.
 class InkOfPoints {
  public:
-  /// `fit` applies to samples. Drawn lines use the tolerances above.
+  /// `fit` is used for pen samples. Drawn lines are fitted with the tolerances above.
   explicit InkOfPoints(const InkFitOptions& fit);
 
   /// Converts pen samples, in mm, to the stroke that the pencil tool would have drawn. Samples at a
   /// single position become a dab. Fails if no sample is usable.
   Result<StrokeData> of_samples(std::span<const InkSample> samples);
-  /// Converts pen samples with another map from pressure to width.
+  /// Converts pen samples with `widths` instead of the default map from pressure to width.
   Result<StrokeData> of_samples(std::span<const InkSample> samples, const WidthMapOptions& widths);
 
   /// Converts a drawn line. The curve follows the straight lines between the points. If the last
-  /// point equals the first, the stroke is closed. A single position becomes a dab. Points that are
-  /// not finite or beyond 1e9 mm are skipped. Widths below kMinWidthMm are raised to kMinWidthMm.
-  /// Fails if no valid point remains.
+  /// point equals the first, the stroke is closed. If all points are at the same position, the
+  /// stroke is a dab. Points that are not finite or beyond 1e9 mm are skipped. Widths below
+  /// kMinWidthMm are raised to kMinWidthMm. Fails if no valid point remains.
   Result<StrokeData> of_line(std::span<const WidePoint> line);
 
  private:
@@ -57,7 +57,7 @@ class InkOfPoints {
   InkFitOptions fit_;
   InkFitter pencil_;
   InkFitter ruler_;
-  std::size_t inserted_ = 0;           // points inserted between others so far
+  std::size_t inserted_ = 0;           // number of points inserted between others so far
   std::vector<WidePoint> line_, run_;  // buffers of of_line()
   std::vector<double> steps_;
 };

@@ -19,16 +19,17 @@ inline constexpr std::size_t kMaxNumberChars = 64;
 /// Largest magnitude of a coordinate of raw ink, in the unit of the file. 1e9 mm is 1000 km.
 inline constexpr double kMaxCoordinate = kMaxCoordinateMm;
 
-/// Largest magnitude of a number in a sketch. A curve through ink at the limit above may reach
-/// slightly beyond it, and its handles as far as the distance between the samples.
+/// Largest magnitude of a number in a sketch. It is larger than kMaxCoordinate, because a curve
+/// that was fitted to ink near that limit may reach slightly beyond it, and the control points of
+/// the curve even farther.
 inline constexpr double kMaxSketchNumber = 1e10;
 
-/// Largest magnitude of a time in ms, so that it fits int64 nanoseconds. Larger than
-/// kMaxCoordinate because recorders write milliseconds since 1970 (1.8e12).
+/// Largest magnitude of a time in ms, so that it fits int64 nanoseconds. It must allow milliseconds
+/// since 1970 (1.8e12), which some recorders write.
 inline constexpr double kMaxTimeMs = 9e12;
 
-/// Latest time of an event, in ms since the session began: 11 days. A double in milliseconds still
-/// holds every nanosecond of that range.
+/// Latest time of an event, in ms since the session began: 11 days. In that range, a double in
+/// milliseconds still distinguishes all nanoseconds.
 inline constexpr double kMaxEventTimeMs = 1e9;
 
 /// Longest stroke id or material name, in bytes after unescaping.
@@ -38,13 +39,14 @@ inline constexpr std::size_t kMaxNameBytes = 4096;
 inline constexpr std::size_t kMaxMaterialTextBytes = std::size_t{64} << 10;
 inline constexpr std::size_t kMaxMaterialTexts = 64;
 
-/// Deepest nesting inside an ignored key.
+/// Deepest nesting in the value of an ignored key.
 inline constexpr int kMaxIgnoredDepth = 64;
 
 /// Largest file of a foreign format, both packed and unpacked.
 inline constexpr std::size_t kMaxImportBytes = std::size_t{256} << 20;
 
-/// Largest ratio of unpacked to packed size, for files beyond kFreeInflatedBytes.
+/// Largest ratio of unpacked to packed size, for files whose unpacked size exceeds
+/// kFreeInflatedBytes.
 inline constexpr std::size_t kMaxInflation = 100;
 inline constexpr std::size_t kFreeInflatedBytes = std::size_t{8} << 20;
 

@@ -5,10 +5,11 @@
 
 namespace felt {
 
-/// Computes positions on a straight line of this length at which a fit must check it, so that the
-/// fit meets its ends, which may be corners, and cannot leave it in between: at distance `first`
-/// from each end, at twice that, and so on, never more than `most` apart. Replaces `steps` by
-/// parameters 0 < t < 1, ascending. Requires first > 0 and first <= most.
+/// Computes the positions on a straight line at which a curve fit must check its distance from the
+/// line. They are dense near the ends, which may be corners: the first is at distance `first` from
+/// the end, and each gap between two positions is twice the gap before it, but at most `most`. So
+/// the fit meets the ends and cannot leave the line in between. Replaces the content of `steps` by
+/// the positions as parameters 0 < t < 1, ascending. Requires first > 0 and first <= most.
 inline void line_steps(double length, double first, double most, std::vector<double>& steps) {
   steps.clear();
   double gap = first, at = first;

@@ -42,7 +42,7 @@ class NumberList {
   std::string_view text_, word_;
 };
 
-/// Reads the only number in `text`. Returns false if the text has no number or more than one.
+/// Reads `text` as a single number. Returns false if the text has no number or more than one.
 inline bool single_number(std::string_view text, double& value) noexcept {
   NumberList list(text);
   double more = 0.0;

@@ -14,7 +14,7 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{64} << 10;
-constexpr int kGzipWindow = 15 + 16;  // the largest window, gzip header
+constexpr int kGzipWindow = 15 + 16;  // the largest window, with a gzip header
 
 tl::unexpected<Error> too_large() {
   return fail(ErrorCode::kLimitExceeded, "unpacks to more than Feltline takes");
@@ -154,7 +154,7 @@ std::string gzip_head() {
 void append_deflated(std::string& out, std::string_view bytes) {
   constexpr int kRaw = -15;  // the largest window, no header
   constexpr int kMemory = 9;
-  constexpr int kFast = 3;  // takes a third of the time of the default 6; output is a tenth larger
+  constexpr int kFast = 3;  // takes a third of the time of the default, 6; output is a tenth larger
   if (bytes.empty()) return;
   z_stream stream{};
   FELT_CHECK(deflateInit2(&stream, kFast, Z_DEFLATED, kRaw, kMemory, Z_DEFAULT_STRATEGY) == Z_OK);

@@ -25,7 +25,7 @@ enum class CueRoute : std::uint8_t { kHid, kMouse, kReceiver, kHapticPad, kRumbl
 struct FoundCues {
   CueRoute route = CueRoute::kHid;
   std::string path, id, label, serial;
-  std::string rule;  ///< a udev rule that would let the user open it
+  std::string rule;  ///< a udev rule that would let the user open the device
 };
 
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
@@ -37,7 +37,8 @@ std::optional<HapticReports> reports_of(const HidrawNode& node) {
   return descriptor ? HapticReports::find(*descriptor) : std::nullopt;
 }
 
-/// Returns true if the node carries HID++. A mouse has several nodes.
+/// Returns true if the node accepts HID++ messages. A mouse has several nodes, and only one of them
+/// does.
 bool speaks_hidpp(const HidrawNode& node) {
   const Result<HidDescriptor> descriptor = read_hid_descriptor(bytes_of(node.descriptor));
   return descriptor && descriptor->report_bytes(HidReportKind::kOutput, HidppMouse::kLongReport) ==
@@ -64,8 +65,8 @@ bool is_haptic_pad(const InputNode& node) {
   return node.effects[evdev::kFfHaptic];
 }
 
-/// Returns true if the kernel's own driver plays waveforms on this device. It is then used instead
-/// of raw reports.
+/// Returns true if the kernel's own driver plays waveforms on this device. We then use the kernel's
+/// driver instead of raw reports.
 bool is_the_kernels(const HidrawNode& node, const std::vector<InputNode>& inputs) {
   return !node.hid.empty() &&
          std::any_of(inputs.begin(), inputs.end(), [&](const InputNode& input) {
@@ -98,7 +99,8 @@ class Finder {
     const std::optional<HapticReports> reports = reports_of(node);
     if (!reports || is_the_kernels(node, inputs_)) return;
     if (reports->is_touchpad()) {
-      // A touchpad plays its own clicks, so it is only used if the kernel drives it.
+      // A touchpad plays its own clicks when it is pressed, so we use a touchpad only if the kernel
+      // drives its waveforms.
       pad_waits_for_kernel = true;
       return;
     }

@@ -5,16 +5,19 @@
 
 namespace felt {
 
-/// Limits cues to a rate that a device can play: a short burst, and an average per second.
+/// Limits the rate of cues to what a device can play: at most `at_once` cues in a burst, and
+/// `per_second` cues a second on average.
 ///
-/// The Slim Pen 2's firmware is known to stop writing when its motor is used heavily (linux-surface
-/// issue 1066); the hand could not distinguish more cues anyway.
+/// The Slim Pen 2's firmware is known to stop the pen from writing when its motor is used heavily
+/// (linux-surface issue 1066). More cues would be useless anyway, because the hand could not
+/// distinguish them.
 class CuePacer {
  public:
   explicit constexpr CuePacer(double at_once = 5.0, double per_second = 15.0) noexcept
       : most_(at_once), per_ns_(per_second * 1e-9), left_(at_once) {}
 
-  /// Returns true if a cue may be played now. If the clock goes back, no time is counted.
+  /// Returns true if a cue may be played now. A clock that goes back counts as a clock that stands
+  /// still.
   constexpr bool take(std::int64_t now_ns) noexcept {
     const double passed_ns =
         has_last_ ? static_cast<double>(now_ns) - static_cast<double>(last_ns_) : 0.0;

@@ -41,7 +41,8 @@ bool EvdevCues::plays(CueWaveform waveform) const noexcept {
   });
 }
 
-/// Uses only the light motor for a pencil, because it hums higher than the heavy motor.
+/// For a pencil, uses only the light motor, because that motor vibrates at a higher frequency than
+/// the heavy one.
 EvdevEffect EvdevCues::rumble_of(const Cue& cue) const noexcept {
   EvdevEffect effect;
   effect.type = evdev::kFfRumble;
@@ -84,7 +85,8 @@ tl::expected<void, int> EvdevCues::play_haptic(const Cue& cue, Slot slot) noexce
   return {};
 }
 
-/// Ends an effect. If the kernel refuses, the effect counts as playing and is ended next time.
+/// Ends an effect. If the kernel refuses, the effect still counts as playing, and the next call
+/// tries again to end it.
 void EvdevCues::end(Slot slot) noexcept {
   if (!playing_[slot] || is_gone_) return;
   const auto sent = port_->send({evdev::kFf, static_cast<std::uint16_t>(ids_[slot]), 0});

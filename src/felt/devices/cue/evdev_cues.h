@@ -20,8 +20,8 @@ class EvdevCues final : public CueDevice {
   ~EvdevCues() override;
 
   [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }
-  /// Returns true if the device plays this waveform. For a touchpad this is only known after
-  /// playing it; a refused waveform is not tried again.
+  /// Returns true if the device plays this waveform. A touchpad counts as able to play a waveform
+  /// until it has refused that waveform once.
   [[nodiscard]] bool plays(CueWaveform waveform) const noexcept override;
   tl::expected<void, DeviceFault> play(const Cue& cue, std::int64_t now_ns) noexcept override;
   void stop() noexcept override;

@@ -36,7 +36,8 @@ const Relatives& relatives(CueWaveform waveform) noexcept {
   return kWaveforms[std::min(static_cast<std::size_t>(waveform), kWaveforms.size() - 1)];
 }
 
-/// Converts `ms` to the field's logical value; the unit is time with a power of ten.
+/// Converts `ms` to the field's logical value. The field's unit is the second, multiplied by a
+/// power of ten.
 std::int64_t logical_ms(const HidField& field, double ms) noexcept {
   const double low = field.physical_minimum, high = field.physical_maximum;
   const double least = field.minimum, most = field.maximum;
@@ -125,7 +126,8 @@ tl::expected<std::vector<std::uint32_t>, int> HapticReports::ask_list(
       asked = field.report;
     }
     std::int64_t value = hid_value(room, field);
-    // Some devices have constant fields that hold the ordinal; the physical value is the waveform.
+    // Some devices report the ordinal in a constant field. The physical value of the field is then
+    // the waveform.
     if (field.physical_minimum == field.physical_maximum && field.physical_minimum > value) {
       value = field.physical_minimum;
     }

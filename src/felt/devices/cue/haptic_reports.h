@@ -24,7 +24,7 @@ inline constexpr std::uint32_t kIntensity = hid_usage(kPage, 0x23);
 inline constexpr std::uint32_t kRepeatCount = hid_usage(kPage, 0x24);
 inline constexpr std::uint32_t kRetriggerPeriod = hid_usage(kPage, 0x25);
 inline constexpr std::uint32_t kCutoffTime = hid_usage(kPage, 0x28);
-inline constexpr std::uint16_t kOrdinals = 0x0A;  ///< page of the entries in the lists
+inline constexpr std::uint16_t kOrdinals = 0x0A;  ///< HID page for the numbers of list entries
 inline constexpr std::uint32_t kPen = hid_usage(0x0D, 0x02);
 inline constexpr std::uint32_t kDigitizer = hid_usage(0x0D, 0x01);
 inline constexpr std::uint32_t kTouchpad = hid_usage(0x0D, 0x05);
@@ -34,22 +34,23 @@ inline constexpr std::uint32_t kMouse = hid_usage(0x01, 0x02);
 /// Returns the number of a waveform on page 0x0E: 0x1003 is a click. Returns 0x1002 (stop) for
 /// kNone.
 std::uint16_t hid_waveform(CueWaveform waveform) noexcept;
-/// Returns the waveforms that may replace this one, nearest first. The first is the waveform
-/// itself.
+/// Returns the waveforms that may be played instead of this one, most similar first. The first is
+/// the waveform itself.
 std::span<const CueWaveform> nearest_waveforms(CueWaveform waveform) noexcept;
 
-/// The layout of the reports of a HID device's haptic controller. Builds output reports only for
-/// the manual trigger; no other setting of the device is ever written.
+/// The layout of the reports of a HID device's haptic controller. Builds only the output report of
+/// the manual trigger, which plays a waveform; never changes a setting of the device.
 class HapticReports {
  public:
   /// Returns nullopt if the descriptor has no controller with a manual trigger in an output report.
   static std::optional<HapticReports> find(const HidDescriptor& descriptor);
 
-  /// Asks the device for the waveforms of its ordinals with a feature report. Fails with errno.
+  /// Asks the device with a feature report which waveform each of its ordinals stands for. Fails
+  /// with errno.
   tl::expected<void, int> ask(HidrawPort& port);
 
-  /// Returns the ordinal of a waveform, or of the nearest waveform that the device has, or 0 if it
-  /// has neither.
+  /// Returns the ordinal of a waveform. If the device does not have that waveform, returns the
+  /// ordinal of the most similar one in nearest_waveforms(), or 0 if the device has none of them.
   [[nodiscard]] std::uint32_t ordinal(CueWaveform waveform) const noexcept;
   /// Returns the reported duration of one play, ms, or 0 if unknown.
   [[nodiscard]] std::uint32_t duration_ms(std::uint32_t ordinal) const noexcept;
@@ -64,7 +65,7 @@ class HapticReports {
   [[nodiscard]] bool is_touchpad() const noexcept { return is_touchpad_; }
 
  private:
-  static constexpr std::uint32_t kStop = 2;  ///< ordinal in HUTRR63, which uses 1 for "none"
+  static constexpr std::uint32_t kStop = 2;  ///< ordinal of "stop" in HUTRR63 (1 is "none")
   static constexpr std::uint32_t kFirstListed = 3;
   static constexpr std::uint32_t kMaxOrdinals = 64;
 

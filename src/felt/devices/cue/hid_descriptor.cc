@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 16;
 constexpr std::size_t kMaxPushed = 8;
-constexpr std::size_t kMaxUsages = 256;  // maximum number before one main item
+constexpr std::size_t kMaxUsages = 256;  // maximum number of usages before one main item
 constexpr std::uint32_t kMaxCount = 4096;
 constexpr std::uint32_t kMaxSize = 4096;
 
@@ -105,7 +105,7 @@ class Reader {
         globals_.physical_minimum = number;
         return {};
       case 4:
-        // Values such as 0xFF in one byte are not meant as negative if the minimum is not negative.
+        // If the minimum is not negative, a value such as 0xFF in one byte means 255 and not -1.
         globals_.physical_maximum = number < 0 && globals_.physical_minimum >= 0 && size < 4
                                         ? static_cast<std::int32_t>(data)
                                         : number;
@@ -168,7 +168,8 @@ class Reader {
       if (last < first_ || last - first_ >= kMaxUsages - usages_.size()) {
         return wrong("a range of usages makes no sense");
       }
-      // Uses a count instead of comparing, because the last usage may be the largest number.
+      // The loop counts the usages instead of comparing with `last`, because `last` may be the
+      // largest number of its type.
       const std::uint32_t count = last - first_ + 1;
       for (std::uint32_t i = 0; i < count; ++i) usages_.push_back(first_ + i);
     }
@@ -215,8 +216,9 @@ class Reader {
     return {};
   }
 
-  /// Reads maxima as the kernel does: a negative maximum is meant as unsigned if the minimum is not
-  /// negative. If it is still below the minimum, the range is invalid.
+  /// Returns the maximum as the kernel interprets it: if the minimum is not negative, a negative
+  /// maximum is read as an unsigned number. If the result is below the minimum, the range is
+  /// invalid.
   [[nodiscard]] std::int32_t maximum() const noexcept {
     if (globals_.maximum >= globals_.minimum || globals_.minimum < 0) return globals_.maximum;
     return static_cast<std::int32_t>(std::min<std::uint32_t>(globals_.maximum_unsigned, INT32_MAX));

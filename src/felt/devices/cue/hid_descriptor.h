@@ -22,15 +22,15 @@ struct HidField {
   HidReportKind kind = HidReportKind::kInput;
   std::uint8_t report = 0;  ///< number of the report; 0 if not numbered
   std::uint32_t usage = 0;
-  std::uint32_t collection = 0;   ///< usage of the innermost named collection around it
+  std::uint32_t collection = 0;   ///< usage of the innermost collection that has one
   std::uint32_t application = 0;  ///< usage of the outermost collection
   std::uint32_t group = 0;        ///< number of the outermost collection, counted from 1
   bool is_constant = false;
-  bool is_array = false;                  ///< an array of usages, not one value
-  std::size_t bit = 0;                    ///< position in the report, after its number
-  std::size_t bits = 0;                   ///< 1..32
-  std::int32_t minimum = 0, maximum = 0;  ///< logical; minimum <= maximum
-  std::int32_t physical_minimum = 0, physical_maximum = 0;  ///< both 0: same as the logical ones
+  bool is_array = false;  ///< an array of usages, not one value
+  std::size_t bit = 0;    ///< position of the first bit, counted after the report number
+  std::size_t bits = 0;   ///< 1..32
+  std::int32_t minimum = 0, maximum = 0;                    ///< logical range; minimum <= maximum
+  std::int32_t physical_minimum = 0, physical_maximum = 0;  ///< if both are 0, the logical range
   int exponent = 0;                                         ///< power of ten of the physical unit
   std::uint32_t unit = 0;                                   ///< coded as in the descriptor
 };
@@ -45,7 +45,8 @@ struct HidDescriptor {
   [[nodiscard]] bool numbers_reports() const noexcept { return is_numbered; }
 
   bool is_numbered = false;
-  /// Sizes in bits by HidReportKind and report number, including those without a usage.
+  /// Sizes of the reports in bits, by HidReportKind and report number. They include fields without
+  /// a usage, such as padding.
   std::array<std::array<std::uint32_t, 256>, 3> report_bits{};
 };
 
@@ -53,8 +54,8 @@ struct HidDescriptor {
 /// device is not trusted: depth, fields and bits are bounded, and an invalid item is an error.
 /// Fails with the reason and the byte position.
 Result<HidDescriptor> read_hid_descriptor(std::span<const std::uint8_t> bytes);
-inline constexpr std::size_t kMaxHidBytes = 4096;   ///< descriptor size; the kernel's limit
-inline constexpr std::size_t kMaxHidFields = 1024;  ///< fields that are kept
+inline constexpr std::size_t kMaxHidBytes = 4096;   ///< size limit, the same as the kernel's
+inline constexpr std::size_t kMaxHidFields = 1024;  ///< maximum number of fields that are stored
 inline constexpr std::size_t kMaxReportBits = 65536;
 
 /// Returns the value of a field in a report that begins with its number, or 0 if the report is too

@@ -21,8 +21,8 @@ struct MouseTick {
   std::array<std::uint8_t, 3> numbers;  ///< best first
 };
 
-// The waveforms' numbers, with the names that Solaar uses: 0 sharp and 1 damp change of state, 2
-// sharp, 3 damp and 4 subtle collision, 0x1B whisper.
+// The numbers of the waveforms. Solaar names them as follows: 0 is a sharp and 1 a damp change of
+// state; 2 is a sharp, 3 a damp and 4 a subtle collision; 0x1B is a whisper.
 constexpr std::array<MouseTick, 4> kTicks{{
     {CueWaveform::kClick, {1, 0, 3}},
     {CueWaveform::kHover, {0x1B, 4, 1}},

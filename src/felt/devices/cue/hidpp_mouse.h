@@ -15,7 +15,7 @@ namespace felt {
 /// A haptic mouse that uses Logitech's HID++ 2.0. Only a part of the protocol is needed: long
 /// reports of 20 bytes, number 0x11, {device, feature, function and software, 16 bytes}. Messages
 /// of Solaar or another program to the same device have another software number and are ignored. No
-/// setting of the device is changed, so its strength stays as its owner set it.
+/// setting of the device is changed, so the strength of its vibration stays as the user has set it.
 ///
 /// Feature 0x19B0, haptics, as found by other projects (Solaar, OpenLogi): function 0 lists the
 /// available waveforms, function 4 plays one.
@@ -25,17 +25,18 @@ class HidppMouse final : public CueDevice {
   static constexpr std::size_t kBytes = 20;
   static constexpr std::uint8_t kLongReport = 0x11;
   static constexpr std::uint8_t kDirect = 0xFF;   ///< device number without a receiver
-  static constexpr std::uint8_t kMaxPaired = 6;   ///< of a receiver: 1..6
-  static constexpr std::uint8_t kSoftware = 0x5;  ///< ours; Solaar uses 0xB..0xF
+  static constexpr std::uint8_t kMaxPaired = 6;   ///< on a receiver, the numbers are 1..6
+  static constexpr std::uint8_t kSoftware = 0x5;  ///< our software number; Solaar uses 0xB..0xF
 
-  /// Looks for a mouse with haptics, at the receiver's numbers or directly. Takes about 0.25 s for
-  /// each number that does not answer. Fails with the text of errno, or if no mouse answers.
+  /// Looks for a mouse with haptics: at each device number of a receiver, or at kDirect. Takes
+  /// about 0.25 s for each number that does not answer. Fails with the text of errno if a transfer
+  /// fails, and also if no mouse with haptics answers.
   static Result<std::unique_ptr<CueDevice>> open(std::unique_ptr<HidrawPort> port, bool is_receiver,
                                                  DeviceDescriptor descriptor);
 
   [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }
-  /// Returns false for presses, because the hand feels the mouse's own button, and for continuous
-  /// waveforms, because a mouse only ticks.
+  /// Returns false for presses, because the hand already feels the click of the mouse button, and
+  /// for continuous waveforms, because such a mouse can only play short ticks.
   [[nodiscard]] bool plays(CueWaveform waveform) const noexcept override {
     return number_of(waveform) >= 0;
   }
@@ -60,8 +61,8 @@ class HidppMouse final : public CueDevice {
   std::unique_ptr<HidrawPort> port_;
   std::uint8_t device_;
   DeviceDescriptor descriptor_;
-  std::uint8_t feature_ = 0;     // its number on this device
-  std::uint32_t waveforms_ = 0;  // one bit each
+  std::uint8_t feature_ = 0;     // number of the haptics feature on this device
+  std::uint32_t waveforms_ = 0;  // one bit for each available waveform
   CuePacer pacer_{4.0, 10.0};
   bool is_gone_ = false;
 };

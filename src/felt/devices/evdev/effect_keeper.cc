@@ -38,7 +38,8 @@ bool EffectKeeper::play(std::size_t kind, int times) noexcept {
   return sent.has_value();
 }
 
-/// Stops an effect. If that fails, the effect counts as playing and is stopped next time.
+/// Stops an effect. If that fails, the effect still counts as playing, and the next call tries
+/// again to stop it.
 void EffectKeeper::stop(std::size_t kind) noexcept {
   if (there_.plays[kind] && play(kind, 0)) there_.plays[kind] = false;
 }
@@ -75,7 +76,7 @@ void EffectKeeper::serve(std::int64_t now_ns) noexcept {
   const std::uint32_t epoch = epoch_.load(std::memory_order_seq_cst);
   if (epoch != served_epoch_ || !is_wanted(epoch)) stop_all();
   served_epoch_ = epoch;
-  renewed_ns_ = std::min(renewed_ns_, now_ns);  // if the clock was set back
+  renewed_ns_ = std::min(renewed_ns_, now_ns);  // the clock may have been set back
   if (has_renewed_ && now_ns - renewed_ns_ < kUploadNs) return;
   has_renewed_ = true;
   renewed_ns_ = now_ns;
@@ -87,8 +88,8 @@ void EffectKeeper::serve(std::int64_t now_ns) noexcept {
   }
 }
 
-// Uploads the effects that changed, and plays those that are new or about to end. After an error or
-// a silence() everything stops.
+// Uploads the effects that changed, and plays those that are new or about to end. After an error,
+// or if silence() was called meanwhile, stops all effects.
 void EffectKeeper::renew(std::int64_t now_ns) noexcept {
   const EffectPlan& plan = plans_.get();
   const bool is_due = now_ns - played_ns_ >= kPlayAgainNs || now_ns < played_ns_;
@@ -104,12 +105,13 @@ void EffectKeeper::renew(std::int64_t now_ns) noexcept {
     all_well = update(kind, plan, is_due);
   }
   if (all_well) error_.store(0, std::memory_order_relaxed);
-  // If only some effects play, the force is wrong. silence() may also have been called meanwhile.
+  // If only some of the effects play, the force is wrong. And if silence() was called meanwhile, no
+  // effect may play.
   if (!all_well || is_silenced()) stop_all();
 }
 
-/// Checks whether the device accepts effects again: uploads one without force, and does not play
-/// it.
+/// Checks whether the device accepts effects again: uploads an effect without force, but does not
+/// play it.
 void EffectKeeper::probe() noexcept {
   const std::size_t kind =
       stick_.effects[evdev::kFfSpring] ? EffectPlan::kSpring : EffectPlan::kConstant;

@@ -15,37 +15,39 @@ namespace felt {
 ///   haptic thread   want(plan), silence(): wait-free, no kernel call
 ///   worker          serve(now): uploads changes, plays, and plays again before effects end
 ///
-/// Only the worker writes to the device, because a write to an event node waits for the kernel's
-/// lock of that device, which an upload holds for as long as its transfer takes. So silence() only
-/// sets a request. The worker checks it before each play, after each upload, and whenever it
-/// serves, so effects stop within kLookNs plus the time of the transfer in progress. If the worker
-/// is blocked, in the kernel or elsewhere, effects end by themselves, kEffectMs after the device
-/// accepted the last upload or play. This limit does not depend on any other part of the program.
+/// Only the worker writes to the device, because a write to an event node waits for a lock in the
+/// kernel, and an upload holds this lock for as long as its transfer takes. So silence() only sets
+/// a request. The worker checks it before each play, after each upload, and whenever it serves, so
+/// effects stop at the latest after kLookNs (the time between two calls of serve()) plus the time
+/// of the transfer in progress. If the worker is blocked, in the kernel or elsewhere, effects end
+/// by themselves, kEffectMs after the device accepted the last upload or play. This limit does not
+/// depend on any other part of the program.
 class EffectKeeper {
  public:
   static constexpr std::int64_t kPlayAgainNs = 40'000'000;  ///< well before kEffectMs
   static constexpr std::int64_t kUploadNs = 8'000'000;      ///< minimum time between two uploads
 
-  /// `port` must outlive this. If no plan pushes with more than `most_n`, the effects together
-  /// never do, not even between two uploads.
+  /// `port` must outlive this. Requires that no plan pushes with more than `most_n`. Then all
+  /// effects on the device together never push with more than `most_n` either, not even when only
+  /// some effects of a new plan have been uploaded.
   EffectKeeper(EvdevPort& port, const StickForces& stick, double most_n) noexcept
       : port_(port), stick_(stick), most_n_(most_n) {}
 
   // These are called on the haptic thread.
   void want(const EffectPlan& plan) noexcept;
-  /// Requests zero force. The worker stops the effects when it next checks. Does nothing if no plan
-  /// is wanted.
+  /// Requests zero force. The worker stops the effects when it next checks. Does nothing if want()
+  /// was not called since the last silence().
   void silence() noexcept;
   /// Returns the errno of the newest request that the device refused since the last success, or 0.
   /// Safe to call from any thread.
   [[nodiscard]] int error() const noexcept { return error_.load(std::memory_order_relaxed); }
 
-  // These are called on the worker, or on the thread that replaces it.
+  // These are called on the worker, or on the thread that does its work (in tests).
 
   /// Stops effects immediately if silence was requested; uploads and plays if kUploadNs have
   /// passed.
   void serve(std::int64_t now_ns) noexcept;
-  /// Stops and erases all effects. Requires that no thread serves.
+  /// Stops and erases all effects. Requires that no thread calls serve() at the same time.
   void erase_all() noexcept;
 
  private:
@@ -61,8 +63,8 @@ class EffectKeeper {
   StickForces stick_;
   double most_n_;
   LatestValue<EffectPlan> plans_;
-  // Incremented by each want() after a silence(), and by each silence() after a want(). So it is
-  // odd while a plan is wanted.
+  // Incremented by each want() after a silence(), and by each silence() after a want(). So `epoch_`
+  // is odd while a plan is wanted.
   std::atomic<std::uint32_t> epoch_{0};
   std::atomic<int> error_{0};
   // Used by the worker only.

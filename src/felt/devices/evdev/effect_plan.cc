@@ -8,9 +8,8 @@ namespace {
 
 constexpr double kFull = 32767.0;
 constexpr double kFullSaturation = 65535.0;
-constexpr double kMinN = 0.01;  // a smaller force cannot be felt
-constexpr double kGrowN =
-    0.05;  // maximum by which a spring's force may grow beyond its current one
+constexpr double kMinN = 0.01;   // a smaller force cannot be felt
+constexpr double kGrowN = 0.05;  // by which a spring may exceed its current force
 constexpr double kAlmost = 0.9998;
 constexpr double kTurn = 65536.0 / 6.283185307179586;
 
@@ -18,7 +17,7 @@ std::int16_t signed16(double share) noexcept {
   return static_cast<std::int16_t>(std::lround(std::clamp(share, -1.0, 1.0) * kFull));
 }
 
-/// Rounds down, so that a saturation is never larger than its force.
+/// Rounds down, so that a saturation is never larger than the intended force.
 std::uint16_t saturation(double share) noexcept {
   return static_cast<std::uint16_t>(std::clamp(share, 0.0, 1.0) * kFullSaturation);
 }
@@ -126,8 +125,8 @@ EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& sti
   friction.type = stick.effects[evdev::kFfFriction] ? evdev::kFfFriction : evdev::kFfDamper;
   friction.conditions = {friction_of(axes[0], stick), friction_of(axes[1], stick)};
   if (friction.type == evdev::kFfDamper) {
-    // The speed for full force is unknown, so the coefficient is as steep as possible, and
-    // saturated.
+    // The speed at which a damper reaches its full force is unknown. So the coefficient is the
+    // largest possible one, and the saturation limits the force.
     for (EvdevCondition& c : friction.conditions) {
       const bool brakes = c.right_saturation > 0;
       c.right_coefficient = c.left_coefficient = brakes ? signed16(1.0) : std::int16_t{0};

@@ -51,8 +51,8 @@ Finding not_allowed(const FoundStick& stick, const std::string& words, const std
                            .activate = std::string(kReloadUdev)}};
 }
 
-/// Returns true for a stick or wheel without motors that the kernel can use, and false for game
-/// pads.
+/// Returns true for a stick or wheel that has no motors which the kernel can drive. Returns false
+/// for game pads.
 bool is_without_motors(const InputNode& node) {
   return node.axes[evdev::kAbsX] && node.keys[evdev::kButtonTrigger] && node.effects.none();
 }
@@ -98,7 +98,7 @@ class EvdevDriver final : public Driver {
   std::vector<Finding> diagnose(const SystemView& system) override {
     std::vector<Finding> findings;
     const std::vector<FoundStick> sticks = sticks_of(system);
-    std::string rules;  // for all devices that need a rule, because they share a file
+    std::string rules;  // rules for all devices that need one, because all are in one file
     for (const FoundStick& stick : sticks) {
       if (!system.may_use(stick.node.path)) rules += rules_of(stick.node);
     }

@@ -15,17 +15,19 @@ struct EvdevOptions {
   const SystemView* system = nullptr;
   /// The function that opens a device node.
   std::function<Result<std::unique_ptr<EvdevPort>>(const std::string& path)> open = open_evdev;
-  /// If false, no thread uploads effects, and the owner of the device calls EffectServed::serve().
-  /// Meant for tests on a virtual clock.
+  /// If false, the device has no thread that uploads effects, and its owner must call
+  /// EffectServed::serve(). For tests with a virtual clock.
   bool has_thread = true;
 };
 
-/// An additional interface of this driver's devices.
+/// An additional interface of this driver's devices, for an owner that does the work of their
+/// thread.
 class EffectServed {
  public:
   virtual ~EffectServed() = default;
-  /// Does the periodic work of the thread, which calls it every kLookNs: stops effects if
-  /// requested, and uploads effects every kServeNs. Must not be called on the haptic thread.
+  /// Does the periodic work of the device's thread: stops effects if that was requested, and
+  /// uploads new effects when they are due. The thread calls serve() every kLookNs. Must not be
+  /// called on the haptic thread.
   virtual void serve(std::int64_t now_ns) noexcept = 0;
 };
 

@@ -25,8 +25,8 @@ struct Sums {
   Row force{};
 };
 
-/// Solves for the wanted unknowns by Cholesky decomposition; the ridge makes the matrix positive
-/// definite.
+/// Solves the normal equations for the wanted unknowns by Cholesky decomposition. The
+/// regularisation, which sums_of() adds to the diagonal, makes the matrix positive definite.
 Row solve(const Sums& sums, const std::array<bool, kUnknowns>& wanted) noexcept {
   std::array<Row, kUnknowns> lower{};
   Row result{};
@@ -58,7 +58,8 @@ bool is_usable(const FitSample& s) noexcept {
          std::abs(s.force_n) < kMax;  // false for NaN, too
 }
 
-/// Returns the normal equations of the samples, with positions relative to `origin_mm`.
+/// Returns the normal equations of the regularised least-squares fit. Positions are relative to
+/// `origin_mm`.
 Sums sums_of(std::span<const FitSample> samples, double origin_mm) noexcept {
   Sums sums;
   for (std::size_t i = 0; i < kUnknowns; ++i) {
@@ -80,9 +81,10 @@ Sums sums_of(std::span<const FitSample> samples, double origin_mm) noexcept {
 
 }  // namespace
 
-// Solves for force, stiffness and friction. If an unknown is negative, it is removed and the others
-// are fitted again; a stiffness beyond the device's limit is set to that limit. Last, force and
-// friction are adjusted so that the force law passes through the newest sample.
+// Fits force, stiffness and friction. If stiffness or friction is negative, removes it and fits the
+// others again. If the stiffness exceeds the device's limit, sets it to that limit and fits the
+// others again. Last, adjusts force and friction so that the force law passes through the newest
+// sample.
 AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noexcept {
   const auto newest = std::find_if(samples.rbegin(), samples.rend(), is_usable);
   if (newest == samples.rend()) return {};
@@ -96,7 +98,7 @@ AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noex
     law = solve(sums, wanted);
   }
   if (law[1] > can.most_stiffness_n_per_mm) {
-    // Uses the device's largest stiffness, and fits the others again.
+    // Uses the device's largest stiffness, and fits the other unknowns again.
     law[1] = std::max(can.most_stiffness_n_per_mm, 0.0);
     for (std::size_t i = 0; i < kUnknowns; ++i) sums.force[i] -= sums.squares[i][1] * law[1];
     const double stiffness = law[1];
@@ -105,8 +107,8 @@ AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noex
     law[1] = stiffness;
   }
   fit.stiffness_n_per_mm = std::max(law[1], 0.0);
-  // Limits friction to the part of the force that opposes the current motion, so that the force law
-  // never exceeds the requested force, whatever the direction of the motion.
+  // Limits the friction to the part of the newest force that opposes the motion. Then the force of
+  // the law exceeds the newest force by at most a quarter, whatever the direction of the motion.
   const double against_n = -newest->force_n * sign_of(newest->speed_mm_per_s);
   fit.friction_n = std::clamp(law[2], 0.0, std::max(against_n, 0.0));
   fit.force_n = newest->force_n + fit.friction_n * sign_of(newest->speed_mm_per_s);

@@ -23,23 +23,23 @@ struct FitAbility {
 ///
 ///   F(x, v) = force_n - stiffness (x - position_mm) - friction_n sgn(v)
 struct AxisFit {
-  double position_mm = 0.0;         ///< of the newest sample
-  double force_n = 0.0;             ///< at that position, without the friction
-  double stiffness_n_per_mm = 0.0;  ///< pulls back; never negative, because that would push away
+  double position_mm = 0.0;         ///< position of the newest sample
+  double force_n = 0.0;             ///< force at that position, without the friction
+  double stiffness_n_per_mm = 0.0;  ///< never negative: a negative one would push away
   double friction_n = 0.0;          ///< dissipates energy; never negative
 };
 
 /// Fits the force law of AxisFit to the forces of the last milliseconds. Uses regularised least
-/// squares; newer samples have more weight (by a third for each kFitForgets of them). If several
-/// force laws fit equally well, prior knowledge decides: the stiffness is zero without motion, and
-/// a force that always opposes the motion is mostly friction. So the dissipative force law is
-/// chosen.
+/// squares; newer samples have more weight (a sample that is kFitForgets samples older has a third
+/// of the weight). If several force laws fit almost equally well, the regularisation prefers small
+/// unknowns and thereby the force law that dissipates energy: without motion, the stiffness is
+/// zero, and a force that always opposes the motion is explained mostly by friction.
 ///
-/// The force law passes exactly through the newest sample, so the fit adds no delay. Its friction
-/// is at most the part of the force that opposes the motion at that sample. So |force_n| +
-/// friction_n exceeds the last requested force by at most a quarter, whatever the direction of
-/// motion. Samples are ordered from oldest to newest; without samples the force is zero. Samples
-/// that are not finite are left out.
+/// The force law passes exactly through the newest sample, so the fit adds no delay. The friction
+/// is at most as large as the part of the newest force that opposes the motion. Therefore |force_n|
+/// + friction_n, the largest force in any direction of motion, exceeds the last requested force by
+/// at most a quarter. Samples are ordered from oldest to newest; without samples the force is zero.
+/// Samples that are not finite are left out.
 ///
 /// Real-time safe. The time is linear in the number of samples, with a small constant.
 AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noexcept;

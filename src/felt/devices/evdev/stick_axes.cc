@@ -121,8 +121,9 @@ void StickAxes::glide_to(std::int64_t now_ns) noexcept {
 void StickAxes::report(std::int64_t now_ns) noexcept {
   glide_to(now_ns);
   const Said newest = said();
-  // A touch or lift must not be lost if it arrives while the position still moves towards that of
-  // the previous report.
+  // The position may still be on its way to the previous report when the next one comes. If that
+  // report had a touch or lift and the next one reverts it, the touch or lift must not be lost, so
+  // it takes effect now.
   if (newest.touches != to_.touches && now_.touches != to_.touches) {
     now_.touches = to_.touches;
     now_.pressure = to_.pressure;
@@ -134,7 +135,8 @@ void StickAxes::report(std::int64_t now_ns) noexcept {
 
 tl::expected<void, int> StickAxes::listen(EvdevPort& port, std::int64_t now_ns) noexcept {
   EvdevEvent event;
-  // Events that arrive meanwhile are newer than the answer, or agree with it.
+  // While needs_asking() is true, events stay unread. They are newer than the state that the worker
+  // will return, or agree with it.
   for (int i = 0; i < kMaxEvents && !needs_asking(); ++i) {
     const auto more = port.next(event);
     if (!more) return tl::unexpected(more.error());
@@ -142,7 +144,7 @@ tl::expected<void, int> StickAxes::listen(EvdevPort& port, std::int64_t now_ns) 
     const bool is_end = event.type == evdev::kSyn && event.code == evdev::kSynReport;
     if (event.type == evdev::kSyn && event.code == evdev::kSynDropped) loss_ = Loss::kSkips;
     if (loss_ == Loss::kSkips) {
-      // Events before the next report are an incomplete report.
+      // Events up to the end of the current report are incomplete, because some of them were lost.
       if (!is_end) continue;
       loss_ = Loss::kAsks;
       lost_ns_ = now_ns;

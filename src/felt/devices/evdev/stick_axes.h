@@ -8,18 +8,18 @@
 
 namespace felt {
 
-/// The axes and buttons of a stick and their use.
+/// The axes and buttons of a stick, and what each is used for.
 struct StickLayout {
   std::uint16_t x = evdev::kAbsX;
   std::optional<std::uint16_t> y = evdev::kAbsY;  ///< nullopt for a wheel
   std::optional<std::uint16_t> pressure = {};     ///< a lever or pedal for the pressure
-  std::uint16_t contact = evdev::kButtonTrigger;  ///< button; the pen is down while it is held
-  double half_way_mm = 45.0;                      ///< from the centre to an end
+  std::uint16_t contact = evdev::kButtonTrigger;  ///< the pen is down while this button is held
+  double half_way_mm = 45.0;                      ///< travel of the grip from the centre to an end
 };
 
 /// State of axes and buttons, as reported by the kernel.
 struct StickStand {
-  int error = 0;  ///< errno if it is unknown; EINVAL if an axis has no range
+  int error = 0;  ///< errno if the state could not be read; EINVAL if an axis has no range
   EvdevAxis x, y, pressure;
   bool touches = false;
   std::uint32_t buttons = 0;
@@ -32,28 +32,30 @@ StickStand ask_stick(EvdevPort& port, const StickLayout& layout) noexcept;
 /// Converts the events of an input device into pen samples. The pen's position is the grip's, in
 /// mm, with x to the right, y towards the user, and (0, 0) at the centre.
 ///
-/// The pen is down while the contact button is held. Its z is then -2 mm times the pressure, and
-/// otherwise 0.8 mm. The pressure is that of the lever, at least kMinPressure, or kUsualPressure if
-/// the device has no lever. The button after the contact button sets bit 0, and the next button bit
-/// 1 (tools: kFirstModifier, kSecondModifier).
+/// The pen is down while the contact button is held. Its z is then -2 mm times the pressure; while
+/// the pen is up, z is 0.8 mm. The pressure is the position of the lever, but at least
+/// kMinPressure; if the device has no lever, it is kUsualPressure. The button after the contact
+/// button sets bit 0, and the next button bit 1 (tools: kFirstModifier, kSecondModifier).
 ///
-/// Sticks usually report every 8 ms, and their position jumps between reports. Here the pen moves
-/// evenly to a reported position within kGlideNs, and the buttons of the report take effect when it
-/// arrives, so that position, contact and velocity stay consistent, about 8 ms late.
+/// Sticks usually report every 8 ms, so their position changes in jumps. To avoid jumps of the pen,
+/// the pen moves at constant speed to a reported position within kGlideNs. The buttons of the
+/// report take effect when the pen arrives there. So position, contact and velocity are consistent,
+/// but about 8 ms late.
 ///
-/// If the kernel reports that events were lost, needs_asking() returns true, and events wait until
-/// another thread has asked for the state of axes and buttons and take() has set it.
+/// If the kernel reports that events were lost, needs_asking() returns true. No more events are
+/// read until another thread has called ask_stick() and take() has set the state that it returned.
 ///
-/// Used on the haptic thread after begin(). Does not allocate, and makes no kernel call except
-/// reading the next event, which never waits.
+/// After begin(), the object is used on the haptic thread. Its functions do not allocate, and their
+/// only kernel call is to read the next event, which never waits.
 class StickAxes {
  public:
   static constexpr std::int64_t kGlideNs = 8'000'000;
   static constexpr double kUsualPressure = 0.5;
   static constexpr double kMinPressure = 0.02;
-  static constexpr double kDepthMm = 2.0;  ///< at full pressure
-  static constexpr double kHoverMm = 0.8;  ///< clearly lifted, but no jump away from the surface
-  static constexpr int kMaxEvents = 64;    ///< handled in one read; the others wait
+  static constexpr double kDepthMm = 2.0;  ///< depth below the surface at full pressure
+  static constexpr double kHoverMm = 0.8;  ///< height of the lifted pen: clearly in the air, but
+                                           ///< near enough that lifting is not a jump
+  static constexpr int kMaxEvents = 64;    ///< events handled in one call; the others wait
   static constexpr double kCutoffHz = 30.0;
   static constexpr std::int64_t kStaleNs = 50'000'000;
 
@@ -65,10 +67,11 @@ class StickAxes {
   tl::expected<void, int> listen(EvdevPort& port, std::int64_t now_ns) noexcept;
   /// Returns true if events were lost and ask_stick() must be called.
   [[nodiscard]] bool needs_asking() const noexcept { return loss_ == Loss::kAsks; }
-  /// Returns true if the wait for the state has been so long that the last position is no longer
-  /// valid.
+  /// Returns true if needs_asking() has been true for so long that the last position must no longer
+  /// be used.
   [[nodiscard]] bool is_stale(std::int64_t now_ns) const noexcept;
-  /// Sets the state after events were lost. Fails with stand.error; events then still wait.
+  /// Sets the state after events were lost, and lets listen() read events again. Fails with
+  /// stand.error if the state could not be read; listen() then still waits.
   tl::expected<void, int> take(const StickStand& stand, std::int64_t now_ns) noexcept;
   /// Returns the pen sample at this time.
   PenSample sample(std::int64_t now_ns) noexcept;
@@ -94,7 +97,8 @@ class StickAxes {
     std::uint32_t buttons = 0;
   };
 
-  /// The state after events were lost: kSkips until the current report ends, then kAsks.
+  /// The progress after events were lost: kSkips until the incomplete report ends, then kAsks until
+  /// take() has set the state.
   enum class Loss : std::uint8_t { kNone, kSkips, kAsks };
 
   void hear(const EvdevEvent& event) noexcept;

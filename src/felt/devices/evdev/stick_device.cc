@@ -47,7 +47,8 @@ constexpr bool means_gone(int error) noexcept {
 
 Capabilities capabilities_of(const StickKind& kind, double step_mm) noexcept {
   Capabilities can = find_device_model(kind.is_wheel ? "ff-wheel" : "ff-stick")->capabilities;
-  // Uses the strength of this device if known, but never more than that in device_models().
+  // Limits the force to the strength of this device; never raises it above the figure in
+  // device_models().
   can.max_force_n = std::min(can.max_force_n, kind.forces.full_force_n);
   can.max_stiffness_n_per_m =
       std::min(can.max_stiffness_n_per_m, 1e3 * ability_of(kind.forces).most_stiffness_n_per_mm);
@@ -100,7 +101,8 @@ void StickDevice::serve(std::int64_t now_ns) noexcept {
   answers_.publish({question, stand});
 }
 
-/// Reads the stick's events, or, after events were lost, the worker's answer.
+/// Reads the stick's events. After events were lost, sets the state that the worker has read
+/// instead.
 tl::expected<void, int> StickDevice::hear(std::int64_t now_ns) noexcept {
   answers_.update();
   const Answer& answer = answers_.get();
@@ -174,8 +176,8 @@ void StickDevice::let_go() noexcept {
 
 tl::expected<void, DeviceFault> StickDevice::write(const Force& force) noexcept {
   if (is_gone_) return failed(DeviceFault::kDisconnected, ENODEV);
-  // The device has no vertical axis; a force that is not finite is passed on so that it is
-  // rejected.
+  // The vertical force is dropped, because the device has no vertical axis. A force that is not
+  // finite is passed on unchanged, so that the gate rejects it.
   const ForceGate::Passed passed =
       gate_.pass(is_finite(force) ? Force{force.x, force.y, 0.0} : force, now_ns_);
   if (!passed.was_finite) {

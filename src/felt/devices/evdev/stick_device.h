@@ -16,13 +16,15 @@ namespace felt {
 /// Returns the capabilities of a stick of this kind.
 Capabilities capabilities_of(const StickKind& kind, double step_mm) noexcept;
 
-/// An open stick or wheel. Every 8 milliseconds the forces given to write() are converted into a
-/// local force law of position and motion (fit_axis), and the force law into effects.
+/// An open stick or wheel. Every 8 milliseconds, fit_axis() fits a force law of position and
+/// velocity to the last forces that write() received, and plan_effects() converts this law to
+/// effects.
 ///
-/// The haptic thread never waits for the kernel: read() reads waiting events; write() and stop()
-/// post requests to the worker (effect_keeper.h), which checks every millisecond. So a force ends
-/// within about 1 ms plus the time of the transfer in progress. If the worker is blocked, it ends
-/// after kEffectMs at the latest, because effects end by themselves.
+/// The haptic thread never waits for the kernel: read() reads events that have already arrived;
+/// write() and stop() post requests to the worker thread (effect_keeper.h), which checks for
+/// requests every millisecond. So after stop() the force ends within about 1 ms plus the time of
+/// the transfer in progress. If the worker is blocked, the force ends after kEffectMs at the
+/// latest, because effects end by themselves.
 class StickDevice final : public DriverDevice, public EffectServed {
  public:
   /// Requires an open port whose axes have been read. Starts the thread.
@@ -46,7 +48,8 @@ class StickDevice final : public DriverDevice, public EffectServed {
  private:
   static constexpr std::size_t kWindow = 24;  ///< samples used in a fit
 
-  /// The worker's answer, and the number of its question.
+  /// The state of the axes that the worker has read, and the number of the question that it
+  /// answers.
   struct Answer {
     std::uint32_t question = 0;
     StickStand stand;

@@ -2,14 +2,15 @@
 
 #include <cstdint>
 
-/// The interface of Force Dimension's libraries (SDK 3.x: libdhd.so, and libdrd.so, which contains
-/// all of it), in our own declarations of the functions of `dhdc.h` and `drdc.h`. Units are metres,
-/// m/s and newtons; X is the depth towards the user, Y right, Z up.
+/// Our own declarations of the functions in `dhdc.h` and `drdc.h`, the headers of Force Dimension's
+/// libraries (SDK 3.x: libdhd.so, and libdrd.so, which contains all functions of both). Units are
+/// metres, m/s and newtons; X is the depth towards the user, Y right, Z up.
 ///
-/// Every function of one device takes its number as last argument, although the maker's header
-/// hides it behind a default value: a pointer type without it would make the function read an
-/// undefined value. All are plain C functions. A function that returns an int returns -1 for an
-/// error, and otherwise 0 or a positive notice.
+/// Every function for a single device takes the device's number as its last argument. In the
+/// maker's header this argument has a default value and is easily overlooked; if a function type
+/// here lacked it, the function would read an undefined value. All functions are plain C functions.
+/// Those that return an int return a negative number for an error, and otherwise 0 or a positive
+/// notice.
 namespace felt::dhd {
 
 using Id = char;
@@ -38,7 +39,7 @@ enum Error : int {
 };
 
 /// Notices that functions return instead of 0. They are not errors.
-inline constexpr int kTimeGuard = 1;       ///< called too soon; the last answer is repeated
+inline constexpr int kTimeGuard = 1;  ///< called too soon; the function repeated its last answer
 inline constexpr int kMotorSaturated = 2;  ///< the motors give their maximum
 inline constexpr int kFailed = -1;
 
@@ -53,7 +54,7 @@ enum StatusIndex : int {
   kStatusPower = 0,
   kStatusConnected = 1,
   kStatusStarted = 2,
-  kStatusReset = 3,  ///< in the mode for calibration
+  kStatusReset = 3,  ///< the device is in the mode for calibration
   kStatusIdle = 4,
   kStatusForce = 5,
   kStatusBrake = 6,
@@ -74,10 +75,10 @@ enum ForceOffCause : int {
   kCauseNone = 0,
   kCauseButton = 1,    ///< the force button of the device
   kCauseVelocity = 2,  ///< the guard against fast movement
-  kCauseWatchdog = 3,  ///< no force command for longer than its limit
+  kCauseWatchdog = 3,  ///< no force command came within the watchdog's limit
   kCauseSoftware = 4,  ///< a program requested it
   kCauseUsb = 5,
-  kCauseDeadMan = 6,  ///< nobody holds it
+  kCauseDeadMan = 6,  ///< nobody holds the device
 };
 
 /// Unit of the watchdog's limit. The limit is a byte, so it is at most 31.9 ms.

@@ -20,7 +20,7 @@ bool is_sane(const Vec3& v) noexcept {
 }  // namespace
 
 DhdDevice::~DhdDevice() {
-  // Does this in every state, so that no force stays in effect and the arm is braked.
+  // This is done in every state, so that no force stays in effect and the arm is braked.
   static_cast<void>(send({}));
   api_.stop(id_);
   library_->close(id_);
@@ -56,8 +56,8 @@ tl::expected<PenSample, DeviceFault> DhdDevice::ask_sample() noexcept {
   if (!is_sane(sample.position)) {
     return tl::unexpected(note(DeviceFault::kBadData, 0, "it reported an impossible position"));
   }
-  // "Too soon" (kTimeGuard) repeats the last position. That is no error, but it does not mean that
-  // the arm stood still, so the velocity is kept.
+  // If the call came too soon (kTimeGuard), the library repeats the last position. This is not an
+  // error, and it does not mean that the arm stood still, so the velocity is kept.
   if (done != kTimeGuard) {
     const double dt_s = placed_ns_ ? 1e-9 * static_cast<double>(now_ns_ - *placed_ns_) : 0.0;
     if (dt_s < 0.0 || dt_s > kLongestGapS) velocity_.reset();
@@ -97,8 +97,8 @@ void DhdDevice::look_at_status() noexcept {
   }
 }
 
-// Asks DRD whether the device is homed. Each question costs another transfer, so this only asks
-// when the flag in the status changes, in either direction.
+// Asks DRD whether the device is homed. Each such call needs a transfer over USB, so the function
+// asks only when the flag in the status has changed, in either direction.
 void DhdDevice::look_whether_home(bool reset_flag) noexcept {
   if (!api_.has_drd()) {
     is_home_ = !reset_flag;
@@ -138,7 +138,8 @@ tl::unexpected<DeviceFault> DhdDevice::read_failed(DeviceFault fault) noexcept {
   return tl::unexpected(fault);
 }
 
-// A failed write does not end the reading: the next read() finds out whether the device is gone.
+// A failed write does not make read() fail; the next read() finds out whether the device is
+// disconnected.
 tl::unexpected<DeviceFault> DhdDevice::write_failed(DeviceFault fault) noexcept {
   write_fault_ = fault;
   failed_ns_ = now_ns_;

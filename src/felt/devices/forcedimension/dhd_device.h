@@ -17,33 +17,33 @@ namespace felt::dhd {
 
 /// An open device. Values are in the device's own axes: x towards the user, y right, z up.
 ///
-/// The motors have three states. *Braked*: we switched them off (initially, and after stop()); the
-/// arm is damped by its own windings. *Live*: forces are enabled, and each write() sends one.
-/// *Taken*: the device switched them off by itself; reading goes on, and write() returns
-/// kForcesOff. If the user switched the motors off (force button, grip), only the user can switch
-/// them on again. If a guard of the device switched them off, this object enables them again. After
-/// the watchdog it does so as soon as no force is requested; after other guards it also waits until
-/// no force was requested for kRestNs and the arm is slow.
+/// The motors have three states. *Braked*: the driver switched the motors off (initially, and after
+/// stop()), and their short-circuited windings damp the arm. *Live*: forces are enabled, and each
+/// write() sends a force. *Taken*: the device switched the motors off by itself; read() still
+/// works, and write() returns kForcesOff. If the user switched the motors off (force button, grip),
+/// only the user can switch them on again. If a guard of the device switched them off, this object
+/// enables them again. If that was the watchdog, it does so as soon as no force is requested. After
+/// other guards, it waits until no force has been requested for kRestNs and the arm moves slowly.
 ///
 /// Velocities are computed here from positions, as for the simulated devices (VelocityFilter),
-/// because all proofs of the forces' stability assume it. The library's own velocity is the mean of
-/// 20 ms, which is 8 ms later, and damping with it feels different (in the scenarios ink is
-/// displaced by up to 0.53 mm, instead of 0.02 mm).
+/// because all proofs of the forces' stability assume this filter. The library's own velocity is an
+/// average over 20 ms and lags 8 ms more than the filter, and damping with it feels different (in
+/// the test scenarios, ink is displaced by up to 0.53 mm instead of 0.02 mm).
 ///
-/// The library compensates gravity within each force command, so each tick needs a write(), even if
-/// the force is zero; otherwise the device's watchdog brakes after 31 ms.
+/// Each tick needs a write(), even if the force is zero, because the library compensates gravity
+/// within each force command. Without force commands, the device's watchdog brakes after 31 ms.
 class DhdDevice final : public DriverDevice {
  public:
   static constexpr std::int64_t kRestNs = 500'000'000;
   /// Time after a fault before the motors are enabled again.
   static constexpr std::int64_t kRetryNs = 50'000'000;
-  /// The controller's state is read at each kStatusEvery-th read(), and after a gap of
-  /// kGapNs.
+  /// The controller's state is read at each kStatusEvery-th read(), and at the first read() after a
+  /// gap of kGapNs.
   static constexpr unsigned kStatusEvery = 2;
   static constexpr std::int64_t kGapNs = 5'000'000;
 
-  /// Requires that `id` was opened with library->open(); the destructor closes it. Nothing moves:
-  /// the motors are braked.
+  /// Requires that `id` was opened with library->open(); the destructor closes it. The arm does not
+  /// move, because the motors are braked.
   DhdDevice(std::shared_ptr<Library> library, Id id, DeviceDescriptor descriptor,
             const SystemType& type, std::optional<double> pen_mass_kg);
   ~DhdDevice() override;
@@ -99,11 +99,11 @@ class DhdDevice final : public DriverDevice {
 
   Motors motors_ = Motors::kBraked;
   int cause_ = kCauseNone;           // valid while taken
-  std::int64_t quiet_since_ns_ = 0;  // start of the time without a requested force, while taken
+  std::int64_t quiet_since_ns_ = 0;  // while taken: since when no force was requested
   std::optional<std::int64_t> failed_ns_;
   std::optional<DeviceFault> read_fault_, write_fault_;
   VelocityFilter velocity_;
-  std::optional<std::int64_t> placed_ns_;  // time of its last position
+  std::optional<std::int64_t> placed_ns_;  // time of the last position
   double speed_mm_per_s_ = 0.0;
   bool is_home_ = false;
   bool reset_flag_at_home_ = false;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kStems{"libdrd.so", "libdhd.so"};
 
-// Appends the files in a folder that are this library, in any version: first the name without a
-// version, then the others, newest name first.
+// Appends the files in a folder whose names are those of this library in any version: first the
+// name without a version, then the others from the newest version to the oldest.
 void add_files(const SystemView& system, const std::string& folder, std::string_view stem,
                std::vector<std::string>& names) {
   std::vector<std::string> found = system.list(folder);

@@ -15,15 +15,15 @@
 
 namespace felt::dhd {
 
-/// Returns possible names of the library on this system, in the order in which they are tried: the
-/// SDK's folders ($FDSDK, $FORCEDIM_SDK, its lib/release/lin-MACHINE-COMPILER), ~/.local/lib,
-/// /usr/local/lib, and plain names for the system's search. libdrd comes before libdhd, because it
-/// can home by itself. `named` is the driver's option or $FELT_FORCEDIMENSION_LIBRARY; if it is
-/// set, only that name is returned.
+/// Returns possible names of the library on this system, in the order in which they are tried: in
+/// the SDK's folders ($FDSDK, $FORCEDIM_SDK, and lib/release/lin-MACHINE-COMPILER in them), in
+/// ~/.local/lib and in /usr/local/lib, and last plain names, which the system's loader searches.
+/// libdrd comes before libdhd, because only libdrd can home a device by moving it. `named` is the
+/// driver's option or $FELT_FORCEDIMENSION_LIBRARY; if it is set, only that name is returned.
 std::vector<std::string> library_names(const SystemView& system, const std::string& named);
 
-/// The library's functions. A function marked "or null" is absent from libdhd or from older
-/// libraries.
+/// The library's functions. A pointer marked "or null" is null if the function is absent, as in
+/// libdhd or in older libraries.
 struct Api {
   GetDeviceCount* get_device_count = nullptr;
   OpenId* open_id = nullptr;  ///< drdOpenID if it exists
@@ -61,7 +61,7 @@ struct Api {
   [[nodiscard]] bool has_drd() const noexcept { return drd_auto_init != nullptr; }
 };
 
-/// The description that a device reports.
+/// How a device identifies itself.
 struct Identity {
   int type = 0;
   std::string name;                      ///< given by the library; may be empty
@@ -69,8 +69,9 @@ struct Identity {
 };
 
 /// The loaded library with its open devices. A program has only one object per library file. This
-/// is needed because the library itself would open a device twice, and closing it once would close
-/// it for both users. Safe to call from any thread, because the object has its own lock.
+/// is needed because the library lets a program open the same device twice; the first of the two
+/// users that closes the device closes it for the other, too. Safe to call from any thread, because
+/// the object has its own lock.
 class Library {
  public:
   /// Loads the library, or returns the existing object. Fails with kNotFound and the loader's text
@@ -78,15 +79,16 @@ class Library {
   static Result<std::shared_ptr<Library>> load(const std::vector<std::string>& names);
 
   [[nodiscard]] const Api& api() const noexcept { return api_; }
-  /// These return the library's file, and its version, for example "3.17.5" or empty if unknown.
+  /// path() returns the library's file. version() returns its version, for example "3.17.5", or an
+  /// empty string if the version is unknown.
   [[nodiscard]] std::string path() const { return library_.path(); }
   [[nodiscard]] std::string version() const;
   /// Returns the calling thread's last error with the library's text: "device already in use (error
   /// 20)".
   [[nodiscard]] std::string last_words() const;
 
-  /// Returns the number of connected devices, including those that other programs use. A negative
-  /// number means 0.
+  /// Returns the number of connected devices, including those that other programs use. If the
+  /// number is negative, treat it as 0.
   [[nodiscard]] int count() const;
   /// Identifies the device at this index of the list. Opens it briefly if it is not open in this
   /// program; the arm does not move. Fails with the library's text if the device cannot be opened.
@@ -95,7 +97,8 @@ class Library {
   /// already open in this program.
   Result<Id> open(int index);
   void close(Id id) noexcept;
-  /// Returns how often a device was closed. After that, another device may have its index.
+  /// Returns how often a device was closed. Each time, the indices of devices in the list may
+  /// change.
   [[nodiscard]] std::uint64_t closings() const noexcept { return closings_.load(); }
 
  private:

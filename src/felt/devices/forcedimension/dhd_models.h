@@ -5,14 +5,15 @@
 
 namespace felt::dhd {
 
-/// The call that sets a device's force, chosen so that unused motors are set to zero.
+/// The library call that sets a device's force. It is chosen so that motors that we do not use
+/// (gripper, wrist) are set to zero.
 enum class ForceCall : std::uint8_t {
   kForce,                  ///< only the base has motors
   kForceAndGripper,        ///< base and gripper have motors
   kForceTorqueAndGripper,  ///< base, gripper and wrist have motors
 };
 
-/// The meaning of a number of dhdGetSystemType().
+/// The kind of device that a result of dhdGetSystemType() stands for.
 struct SystemType {
   int number = 0;
   std::string_view model;  ///< id of device_models()

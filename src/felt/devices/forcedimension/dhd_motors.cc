@@ -1,4 +1,4 @@
-// The motors of a DhdDevice: who switched them off, and which forces they get.
+// The part of DhdDevice for its motors: finds out who switched them off, and sends their forces.
 #include "felt/devices/forcedimension/dhd_device.h"
 
 namespace felt::dhd {
@@ -37,10 +37,10 @@ void DhdDevice::look_at_motors(const std::array<int, kStatusRoom>& status) noexc
     return;
   }
   if (is_on) return;
-  // Motors that we braked are also reported as off. In that case this only handles that the user
-  // switched them off.
+  // The device also reports motors that we braked as off. For braked motors, only a cause that
+  // comes from the user (button, grip) is of interest.
   if (motors_ == Motors::kBraked && !is_a_persons(cause)) return;
-  if (cause == kCauseSoftware) {  // our own stop, whose answer was lost
+  if (cause == kCauseSoftware) {  // by our own stop(), whose answer was lost
     motors_ = Motors::kBraked;
     return;
   }
@@ -105,8 +105,8 @@ void DhdDevice::stop() noexcept {
   gate_.let_go();
   if (motors_ == Motors::kBraked) return;
   static_cast<void>(send({}));
-  // Reads the status only if the motors are live: otherwise they are braked already, and our own
-  // stop would hide the cause.
+  // Reads the status before the motors are braked, because our own stop would hide why the device
+  // switched them off. If the motors are not live, they are off already.
   if (motors_ == Motors::kLive) look_at_status();
   if (motors_ == Motors::kLive) brake();
 }

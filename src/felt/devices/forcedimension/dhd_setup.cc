@@ -1,4 +1,4 @@
-// The edit thread's part of a DhdDevice: set-up, homing, status.
+// The part of DhdDevice that the edit thread uses: set-up, homing, status.
 #include <array>
 #include <utility>
 
@@ -35,12 +35,13 @@ void DhdDevice::set_up(std::optional<double> pen_mass_kg) {
       (api_.set_effector_mass == nullptr || api_.set_effector_mass(*pen_mass_kg, id_) < 0)) {
     notice = "the mass of the pen was not taken";
   }
-  // The watchdog counts from the last force command; controllers with firmware before 3.0 do not
-  // have it. The guard against speed keeps the maker's setting.
+  // The watchdog acts when too much time has passed since the last force command. Controllers with
+  // firmware before 3.0 do not have a watchdog. The device's guard against high speeds keeps the
+  // maker's setting.
   bool is_watched = false;
   for (int i = 0; i < kTries && !is_watched && api_.set_watchdog != nullptr; ++i) {
     // Tries several times, because the expert mode is shared by the whole program: the tick of
-    // another device may just have left it.
+    // another device may just have ended it.
     api_.enable_expert_mode();
     is_watched = api_.set_watchdog(kWatchdog31Ms, id_) >= 0;
     api_.disable_expert_mode();

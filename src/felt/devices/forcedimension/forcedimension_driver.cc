@@ -90,7 +90,7 @@ class ForceDimensionDriver final : public Driver {
  private:
   Result<void> load();
   // Returns the reason why an existing library is not used, or an empty string. Does this only if
-  // `system` is this computer, because a library of another one cannot be loaded.
+  // `system` is this computer, because a library of another computer cannot be loaded.
   std::string library_refusal(const SystemView& system) {
     if (&system != &this_system()) return {};
     const auto loaded = load();
@@ -101,9 +101,9 @@ class ForceDimensionDriver final : public Driver {
   ForceDimensionOptions options_;
   std::shared_ptr<dhd::Library> library_;
   std::vector<Listed> listed_;  // by index in the library's list
-  int counted_ = 0;             // number of devices at that time
+  int counted_ = 0;             // number of devices when listed_ was made
   int passed_over_ = 0;
-  std::uint64_t closings_ = 0;  // number of closings at that time
+  std::uint64_t closings_ = 0;  // number of closings when listed_ was made
   std::string last_refusal_;
 };
 
@@ -140,7 +140,7 @@ void ForceDimensionDriver::look() {
 std::vector<DeviceDescriptor> ForceDimensionDriver::find() {
   if (!load()) return {};
   // Opening devices to identify them is expensive, so it is only done when their number has
-  // changed, when one was closed, and now and then while one of them could not be opened.
+  // changed, when one was closed, and from time to time while one of them cannot be opened.
   const int count = std::clamp(library_->count(), 0, kMaxDevices);
   if (count != counted_ || library_->closings() != closings_ ||
       (!last_refusal_.empty() && ++passed_over_ >= kLookAgainAfter)) {
@@ -159,7 +159,7 @@ Result<std::unique_ptr<DriverDevice>> ForceDimensionDriver::open(const DeviceDes
   if (auto loaded = load(); !loaded) {
     return fail(loaded.error().code, "Force Dimension's library: " + loaded.error().message);
   }
-  // Identifies all devices again, because another one may have this index now.
+  // Identifies all devices again, because another device may have this index now.
   counted_ = std::clamp(library_->count(), 0, kMaxDevices);
   look();
   const auto at = std::find_if(listed_.begin(), listed_.end(), [&](const Listed& listed) {

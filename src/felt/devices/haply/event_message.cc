@@ -41,8 +41,8 @@ bool is_serious(std::string_view level) noexcept {
 EventKind safety_kind(const Raw& raw) noexcept {
   if (raw.safety_type == "ebrake_triggered") return EventKind::kBrakeOn;
   if (raw.safety_type == "ebrake_released") return EventKind::kBrakeOff;
-  // The service reports each change of the guard's stage: as a warning if the stage rises, as
-  // information if it falls.
+  // The service reports each change of the guard's stage: as a warning if the stage has risen, and
+  // as information if it has fallen.
   if (raw.safety_type == "fod_stage_changed" && raw.level != "warning" && !is_serious(raw.level)) {
     return EventKind::kNotice;
   }

@@ -15,7 +15,7 @@ constexpr int kMaxMessages = 16;  // messages read in one tick
 constexpr int kMaxEvents = 4;
 constexpr double kNsPerS = 1e9;
 
-// Number of attempts while the user puts the pen into its inkwell.
+// Number of attempts to read the state during homing, while the user puts the pen into its inkwell.
 constexpr int kHomingTries = 500;
 constexpr std::chrono::milliseconds kHomingPause{10};
 constexpr std::int64_t kHomingWaitNs = 50'000'000;
@@ -78,8 +78,8 @@ tl::unexpected<DeviceFault> HaplyDevice::failed(DeviceFault fault,
   if (is_known || is_same) return tl::unexpected(fault);
   status_.fault = status_.last_fault = fault;
   status_.vendor_words = words;
-  // The service may still be late after another fault such as a brake: show it again, but do not
-  // count it again.
+  // After another fault such as a brake, the service may still be late. Then shows that fault
+  // again, but does not count it again.
   const bool is_pace = pace_words_ && fault == DeviceFault::kForcesOff && words == *pace_words_;
   if (!(is_pace && is_pace_told_)) ++status_.faults;
   is_pace_told_ = is_pace_told_ || is_pace;
@@ -107,8 +107,9 @@ void HaplyDevice::let_go() noexcept {
   if (window_.is_clear() || window_.may_let_go()) send({});
 }
 
-// If the window is open, sends this force, limited by the gate. Otherwise the force of the last
-// message stays in effect, unless the new force is zero.
+// If all messages are answered, sends this force, limited by the gate. Otherwise only a message
+// without force may be sent, so the force of the last message stays in effect unless the new force
+// is zero.
 void HaplyDevice::put(const Force& force) noexcept {
   const ForceGate before = gate_;
   if (window_.is_clear()) {
@@ -141,8 +142,9 @@ HaplyDevice::Heard HaplyDevice::hear(std::int64_t within_ns) noexcept {
   return read_state(*message, inventory_.id, grip_id_, state_) ? Heard::kState : Heard::kBad;
 }
 
-// Reads all waiting messages and returns the result of the newest. Reads even more messages than
-// were requested, because the states would otherwise lag behind. Waits only for the first one.
+// Reads all waiting messages and returns the result of the newest. If more messages came than were
+// requested, reads all of them, because unread ones would make all later states late. Waits only
+// for the first message.
 HaplyDevice::Heard HaplyDevice::hear_all(std::int64_t within_ns) noexcept {
   Heard newest = hear(within_ns);
   for (int i = 1; i < kMaxMessages; ++i) {
@@ -196,7 +198,7 @@ void HaplyDevice::hear_events() noexcept {
 
 void HaplyDevice::check_that_force_is_heard() noexcept {
   constexpr double kNothingN = 1e-9;
-  if (!window_.is_clear()) return;  // the state may answer a message without force
+  if (!window_.is_clear()) return;  // this state may answer a message without force
   const double sent_n = norm(gate_.held());
   const bool is_deaf = state_.force_n && norm(*state_.force_n) < kNothingN && sent_n >= kHeardN;
   if (sent_n < kHeardN && deaf_states_ > 0) return;  // the force is too small to judge
@@ -241,7 +243,7 @@ void HaplyDevice::wait_until(std::int64_t now_ns) noexcept {
   window_.wait(tick_ns_);
 }
 
-// Updates the pace, and sets the message for the user while forces are off.
+// Updates the ServicePace, and sets the message for the user while forces are off.
 void HaplyDevice::follow_pace(bool has_state) noexcept {
   pace_.tick(tick_ns_, has_state);
   if (!pace_.is_off()) {

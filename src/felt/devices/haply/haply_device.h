@@ -30,21 +30,22 @@ struct Connection {
 ///
 /// In each tick, one message is sent and one received: write() sends the force, and the next read()
 /// receives the state that answers it. That state is one period old, so read() extrapolates its
-/// position to the current time with the velocity in the state; forces still arrive late (see
-/// Capabilities::delay_ticks). Two messages per tick would give fresh states, but the service adds
-/// up the forces that arrive within one of its ticks (maker's page "Control Commands"). Therefore a
-/// force is sent only if the service has answered all earlier messages, and only a message without
-/// force may follow an unanswered one (RequestWindow).
+/// position to the current time with the velocity in the state. Forces still act late (see
+/// Capabilities::delay_ticks). With two messages per tick, each state would be newer, but the
+/// service adds up all forces that arrive within one of its own ticks (maker's page "Control
+/// Commands"). Therefore a force is sent only if the service has answered all earlier messages, and
+/// only a message without force may follow an unanswered one (RequestWindow).
 ///
-/// read() waits kWaitNs for a state. While states are late, read() repeats the last sample and the
-/// service keeps the last force for a bounded time; then the force falls to zero (ServicePace).
-/// Once it is zero, write() returns kForcesOff until the service answers promptly again. After
-/// kMaxHeldNs without a state read() fails with kOther, and after kMaxSilentNs with kDisconnected.
+/// read() waits kWaitNs for a state. While states are late, read() repeats the last sample, and the
+/// last force stays in effect for a bounded time; then the force is set to zero (ServicePace).
+/// While the force is zero for this reason, write() returns kForcesOff, until the service has
+/// answered promptly for a while. After kMaxHeldNs without a state read() fails with kOther, and
+/// after kMaxSilentNs with kDisconnected.
 ///
 /// Each tick also polls the events channel, without waiting. If the service reports a brake, a
-/// stall or that its limit for stability was reached, the force is zero immediately, and write()
-/// returns kForcesOff with the service's message. The same happens if a state says that the device
-/// has no power.
+/// stall, or that the force has reached the service's stability limit, the force is set to zero
+/// immediately, and write() returns kForcesOff with the service's message. The same happens if a
+/// state says that the device has no power.
 ///
 /// DeviceStatus::faults counts each fault once, however many ticks it lasts.
 class HaplyDevice final : public DriverDevice {
@@ -54,10 +55,10 @@ class HaplyDevice final : public DriverDevice {
   static constexpr std::int64_t kSendNs = 100'000;
   static constexpr std::int64_t kMaxHeldNs = 20'000'000;
   static constexpr std::int64_t kMaxSilentNs = 1'000'000'000;
-  /// Number of states without force, after a force was sent, until the other spelling of the
-  /// command is tried (ForceKey).
+  /// Number of states in a row that show no force although one was sent. After that, the other name
+  /// of the force vector is tried (ForceKey).
   static constexpr int kDeafStates = 200;
-  static constexpr double kHeardN = 0.3;  ///< smallest sent force that a state must show
+  static constexpr double kHeardN = 0.3;  ///< a state must show a sent force of this size or more
 
   explicit HaplyDevice(Connection connection);
   ~HaplyDevice() override;
@@ -113,16 +114,16 @@ class HaplyDevice final : public DriverDevice {
   // These are used by the haptic thread, or by the edit thread while no loop runs.
   State state_;
   PenSample sample_;
-  std::optional<Vec3> axis_;  // of the grip, at the time of sample_
+  std::optional<Vec3> axis_;  // axis of the grip at the time of sample_
   bool has_sample_ = false;
   bool is_calibrated_;
   bool is_gone_ = false;
   bool brake_is_on_ = false;
   bool events_are_over_ = false;
   bool has_power_;
-  std::optional<ShortText> force_stopped_;  // until the next write() has reported it
+  std::optional<ShortText> force_stopped_;  // until write() has reported it
   ShortText brake_words_, gone_words_;
-  std::optional<ShortText> pace_words_;  // while the pace is off
+  std::optional<ShortText> pace_words_;  // message for the user while the pace is off
   bool is_pace_told_ = false;
   int deaf_states_ = 0;
   int keys_tried_ = 1;

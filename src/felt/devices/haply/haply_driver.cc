@@ -15,7 +15,7 @@ namespace haply {
 namespace {
 
 constexpr std::int64_t kFindNs =
-    100'000'000;  // maximum wait for an unresponsive service, which is only tried now and then
+    100'000'000;  // maximum wait; an unresponsive service is tried only now and then
 constexpr std::int64_t kOpenNs = 1'000'000'000;
 constexpr int kFindsToSkip = 10;
 

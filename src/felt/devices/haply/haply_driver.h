@@ -10,9 +10,10 @@ namespace felt {
 struct HaplyOptions {
   /// Connects to the service; tests pass a fake.
   TcpConnect connect = TcpStream::connect;
-  /// Provides FELT_HAPLY_URL and the service's own configuration; must outlive the driver.
+  /// The system in which to read FELT_HAPLY_URL and the service's configuration file. It must
+  /// outlive the driver.
   const SystemView* system = &this_system();
-  /// Seeds the key and the masks of the WebSocket; 0 uses the system's random numbers.
+  /// Seed for the key and the masks of the WebSocket. If 0, the system's random numbers are used.
   std::uint64_t seed = 0;
 };
 

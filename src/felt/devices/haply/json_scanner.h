@@ -11,19 +11,20 @@ enum class JsonToken : std::uint8_t {
   kEndObject,
   kBeginArray,
   kEndArray,
-  kKey,  ///< text(); its value is next
+  kKey,  ///< a key, see text(); the next token begins its value
   kString,
   kNumber,
   kTrue,
   kFalse,
   kNull,
   kEnd,  ///< end of a well-formed text
-  kBad,  ///< not JSON, too deep, or a number that a double cannot hold; permanent
+  kBad,  ///< not JSON, too deep, or a number too large for a double; permanent
 };
 
 /// Reads a JSON text (RFC 8259) token by token in place: without allocation, recursion or
-/// exceptions, so that the haptic thread can read the service's messages. Grammar and numbers are
-/// checked; strings are checked for control characters and escapes, but not for UTF-8.
+/// exceptions, so that the haptic thread can read the service's messages. The scanner checks the
+/// grammar, the numbers, and control characters and escapes in strings. It does not check that
+/// strings are valid UTF-8.
 class JsonScanner {
  public:
   static constexpr int kMaxDepth = 24;
@@ -31,9 +32,9 @@ class JsonScanner {
   explicit JsonScanner(std::string_view json) noexcept : rest_(json) {}
 
   JsonToken next() noexcept;
-  /// Returns the text of the newest kKey or kString: between the quotes, with escapes as written.
+  /// Returns the text between the quotes of the newest kKey or kString. Escapes are not decoded.
   [[nodiscard]] std::string_view text() const noexcept { return text_; }
-  /// Returns the value of the newest kNumber; finite.
+  /// Returns the value of the newest kNumber, which is finite.
   [[nodiscard]] double number() const noexcept { return number_; }
   /// Returns how many objects and arrays are open.
   [[nodiscard]] int depth() const noexcept { return depth_; }

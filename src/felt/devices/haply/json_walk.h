@@ -7,7 +7,7 @@
 namespace felt::haply {
 
 /// Calls `read(key)` for each key of an object that has been entered. `read` must read or skip the
-/// value, and return false if it is bad. Returns false if the text is bad.
+/// value of that key, and return false if the value is bad. Returns false if the text is bad.
 template <class Read>
 bool walk_entered_object(JsonScanner& json, Read read) {
   for (;;) {
@@ -17,14 +17,15 @@ bool walk_entered_object(JsonScanner& json, Read read) {
   }
 }
 
-/// Enters the object that is the next value, then does the same as walk_entered_object().
+/// Enters the next value, which must be an object, and then works like walk_entered_object().
 template <class Read>
 bool walk_object(JsonScanner& json, Read read) {
   return json.next() == JsonToken::kBeginObject && walk_entered_object(json, read);
 }
 
-/// Calls `read()` for each object of the array that is the next value. walk_objects() has entered
-/// the object; `read` must walk it to its end. Returns false if the text is bad.
+/// Enters the next value, which must be an array of objects, and calls `read()` for each object.
+/// walk_objects() enters the object before the call; `read` must walk to the end of that object.
+/// Returns false if the text is bad.
 template <class Read>
 bool walk_objects(JsonScanner& json, Read read) {
   if (json.next() != JsonToken::kBeginArray) return false;
@@ -49,7 +50,7 @@ inline bool read_flag(JsonScanner& json, std::optional<bool>& flag) noexcept {
   return token != JsonToken::kBad && token != JsonToken::kEnd;
 }
 
-/// Returns true for the names of the arrays of grips in a message.
+/// Returns true if a message stores an array of grips under this key.
 constexpr bool is_grip_family(std::string_view key) noexcept {
   return key == "verse_grip" || key == "wireless_verse_grip" || key == "custom_verse_grip";
 }

@@ -4,8 +4,8 @@
 
 namespace felt::haply {
 
-/// Counts the messages that the service has not answered, so that they do not pile up in front of
-/// it, however slow it is.
+/// Counts the messages that the service has not answered and limits their number, so that they do
+/// not pile up in the service's socket, however slow the service is.
 ///
 /// A message may be sent when all earlier ones are answered, with one exception: while a message
 /// with a force is unanswered, a message without force may follow it immediately, to release the
@@ -18,11 +18,11 @@ namespace felt::haply {
 ///   if (window.is_overdue()) ...          a message without force should be sent, to ask again
 ///
 /// TCP loses nothing, but a service may answer several messages with one state. After kPatienceNs
-/// without an answer, a message without force asks again. If an answer has arrived since the
-/// newest message, the missing answers then count as included in it. The patience doubles each
-/// time, so a service that is merely slower than the patience is miscounted only a few times; up to
-/// four messages can then wait at the service. They carry no force, because forces are off by then
-/// (ServicePace::kHoldNs is shorter than the patience).
+/// without an answer, a message without force asks again. If an answer has arrived since the newest
+/// message was sent, that answer counts as the answer to all messages. The patience doubles each
+/// time. So if a service is merely slower than the patience, the count is wrong only a few times,
+/// and up to four messages can then wait at the service. None of these carries a force, because
+/// forces are off by then (ServicePace::kHoldNs is shorter than the patience).
 ///
 /// Used on the haptic thread; real-time safe.
 class RequestWindow {
@@ -30,12 +30,13 @@ class RequestWindow {
   static constexpr int kMaxUnanswered = 2;
   static constexpr std::int64_t kPatienceNs = 20'000'000;
   static constexpr std::int64_t kMaxPatienceNs = 16 * kPatienceNs;
-  /// Number of messages in a row that must be answered within the patience before it is reset.
+  /// Number of answers in a row that must come within the patience until the patience is reset to
+  /// kPatienceNs.
   static constexpr int kPromptAnswers = 1000;
 
   void sent(bool bears_force) noexcept;
   void answered() noexcept;
-  /// Advances the time.
+  /// Advances the time by `ns`, the time since the last call.
   void wait(std::int64_t ns) noexcept;
 
   [[nodiscard]] bool is_clear() const noexcept { return unanswered_ == 0; }
@@ -49,7 +50,7 @@ class RequestWindow {
 
  private:
   int unanswered_ = 0;
-  bool bears_force_ = false;    // of the newest message
+  bool bears_force_ = false;    // the newest message carries a force
   bool has_answered_ = false;   // since the newest message
   std::int64_t waited_ns_ = 0;  // since the newest message or answer, while some are unanswered
   std::int64_t patience_ns_ = kPatienceNs;

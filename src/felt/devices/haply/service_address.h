@@ -20,13 +20,13 @@ struct Address {
   [[nodiscard]] std::string text() const { return host + ":" + std::to_string(port); }
 };
 
-/// The address of the service, and where it was configured.
+/// The address of the service, and the source from which it was read.
 struct ServiceAddress {
   Address control{.port = 10001};
   Address events{.port = 10020};
   std::string source;  ///< "FELT_HAPLY_URL", the configuration file; empty for the default ports
-  /// A sentence that says why the configuration cannot be read; empty if it can. The other members
-  /// are valid in both cases.
+  /// A sentence that says why the configuration cannot be read, or empty if it can be read. The
+  /// other members are valid in both cases.
   std::string wrong;
 };
 
@@ -35,7 +35,7 @@ struct ServiceAddress {
 /// Reference"), or the default.
 ServiceAddress service_address(const SystemView& system);
 
-/// Sends GET for a path. Returns the JSON text of the answer (from its first to its last brace).
+/// Sends GET for a path. Returns the JSON text in the answer, from the first brace to the last.
 /// Fails if nothing listens, if no answer comes in time, or if the status is not 200.
 Result<std::string> http_get(const TcpConnect& connect, const Address& address,
                              const std::string& path, std::int64_t within_ns);

@@ -11,8 +11,8 @@
 #include "felt/haptics/force.h"
 
 /// The messages of the Inverse Service 3.x (maker's pages "WebSocket Protocol", "Control Commands",
-/// "JSON Conventions", "Events & Monitoring"), parsed in place. Unknown keys are skipped; if a
-/// value that should be a number is not one, the whole message is bad.
+/// "JSON Conventions", "Events & Monitoring"), parsed in place. Unknown keys are skipped. A message
+/// is bad if it has another type of value where a number must be.
 namespace felt::haply {
 
 /// The newest state of our device in a state message, in the service's units (m, m/s, N) and its
@@ -24,7 +24,7 @@ struct State {
   std::optional<Vec3> force_n;     ///< the acting force, as reported by the service
   std::optional<bool> calibrated;  ///< if reported
   std::optional<bool> has_power;   ///< if reported
-  std::uint32_t buttons = 0;       ///< of our grip: bit 0 is a (or button_0, or the only one)
+  std::uint32_t buttons = 0;       ///< our grip's; bit 0 is button a, button_0, or the only one
   std::optional<Vec3>
       grip_axis;  ///< direction of our grip, if it reports its orientation; length 1
 };
@@ -39,17 +39,17 @@ bool read_state(std::string_view message, std::string_view device_id, std::strin
 struct InventoryDevice {
   std::string id;          ///< letters, digits, '-', '_'; devices with other ids are left out
   std::string type;        ///< "inverse3", "inverse3x", "minverse"
-  std::string firmware;    ///< "7.4"; empty: unknown
-  std::string handedness;  ///< the side its arm is built for: "right", "left"; empty: unknown
-  std::string preset;      ///< empty: unknown
+  std::string firmware;    ///< "7.4"; empty if unknown
+  std::string handedness;  ///< side for which the arm is built: "right" or "left"; empty if unknown
+  std::string preset;      ///< empty if unknown
   std::optional<bool> calibrated, has_power, in_use;
   std::optional<bool> gravity_compensation;
   std::optional<double> force_gate;  ///< gain of the service's own guard against oscillation
-  std::optional<double> damping;     ///< added by the service
+  std::optional<double> damping;     ///< damping that the service adds
 };
 struct Inventory {
   std::vector<InventoryDevice> devices;
-  std::vector<std::string> grips;  ///< ids, wired ones first
+  std::vector<std::string> grips;  ///< ids of the grips; grips with a cable come first
 };
 /// Reads an inventory, either bare or inside {"ok": true, "data": ...}. Returns nullopt if the
 /// message is not an inventory. Used on the edit thread.
@@ -58,25 +58,26 @@ std::optional<Inventory> read_inventory(std::string_view message);
 /// Returns the newest "project_version" or "git_tag" in an answer to GET /version, or an empty
 /// string if the answer contains neither.
 std::string read_version(std::string_view answer);
-/// Returns major and minor version as one number for comparisons, 3005 for "3.5.0-2-gce34c39e"; 0
-/// if unreadable.
+/// Returns major and minor version as one number for comparisons, for example 3005 for
+/// "3.5.0-2-gce34c39e". Returns 0 if the text is not a version.
 int version_number(std::string_view version) noexcept;
 
-/// The effect of an event on us.
+/// How the driver reacts to an event.
 enum class EventKind : std::uint8_t {
-  kNone,     ///< nothing
-  kNotice,   ///< to be shown
-  kBrakeOn,  ///< no force until kBrakeOff
+  kNone,     ///< does nothing
+  kNotice,   ///< shows the event's text to the user
+  kBrakeOn,  ///< sends no force until kBrakeOff
   kBrakeOff,
-  kForceStopped,  ///< set the force to zero; it may return when the user says so
+  kForceStopped,  ///< sets the force to zero until the user switches forces on again
   kGone,          ///< the device is no longer there
 };
 struct Event {
   EventKind kind = EventKind::kNone;
   ShortText words;  ///< the service's own text
 };
-/// Reads an event. Returns kNone for an event of another device, unless it is about a grip's
-/// battery. Returns nullopt if the message is bad. Used on the haptic thread; does not allocate.
+/// Reads an event. Returns kNone for an event of another device, unless the event is about the
+/// battery of a grip. Returns nullopt if the message is bad. Used on the haptic thread; does not
+/// allocate.
 std::optional<Event> read_event(std::string_view message, std::string_view device_id) noexcept;
 
 /// The key of the force vector in the command set_cursor_force. The maker's pages disagree about
@@ -92,8 +93,9 @@ constexpr ForceKey other(ForceKey key) noexcept {
   return key == ForceKey::kValues ? ForceKey::kVector : ForceKey::kValues;
 }
 
-/// Writes the command of one tick into `room` (at least kMaxCommand bytes) and returns the text in
-/// it. Forces that are not finite are written as 0. Used on the haptic thread.
+/// Writes the command of one tick into `room`, which must have at least kMaxCommand bytes, and
+/// returns the written text. Forces that are not finite are written as 0. Used on the haptic
+/// thread.
 inline constexpr std::size_t kMaxCommand = 512;
 std::string_view write_command(std::string_view device_id, ForceKey key, const Force& force,
                                char* room) noexcept;

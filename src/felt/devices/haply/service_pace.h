@@ -6,12 +6,13 @@ namespace felt::haply {
 
 /// Measures how quickly the service answers, and limits the force while it is slow.
 ///
-/// While states are late, the last force holds for at most kHoldNs; then it is zero. If an answer
-/// comes before that, the force is not changed. (A ramp would not reach the device, because only a
-/// message without force may follow an unanswered one, see RequestWindow.) If states come regularly
-/// but too rarely (on average more than kSlowPeriods apart), the force falls to zero within
-/// kSlowRampNs, because the stiffness was chosen for one state per tick. Once it is zero the pace
-/// is off, and stays off until states have come in time for kTimelyNs. That counts as one fault,
+/// While states are late, the last force holds for at most kHoldNs; then it is set to zero. If a
+/// state comes before that, the force is not reduced. (The force is not reduced gradually
+/// meanwhile, because no message with a smaller force could be sent: only a message without force
+/// may follow an unanswered one, see RequestWindow.) If states come regularly but too rarely (on
+/// average more than kSlowPeriods apart), the force falls to zero within kSlowRampNs, because the
+/// stiffness was chosen for one state per tick. Once the force is zero, the pace is off: forces
+/// stay zero until states have come in time for kTimelyNs. Each such period counts as one fault,
 /// however long it lasts.
 ///
 /// Used on the haptic thread; real-time safe.
@@ -22,8 +23,8 @@ class ServicePace {
   static constexpr std::int64_t kTimelyNs = 1'000'000'000;
   static constexpr double kSlowPeriods = 1.7;
   static constexpr double kTimelyPeriods = 1.3;
-  /// Maximum time that one tick counts as, because a pause of our own loop says nothing about the
-  /// service.
+  /// A longer tick counts as a tick of this length, because a pause of our own loop says nothing
+  /// about the service.
   static constexpr std::int64_t kMaxTickNs = 5'000'000;
 
   explicit ServicePace(std::int64_t period_ns) noexcept;
@@ -32,7 +33,7 @@ class ServicePace {
   /// came.
   void tick(std::int64_t ns, bool has_state) noexcept;
 
-  /// Returns the factor for the force that is asked for, 0..1.
+  /// Returns the factor, 0..1, by which the requested force must be multiplied.
   [[nodiscard]] double share() const noexcept { return share_; }
   /// Returns true while forces are off, until the service has been prompt for a while.
   [[nodiscard]] bool is_off() const noexcept { return is_off_; }

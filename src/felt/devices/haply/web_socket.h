@@ -15,16 +15,17 @@ namespace felt::haply {
 
 /// Why a message was not received or sent.
 enum class SocketFault : std::uint8_t {
-  kTimedOut,  ///< the time was too short for a whole message; may be retried
+  kTimedOut,  ///< no whole message was transferred in time; the caller may retry
   kClosed,    ///< the peer closed the connection or has disappeared
   kBadData,   ///< not a WebSocket frame, or too long; the connection is unusable from then on
 };
 
-/// The client's end of a WebSocket (RFC 6455), for text messages only. It is made to send and
-/// receive one message per millisecond: it does not allocate after open(), and no call blocks
-/// longer than the time that it is given. It joins fragments, answers pings, and rejects lengths
-/// beyond kMaxBytes before using them. After kClosed or kBadData every call returns that fault
-/// again.
+/// The client's end of a WebSocket (RFC 6455), for text messages only. It is made for the
+/// haptic thread, which sends and receives one message each millisecond: it does not allocate after
+/// open(),
+/// and no call blocks longer than `within_ns`. It joins fragments of a message, answers pings, and
+/// rejects a message as soon as its announced length exceeds kMaxBytes. After kClosed or kBadData
+/// every call returns that fault again.
 ///
 /// The object is large (two buffers of 64 KiB), so allocate it on the heap. For use by one thread
 /// at a time.
@@ -34,13 +35,13 @@ class WebSocket {
   static constexpr std::size_t kMaxSent = 1024;
   static constexpr int kMaxFrames = 64;  ///< frames read by one receive()
 
-  /// Performs the opening handshake over `stream`. `host` is the host of the address. `seed`
-  /// generates the key and the masks, which RFC 6455 requires to be unpredictable, to protect
-  /// proxies.
+  /// Performs the opening handshake over `stream`. `host` is the host of the address. The key and
+  /// the masks are generated from `seed`, which must be unpredictable: RFC 6455 requires this to
+  /// protect proxies.
   static Result<std::unique_ptr<WebSocket>> open(std::unique_ptr<ByteStream> stream,
                                                  const std::string& host, std::uint64_t seed,
                                                  std::int64_t within_ns);
-  /// Uses a stream on which the handshake is already done. For tests.
+  /// Uses a stream whose handshake has already been made. For tests.
   WebSocket(std::unique_ptr<ByteStream> stream, std::uint64_t seed) noexcept;
 
   /// Sends a text message of at most kMaxSent bytes.

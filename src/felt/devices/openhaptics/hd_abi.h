@@ -4,7 +4,7 @@
 
 /// The part of the binary interface of libHD on 64-bit Linux that we need, in our own declarations
 /// and names (docs/design/devices.md#openhaptics; OpenHaptics API reference, tables ).
-/// Values are facts of the interface; nothing is copied from the maker's headers.
+/// The values are facts of the interface. Nothing was copied from the maker's headers.
 namespace felt::hd {
 
 using Enum = unsigned;
@@ -62,7 +62,7 @@ inline constexpr Enum kEncoders = 0x2010;      // 6 long
 inline constexpr Enum kPosition = 0x2050;      // 3 double or float, mm
 inline constexpr Enum kVelocity = 0x2051;      // 3, mm/s
 inline constexpr Enum kTransform = 0x2052;     // 16, by columns; position at 12..14
-inline constexpr Enum kVersion = 0x2500;       // string, also the next four
+inline constexpr Enum kVersion = 0x2500;       // string; the next four parameters are strings, too
 inline constexpr Enum kModelType = 0x2501;
 inline constexpr Enum kDriverVersion = 0x2502;
 inline constexpr Enum kVendor = 0x2503;

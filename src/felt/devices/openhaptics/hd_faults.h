@@ -21,7 +21,7 @@ constexpr DeviceFault fault_of(hd::Enum error) noexcept {
   }
 }
 
-/// Returns the more serious of two faults. It is the one to report if both occur in one tick.
+/// Returns the more serious of two faults. If both occur in one tick, only this one is reported.
 constexpr std::optional<DeviceFault> graver(std::optional<DeviceFault> a,
                                             std::optional<DeviceFault> b) noexcept {
   constexpr auto weight = [](std::optional<DeviceFault> fault) {

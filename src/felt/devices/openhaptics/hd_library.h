@@ -38,7 +38,7 @@ struct HdFunctions {
 
 /// The loaded libHD. The library has one scheduler and one current device per process. Therefore
 /// loading the same file again returns the same object, and only one of its devices can be open at
-/// a time. The library is never unloaded, because its threads may outlive our use of it.
+/// a time. The library is never unloaded, because its threads may still run after our last call.
 ///
 /// Used on the edit thread, except call().
 class HdLibrary {
@@ -53,7 +53,7 @@ class HdLibrary {
   [[nodiscard]] std::string path() const { return library_.path(); }
 
   /// Reserves the library for the one device that may be open, until give_back(). Returns false if
-  /// it is already reserved.
+  /// the library is already reserved.
   bool take() noexcept;
   void give_back() noexcept { is_taken_ = false; }
   [[nodiscard]] bool is_taken() const noexcept { return is_taken_; }
@@ -68,7 +68,7 @@ class HdLibrary {
 };
 
 /// Removes up to `most` errors from the library's stack, newest first. Calls `each(info)` for each
-/// of them and returns their number. May be called on every thread that may call the library.
+/// removed error and returns their number. May be called on every thread that may call the library.
 template <class Each>
 std::size_t drain_errors(const HdFunctions& call, std::size_t most, Each&& each) {
   std::size_t count = 0;
@@ -84,8 +84,8 @@ std::size_t drain_errors(const HdFunctions& call, std::size_t most, Each&& each)
 /// "communication error (0x302, internal 7)". Returns an empty string if there were no errors.
 std::string drained_words(const HdFunctions& call);
 
-/// Sets the "C" locale for numbers on this thread for the duration of a block. The library reads
-/// its configuration files with the decimal separator of the calling thread's locale; if that is a
+/// Sets the "C" locale for numbers on this thread while the object exists. The library reads its
+/// configuration files with the decimal separator of the calling thread's locale; if that is a
 /// comma, the joint angles are wrong.
 class PlainNumbers {
  public:
@@ -93,7 +93,7 @@ class PlainNumbers {
   ~PlainNumbers() noexcept;
   PlainNumbers(const PlainNumbers&) = delete;
   PlainNumbers& operator=(const PlainNumbers&) = delete;
-  /// Sets the "C" locale permanently on the calling thread, which must belong to the library.
+  /// Sets the "C" locale permanently on the calling thread, which must be a thread of the library.
   /// Real-time safe.
   static void keep() noexcept;
   /// Allocates the memory for keep() and for objects of this class. Call it first, on the edit

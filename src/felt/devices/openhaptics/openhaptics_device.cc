@@ -1,4 +1,4 @@
-// The functions of a tick. They run on the scheduler's thread.
+// The functions that run in a tick, on the scheduler's thread.
 #include "felt/devices/openhaptics/openhaptics_device.h"
 
 #include <algorithm>
@@ -49,7 +49,8 @@ tl::expected<PenSample, DeviceFault> OpenHapticsDevice::read(std::int64_t now_ns
   if (!tick_is_open_) {
     return refuse(DeviceFault::kOther, "read outside of the loop of the device's own software");
   }
-  if (frame_ == Frame::kDone) return last_;  // a tick has only one frame: repeats its sample
+  if (frame_ == Frame::kDone)
+    return last_;  // a tick has only one frame; repeats the sample of that frame
   now_ns_ = now_ns;
   if (frame_ == Frame::kNotYet) open_frame();
   last_ = sense(now_ns);
@@ -201,7 +202,8 @@ void OpenHapticsDevice::let_go() noexcept {
   gate_.let_go();
 }
 
-// Ends the device permanently. Ends the frame, so that the library does not wait for it.
+// Makes all later calls fail with kDisconnected. Ends the current frame, so that the library does
+// not wait for its end.
 void OpenHapticsDevice::die() noexcept {
   is_gone_ = true;
   if (frame_ == Frame::kOpen) close_frame({});

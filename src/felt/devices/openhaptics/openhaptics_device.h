@@ -45,9 +45,9 @@ class OpenHapticsDevice final : public DriverDevice, private LoopHost {
   [[nodiscard]] std::string homing_words() override;
   Result<void> find_home() override;
 
-  /// Called before and after the work of one tick, on the scheduler's thread: by the callback, or
-  /// by a test that acts as the scheduler. If nothing was written in the frame, end_tick() ends it
-  /// with zero force.
+  /// begin_tick() is called before the work of one tick and end_tick() after it, on the scheduler's
+  /// thread: by the callback, or by a test that acts as the scheduler. If nothing was written in
+  /// the frame, end_tick() ends the frame with zero force.
   void begin_tick() noexcept;
   void end_tick() noexcept;
 
@@ -96,12 +96,12 @@ class OpenHapticsDevice final : public DriverDevice, private LoopHost {
   std::int64_t now_ns_ = 0;
   std::uint64_t ticks_ = 0;
   tl::expected<PenSample, DeviceFault> last_ = tl::unexpected(DeviceFault::kOther);
-  std::optional<Vec3> axis_;                // of the stylus, in the maker's axes
+  std::optional<Vec3> axis_;                // axis of the stylus, in the maker's axes
   std::optional<DeviceFault> force_fault_;  // found while reading; reported by write()
   bool is_gone_ = false;
   bool is_output_on_ = false;
   bool has_safety_switch_ = false;  // the switch was closed at least once
-  bool is_held_ = true;             // according to the safety switch
+  bool is_held_ = true;             // the user holds the stylus, according to the safety switch
   bool is_in_inkwell_ = false;
   bool is_home_ = true;
   DeviceStatus status_;
@@ -111,7 +111,7 @@ class OpenHapticsDevice final : public DriverDevice, private LoopHost {
   Tick tick_ = nullptr;
   void* context_ = nullptr;
   hd::CallbackHandle callback_ = 0;
-  bool loop_runs_ = false;  // edit thread
+  bool loop_runs_ = false;  // used on the edit thread
   std::atomic<bool> is_serving_{false};
   std::atomic<bool> is_in_callback_{false};
   bool is_greeted_ = false;  // the locale of the scheduler's thread is set

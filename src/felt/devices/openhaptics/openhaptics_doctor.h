@@ -9,7 +9,8 @@
 namespace felt {
 
 /// The folder in which the maker's set-up program stores one file NAME.config per device:
-/// kHdConfigVariable is the environment variable, kHdConfigHome the default.
+/// kHdConfigVariable is the environment variable that names this folder. If the variable is not
+/// set, kHdConfigHome is used.
 inline constexpr std::string_view kHdConfigVariable = "GTDD_HOME";
 inline constexpr std::string_view kHdConfigHome = "/usr/share/3DSystems";
 inline constexpr std::string_view kHdUdevRules = "/etc/udev/rules.d/70-feltline-3dsystems.rules";
@@ -21,8 +22,8 @@ std::vector<std::string> configured_devices(const SystemView& system);
 bool touch_is_on_usb(const SystemView& system);
 
 /// Checks the library, its dependencies, the maker's set-up, the device, and the permission to use
-/// it. `refusal` says why the driver rejected a library that can be loaded (functions are missing);
-/// empty if it did not.
+/// it. `refusal` says why the driver rejected a library that can be loaded (functions are missing).
+/// It is empty if the driver rejected none.
 std::vector<Finding> diagnose_openhaptics(const SystemView& system,
                                           std::span<const std::string> libraries,
                                           const std::string& refusal = {});

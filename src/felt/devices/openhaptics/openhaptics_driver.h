@@ -9,12 +9,13 @@
 namespace felt {
 
 struct OpenHapticsOptions {
-  /// The file of libHD. If empty, the environment variable FELT_OPENHAPTICS_LIBRARY is used, or
-  /// else the usual names. If a file is named here or in the variable, only that file is tried.
+  /// The file of libHD. If empty, the environment variable FELT_OPENHAPTICS_LIBRARY is used; if
+  /// that is not set, the names of openhaptics_library_names() are tried. If a file is named here
+  /// or in the variable, only that file is tried.
   std::string library;
-  /// The name that the maker's set-up program gave to the device. It is tried if the usual names do
-  /// not open the device. If empty, the environment variable FELT_OPENHAPTICS_DEVICE is used if
-  /// set.
+  /// The name that the maker's set-up program gave to the device. This name is tried if the usual
+  /// names do not open the device. If empty, the environment variable FELT_OPENHAPTICS_DEVICE is
+  /// used if set.
   std::string device;
 };
 

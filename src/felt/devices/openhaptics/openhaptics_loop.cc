@@ -46,8 +46,8 @@ OpenHapticsDevice::OpenHapticsDevice(std::shared_ptr<HdLibrary> library, hd::Han
 OpenHapticsDevice::~OpenHapticsDevice() {
   const PlainNumbers plain;
   OpenHapticsDevice::stop_loop();
-  // A call that hangs in the library still needs this object. A caller that must not wait for it
-  // abandons the device without destroying it (RealtimeThread::stop).
+  // If a call hangs in the library, it still uses this object, so the destructor must wait for it.
+  // A caller that must not wait abandons the device without destroying it (RealtimeThread::stop).
   while (is_in_callback_.load()) std::this_thread::sleep_for(milliseconds(1));
   call_.disable(hd::capability::kForceOutput);
   call_.disable_device(handle_);
@@ -145,7 +145,7 @@ hd::Enum OpenHapticsDevice::style() const noexcept {
   int styles = 0;
   call_.get_integers(hd::parameter::kCalibrationStyle, &styles);
   const auto bits = static_cast<hd::Enum>(styles);
-  // Prefers the style that needs the least work of the user.
+  // Prefers the calibration style with which the user has to do least.
   if ((bits & hd::calibration::kAuto) != 0) return hd::calibration::kAuto;
   if ((bits & hd::calibration::kInkwell) != 0) return hd::calibration::kInkwell;
   return hd::calibration::kEncoderReset;

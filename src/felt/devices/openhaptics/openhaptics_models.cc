@@ -19,7 +19,8 @@ struct Word {
   std::string_view model;
 };
 
-// The first match counts. "Geomagic Touch X" matches two rows, so longer words come first.
+// The first row that matches is used. "Geomagic Touch X" contains the words of two rows, so longer
+// words come first.
 constexpr std::array kWords{Word{"touch x", "touch-x"}, Word{"touchx", "touch-x"},
                             Word{"touch", "touch"},     Word{"omni", "omni"},
                             Word{"desktop", "desktop"}, Word{"premium 3", "premium-3.0"},

@@ -8,8 +8,8 @@
 namespace felt {
 
 /// Returns the row of device_models() for the model name that a device reports ("PHANToM Omni",
-/// "Touch X"). Compares single words and ignores case. Returns the generic row, which has the
-/// lowest limits, if the name is unknown.
+/// "Touch X"). Searches for known words in the name, ignoring case. Returns the generic row, which
+/// has the lowest limits, if the name is unknown.
 const DeviceModel& openhaptics_model(std::string_view model_type) noexcept;
 
 /// The limits that a device reports, in the maker's units. An unknown limit is 0 or invalid.
@@ -22,8 +22,9 @@ struct HdLimits {
   int update_rate_hz = 0;
 };
 
-/// Returns for each limit the lower of the values in `row` and in the device's report, or the row's
-/// value if the report's is invalid. The workspace is the reported one if valid, else the row's.
+/// Returns the capabilities in `row`, with each limit replaced by the limit that the device reports
+/// if that is valid and lower. The workspace is the reported one if it is valid, otherwise that of
+/// `row`.
 Capabilities openhaptics_capabilities(const Capabilities& row, const HdLimits& said) noexcept;
 
 /// Returns the plane that is parallel to the desk: the page's x is the device's x (to the right),

@@ -19,13 +19,13 @@ class TemperatureGuard {
   static constexpr double kDown = 0.999;  ///< per tick
   static constexpr double kUp = 1.001;
 
-  /// Takes the largest and the smallest limit, in N. If `continuous_n` exceeds `most_n`, both are
-  /// `most_n`.
+  /// The limit stays between `continuous_n` and `most_n`, in N. If `continuous_n` exceeds `most_n`,
+  /// the limit is always `most_n`.
   TemperatureGuard(double most_n, double continuous_n) noexcept
       : most_n_(most_n), least_n_(std::min(most_n, continuous_n)), allowed_n_(most_n) {}
 
-  /// Handles one tick in which the warmest motor has this temperature, and returns the limit in N.
-  /// NaN counts as too warm.
+  /// Updates the limit in one tick in which the warmest motor has this temperature, and returns the
+  /// limit in N. A temperature of NaN counts as too warm.
   double allow(double temperature) noexcept {
     if (!(temperature <= kWarm)) is_warm_ = true;
     if (temperature < kCool) is_warm_ = false;

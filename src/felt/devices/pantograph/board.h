@@ -16,16 +16,17 @@ struct MotorWiring {
   std::uint8_t port = 1;    ///< 1..4 on the board
   bool turns_ccw = false;   ///< direction of positive torque
   bool counts_ccw = false;  ///< direction of positive angle
-  float rest_deg = 0.0F;    ///< angle of the arm at which the encoder starts to count
+  float rest_deg = 0.0F;    ///< angle of the arm when the encoder starts to count
   float counts_per_turn = 0.0F;
 };
 
-/// A version of the 2DIY. All versions use the same protocol, but differ in arms, motors and wires.
+/// A version of the 2DIY. All versions use the same protocol, but they differ in arms, motors and
+/// wiring.
 struct BoardModel {
   std::string_view id;     ///< "v2", in device ids and FELT_PANTOGRAPH_PORT
   std::string_view label;  ///< for the user; contains the arm lengths that identify the version
   FiveBarSize size;
-  std::array<MotorWiring, 2> motors;  ///< motor 1, 2 of FiveBar
+  std::array<MotorWiring, 2> motors;  ///< motors 1 and 2 of FiveBar
   double gain = 1.0;                  ///< the board's torque value for 1 N m
   Vec3 reach_min, reach_max;          ///< the area in which the full force is available, mm
 };
@@ -47,14 +48,14 @@ using TorqueFrame = std::array<std::byte, 2 + 8>;
 
 /// Returns a frame of type 0, which restarts the board with its motors off.
 ResetFrame reset_frame() noexcept;
-/// Returns a frame of type 1, which sets up motors and encoders, without sensors and pwm. The
-/// encoders start to count when the board receives it.
+/// Returns a frame of type 1, which sets up the motors and encoders, and no sensors or PWM outputs.
+/// The encoders start to count when the board receives it.
 SetupFrame setup_frame(const BoardModel& model) noexcept;
 /// Returns a frame of type 2, which sets the torques of motors 1 and 2. `torques` are in N m,
-/// before the gain is applied. The board answers it with a reply.
+/// before the gain is applied. The board answers this frame with a reply.
 TorqueFrame torque_frame(const BoardModel& model, const std::array<double, 2>& torques_nm) noexcept;
-/// Reads the angles of arms 1 and 2, in rad, from a reply. Returns false if they are not finite or
-/// not plausible.
+/// Reads the angles of arms 1 and 2, in rad, from a reply. Returns false if the angles are not
+/// finite or not plausible.
 bool read_angles(const BoardModel& model, std::span<const std::byte, kReplyBytes> reply,
                  std::array<double, 2>& angles_rad) noexcept;
 

@@ -46,7 +46,7 @@ std::optional<FiveBar> FiveBar::at(const FiveBarSize& size,
   const double sine = std::abs(area) / (forearm * forearm);
   bar.authority_ = smooth_step(kNoAuthority, kAllAuthority, sine);
   constexpr double kMinSine = 1e-9;
-  if (sine < kMinSine) return bar;  // no Jacobian, and no force either
+  if (sine < kMinSine) return bar;  // the linkage is singular: no Jacobian, and authority_ is 0
   const double turn_a = flat_dot(u, {-size.arm_mm * s1, size.arm_mm * c1, 0.0}) / area;
   const double turn_b = flat_dot(w, {-size.arm_mm * s2, size.arm_mm * c2, 0.0}) / area;
   bar.jacobian_ = {{{w.y * turn_a, -u.y * turn_b}, {-w.x * turn_a, u.x * turn_b}}};

@@ -25,16 +25,17 @@ struct FiveBarSize {
 /// is the Jacobian dE/dth. The torques are J^T F, so F . v = tau . omega at all angles.
 ///
 /// u x w = L^2 sin(angle between the forearms). If the forearms are nearly in line, or the elbows
-/// nearly meet, small torques cause huge forces. authority() falls to 0 before that happens.
+/// nearly meet, small torques cause huge forces. Therefore authority(), the factor for forces,
+/// falls to 0 before the linkage gets there.
 class FiveBar {
  public:
   static constexpr double kNoAuthority = 0.10;   ///< sine of the forearms' angle; no force below
   static constexpr double kAllAuthority = 0.30;  ///< sine of the forearms' angle; full force above
 
   /// Returns the linkage for angles in rad, counter-clockwise from +x. Returns nullopt if the arms
-  /// cannot have these angles (elbows too far apart, or at the same point). Two positions of the
-  /// handle are possible; this chooses the one to the left of the line from A to B, which is in
-  /// front of the motors if arm 1 points to the left.
+  /// cannot have these angles (elbows too far apart, or at the same point). For each pair of
+  /// angles, two positions of the handle are possible. This function chooses the one to the left of
+  /// the line from A to B; if arm 1 points to the left, that one is in front of the motors.
   static std::optional<FiveBar> at(const FiveBarSize& size,
                                    const std::array<double, 2>& angles_rad) noexcept;
 
@@ -47,7 +48,7 @@ class FiveBar {
   /// Returns the factor, 0..1, by which a force at this position must be reduced. It is 0 near a
   /// singular position.
   [[nodiscard]] double authority() const noexcept { return authority_; }
-  /// Returns dE/dth, mm/rad; the rows are x and y.
+  /// Returns the Jacobian dE/dth in mm/rad. Its rows are x and y.
   [[nodiscard]] const std::array<std::array<double, 2>, 2>& jacobian() const noexcept {
     return jacobian_;
   }
@@ -58,8 +59,8 @@ class FiveBar {
   double authority_ = 0.0;
 };
 
-/// Returns the angles for a position of the handle, with both elbows pointing outwards. Returns
-/// nullopt if the position is out of reach. For tests and fakes.
+/// Returns the angles of both arms for a position of the handle, with the elbows pointing outwards.
+/// Returns nullopt if the position is out of reach. For tests and fakes.
 std::optional<std::array<double, 2>> angles_for(const FiveBarSize& size,
                                                 const Vec3& place) noexcept;
 

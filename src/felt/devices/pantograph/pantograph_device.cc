@@ -282,8 +282,8 @@ std::string PantographDevice::homing_words() {
 }
 
 Result<void> PantographDevice::set_up() {
-  // Removes the guard, because nothing is sent for a while below, and a board that restarts must
-  // not receive torques.
+  // Ends the guard process, because below nothing is sent for a while, so that the guard would send
+  // torques; but a board that restarts must not receive any.
   static_cast<void>(port_->keep_guard({}, 0));
   is_set_up_ = false;
   sent_ = {};

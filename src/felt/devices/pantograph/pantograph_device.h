@@ -16,20 +16,21 @@ namespace felt::pantograph {
 /// A 2DIY on a serial port.
 ///
 /// In each tick, one frame is sent and one received: write() sends torques, and the next read()
-/// receives the angles that answer them. The driver estimates the velocity from the angles and
-/// extrapolates the position to the time of the read with it. A frame has neither checksum nor
-/// start mark. A reply of the wrong form (not the device's id and two possible angles) is a fault;
-/// then all waiting bytes are discarded, and the next frame starts again. If angles are late, the
-/// last sample is repeated for kMaxMissed ticks; then read() fails with kOther (or with kBadData if
-/// half an answer came), and after kMaxSilentTicks with kDisconnected.
+/// receives the angles that answer them. The driver estimates the velocity from the angles and uses
+/// it to extrapolate the position to the time of the read. A frame has neither checksum nor start
+/// mark. A valid reply has the device's id and two possible angles; any other reply is a fault. All
+/// received bytes are then discarded, so that the reply to the next frame is read from its start.
+/// If a reply is late, read() returns the last sample for up to kMaxMissed ticks. After that it
+/// fails with kOther, or with kBadData if only a part of a reply came, and after kMaxSilentTicks
+/// with kDisconnected.
 ///
-/// The board has no known watchdog: torques hold until the next frame. Therefore stop(), every
-/// fault and the destructor send zero torques, repeatedly if necessary; if a frame cannot be sent,
-/// write() fails with kOther. A separate process (ByteStream's keep_guard) sends zero torques if
-/// this program was killed or stopped, or is silent for kGuardNs. Without that process no force is
-/// possible: find_home() fails if it does not start, and write() returns kForcesOff after it has
-/// ended. If the board itself hangs, it keeps its torques, and only unplugging USB or the motors'
-/// own switch turns the motors off.
+/// The board has no known watchdog: torques hold until the next frame. Therefore zero torques are
+/// sent by stop(), after every fault and by the destructor, repeatedly if necessary. If a frame
+/// cannot be sent, write() fails with kOther. A separate process (ByteStream's keep_guard) sends
+/// zero torques if this program was killed or stopped, or is silent for kGuardNs. Without that
+/// process no force is possible: find_home() fails if it does not start, and write() returns
+/// kForcesOff after it has ended. If the board itself hangs, it keeps its torques. Then only
+/// unplugging the USB cable or the switch of the motors turns the motors off.
 ///
 /// The encoders count from the position at power-on, so the arms must be in their rest pose at that
 /// time: homing() is kRestPose until find_home().
@@ -37,14 +38,14 @@ class PantographDevice final : public DriverDevice {
  public:
   static constexpr std::int64_t kWaitNs = 400'000;
   static constexpr std::int64_t kSendNs = 100'000;
-  /// Number of times that stop() tries to send zero torques, and that the destructor does, which
-  /// has more time.
+  /// Number of times that stop() and the destructor try to send zero torques. The destructor has
+  /// more time.
   static constexpr int kStopTries = 4, kEndTries = 500;
   static constexpr std::int64_t kGuardNs = 50'000'000;  ///< silence until the guard acts
   static constexpr int kMaxMissed = 4;
   static constexpr int kMaxSilentTicks = 500;
-  /// The z of a pen that touches, and of a pen that does not. The step is small enough that the
-  /// safety chain neither treats it as a jump nor damps its speed.
+  /// The z of a pen that touches the surface and of a pen that does not. The difference is so small
+  /// that the safety chain neither treats it as a jump nor as a high speed that must be damped.
   static constexpr double kDownMm = -0.25, kUpMm = 0.25;
 
   PantographDevice(std::unique_ptr<ByteStream> port, const BoardModel& model,
@@ -97,7 +98,7 @@ class PantographDevice final : public DriverDevice {
   Force sent_;  // the force of the newest frame's torques
   std::atomic<bool> is_down_;
   bool is_home_ = false;
-  bool is_set_up_ = false;  // the board was set up after the last reset
+  bool is_set_up_ = false;  // the board has been set up since the last reset
 
   // These are used by the haptic thread, or by the edit thread while no loop runs.
   std::array<std::byte, 64> in_{};

@@ -11,18 +11,20 @@ namespace felt {
 
 /// A device that plays recorded samples (R55), such as the `pen` events of a script.
 ///
-/// At a time between two samples the position is interpolated linearly. Pressure is interpolated if
-/// both samples touch, and tilt if both have it; otherwise they are those of the earlier sample,
-/// and so are the buttons. Before the time of the first sample the pen is at the first position,
-/// but in the air; after the last sample it stays there. The velocity is computed from the
-/// positions with a low-pass filter, as in a driver. If a touch begins and ends between two reads,
-/// the second read still shows it, and the same is true of a short lift. So a slow loop neither
-/// loses a dot nor joins two strokes.
+/// Between two samples, the position is interpolated linearly. Pressure is interpolated if both
+/// samples touch, and tilt if both samples have a tilt; otherwise the values of the earlier sample
+/// are used. The buttons are always those of the earlier sample. Before the time of the first
+/// sample, the pen is at the first position, but in the air; after the last sample, the pen stays
+/// at the last position. The velocity is computed from the positions with a low-pass filter, as in
+/// a driver. If a touch begins and ends between two reads, the second read still reports the touch.
+/// If a lift begins and ends between two reads, the second read reports the lift. So a slow loop
+/// neither loses a dot nor joins two strokes.
 ///
-/// If the time of a sample is before its predecessor's, it is set to its predecessor's. Samples
-/// that are not finite are left out. Forces have no effect; the last one is stored.
+/// If a sample has an earlier time than the sample before it, it gets the time of that sample.
+/// Samples that are not finite are left out. Forces have no effect; the last one is stored.
 ///
-/// read() is used on the haptic thread. It is real-time safe and takes O(samples passed).
+/// read() is used on the haptic thread. It is real-time safe, and its duration is linear in the
+/// number of samples since the last read.
 class RecordedDevice final : public Device {
  public:
   /// The device reports `capabilities`, so that a session computes the forces for them.
@@ -48,7 +50,7 @@ class RecordedDevice final : public Device {
   Capabilities capabilities_;
   VelocityFilter velocity_;
   Force last_force_;
-  std::size_t next_ = 0;  // first sample in the future
+  std::size_t next_ = 0;  // index of the first sample that was not reached yet
   bool started_ = false;
   bool showed_contact_ = false;
   std::int64_t last_ns_ = 0;

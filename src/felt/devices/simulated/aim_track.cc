@@ -6,8 +6,8 @@
 namespace felt {
 namespace {
 
-/// Each aim removes 1/128 of the delay that it did not need, so a burst has little effect after
-/// about 100 aims.
+/// If an aim needs less than the current delay, 1/128 of the difference is removed from the delay.
+/// So a burst of late aims has little effect after some hundred aims.
 constexpr std::int64_t kForgetting = 128;
 /// Maximum plausible age of an aim.
 constexpr std::int64_t kOldestNs = 10'000'000'000;
@@ -18,15 +18,15 @@ double pressure_of(const Aim& aim) noexcept {
 
 }  // namespace
 
-/// Returns the playback time. It stops at the newest aim, because the track knows nothing beyond
-/// it: a resting pen waits there.
+/// Returns the playback time. It stops at the newest aim, because the track has no later aim: the
+/// pen then rests there.
 std::int64_t AimTrack::played_ns(std::int64_t now_ns) noexcept {
   return played_ns_ = std::max(played_ns_, std::min(now_ns - delay_ns_, newest_ns_));
 }
 
-// The delay grows immediately to the age that this aim has when it can be played (with `joins`: to
-// the age of the start of the interpolation towards it). It decays slowly while a shorter delay is
-// enough.
+// If this aim arrives older than the current delay, the delay grows immediately to the age of the
+// aim (with `joins`, to the age of the start of the interpolation towards the aim). While a shorter
+// delay is enough, the delay falls slowly.
 void AimTrack::push(const StampedAim& aim, std::int64_t now_ns) noexcept {
   std::int64_t time_ns = std::clamp(aim.time_ns, now_ns - kOldestNs, now_ns);
   std::int64_t way_ns = 0;

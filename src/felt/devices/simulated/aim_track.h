@@ -8,7 +8,8 @@
 
 namespace felt {
 
-/// An aim and the time at which the hand had it, on the clock of the loop.
+/// An aim (the position that the simulated hand wants) and the time at which the hand had this aim,
+/// on the clock of the loop.
 struct StampedAim {
   static constexpr std::int64_t kNow = INT64_MIN;  ///< takes effect at the next read
 
@@ -17,13 +18,14 @@ struct StampedAim {
 };
 
 /// Plays the aims of a tablet with their original spacing in time, although a window system
-/// delivers them late and several together. Each aim is played when its age is the playback delay.
-/// The delay is as long as the aims of the last second or two needed, at most 15 ms; an aim that
-/// comes later is played immediately. So the delay does not keep growing, and no aim is lost.
+/// delivers them late and several together. Each aim is played when its age reaches the playback
+/// delay. The delay is about the largest age with which an aim arrived in the last second or two,
+/// but at most 15 ms. An aim that arrives with a larger age is played immediately. So the delay
+/// does not keep growing, and no aim is lost.
 ///
-/// With `joins`, at() interpolates linearly between one aim and the next. The next aim must then be
-/// known when the first is played, so the delay is longer by the time between them. After a rest
-/// the interpolation starts 10 ms before the new aim.
+/// With `joins`, at() interpolates linearly between one aim and the next. The second aim must then
+/// be known when the first is played, so the delay is longer by the time between the two. After a
+/// rest, the interpolation starts at most 10 ms before the time of the new aim.
 ///
 /// A value type, real-time safe.
 class AimTrack {
@@ -35,8 +37,8 @@ class AimTrack {
 
   explicit AimTrack(bool joins) noexcept : joins_(joins) {}
 
-  /// Appends an aim. A time that is not later than the last one is set to 50 us after it, and a
-  /// future time to now. Requires has_room().
+  /// Appends an aim. A time that is not later than that of the last aim is set to 50 us after that;
+  /// a time in the future is set to `now_ns`. Requires has_room().
   void push(const StampedAim& aim, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool has_room() const noexcept { return count_ < kMax; }
   [[nodiscard]] bool is_set() const noexcept { return is_set_; }
@@ -48,9 +50,9 @@ class AimTrack {
   /// Removes the oldest aim after it was played; at() then starts from it. Requires that an aim
   /// waits.
   void pass() noexcept;
-  /// Returns the aim at this time, between the last aim that was passed and the next. Pressure is
-  /// interpolated if both aims press, and tilt if both have it; otherwise they are those of the
-  /// passed aim. Requires is_set().
+  /// Returns the aim at this time, interpolated between the last aim that pass() removed and the
+  /// next. Pressure is interpolated if both aims press, and tilt if both aims have a tilt;
+  /// otherwise the values of the removed aim are used. Requires is_set().
   [[nodiscard]] Aim at(std::int64_t now_ns) noexcept;
 
   /// Returns the current playback delay.
@@ -74,7 +76,7 @@ class AimTrack {
   Aim passed_;
   std::int64_t newest_ns_ = 0;  // time of the newest aim
   std::int64_t delay_ns_ = 0;
-  std::int64_t played_ns_ = INT64_MIN;  // never decreases, even if the delay grows
+  std::int64_t played_ns_ = INT64_MIN;  // playback time; never decreases, even if the delay grows
 };
 
 }  // namespace felt

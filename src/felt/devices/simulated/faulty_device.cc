@@ -137,7 +137,7 @@ tl::expected<PenSample, DeviceFault> FaultyDevice::read(std::int64_t now_ns) noe
   now_ns_ = now_ns;
   ++reads_;
   if (active(InjectedFault::kUnplugged) != nullptr) device_.stop();
-  auto sample = device_.read(now_ns);  // always reads, so that the device continues to run
+  auto sample = device_.read(now_ns);  // reads in every case, so that the device continues to run
   if (active(InjectedFault::kReadError) != nullptr ||
       active(InjectedFault::kUnplugged) != nullptr) {
     return tl::unexpected(DeviceFault::kDisconnected);

@@ -12,30 +12,30 @@ namespace felt {
 /// A fault of a device (docs/design/devices.md#faults).
 enum class InjectedFault : std::uint8_t {
   kReadError,      ///< read() returns kDisconnected
-  kWriteError,     ///< write() returns kDisconnected; the force in effect stays
+  kWriteError,     ///< write() returns kDisconnected; the last force stays in effect
   kUnplugged,      ///< read() and write() return kDisconnected, and no force acts
-  kNotFinite,      ///< NaN in the position
-  kInfinite,       ///< infinity in the velocity
+  kNotFinite,      ///< the position contains a NaN
+  kInfinite,       ///< the velocity contains an infinity
   kJump,           ///< the position is shifted by `amount` mm along x
-  kFrozen,         ///< the same sample again and again, with new times
+  kFrozen,         ///< every read() returns the same sample with a new time
   kStuckAxis,      ///< z does not change
-  kSignFlip,       ///< the position mirrored in all axes
-  kNoise,          ///< uniformly distributed within +- `amount` mm, on each axis
-  kCoarse,         ///< the position in steps of `amount` mm
-  kTimeBackwards,  ///< sample times `amount` ms early
-  kForceIgnored,   ///< write() succeeds and does nothing
+  kSignFlip,       ///< the position is mirrored in all axes
+  kNoise,          ///< uniform noise within +- `amount` mm is added on each axis
+  kCoarse,         ///< the position is rounded to steps of `amount` mm
+  kTimeBackwards,  ///< samples have a time that is `amount` ms too early
+  kForceIgnored,   ///< write() succeeds but has no effect
   kButtonBounce,   ///< button 0 flips at each read
-  kForcesOff,     ///< write() returns kForcesOff, as if its own button or guard had acted; no force
-  kWarmMotors,    ///< write() returns kOverheated, and no force acts
-  kUncalibrated,  ///< read() returns kNotCalibrated: the device lost its reference position
-  kButtonStuck,   ///< button 0 is always down
-  kDenormal,      ///< z and the velocity are the smallest denormal numbers
-  kNoAnswer,      ///< no new data: the last sample, with its old time; writes are lost
-  kJumpOften,     ///< every second sample is shifted by `amount` mm along x
-  kSlowAnswers,   ///< a service needs `amount` ms for each answer
-  kLostAnswers,   ///< a service answers only every second message
-  kBurstAnswers,  ///< a service handles all waiting messages every `amount` ms
-  kLateAnswer,    ///< a service answers one message `amount` ms late
+  kForcesOff,      ///< write() returns kForcesOff, and no force acts
+  kWarmMotors,     ///< write() returns kOverheated, and no force acts
+  kUncalibrated,   ///< read() returns kNotCalibrated: the device lost its reference position
+  kButtonStuck,    ///< button 0 is always down
+  kDenormal,       ///< z and the velocity are the smallest denormal numbers
+  kNoAnswer,       ///< read() repeats the last sample with its old time; writes are lost
+  kJumpOften,      ///< every second sample is shifted by `amount` mm along x
+  kSlowAnswers,    ///< a service needs `amount` ms for each answer
+  kLostAnswers,    ///< a service answers only every second message
+  kBurstAnswers,   ///< a service handles all waiting messages every `amount` ms
+  kLateAnswer,     ///< a service answers one message `amount` ms late
 };
 
 /// Returns true for faults that only a device behind a service can have. FaultyDevice ignores them.
@@ -52,13 +52,13 @@ std::string_view name_of(InjectedFault fault) noexcept;
 struct FaultWindow {
   InjectedFault fault = InjectedFault::kReadError;
   std::int64_t from_ns = 0;
-  std::int64_t until_ns = 0;  ///< not included
+  std::int64_t until_ns = 0;  ///< end of the time; not included
   double amount = 1.0;
 };
 
 /// A wrapper around any device that adds faults on schedule, to test the code above it. Several
-/// faults may be active together; they act in the order of the list. Deterministic; real-time safe
-/// after construction.
+/// faults may be active at the same time; they are applied in the order of the schedule.
+/// Deterministic; real-time safe after construction.
 class FaultyDevice final : public Device {
  public:
   /// `device` must outlive this.

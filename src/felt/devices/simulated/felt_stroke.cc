@@ -79,8 +79,8 @@ StrokeForces draw_stroke(const StrokePlan& plan) {
   servo->publish(ForceModel(make_sheet_force(*plan.surface, *plan.tool, can, grain)));
   servo->arm();
 
-  // The depth at which the hand must aim to press with this force. The springs of the hand and the
-  // surface are in series.
+  // The depth below the surface at which the hand must aim to press with this force: the springs of
+  // the hand and the surface are in series.
   const double sheet_n_per_m = plane_for(*plan.surface, can).stiffness_n_per_m;
   const double depth_mm =
       1e3 * plan.press_n * (1.0 / sheet_n_per_m + 1.0 / plan.hand->stiffness_n_per_m);

@@ -11,19 +11,19 @@
 namespace felt {
 
 /// A stroke that the simulated hand draws to feel a surface. The pen comes down, moves along x,
-/// turns and moves along y.
+/// then turns by a right angle and moves along y.
 struct StrokePlan {
   const StylusPreset* device = nullptr;
   const SimulatedHand* hand = nullptr;
   std::int64_t period_ns = 1'000'000;
   const SurfaceMaterial* surface = nullptr;
   const Medium* tool = nullptr;
-  bool has_grain = true;  ///< false: the same surface, smooth
+  bool has_grain = true;  ///< if false, the same surface without its grain
   double speed_mm_per_s = 80.0;
   double press_n = 0.6;
   double leg_mm = 40.0;  ///< length of each of the two legs
   double rest_s = 0.0;   ///< extra time, beyond the usual 0.2 s, that the pen rests before it moves
-  std::uint32_t seed = 0;  ///< start point and tremor of the hand; 0: no tremor
+  std::uint32_t seed = 0;  ///< seed for the start point and the tremor of the hand; 0: no tremor
 };
 
 /// The forces of the device on the hand, tick by tick.
@@ -37,11 +37,11 @@ struct StrokeForces {
   bool is_sound = true;         ///< the safety chain found nothing wrong
 };
 
-/// Draws the stroke with device, hand, loop, safety chain and surface in virtual time. The same
-/// plan gives the same forces.
+/// Simulates the stroke in virtual time, with device, hand, loop, safety chain and surface. The
+/// same plan gives the same forces.
 StrokeForces draw_stroke(const StrokePlan& plan);
 
-/// Returns the vibration in a force: RMS above 30 Hz over all axes, N
+/// Returns the strength of the vibration in a force: its RMS above 30 Hz over all axes, N
 /// (docs/design/simulation.md#measures). Skips the first tenth of a second; returns 0 if the forces
 /// last no longer than that.
 double force_above_30_hz_n(std::span<const Force> forces, double period_s);

@@ -35,7 +35,7 @@ Point before(Point a, Point b, Point c) {
   return c - 2.0 * dot(c - lerp(a, b, 0.5), along) * along;
 }
 
-// Appends the smooth curve through all of `via`, without its last point.
+// Appends the smooth curve through all points of `via`, but without the last point of the curve.
 void append_run(std::span<const Point> via, std::vector<Point>& path) {
   for (std::size_t i = 0; i + 1 < via.size(); ++i) {
     const Point b = via[i], c = via[i + 1];
@@ -72,8 +72,8 @@ std::vector<TimedPoint> pace(std::span<const Point> path, double tempo) {
   std::vector<double> speed(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double by_curve = kSpeedAtUnitCurvature / std::cbrt(curvature(path, i) + kFloorCurvature);
-    // A corner turns within one step. Measured over the whole reach its curvature would be too
-    // small, and the hand would pass it too fast.
+    // A corner turns within one step. Its curvature, measured over kCurvatureReach steps, would be
+    // too small, and the hand would pass the corner too fast.
     const bool corner =
         i > 0 && i + 1 < n && angle_between(path[i] - path[i - 1], path[i + 1] - path[i]) > 0.6;
     const bool end = i == 0 || i + 1 == n;

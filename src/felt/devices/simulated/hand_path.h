@@ -19,12 +19,12 @@ struct TimedPoint {
 /// a row is a corner.
 std::vector<Point> smooth_path(std::span<const Point> via);
 
-/// Returns the points with the times at which a hand reaches them. The hand slows down in curves by
-/// the two-thirds power law, speed ~ curvature^(-1/3) (Lacquaniti, Terzuolo, Viviani, Acta
-/// Psychologica 54, 1983), with a minimum curvature so that the speed on straight parts is finite
-/// (Viviani, Schneider, J Exp Psychol HPP 17, 1991). It nearly stops in corners and at both ends,
-/// and never accelerates beyond 2 m/s^2 along the path (docs/design/simulation.md#perception).
-/// `tempo` multiplies all speeds.
+/// Returns the points with the times at which a hand reaches them. The hand slows down in curves
+/// according to the two-thirds power law, speed ~ curvature^(-1/3) (Lacquaniti, Terzuolo, Viviani,
+/// Acta Psychologica 54, 1983), with a minimum curvature so that the speed on straight parts is
+/// finite (Viviani, Schneider, J Exp Psychol HPP 17, 1991). It nearly stops in corners and at both
+/// ends, and never accelerates beyond 2 m/s^2 along the path
+/// (docs/design/simulation.md#perception). `tempo` multiplies all speeds.
 std::vector<TimedPoint> pace(std::span<const Point> path, double tempo);
 
 }  // namespace felt

@@ -53,8 +53,9 @@ void HeldBody::prepare(double h_s) noexcept {
   friction_step_ = 0.5 * gain_ * mechanics_.friction_n;
 }
 
-// Does one implicit midpoint step: computes the mean velocity without friction, reduces it by as
-// much as friction can remove (at most to zero), and derives the new velocity and position from it.
+// Does one implicit midpoint step: computes the mean velocity of the step without friction, reduces
+// this velocity by as much as friction can (at most to zero), and derives the new velocity and
+// position from the result.
 void HeldBody::step(double h_s, const Vec3& aim_from_mm, const Vec3& aim_to_mm,
                     const Force& force) noexcept {
   if (h_s != prepared_for_s_) prepare(h_s);

@@ -8,20 +8,22 @@
 
 namespace felt {
 
-/// The physics of a stylus in a hand, or alone:
+/// The physics of a stylus that a hand holds, or that nobody holds:
 ///
 ///   m x'' = F + k (s - x) + b (s' - x') - d x' - friction        s: the hand's aim
 ///
-/// m is the mass of stylus and hand; d and the Coulomb friction are the stylus'; k and b are the
-/// hand's. A hand also bears the stylus' weight; without a hand, the weight pulls the stylus down.
+/// m is the mass of stylus and hand together. The damping d and the Coulomb friction are those of
+/// the stylus; the spring k and the damping b are those of the hand. A hand also bears the weight
+/// of the stylus; without a hand, the weight pulls the stylus down.
 ///
-/// A step uses the implicit midpoint rule: the energy of the linear part balances exactly for every
-/// step length, and the error is of order h^2 (at the default step below 1e-4 of the movement). A
-/// matrix exponential would be exact, but its last bits depend on the machine. Friction acts
-/// against the mean velocity of the step and stops the body if it is large enough: if |F| <=
-/// friction, a resting body stays exactly at rest.
+/// A step uses the implicit midpoint rule. With it, the energy of the linear part balances exactly
+/// for every step length h, and the error is of order h^2 (with the default step, less than 1e-4 of
+/// the movement). A matrix exponential would be exact, but its last bits depend on the machine.
+/// Friction acts against the mean velocity of the step. If the friction is large enough, it stops
+/// the body: a resting body stays exactly at rest if |F| <= friction.
 ///
-/// The ends of the workspace are walls without bounce. Used on the haptic thread; real-time safe.
+/// The ends of the workspace are walls, at which the body stops without bouncing. Used on the
+/// haptic thread; real-time safe.
 class HeldBody {
  public:
   HeldBody(const StylusMechanics& mechanics, const Vec3& workspace_min,
@@ -31,16 +33,16 @@ class HeldBody {
   void hold(const std::optional<SimulatedHand>& hand) noexcept;
   /// Moves the stylus to a position, at rest.
   void place(const Vec3& position_mm) noexcept;
-  /// Advances the time by h_s > 0. The force is constant, and the hand's aim moves evenly between
-  /// the two positions.
+  /// Advances the time by h_s > 0. The force is constant during the step, and the hand's aim moves
+  /// at constant speed from `aim_from_mm` to `aim_to_mm`.
   void step(double h_s, const Vec3& aim_from_mm, const Vec3& aim_to_mm,
             const Force& force) noexcept;
 
   [[nodiscard]] const Vec3& position() const noexcept { return position_; }
   [[nodiscard]] const Vec3& velocity() const noexcept { return velocity_; }  ///< mm/s
   [[nodiscard]] bool is_held() const noexcept { return held_; }
-  /// Returns the energy of the motion and of the hand's spring, mJ. Friction and damping dissipate
-  /// it.
+  /// Returns the kinetic energy plus the energy of the hand's spring, mJ. Friction and damping
+  /// reduce this energy.
   [[nodiscard]] double energy_mj(const Vec3& aim_mm) const noexcept;
 
  private:
@@ -51,7 +53,7 @@ class HeldBody {
   StylusMechanics mechanics_;
   Vec3 min_, max_;
   bool held_ = false;
-  // These are in N, mm and s: mass in N s^2/mm, and so on.
+  // The units of these are made of N, mm and s: the mass is in N s^2/mm, and so on.
   double mass_ = 0.0, spring_ = 0.0, hand_damping_ = 0.0, damping_ = 0.0;
   double prepared_for_s_ = 0.0;
   double keep_ = 0.0;           // factor of the velocity in a step

@@ -10,8 +10,9 @@ bool changes_contact(const Aim& a, const Aim& b) noexcept {
          (a.target_mm.z < 0.0) != (b.target_mm.z < 0.0);
 }
 
-// The aim starts at its current position. The movement takes as long as the previous aim was valid,
-// or longer if the top speed requires it.
+// The movement starts at the current position of the aim. It takes the time that has passed since
+// the previous aim, at least `least_ns` and at most 10 ms, or longer if the top speed requires
+// that.
 void MovingAim::set(const Aim& aim, std::int64_t now_ns, std::int64_t least_ns) noexcept {
   if (!is_set_) {
     is_set_ = true;

@@ -14,21 +14,21 @@ struct PointerEvent {
   std::int64_t time_ns = 0;          ///< on the loop's clock
   Point position{};                  ///< on the page, mm
   bool touching = false;             ///< the mouse button is down, or the pen is on the tablet
-  std::optional<double> pressure{};  ///< 0..1, tablets only
+  std::optional<double> pressure{};  ///< 0..1; only from tablets
   std::uint32_t buttons = 0;
-  std::optional<double> tilt_deg{};  ///< tilt from the upright, 0..90; some tablets only
+  std::optional<double> tilt_deg{};  ///< tilt from the upright, 0..90; only from some tablets
 };
 
 /// The pressure for a pointer that cannot sense it (R18).
 enum class MousePressure : std::uint8_t {
   kConstant,  ///< absent_pressure; the default is 0.5
-  kBySpeed,   ///< slower is harder: from 0.8 at rest down to 0.2 at 300 mm/s and more
+  kBySpeed,   ///< falls with the speed, from 0.8 at rest to 0.2 at 300 mm/s and more
 };
 
 /// Converts each event of mouse or tablet to an aim of the simulated hand
 /// (docs/design/loop.md#data-flow). On a device that pushes back, pressure sets how far below the
-/// surface the hand aims, so that it presses with the force for that pressure. On a device without
-/// forces, pressure is passed on unchanged. Tilt is always passed on unchanged.
+/// surface the hand aims, so that the hand presses with the force for that pressure. On a device
+/// without forces, pressure is passed on unchanged. Tilt is always passed on unchanged.
 ///
 /// For use by one thread at a time.
 class PointerHand {
@@ -42,7 +42,7 @@ class PointerHand {
   void point(const PointerEvent& event) noexcept;
   /// Sets the pressure of pointers without a sensor, from the next event on.
   void set_mouse(MousePressure mouse) noexcept { mouse_ = mouse; }
-  /// Sets the pressure of kConstant, 0..1, from the next event on.
+  /// Sets the pressure that MousePressure::kConstant uses, 0..1, from the next event on.
   void set_absent_pressure(double pressure) noexcept { options_.absent_pressure = pressure; }
   /// Sets the surface that the hand presses on (felt::set_surface), from the next event on.
   void set_surface(const SurfaceMaterial& surface, const Capabilities& device) noexcept {
@@ -58,7 +58,7 @@ class PointerHand {
   HandScriptOptions options_;
   MousePressure mouse_;
   double pressure_ = 0.0;
-  double speed_mm_per_s_ = 0.0;  // low-passed
+  double speed_mm_per_s_ = 0.0;  // low-pass filtered
   std::optional<PointerEvent> last_;
 };
 

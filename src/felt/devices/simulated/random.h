@@ -5,8 +5,8 @@
 namespace felt {
 
 /// A random number generator: SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number
-/// generators", OOPSLA 2014). It gives the same numbers everywhere; the distributions of the
-/// standard library differ between implementations.
+/// generators", OOPSLA 2014). It gives the same numbers on every machine. The standard library is
+/// not used, because its distributions differ between implementations.
 class Random {
  public:
   explicit Random(std::uint64_t seed) noexcept : state_(seed) {}

@@ -16,7 +16,7 @@ constexpr double kLiftS = 0.12;               // from the last pressure to hover
 constexpr double kSettleS = 0.03;             // rest before the pen moves, and before it lifts
 constexpr double kShortestS = 0.06;           // shortest stroke, for example a dot
 constexpr double kLookS = 0.008;              // window for the speed and acceleration of the plan
-constexpr double kFrictionFromSpeed = 5.0;    // mm/s; friction counts less below it
+constexpr double kFrictionFromSpeed = 5.0;    // mm/s; below this speed, friction is reduced
 constexpr double kMinContactPressure = 1e-3;  // smallest pressure that counts as contact
 
 double press_n(const HandScriptOptions& options, double pressure) noexcept {
@@ -96,8 +96,8 @@ class PenPlanner {
 };
 
 // Makes the aims that move a pen along a plan. The mass m of pen and hand, the hand's spring k and
-// damper b and the forces F are known. The hand compensates for them by aiming ahead of the pen, by
-// e = aim - pen with
+// damper b and the forces F on the pen are given. To compensate for them, the hand aims ahead of
+// the pen by e = aim - pen, which solves
 //   b e' + k e = m x'' - F
 class AimMaker {
  public:
@@ -133,7 +133,8 @@ class AimMaker {
     return plan_[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))].pen;
   }
 
-  // Returns the force that the hand must apply, in N, to keep the pen at its planned position.
+  // Returns the force, in N, that the hand must apply so that the pen follows the plan at this
+  // position.
   [[nodiscard]] Vec3 push_needed(std::size_t index) const {
     const auto i = static_cast<std::ptrdiff_t>(index);
     const double look_s = interval_s_ * static_cast<double>(look_);
@@ -148,9 +149,9 @@ class AimMaker {
     if (depth_mm > 0.0) {
       const double plane_n = 1e-3 * options_.plane_n_per_m * depth_mm;
       push += options_.friction * plane_n * Vec3{way.x, way.y, 0.0};
-      // A resting pen must stay pressed although friction may act in both directions, so the push
-      // is larger by the friction. A sliding pen does not need this, because Coulomb friction then
-      // acts along the motion.
+      // For a resting pen, the direction of the device's friction is unknown. So that the pen still
+      // presses enough, the force is increased by this friction. A sliding pen does not need this,
+      // because the friction then acts along the motion.
       push.z -= plane_n + options_.device_friction_n * (1.0 - norm(way));
     }
     return push;

@@ -32,28 +32,28 @@ struct TimedAim {
   friend constexpr bool operator==(const TimedAim&, const TimedAim&) noexcept = default;
 };
 
-/// How the device for which the script is made detects contact.
+/// How the device on which the script is played detects contact.
 enum class ContactBy : std::uint8_t {
-  kDepth,     ///< the device pushes back: the hand presses the pen into the surface
-  kPressure,  ///< the device senses pressure: the pen stays on the surface, z = 0
+  kDepth,     ///< by depth, on a device with forces: the hand presses the pen into the surface
+  kPressure,  ///< by its pressure sensor: the pen stays on the surface, z = 0
 };
 
 struct HandScriptOptions {
   SimulatedHand hand = typical_hand();
   ContactBy contact = ContactBy::kDepth;
-  std::int64_t interval_ns = 1'000'000;  ///< between aims
+  std::int64_t interval_ns = 1'000'000;  ///< time between aims
   double plane_n_per_m = 500.0;          ///< stiffness of the surface
   double light_n = 0.1;                  ///< force for pressure 0 (F0 of docs/design/forces.md)
   double full_n = 2.0;                   ///< force for pressure 1 (F1)
   double absent_pressure = 0.5;
-  /// The friction coefficient of the pen on the surface, and below it the mass and the Coulomb
-  /// friction of the device. A practised hand knows them and aims ahead to compensate for them.
+  /// The friction coefficient of the pen on the surface; the next members are the mass and the
+  /// Coulomb friction of the device. A practised hand compensates for all three by aiming ahead of
+  /// the pen.
   double friction = 0.25;
   double device_mass_kg = 0.05;
   double device_friction_n = 0.0;
   double hover_mm = 4.0;
-  double lead_in_s =
-      0.7;  ///< hovering before the first stroke, until forces are on (safety_limits.h)
+  double lead_in_s = 0.7;  ///< time to hover until forces are on (safety_limits.h)
 };
 
 /// Returns the options for drawing on paper with this device. The stiffness is that of paper on
@@ -62,16 +62,16 @@ struct HandScriptOptions {
 HandScriptOptions script_options_for(const StylusPreset& device,
                                      const SimulatedHand& hand) noexcept;
 
-/// Sets the surface that the hand draws on: its stiffness on this device, and the force that draws
-/// the full width there as pressure 1. If `medium` is not null, also sets its friction on the
-/// surface.
+/// Sets the surface that the hand draws on: its stiffness on this device, and the force for
+/// pressure 1, which draws the full width on this surface. If `medium` is not null, also sets the
+/// friction of the medium on the surface.
 void set_surface(HandScriptOptions& options, const SurfaceMaterial& surface,
                  const Capabilities& device, const Medium* medium = nullptr) noexcept;
 
-/// Returns how far below the surface a hand must aim to press with the force for this pressure,
-/// F = F0 + p (F1 - F0). The hand's spring k and the surface's spring K then balance, at the
-/// depth F/K + (F + friction)/k. The Coulomb friction of the device counts only for a resting pen,
-/// because it acts along the motion of a moving pen.
+/// Returns how far below the surface a hand must aim to press with the force for this pressure, F =
+/// F0 + p (F1 - F0). The hand's spring k and the surface's spring K are then in balance if the hand
+/// aims at the depth F/K + (F + friction)/k. The Coulomb friction of the device counts only for a
+/// resting pen, because it acts along the motion of a moving pen.
 double aim_depth_mm(const HandScriptOptions& options, double pressure,
                     double speed_mm_per_s = 0.0) noexcept;
 
@@ -84,9 +84,10 @@ double aim_depth_mm(const HandScriptOptions& options, double pressure,
 ///
 /// The pen has the recorded tilt. Between strokes and in the air it keeps the last tilt.
 ///
-/// A dot presses for at least 60 ms, so that it is not lost. Points that are not finite are left
-/// out. Strokes without times, or with times that do not increase, are drawn at the pace of an
-/// unhurried hand (hand_path.h). The pace is at most 500 mm/s, and a pause lasts at most 1 s.
+/// For a dot, the pen presses for at least 60 ms, so that the dot is not lost. Points that are not
+/// finite are left out. A stroke is drawn at the pace of an unhurried hand (hand_path.h) if a time
+/// is missing, if a time is earlier than the one before it, or if all times are equal. The pace is
+/// at most 500 mm/s, and a pause lasts at most 1 s.
 std::vector<TimedAim> script_hand(std::span<const RecordedPath> strokes,
                                   const HandScriptOptions& options);
 

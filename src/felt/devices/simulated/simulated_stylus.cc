@@ -39,7 +39,7 @@ Vec3 start_of(const Capabilities& device) noexcept {
 
 }  // namespace
 
-/// The body, and the aims that it has not reached yet.
+/// The simulated body, and the aims that were not played yet.
 struct SimulatedStylus::Parts {
   explicit Parts(const StylusPreset& preset)
       : body(preset.mechanics, preset.capabilities.workspace_min,
@@ -212,8 +212,8 @@ PenSample SimulatedStylus::read_track(std::int64_t now_ns) noexcept {
     parts_->track.pass();
   }
   if (count == 0) return sample_of(parts_->track.at(now_ns), now_ns);
-  // Each sample has its own time if that lies between the last sample and now; otherwise it is
-  // moved into that range.
+  // Each sample gets the time of its aim if that time lies between the last sample and now;
+  // otherwise the time is moved into that range.
   const std::int64_t half_ns = (now_ns - sampled_ns_) / (2 * static_cast<std::int64_t>(count) + 2);
   for (std::size_t i = 0; i < count; ++i) {
     const auto after = static_cast<std::int64_t>(count - 1 - i);

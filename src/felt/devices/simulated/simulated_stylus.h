@@ -15,26 +15,27 @@ namespace felt {
 class HeldBody;
 struct StampedAim;
 
-/// A simulated force-feedback stylus in a simulated hand that follows its aim (R18, R51, R55).
-/// Mouse and tablet users draw with it; tests use it, too.
+/// A simulated force-feedback stylus, held by a simulated hand that follows an aim (R18, R51, R55).
+/// Users of a mouse or tablet draw with it; tests use it, too.
 ///
 ///   SimulatedStylus stylus(*find_stylus_preset("touch"), *find_hand("typical"));
 ///   stylus.aim({30, 40, -2}, {}, 0);            // from mouse, tablet or script
 ///   servo.step(now_ns);                         // read() moves the body up to now, write() pushes
 ///
-/// read(now) integrates from the last time to now in steps of at most 0.25 ms. Meanwhile the force
-/// of the last write() acts (delayed by `delay_ticks` ticks, limited to the device's maximum). The
-/// sample is like a sensor's: its position is rounded to the device's steps, and its velocity is
-/// low-pass filtered.
+/// read(now) integrates from the last time to now in steps of at most 0.25 ms. During this time the
+/// force of the last write() acts, delayed by `delay_ticks` ticks and limited to the device's
+/// maximum. The returned sample is like that of a real sensor: the position is rounded to the
+/// device's steps, and the velocity is low-pass filtered.
 ///
 /// A device without force (mouse, tablet) has no body: the pen is exactly at the aim, and write()
 /// has no effect. Aims with times are played with their original spacing (AimTrack). On a device
-/// without a body, each aim gives a sample with its exact position and its own time (plus the delay
-/// of the track), and one read may return several samples. On a device with a body, the aims move
-/// the hand.
+/// without a body, each aim gives one sample with the position of the aim and its time plus the
+/// delay of the track; a read may return several such samples. On a device with a body, the aims
+/// move the hand.
 ///
-/// The first read() starts the time. If time stands still or goes back, nothing moves. After a gap,
-/// at most 100 ms are simulated, to bound the duration of a tick; the rest is skipped.
+/// The simulation starts at the time of the first read(). If the time of a read is not later than
+/// that of the last one, nothing moves. After a gap, at most 100 ms are simulated, to bound the
+/// duration of a tick; the rest of the gap is skipped.
 ///
 /// Call aim() from one thread; call everything else on the haptic thread, or on any thread while no
 /// loop runs. Real-time safe. Deterministic: the same calls give the same bytes.
@@ -43,11 +44,11 @@ class SimulatedStylus final : public Device, public HandInput {
   static constexpr int kMaxDelayTicks = 7;
   static constexpr std::size_t kWaitingAims =
       2048;                                       ///< if more come between two reads, they are lost
-  static constexpr std::size_t kMaxSamples = 16;  ///< read from a track in one read()
+  static constexpr std::size_t kMaxSamples = 16;  ///< maximum number of samples in one read()
 
-  /// `hand` holds the stylus at first; with nullopt nobody holds it. Delays are clamped to 0..7
-  /// ticks. The pen starts 20 mm above the centre of the workspace; the first aim moves it to its
-  /// position.
+  /// `hand` holds the stylus initially; if it is nullopt, nobody holds the stylus. `delay_ticks` is
+  /// clamped to 0..7. The pen starts 20 mm above the centre of the workspace; the first aim moves
+  /// the pen to the position of that aim.
   explicit SimulatedStylus(const StylusPreset& preset,
                            const std::optional<SimulatedHand>& hand = typical_hand());
 
@@ -59,27 +60,29 @@ class SimulatedStylus final : public Device, public HandInput {
     return preset_.capabilities;
   }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
-  /// Fails with kBadData if the force is not finite, and then sets it to zero.
+  /// If the force is not finite, sets it to zero and fails with kBadData.
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
   void stop() noexcept override;
   std::optional<PenSample> between() noexcept override;
 
   /// Sets the hand's aim (HandInput). To press, aim below the surface. Targets are clamped to 100
   /// mm around the workspace; the pen itself does not leave the workspace. A target that is not
-  /// finite is ignored; a pressure or tilt that is NaN counts as missing. If several aims come
-  /// between two reads, only the newest counts, except that every change of contact (pressure,
-  /// buttons, above or below the surface) is kept.
+  /// finite is ignored; a pressure or tilt that is NaN counts as missing. If several untimed aims
+  /// come between two reads, only the newest is used, but no aim is dropped that begins or ends a
+  /// contact (by pressure, buttons or depth).
   using HandInput::aim;
   void aim(const Aim& aim) noexcept override;
-  /// Sets the hand's aim at a time. An aim without a time discards the timed aims that still wait.
+  /// Sets the hand's aim at a time. An aim without a time discards all timed aims that were not
+  /// played yet.
   void aim_at(std::int64_t time_ns, const Aim& aim) noexcept override;
 
-  /// Gives the stylus to another hand at its current position, or to nobody (nullopt).
+  /// Lets another hand hold the stylus at its current position, or nobody (nullopt).
   void hold(const std::optional<SimulatedHand>& hand) noexcept;
   /// Moves the pen and the hand's aim to a position, at rest.
   void place(const Vec3& position_mm) noexcept;
 
-  /// Returns the true state behind the sensor, for tests and measurements.
+  /// Returns the exact state of the simulation, without rounding and filtering, for tests and
+  /// measurements.
   [[nodiscard]] const HeldBody& body() const noexcept;
   /// Returns the current position of the hand's aim.
   [[nodiscard]] Vec3 hand_aim() const noexcept;
@@ -108,7 +111,8 @@ class SimulatedStylus final : public Device, public HandInput {
   std::int64_t sampled_ns_ = 0;  // time of the last sample
   VelocityFilter velocity_;
   Force asked_, acting_;
-  std::array<Force, kMaxDelayTicks + 1> delayed_{};  // ring: forces requested at the last reads
+  std::array<Force, kMaxDelayTicks + 1>
+      delayed_{};  // ring buffer: forces requested at the last reads
   std::size_t tick_ = 0;
   std::size_t delay_ticks_;
   bool started_ = false;

@@ -38,9 +38,9 @@ Capabilities of_model(std::string_view id, Vec3 (*turn)(const Vec3&) = as_axes_a
   return with_workspace(turn(device.workspace_max - device.workspace_min), device);
 }
 
-// Returns the capabilities of an invented device that is as weak as the Touch, and harder to keep
-// stable than any real device. Advised force, limits and step are chosen so that a light,
-// frictionless pen meets every force that the safety chain passes.
+// Returns the capabilities of an invented device that is as weak as the Touch and harder to keep
+// stable than any real device. Its advised force, limits and step are chosen so that a light pen
+// without friction is exposed to every force that the safety chain lets pass.
 Capabilities of_worst() noexcept {
   Capabilities device = of_model("touch");
   device.advised_force_n = 3.0;

@@ -9,7 +9,7 @@ namespace felt {
 
 /// A hand as the stylus feels it: a mass that moves with the stylus, and a spring and a damper
 /// between the stylus and the hand's aim (docs/design/simulation.md#hands). The four hands cover
-/// the range of people; their values are not measured.
+/// the range of human hands; their values are estimates.
 struct SimulatedHand {
   std::string_view name{};
   double mass_kg = 0.03;
@@ -45,12 +45,14 @@ struct StylusPreset {
 
 /// Returns all presets: worst, touch, touch-x, premium, falcon, omega, inverse3, mouse and tablet.
 /// The last two have no force; their pen is exactly at the aim. The workspaces extend 10 mm beyond
-/// the left and upper edge of the page; half of each is above the drawing plane, half below.
+/// the left and upper edge of the page; half of each workspace is above the drawing plane, half
+/// below.
 std::span<const StylusPreset> stylus_presets() noexcept;
 /// Returns the preset with this name, or null.
 const StylusPreset* find_stylus_preset(std::string_view name) noexcept;
 
-/// Moves the workspace of `device` sideways to centre it above this position of the page.
+/// Moves the workspace of `device` parallel to the page, so that its centre is above this position
+/// of the page.
 void center_workspace(Capabilities& device, Point middle_mm) noexcept;
 
 }  // namespace felt

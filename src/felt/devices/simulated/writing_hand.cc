@@ -43,8 +43,8 @@ std::vector<Point> on_grid(const std::vector<TimedPoint>& aim) {
   return grid;
 }
 
-// Smooths the aim with a raised-cosine window over time. Before its start and after its end the aim
-// counts as standing still.
+// Smooths the aim with a raised-cosine window over time. Before its start and after its end, the
+// aim is assumed to stand still.
 std::vector<Point> through_muscles(const std::vector<Point>& aim) {
   const auto last = static_cast<std::ptrdiff_t>(aim.size()) - 1;
   std::vector<Point> moved;

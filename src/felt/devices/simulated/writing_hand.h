@@ -10,8 +10,8 @@
 
 namespace felt {
 
-/// A pen sample that a tablet would report. It is not an InkSample, because devices do not depend
-/// on the ink layer, but has the same fields, all of them present.
+/// A pen sample that a tablet would report. It has the same fields as InkSample, but none of them
+/// is optional. InkSample is not used, because devices do not depend on the ink layer.
 struct HandSample {
   Point position;            ///< mm, page frame
   double pressure = 0.0;     ///< above 0 up to 1
@@ -24,35 +24,37 @@ struct HandSample {
 /// corner; a single point is a dot.
 struct Gesture {
   std::vector<Point> via;
-  double pressure = 0.5;  ///< level in the middle of the stroke
+  double pressure = 0.5;  ///< pressure in the middle of the stroke
   double tempo = 1.0;     ///< 1 is unhurried: 40 mm/s in small letters, 150 mm/s in long sweeps
-  /// Pressure at the ends as a part of the level: 0.1 tapers like a brush, 0.5 like a pencil.
+  /// Pressure at the ends as a fraction of `pressure`: with 0.1 the line tapers like that of a
+  /// brush, with 0.5 like that of a pencil.
   double end_pressure = 0.4;
 };
 
 /// The properties of a hand and its tablet.
 struct HandOptions {
   std::int64_t interval_ns = 7'500'000;  ///< between samples: 133 Hz
-  double resolution_mm = 0.03;           ///< positions are multiples of it; 0: not quantised
-  double pressure_step = 1.0 / 1024.0;   ///< pressures are multiples of it; 0: not quantised
+  double resolution_mm = 0.03;           ///< positions are multiples of this; 0: not quantised
+  double pressure_step = 1.0 / 1024.0;   ///< pressures are multiples of this; 0: not quantised
   double tremor_mm = 0.03;               ///< RMS of physiological tremor, 8-12 Hz, per axis
   double wander_mm = 0.12;               ///< RMS of slow wandering around the aim, below 2.5 Hz
   std::uint64_t seed = 1;
 };
 
-/// A simulated hand that writes and draws: a source of pen samples that look like a person's, for
-/// tests, benchmarks and demonstrations. The same options and gestures give the same samples,
-/// except that the machine's libm may differ in the last digits before quantisation.
+/// A simulated hand that writes and draws. It generates pen samples that look like those of a
+/// person, for tests, benchmarks and demonstrations. The same options and gestures give the same
+/// samples, except that the machine's libm may differ in the last digits before quantisation.
 ///
-/// The aim moves along a smooth path through the gesture at the pace of `hand_path.h`. A symmetric
-/// 40 ms window over time models the muscles, which smooth fast strokes and preserve slow ones.
-/// Wandering and tremor are added. Pressure rises and falls at the ends, is higher in slow parts
-/// and in strokes towards the body, and varies slightly.
+/// The aim moves along a smooth path through the gesture at the pace of `hand_path.h`. The aim is
+/// smoothed with a symmetric window of 40 ms, which models the muscles: fast strokes become
+/// smoother, slow strokes hardly change. Wandering and tremor are added. Pressure rises and falls
+/// at the ends, is higher in slow parts and in strokes towards the body, and varies slightly.
 class WritingHand {
  public:
   explicit WritingHand(const HandOptions& options = {});
 
-  /// Draws one stroke. Times continue from the last stroke, after a pause for moving the pen.
+  /// Draws one stroke. The times continue after those of the last stroke, with a pause in which the
+  /// hand moves the pen.
   std::vector<HandSample> draw(const Gesture& gesture);
 
  private:

@@ -11,8 +11,8 @@
 
 namespace felt {
 
-/// A fake machine for tests of Driver::diagnose and of `feltline doctor`. Initially empty: no file,
-/// no library, no listening port, a user without groups.
+/// A fake machine for tests of Driver::diagnose and of `feltline doctor`. Initially it has no file,
+/// no library and no listening port, and its user is in no group.
 ///
 ///   FakeSystem system;
 ///   system.set_user("ada", {"users"})
@@ -21,7 +21,7 @@ namespace felt {
 ///       .refuse_library("libHD.so.3.4", "libncurses.so.5: cannot open shared object file: ...");
 ///   const std::vector<Finding> findings = driver->diagnose(system);
 ///
-/// A folder exists as soon as it contains something. Links may stand for folders, too.
+/// A folder exists as soon as it contains something. A link may also point to a folder.
 class FakeSystem final : public SystemView {
  public:
   static constexpr std::string_view kNotAllowed = "Permission denied";
@@ -105,7 +105,7 @@ class FakeSystem final : public SystemView {
   }
 
  private:
-  static constexpr int kMaxLinks = 16;  // stops at cycles of links
+  static constexpr int kMaxLinks = 16;  // limit, so that a cycle of links does not repeat forever
 
   static std::string parent(std::string_view path) {
     return std::string(path.substr(0, path.rfind('/')));

@@ -12,8 +12,8 @@
 
 namespace felt {
 
-/// The state of an arm that a test controls: plugged in or not, its position, its faults. A thread
-/// that calls ScriptedDriver::find() reads `is_plugged_in` and `descriptor` only.
+/// The state of an arm that a test controls: whether it is plugged in, its position and its faults.
+/// Of these members, ScriptedDriver::find() reads only `is_plugged_in` and `descriptor`.
 struct ScriptedArm {
   ScriptedArm() {
     descriptor.id = "scripted:1";

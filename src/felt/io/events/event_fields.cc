@@ -141,7 +141,7 @@ Result<void> parse_quantity(Value& value, const char* key, EventFields& out) {
   return {};
 }
 
-/// Reads a whole number from 0 on, small enough to count axes and ticks.
+/// Reads a small whole number that is not negative: a number of axes or ticks.
 template <int Capabilities::*Count>
 Result<void> parse_count(Value& value, const char* key, EventFields& out) {
   const std::string_view token = token_of(value);
@@ -201,7 +201,7 @@ Result<void> parse_index(Value& value, EventFields& out) {
 
 using EventField = Field<EventFields>;
 
-/// Parsed first, because it decides which other keys apply.
+/// The key "event". It is parsed first, because its value decides which other keys apply.
 constexpr EventField kEvent = {"event", true, [](Value& v, EventFields&) -> Result<void> {
                                  const Result<EventName> name = parse_event_name(v);
                                  if (!name) return tl::unexpected(name.error());

@@ -16,10 +16,10 @@ using json::Value;
 /// Number of bytes of lines that read_script keeps in memory at a time.
 constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
 
-/// The information from a first look at the keys of a line.
+/// The kind of a line, found in a first pass over its keys.
 struct Glance {
   std::optional<EventName> event;
-  bool is_other = false;  ///< a stroke or a header, which NdjsonParser reads
+  bool is_other = false;  ///< the line is a stroke or a header, which NdjsonParser reads
 };
 
 /// Copies only the fields that the action of the event uses.
@@ -85,7 +85,7 @@ Event event_of(EventName name, EventFields&& fields) {
   return event;
 }
 
-/// A pose without z is valid only if its pressure tells whether the pen touches.
+/// A pose without z is valid only if it has a pressure, which says whether the pen touches.
 Result<void> check_pose(EventName name, const EventFields& fields) {
   const bool is_pose = name == EventName::kPen || name == EventName::kHand;
   if (!is_pose || fields.has_z || fields.pressure) return {};
@@ -121,7 +121,7 @@ struct EventReader::State {
   NdjsonParser strokes;
   std::int64_t last_ns = 0;
 
-  /// Skips all values but that of "event" without reading them.
+  /// Finds the kind of a line. Reads only the value of "event" and skips all others.
   Result<Glance> look(const NdjsonLine& line) {
     Glance seen;
     const auto take = [&seen](std::string_view key, Value value) -> Result<void> {

@@ -14,14 +14,15 @@ namespace felt {
 /// The kinds of lines in an event script (docs/formats/events.md).
 enum class ScriptLineKind {
   kEvent,   ///< an event of a drawing session
-  kStroke,  ///< a raw pen stroke, {"points":..}: not an event; the caller decides its use
+  kStroke,  ///< a raw pen stroke, {"points":..}; the caller decides how to use it
   kHeader,  ///< {"feltline":1,..}: describes the file
 };
 
-/// Converts the lines of one script to events. It is strict, like NdjsonParser: the whole line must
-/// be JSON within the limits of limits.h. A known key may occur once; other keys must be JSON and
-/// are ignored. Keys may come in any order. An unknown kind of event is an error, because a session
-/// without that event would give a different drawing. Times must not decrease from event to event.
+/// Converts the lines of one script to events. The reader is strict, like NdjsonParser: the whole
+/// line must be JSON within the limits of limits.h. A known key may occur once; other keys must be
+/// JSON and are ignored. Keys may come in any order. An unknown kind of event is an error, because
+/// a session without that event would give a different drawing. Times must not decrease from event
+/// to event.
 ///
 /// Error messages name the key and the reason ("t_ms: ..."); the caller adds the file and the line.
 /// After an error, the reader continues with the next line as if the invalid line did not exist.
@@ -42,8 +43,8 @@ class EventReader {
   std::unique_ptr<State> state_;
 };
 
-/// Receives the lines of a script, in order. An error ends the reading. It need not name a
-/// position, because read_script adds it.
+/// Receives the lines of a script, in order. If a function returns an error, the reading ends. The
+/// error need not name the file and the line, because read_script() adds them.
 struct ScriptSink {
   std::function<Result<void>(const Event&)> event;
   /// Called for each stroke. If null, a stroke is an error.

@@ -11,10 +11,10 @@
 
 namespace felt::inkml {
 
-/// Maximum number of channels in a point. More are an error, because no pen has that many.
+/// Maximum number of channels in a point. No pen has that many, so a larger number is an error.
 inline constexpr std::size_t kMaxChannels = 64;
 
-/// Channels that become ink. Others are read and ignored.
+/// The channels that affect the ink. All other channels are read and ignored.
 enum class ChannelName {
   kX,
   kY,
@@ -39,7 +39,8 @@ struct Channel {
   std::optional<double> least, most;
 };
 
-/// The channels of a point in order, regular ones first.
+/// The channels of a point in order: first the regular ones, then the intermittent ones, which a
+/// point may omit.
 struct Format {
   std::vector<Channel> channels;
 };
@@ -61,14 +62,14 @@ std::optional<double> mm_of_unit(std::string_view unit) noexcept;
 std::optional<double> ms_of_unit(std::string_view unit) noexcept;
 std::optional<double> deg_of_unit(std::string_view unit) noexcept;
 
-/// Reads a traceFormat element. If it has more than kMaxChannels, or another error, stores the
-/// first error in `problem`.
+/// Reads a traceFormat element. If the element has more than kMaxChannels channels or another
+/// error, stores the first error in `problem`.
 Format read_format(const pugi::xml_node& node, std::string& problem);
 /// Returns the default format of a trace: X and Y.
 Format default_format();
 
-/// Returns the size of one unit of a channel in mm, ms or degrees, from its resolution or, if it
-/// has none, from its units. Returns nullopt if the file does not specify it.
+/// Returns the size of one unit of a channel in mm, ms or degrees, from its resolution or, if the
+/// channel has none, from its units. Returns nullopt if the file does not specify it.
 std::optional<double> scale_of(const Channel& channel, const std::vector<Resolution>& resolutions);
 
 }  // namespace felt::inkml

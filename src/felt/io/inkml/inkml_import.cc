@@ -25,12 +25,12 @@ namespace {
 using inkml::ChannelName;
 using inkml::Context;
 
-/// Windows draws pressure p with a brush of width W as W (0.25 + 1.5 p).
+/// With a brush of width W and pressure p, Windows draws a line of width W (0.25 + 1.5 p).
 constexpr double kLightest = 0.25, kHardest = 1.75;
-/// Full pressure of integer channels if no maximum is stated.
+/// The value for full pressure in an integer channel without a stated maximum.
 constexpr double kUsualFullPressure = 32767.0;
 
-/// The indices of the values that become ink among the values of a point, and their scales.
+/// Which of the values of a point become ink (by index), and the scale of each.
 struct Columns {
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   std::size_t x = kNone, y = kNone, force = kNone, time = kNone, width = kNone, tip = kNone,
@@ -94,7 +94,7 @@ class InkmlReader {
   struct Group {
     Context context;
     bool only_defines = false;              // inside definitions
-    std::optional<std::size_t> layer = {};  // of its ink, if it is in a layer
+    std::optional<std::size_t> layer = {};  // layer of its ink, if the element is in a layer
   };
 
   void notice(const pugi::xml_node& node, std::string what) {
@@ -188,7 +188,8 @@ class InkmlReader {
     return group;
   }
 
-  // A view of a trace that is drawn anyway adds no ink. A view of a trace in definitions draws it.
+  // A view of a trace that is drawn in its own place adds no ink. A view of a trace in definitions
+  // draws that trace.
   void view(const pugi::xml_node& node) {
     const std::string_view ref = node.attribute("traceDataRef").value();
     if (ref.empty() || groups_.back().only_defines) return;
@@ -269,7 +270,8 @@ class InkmlReader {
     points_.samples.push_back(sample);
   }
 
-  // Computed, and its problems reported, once for all traces of the same kind.
+  // Returns the columns for a trace. They are computed only once for all traces of the same kind,
+  // and problems are reported only once.
   const Columns& columns_of(const pugi::xml_node& node, const Context& context) {
     const std::array key = {context.format, context.source, context.transform, context.canvas};
     const auto [place, is_new] = columns_.try_emplace(key);
@@ -324,8 +326,8 @@ class InkmlReader {
     return c;
   }
 
-  // Values are mapped to the canvas, if there is a transform, and then to mm by the units of the
-  // canvas, or by those of the device if the canvas has none.
+  // Sets the map from values to mm. If there is a transform, it maps values to the canvas first.
+  // Then the units of the canvas give mm, or those of the device if the canvas has no units.
   void set_transform(const Context& context, double scale_x, double scale_y, Columns& c) const {
     const Affine* transform = settings_.transform(context);
     if (transform == nullptr) {

@@ -12,7 +12,7 @@
 namespace felt::inkml {
 namespace {
 
-constexpr std::uint8_t kMarkerAlpha = 0x7f;  // of a highlighter without a stated transparency
+constexpr std::uint8_t kMarkerAlpha = 0x7f;  // alpha of a highlighter without a stated transparency
 constexpr double kMaxBrushMm = 1000.0;
 
 struct NamedColor {
@@ -247,7 +247,8 @@ int Settings::read_canvas(const pugi::xml_node& node) {
   return static_cast<int>(canvases_.size()) - 1;
 }
 
-// The first mapping converts from the device to the canvas, a second one back.
+// Reads the first mapping, which converts from the device to the canvas. A second mapping would be
+// the inverse.
 int Settings::read_transform(const pugi::xml_node& node) {
   std::optional<Affine> map;
   int number = 0;

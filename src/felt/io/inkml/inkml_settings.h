@@ -35,7 +35,7 @@ struct Source {
 struct Context {
   int format = -1, source = -1, brush = -1, transform = -1, canvas = -1;
 
-  /// Returns `more`, with the unspecified settings copied from this context.
+  /// Returns `more`; settings that `more` does not specify are copied from this context.
   [[nodiscard]] Context overlaid(const Context& more) const noexcept;
 };
 
@@ -45,8 +45,8 @@ class Settings {
   /// Notices go to `report`.
   Settings(const XmlInput& input, ImportReport& report) : input_(input), report_(report) {}
 
-  /// If the element defines something, stores the definition and returns true. `defined` gets a
-  /// context with only that setting.
+  /// If the element is a definition, stores it, sets `defined` to a context with only that setting,
+  /// and returns true.
   bool define(const pugi::xml_node& node, Context& defined);
 
   /// Resolves the attributes contextRef, brushRef, traceFormatRef, ... of an element.
@@ -56,7 +56,8 @@ class Settings {
   [[nodiscard]] const Format& format(const Context& context) const;
   [[nodiscard]] const std::vector<Resolution>& resolutions(const Context& context) const;
   [[nodiscard]] const Brush* brush(const Context& context) const;
-  /// Returns the map from values of a trace to values of its canvas; null if they are the same.
+  /// Returns the map from the values of a trace to coordinates on its canvas, or null if both are
+  /// the same.
   [[nodiscard]] const Affine* transform(const Context& context) const;
   /// Returns the format of the canvas, or null.
   [[nodiscard]] const Format* canvas_format(const Context& context) const;

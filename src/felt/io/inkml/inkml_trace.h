@@ -10,8 +10,9 @@
 
 namespace felt {
 
-/// Reads the text of InkML traces point by point: values in the order of the channels, explicit or
-/// as first and second differences, with or without separators (InkML, section 3.3.1).
+/// Reads the text of InkML traces point by point: for each point the values of its channels in
+/// order, written as numbers, first differences or second differences, with or without separators
+/// (InkML, section 3.3.1).
 ///
 ///   1125 18432,'23'43,"7"-8,3-5     ->  (1125,18432) (1148,18475) (1178,18510) (1211,18540)
 ///
@@ -28,15 +29,15 @@ class InkmlTraceReader {
   bool next();
   /// Returns the values of the point, one for each channel; NaN if unknown or omitted.
   [[nodiscard]] std::span<const double> values() const noexcept { return values_; }
-  /// Returns why next() stopped before the end: "has '..' where a value must be, in point 3"; else
-  /// empty.
+  /// Returns the reason why next() stopped before the end of the text, for example "has '..' where
+  /// a value must be, in point 3", or an empty string.
   [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
 
  private:
   enum class Mode : unsigned char { kExplicit, kFirst, kSecond };
   struct Channel {
     Mode mode = Mode::kExplicit;
-    bool known = false;  // it has had a value
+    bool known = false;  // a value of this channel was read
     double value = 0.0, difference = 0.0, second = 0.0;
   };
 

@@ -16,7 +16,7 @@
 namespace felt {
 namespace {
 
-// Rounded to the grid, so that a reader computes the same trace_sum.
+// Appends a length in mm, rounded to the grid, so that a reader computes the same trace_sum.
 void append_step(std::string& out, double mm) {
   const double on_grid = std::round(mm * inkml::kStepsPerMm) / inkml::kStepsPerMm;
   std::array<char, 40> text;
@@ -26,8 +26,8 @@ void append_step(std::string& out, double mm) {
   out.append(text.data(), end);
 }
 
-/// Part 0 is the head with the definitions. The other parts are the strokes. The tags of a layer
-/// are written with its first and last part.
+/// Part 0 is the head with the definitions. The other parts contain the strokes. The first part of
+/// a layer also contains the start tag of the layer, and the last part its end tag.
 class InkmlParts final : public DrawingParts {
  public:
   explicit InkmlParts(const Document& document)

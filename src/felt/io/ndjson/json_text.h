@@ -13,7 +13,7 @@ void append_json_string(std::string& out, std::string_view text);
 
 /// Returns what append_number() appends, or "null" if `value` is not finite.
 std::string json_number(double value);
-/// Returns "[a,b,c]". Requires values that are already JSON.
+/// Returns "[a,b,c]". Requires that each value is already JSON.
 std::string json_array(const std::vector<std::string>& values);
 /// Returns `text` quoted and escaped.
 std::string json_string(std::string_view text);

@@ -37,7 +37,7 @@ Result<void> parse_tilt(Value& value, InkSample& out) {
   return {};
 }
 
-/// Reads [x, y] in degrees. A list of anything else is ignored, like every unknown value.
+/// Reads [x, y] in degrees. Any other list is ignored, like every unknown value.
 Result<void> parse_tilt_xy(Value& value, std::optional<double>& tilt_deg) {
   simdjson::ondemand::json_type type{};
   simdjson::ondemand::array elements;
@@ -64,7 +64,8 @@ Result<void> parse_tilt_xy(Value& value, std::optional<double>& tilt_deg) {
   return {};
 }
 
-/// Reads a tilt as one angle from the upright, or as a pair, which counts only without the other.
+/// Reads a tilt as one angle from the upright, or as a pair of angles, which is used only if the
+/// single angle is missing.
 Result<void> parse_any_tilt(Value& value, InkSample& out, std::optional<double>& xy_tilt_deg) {
   simdjson::ondemand::json_type type{};
   if (const auto error = value.type().get(type)) return tl::unexpected(syntax_error(error));

@@ -8,14 +8,14 @@
 
 namespace felt::json {
 
-/// Reads a string; also accepts a plain number and keeps it as written.
+/// Reads an id: a string, or a number, which is stored as it is written in the file.
 Result<void> parse_id(Value& value, std::string& out);
-/// [[x,y,pressure|null,t_ms|null],...]; pressure and time may be missing, further elements are
-/// ignored.
+/// [[x,y,pressure|null,t_ms|null],...]; Pressure and time may be missing. A fifth element may be an
+/// object with the tilt; other elements are ignored.
 Result<void> parse_points(Value& value, std::vector<InkSample>& out);
 
 Result<void> parse_closed(Value& value, bool& out);
-/// [[x1,y1,..,x4,y4],...]; each must start exactly where the previous one ends.
+/// [[x1,y1,..,x4,y4],...]; each segment must start exactly where the previous one ends.
 Result<void> parse_segments(Value& value, std::vector<Point>& out);
 /// ["smooth"|"corner",...]
 Result<void> parse_joints(Value& value, std::vector<JointKind>& out);

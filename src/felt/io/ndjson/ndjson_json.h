@@ -26,7 +26,7 @@ inline tl::unexpected<Error> bad(std::string message) {
 /// at most 24 characters.
 std::string excerpt(std::string_view token);
 
-/// Translates an error of simdjson into our words.
+/// Converts an error of simdjson to an error with our own message.
 Error syntax_error(simdjson::error_code code);
 
 /// Returns the text of a scalar as written, or the opening bracket of a container. Does not consume
@@ -46,11 +46,11 @@ inline constexpr NumberLimit kCoordinateLimit = {limits::kMaxCoordinate, "1e9"};
 inline constexpr NumberLimit kSketchLimit = {limits::kMaxSketchNumber, "1e10"};
 inline constexpr NumberLimit kTimeLimit = {limits::kMaxTimeMs, "9e12"};
 
-/// Reads a finite number of at most `limit` in magnitude. Returns false on failure, without a
-/// message; `number_error` makes it. This split keeps the path of good samples free of strings.
+/// Reads a finite number of at most `limit` in magnitude. Returns false on failure; number_error()
+/// then makes the message. The two are separate so that reading valid numbers involves no strings.
 bool read_number(Value& value, NumberLimit limit, double& out);
 
-/// Returns why `read_number` refused `token`.
+/// Returns the error that says why read_number() refused `token`.
 Error number_error(std::string_view token, NumberLimit limit);
 
 /// Reads exactly out.size() numbers of a sketch.
@@ -62,8 +62,8 @@ Result<bool> read_bool(Value& value);
 /// Reads a string of at most `max_bytes` bytes.
 Result<std::string> read_name(Value& value, std::size_t max_bytes = limits::kMaxNameBytes);
 
-/// Calls `each(value)` for every element of the array `value`. Errors of an element start with its
-/// position, "points[17]: ".
+/// Calls `each(value)` for every element of the array `value`. The message of an error in an
+/// element starts with the position of the element, "points[17]: ".
 template <class Each>
 Result<void> for_each_element(Value& value, const char* key, Each&& each) {
   const std::string_view token = token_of(value);

@@ -53,7 +53,7 @@ Result<bool> LineReader::fill(LineBatch& batch, std::size_t enough_bytes) {
   batch.text_.clear();
   batch.entries_.clear();
   line_begin_ = 0;
-  while (batch.empty() || line_begin_ < enough_bytes) {  // ends only between two lines
+  while (batch.empty() || line_begin_ < enough_bytes) {  // a batch ends only between two lines
     if (unread_.empty() && !refill()) {
       if (!failure_) finish_line(batch);
       batch.text_.resize(line_begin_);

@@ -28,7 +28,7 @@ class NdjsonLine {
  public:
   /// Returns the line without its terminator; empty if the line was too long to keep.
   [[nodiscard]] std::string_view text() const noexcept { return text_; }
-  /// Returns the line number, counted from 1, including blank lines.
+  /// Returns the line number. Lines are counted from 1, and blank lines are counted, too.
   [[nodiscard]] std::int64_t number() const noexcept { return number_; }
   [[nodiscard]] bool too_long() const noexcept { return too_long_; }
 
@@ -44,7 +44,8 @@ class NdjsonLine {
 /// Readable bytes after every line, because the JSON parser loads whole vector registers.
 inline constexpr std::size_t kLinePadding = 64;
 
-/// Some consecutive lines of one input in one buffer: the unit of work of a worker. Reusable.
+/// Some consecutive lines of one input in one buffer. A worker thread processes one batch at a
+/// time. A batch can be reused.
 class LineBatch {
  public:
   [[nodiscard]] std::size_t size() const noexcept { return entries_.size(); }
@@ -72,9 +73,10 @@ class LineReader {
  public:
   explicit LineReader(ReadBytes read, std::size_t max_line_bytes = limits::kMaxLineBytes);
 
-  /// Replaces the content of `batch` with the next lines: at least one, and further lines until it
-  /// holds `enough_bytes`. Returns false at the end of the input. If the source fails, the complete
-  /// lines before the error are delivered first, then the error; the incomplete line is dropped.
+  /// Replaces the content of `batch` with the next lines: at least one, and further lines until the
+  /// batch holds `enough_bytes`. Returns false at the end of the input. If the source fails, the
+  /// calls first return the complete lines before the failure, and then the error; an incomplete
+  /// line is dropped.
   Result<bool> fill(LineBatch& batch, std::size_t enough_bytes);
 
   /// Returns the number of bytes read from the source so far.
@@ -89,7 +91,7 @@ class LineReader {
   std::size_t max_line_bytes_;
   std::vector<char> block_;
   std::string_view unread_;       // the rest of block_
-  std::optional<Error> failure_;  // of the source; returned after the lines before it
+  std::optional<Error> failure_;  // error of the source; returned after the lines before it
   std::int64_t bytes_read_ = 0;
   std::int64_t line_number_ = 1;
   std::size_t line_begin_ = 0;  // start of the current line in the batch

@@ -1,8 +1,8 @@
 #pragma once
 
 /// Reads one line of .ndjson as the members of a JSON object and checks them against a table of
-/// keys. Private to this layer. ndjson_fields.h and event_fields.h have the meaning of each key's
-/// value.
+/// keys. Private to this layer. The functions that read the values of the keys are in
+/// ndjson_fields.h and event_fields.h.
 
 #include <cstdint>
 #include <span>
@@ -26,7 +26,7 @@ struct Field {
 /// Checks a value whose key is unknown. Errors start with the key.
 Result<void> check_unknown(std::string_view key, Value& value);
 
-/// Makes the checks of a line that are possible before it is parsed as JSON.
+/// Checks a line as far as that is possible before it is parsed as JSON.
 Result<void> check_text(const NdjsonLine& line);
 
 /// Tracks which fields of a record were present. At most 32 fields.
@@ -62,8 +62,8 @@ class Fields {
 };
 
 /// Calls `take(key, value)` -> Result<void> for each member of the object in the line, and checks
-/// that the line holds nothing else. `key` is valid until the next string is read. A value that
-/// `take` does not read is skipped without a check.
+/// that nothing follows the object in the line. `key` is valid until the next string is read. If
+/// `take` does not read a value, the value is skipped without a check.
 template <class Take>
 Result<void> for_each_member(simdjson::ondemand::parser& parser, const NdjsonLine& line,
                              Take&& take) {

@@ -25,8 +25,8 @@ constexpr std::array kRawFields = {
                      [](Value& v, RawStroke& r) { return json::parse_points(v, r.samples); }},
 };
 
-/// A sketch line while it is parsed. Its tones are kept apart, because keys come in any order and
-/// the widths may come later.
+/// A sketch line while it is parsed. The tones are stored separately until the line is complete,
+/// because the widths, to which they belong, may come later.
 struct SketchLine {
   SketchRecord record;
   std::optional<std::vector<double>> tones;

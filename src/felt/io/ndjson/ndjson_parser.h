@@ -10,8 +10,8 @@ namespace felt {
 /// Converts one line of .ndjson to a record. The parser is strict: the whole line must be JSON in
 /// UTF-8 within the limits of limits.h, including unknown keys. A known key may occur once. Error
 /// messages name the key and the element ("points[17]: y is NaN, not a number"); the caller adds
-/// the file and the line. Reuses its buffers, except very large ones, which it releases. Not
-/// thread-safe.
+/// the file and the line. The parser reuses its buffers, but it releases very large ones after the
+/// line. Not thread-safe.
 class NdjsonParser {
  public:
   NdjsonParser();

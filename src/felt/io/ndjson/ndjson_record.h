@@ -10,7 +10,7 @@ namespace felt {
 
 /// The kinds of lines in an .ndjson file (docs/formats/ndjson.md).
 enum class NdjsonKind {
-  kStroke,  ///< a stroke, raw or fitted, depending on which function was called
+  kStroke,  ///< a stroke; raw_stroke() reads a raw one, sketch_stroke() a fitted one
   kHeader,  ///< {"feltline":1,...}: describes the file
 };
 

@@ -41,7 +41,7 @@ void append_segments(std::string& out, const std::vector<Point>& points) {
   out += ']';
 }
 
-/// Converts to milliseconds that read back as the same nanoseconds.
+/// Converts nanoseconds to a number of milliseconds from which a reader gets the same nanoseconds.
 double milliseconds(std::int64_t time_ns) {
   return static_cast<double>(time_ns) / 1e6;
 }

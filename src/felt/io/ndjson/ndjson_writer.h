@@ -19,11 +19,12 @@ namespace felt {
 /// differ from the defaults.
 void append_sketch_line(std::string& out, std::string_view id, const StrokeData& data);
 
-/// Appends one such line for each stroke of the visible layers, named by stroke_name().
+/// Appends one line as append_sketch_line() does for each stroke of the visible layers, with
+/// stroke_name() as its id.
 void append_sketch_lines(std::string& out, const Document& document);
 
-/// Fails if a line could not be read back because a number of the stroke is larger than
-/// limits::kMaxSketchNumber.
+/// Fails if a number of the stroke is larger than limits::kMaxSketchNumber, because such a line
+/// could not be read back.
 Result<void> check_sketch_numbers(const StrokeData& data);
 
 /// {"id":..,"points":[[x,y,pressure|null,t_ms|null],...]}. Pressure or time is omitted if no sample

@@ -16,7 +16,7 @@ constexpr int kBandRows = 256;
 /// If the coverage of a pixel (0..255) is below this, as at the edge of a stroke, its visible share
 /// of the ink cannot be measured reliably and is taken from the neighbouring pixels.
 constexpr std::uint8_t kSure = 48;
-/// Smallest value (0..255) that rounding can give to fully visible ink.
+/// Ink counts as fully visible from this value (0..255) on, because rounding may reduce 255 to it.
 constexpr std::uint8_t kWhole = 253;
 
 /// Returns the pixels that both the stroke and the area may touch, with a border of one pixel for

@@ -16,8 +16,9 @@
 
 namespace felt {
 
-/// A picture that is laid over the outline of a stroke and gives the visible share of its ink at
-/// each point. The outline does not change. Outside the picture, no ink is visible.
+/// A picture that is laid over the outline of a stroke. Each pixel says which fraction of the ink
+/// is visible there, so that the grain of the surface shows. The outline does not change. Outside
+/// the picture, no ink is visible.
 struct GrainMask {
   Rect area;  ///< mm
   int width = 0, height = 0;
@@ -27,23 +28,26 @@ struct GrainMask {
   [[nodiscard]] Result<std::string> png(double dpi) const;
 };
 
-/// Makes the masks of a file's strokes with the rasteriser that draws them on screen. Their pixels
-/// lie on the grid of a picture of `area` at that resolution, so that both show the same grain.
+/// Makes the masks of all strokes of a file with the rasteriser that also draws the strokes on
+/// screen. The pixels of the masks are those of a picture of `area` at the same resolution, so that
+/// such a picture and the masks show the same grain.
 class GrainMasks {
  public:
   /// Largest number of pixels in all masks of a file.
   static constexpr std::int64_t kMaxPixels = 200'000'000;
 
-  /// Returns the finest resolution up to `dpi` at which all these strokes can have masks. Returns
-  /// nullopt if they need more than kMaxPixels even at GrainPrint::kMinDpi.
+  /// Returns the highest resolution, at most `dpi`, at which the masks of all these strokes
+  /// together have at most kMaxPixels. Returns nullopt if they have more even at
+  /// GrainPrint::kMinDpi.
   static std::optional<double> dpi_for_all(std::span<const StrokePtr> strokes, const Rect& area,
                                            double dpi) noexcept;
 
   /// Masks cover only the part of strokes inside `area`.
   GrainMasks(const GrainPrint& print, const Rect& area) noexcept;
 
-  /// Returns nullopt if all of the ink is visible, or if no ink is in the area. Fails if the
-  /// resolution is out of range, or if all masks together exceed kMaxPixels.
+  /// Returns the mask of a stroke, or nullopt if all of the stroke's ink is visible or none of it
+  /// is in the area. Fails if the resolution is out of range, or if all masks together exceed
+  /// kMaxPixels.
   Result<std::optional<GrainMask>> of(const Stroke& stroke);
   [[nodiscard]] double dpi() const noexcept { return print_.dpi; }
 

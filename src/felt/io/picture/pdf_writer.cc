@@ -20,7 +20,7 @@ namespace {
 constexpr double kPointsPerMm = 72.0 / 25.4;
 constexpr double kMaxPoints = 14'400.0;
 constexpr double kClipMarginMm = 1e6;
-constexpr double kPdfStepsPerMm = 1e3;  // of coordinates: 1e-3 mm
+constexpr double kPdfStepsPerMm = 1e3;  // a step of coordinates is 1e-3 mm
 constexpr double kHairMm = 5e-4;
 
 /// Appends a value with four decimals, without trailing zeros, and a space.
@@ -177,8 +177,8 @@ std::string page_object(const Rect& area, const std::set<std::uint8_t>& alphas,
   std::string out = "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 ";
   append_pdf_number(out, area.width() * kPointsPerMm);
   append_pdf_number(out, area.height() * kPointsPerMm);
-  // A group makes transparency blend in device colours, which are close to sRGB, the colours that
-  // Feltline uses everywhere else.
+  // With this group, transparent colours are blended in the device's RGB space. It is close to
+  // sRGB, in which Feltline blends everywhere else.
   out +=
       "] /Contents 4 0 R /Group << /S /Transparency /CS /DeviceRGB >> "
       "/Resources << /ExtGState <<";
@@ -333,7 +333,7 @@ class PdfParts final : public DrawingParts {
   std::set<std::uint8_t> alphas_;
   std::uint64_t bytes_ = 0;
   std::uint32_t checksum_ = adler32_of({});
-  // Used by one thread only, because any_order() is false if this is set.
+  // Set if the strokes have masks. Used by one thread only, because any_order() is then false.
   mutable std::optional<GrainMasks> grain_;
   mutable Masks masks_;
 };

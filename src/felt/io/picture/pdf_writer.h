@@ -14,22 +14,24 @@ namespace felt {
 
 /// Options for writing a PDF file.
 struct PdfOptions {
-  /// The page. If not set, all ink and the margin around it.
+  /// The area that the page shows. If not set, the page shows all ink with a margin around it.
   std::optional<Rect> sheet{};
   double margin_mm = 5.0;
-  /// Largest distance between the outline of a stroke and its true one; rounding adds 0.0007 mm.
+  /// Largest distance between the written outline of a stroke and the exact one. Rounding adds up
+  /// to 0.0007 mm.
   double tolerance_mm = 0.009;
   Rgba paper{255, 255, 255, 0};  ///< colour behind the ink; not drawn if alpha is 0
-  /// If set, strokes are seen through a picture of the surface's grain. They stay outlines.
+  /// If set, each stroke has a mask with the grain of the surface. The strokes are still written as
+  /// outlines.
   std::optional<GrainPrint> grain{};
 };
 
 /// Returns the strokes of visible layers as a PDF 1.4 file with one page at true size. Each stroke
-/// is one filled outline of curves, sharp at any zoom, in its colour; a transparent stroke is not
-/// darker where it crosses itself. Equal sketches give equal bytes, because the file contains
+/// is one filled outline of curves, sharp at any zoom, in its colour; where a transparent stroke
+/// crosses itself, it is not darker. Equal drawings give equal bytes, because the file contains
 /// neither date nor program version.
 ///
-/// Grain is a soft mask on the outline (PDF 1.4, 7.5.4).
+/// The grain is written as a soft mask for the outline (PDF 1.4, 7.5.4).
 ///
 /// Fails if the page is empty or larger than the 5080 mm that PDF allows (14400 points), if an
 /// option is invalid, or if a stroke reaches farther than 1e6 mm from the page.

@@ -17,8 +17,8 @@ namespace {
 constexpr double kInchesPerMetre = 1000.0 / 25.4;
 
 /// Data shared between libpng's callbacks and the functions below. libpng returns from errors by
-/// longjmp, which runs no destructor, so everything that owns memory lives here or in the callers,
-/// never in a frame that is jumped over.
+/// longjmp, which runs no destructor, so all objects that own memory are members of this struct or
+/// variables of the callers, never variables of a function that longjmp leaves.
 struct Session {
   std::string message;
   std::string out;
@@ -128,7 +128,7 @@ bool decode(png_structp png, png_infop info, Session& session) {
   return true;
 }
 
-/// Decodes like decode(), but to one channel of 16 bits, high byte first.
+/// Decodes like decode(), but to a single grey channel with 16 bits a pixel, high byte first.
 bool decode_grey(png_structp png, png_infop info, Session& session) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_read_fn(png, &session, on_read);

@@ -13,12 +13,13 @@ namespace felt {
 /// A picture read from a PNG file.
 struct PngPicture {
   Image image;
-  double dpi = 0.0;  ///< 0 if the file does not specify it
+  double dpi = 0.0;  ///< resolution; 0 if the file does not specify it
 };
 
 /// Returns the PNG file of a picture: 8-bit sRGB, with an alpha channel only if a pixel is
-/// transparent, and its resolution. The same picture gives the same bytes. PNG stores whole pixels
-/// per metre, so dpi is accurate to 0.013.
+/// transparent, and its resolution. The same picture gives the same bytes. PNG stores the
+/// resolution as a whole number of pixels per metre, so the stored resolution differs from `dpi` by
+/// up to 0.013 dpi.
 Result<std::string> encode_png(const Image& image, double dpi);
 
 /// Writes a picture to a file, completely or not at all; "-" is stdout.
@@ -29,8 +30,8 @@ Result<void> write_png(const std::string& path, const Image& image, double dpi);
 Result<PngPicture> decode_png(std::string_view bytes);
 
 /// Reads any PNG that libpng supports as a relief: grey at 16 bits a pixel (8 bits are stretched).
-/// White is high. Colours count by their brightness; transparency and gamma are ignored. Fails if
-/// it is not a PNG, is damaged, or has more than kMaxHeightPixels.
+/// White is high. The height of a coloured pixel is its brightness; transparency and gamma are
+/// ignored. Fails if it is not a PNG, is damaged, or has more than kMaxHeightPixels.
 Result<HeightPicture> decode_height_png(std::string_view bytes);
 inline constexpr std::int64_t kMaxHeightPixels = std::int64_t{1} << 26;
 

@@ -7,11 +7,12 @@
 
 namespace felt {
 
-/// Size of a unit of the simplified drawings: 255 of them are 51 mm.
+/// Size in mm of a unit of the simplified drawings: 255 units are 51 mm.
 inline constexpr double kQuickdrawMmPerUnit = 0.2;
-/// Distance from one drawing on the contact sheet to the next.
+/// Distance in mm from one drawing on the contact sheet to the next.
 inline constexpr double kQuickdrawCellMm = 60.0;
-/// Largest number of drawings that are read from one file. The rest is counted in a notice.
+/// Largest number of drawings that are read from one file. A notice states how many more the file
+/// has.
 inline constexpr int kMaxQuickdrawDrawings = 1000;
 
 /// Reads drawings of the Quick, Draw! data set, simplified or raw, as a contact sheet: a grid with

@@ -25,14 +25,15 @@ struct QuickdrawRecord {
 /// "points" nor "segments". This is a quick test; QuickdrawParser decides.
 bool looks_like_quickdraw(std::string_view line) noexcept;
 
-/// The error for such a line in a file that did not begin like one of Quick, Draw!.
+/// The error message for such a line in a file whose beginning was not that of a Quick, Draw! file.
 inline constexpr const char* kUnknownQuickdraw =
     "is a drawing of Quick, Draw!, but the first 4096 bytes of the file do not show it";
 
-/// Restores the points that the simplified variant removed from a stroke, which keeps only the ends
-/// of straight lines. Adds points on these lines, densely near their ends, so that the fit follows
-/// the lines instead of a few points far apart. Strokes that have times, values outside 0..255 or
-/// more than kMaxSimplifiedPoints points are not simplified drawings and do not change.
+/// Adds points to a stroke of a simplified drawing, in which only the ends of straight lines are
+/// stored. The points lie on these lines and are dense near their ends, so that the fitted curve
+/// follows the lines; without them, it would only have to pass near a few points that are far
+/// apart. Strokes that have times, values outside 0..255 or more than kMaxSimplifiedPoints points
+/// are not from simplified drawings and are not changed.
 void restore_simplified(std::vector<InkSample>& stroke);
 inline constexpr std::size_t kMaxSimplifiedPoints = 1000;
 

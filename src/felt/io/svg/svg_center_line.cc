@@ -7,9 +7,10 @@
 namespace felt {
 namespace {
 
-/// Appends the segments of a contour one after the other. A segment that is too short waits: it and
-/// the following short ones are joined to the next long segment, become one straight segment when
-/// they are long enough together, or are joined to the last segment at the end of the contour.
+/// Appends the segments of a contour one after the other. A segment that is too short is kept back.
+/// It and the short segments after it are joined to the next long segment; or, if they are long
+/// enough together before one comes, they become one straight segment. At the end of the contour,
+/// they are joined to the last segment.
 class Joiner {
  public:
   explicit Joiner(const SvgContour& contour) : contour_(contour) {
@@ -37,8 +38,8 @@ class Joiner {
   void add(std::size_t i) {
     Cubic c = contour_.segment(i);
     if (waiting_) {
-      // The waiting path is too short for a segment, so this segment begins at the start of that
-      // path.
+      // The path that was kept back is too short for a segment, so this segment begins at the start
+      // of that path.
       const Vec back = start_ - c.p[0];
       c.p[0] = start_;
       c.p[1] = c.p[1] + back;
@@ -75,7 +76,7 @@ class Joiner {
     const Point end = contour_.points.back();
     if (line_.points.empty()) return make_dot(end);
     if (!waiting_) return;
-    // The rest is joined to the last segment.
+    // The path that is still kept back is joined to the last segment.
     const std::size_t last = line_.points.size() - 1;
     Point* p = &line_.points[last - 3];
     const Cubic longer{{p[0], p[1], p[2] + (end - p[3]), end}};
@@ -116,7 +117,7 @@ double SvgCenterLine::place(double u) const noexcept {
   const double t = at - static_cast<double>(i);
   if (t == 0.0) return places[i];
   if (t == 1.0) return places[i + 1];
-  // If nothing was joined this is exactly u, to the last bit.
+  // If no segments were joined, the result is exactly u, without rounding.
   return places[i + 1] - places[i] == 1.0 ? places[i] + t
                                           : places[i] + t * (places[i + 1] - places[i]);
 }

@@ -8,25 +8,25 @@
 
 namespace felt {
 
-/// A contour as the centre line of a stroke. A cubic is unchanged if the invariants of strokes
-/// allow it.
+/// A contour, converted to the centre line of a stroke. A cubic of the contour is used unchanged if
+/// the invariants of strokes allow that.
 struct SvgCenterLine {
   std::vector<Point> points;
-  std::vector<JointKind> joints;  ///< smooth if both handles are in line to kSmoothJointMaxDeg
+  std::vector<JointKind> joints;  ///< smooth if the tangents differ by at most kSmoothJointMaxDeg
   bool closed = false;
-  /// Positions of the n + 1 joints of the contour, as u of the stroke.
+  /// For each of the n + 1 joints of the contour, its parameter u on the stroke.
   std::vector<double> places;
   bool joined_short = false;  ///< segments shorter than kMinSegmentMm were joined to others
   bool is_dot = false;        ///< the whole contour was shorter than kMinSegmentMm
 
   [[nodiscard]] std::size_t segment_count() const noexcept { return points.size() / 3; }
-  /// Converts u of the contour to u of the stroke.
+  /// Converts a parameter u of the contour to the parameter of the same position on the stroke.
   [[nodiscard]] double place(double u) const noexcept;
 };
 
 /// Converts a contour, which must be in mm. Segments that are too short (I5) are joined to the next
 /// segment, or several of them become one straight segment; no point moves by more than
-/// kMinSegmentMm. A contour without length becomes the shortest valid stroke.
+/// kMinSegmentMm. If the contour has no length, the result is the shortest valid stroke.
 SvgCenterLine svg_center_line(const SvgContour& contour);
 
 /// Returns the kinds of the joints of a centre line of 3 n + 1 points.

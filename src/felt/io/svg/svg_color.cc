@@ -235,7 +235,7 @@ std::optional<Rgba> hsl_color(const std::array<Argument, 4>& v, std::size_t n) {
   return Rgba{channel(part(0.0)), channel(part(8.0)), channel(part(4.0)), channel(alpha_of(v, n))};
 }
 
-/// Reads a colour at the front of `scan`; the rest stays.
+/// Reads a colour at the front of `scan` and leaves the text after it unread.
 std::optional<Rgba> take_color(SvgScan& scan) {
   if (scan.peek() == '#') {
     const std::string_view from = scan.rest();

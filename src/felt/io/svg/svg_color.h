@@ -17,19 +17,19 @@ struct SvgPaint {
   enum class Kind {
     kNone,
     kColor,
-    kCurrent,        ///< the property `color` of the shape
-    kServer,         ///< an element of the file: a gradient or pattern
-    kContextFill,    ///< the fill of the `use` that repeats the shape
-    kContextStroke,  ///< the stroke of that `use`
+    kCurrent,        ///< currentColor: the property `color` of the shape
+    kServer,         ///< an element of the file, such as a gradient or pattern
+    kContextFill,    ///< context-fill: the fill of the `use` that repeats the shape
+    kContextStroke,  ///< context-stroke: the stroke of that `use`
   };
   Kind kind = Kind::kNone;
   Rgba color{0, 0, 0, 255};
-  std::string_view server{};      ///< the id of that element
-  Kind fallback = Kind::kServer;  ///< used if the server is missing; kServer: no fallback
+  std::string_view server{};      ///< the id of the element, for kServer
+  Kind fallback = Kind::kServer;  ///< paint if the element is missing; kServer: no fallback
   Rgba fallback_color{0, 0, 0, 255};
 };
 
-/// Parses a paint. Returns nullopt if the property has an error. The property is then treated as
+/// Parses a paint. Returns nullopt if the text has an error; the caller then treats the property as
 /// missing.
 std::optional<SvgPaint> svg_paint(std::string_view text);
 

@@ -106,7 +106,7 @@ Rgba from_hwb(const Triple& hwb, double alpha) noexcept {
   return from_srgb({part(0.0), part(8.0), part(4.0)}, alpha);
 }
 
-/// Reads three components, then "/ alpha". A percentage refers to the value of the component in
+/// Reads three components, then "/ alpha". 100 % of a component is the value of that component in
 /// `full`.
 bool components(SvgScan& scan, const Triple& full, Triple& v, double& alpha) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -252,7 +252,7 @@ std::optional<Rgba> svg_color_in_space(std::string_view text) {
   if (svg_same_word(name, "oklch") && take({1.0, 0.4, 360.0})) {
     return from_oklab(from_polar(v), alpha);
   }
-  // Numbers without a percent sign are percentages too.
+  // Numbers without a percent sign are also percentages.
   if (svg_same_word(name, "hwb") && take({360.0, 100.0, 100.0})) {
     return from_hwb({v[0], v[1] / 100.0, v[2] / 100.0}, alpha);
   }

@@ -30,7 +30,7 @@ std::size_t find_outside(std::string_view text, char c, std::size_t from = 0) no
   return text.size();
 }
 
-/// Returns the end of the block that begins before `from`: the position after its brace.
+/// Returns the position after the brace that closes the block. The block begins before `from`.
 std::size_t end_of_block(std::string_view css, std::size_t from) noexcept {
   int depth = 1;
   for (; from < css.size() && depth > 0; ++from) {
@@ -321,8 +321,8 @@ bool SvgStyleSheet::is_like(const Compound& c, const pugi::xml_node& node) {
   return !c.root || node.parent().type() == pugi::node_document;
 }
 
-/// Compares from the last compound to the first and tries every element that each one may match.
-/// Counts the steps for the whole file, because a hostile rule can need very many.
+/// Compares the compounds from the last to the first, and tries every element that a compound may
+/// match. Counts the steps for the whole file, because a malicious rule can need very many.
 bool SvgStyleSheet::matches(const Rule& rule, pugi::xml_node node) {
   struct Choice {
     std::size_t compound;

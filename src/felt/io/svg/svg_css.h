@@ -45,19 +45,20 @@ class SvgStyleSheet {
 
   /// Calls back with every declaration that applies to an element. If several declarations set the
   /// same property, the one with the greatest `precedence` wins; the order of declarations with
-  /// equal precedence is unspecified. Returns false if the matching steps of this file are used up;
-  /// rules then no longer apply.
+  /// equal precedence is unspecified. The number of matching steps for a file is limited. Returns
+  /// false if they are used up; from then on, no rules apply.
   bool match(const pugi::xml_node& node,
              const std::function<void(const SvgDeclaration&, std::uint64_t precedence)>& found);
 
   [[nodiscard]] bool empty() const noexcept { return rules_.empty(); }
   /// Keeps a value for the lifetime of the sheet. Returns "" if the values of a file exceed 16 MiB.
   std::string_view keep(std::string_view value);
-  /// Returns the custom properties of the root, which apply if an element has no other value for
-  /// them.
+  /// Returns the custom properties of the root element. Each of them applies to all elements that
+  /// have no other value for it.
   [[nodiscard]] const SvgVariables& root_variables() const noexcept { return root_variables_; }
   void set_root_variables(SvgVariables variables) { root_variables_ = std::move(variables); }
-  /// Bytes of variables that may still be read for this file.
+  /// Returns the number of bytes that replacing variables may still read in this file. The caller
+  /// subtracts the bytes that it reads.
   [[nodiscard]] std::size_t& variable_bytes_left() noexcept { return variable_bytes_left_; }
   /// Returns the number of rules and @-rules that were skipped.
   [[nodiscard]] std::int64_t left_out() const noexcept { return left_out_; }
@@ -65,18 +66,19 @@ class SvgStyleSheet {
  private:
   struct Attribute {
     std::string_view name, value;
-    char relation = 0;  ///< 0: present; '=', '~', '|', '^', '$', '*'
+    char relation = 0;  ///< 0: the attribute is present; or '=', '~', '|', '^', '$', '*'
   };
   /// The conditions for one element: "rect.leaf:first-child".
   struct Compound {
-    char combinator = ' ';  ///< its relation to the previous compound: ' ', '>', '+', '~'
+    char combinator =
+        ' ';  ///< how the element is related to that of the previous compound: ' ', '>', '+', '~'
     std::string_view type, id;
     std::vector<std::string_view> classes;
     std::vector<Attribute> attributes;
     bool first_child = false, last_child = false, root = false;
   };
   struct Rule {
-    std::vector<Compound> compounds;  ///< the last one is for the element itself
+    std::vector<Compound> compounds;  ///< the last compound is for the element itself
     std::uint64_t precedence = 0;
     std::string_view body;
   };

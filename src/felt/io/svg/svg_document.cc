@@ -18,11 +18,11 @@ namespace {
 /// Returns true if a document type with an internal subset precedes the first element.
 bool has_svg_entities(std::string_view text) noexcept;
 
-/// Returns the text with its document type blanked out (line ends kept) and with the entities that
-/// it defines as text replaced; some drawing programs use them for their namespaces. Entities
-/// inside entities are replaced too. Entities that refer to a file are left as they are and have no
-/// effect. Fails if they add more than limits::kMaxSvgEntityBytes or are nested too deep, or if the
-/// document type does not end.
+/// Returns the text with its document type replaced by spaces (line ends are kept), and with the
+/// entities that the document type defines as text replaced. Some drawing programs use such
+/// entities for their namespaces. Entities inside entities are replaced too. Entities that refer to
+/// a file are left as they are and have no effect. Fails if the entities add more than
+/// limits::kMaxSvgEntityBytes or are nested too deep, or if the document type has no end.
 Result<std::string> svg_with_entities(std::string_view text);
 
 constexpr std::string_view kDoctype = "<!DOCTYPE";

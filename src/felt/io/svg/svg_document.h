@@ -16,7 +16,8 @@ namespace felt {
 
 inline constexpr std::string_view kSvgElementNamespace = "http://www.w3.org/2000/svg";
 
-/// A parsed file with all information about the whole file that the walk needs.
+/// A parsed file with its tree, ids, prefixes and style sheets, which the walk through its elements
+/// needs.
 class SvgDocument {
  public:
   /// Parses a file. Fails if it is not XML, not SVG, or beyond a limit. The message states the line
@@ -29,8 +30,8 @@ class SvgDocument {
   }
   /// Returns the first element with this id, or a null node.
   [[nodiscard]] pugi::xml_node find(std::string_view id) const;
-  /// Returns an attribute in the namespace of Inkscape or of Feltline. Its data() is null if the
-  /// attribute is missing.
+  /// Returns an attribute in the namespace of Inkscape or of Feltline. The data() of the result is
+  /// null if the attribute is missing.
   [[nodiscard]] std::string_view inkscape(const pugi::xml_node& node, const char* name) const;
   [[nodiscard]] std::string_view ours(const pugi::xml_node& node, const char* name) const;
   [[nodiscard]] std::string_view sodipodi(const pugi::xml_node& node, const char* name) const;
@@ -50,7 +51,7 @@ class SvgDocument {
   pugi::xml_node root_;
   std::unordered_map<std::string_view, pugi::xml_node> ids_;
   std::string svg_prefix_, inkscape_prefix_, felt_prefix_, sodipodi_prefix_;
-  std::set<std::string, std::less<>> more_svg_prefixes_;  // declared below the root
+  std::set<std::string, std::less<>> more_svg_prefixes_;  // prefixes declared below the root
   SvgStyleSheet sheet_;
   bool names_outer_style_ = false;
 };

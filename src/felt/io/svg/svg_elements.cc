@@ -72,7 +72,7 @@ class PathText {
     here_ = relative(p);
   }
 
-  /// Appends a curve, rounded to half a step.
+  /// Appends a curve, with its points rounded to whole steps.
   void cubic(const Point* p) {
     command('c');
     relative(p[0]);
@@ -148,7 +148,8 @@ void append_center_line(std::string& out, const StrokeData& d) {
 /// Appends the knots of Inkscape's PowerStroke: position and HALF width.
 void append_power_knots(std::string& out, const StrokeData& d) {
   constexpr double kPlaces = 1e4;
-  // On a closed path Inkscape continues from the last knot to the first, so the last is omitted.
+  // On a closed path, Inkscape interpolates from the last knot to the first. So our last knot,
+  // which repeats the first, is omitted.
   const std::size_t count = d.widths.size() - (d.closed ? 1 : 0);
   for (std::size_t i = 0; i < count; ++i) {
     if (i > 0) out += " | ";
@@ -182,7 +183,7 @@ void append_area(std::string& out, const Rect& area) {
   attribute(" height=\"", area.height());
 }
 
-/// Embeds the picture with features that all SVG viewers support, including old ones.
+/// Appends a mask with the picture. Uses only features of SVG that even old viewers support.
 void append_mask(std::string& out, const Rect& mm, std::string_view png,
                  const std::string& number) {
   std::string place;

@@ -14,8 +14,8 @@ namespace felt {
 
 struct GrainMask;
 
-/// Writes the pieces of an SVG file of a sketch (docs/formats/svg.md). Each function appends to
-/// `out`. Equal values give equal bytes.
+/// These functions write the pieces of an SVG file of a sketch (docs/formats/svg.md). Most of them
+/// append to `out`. Equal values give equal bytes.
 
 /// Namespace of the attributes for our model, and the version that is written. Version 1 wrote
 /// every number as a decimal with 17 digits, in mm.
@@ -25,32 +25,33 @@ inline constexpr std::string_view kSvgVersion = "2";
 /// Prefix of the ids of masks that show the grain of a stroke.
 inline constexpr std::string_view kSvgMaskId = "grain";
 
-/// Size of the head of a file in bytes. It is the same for every area, so that the head can be
-/// overwritten when the area is known.
+/// Size in bytes of the head of a file. It is the same for every area, so that a writer can write a
+/// provisional head first and overwrite it when the area is known.
 inline constexpr std::size_t kSvgHeadBytes = 640;
 
-/// Paths are written in mm, rounded to steps of 0.001 mm. The unit stays 1 mm: Inkscape computes a
-/// PowerStroke to 0.01 user units and fails if that is much less than the stroke's width.
+/// Paths are written in mm, rounded to steps of 0.001 mm. The user unit is 1 mm and not 0.001 mm,
+/// because Inkscape computes a PowerStroke to 0.01 user units and fails if that is much less than
+/// the stroke's width.
 inline constexpr double kSvgStepsPerMm = 1e3;
 
 /// The medium of strokes that specify none.
 inline constexpr std::string_view kSvgUsualMaterial = "pencil";
 
-/// The exact numbers of widths and tones are stored as differences from this value.
+/// Widths and tones are stored as exact differences from this value (exact_numbers.h).
 inline constexpr double kSvgWidthGuess = 1.0;
 
 /// Appends the XML declaration and the start of the root element, which shows `area` in mm at its
-/// true size; then the paper, a filled rectangle, unless its alpha is 0. If `model` is not empty,
-/// it has the attributes from svg_model_text.
+/// true size. Then appends the paper, a filled rectangle, unless its alpha is 0. `model` is empty
+/// or the result of svg_model_text(), the attributes of the root element.
 void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string_view model = {});
 
-/// Returns the attributes of the root that describe a drawing: `page` ("297 210 #ffffffff", or
-/// "none" if it is null), and its surface and materials if it has any, each followed by a space.
-/// Fails if XML cannot hold a surface name or text.
+/// Returns the attributes of the root element that describe a drawing, each followed by a space:
+/// the page ("297 210 #ffffffff", or "none" if `page` is null), and the drawing's surface and
+/// materials if it has any. Fails if XML cannot hold a surface name or text.
 Result<std::string> svg_model_text(const Drawing& drawing, const SheetPage* page);
 
-/// Begins a layer in Inkscape's form. `number` makes its element id unique. Fails if XML cannot
-/// hold the name; nothing is appended then.
+/// Begins a layer in Inkscape's form. `number` makes the id of its element unique. Fails, and
+/// appends nothing, if XML cannot hold the name.
 Result<void> append_svg_layer_begin(std::string& out, const Layer& layer, std::size_t number);
 
 /// Begins a group for strokes outside all layers.
@@ -60,9 +61,9 @@ void append_svg_group_end(std::string& out);
 
 /// Appends one stroke: a filled path that any viewer shows correctly, with Inkscape's PowerStroke
 /// and our attributes. `number` makes the element ids unique. `tolerance_mm` applies to the
-/// outline; the model is written exactly. If `mask` is set, viewers show the path through it; the
-/// path itself does not change. Call it inside a layer or group. Fails, and appends nothing, if XML
-/// cannot hold the id or medium, or if a coordinate is beyond 1e9 mm.
+/// outline; our attributes are exact. If `mask` is set, the path gets this mask, which shows the
+/// grain; the path itself does not change. Call it inside a layer or group. Fails, and appends
+/// nothing, if XML cannot hold the id or medium, or if a coordinate is beyond 1e9 mm.
 Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stroke& stroke,
                                std::size_t number, double tolerance_mm,
                                const GrainMask* mask = nullptr);
@@ -70,8 +71,9 @@ Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stro
 /// Ends the root element.
 void append_svg_tail(std::string& out);
 
-/// Appends the path data of an outline in steps: relative commands with whole numbers, so that
-/// rounding errors do not add up. Requires coordinates within 1e9 mm.
+/// Appends the path data of an outline in mm, with relative commands. All points are first rounded
+/// to whole steps of 0.001 mm, so that rounding errors do not add up. Requires coordinates within
+/// 1e9 mm.
 void append_path_data(std::string& out, const OutlinePath& path);
 
 }  // namespace felt

@@ -19,7 +19,7 @@ namespace {
 
 /// Layer for ink that is in no layer of the file.
 constexpr const char* kLayerName = "Ink";
-/// Notice for ink at a greater distance than files can hold.
+/// Notice for ink that is farther from (0, 0) than files can store.
 constexpr const char* kFar = "reaches farther than 1e9 mm and was left out";
 
 Rect bounds_mm(const SvgShape& shape) {
@@ -193,9 +193,9 @@ void SvgInk::notice_ends(const SvgShape& shape) {
 
 namespace {
 
-/// Converts flat dashes to round ones: shortens them by the line width, so that round ends reach as
-/// far as the flat ones do. A dash that is not longer than the line width becomes a dot in its
-/// middle.
+/// Converts dashes with flat ends to dashes with round ends: shortens each dash by the line width,
+/// so that its round ends reach exactly as far as the flat ends did. A dash that is not longer than
+/// the line width becomes a dot in its middle.
 struct RoundDashes {
   std::vector<double> pattern;
   double offset = 0.0;

@@ -11,7 +11,7 @@ namespace felt {
 inline constexpr double kSvgPxPerInch = 96.0;
 inline constexpr double kSvgMmPerPx = 25.4 / kSvgPxPerInch;
 
-/// The length that a percentage refers to.
+/// The side of the viewport that a percentage refers to.
 enum class SvgAxis { kX, kY, kDiagonal };
 
 /// The lengths that relative units refer to, all in user units.
@@ -24,15 +24,16 @@ struct SvgUnits {
   double root_height = 0.0;
 };
 
-/// Parses "12", "3mm", "50%", ... and returns user units. Returns nullopt if it is not a length or
-/// has a unit that SVG does not define.
+/// Parses "12", "3mm", "50%", ... and returns user units. Returns nullopt if the text is not a
+/// length or has a unit that SVG does not define.
 std::optional<double> svg_length(std::string_view text, SvgAxis axis, const SvgUnits& units);
 
-/// Parses a size on paper: "210mm" -> 210, "96" -> 25.4. Returns nullopt for percentages and for
-/// anything that is not a length.
+/// Parses a length and returns it in mm: 210 for "210mm", and 25.4 for "96". Returns nullopt for
+/// percentages and for anything that is not a length.
 std::optional<double> svg_paper_mm(std::string_view text);
 
-/// Parses "x y width height". Returns nullopt unless it is four numbers with a size above 0.
+/// Parses "x y width height". Returns nullopt unless the text has four numbers, with a width and
+/// height above 0.
 std::optional<Rect> svg_view_box(std::string_view text);
 
 /// Returns the transform that fits a view box into a viewport of width x height at (0, 0)

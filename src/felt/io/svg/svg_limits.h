@@ -17,15 +17,16 @@ inline constexpr std::size_t kMaxSvgEntityBytes = std::size_t{1} << 20;
 inline constexpr std::int64_t kMaxSvgUseElements = 100'000;
 /// Maximum number of bytes of attributes that are read again because of `use`.
 inline constexpr std::int64_t kMaxSvgUseBytes = std::int64_t{64} << 20;
-/// A file of n bytes may have kSpareSvgSegments + n / 2 curves, and at most kMaxSvgSegments. It
-/// cannot contain more than n / 2 curves itself; the rest is for curves that `use` repeats.
+/// A file of n bytes may have at most kSpareSvgSegments + n / 2 curves, and at most kMaxSvgSegments
+/// in any case. The text of the file cannot contain more than n / 2 curves; kSpareSvgSegments is
+/// for curves that `use` repeats.
 inline constexpr std::size_t kMaxSvgSegments = 20'000'000;
 inline constexpr std::size_t kSpareSvgSegments = 500'000;
-/// Maximum magnitude of a number in path data. In our files numbers are steps of 0.001 mm.
+/// Maximum magnitude of a number in path data.
 inline constexpr double kMaxSvgPathNumber = 1e13;
 /// Maximum number of dashes of all lines together.
 inline constexpr std::size_t kMaxSvgDashes = 100'000;
-/// Maximum number of segments of one stroke. It is smaller than that of a .felt file. A longer path
+/// Maximum number of segments of one stroke. This is less than a .felt file allows. A longer path
 /// becomes several strokes.
 inline constexpr std::size_t kMaxSvgStrokeSegments = 250'000;
 /// Maximum number of layers of a drawing. Further layers are merged into the last one.

@@ -40,8 +40,8 @@ class Stretched {
     return size_ * norm(apply(back_, tangent(c, t)));
   }
 
-  /// Adds a knot. At a corner the width jumps, so a knot there is moved by kCornerU, away from the
-  /// knot on the other side of the corner.
+  /// Adds a knot. At a corner the width changes abruptly, so each side of the corner has its own
+  /// knot; both are moved away from the corner by kCornerU.
   void add(std::vector<WidthKnot>& knots, double u, double width, std::size_t joint,
            bool begins) const {
     const double end = static_cast<double>(line_.segment_count());

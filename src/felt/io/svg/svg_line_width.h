@@ -9,8 +9,8 @@ namespace felt {
 
 /// The widths of a line that was drawn in user units.
 struct SvgLineWidths {
-  std::vector<WidthKnot> knots;  ///< in mm; empty if the transform flattens the line to nothing
-  bool is_stretched = false;     ///< the width depends on the direction, and was sampled
+  std::vector<WidthKnot> knots;  ///< in mm; empty if `to_mm` has no inverse
+  bool is_stretched = false;     ///< the width depends on the direction, so it was sampled
   bool was_thin = false;         ///< the width was below kMinWidthMm at some point and was raised
 };
 

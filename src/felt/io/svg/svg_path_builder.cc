@@ -33,7 +33,8 @@ CenterArc center_arc(Point from, Point to, Vec radii, double turn_rad, bool larg
   const double y = (cosine * half.y - sine * half.x) / radii.y;
   const double reach = x * x + y * y;
   const double grow = std::sqrt(std::max(1.0, reach));
-  // In units of the ellipse the ends are (x, y) and (-x, -y), the circle has radius `grow`.
+  // In units of the ellipse's radii, the ends are (x, y) and (-x, -y), and the ellipse is a circle
+  // of radius `grow`.
   const double away = std::sqrt(std::max(0.0, grow * grow / reach - 1.0));
   const double side = large == sweep ? -away : away;
   const double cx = side * y, cy = -side * x;
@@ -80,7 +81,7 @@ bool SvgPathBuilder::begin_segment() {
 }
 
 void SvgPathBuilder::line(Point p) {
-  // For a line without length, the thirds would be rounded and could differ from its ends.
+  // In a line without length, all points must be equal; computed thirds could differ by rounding.
   const Cubic c = p == here_ ? Cubic{{p, p, p, p}} : straight(here_, p);
   cubic(c.p[1], c.p[2], p);
 }

@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// A sequence of joined cubics of a path: 3 n + 1 points, n >= 1. Straight lines have their handles
-/// at thirds. A closed contour ends exactly at its first point.
+/// A sequence of joined cubics of a path: 3 n + 1 points, n >= 1. The control points of a straight
+/// line divide it into thirds. A closed contour ends exactly at its first point.
 struct SvgContour {
   std::vector<Point> points;
   bool closed = false;
@@ -20,7 +20,8 @@ struct SvgContour {
   }
 };
 
-/// Builds contours from drawing commands like those of SVG path data. Everything becomes cubics.
+/// Builds contours from drawing commands like those of SVG path data. All commands are converted to
+/// cubics.
 class SvgPathBuilder {
  public:
   /// Accepts at most `most_segments` segments. Further commands are ignored and set `full`.
@@ -33,7 +34,7 @@ class SvgPathBuilder {
   /// Adds an elliptical arc as up to four cubics, by the centre parameterisation of SVG 1.1 F.6:
   /// radii that are too small are scaled up, a zero radius makes a line.
   void arc(double rx, double ry, double turn_deg, bool large, bool sweep, Point p);
-  /// Closes the contour. The next command begins at its start.
+  /// Closes the contour. The next command begins at the start of the closed contour.
   void close();
 
   [[nodiscard]] Point here() const noexcept { return here_; }

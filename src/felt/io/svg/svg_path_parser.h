@@ -9,10 +9,10 @@
 
 namespace felt {
 
-/// The contours of path data, up to its first error.
+/// The contours of path data, up to the first error in the data.
 struct SvgPathData {
   std::vector<SvgContour> contours;
-  std::string problem;  ///< the error and its position; empty if there is none
+  std::string problem;  ///< the error and its position, or empty
 };
 
 /// Parses the attribute `d` in the full grammar of SVG: repeated commands, numbers without

@@ -64,7 +64,7 @@ bool SvgScan::number(double& value) noexcept {
   double read = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), read);
   if (error == std::errc::result_out_of_range) {
-    // The number is too small to differ from 0, or too large.
+    // The number is either so small that it is read as 0, or too large.
     const std::size_t e = digits.find_first_of("eE");
     if (e == std::string_view::npos || digits[e + 1] != '-') return false;
     read = 0.0;

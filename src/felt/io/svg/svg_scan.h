@@ -5,8 +5,9 @@
 
 namespace felt {
 
-/// Reads numbers, words and signs from the front of an attribute of SVG. Never throws and never
-/// reads beyond the text. Text that was not read remains.
+/// Reads numbers, words and signs one after the other from the start of the text of an SVG
+/// attribute. Never throws and never reads beyond the end of the text. If a function cannot read
+/// what it should, the text stays unread.
 class SvgScan {
  public:
   /// Numbers with a magnitude beyond `most` are not read.
@@ -16,20 +17,22 @@ class SvgScan {
   void skip_spaces() noexcept;
   /// Skips spaces with at most one comma among them.
   void skip_comma() noexcept;
-  /// Reads a number of SVG: sign, digits, point, exponent; "1e" is read as 1 followed by "e".
-  /// Accepts at most 64 characters.
+  /// Reads a number of SVG: sign, digits, point, exponent. If the text is "1e", reads 1 and leaves
+  /// "e" unread. Accepts at most 64 characters.
   bool number(double& value) noexcept;
   /// Reads 0 or 1. No separator needs to follow.
   bool flag(bool& value) noexcept;
   bool take(char c) noexcept;
-  /// Reads this word. The case of letters is ignored.
+  /// Reads this word, ignoring the case of ASCII letters. Returns false if the text does not begin
+  /// with this word.
   bool take(std::string_view word) noexcept;
   /// Reads letters, digits, '-', '_' and non-ASCII characters; returns "" if the text begins with
   /// another character.
   std::string_view name() noexcept;
   /// Reads ASCII letters; returns "" if the text begins with another character.
   std::string_view letters() noexcept;
-  /// Returns the text before c and removes both. Returns all text if it does not contain c.
+  /// Reads the text up to the next c, and returns it without c. Reads and returns all text if it
+  /// does not contain c.
   std::string_view until(char c) noexcept;
   /// Returns true if a number may begin here.
   [[nodiscard]] bool at_number() const noexcept;

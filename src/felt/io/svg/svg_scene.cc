@@ -30,8 +30,8 @@ std::optional<double> page_side(std::string_view text, std::optional<double> box
 
 }  // namespace
 
-/// Computes the transform from the outermost user units to the page. In our files these are
-/// millimetres on the page, independent of the part that the file shows.
+/// Computes the transform from the outermost user units to the page. In our files, the user units
+/// are millimetres on the page, whichever part of the page the file shows.
 void SvgWalker::place_page(const std::optional<Rect>& box, SvgRoot& root, State& state) const {
   const bool has_size = root.width_mm && root.height_mm;
   if (!box || !has_size) {

@@ -16,8 +16,8 @@
 
 namespace felt {
 
-/// An SVG file resolved into the shapes it paints: references, styles, units, viewports and
-/// transforms are applied. This is the first of two steps of reading; the second converts them to
+/// The shapes that an SVG file paints, after its references, styles, units, viewports and
+/// transforms were applied. This is the first of two steps of reading; the second converts them to
 /// ink (svg_ink.h).
 
 struct SvgFill {
@@ -36,19 +36,20 @@ struct SvgLine {
   double dash_offset = 0.0;
 };
 
-/// The attributes that store a stroke of variable width: Inkscape's PowerStroke and ours, as
-/// written. Views into the file; empty if missing.
+/// The values of the attributes that store a stroke of variable width: those of Inkscape's
+/// PowerStroke and our own. They are views into the text of the file, and empty if the attribute is
+/// missing.
 struct SvgVariableWidth {
   std::string_view center_line;  ///< inkscape:original-d
   std::string_view offset_points, interpolator, interpolator_beta, scale_width, start_cap, end_cap;
   bool has_effect = false;
   std::string_view id, material, closed, joints, points, widths, tones;
   bool is_ours = false;
-  Rgba color;  ///< of its ink: the fill of the path, even if that is fully transparent
+  Rgba color;  ///< colour of the ink: the fill of the path, even if it is fully transparent
 };
 
-/// A painted shape. `contours` are in its user units, because its line is computed in user units.
-/// `to_mm` transforms them to the page.
+/// A painted shape. `contours` are in the user units of the shape, because the width of its line is
+/// in user units. `to_mm` transforms user units to the page.
 struct SvgShape {
   std::string_view element, id;
   std::int64_t line_number = 0;  ///< from 1; 0 if unknown
@@ -57,8 +58,8 @@ struct SvgShape {
   std::optional<SvgFill> fill;
   std::optional<SvgLine> line;
   std::optional<SvgVariableWidth> variable_width;
-  std::optional<Rect> frame;  ///< the part that its viewport shows, in mm
-  bool is_cut = false;        ///< by a clip path or mask, which was ignored
+  std::optional<Rect> frame;  ///< the area that the viewport of the shape shows, in mm
+  bool is_cut = false;        ///< has a clip path or mask, which was ignored
 };
 
 /// A layer of Inkscape, or the content outside all layers.
@@ -75,8 +76,8 @@ struct SvgRoot {
   bool is_ours = false;
   bool begins_at_zero = true;               ///< the top left corner is at (0, 0) of the page
   std::string_view page;                    ///< felt:page, if the file is ours
-  std::string_view surface;                 ///< felt:surface, same
-  std::vector<std::string_view> materials;  ///< felt:material1 and so on, same
+  std::string_view surface;                 ///< felt:surface, if the file is ours
+  std::vector<std::string_view> materials;  ///< felt:material1 and so on, if the file is ours
 };
 
 /// Receives the content that the walk finds, in painting order.
@@ -84,19 +85,20 @@ class SvgSceneSink {
  public:
   virtual ~SvgSceneSink() = default;
   virtual void root(const SvgRoot& root) = 0;
-  /// All content after this call is in this layer.
+  /// Begins a layer. All content up to the next call is in this layer.
   virtual void layer(const SvgLayer& layer) = 0;
   virtual void shape(SvgShape shape) = 0;
-  /// Sets the colour of the paper: of a rectangle that we wrote, or of the background of the
-  /// drawing.
+  /// Sets the colour of the paper. It is the colour of the rectangle that Feltline wrote, or the
+  /// background colour of another drawing.
   virtual void paper(Rgba color) = 0;
-  /// Reports content that is not shown as the file specifies. `line` as in SvgShape::line_number.
+  /// Reports content that is not shown as the file specifies. `line` has the same meaning as
+  /// SvgShape::line_number.
   virtual void notice(std::int64_t line, std::string element, std::string what) = 0;
 };
 
-/// Walks a file, without recursion. The views passed to the sink are valid until this returns.
-/// Fails if the file is not XML or SVG, was written by a newer Feltline, or exceeds a limit. The
-/// message states the line and the reason.
+/// Walks through the elements of a file, without recursion, and passes their content to the sink.
+/// The views passed to the sink are valid until this returns. Fails if the file is not XML or SVG,
+/// was written by a newer Feltline, or exceeds a limit. The message states the line and the reason.
 Result<void> read_svg_scene(std::string_view text, SvgSceneSink& sink);
 
 /// Returns "path 'leaf'", or "path" without an id.

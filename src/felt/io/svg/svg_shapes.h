@@ -18,7 +18,7 @@ namespace felt {
 /// The outline of a shape of SVG in its user units.
 struct SvgOutline {
   std::vector<SvgContour> contours;
-  std::string problem;  ///< the part that could not be read; empty if there is none
+  std::string problem;  ///< says which part could not be read; empty if all could be
 };
 
 /// Returns true for path, rect, circle, ellipse, line, polyline, polygon.

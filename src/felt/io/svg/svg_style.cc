@@ -84,8 +84,9 @@ bool is_initial(std::string_view value) noexcept {
 
 std::optional<std::vector<double>> dash_list(std::string_view text, const SvgUnits& units);
 
-/// Returns true if a paint, colour, opacity or width can be read. If it cannot be read, an earlier
-/// declaration stays valid. Values with variables are checked after the variables are replaced.
+/// Returns true if a paint, colour, opacity or width can be read. A declaration with an unreadable
+/// value does not replace an earlier one. Values with variables are checked after the variables are
+/// replaced.
 bool is_readable(SvgProperty p, std::string_view value) {
   if (is_inherit(value) || is_initial(value)) return true;
   if (value.find("var(") != std::string_view::npos) return true;
@@ -161,7 +162,8 @@ std::optional<double> plain_number(std::string_view text) {
   return scan.number(value) && scan.at_end() ? std::optional(value) : std::nullopt;
 }
 
-/// Returns nullopt if the list has an error and is to be ignored; an empty list is a solid line.
+/// Parses a list of dashes. Returns nullopt if the list has an error and must be ignored. An empty
+/// list means a solid line.
 std::optional<std::vector<double>> dash_list(std::string_view text, const SvgUnits& units) {
   std::vector<double> dashes;
   double sum = 0.0;

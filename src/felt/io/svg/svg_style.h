@@ -20,7 +20,7 @@ namespace felt {
 
 class SvgStyleSheet;
 
-/// The properties that affect ink, or that cause a notice.
+/// The properties that affect the ink, or for which the reader makes a notice.
 enum class SvgProperty : std::uint8_t {
   kBackgroundColor,
   kClipPath,
@@ -72,15 +72,16 @@ enum class SvgProperty : std::uint8_t {
   kCount,
 };
 
-/// The declared value of each property of one element; empty if not declared. Views into the file
-/// or its style sheet.
+/// The declared value of each property of one element, or an empty text if the property is not
+/// declared. The values are views into the file or its style sheet.
 class SvgDeclared {
  public:
   /// Returns the value of a property by its name; empty if the name is not a property.
   [[nodiscard]] std::string_view value_of(std::string_view name) const noexcept;
-  /// The custom properties ("--name") that apply here. If null, those of the root apply.
+  /// The custom properties ("--name") that apply to the element. If null, those of the root apply.
   std::shared_ptr<const SvgVariables> variables;
-  /// A property that was declared only with unreadable values, or "" if all can be read.
+  /// The name of a property that was declared only with unreadable values, or "" if there is no
+  /// such property.
   std::string_view unread;
 
   [[nodiscard]] std::string_view operator[](SvgProperty p) const noexcept {
@@ -95,17 +96,18 @@ class SvgDeclared {
 };
 
 /// Collects the declarations of an element in CSS order: presentation attributes, then rules, then
-/// its style attribute, then `!important` ones. If the style attribute has comments, its text
-/// without them is stored in `clean_style`, which must outlive the result. `declared.variables` are
-/// those of the parent before the call, and those of the element after it. An unreadable colour
-/// becomes black. Returns false if SvgStyleSheet::match returns false.
+/// its style attribute, then `!important` ones. If the style attribute has comments, the text
+/// without comments is stored in `clean_style`, which must outlive the result. Before the call,
+/// `declared.variables` must be the custom properties of the parent; afterwards, they are those of
+/// the element. An unreadable colour becomes black. Returns false if SvgStyleSheet::match returns
+/// false.
 bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string& clean_style,
                   SvgDeclared& declared);
 
 enum class SvgCap : std::uint8_t { kButt, kRound, kSquare };
 enum class SvgJoin : std::uint8_t { kMiter, kRound, kBevel };
 
-/// The computed style of an element. Lengths are in its user units.
+/// The computed style of an element. Lengths are in user units of the element.
 struct SvgStyle {
   // Inherited properties.
   Rgba color{0, 0, 0, 255};

@@ -31,9 +31,9 @@ struct SvgPowerKnots {
   bool is_sampled = false;         ///< `widths` are samples of a curve through the knots
 };
 
-/// Reads the widths for a path of `segments` segments. Beyond the knots, an open path keeps the
-/// width of the nearest one; a closed path interpolates from the last to the first, as Inkscape
-/// does. Fails if the list of knots is empty.
+/// Reads the widths for a path of `segments` segments. On an open path, the width before the first
+/// and after the last knot is that of the nearest knot. On a closed path, the width is interpolated
+/// from the last knot to the first, as Inkscape does. Fails if the list of knots is empty.
 Result<SvgPowerKnots> svg_power_knots(const SvgVariableWidth& attributes, std::size_t segments,
                                       bool closed);
 
@@ -118,7 +118,7 @@ std::vector<WidthKnot> sampled(const std::vector<WidthKnot>& knots, bool flat, d
 Result<SvgPowerKnots> svg_power_knots(const SvgVariableWidth& a, std::size_t segments,
                                       bool closed) {
   double scale = 1.0, beta = 0.2;
-  // If they cannot be read, the defaults stay.
+  // If a value cannot be read, its default stays.
   static_cast<void>(SvgScan(a.scale_width).number(scale));
   static_cast<void>(SvgScan(a.interpolator_beta).number(beta));
   SvgPowerKnots result;
@@ -193,7 +193,7 @@ bool read_joint_letters(std::string_view text, std::vector<JointKind>& joints) {
 bool read_exact_points(std::string_view text, const SvgContour& line, std::vector<Point>& points) {
   // Half a step, and a margin for rounding.
   constexpr double kNearMm = 0.501 / kSvgStepsPerMm;
-  // Adding zero turns -0 into 0, which is a different guess.
+  // Adding zero turns -0 into 0. The writer used 0, and -0 would be a different guess.
   const auto guess = [](double mm) {
     return std::round(mm * kSvgStepsPerMm) / kSvgStepsPerMm + 0.0;
   };

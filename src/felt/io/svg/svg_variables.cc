@@ -32,9 +32,9 @@ std::size_t closing(std::string_view text) noexcept {
   return std::string_view::npos;
 }
 
-/// Returns the value with its variables replaced. `bytes_left` bounds the work. Limits of nesting
-/// and length would not: with empty fallbacks, a few values of 30 variables each need 10^10
-/// replacements by nothing.
+/// Returns the value with its variables replaced. `bytes_left` limits the work. Limits on the
+/// nesting and on the length of the result would not: if a few values contain 30 variables each and
+/// the fallbacks are empty, 10^10 replacements yield an empty text.
 std::optional<std::string> replaced(std::string_view value, const SvgVariables& variables,
                                     int nesting, std::size_t& bytes_left) {
   if (nesting > kMaxVariableNesting || !spend(kReplacementBytes + value.size(), bytes_left)) {

@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 9> kAnimations{
     "animate", "animateColor", "animateMotion", "animateTransform", "discard",
     "handler", "script",       "set",           "listener"};
 
-/// Number of bytes that each node and each attribute counts in the budget for `use`.
+/// Number of bytes that are subtracted from the budget for `use` for each node and each attribute.
 constexpr std::int64_t kNodeBytes = 16;
 /// Largest number of children that are examined: of a switch, and of a shape, to find animations.
 constexpr int kMaxChoices = 1000;
@@ -99,7 +99,8 @@ Result<void> SvgWalker::walk() {
     }
     top.next = top.only_one ? pugi::xml_node() : node.next_sibling();
     if (node.type() != pugi::node_element) {
-      // Text between elements costs time too if a `use` repeats it.
+      // Nodes of text also take time when a `use` repeats them, so they are subtracted from the
+      // budget, too.
       if (top.repeats && (repeat_bytes_left_ -= kNodeBytes) < 0) top.next = pugi::xml_node();
       continue;
     }

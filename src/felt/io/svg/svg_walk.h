@@ -14,7 +14,8 @@
 
 namespace felt {
 
-/// Walks a file and finds its painted content (read_svg_scene), with an explicit stack.
+/// Walks through the elements of a file with an explicit stack and passes the painted content to a
+/// sink. Implements read_svg_scene().
 class SvgWalker {
  public:
   SvgWalker(SvgDocument& document, std::size_t text_size, SvgSceneSink& sink);
@@ -30,18 +31,18 @@ class SvgWalker {
     double opacity = 1.0;
     SvgUnits units;
     std::optional<Rect> frame;
-    SvgPaint context_fill, context_stroke;  ///< of the enclosing use
+    SvgPaint context_fill, context_stroke;  ///< paints of the enclosing use
     bool default_is_svg = true;
-    bool is_cut = false;  ///< by a clip path or mask
+    bool is_cut = false;  ///< an ancestor has a clip path or mask
     std::shared_ptr<const SvgVariables> variables;
     SvgLayer layer;
   };
   /// An element while its children are visited.
   struct Frame {
     pugi::xml_node node, next;
-    bool only_one = false;  ///< only `next` itself is visited, not its siblings: for use and switch
+    bool only_one = false;  ///< visit only `next`, not its siblings (for use and switch)
     bool is_use = false;
-    bool repeats = false;  ///< inside a use
+    bool repeats = false;  ///< the element is inside a use
     State state;
   };
   /// The shape or group that is being processed.

@@ -18,9 +18,9 @@
 namespace felt {
 namespace {
 
-/// The single colour that replaces a gradient or pattern: the mean of a gradient from 0 to 1, grey
-/// for patterns. The colour is missing if the element does not paint, or if it is a gradient
-/// without stops. `current` is the value of currentColor.
+/// The single colour that replaces a gradient or pattern: for a gradient the mean of its colours
+/// from 0 to 1, for a pattern grey. The colour is missing if the element is not a paint, or if it
+/// is a gradient without stops. `current` is the value of currentColor.
 struct SvgServerColor {
   bool paints = false;  ///< the id is that of a gradient, pattern or similar
   std::optional<Rgba> color;
@@ -61,7 +61,8 @@ class GradientMean {
   }
 
  private:
-  /// Half of the span counts for each colour, which is the mean of a linear change.
+  /// Adds a span in which the colour changes linearly from a to b. The mean of such a span is half
+  /// of each colour.
   void add_span(double length, Rgba a, Rgba b) {
     for (const Rgba c : {a, b}) {
       const double weight = 0.5 * length * c.a;
@@ -140,8 +141,8 @@ SvgServerColor svg_server_color(SvgDocument& document, std::string_view id, Rgba
 
 namespace {
 
-/// Returns the length of a unit of dashes, if the author specifies the length of the path
-/// (pathLength).
+/// Returns the factor for the lengths of dashes. It is not 1 if the file specifies the length of
+/// the path (pathLength), because dashes are then in units of that length.
 double path_length_scale(const char* path_length, std::span<const SvgContour> contours) {
   const std::optional<double> written = svg_length(path_length, SvgAxis::kDiagonal, SvgUnits());
   if (!written || !(*written > 0.0)) return 1.0;
@@ -229,7 +230,8 @@ void SvgWalker::draw_line(const Element& e, SvgShape& shape) {
     line.dashes = *style.dashes;
     dash_scale = path_length_scale(e.node.attribute("pathLength").value(), shape.contours);
   }
-  // Makes the line as wide as on a page without a transform: 1 px is 1/96 inch.
+  // With non-scaling-stroke, the width does not scale with the transform: 1 px is 1/96 inch on the
+  // page.
   const double scale = std::sqrt(std::fabs(determinant(shape.to_mm))) / kSvgMmPerPx;
   if (!style.scales_line && scale > 0.0) {
     line.width /= scale;

@@ -12,8 +12,8 @@ constexpr Rgba kNoPaper{255, 255, 255, 0};
 
 enum class SvgLayers { kWritten, kLeftOut };
 
-/// Part 0 is the head. The other parts are the strokes. The tags of a layer are written with its
-/// first and last part.
+/// Part 0 is the head. The other parts contain the strokes. The first part of a layer also contains
+/// the start tag of the layer, and the last part its end tag.
 class SvgParts final : public DrawingParts {
  public:
   SvgParts(const Document& document, const SvgOptions& options, const Rect& area, std::string head,
@@ -27,7 +27,7 @@ class SvgParts final : public DrawingParts {
   }
 
   [[nodiscard]] std::size_t count() const override { return ranges_.size() + 1; }
-  // Masks share a budget of pixels, so their order matters.
+  // All masks share a budget of pixels, so they must be made in order.
   [[nodiscard]] bool any_order() const override { return !masks_; }
 
   Result<void> make(std::size_t i, DrawingPart& out) const override {

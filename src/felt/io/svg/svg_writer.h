@@ -15,18 +15,19 @@ namespace felt {
 
 /// The content and precision of an SVG file.
 struct SvgOptions {
-  /// The part to show instead of the page; the page is then not written. Without both, the file
-  /// shows all ink and the margin around it.
+  /// The area that the file shows. If set, the page is not written. If not set, the file shows the
+  /// page, or, if the drawing has none, all ink with a margin around it.
   std::optional<Rect> sheet{};
   double margin_mm = 5.0;
-  /// Largest distance between the drawn outline and the true one. Including the rounding of
-  /// coordinates it stays within 0.01 mm (R53). The model itself is written exactly.
+  /// Largest distance between the written outline and the exact one. With the default, this
+  /// distance stays within 0.01 mm even with the rounding of coordinates (R53). The stroke in our
+  /// own attributes is written exactly.
   double tolerance_mm = 0.005;
-  /// Colour behind the ink; not drawn if alpha is 0. If not set, the colour of the page, or nothing
-  /// if there is no page.
+  /// Colour behind the ink; not drawn if alpha is 0. If not set, the colour of the page is drawn,
+  /// or no colour if there is no page.
   std::optional<Rgba> paper{};
-  /// If set, strokes are seen through a picture of the surface's grain, which all viewers show.
-  /// Lines and outlines do not change, and import_svg reads the same drawing.
+  /// If set, each stroke has a mask with the grain of the surface, which all viewers support. Lines
+  /// and outlines do not change, and import_svg reads the same drawing.
   std::optional<GrainPrint> grain{};
 };
 
@@ -37,8 +38,8 @@ Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const Sv
 /// Returns the same file as one text.
 Result<std::string> svg_text(const Drawing& drawing, const SvgOptions& options);
 
-/// Returns the ink alone, without layers and without a page for import_svg, as for a stream of
-/// strokes (svg_elements.h).
+/// Returns the ink alone: without layers, and without a page that import_svg() would read. This is
+/// the form in which a stream of strokes is written, too (svg_elements.h).
 Result<std::string> svg_ink_text(const Drawing& drawing, const SvgOptions& options);
 
 }  // namespace felt

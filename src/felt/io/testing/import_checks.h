@@ -33,7 +33,8 @@ inline Stroke only_stroke(const Imported& d) {
   return strokes_in(d.drawing.document).at(0);
 }
 
-/// Returns the largest distance of the centre line of a from that of b, in mm.
+/// Returns the largest distance, in mm, of a point on the centre line of a from the centre line of
+/// b.
 inline double distance_of(const Stroke& a, const Stroke& b) {
   std::vector<Dab> from, to;
   flatten(a, 0.002, from);

@@ -8,8 +8,9 @@
 
 namespace felt::testing {
 
-/// Returns a random drawing for round trips: none to four layers, hidden, locked, empty, names that
-/// need escaping, with and without a page. The same seed gives the same drawing.
+/// Returns a random drawing for round-trip tests. It has none to four layers, some of them hidden,
+/// locked, empty or with names that need escaping, and it may have a page. The same seed gives the
+/// same drawing.
 inline Drawing random_layers(std::uint64_t seed) {
   RandomStroke random(seed);
   DrawingBuilder builder;

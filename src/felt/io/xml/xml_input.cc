@@ -74,8 +74,8 @@ Result<std::string> to_utf8(std::string_view bytes) {
   return text;
 }
 
-/// Scans the tags of a document and checks that it keeps to the limits. Understands only enough XML
-/// to tell tags from text; the parser finds all other errors.
+/// Scans the tags of a document and checks that it keeps to the limits. It distinguishes only tags
+/// from text; all other errors are found by the XML parser.
 class TagCounter {
  public:
   TagCounter(std::string_view text, const XmlLimits& limits) : text_(text), limits_(limits) {}

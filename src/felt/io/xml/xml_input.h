@@ -20,14 +20,14 @@ struct XmlLimits {
   int depth = limits::kMaxXmlDepth;
 };
 
-/// An untrusted XML document, read within limits: no internal DTD (hence no entities except the
-/// five of XML), bounded size, depth and number of elements, all checked before the tree is built.
-/// Accepts UTF-8, UTF-16, and ISO-8859-1 if the declaration names it. Private to this layer,
-/// because it exposes the XML library.
+/// An untrusted XML document, read within limits. The size, the depth and the number of elements
+/// are bounded, and an internal DTD is an error, so there are no entities except the five of XML.
+/// All this is checked before the tree is built. Accepts UTF-8, UTF-16, and ISO-8859-1 if the
+/// declaration names it. Private to this layer, because it exposes the XML library.
 class XmlInput {
  public:
-  /// Parses a document. Fails if it is not well-formed or beyond the limits; the message states the
-  /// line.
+  /// Parses a document. Fails if the document is not well-formed or exceeds a limit; the message
+  /// states the line.
   static Result<XmlInput> parse(std::string_view bytes, const XmlLimits& limits = {});
 
   /// Returns the outermost element.
@@ -48,8 +48,8 @@ class XmlInput {
 /// Returns the name of an element or attribute without its prefix.
 std::string_view xml_local_name(std::string_view name) noexcept;
 
-/// Returns the prefix, with its colon, that `root` gives to a namespace ("felt:"), or "" if it has
-/// none.
+/// Returns the prefix that `root` declares for a namespace, with its colon ("felt:"), or "" if it
+/// declares no prefix for it.
 std::string xml_prefix_of(const pugi::xml_node& root, std::string_view space);
 
 /// Returns all text directly inside an element, without comments.

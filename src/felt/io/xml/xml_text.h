@@ -7,9 +7,8 @@
 
 namespace felt {
 
-/// Appends `text` as the value of an attribute in double quotes. On error nothing is appended.
-/// Fails if the text is not UTF-8 or has a character that XML forbids (most control characters,
-/// U+FFFE, U+FFFF).
+/// Appends `text` as the value of an attribute in double quotes. Fails, and appends nothing, if the
+/// text is not UTF-8 or has a character that XML forbids (most control characters, U+FFFE, U+FFFF).
 Result<void> append_xml_attribute(std::string& out, std::string_view text);
 
 }  // namespace felt

@@ -19,7 +19,7 @@ namespace {
 
 using Next = NumberList::Next;
 
-/// The newest version of the format that this reader knows completely.
+/// The newest version of the format that this reader supports completely.
 constexpr double kKnownVersion = 5.0;
 constexpr double kA4WidthPt = 595.27559, kA4HeightPt = 841.88976;
 constexpr double kUsualWidthPt = 1.41;  // the medium pen of Xournal++
@@ -248,9 +248,9 @@ class XoppReader {
     }
   }
 
-  /// Reads the widths: one for the whole stroke, then one for each piece between two points. A
-  /// point gets the mean of the two pieces at it, so the profile passes through the middle of each
-  /// step.
+  /// Reads the widths: one for the whole stroke, then one for each piece between two points. The
+  /// width at a point is the mean of the widths of the two pieces that meet there, so the width
+  /// profile passes through the middle of each step.
   void read_widths(const pugi::xml_node& node) {
     const std::string_view text = node.attribute("width").value();
     double nominal_pt = 0.0;

@@ -7,16 +7,16 @@
 
 namespace felt {
 
-/// Length of a point of Xournal++ and PostScript, 72 per inch.
+/// Length in mm of a point of Xournal++ and PostScript; an inch has 72 points.
 inline constexpr double kMmPerPoint = 25.4 / 72.0;
 
 /// Gap between pages, which are placed below each other.
 inline constexpr double kPageGapMm = 5.0;
 
 /// Reads a document of Xournal++ or Xournal: gzip'ed XML, plain XML, or the zip container. Pages
-/// are placed below each other, and each layer becomes a layer. docs/formats/xopp.md lists how
-/// content is converted. `bytes` is the whole file. Fails if it is not such a document or exceeds a
-/// limit.
+/// are placed below each other in one drawing, and each layer of a page becomes a layer of the
+/// drawing. docs/formats/xopp.md describes how content is converted. `bytes` is the whole file.
+/// Fails if it is not such a document or exceeds a limit.
 Result<Imported> import_xopp(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace felt

@@ -19,8 +19,8 @@ namespace {
 
 /// Points are written in steps of 0.0001 pt, 35 nm.
 constexpr double kStepsPerPoint = 1e4;
-/// Largest number of pieces that a part of a line is divided into, even if its width grows very
-/// fast.
+/// Largest number of pieces into which one part of a line is divided, even if its width changes
+/// very fast.
 constexpr double kMaxPieces = 64.0;
 
 void append_points(std::string& out, double mm) {
@@ -70,8 +70,8 @@ class WideLine {
   std::vector<WidePoint> line_;
 };
 
-/// Part 0 is the head. The other parts are the strokes. The tags of a layer are written with its
-/// first and last part.
+/// Part 0 is the head. The other parts contain the strokes. The first part of a layer also contains
+/// the start tag of the layer, and the last part its end tag.
 class XoppParts final : public DrawingParts {
  public:
   XoppParts(const Drawing& drawing, const std::optional<Rgba>& paper)

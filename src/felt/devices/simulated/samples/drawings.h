@@ -14,7 +14,8 @@ namespace felt {
 std::vector<Gesture> cat_drawing();
 
 /// Returns a line of joined-up writing. Its base line starts at `at`. Supports the letters e f h i
-/// l n o t and the blank; others are left out. Crosses and dots are drawn after their word.
+/// l n o t and the blank; other characters are left out. Cross bars and dots are drawn after their
+/// word.
 std::vector<Gesture> cursive(std::string_view text, Point at, double x_height_mm);
 
 /// Returns a page of exercises, 170 x 120 mm: lines, waves, loops, a zigzag with 11 corners, a

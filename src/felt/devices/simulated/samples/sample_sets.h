@@ -19,7 +19,7 @@ struct SampleSet {
   std::vector<RecordedStroke> strokes;
 };
 
-/// Returns the sample strokes that come with the project, newly drawn by the simulated hand:
+/// Draws the sample strokes that come with the project with the simulated hand, and returns them:
 /// cat.ndjson, handwriting.ndjson, page.ndjson.
 std::vector<SampleSet> make_sample_sets();
 
