@@ -47,7 +47,7 @@ class CuePlayer : public QObject {
 
   /// Returns the id of the device that is open now, or an empty string.
   [[nodiscard]] QString in_use() const;
-  /// Closes the present device and opens the device `id`, unless `id` is empty. Returns false if
+  /// Closes the present device. Then opens the device `id`, unless `id` is empty. Returns false if
   /// the device does not open; then `refused` says why. Does not change the setting.
   bool use(const QString& id);
 
