@@ -75,7 +75,8 @@ void ActPictures::see(const Session& session, const PenSample& pen) {
 Result<Image> ActPictures::draw(const Session& after, int width_px) const {
   if (!before_ || !in_work_) return fail(ErrorCode::kInvalidData, tool_ + " never touched");
   std::array<SessionView, 3> views{*before_, *in_work_, view_of(after, std::nullopt)};
-  // If the document did not change, the result is the selection, so its overlay stays.
+  // If the document did not change, the act only changed the selection. The last panel then keeps
+  // the overlay, which shows the selection.
   if (!(views[0].document == views[2].document)) views[2].overlay.clear();
   constexpr std::array kCaptions{"before", "in work", "after"};
   Rect box = difference(before_->document, views[2].document);

@@ -13,8 +13,8 @@ namespace felt::cli {
 /// Watches one act of the demonstration and makes its picture. The picture has three panels that
 /// show the changed part of the page: before, in progress with the tool's overlay, and after.
 ///
-/// "Before" is the moment at which the act's tool first touches; "in progress" is the last moment
-/// of that gesture.
+/// "Before" shows the moment at which the pen first touches the surface with the act's tool; "in
+/// progress" shows the last moment of that gesture.
 class ActPictures {
  public:
   /// `act` is a name like "2-pull", for an act with the tool "pull".
@@ -24,7 +24,7 @@ class ActPictures {
   void see(const Session& session, const PenSample& pen);
 
   /// Draws the picture, about `width_px` wide. `after` is the session at the end of the act. Fails
-  /// if the act's tool never touched, or if the picture is too large.
+  /// if the pen never touched the surface with the act's tool, or if the picture is too large.
   [[nodiscard]] Result<Image> draw(const Session& after, int width_px) const;
 
  private:

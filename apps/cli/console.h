@@ -19,7 +19,7 @@ class Console {
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
-  /// Hides the progress line and notices (--quiet). Errors are always shown.
+  /// Hides the progress line and all notices (--quiet). Errors are always shown.
   void set_quiet() noexcept {
     shows_progress_ = false;
     shows_notices_ = false;
@@ -37,13 +37,12 @@ class Console {
   /// in numbers and names are of one kind; the first kShownOfAKind of each kind are printed, and
   /// end_records() prints the number of the others.
   void record_error(const std::string& name, std::int64_t line, const std::string& what);
-  /// Prints the number of messages of each kind that were not printed: "name: ... and 65,997 more
-  /// like it".
+  /// For each kind, prints how many messages were not printed: "name: ... and 65,997 more like it".
   void end_records();
   static constexpr std::int64_t kShownOfAKind = 3;
   /// Records a failure without a message, because stdout already describes it.
   void set_failed() noexcept { failed_ = true; }
-  /// Returns true if an error was reported; the exit code is then 1.
+  /// Returns true if a failure was recorded; the exit code of the program is then 1.
   [[nodiscard]] bool failed() const noexcept { return failed_; }
 
   /// Shows the progress of `what`: `done` of `total` bytes (0 if unknown) and `strokes` strokes.

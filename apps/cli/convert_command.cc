@@ -57,7 +57,8 @@ void convert_lines(const Input& input, const ConvertArguments& args, Format form
     if (!appended) console.error(appended.error().message);
     return appended.has_value();
   });
-  // Keeps an older file instead of replacing it by an empty file.
+  // If nothing could be read, keeps an existing output file instead of replacing it by an empty
+  // one.
   if (!read || (empty && console.failed())) return;
   if (Result<void> done = output->finish(); !done) console.error(done.error().message);
 }
@@ -104,7 +105,8 @@ void convert(const ConvertArguments& args, Format format, Console& console) {
   if (!picture) throw UsageError(picture.error());
   const Result<Input> input = Input::open(args.input);
   if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
-  // Output that is compressed, or that shows the drawing's surface, cannot be streamed.
+  // Compressed output, and output that shows the drawing's surface, cannot be written stroke by
+  // stroke.
   const bool is_stream =
       input->is_lines() && !is_compressed_name(args.output) && !picture->wants_grain;
   if (is_stream) return convert_lines(*input, args, format, *picture, console);

@@ -60,8 +60,8 @@ void DemoAct::draw(WritingHand& hand, const std::vector<Gesture>& gestures, int&
   SampleSet set{"", {}};
   for (const Gesture& gesture : gestures) {
     set.strokes.push_back({"demo-" + std::to_string(++count), hand.draw(gesture)});
-    // When the script is played, the hand moves to the stroke and draws it at this pace. The next
-    // movement comes after that.
+    // Adds the time that the hand needs when the script is played: 2.5 s to move to the stroke, and
+    // 1.2 times the recorded duration to draw it. The next event must come later.
     const auto& samples = set.strokes.back().samples;
     drawing_s_ +=
         2.5 + 1.2e-9 * static_cast<double>(samples.back().time_ns - samples.front().time_ns);

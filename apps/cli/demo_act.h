@@ -18,8 +18,8 @@ class DemoAct {
 
   void tool(const char* id);
   void set(const char* id, const OptionValue& value);
-  /// Adds lines for the pencil, drawn by `hand` as if they were recorded. Numbers them from `count`
-  /// on.
+  /// Adds pencil strokes that `hand` draws, in the form of recorded samples. Increases `count` by
+  /// one for each stroke and names the stroke by it ("demo-7").
   void draw(WritingHand& hand, const std::vector<Gesture>& gestures, int& count);
 
   /// Adds a movement through the air and a moment of rest above the point.

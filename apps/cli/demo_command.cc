@@ -27,7 +27,7 @@ constexpr double kDemoMarginMm = 6.0;
 constexpr Rgba kDemoPaper{255, 254, 250, 255};
 constexpr double kActDpi = 192.0;
 constexpr double kPlotUnits = 900.0;
-/// Time that the plot shows before the pen first touches.
+/// Time in seconds by which the plot begins before the pen first touches the surface.
 constexpr double kPlotBeforeS = 0.25;
 constexpr double kPlotS = 5.0;
 

@@ -49,8 +49,8 @@ std::string sentence(const std::string& text, std::size_t column, const TextStyl
   return wrapped(text, width, column) + "\n";
 }
 
-/// Returns the lines with an indent, otherwise unchanged. Omits a line that repeats the previous
-/// one.
+/// Indents each line to `column` and leaves its text unchanged. Omits a line that repeats the
+/// previous one.
 std::string verbatim(const std::string& text, std::size_t column) {
   std::string lines, last;
   for (std::size_t at = 0; at < text.size();) {

@@ -15,7 +15,7 @@ struct DoctorReport {
   bool is_named = false;  ///< the user named these drivers, so the report shows all of them
 };
 
-/// Returns the number of problems. The exit code is 1 if it is not 0.
+/// Returns the number of problems. If there are any, the exit code of `doctor` is 1.
 std::size_t count_problems(const DoctorReport& report);
 
 /// Returns the state of the system in one or two sentences.

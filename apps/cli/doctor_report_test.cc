@@ -59,7 +59,7 @@ TEST(DoctorReportTest, NothingHereNeedsNothing) {
             "No haptic device is connected. You can draw with mouse and tablet; nothing needs "
             "mending.");
   const std::string text = doctor_text(report, {});
-  EXPECT_THAT(text, Not(HasSubstr("No such library")));  // not asked for by name
+  EXPECT_THAT(text, Not(HasSubstr("No such library")));  // the user did not name this driver
   EXPECT_THAT(text, HasSubstr("\n  openhaptics  3D Systems\n  haply        Haply\n"));
   EXPECT_THAT(text, HasSubstr("\n  feltline doctor openhaptics\n"));
 }
@@ -173,7 +173,7 @@ TEST(SystemFixTest, WhatItAllowedBeforeStays) {
   system.add_file(kRule, (*plan)[0].content);
   plan = plan_fixes(report_with({pen}), system, "");
   EXPECT_EQ((*plan)[0].state, PlannedFix::State::kSame);
-  // The file lacks only a comment, so nothing is missing.
+  // Only a comment is missing in the file, so the file counts as complete.
   system.add_file(kRule, before);
   pen.fix->content = "# The stick\nSTICK\n";
   plan = plan_fixes(report_with({pen}), system, "");

@@ -23,7 +23,8 @@ namespace {
 
 constexpr double kMarginMm = 5.0;
 
-/// Returns the area of all ink and a margin. It is the same as for a stream of strokes.
+/// Returns the area of all ink and a margin. If the same strokes are written one by one, the area
+/// is the same.
 Rect ink_area(const Drawing& drawing, Format format) {
   const Rect ink = ink_bounds(drawing.document);
   if (format == Format::kSvg) return picture_area(ink, std::nullopt, kMarginMm);
@@ -158,8 +159,8 @@ Result<void> DrawingOutput::write(Drawing drawing) {
     if (!bytes) return tl::unexpected(with_context(bytes.error(), name));
     return output_.save(*bytes);
   }
-  // Writes the same lines as for a stream of strokes, without a header, so that the output of
-  // `convert` does not depend on the kind of input.
+  // Writes lines without a header, as append() does, so that the output of `convert` does not
+  // depend on the kind of input.
   Result<std::unique_ptr<DrawingParts>> parts = format_ == Format::kNdjson
                                                     ? line_parts(drawing, LineHeader::kLeftOut)
                                                     : drawing_parts(drawing, format_, *options);

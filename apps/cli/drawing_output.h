@@ -28,8 +28,9 @@ Result<void> encode(const NamedStroke& stroke, std::int64_t number, Format forma
 /// What a DrawingOutput receives: a whole drawing by write(), or single strokes by append().
 enum class OutputUse { kWhole, kStrokes };
 
-/// Returns the format that encode() must get for strokes that go to this output. Only .ndjson and
-/// uncompressed .svg are written stroke by stroke; for other outputs strokes are kept as lines.
+/// Returns the format that must be passed to encode() for strokes of this output. Only .ndjson and
+/// uncompressed .svg are written stroke by stroke; for other outputs, strokes are first kept as
+/// lines of .ndjson.
 Format stroke_format(const std::string& path, Format format);
 
 /// Writes a drawing to a file, either as a whole with write(), or stroke by stroke with append()
@@ -37,9 +38,9 @@ Format stroke_format(const std::string& path, Format format);
 ///
 /// If the format supports them, a whole drawing is written with its layers, including hidden ones,
 /// its surface, its page (unless the picture options specify another), and the texts of its
-/// materials. Single strokes have neither layers nor a page. For .ndjson, .svg and .png, memory
-/// does not grow with their number; for the other formats they are first collected in a drawing
-/// with one layer.
+/// materials. Single strokes have neither layers nor a page. For .ndjson, .svg and .png, the memory
+/// that is needed does not depend on the number of strokes; for the other formats, all strokes are
+/// first collected in a drawing with one layer.
 class DrawingOutput {
  public:
   /// Creates the output. The picture options apply to all formats except .ndjson. Fails if the path
@@ -72,7 +73,7 @@ class DrawingOutput {
   Format stroke_format_;
   PictureOptions picture_;
   Output output_;
-  // These describe the appended strokes.
+  // The following members describe the appended strokes.
   bool has_begun_ = false;
   Rect ink_;
   StrokeSpool spool_;

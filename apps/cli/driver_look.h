@@ -25,9 +25,9 @@ enum class LookFor {
 inline constexpr std::chrono::milliseconds kLookTime{15'000};
 
 /// Asks every driver for its devices. Each driver runs in its own process, because a vendor's
-/// library may crash, hang, end the program or overwrite our output. If that happens, the driver's
-/// result contains a finding about it, with the last text that the process wrote to stderr.
-/// Requires that no other thread runs.
+/// library may crash, hang, end the program or overwrite our output. If one of these happens, the
+/// driver's result contains a finding that describes the failure and quotes the last text that the
+/// process wrote to stderr. Requires that no other thread runs.
 std::vector<DriverLook> look_at_drivers(const std::vector<std::unique_ptr<Driver>>& drivers,
                                         const SystemView& system, LookFor what,
                                         std::chrono::milliseconds most = kLookTime);

@@ -13,23 +13,24 @@ namespace felt::cli {
 
 /// The information about a file that `info` shows.
 struct FileSummary {
-  bool is_sketch = false;  ///< otherwise raw pen strokes
+  bool is_sketch = false;  ///< if false, the file contains raw pen strokes
   FileFormat format = FileFormat::kNdjson;
   std::optional<Imported> opened;  ///< for formats that are read as a whole
   std::int64_t strokes = 0;
   Rect bounds;  ///< ink in mm, or samples in the unit of the file
 
-  // This is set for a sketch.
+  // The following members are set for a sketch.
   std::int64_t segments = 0;
   std::int64_t corners = 0;
   std::int64_t closed = 0;
   std::int64_t width_knots = 0;
   double min_width_mm = 0.0, max_width_mm = 0.0;
 
-  // These are set for raw pen strokes.
+  // The following members are set for raw pen strokes.
   std::int64_t samples = 0;
   std::int64_t longest = 0;                       ///< samples of the longest stroke
-  std::int64_t with_pressure = 0, with_time = 0;  ///< strokes in which at least one sample has it
+  std::int64_t with_pressure = 0, with_time = 0;  ///< strokes in which at least one sample has a
+                                                  ///< pressure, or a time
 
   void add(const Stroke& stroke);
   void add(const RawStroke& stroke);

@@ -202,7 +202,8 @@ void run_fit(const FitArguments& args, Console& console) {
   }
   FitStats stats;
   if (!fit_all(args, plan, output ? &*output : nullptr, console, stats)) return;
-  // Keeps an older file instead of replacing it by an empty file.
+  // If an error prevented all strokes from being fitted, keeps an existing output file instead of
+  // replacing it by an empty one.
   if (stats.strokes == 0 && console.failed()) return;
   if (output) {
     if (Result<void> done = output->finish(); !done) return console.error(done.error().message);

@@ -10,9 +10,11 @@ namespace {
 /// small enough that the work is distributed evenly.
 constexpr std::size_t kFitBatchBytes = std::size_t{64} << 10;
 
-/// Returns true if the first stroke is already fitted. All other strokes are then fitted, too.
+/// Returns true if the first stroke is already a curve. The input then contains a sketch, not pen
+/// samples.
 bool is_sketch(const LineBatch& lines) {
-  for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 2); ++i) {  // 0 may be a header
+  for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 2); ++i) {  // line 0 may be a
+                                                                              // header
     const std::string_view text = lines.line(i).text();
     if (text.find("\"points\"") != std::string_view::npos) return false;
     if (text.find("\"segments\"") != std::string_view::npos) return true;

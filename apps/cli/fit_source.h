@@ -9,16 +9,16 @@
 
 namespace felt::cli {
 
-/// Reads all inputs of `fit`, one after the other. Lines are read in batches for the workers. Other
-/// formats of pen samples are read as a whole, and fitted with the given settings.
+/// Reads all inputs of `fit`, one after the other. Lines are read in batches, which the workers
+/// then fit. An input in another format is read as a whole; its reader already fits the pen
+/// samples, with the given settings.
 class FitSource {
  public:
   FitSource(const std::vector<std::string>& paths, const FitSettings& settings)
       : paths_(paths), settings_(settings) {}
 
-  /// Reads the next item and replaces the content of `item` by it. Returns false after the last
-  /// input. If an input cannot be opened or read completely, or is empty, the item has a failure
-  /// and no lines.
+  /// Replaces the content of `item` by the next item. Returns false after the last input. If an
+  /// input cannot be opened or read completely, or is empty, the item has a failure and no lines.
   bool next(FitItem& item);
 
   /// These return the progress for the progress line. The total is 0 while a size is unknown.

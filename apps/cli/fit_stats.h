@@ -22,7 +22,7 @@ struct FitStats {
   std::int64_t fit_ns = 0;       ///< thread CPU time from pen-down to pen-up
   std::int64_t refine_ns = 0;    ///< thread CPU time of the refinement
   std::int64_t allocations = 0;  ///< allocations while samples are added, after warm-up
-  Histogram calls;               ///< thread CPU time of the call for a single sample
+  Histogram calls;               ///< thread CPU time of each call that adds one sample
 
   void add(const FitStats& other) noexcept;
 };
@@ -33,7 +33,8 @@ std::string stats_json(const FitStats& stats);
 /// Returns `sum` / `count`, or 0 if `count` is 0.
 double per(double sum, std::int64_t count) noexcept;
 
-/// Returns the CPU time of the calling thread in ns. It does not depend on other programs.
+/// Returns the CPU time of the calling thread in ns. Time in which other programs run is not
+/// counted.
 std::int64_t thread_cpu_ns() noexcept;
 
 /// Measures the cost of fitting one stroke, and how closely the curve follows the samples.

@@ -19,7 +19,8 @@ struct FitSettings {
   InkFitOptions ink;
   double mm_per_unit = 1.0;
   bool refine = true;
-  bool measure = false;          ///< set all of FitStats, which takes about five times as long
+  bool measure = false;          ///< fill all members of FitStats; fitting then takes about five
+                                 ///< times as long
   std::optional<Format> format;  ///< of the output; nullopt: results are not encoded
 };
 

@@ -44,8 +44,8 @@ void ForcePlot::add(const TickReport& tick, std::optional<double> width_mm) {
   width_.add(width_mm.value_or(0.0));
   asked_.add(norm(tick.asked));
   sent_.add(norm(tick.sent));
-  // A term may occur several times in a tick, or not at all. Its trace gets one value per tick in
-  // each case.
+  // A term may occur several times in a tick, or not at all. In both cases its trace gets exactly
+  // one value for the tick.
   for (const ForceTerms::Term& term : tick.terms) term_trace(term.name);
   for (Term& known : terms_) {
     Force sum;

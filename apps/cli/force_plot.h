@@ -18,7 +18,8 @@ class ForcePlot {
   /// `period_s` is the time between ticks. The plot starts at the first tick.
   ForcePlot(double period_s, const SafetyLimits& limits);
 
-  /// Adds one tick. `width_mm` is the width of its ink, or nullopt if it leaves no ink.
+  /// Adds one tick. `width_mm` is the width of the line that the pen draws in this tick, or nullopt
+  /// if the pen draws none.
   void add(const TickReport& tick, std::optional<double> width_mm);
 
   /// Sets the texts above the plot.

@@ -13,10 +13,10 @@ struct GivenOutput {
   std::string path;    ///< empty if the option was not given
 };
 
-/// Throws a UsageError if an output is the same file as an input or another output, even under
-/// another name, because writing it would destroy the other. "-" is stdin or stdout. Prints a
-/// notice if an output has hard links, because only this name will refer to the new file. Call it
-/// before opening any file.
+/// Throws a UsageError if an output is the same file as an input or as another output, even under
+/// another name, because writing the output would overwrite that file. "-" is stdin or stdout.
+/// Prints a notice if an output file has further hard links, because these will still refer to the
+/// old file. Call it before opening any file.
 void check_given_files(const std::vector<std::string>& inputs,
                        const std::vector<GivenOutput>& outputs, Console& console);
 

@@ -77,8 +77,8 @@ Result<void> Input::read_head() {
     if (!more) return tl::unexpected(more.error());
     if (*more == 0) break;
     have += *more;
-    // Does not wait for more bytes, because a pipe may deliver its lines slowly, and the first
-    // bytes already show the format.
+    // Does not wait for more bytes if the first bytes already show that the input consists of
+    // lines, because a pipe may deliver lines slowly.
     if (format_of_bytes({head_.data(), have}) == FileFormat::kNdjson) break;
   }
   head_.resize(have);

@@ -10,8 +10,8 @@
 namespace felt::cli {
 
 /// An input on the command line: a file, a pipe, or stdin as "-". The destructor closes it. The
-/// first bytes are read immediately to detect the format; the rest is read when requested, only
-/// once.
+/// first bytes are read immediately to detect the format. The rest is read when it is requested,
+/// and can be read only once.
 class Input {
  public:
   /// Opens an input. Fails if the file is missing, unreadable, a folder, or of an unsupported
@@ -34,10 +34,11 @@ class Input {
   /// Returns true if the input consists of lines with Quick, Draw! drawings. `fit` also reads these
   /// one by one.
   [[nodiscard]] bool is_quickdraw() const noexcept { return is_quickdraw_; }
-  /// Returns a reader of all bytes. The input must not move while they are read.
+  /// Returns a function that reads all bytes. The Input object must not be moved while the function
+  /// is used.
   [[nodiscard]] ReadBytes reader() const;
-  /// Reads the whole input as a drawing. Fails if that is not possible; the message contains only
-  /// the reason, not the name.
+  /// Reads the whole input as a drawing. Fails if the input is not a readable drawing; the message
+  /// contains only the reason, not the name.
   [[nodiscard]] Result<Imported> read_drawing(const ReadOptions& options) const;
 
  private:

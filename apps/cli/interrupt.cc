@@ -12,8 +12,8 @@ namespace {
 volatile std::sig_atomic_t asked = 0;
 volatile std::sig_atomic_t pause_asked = 0;
 
-// Maximum time between two signals that count as one request. timeout(1) signals the program, and
-// immediately afterwards its group.
+// Two signals within this time count as one request, because timeout(1) sends the signal to the
+// program and immediately afterwards to its process group.
 constexpr std::int64_t kSameWishNs = 300'000'000;
 std::atomic<std::int64_t> asked_ns{0};
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);

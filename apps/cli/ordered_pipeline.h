@@ -12,8 +12,9 @@ namespace felt::cli {
 /// slots for items is fixed, so memory is bounded. The results do not depend on the number of
 /// threads.
 ///
-/// `Item` and `Output` must be default constructible. The same objects are used again for later
-/// items, so that they keep their buffers. `Item::bytes()` returns the size of an item.
+/// `Item` and `Output` must be default constructible. The same Item and Output objects are reused
+/// for later items, so that their buffers are allocated only once. `Item::bytes()` returns the size
+/// of an item.
 template <class Item, class Output>
 class OrderedPipeline {
  public:
@@ -62,8 +63,8 @@ class OrderedPipeline {
       pipeline.work_waits_.notify_all();
     }
   };
-  /// Limit for the total size of the items that are not yet handled. A further item is only filled
-  /// while the total is below this limit, so it exceeds the limit by at most one item.
+  /// Limit for the total size of the items that are not yet handled. The next item is filled only
+  /// while the total is below this limit, so the total exceeds the limit by at most one item.
   static constexpr std::size_t kMaxBytesInFlight = std::size_t{64} << 20;
 
   Slot& slot(std::size_t sequence) { return slots_[sequence % slots_.size()]; }

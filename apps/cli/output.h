@@ -17,8 +17,9 @@ class Output {
   /// Creates the output. Fails if the path cannot be written or is a folder. Messages start with
   /// the name.
   static Result<Output> create(const std::string& path);
-  /// Creates an output that allows overwrite(), for formats with first bytes that are known only at
-  /// the end. A special file receives all data in commit().
+  /// Creates an output that allows overwrite(). Use it for formats that begin with data that is
+  /// known only at the end, such as the length of the file. A special file receives all data in
+  /// commit().
   static Result<Output> create_for_overwrite(const std::string& path);
   Output(Output&& other) noexcept;
   ~Output();
@@ -26,7 +27,7 @@ class Output {
   Result<void> write(std::string_view bytes);
   /// Replaces the first bytes of the file. Requires create_for_overwrite().
   Result<void> overwrite(std::string_view bytes);
-  /// Completes the file and gives it its name. Fails if that is not possible.
+  /// Completes the file and gives it its name. Fails if the file cannot be written or renamed.
   Result<void> commit();
   /// Writes these bytes and commits. save() also reads the file back and compares it with the bytes
   /// (save_file); use it for a user's work that exists nowhere else.
@@ -36,7 +37,7 @@ class Output {
  private:
   explicit Output(std::string name) : name_(std::move(name)) {}
   std::string name_;
-  int fd_ = -1;  // used if written directly
+  int fd_ = -1;  // file descriptor of an output that is written directly
   std::optional<AtomicFile> file_;
 };
 

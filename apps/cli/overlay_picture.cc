@@ -154,7 +154,9 @@ class OverlayPen {
   void label(const Overlay::Label& label) {
     const std::string text = ascii(label.text);
     const Vec place = units(label.at);
-    if (!shows(place)) return;  // otherwise half a word could be visible at the edge
+    if (!shows(place))
+      return;  // the point is outside, and half a word at the edge would be
+               // confusing
     Vec at = place + Vec{6.0, -6.0};
     // Draws the label on the other side of the point if it does not fit into the picture.
     const double width = canvas_.text_width(text, kTextSize);

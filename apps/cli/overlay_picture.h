@@ -23,15 +23,15 @@ SessionView view_of(const Session& session, std::optional<Point> pen);
 /// Returns the smallest part of the page that contains everything in `view`.
 Rect bounds_of(const SessionView& view);
 
-/// Returns the opaque colour of a role. It is one of the colours of plot_color(), which people with
-/// any kind of colour vision can distinguish. Roles that never occur in the same tool may share a
+/// Returns the opaque colour of a role. The colour is one of plot_color(), which people with any
+/// kind of colour vision can distinguish. Roles that never occur in the same tool may share a
 /// colour.
 Rgba role_color(Overlay::Role role) noexcept;
 
 /// Draws a view: marked spans as broad bands below the ink; rings, tethers, vectors (with an arrow
-/// head), outlines, dots and labels above it; the pen on top. The width of overlay lines does not
-/// depend on how much of the page is shown. It is given in units of `scale` / 150 inch. Labels are
-/// ASCII; a degree sign becomes "deg". Fails like render_page().
+/// head), outlines, dots and labels above it; the pen on top. The width of overlay lines is
+/// measured in units of `scale` / 150 inch and does not depend on how much of the page is shown.
+/// Labels are ASCII; a degree sign becomes "deg". Fails like render_page().
 Result<Image> draw_view(const SessionView& view, const PictureOptions& options, double scale = 1.0);
 
 }  // namespace felt::cli

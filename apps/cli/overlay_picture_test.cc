@@ -17,7 +17,7 @@ constexpr std::array kRoles{Role::kReach,    Role::kSnap,   Role::kTether,
                             Role::kGuide,    Role::kSpan,   Role::kVector,
                             Role::kSelected, Role::kHandle, Role::kCut};
 
-/// 100 x 100 mm at 2 pixels a mm.
+/// A view of 100 x 100 mm with 2 pixels per mm.
 PictureOptions small_sheet() {
   PictureOptions options;
   options.dpi = 50.8;

@@ -28,8 +28,9 @@ class Packer {
   std::string bytes_;
 };
 
-/// Decodes the bytes of a Packer. If values are missing, for example because the child died while
-/// it wrote, they are decoded as empty, and is_good() stays false.
+/// Decodes the bytes of a Packer. If values are missing, for example because the child process
+/// ended while it wrote, they are decoded as empty or zero, and is_good() returns false from then
+/// on.
 class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : rest_(bytes) {}

@@ -32,8 +32,9 @@ struct PictureOptions {
   std::shared_ptr<const HeightField> own_relief{};  ///< a user-defined picture, used as the relief
   const HeightField* relief = nullptr;              ///< of --surface; null if smooth
   Grain grain;               ///< the relief shown in the ink; default: solid ink
-  bool has_surface = false;  ///< --surface sets the relief
-  bool wants_grain = false;  ///< --grain: also in .svg and .pdf, and for the drawing's own surface
+  bool has_surface = false;  ///< --surface was given and sets the relief
+  bool wants_grain = false;  ///< --grain was given: grain is also shown in .svg and .pdf, and for
+                             ///< the drawing's own surface
   double grain_dpi = 200.0;  ///< in an .svg or .pdf
   /// The known materials; includes user-defined ones if grain is shown.
   Materials materials = Materials::built_in();
@@ -61,7 +62,8 @@ struct PictureArguments {
 /// Returns nullopt for an empty text and for "fit".
 Result<std::optional<Rect>> parse_page(const std::string& text);
 
-/// Returns the page of a drawing with that size. Fails if the size is not allowed.
+/// Returns a page for a drawing, with the size of `sheet` and the colour `paper`. Fails if the size
+/// is not allowed.
 Result<SheetPage> sheet_page(const Rect& sheet, Rgba paper);
 
 /// Parses "#rrggbb", "#rrggbbaa", "white" or "transparent".

@@ -40,7 +40,7 @@ class WithoutSigpipe {
 }  // namespace
 
 void print_text(std::string_view text) noexcept {
-  // stdout_is_whole() reports errors.
+  // An error is not handled here, because stdout_is_whole() reports it.
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stdout));
 }
 

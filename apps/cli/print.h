@@ -8,7 +8,7 @@
 
 namespace felt::cli {
 
-/// Writes to stdout. If writing fails, that is reported once, at the end of the program.
+/// Writes to stdout. A failure is reported once, at the end of the program.
 void print_text(std::string_view text) noexcept;
 /// Writes to stderr. If a message cannot be written (a full disk, a closed pipe, a closed
 /// terminal), it is dropped, and the program continues.

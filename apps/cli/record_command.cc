@@ -133,7 +133,7 @@ bool agrees_to_forces(const RecordArguments& args) {
 
 /// Ends the program without destructors and exit handlers. Used if one of our threads is stuck in a
 /// call of a vendor's library: the thread still uses the objects that would be destroyed, and exit
-/// handlers of the library may wait for it forever.
+/// handlers of the library may wait for that thread forever.
 [[noreturn]] void end_at_once() {
   std::fflush(stdout);
   std::fflush(stderr);
@@ -185,7 +185,8 @@ RecordOptions record_options(const RecordArguments& args, const Rect& page, Cons
     say("{}\n", instructions);
     return !asks || ask("Ready?");
   };
-  // This is not printed as a notice, because --quiet must not hide a text to which the user agrees.
+  // The text is not printed as a notice, because --quiet hides notices, and the user must see the
+  // text before agreeing.
   options.ask_consent = [&console] {
     console.end_progress();
     say("{}\nEnter again: you agree to forces.\n", kConsent);

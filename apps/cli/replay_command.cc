@@ -384,7 +384,7 @@ Result<Drawing> start_of(const ReplayCommandArguments& args) {
   return args.on.empty() ? Drawing{.has_page = false} : read_start(args.on);
 }
 
-/// Sets the surface and colour of a drawing in a session.
+/// Sets the session's surface and ink colour to those of the drawing.
 Result<void> take_up(const Drawing& start, Session& session) {
   for (const auto& [id, value] : options_of(start, session.materials())) {
     if (Result<void> done = session.apply({0, SetOption{id, value}}); !done) return done;
@@ -392,8 +392,8 @@ Result<void> take_up(const Drawing& start, Session& session) {
   return {};
 }
 
-/// Plays the recording and writes the resulting drawing. `heard` is the result of writing its
-/// sound.
+/// Plays the recording and writes the resulting drawing. `heard` is the result of writing the sound
+/// file.
 Result<void> draw_recorded(const ReplayCommandArguments& args, Drawing start,
                            const Result<void>& heard, Session& session, ReplayOutputs& outputs,
                            Console& console) {

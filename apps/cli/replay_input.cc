@@ -52,7 +52,8 @@ Result<std::vector<StrokePtr>> read_lines(const Input& input) {
   }
 }
 
-/// Applies the newest recording in a drawing, and returns the other content of that drawing.
+/// Applies the newest recording in a drawing to the session. Returns the drawing's page, palette
+/// and view, which the recording does not contain.
 Result<Drawing> apply_drawing(const Input& input, const ReadImport& read_import, Session& session) {
   const Result<Imported> opened = input.read_drawing({});
   if (!opened) return tl::unexpected(with_context(opened.error(), input.name()));

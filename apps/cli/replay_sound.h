@@ -15,13 +15,14 @@
 namespace felt::cli {
 
 /// Writes a sound file in a format that every player reads: RIFF/WAVE, PCM, 16 bit, one channel, 48
-/// kHz. The file begins with its length, which is known last. Therefore samples are first written
-/// to an unnamed temporary file, and memory does not grow with their number. The file gets its name
-/// when finish() succeeds, not before.
+/// kHz. The file begins with its length, which is known only at the end. Therefore samples are
+/// first written to an unnamed temporary file instead of being kept in memory. The file gets its
+/// name when finish() succeeds, not before.
 class WavFile {
  public:
   static constexpr std::uint32_t kRateHz = 48000;
-  /// Maximum number of samples, because sizes in the header have 32 bits. It lasts about 12 hours.
+  /// Maximum number of samples, because sizes in the header have 32 bits. This is a sound of about
+  /// 12 hours.
   static constexpr std::uint64_t kMaxSamples = 0x7FFFFF00u;
 
   /// Fails if the file cannot be written. Messages begin with its name.

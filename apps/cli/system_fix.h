@@ -13,7 +13,7 @@ struct PlannedFix {
   enum class State {
     kNew,      ///< the file does not exist
     kSame,     ///< the file has the right content
-    kOurs,     ///< our file, but lines are missing; they are added, the others stay
+    kOurs,     ///< written by Feltline, but lines are missing: adds them and keeps the other lines
     kForeign,  ///< not written by Feltline; changed only if the user agrees
   };
   std::string path;      ///< with the prefix
@@ -22,20 +22,21 @@ struct PlannedFix {
   State state = State::kNew;
 };
 
-/// Returns the files that the fixes of the findings would write, each once, with its current state.
-/// A file that Feltline wrote earlier keeps its lines, because the findings are only about the
-/// devices that are connected now and about this user. Paths begin with `prefix`; if it is not
-/// empty, nothing is activated. Fails if a fix is not allowed: if its file is outside the folders
-/// for such files, or if it has a command of its own. The check is needed because the findings come
-/// from a process with a vendor's library, and the fixes run as root.
+/// Returns the files that the fixes of the findings would write, with their current states. Each
+/// file is returned once. A file that Feltline wrote earlier keeps its lines, because the findings
+/// are only about the devices that are connected now and about this user. Paths begin with
+/// `prefix`. If `prefix` is not empty, no activation commands are run. Fails if a fix is not
+/// allowed, because its file is outside the folders for such files or because its command is not
+/// one that Feltline runs as root. The check is needed because the findings come from a process
+/// with a vendor's library, and the fixes run as root.
 Result<std::vector<PlannedFix>> plan_fixes(const DoctorReport& report, const SystemView& system,
                                            const std::string& prefix);
 
 /// Returns a description of the planned changes, so that the user can decide.
 std::string plan_text(const std::vector<PlannedFix>& fixes);
 
-/// Writes the file. Writes directly if the prefix is set or the user is root; otherwise runs sudo
-/// or pkexec, which ask for a password. Prints each command that it runs to stderr. Fails if a step
+/// Writes the file directly if the prefix is set or the user is root; otherwise runs sudo or
+/// pkexec, which ask for a password. Prints each command that it runs to stderr. Fails if a step
 /// fails; earlier steps are not undone.
 Result<void> write_fix(const PlannedFix& fix, bool has_prefix);
 /// Runs the commands that activate the files. Runs each command once.

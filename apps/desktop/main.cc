@@ -146,7 +146,8 @@ int main(int argc, char** argv) {
   const std::span arguments(argv, std::size_t(argc));
   const bool is_picture = has(arguments, {"--screenshot"});
   if (is_picture && !is_set("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  // Uses neither the user's settings nor those of the previous picture.
+  // For a picture, the settings are in an empty temporary folder, so that neither the user's
+  // settings nor those of a previous picture are used.
   std::optional<QTemporaryDir> nobodys;
   if (is_picture) {
     if (nobodys.emplace().isValid()) qputenv("HOME", nobodys->path().toLocal8Bit());

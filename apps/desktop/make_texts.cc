@@ -29,7 +29,7 @@ constexpr const char* kEdits[] = {
     QT_TRANSLATE_NOOP("edits", "Show layer"),   QT_TRANSLATE_NOOP("edits", "Unlock layer"),
 };
 
-/// The texts of one context, each once.
+/// The set of texts of one translation context.
 using Texts = std::set<std::string, std::less<>>;
 
 void add(Texts& texts, std::string_view text) {

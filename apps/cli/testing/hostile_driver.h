@@ -15,8 +15,8 @@
 
 namespace felt::cli {
 
-/// For tests: a driver that finds what the test specifies, or misbehaves like the worst vendor
-/// libraries.
+/// A driver for tests. It finds the devices that the test specifies, or misbehaves like the worst
+/// vendor libraries.
 class HostileDriver final : public Driver {
  public:
   enum class Manner { kWell, kCrashes, kHangs, kExits, kThrows, kPrints };

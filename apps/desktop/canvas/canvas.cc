@@ -15,9 +15,10 @@ namespace felt::desktop {
 namespace {
 
 constexpr int kPlaceMs = 40;     // time between two `place_changed`
-constexpr double kDearMs = 1.0;  // if a refresh and its paint take less, the next one is immediate
+constexpr double kDearMs = 1.0;  // if a refresh and its paint take less, the next refresh need not
+                                 // wait
 constexpr double kMaxPaceMs = 33;
-constexpr int kLongSegments = 400;  // the tiles need some time to show a longer stroke
+constexpr int kLongSegments = 400;  // a stroke with more segments is not in the tiles immediately
 constexpr int kDryMs = 8;
 constexpr int kSizeMs = 1200;  // shows the ring of a changed size for this time
 
@@ -177,7 +178,8 @@ void Canvas::set_outline_mode(bool on) {
   update();
 }
 
-/// Lays everything out and paints it again. Called if everything has moved.
+/// Computes the positions of everything again and repaints the whole widget. Called if the view or
+/// the size changed.
 void Canvas::lay_out() {
   dpr_ = devicePixelRatioF();
   ink_.set_view(view_, dpr_);
@@ -274,8 +276,8 @@ void Canvas::on_edit(const Edit& edit) {
   Shown& s = *shown_;
   ink_.apply(edit);
   take_layers();
-  // The ink that was wet is in the document. If the tiles need some time to show its strokes, it
-  // stays visible until then: it dries.
+  // The document now contains the strokes of the wet ink. If one of them is so long that the tiles
+  // will not show it immediately, the wet ink stays visible as drying ink.
   const auto is_long = [](const StrokeChange& change) {
     return change.after && change.after->segment_count() > kLongSegments;
   };

@@ -18,9 +18,9 @@ struct PenMark;
 /// The drawing area of the window: shows the paper, the ink, the wet ink, the tool's marks and the
 /// pen. It only displays; the folder `pens` handles the pen with an event filter on this widget.
 ///
-/// From bottom to top it paints the background and paper, marked spans as bands, dry ink
-/// (InkView), wet ink, marks, and the nib. When the studio has changed, it repaints only the part
-/// that looks different.
+/// From bottom to top it paints the background and paper, marked spans as bands, dry ink (InkView),
+/// wet ink, marks, and the nib. When the studio has changed, the canvas repaints only the part that
+/// looks different.
 class Canvas : public QWidget {
   Q_OBJECT
 
@@ -32,7 +32,8 @@ class Canvas : public QWidget {
   [[nodiscard]] const CanvasView& view() const noexcept { return view_; }
   /// Sets the view and emits `view_changed`.
   void set_view(const CanvasView& view);
-  /// Fits the whole page into the widget, also after each resize, until the view is changed.
+  /// Fits the whole page into the widget, and does so again after each resize until the user or the
+  /// program changes the view.
   void fit_page();
   /// Fits the selection, or the whole page if nothing is selected.
   void fit_selection();
@@ -55,10 +56,11 @@ class Canvas : public QWidget {
   /// Sets the message about the pen's pressure, translated, that the canvas shows while the drawing
   /// is empty. If `status` is empty, the canvas derives the message from the samples.
   void set_pen_status(const QString& status);
-  /// Sets the name of the right mouse button's action, for the hint; "" if it has none.
+  /// Sets the name of the right mouse button's action, which the hint shows; "" if the button has
+  /// no action.
   void set_right_button(const QString& what);
-  /// Returns the canvas's cursor, a small precise cross, so that it can be restored after another
-  /// cursor was set.
+  /// Returns the canvas's own cursor, a small precise cross. Code that sets another cursor restores
+  /// this one afterwards.
   [[nodiscard]] const QCursor& pen_cursor() const noexcept { return pen_cursor_; }
 
   /// Returns true if the widget got the focus by Tab, F6 or another key.
@@ -114,7 +116,7 @@ class Canvas : public QWidget {
   QCursor pen_cursor_;
   QString pen_status_;
   QString right_button_;
-  QTimer pace_;  // runs until the next refresh if refreshes are slow
+  QTimer pace_;  // runs until the next refresh is allowed, if refreshes are slow
   QElapsedTimer clock_;
   QRegion painting_;          // the region being painted
   double paint_ms_ = 0.0;     // duration of the last paint

@@ -9,7 +9,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kMaxParts = 6;  // if there are more, paint their bounding rectangle
+constexpr int kMaxParts = 6;  // if a region has more rectangles, paint their bounding rectangle
 
 /// Splits a region of the widget into rectangles that are painted one after the other. Qt clips
 /// painting to whole device pixels. At a fractional scale, a rectangle may end within a device
@@ -76,8 +76,8 @@ void Canvas::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painting_ = event->region();
-  ink_.paint(painter, {});  // also accepts the tiles that the worker has finished since, including
-                            // those of this part
+  ink_.paint(painter, {});  // paints nothing, but accepts the tiles that the worker has finished;
+                            // because painting_ is set, this part is not scheduled again
   painting_ = {};
   paint_ground(painter, event->region());
   paint_marks(painter, event->region());
@@ -91,7 +91,7 @@ void Canvas::paintEvent(QPaintEvent* event) {
   paint_ms_ = static_cast<double>(clock_.nsecsElapsed() - begin_ns) * 1e-6;
 }
 
-/// Paints background, paper, bands and ink, which are pictures, rectangle by rectangle.
+/// Paints the background, the paper, the bands and the ink, one rectangle after the other.
 void Canvas::paint_ground(QPainter& painter, const QRegion& region) {
   Shown& s = *shown_;
   const QList<QRect> parts = parts_of(region, dpr_);
@@ -109,7 +109,8 @@ void Canvas::paint_ground(QPainter& painter, const QRegion& region) {
   painter.setClipping(false);
 }
 
-/// Paints lines and texts. Each is painted once for the whole region, to which Qt clips it.
+/// Paints the lines and texts over the ink. Each one is painted only once, and Qt clips it to the
+/// whole region.
 void Canvas::paint_marks(QPainter& painter, const QRegion& region) {
   Shown& s = *shown_;
   if (s.shows_first_minute && region.intersects(s.first_minute.area(size(), font()))) {

@@ -16,7 +16,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kFeltN = 0.02;   // smallest force that the user should feel
-constexpr double kShrink = 0.35;  // shrinks the nib by this share at an attraction of 1 N
+constexpr double kShrink = 0.35;  // share by which an attraction of 1 N shrinks the nib
 
 /// Returns the width of the line that a mouse would draw, or 0 if the current tool draws no line.
 double drawn_width_mm(const Session& session) {

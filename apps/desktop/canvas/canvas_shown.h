@@ -25,10 +25,10 @@ struct Canvas::Shown {
   FirstMinute first_minute;
   bool shows_first_minute = false;
   PseudoCursor cursor;
-  std::int64_t cursor_ns = 0;  // time when it was last computed
+  std::int64_t cursor_ns = 0;  // time at which `cursor` was last computed
   QTimer size_ring;            // active while the size ring is shown
-  QTimer place;                // runs until `place_changed`, because users read more slowly than a
-                               // pen moves
+  QTimer place;                // delays `place_changed`, because users cannot read the position as
+                               // fast as a pen moves
 };
 
 }  // namespace felt::desktop

@@ -22,7 +22,8 @@ class CanvasView {
   /// Returns the transform from mm to widget pixels: mirroring, rotation and scale.
   [[nodiscard]] QTransform transform() const;
   [[nodiscard]] double px_per_mm() const noexcept { return px_per_mm_; }
-  /// Returns the angle on the screen, clockwise, -180..180 degrees. It applies after mirroring.
+  /// Returns the clockwise angle by which the page is turned on the screen, -180..180 degrees. The
+  /// page is mirrored first and then turned.
   [[nodiscard]] double angle_deg() const noexcept { return angle_deg_; }
   [[nodiscard]] bool is_mirrored() const noexcept { return mirrored_; }
   /// Returns the bounding box of the visible part of the plane, in mm.
@@ -31,16 +32,17 @@ class CanvasView {
   void set_size(QSizeF px) { size_ = px; }
   [[nodiscard]] QSizeF size() const noexcept { return size_; }
   void pan(QPointF px);
-  /// Zooms so that the point under `at` keeps its position. Ignores factors that are not positive.
+  /// Zooms so that the point of the page under `at` keeps its position on the screen. Ignores
+  /// factors that are not positive.
   void zoom(double factor, QPointF at);
   void turn(double degrees, QPointF at);
   void set_angle(double degrees);
-  /// Mirrors the visible picture about the middle of the widget: swaps left and right, and negates
-  /// the rotation.
+  /// Mirrors the visible picture about the vertical line through the middle of the widget: swaps
+  /// left and right, and negates the rotation.
   void mirror();
   /// Fits the rectangle into the widget with a margin; keeps the rotation.
   void fit(const Rect& mm, double margin_px = 24.0);
-  /// Sets the scale. A scale equal to the screen's pixels per mm shows life size.
+  /// Sets the scale. If it equals the screen's pixels per mm, the page is shown in life size.
   void set_scale(double px_per_mm);
   void center_on(Point mm) { center_ = mm; }
 

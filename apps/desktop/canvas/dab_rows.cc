@@ -11,7 +11,8 @@
 namespace felt::desktop {
 namespace {
 
-/// If a row is cut kSeamPx outside of a part, the cut is not visible inside the part.
+/// Rows are cut at least kSeamPx outside of a part, so that the cut ends are not visible in the
+/// part.
 constexpr double kSeamPx = 2.0;
 /// Points farther away than kFarPx are not visible, and their numbers lose precision.
 constexpr double kFarPx = 1e7;

@@ -38,9 +38,9 @@ struct DeviceView {
 };
 
 /// Curves of changing width as rows of round dabs of ink, in device pixels. Wet ink and bands are
-/// drawn from them. A part of the picture can be traced alone and then looks exactly as if the
-/// whole picture had been traced. Therefore only the changed part is painted again, and
-/// transparent ink does not overlap itself.
+/// drawn from them. If only a part of the picture is traced, it looks exactly as if the whole
+/// picture had been traced, so it is enough to paint the changed part again. The rows of a part are
+/// filled in one pass, so that transparent ink does not overlap itself.
 class DabRows {
  public:
   /// Sets the view. Curves are rasterised as finely as dry ink.
@@ -67,7 +67,8 @@ class DabRows {
 
  private:
   struct Piece {
-    std::size_t first = 0;  ///< first dab; if not begins_row, the last dab of the previous piece
+    std::size_t first = 0;  ///< index of the first dab, which is the last dab of the previous piece
+                            ///< unless begins_row
     Rect box;               ///< bounds including the width, device pixels
     bool begins_row = false;
   };

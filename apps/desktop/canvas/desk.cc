@@ -9,9 +9,9 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kShadowDownPx = 2.0;
-constexpr std::array<double, 8> kShadowPx{2, 4, 7, 10, 13, 16, 19, 22};  // widths of the layered
-                                                                         // outlines: twice the
-                                                                         // reach of the shadow
+constexpr std::array<double, 8> kShadowPx{2, 4, 7, 10, 13, 16, 19, 22};  // line widths of the
+                                                                         // outlines that together
+                                                                         // form the shadow
 constexpr int kShadowAlpha = 6;                                          // alpha of each layer
 
 }  // namespace

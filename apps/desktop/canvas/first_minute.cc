@@ -11,8 +11,8 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kTitleSize = 1.7, kTextSize = 1.15;  // factors of the program's font size
-constexpr double kQuiet = 0.62;                       // share of the ink's colour in the text's
-                                                      // colour
+constexpr double kQuiet = 0.62;                       // share of the ink's colour in the colour of
+                                                      // the text; the rest is the paper's colour
 
 QString first_minute_text(const char* text) {
   return QCoreApplication::translate("FirstMinute", text);

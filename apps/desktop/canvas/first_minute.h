@@ -7,8 +7,8 @@
 
 namespace felt::desktop {
 
-/// The hints on an empty page for a new user: how to draw, how to correct, how to undo, and
-/// whether the pen senses pressure. They are three unobtrusive lines and a status line.
+/// The hints on an empty page for a new user: three unobtrusive lines on how to draw, how to
+/// correct and how to undo, and a line that says whether the pen senses pressure.
 class FirstMinute {
  public:
   /// Sets the texts. `pull_key` is as in ToolInfo; `status` is the translated text about pressure.

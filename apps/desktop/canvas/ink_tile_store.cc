@@ -19,7 +19,8 @@ PixelRect united(PixelRect a, PixelRect b) noexcept {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
 }
 
-/// Returns the whole pixels around an area. Clamps distant ones so that they fit integers.
+/// Returns the smallest rectangle of whole pixels around an area. Clamps coordinates that do not
+/// fit into an integer.
 PlaneRect pixels_around(const Rect& px) noexcept {
   const auto whole = [](double x) { return static_cast<std::int64_t>(std::clamp(x, -1e15, 1e15)); };
   return {whole(std::floor(px.x0 - kEdgePx)), whole(std::floor(px.y0 - kEdgePx)),
@@ -67,7 +68,8 @@ void InkTileStore::open(const Document& document) {
 void InkTileStore::apply(const Edit& edit) {
   InkDamage areas;
   drop_splits();
-  // The document refused the edit, so it is invalid here, too. The preview ends in any case.
+  // An error is ignored: an edit that is invalid here was also refused by the document. The preview
+  // ends in any case.
   static_cast<void>(scene_->apply(edit, areas));
   damage(areas);
 }
@@ -112,7 +114,8 @@ std::size_t InkTileStore::tile_count() const noexcept {
   return count;
 }
 
-/// Ends the preview. Draws tiles again whose pixels were rounded for speed.
+/// Drops the data that made repeated previews fast. Tiles with slightly inexact pixels, which are
+/// the result of this method, are marked to be painted again.
 void InkTileStore::drop_splits() {
   for (auto& [id, plane] : planes_) {
     for (auto& [place, tile] : plane.tiles) {
@@ -163,8 +166,8 @@ InkTileStore::Need InkTileStore::plan() {
   return choice_.need;
 }
 
-/// Returns that tile in `area` which needs work and is nearest to the middle of the view. Existing
-/// but outdated tiles come first.
+/// Of the tiles in `area` that need work, returns the tile nearest to the middle of the view. If
+/// `only_made`, considers only existing tiles that are outdated; otherwise also missing tiles.
 std::optional<InkTileStore::Choice> InkTileStore::nearest(const Plane& plane, const PlaneRect& area,
                                                           bool only_made) const {
   if (area.empty()) return std::nullopt;

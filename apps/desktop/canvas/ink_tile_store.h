@@ -18,8 +18,8 @@ class InkTileStore {
   /// The urgency of the next piece of work.
   enum class Need { kRepair, kMissing, kAround, kNone };
 
-  /// `most_bytes` is the approximate memory limit of all tiles. Tiles of the view are kept even
-  /// above it.
+  /// `most_bytes` is the approximate memory limit of all tiles. Tiles of the view are kept even if
+  /// they need more memory.
   explicit InkTileStore(std::size_t most_bytes = std::size_t{256} << 20U)
       : most_bytes_(most_bytes) {}
 
@@ -35,8 +35,8 @@ class InkTileStore {
   /// Chooses the work for the next call of work() and returns how urgent it is.
   Need plan();
   /// Makes or repairs the tile that plan() chose. Calls `should_stop` between strokes. The next
-  /// call resumes interrupted work unless something else has become more urgent. `order` is copied
-  /// into the news.
+  /// call resumes interrupted work unless something else has become more urgent. `order` becomes
+  /// TileNews::order.
   void work(std::uint64_t order, const std::function<bool()>& should_stop,
             std::vector<TileNews>& news);
   [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
@@ -47,7 +47,8 @@ class InkTileStore {
     TilePtr picture;
     PixelRect dirty;
     bool is_made = false;
-    bool must_finish = false;  // an attempt became outdated: do not interrupt the next one
+    bool must_finish = false;  // an interrupted attempt became outdated, so the next attempt must
+                               // not be interrupted
     std::uint64_t damages = 0;
     std::uint64_t used = 0;
     std::unique_ptr<TileSplit> split;

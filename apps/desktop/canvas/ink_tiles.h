@@ -66,14 +66,14 @@ struct TilePicture {
 /// A published tile. Null means that the tile has no ink.
 using TilePtr = std::shared_ptr<const TilePicture>;
 
-/// A plane shows the drawing at one scale, angle and style, with pixel (0, 0) at a fixed point.
-/// Tiles are parts of a plane. Panning does not change the pixels of a plane.
+/// A plane is a picture of the whole drawing at one scale, angle and style. It is divided into
+/// tiles. Its pixel (0, 0) is at a fixed point of the page, so panning does not change the pixels.
 struct PlaneSpec {
   std::uint64_t id = 0;
   View view;
   InkStyle style;
-  /// If set, the plane shows only the layers above this one. They cover new ink, which is drawn in
-  /// this layer.
+  /// If set, the plane shows only the layers above this one. New ink is drawn in this layer, so the
+  /// layers above cover it.
   std::optional<LayerId> above{};
 };
 
@@ -84,7 +84,7 @@ struct TileNews {
   bool is_there = true;
   TilePtr picture;
   PixelRect changed;        ///< changed part of the tile
-  std::uint64_t order = 0;  ///< the tile shows every order up to this number
+  std::uint64_t order = 0;  ///< the tile contains the effect of every order up to this number
 };
 
 }  // namespace felt::desktop

@@ -15,11 +15,11 @@
 namespace felt::desktop {
 namespace {
 
-/// A new stroke must appear in the very next frame. Painting therefore waits for the worker, at
-/// most kPatience; the worker usually needs a fraction of it.
+/// A new stroke must appear in the very next frame. Painting therefore waits for the worker for at
+/// most kPatience; the worker usually needs only a fraction of this time.
 constexpr std::chrono::microseconds kPatience{2000};
 
-/// Maximum number of strokes of one edit that are painted here if the worker is late.
+/// Maximum number of strokes of one edit that InkView itself paints if the worker is late.
 constexpr std::size_t kMaxFresh = 8;
 constexpr int kMaxFreshSegments = 400;
 
@@ -125,8 +125,8 @@ void InkView::State::choose_plane() {
     const InkStyle look{grain, is_outline ? kHairPx * std::max(1.0, dpr) : 0.0};
     planes.push_back({{++last_plane, now, look}, style, {}});
     if (planes.size() > kMaxPlanes) {
-      // Drops the plane that covers the least of the view. Therefore the last complete picture
-      // stays if the user zooms faster than tiles are made.
+      // Drops the plane whose tiles cover the smallest share of the view. Therefore the last
+      // complete picture is kept if the user zooms faster than tiles are made.
       const auto least = std::min_element(
           planes.begin(), planes.end() - 1,
           [&](const Plane& a, const Plane& b) { return covered(a, now) < covered(b, now); });
@@ -329,14 +329,14 @@ void InkView::take_over(TileNews& news) {
   if (news.order < s.opened) return;
   const bool is_first = s.over->tiles.count(news.place) == 0;
   s.over->tiles[news.place] = {std::move(news.picture), news.order};
-  // Ink that was drawn since then was painted without this tile.
+  // New ink may already have been painted without this tile above it, so the area is painted again.
   const PlaneRect part = rect_of(news.place).intersected(s.seen());
   if (is_first && !part.empty()) Q_EMIT changed(s.on_widget(part));
 }
 
-/// Waits a little for the worker and copies the tiles of the current plane. Fills missing tiles
-/// from the plane that covers most of the view. Paints new strokes over tiles that are older than
-/// these strokes.
+/// Waits at most kPatience for the worker and then copies the tiles of the current plane. Fills
+/// missing tiles from the plane that covers most of the view. Paints new strokes over tiles that
+/// are older than these strokes.
 void InkView::paint(QPainter& painter, const QRect& part) {
   State& s = *state_;
   if (s.planes.empty()) return;

@@ -36,8 +36,8 @@ class InkView : public QObject {
 
   void set_document(const Document& document);
   void apply(const Edit& edit);
-  /// Shows `preview` applied to the document, replacing any previous preview. Cheap if all
-  /// previews of a gesture change the same strokes, which is usual.
+  /// Shows `preview` applied to the document, replacing any previous preview. This is fast if all
+  /// previews of a gesture change the same strokes, as they usually do.
   void show(const std::optional<Edit>& preview);
   /// Sets the view. `dpr` is the number of device pixels per widget pixel.
   void set_view(const CanvasView& view, double dpr);
@@ -46,16 +46,16 @@ class InkView : public QObject {
   void set_grain(const Grain& grain);
   /// Sets whether strokes are shown only as hairlines along their centres.
   void set_outline_mode(bool on);
-  /// Sets the layer of new ink, which the layers above it cover. Without a layer, new ink is above
-  /// all ink.
+  /// Sets the layer of new ink; the layers above it cover new ink. Without a layer, new ink is
+  /// painted above all other ink.
   void draw_below(std::optional<LayerId> layer);
-  /// Paints the layers that cover new ink over `ink`, a picture of the new ink whose corner is at
-  /// the device pixel `at` of the widget. Paints only where `ink` has ink, so that the caller can
-  /// paint the result over the canvas.
+  /// Paints the layers that cover new ink over `ink`, a picture of the new ink. The top left corner
+  /// of the picture is at the device pixel `at` of the widget. Changes only pixels that have new
+  /// ink, so that the caller can then paint `ink` over the canvas.
   void cover(QImage& ink, QPoint at);
-  /// Returns the exact transform from mm to widget pixels with which the ink is painted: the
-  /// view's transform, shifted by less than a device pixel so that panning can copy pixels. Use it
-  /// for everything that must match the ink without a seam.
+  /// Returns the exact transform from mm to widget pixels with which the ink is painted: the view's
+  /// transform, shifted by less than a device pixel so that panning can copy pixels. Use this
+  /// transform for everything that must be exactly aligned with the ink.
   [[nodiscard]] QTransform transform() const;
   /// Paints the ink of this part of the widget over the painter's existing content.
   void paint(QPainter& painter, const QRect& part);

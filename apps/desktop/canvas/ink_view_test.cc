@@ -18,7 +18,8 @@ namespace {
 
 constexpr QSize kSize(300, 220);
 
-/// Returns the expected picture: every visible stroke, drawn directly, in their sequence.
+/// Returns the expected picture, in which all visible strokes are drawn directly, one after the
+/// other.
 QImage drawn_straight(const Document& document, const QTransform& to_px, double dpr, bool outline,
                       QSize size = kSize) {
   QImage image(size * dpr, QImage::Format_ARGB32_Premultiplied);
@@ -143,8 +144,8 @@ StrokePtr line(Point a, Point b, double width, Rgba color = {0, 0, 0, 255}) {
   return std::make_shared<const Stroke>(Stroke::create(std::move(data)).value());
 }
 
-/// Returns parallel lines across the view, some transparent, and one line that crosses them all
-/// and lies in the middle of the stack.
+/// Returns parallel lines across the view, some of them transparent, and a line that crosses all of
+/// them. Half of the parallel lines are above this line and half below it.
 Document lattice(int lines) {
   Document document;
   EditBuilder builder(document);
@@ -320,7 +321,7 @@ TEST(InkView, TheEndsOfTheWorldAndAnEmptyWidget) {
   }
 }
 
-/// The worker can be ended while it does any work.
+/// The worker can be destroyed at any time, whatever work is in progress.
 TEST(InkView, EndsInTheMiddle) {
   const Document document = lattice(200);
   for (int round = 0; round < 60; ++round) {

@@ -24,8 +24,8 @@ std::uint64_t InkWorker::post(Order order) {
   std::uint64_t number = 0;
   {
     const std::lock_guard lock(mutex_);
-    // If two views or previews follow each other, the first would never be visible and is
-    // replaced.
+    // If two views or two previews wait one after the other, the first would never be visible, so
+    // the second replaces it.
     if (!orders_.empty() && orders_.back().index() == order.index() &&
         (std::holds_alternative<Look>(order) ||
          std::holds_alternative<std::optional<Edit>>(order))) {

@@ -19,10 +19,11 @@
 namespace felt::desktop {
 
 /// A thread that keeps the tiles of a document up to date. Each request is an order with a number.
-/// Orders are processed in sequence, but a preview or view is skipped if the next order replaces
-/// it. The worker makes tiles in this sequence: visible tiles that an edit changed, then missing
-/// tiles from the middle outwards, then the tiles in a margin around the view. Call all functions
-/// from one thread other than the worker's. All functions except `wait` return immediately.
+/// Orders are processed in sequence. A preview or a view is skipped if the next order is also a
+/// preview or a view, respectively. The worker makes tiles in this sequence: visible tiles that an
+/// edit changed, then missing tiles from the middle outwards, then the tiles in a margin around the
+/// view. Call all functions from one thread other than the worker's. All functions except `wait`
+/// return immediately.
 class InkWorker {
  public:
   /// The progress of the orders and the view.
@@ -49,7 +50,7 @@ class InkWorker {
                      const std::optional<PlaneSpec>& over = {});
   std::uint64_t forget(std::uint64_t plane);
 
-  /// Returns and removes the news since the last call, oldest first.
+  /// Returns the news since the last call, oldest first, and removes them from the queue.
   [[nodiscard]] std::vector<TileNews> take_news();
   [[nodiscard]] Stage stage() const;
   /// Returns the number of the last order that the visible tiles show.
@@ -84,7 +85,7 @@ class InkWorker {
   std::vector<TileNews> news_;
   std::uint64_t posted_ = 0;
   Stage stage_ = Stage::kBusy;
-  bool is_idle_ = false;  // true if nothing is left to do, not even around the view
+  bool is_idle_ = false;  // true if no work is left, not even for the tiles around the view
   std::atomic<bool> has_mail_{false};
   std::atomic<bool> quits_{false};
   std::atomic<std::uint64_t> repaired_{0};

@@ -14,8 +14,8 @@
 
 namespace felt::desktop {
 
-/// A shape that is drawn over the ink, in widget pixels. Marks that compare equal look alike, so
-/// that only the differences between two lists have to be painted again.
+/// A shape that is drawn over the ink, in widget pixels. Marks that compare equal look the same.
+/// Therefore only marks that differ between two lists have to be painted again.
 struct Mark {
   enum class Kind : std::uint8_t {
     kLines,   ///< joined lines
@@ -24,7 +24,7 @@ struct Mark {
     kDot,     ///< points[0]
     kLabel,   ///< text in a box from points[0] to points[1]
     kNib,     ///< the point where ink would begin: points[0], size: radius
-    kHand,    ///< the line from the hand to the nib when forces hold the nib back
+    kHand,    ///< the line from the hand to the nib if forces hold the nib back
     kForce,   ///< the force as an arrow at the nib
     kNormal,  ///< a bar for the force out of the surface: points[0], size: height
   };
@@ -32,7 +32,8 @@ struct Mark {
   Overlay::Role role = Overlay::Role::kGuide;
   QPolygonF points = {};
   double size = 0.0;
-  double phase = 0.0;  ///< length of the line before this part, so that dashes continue
+  double phase = 0.0;  ///< length of the line before this part, so that dashes continue without a
+                       ///< jump
   QString text = {};
   QRect box = {};  ///< bounds of everything that is painted
 
@@ -45,24 +46,25 @@ using Marks = std::vector<Mark>;
 struct PenMark {
   QPointF hand;         ///< position of mouse or tablet
   QPointF nib;          ///< position at which the nib is shown
-  double radius = 0.0;  ///< radius of the dot that the pen would draw; 0: no ring around the nib
-  QPointF force_n{};    ///< force in the plane, in screen directions, N; 0: no arrow
-  double out_n = 0.0;   ///< force out of the surface, N; 0: no bar
+  double radius = 0.0;  ///< radius of the dot that the pen would draw; if 0, no ring is drawn
+                        ///< around the nib
+  QPointF force_n{};    ///< force in the plane, in screen directions, N; if 0, no arrow is drawn
+  double out_n = 0.0;   ///< force out of the surface, N; if 0, no bar is drawn
 };
 
 /// Adds the marks of a tool, except wet ink and bands. Skips marks outside of the widget.
 void list_overlay(const Overlay& overlay, const CanvasView& view, const QFont& font, Marks& marks);
 /// Adds the marks for the nib, the hand and the force.
 void list_pen(const PenMark& pen, Marks& marks);
-/// Adds to `region` the area of all marks that are in only one of the two lists, as few
-/// rectangles.
+/// Skips the marks at the start and at the end that are equal in both lists, and adds the areas of
+/// all other marks to `region`. If there are many, adds only their bounding rectangles.
 void add_difference(const Marks& before, const Marks& after, QRegion& region);
 
-/// Returns an opaque colour between a and b; share_of_b is 0 to 1.
+/// Returns the opaque mixture of two colours: `a` if share_of_b is 0, `b` if it is 1.
 QColor mixed(QColor a, QColor b, double share_of_b);
 
-/// The colours of marks on paper. The palette suits any colour vision and is lighter on dark
-/// paper; a halo separates every mark from the ink below.
+/// The colours of marks on paper. People with any kind of colour vision can distinguish the
+/// colours, which are lighter on dark paper. A halo separates every mark from the ink below.
 class MarkLook {
  public:
   explicit MarkLook(QColor paper);

@@ -13,9 +13,9 @@ namespace {
 using Kind = Mark::Kind;
 
 constexpr double kDash = 4.5, kGap = 3.6;
-constexpr double kMaxDashedPx =
-    4000.0;                      // a larger ring looks like a line, and its dashes take long
-constexpr double kHaloPx = 1.5;  // width of the halo on each side of a line
+constexpr double kMaxDashedPx = 4000.0;  // a larger ring looks like a straight line, and painting
+                                         // its dashes would take long
+constexpr double kHaloPx = 1.5;          // width of the halo on each side of a line
 
 QPen halo_pen(double width, const MarkLook& look) {
   return {look.halo(), width + 2 * kHaloPx, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin};

@@ -23,7 +23,8 @@ std::size_t common(std::span<const T> a, std::span<const T> b) {
   return n;
 }
 
-/// Draws pixel for pixel, also at fractional scales, as tiles are drawn.
+/// Draws the image exactly onto the device pixels, also at fractional screen scales, as tiles are
+/// drawn.
 void draw_pixels(QPainter& painter, const QImage& image, const PixelRect& pixels, double dpr) {
   painter.save();
   painter.scale(1.0 / dpr, 1.0 / dpr);
@@ -93,10 +94,10 @@ void WetInkView::set_outline_mode(bool on) {
   set_view(view_);
 }
 
-/// n is the number of unchanged segments at the start: those that both overlays call stable,
-/// followed by those that compare equal. All later segments are replaced. Segments that two
-/// consecutive updates did not change move into the mask (settle()). If a segment that is in the
-/// mask changes, the mask is dropped.
+/// First counts the unchanged segments at the start, n: segments that the previous and the new
+/// overlay call stable, and then segments that compare equal. All later segments are replaced.
+/// Segments that two consecutive changes left as they were are added to the mask (settle()). If a
+/// segment in the mask changes, the mask is dropped.
 QRegion WetInkView::update(const Overlay& overlay) {
   using Ink = std::span<const Overlay::InkSegment>;
   const Ink ink(overlay.ink);
@@ -119,8 +120,8 @@ QRegion WetInkView::update(const Overlay& overlay) {
     add(wet_, segment);
   }
   box.extend(wet_.dabs.bounds(n));
-  // Segments that two updates did not change will stay, so they go into the mask. There they may
-  // look minimally different, so their area is repainted.
+  // Segments that two changes left as they were will probably not change again, so they are added
+  // to the mask. In the mask they may look slightly different, so their area is repainted.
   const std::size_t settled = wet_.settled;
   if (changes) settle(wet_, std::min(std::exchange(wet_.firm, n), n));
   return QRegion(view_.part_of(box)) + view_.part_of(wet_.dabs.bounds(settled, wet_.settled));
@@ -188,7 +189,7 @@ void WetInkView::paint_row(QPainter& painter, const QRect& part, const Row& row,
   draw_pixels(painter, image, pixels, view_.dpr);
 }
 
-/// Accumulates how hard the pen pressed on each pixel of `pixels`.
+/// For each pixel of `pixels`, computes how hard the pen pressed there, which determines the grain.
 void WetInkView::lay(const PixelRect& pixels, const Row& row, double edge) {
   pressure_.begin(pixels, edge);
   row.dabs.ways(pixels, [&](std::span<const Dab> dabs) {

@@ -21,8 +21,8 @@ namespace felt::desktop {
 /// ink. Reuses its buffers.
 class InkBrush {
  public:
-  /// Paints the part of the rows within `part` (widget pixels) in one colour and covers each point
-  /// only once. Requires that the painter uses the widget's transform.
+  /// Paints the rows within `part` (widget pixels) in one colour. Where rows overlap, the colour is
+  /// applied only once. Requires that the painter uses the widget's transform.
   void paint(QPainter& painter, const QRectF& part, const DeviceView& view, const DabRows& rows,
              Rgba color);
   /// Returns how much of each pixel the segments [from, to) cover, as the alpha channel of a white
@@ -40,13 +40,13 @@ class InkBrush {
 };
 
 /// The ink of the stroke in progress, which the tool shows as Overlay::ink sample by sample. It
-/// looks like the finished stroke: same edges, same colour and alpha, same grain. Segments that no
-/// longer change are kept as a coverage mask that stores the maximum for each pixel. Therefore a
-/// sample costs only the new segments and the provisional end, even if the line crosses itself
-/// there.
+/// looks exactly like the finished stroke, with the same edges, colour, alpha and grain. Segments
+/// that no longer change are kept as a coverage mask that stores the maximum for each pixel.
+/// Therefore each sample only requires painting the new segments and the provisional end, even if
+/// the line crosses itself there.
 ///
-/// When the stroke enters the document, the worker may need a moment to update its tiles. Until
-/// then the ink is *drying*: this class still paints it.
+/// When the stroke was added to the document, the worker may need a moment to update its tiles.
+/// Until the tiles contain the stroke, the ink is *drying*: this class continues to paint it.
 class WetInkView {
  public:
   void set_view(const DeviceView& view);
@@ -58,7 +58,8 @@ class WetInkView {
   /// Shows the ink of `overlay`. Returns the part of the widget that changed. Does not compare
   /// stable segments, so that the cost does not depend on the length of the stroke.
   QRegion update(const Overlay& overlay);
-  /// Marks the wet ink as drying, because it is in the document now. let_go() removes it.
+  /// Marks the wet ink as drying. Call it when the document contains the stroke. let_go() removes
+  /// the drying ink and returns the part of the widget that it covered.
   void dry();
   [[nodiscard]] bool is_drying() const noexcept { return !drying_.empty(); }
   QRect let_go();
@@ -66,7 +67,8 @@ class WetInkView {
   /// Returns the width of the wet ink at the pen, in mm.
   [[nodiscard]] double width_mm() const noexcept;
 
-  /// Paints the layers above over `ink`, a picture whose corner is at the device pixel `at`.
+  /// A function that paints the layers above over `ink`, a picture with its top left corner at the
+  /// device pixel `at`.
   using Cover = std::function<void(QImage& ink, QPoint at)>;
   void paint(QPainter& painter, const QRect& part, const Cover& cover = {});
 
@@ -78,7 +80,8 @@ class WetInkView {
     std::size_t stable = 0;    ///< Overlay::ink_stable
     Rgba color;
     std::string material;
-    std::size_t firm = 0;              ///< number of segments that the last change left unchanged
+    std::size_t firm = 0;              ///< number of segments at the start that the last change
+                                       ///< left as they were
     std::size_t settled = 0;           ///< number of segments in the mask
     std::vector<std::uint8_t> mask{};  ///< one byte per device pixel
   };
@@ -107,7 +110,8 @@ class BandView {
   void set_view(const DeviceView& view);
   /// Shows these spans. Returns the part of the widget that changed.
   QRect update(std::span<const Overlay::Span> spans);
-  /// `color_of(role)` must be opaque, because pieces of a band overlap.
+  /// Paints the bands within `part`. `color_of(role)` must return an opaque colour, because pieces
+  /// of a band overlap.
   template <class ColorOf>
   void paint(QPainter& painter, const QRect& part, InkBrush& brush, ColorOf color_of) const {
     for (const auto& [role, rows] : bands_) brush.paint(painter, part, view_, rows, color_of(role));

@@ -8,7 +8,7 @@ namespace felt::desktop::wet_ink_view_test {
 namespace {
 
 constexpr QSize kSize{400, 300};
-constexpr std::size_t kOpen = 3;  // provisional segments at the end of a line
+constexpr std::size_t kOpen = 3;  // number of provisional segments at the end of a line
 
 /// Returns segment i of a line that crosses itself, or of its provisional end.
 Overlay::InkSegment segment(std::size_t i, bool is_open) {

@@ -14,7 +14,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr int kLookMs = 20;
-constexpr double kGoodMm = 2.0;  // an error at a corner of at most kGoodMm cannot be felt
+constexpr double kGoodMm = 2.0;  // the user does not feel an error of at most kGoodMm at a corner
 constexpr QSize kPicturePx{240, 180};
 constexpr int kPictureMargin = 26;
 constexpr double kCornerPx = 7, kNextPx = 11, kPenPx = 4;
@@ -137,8 +137,8 @@ std::uint32_t CalibrationDialog::read() {
   }
   place_.reset();
   if (sample && is_finite(sample->position)) place_ = old_.to_device(sample->position);
-  // If the device moves only in the plane, the pen is in the plane. It reports a height just above
-  // or below it to tell whether it is lifted.
+  // If the device senses only two axes, its pen is always in the plane; the height that it reports
+  // only tells whether the pen is lifted. Therefore the height is set to 0.
   if (place_ && device_->device().capabilities().sensed_axes == 2) place_->z = 0.0;
   const std::uint32_t before = std::exchange(buttons_, sample ? sample->buttons : 0);
   return buttons_ & ~before;

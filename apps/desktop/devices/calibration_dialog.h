@@ -14,8 +14,8 @@
 namespace felt::desktop {
 
 /// Asks the user to touch three corners of the intended drawing area, and computes the plane from
-/// them. A picture shows the moving pen. The dialog reads the device itself, or through a Servo if
-/// the vendor's loop must run it. It sends no force.
+/// them. A picture shows the moving pen. The dialog reads the device directly, or through a Servo
+/// if the device works only in the vendor's own loop. It sends no force.
 class CalibrationDialog : public QDialog {
   Q_OBJECT
 
@@ -27,8 +27,9 @@ class CalibrationDialog : public QDialog {
   CalibrationDialog(std::unique_ptr<PenDevice> device, Point middle, QWidget* parent = nullptr);
   ~CalibrationDialog() override;
 
-  /// Calibrates the device in use and stores the result unless the user cancels. Mouse and tablet
-  /// replace the device meanwhile. The device stays open, so that it keeps its homing.
+  /// Calibrates the device in use and stores the result unless the user cancels. While the dialog
+  /// is open, mouse and tablet replace the device in the studio. The device is not closed, so that
+  /// it does not have to be homed again.
   static void run(Studio& studio, QWidget* parent);
 
   /// Records the pen's position as the requested corner. Called by the button, Space and the pen's
@@ -51,7 +52,7 @@ class CalibrationDialog : public QDialog {
   [[nodiscard]] QPointF in_picture(const Vec3& device_mm) const;
 
   std::unique_ptr<PenDevice> device_;
-  std::unique_ptr<Servo> servo_;  // only if the vendor's loop runs the device
+  std::unique_ptr<Servo> servo_;  // null unless the vendor's loop runs the device
   std::unique_ptr<RealtimeThread> loop_;
   PlaneCalibration old_;
   PlaneCalibration usual_;  // the default plane, for the picture until the new one is known

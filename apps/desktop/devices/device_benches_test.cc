@@ -1,5 +1,6 @@
-// Complete sessions of a user with every driver's real code and a simulated vendor's side: the
-// window's studio, its DeviceCare, and the drivers' test benches (tests/devices/drivers).
+// Tests complete sessions of a user with the real code of every driver. The window's studio and its
+// DeviceCare are real; the drivers' test benches (tests/devices/drivers) simulate the vendors'
+// libraries and devices.
 #include <gtest/gtest.h>
 
 #include <QFile>

@@ -16,7 +16,7 @@ namespace {
 /// again.
 constexpr qint64 kSteadyMs = 5000;
 
-/// Returns true if the pen cannot be read, or its position is unknown.
+/// Returns true if, after this fault, the pen cannot be read or its position is unknown.
 bool ends_reading(DeviceFault fault) {
   return fault == DeviceFault::kDisconnected || fault == DeviceFault::kNotCalibrated;
 }
@@ -82,8 +82,8 @@ void DeviceCare::hear() {
     return patience_.start();
   }
   patience_.stop();
-  // When forces are off, the device has nothing to refuse, and the fault ends. Therefore the last
-  // fault is checked.
+  // While forces are off, the device does not refuse any, so the status no longer contains the
+  // fault. Therefore the last fault is checked.
   if (status.last_fault && takes_no_force(*status.last_fault)) {
     say_no_force(*status.last_fault, status);
   }

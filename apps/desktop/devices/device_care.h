@@ -14,20 +14,22 @@
 
 namespace felt::desktop {
 
-/// Manages the device of a window: opens the one that the user chooses, and homes it if needed. If
-/// the device fails, reports the fault, lets the user continue to draw, and reconnects the device.
+/// Manages the device of a window: opens the device that the user chooses, and homes it if needed.
+/// If the device fails, reports the fault, lets the user continue to draw, and reconnects the
+/// device later.
 ///
-/// A device that can no longer be read is closed. The gesture is ended and committed, mouse and
-/// tablet replace the device, and the program waits for it. When it is plugged in again and the
-/// user is not drawing, it is used again automatically, unless the user must act first. Forces are
-/// then off until the user switches them on, and rise from zero. If the device needs homing, or
-/// can only be found by opening it, the user must press a button. A device that only refuses
+/// A device that can no longer be read is closed: the gesture is ended and committed, mouse and
+/// tablet replace the device, and the program waits until the device is plugged in again. When the
+/// user is not drawing, the device is then used again automatically. If it needs homing, or can be
+/// found only by opening it, the user must press a button instead. After a reconnection, forces are
+/// off until the user switches them on, and rise from zero. A device that can be read but refuses
 /// forces stays in use.
 class DeviceCare : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int kCalmMs = 200;      ///< interval of the checks whether the pen is lifted
+  static constexpr int kCalmMs = 200;      ///< interval at which the program checks whether the pen
+                                           ///< is lifted
   static constexpr int kPatienceMs = 500;  ///< waiting time for a fault that may clear itself
 
   /// Manages the device of this studio; `notice` shows the messages.
@@ -67,7 +69,8 @@ class DeviceCare : public QObject {
   QPointer<QWidget> window_;
   std::unique_ptr<DriverWatch::Watching> watching_;
   QString waits_for_;
-  bool has_failed_ = false;  // it did not open: do not retry until it was unplugged
+  bool has_failed_ = false;  // the device failed or did not open: do not retry until it was
+                             // unplugged
   QElapsedTimer since_back_;
   QTimer calm_;
   QTimer patience_;

@@ -20,8 +20,8 @@ struct DeviceMessage {
   std::vector<Button> buttons = {};
 };
 
-/// Shows a message above the canvas, with its buttons, and the vendor's own message on demand. A
-/// new message replaces the previous one.
+/// Shows a message with its buttons above the canvas. The button "Details" shows the vendor's own
+/// message. A new message replaces the previous one.
 class DeviceNotice : public MessageBar {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class DeviceNotice : public MessageBar {
 
   void say(DeviceMessage message);
   [[nodiscard]] const DeviceMessage& message() const noexcept { return message_; }
-  /// Presses the button with that index, as a click does.
+  /// Presses the button with the index `button`, as a click does.
   void press(std::size_t button);
 
  protected:

@@ -225,7 +225,7 @@ void DevicePage::tell_rows() {
     if (!row->is_real) {
       item->setText(name);
       QPixmap nothing(QSize(kPageIconPx, kPageIconPx) *
-                      devicePixelRatioF());  // gives all names the same start
+                      devicePixelRatioF());  // an empty icon, so that all names are aligned
       nothing.fill(Qt::transparent);
       item->setIcon(in_use ? icon(FeelLevel::kOn) : QIcon(nothing));
       continue;

@@ -15,11 +15,11 @@
 
 namespace felt::desktop {
 
-/// The page "Device" of the preferences: the pen device, its state and its settings. The list
-/// shows real devices first, each with its state. If a device is missing, an extra row offers
-/// help. Then come the exact pen and the simulated styluses. A simulated stylus is used when its
-/// row is selected; a real device only when the button is pressed, because its arm may have to
-/// move. The page searches for devices while it is visible.
+/// The page "Device" of the preferences: the pen device, its state and its settings. The list shows
+/// real devices first, each with its state, and then a row that offers help if a device is missing.
+/// The tablet and the simulated styluses follow. A simulated stylus is used as soon as its row is
+/// selected. A real device is used only when the user presses the button, because its arm may have
+/// to move. The page searches for devices while it is visible.
 class DevicePage : public QWidget {
   Q_OBJECT
 
@@ -65,7 +65,7 @@ class DevicePage : public QWidget {
   QListWidget* list_;
   QLabel* words_;
   QPushButton* use_;
-  QWidget* general_;  // settings of devices that mouse or tablet move
+  QWidget* general_;  // the settings for devices that mouse or tablet move
   QDoubleSpinBox* limit_;
   DeviceSettings* settings_;
   QWidget* cue_row_;

@@ -217,7 +217,8 @@ TEST(CalibrationDialog, ThreeCornersFindTheLeaningPlane) {
   touch(driver, dialog, {50, 140, 0});
   ASSERT_TRUE(dialog.found().has_value());
   const PlaneCalibration& map = dialog.found()->calibration;
-  // Plane and directions are the same; the area lies around the requested centre.
+  // The plane and the directions of its axes do not change; the drawing area lies around the
+  // requested centre.
   const Vec3 p{77, 66, 5};
   EXPECT_NEAR(norm(map.to_sheet(leaning().to_device(p)) - (p + Vec3{23.5, 15, 0})), 0.0, 1e-6);
   EXPECT_LT(dialog.found()->worst_mm, 1e-6);
@@ -359,7 +360,8 @@ TEST(DevicePage, TheStiffestSheetLeavesTheForceLimitsAlone) {
   EXPECT_EQ(studio.loop().force_limit(), 0.0);
 }
 
-// A stick or a wheel has no plane to calibrate, but it pushes a hand as any other device does.
+// A joystick or a wheel has no plane to calibrate, but like any other device it pushes the user's
+// hand.
 TEST(DevicePage, APersonsLimitsHoldForADeviceWithoutAPlane) {
   FakeDriver driver;
   driver.arm->descriptor.has_own_frame = false;

@@ -25,7 +25,7 @@ class HomingDialog : public QDialog {
   /// homing.
   static bool bring_home(PenDevice& device, QWidget* parent);
 
-  /// Starts homing, as the button does after the user agreed or holds the device as asked.
+  /// Starts homing. The button calls it when the user has agreed or holds the device as requested.
   void begin();
   [[nodiscard]] bool is_under_way() const noexcept { return is_under_way_; }
 

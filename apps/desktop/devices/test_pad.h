@@ -8,8 +8,9 @@
 
 namespace felt::desktop {
 
-/// An area to try a device in. It has its own haptic loop, so that the drawing is not affected. It
-/// works only for devices that mouse or tablet move. The loop runs while the area is visible.
+/// An area in which the user tries a device. It has its own studio and haptic loop, so that the
+/// drawing is not affected. It works only with devices that mouse or tablet move. The loop runs
+/// while the area is visible.
 class TestPad : public QWidget {
   Q_OBJECT
 

@@ -10,12 +10,13 @@
 
 namespace felt::desktop {
 
-/// The table of a window's commands by name: "edit.undo", "view.fit_page". Menus, tool bar,
-/// shortcut sheet, remapping and the monkey test all use this table, so that each of them reaches
-/// every command. Each folder adds its commands; the window puts them into menus.
+/// The table of a window's commands by name: "edit.undo", "view.fit_page". The menus, the tool bar,
+/// the shortcut sheet, the page for changing shortcuts and the monkey test all use this table, so
+/// that each of them reaches every command. Each folder adds its commands; the window puts them
+/// into menus.
 ///
-/// A name is menu "." command. The user's shortcuts are stored in the settings "shortcuts/NAME"
-/// and replace the default keys. Use it in Qt's main thread.
+/// A name is menu "." command. The user's shortcuts are stored in the settings "shortcuts/NAME" and
+/// replace the default keys. Use this class in Qt's main thread.
 class Actions : public QObject {
   Q_OBJECT
 
@@ -40,7 +41,8 @@ class Actions : public QObject {
   void set_keys(const QString& name, const QList<QKeySequence>& keys);
   /// Restores the keys that the command was added with.
   void reset_keys(const QString& name);
-  /// Returns the command that has this key now, or null. Ignores the command `but`.
+  /// Returns the command that this key triggers now, or null if there is none. Ignores the command
+  /// `but`.
   [[nodiscard]] QAction* owner_of(const QKeySequence& key, const QAction* but = nullptr) const;
 
  Q_SIGNALS:

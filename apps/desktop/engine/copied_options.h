@@ -6,9 +6,9 @@
 
 namespace felt::desktop {
 
-/// Applies the tool and the options of `from` to `to`, a session that has the defaults. If `to`
-/// refuses an option (for example a material that only the other drawing had), the option keeps
-/// its default.
+/// Selects the tool of `from` in `to` and copies the options. Requires that all options of `to`
+/// have their defaults. If `to` refuses an option (for example a material that only the drawing of
+/// `from` has), the option keeps its default.
 void copy_options(const Session& from, Session& to, std::int64_t now_ns);
 
 }  // namespace felt::desktop

@@ -108,9 +108,9 @@ void CuePlayer::follow_setting() {
   again_.start(refusal_.tries++ == 0 ? kAgainMs : std::min(2 * again_.interval(), kMaxAgainMs));
 }
 
-/// Tries again to open the chosen device. If it is connected but does not open, it may open soon,
-/// because its permissions are set after its file appears, and a mouse may sleep behind its
-/// receiver.
+/// Tries again to open the chosen device. A device that is connected but does not open may open
+/// soon: the system sets the permissions only after the device file appears, and a wireless mouse
+/// may be asleep.
 void CuePlayer::look_again() {
   const QString id = Settings::the().text(QString::fromLatin1(kCueDeviceKey));
   if (find_cue_device(id.toStdString()).first) return follow_setting();

@@ -14,8 +14,8 @@
 
 namespace felt::desktop {
 
-/// Setting: the id of the cue device that the user has chosen; empty (the default) if none. The
-/// chosen device plays whenever it is connected.
+/// Setting: the id of the cue device that the user has chosen, or empty (the default) if the user
+/// has chosen none. The chosen device plays whenever it is connected.
 inline constexpr auto kCueDeviceKey = "devices/cue";
 
 /// A haptic pen, mouse, touchpad or game controller, as shown in lists.
@@ -32,11 +32,12 @@ std::vector<CueDeviceInfo> cue_devices();
 int add_cue_driver(std::shared_ptr<Driver> driver);
 void remove_cue_driver(int number);
 
-/// Plays cues of a drawing on the chosen device: a hum while the pen rubs, and ticks when it
-/// touches, when a tool grabs something and when an end snaps. Each window has one player. It
-/// follows the setting. If the chosen device is not connected, it searches for it every two
-/// seconds; if the device does not open, it retries at growing intervals. The strength of the
-/// forces scales the cues; they are silent while forces are off. Use it in Qt's main thread.
+/// Plays cues of a drawing on the chosen device: a hum while the pen rubs, and ticks when the pen
+/// touches, when a tool grabs something and when an end snaps. Each window has one player, which
+/// follows the setting. If the chosen device is not connected, the player searches for it every two
+/// seconds; if the device does not open, the player retries at growing intervals. The strength of
+/// the forces also scales the cues, and no cues are played while forces are off. Use this class in
+/// Qt's main thread.
 class CuePlayer : public QObject {
   Q_OBJECT
 
@@ -44,14 +45,14 @@ class CuePlayer : public QObject {
   explicit CuePlayer(Studio& studio, QObject* parent = nullptr);
   ~CuePlayer() override;
 
-  /// Returns the id of the device that plays now, or an empty string.
+  /// Returns the id of the device that is open now, or an empty string.
   [[nodiscard]] QString in_use() const;
-  /// Opens the device and closes the previous one; an empty id only closes. Returns false if it
-  /// does not open; then `refused` says why. Does not change the setting.
+  /// Closes the present device. Then opens the device `id`, unless `id` is empty. Returns false if
+  /// the device does not open; then `refused` says why. Does not change the setting.
   bool use(const QString& id);
 
  Q_SIGNALS:
-  /// Emitted when another device plays, or no device any more.
+  /// Emitted when a device was opened or closed.
   void changed();
   /// Reports a sentence for the status line.
   void refused(const QString& why);

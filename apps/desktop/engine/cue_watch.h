@@ -7,19 +7,20 @@
 
 namespace felt::desktop {
 
-/// Finds the events of a session that the hand should feel. The events are: a tool grabbed
-/// something or found nothing to grab; an end reached the point where it would snap; a hovering
-/// pen reached a handle. Uses only what the session shows on the screen. Not thread-safe, but
-/// usable in any thread.
+/// Detects the events of a session that the hand should feel. The events are: a tool grabbed
+/// something; a gesture ended without grabbing anything; the end of a line came so close to a point
+/// that it would snap to it; a hovering pen reached a handle. Uses only the session's overlay and
+/// preview. Not thread-safe, but usable in any thread.
 class CueWatch {
  public:
-  /// A handle counts as reached if it is nearer to the pen than `kFoundMm`, until it is farther
-  /// than 1.5 `kFoundMm`.
+  /// A handle counts as reached when its distance to the pen is at most `kFoundMm`, and until the
+  /// distance exceeds 1.5 `kFoundMm`.
   static constexpr double kFoundMm = 3.0;
 
-  /// Returns the most important event that is true now but was not true at the last call.
+  /// Returns the event that occurred since the last call; if several occurred, the most important
+  /// one.
   std::optional<CueEvent> look(const Session& session, const PenSample& pen);
-  /// Reports an edit of the document, which shows that the gesture grabbed something.
+  /// Must be called when the document was edited, which shows that the gesture grabbed something.
   void edited() noexcept { came_to_something_ = true; }
 
  private:

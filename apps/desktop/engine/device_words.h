@@ -9,7 +9,7 @@ namespace felt::desktop {
 /// A device fault in words for the user.
 struct DeviceWords {
   QString what;     ///< what happened: one sentence
-  QString to_do;    ///< how the session continues and what the user can do
+  QString to_do;    ///< how the user can continue, and what to do about the fault
   QString details;  ///< the vendor's own message and number; may be empty
 };
 

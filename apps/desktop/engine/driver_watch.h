@@ -24,13 +24,14 @@ struct DriverFindings {
 /// Manages the drivers of real devices: finds the devices that are plugged in, and opens them
 /// (PenDriver).
 ///
-/// It searches for devices only while a `Watching` exists, because a list is shown or a lost
-/// device may return. A search runs once a second, on its own thread, so that a slow library
-/// blocks no window. Only one call at a time uses the drivers; opening waits for a running search,
-/// at most kPatienceMs. If the library of a driver has not answered for `stuck_ms`, that driver is
-/// no longer used, and the search continues without it. A device whose library hangs while it is
-/// closed is disconnected, too (OpenDevice). Each process has one DriverWatch, made before the
-/// first window. Use it in the main thread.
+/// It searches for devices only while a `Watching` object exists: while a list of devices is shown,
+/// or while the program waits for a lost device. A search then starts once a second, on its own
+/// thread, so that a slow library does not block a window. Each driver is used by only one call at
+/// a time; opening a device therefore waits for a running call of its driver, but at most
+/// kPatienceMs. If the library of a driver has not answered for `stuck_ms`, that driver is no
+/// longer used, and the search continues without it. A device whose library hangs while the device
+/// is closed is treated as disconnected, too (OpenDevice). Each process has one DriverWatch, which
+/// is made before the first window. Use it in the main thread.
 class DriverWatch : public QObject {
   Q_OBJECT
 
@@ -53,8 +54,7 @@ class DriverWatch : public QObject {
     return cues_;
   }
   [[nodiscard]] const PenDeviceInfo* find(const QString& id) const noexcept;
-  /// Returns true if the id has the form of one of its drivers' ids, even if that device is not
-  /// plugged in.
+  /// Returns true if the id belongs to one of the drivers, even if that device is not plugged in.
   [[nodiscard]] bool knows(const QString& id) const noexcept;
   /// Returns true once the first search is finished.
   [[nodiscard]] bool has_looked() const noexcept { return has_looked_; }

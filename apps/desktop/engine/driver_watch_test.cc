@@ -76,7 +76,7 @@ TEST(DriverWatch, ALibraryThatHangsIsGivenUpAndTheOthersAreFound) {
     ASSERT_TRUE(looked.wait(20'000));
     EXPECT_EQ(watch.found().size(), 1U);
   }
-  gate.open();  // the call returns at last, but nothing waits for it
+  gate.open();  // the call returns, but nothing waits for its result any more
 }
 
 TEST(DriverWatch, EndsAlthoughALibraryHangs) {

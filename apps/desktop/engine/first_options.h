@@ -8,11 +8,12 @@
 
 namespace felt::desktop {
 
-/// The medium at the first start. It is smooth, and exact with a mouse, which presses evenly.
+/// The medium at the first start. A mouse always presses evenly, and this medium draws smooth,
+/// exact lines with even pressure.
 inline constexpr std::string_view kFirstMedium = "ink-pen";
 
-/// Returns an option's row of the table with this program's default. It is the library's default
-/// except for the medium and the widths of a tool that draws.
+/// Returns the option's specification with this program's default value. It differs from the
+/// library's default only for the medium and the widths of a tool that draws.
 [[nodiscard]] inline OptionSpec as_at_first(ToolKind kind, OptionSpec spec) {
   const Medium* medium = kind == ToolKind::kDraws ? find_medium(kFirstMedium) : nullptr;
   if (!medium) return spec;

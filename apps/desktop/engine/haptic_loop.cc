@@ -19,10 +19,10 @@ constexpr int kResting = 16;
 constexpr std::int64_t kAfterTickNs = 60'000;     // delay after which the tick is usually finished
 constexpr int kMaxLateLooks = 4;                  // after kMaxLateLooks checks, wait for the next
                                                   // tick
-constexpr std::int64_t kNearNs = 100'000'000;     // the pen counts as near for this time after it
-                                                  // was moved
-constexpr std::int64_t kRestingNs = 500'000'000;  // the pen counts as resting after this time
-                                                  // without motion
+constexpr std::int64_t kNearNs = 100'000'000;     // for this time after the pointer moved, every
+                                                  // tick is read
+constexpr std::int64_t kRestingNs = 500'000'000;  // after this time without motion, only every 16th
+                                                  // tick is read
 constexpr std::int64_t kStatusNs = 20'000'000;    // quick enough for the eye, and negligible work
 
 /// Returns the ids of unresponsive devices of all windows.
@@ -208,7 +208,7 @@ void HapticLoop::wake() {
   last_event_ns_ = now_ns();
   if (!thread_ || !thread_->is_paused()) return;
   is_running_ = true;
-  Q_EMIT started();  // emitted first, so that the servo gets its sign of life in time
+  Q_EMIT started();  // emitted first, so that the next publish() comes in time for the servo
   thread_->resume();
   set_timer(next_tick_ns() + kAfterTickNs);
 }
@@ -221,7 +221,8 @@ void HapticLoop::pause() {
   Q_EMIT stopped();
 }
 
-/// Returns true if nothing moves by itself: no motors, no simulated body, no line in progress.
+/// Returns true if the loop may pause: there was no event for rest_ns, no gesture is in progress,
+/// and the device cannot move by itself, because it has neither motors nor a simulated body.
 bool HapticLoop::may_pause(std::int64_t now, PenActivity activity) const {
   return thread_ && hand_ && !device_->device().capabilities().has_force() &&
          now - last_event_ns_ > options_.rest_ns && activity == PenActivity::kNone;
@@ -242,7 +243,8 @@ bool HapticLoop::read_samples(const std::function<void(PenSample&)>& handle) {
       handle(sample);
     }
   }
-  // If a device fails, it delivers no samples, but the user must be informed.
+  // A device that fails delivers no samples, but the change of the safety state must still be
+  // reported.
   const TickReport& tick = servo_->latest();
   const bool is_other = std::exchange(reported_safety_, tick.safety.state) != tick.safety.state;
   if (any || is_other) Q_EMIT ticked(tick);
@@ -250,7 +252,8 @@ bool HapticLoop::read_samples(const std::function<void(PenSample&)>& handle) {
 }
 
 /// Sets the timer to a time right after a tick, so that a sample is handled some hundred
-/// microseconds after the device was read. If a tick is late, the next check comes soon.
+/// microseconds after the device was read. If no samples have arrived because a tick is late, the
+/// next check comes soon.
 void HapticLoop::schedule(bool has_samples, PenActivity activity) {
   if (!options_.live) return;
   const std::int64_t now = now_ns();

@@ -19,14 +19,16 @@
 namespace felt::desktop {
 
 /// The haptic loop of a Studio: the pen device, its servo and real-time thread, the simulated hand
-/// that mouse and tablet move, and the timer that says when to read samples. It does not depend on
-/// the drawing; the Studio publishes the forces of its session here and reads the samples.
+/// that mouse and tablet move, and the timer that says when to read samples. The loop does not
+/// depend on the drawing: the Studio publishes the forces of its session here and reads the
+/// samples.
 ///
-/// If the loop is live, a real-time thread ticks the servo. A timer emits `due` right after each
-/// tick while the pen is near, after every fourth tick if the pen was moved a while ago, otherwise
-/// after every 16th. It is a timer because the real-time thread wakes no other thread. If no
-/// motors push, thread and timer pause some seconds after the last event, until wake(). Use it
-/// only in Qt's main thread.
+/// If the loop is live, a real-time thread ticks the servo, and a timer emits `due` shortly after a
+/// tick, when samples can be read. The timer is needed because the real-time thread wakes no other
+/// thread. It fires after every tick while the user holds a device, the pen touches, or the pointer
+/// moved in the last 0.1 s; then after every fourth tick, and from 0.5 s on after every 16th. If
+/// mouse or tablet move a device without forces, thread and timer pause some seconds after the last
+/// event, until wake(). Use this class only in Qt's main thread.
 class HapticLoop : public QObject {
   Q_OBJECT
 
@@ -36,7 +38,8 @@ class HapticLoop : public QObject {
     QString device;
     /// If false, no thread and no timer run; step() advances the time. For tests and pictures.
     bool live = true;
-    /// Time from the last event until a live loop pauses if its device has no motors.
+    /// Time from the last event until a live loop pauses. A loop with a device that has forces, or
+    /// that the user holds, never pauses.
     std::int64_t rest_ns = 3'000'000'000;
   };
   /// The activity of the pen, for schedule().
@@ -53,9 +56,10 @@ class HapticLoop : public QObject {
   [[nodiscard]] PenDevice& device() noexcept { return *device_; }
   /// Returns the device for the session, with the user's force limit.
   [[nodiscard]] UseDevice used_device() const;
-  /// Replaces the device by another that is open and knows its position. Returns the previous
-  /// device, at rest, or null if it is unresponsive; then nothing can use it until Feltline is
-  /// restarted. A gesture ends as if the pen had been lifted.
+  /// Replaces the device by another, which must be open and must know its position. Returns the
+  /// previous device, at rest. Returns null if the previous device is unresponsive; then nothing
+  /// can use it until Feltline is restarted. A gesture in progress ends as if the pen had been
+  /// lifted.
   std::unique_ptr<PenDevice> use_device(std::unique_ptr<PenDevice> device);
   /// Applies another profile to the device. The loop restarts without force. If motors move the
   /// user's hand, forces are switched off.
@@ -64,14 +68,16 @@ class HapticLoop : public QObject {
   [[nodiscard]] DeviceStatus device_status();
   /// Emits device_status_changed if the status changed. Checks at most every 20 ms.
   void check_device();
-  /// Returns true if a loop had to end but the vendor's call for this device did not return, in
-  /// any loop. The device is then disconnected, together with everything that the call may still
-  /// use, and the tablet is used instead; unresponsive_text() explains this to the user.
+  /// Returns true if any loop of this process had to end while a call into the vendor's library for
+  /// this device did not return. Such a device is abandoned, together with all objects that the
+  /// call may still use, and the tablet is used instead; unresponsive_text() explains this to the
+  /// user.
   [[nodiscard]] static bool is_unresponsive(const QString& device_id);
   [[nodiscard]] static QString unresponsive_text(const QString& device_label);
 
   // --- Forces
-  /// Switches forces on or off. At the start they are on if no motors move the user's hand.
+  /// Switches forces on or off. When a loop starts, forces are on only if no motors move the user's
+  /// hand.
   void set_forces(bool on);
   [[nodiscard]] bool forces_are_on() const noexcept { return forces_on_; }
   /// Sets the master strength of all forces, 0..1, which multiplies the forces of the force
@@ -79,8 +85,8 @@ class HapticLoop : public QObject {
   void set_strength(double share);
   [[nodiscard]] double strength() const noexcept { return strength_; }
   /// Sets the largest force that the user wants to feel, 0..SafetyLimits::peak_force_n, in N. The
-  /// loop restarts without force. The session gets the limit with UseDevice, because the width of
-  /// lines depends on the push relative to the limit (with_force_limit).
+  /// loop restarts without force. The session gets the limit by a UseDevice event, because the
+  /// width of lines depends on the ratio of the pen's force to the limit (with_force_limit).
   void set_force_limit(double newton);
   [[nodiscard]] double force_limit() const noexcept { return force_limit_n_; }
 
@@ -92,8 +98,8 @@ class HapticLoop : public QObject {
   bool stop();
   /// Ends the pause. Call it when the user or a program does something.
   void wake();
-  /// Sets the forces of the next ticks. Also serves as the sign of life: the servo ends the force
-  /// if it is not called regularly.
+  /// Sets the forces of the next ticks. Must be called regularly, because the servo switches the
+  /// force off if the calls stop.
   void publish(const ForceModel& force);
   /// Calls `handle` with each sample since the last call, in order and with times on the clock of
   /// now_ns(), and emits ticked. Returns false if no samples were waiting.
@@ -103,7 +109,7 @@ class HapticLoop : public QObject {
   /// Advances the time by one tick. Requires that the loop is not live.
   void step();
   [[nodiscard]] bool is_live() const noexcept { return options_.live; }
-  /// Returns false while the loop is stopped or paused; then its servo's queues must not be used.
+  /// Returns false while the loop is stopped or paused. The servo's queues must then not be used.
   [[nodiscard]] bool is_running() const noexcept { return is_running_; }
   /// Returns the newest tick.
   [[nodiscard]] const TickReport& tick() noexcept { return servo_->latest(); }
@@ -114,42 +120,43 @@ class HapticLoop : public QObject {
   // --- Time
   /// Returns the time on the clock of the session, which continues when the loop restarts.
   [[nodiscard]] std::int64_t now_ns() const noexcept;
-  /// Returns when the next tick is due, on that clock. If the loop is not live, returns a period
-  /// from now.
+  /// Returns the time at which the next tick is due, on the clock of now_ns(). If the loop is not
+  /// live, this is one period from now.
   [[nodiscard]] std::int64_t next_tick_ns() const noexcept;
-  /// Returns the time on that clock at which the servo's own clock was 0.
+  /// Returns the time on the clock of now_ns() at which the servo's own clock was 0.
   [[nodiscard]] std::int64_t start_ns() const noexcept { return start_ns_; }
 
   // --- The simulated hand
-  /// Moves the hand as Studio::point() describes. `device` has the capabilities that the session
-  /// knows; `absent_pressure` is used if a hand does not sense pressure.
+  /// Moves the simulated hand as Studio::point() describes. `device` are the capabilities that the
+  /// session uses; `absent_pressure` is the pressure if the pointer does not report one.
   void point(PointerEvent event, const SurfaceMaterial& surface, const Capabilities& device,
              double absent_pressure);
-  /// Returns true if a pointer moves the hand. Returns false if a script moves it, or if the user
-  /// holds the device.
+  /// Returns true if a pointer has moved the hand. Returns false if only a script has moved it, or
+  /// if the user holds the device.
   [[nodiscard]] bool is_pointed() const noexcept { return hand_ && last_point_ns_ != 0; }
   void set_mouse_pressure(MousePressure mouse);
 
  Q_SIGNALS:
-  /// Emitted when a loop starts or resumes: its servo's queues may be read now.
+  /// Emitted when a loop starts or resumes. The servo's queues may be read from now on.
   void started();
   /// Emitted when the loop stopped or paused. The last samples can be read now; afterwards the
   /// servo may be destroyed. Emitted again if a paused loop stops.
   void stopped();
   /// Emitted when samples may be waiting.
   void due();
-  /// Emitted with every tick report that the main thread saw, in order, for plots. It does not see
-  /// every tick.
+  /// Emitted for plots, in order, with each tick report that the main thread reads. The main thread
+  /// does not read the report of every tick.
   void ticked(const felt::TickReport& report);
-  /// Emitted when the device, or its profile, was replaced and no loop runs: used_device() is new.
+  /// Emitted while no loop runs, after the device or its profile was replaced. used_device()
+  /// returns the new device.
   void device_replaced();
-  /// Emitted when the loop of another device runs.
+  /// Emitted when the loop runs again, with another device.
   void device_changed();
   /// Emitted when the faults or the notice of the device in use changed.
   void device_status_changed(const felt::DeviceStatus& status);
   void forces_changed(bool on);
   void strength_changed(double share);
-  /// Emitted while no loop runs: used_device() is new.
+  /// Emitted while no loop runs. used_device() contains the new limit.
   void force_limit_changed(double newton);
   /// Reports a sentence for the status line.
   void refused(const QString& why);
@@ -172,13 +179,14 @@ class HapticLoop : public QObject {
   bool forces_on_ = false;
   double strength_ = 1.0;
   double force_limit_n_ = SafetyLimits{}.peak_force_n;
-  std::int64_t virtual_ns_ = 0;     // the time if not live
+  std::int64_t virtual_ns_ = 0;     // the present time of a loop that is not live
   std::int64_t start_ns_ = 0;       // value of now_ns() when this loop started
   std::int64_t last_point_ns_ = 0;  // when a pointer last moved the hand
   std::int64_t last_event_ns_ = 0;  // time of the last wake()
   std::int64_t timer_ns_ = 0;       // when the timer fires
   int late_looks_ = 0;              // number of consecutive checks for a tick that is late
-  QString unresponsive_label_;      // label of a device, until it was reported to the user
+  QString unresponsive_label_;      // label of an unresponsive device that was not yet reported to
+                                    // the user
   std::string start_error_;         // the reason if the loop does not run
   // The values that the signals reported last.
   SafetyState reported_safety_ = SafetyState::kOff;

@@ -9,10 +9,10 @@ class QToolButton;
 
 namespace felt::desktop {
 
-/// A message above the canvas that does not block work. It has an icon, a line or two of text,
-/// widgets of a subclass beside them, "Details" below on demand, and a close button. Escape closes
-/// it, too. It does not get the focus; screen readers announce it. It is hidden if it has no
-/// message.
+/// A message above the canvas that does not block work. It has an icon, one or two lines of text,
+/// the widgets of a subclass beside the text, a close button, and details that a button "Details"
+/// shows below. Escape closes it, too. It does not get the focus; screen readers announce it. It is
+/// hidden if it has no message.
 class MessageBar : public QFrame {
   Q_OBJECT
 
@@ -26,8 +26,8 @@ class MessageBar : public QFrame {
   void set_icon(const QPixmap& icon);
   /// Returns the layout between the text and "Details".
   [[nodiscard]] QHBoxLayout& extras() noexcept { return *extras_; }
-  /// Shows the bar with this text and hides the details. `has_details`: whether the message has
-  /// details.
+  /// Shows the bar with this text and hides the details. The "Details" button is visible if
+  /// `has_details`.
   void say(const QString& words, bool has_details);
 
  Q_SIGNALS:

@@ -35,7 +35,7 @@ std::vector<QString>& open_ids() {
   return ids;
 }
 
-/// Returns the name that users say: "Touch" for "3D Systems Touch (Phantom Omni)".
+/// Returns the short name that users know: "Touch" for "3D Systems Touch (Phantom Omni)".
 QString model_of(QString label) {
   label = label.section(QLatin1String(" ("), 0, 0).section(QLatin1Char(':'), 0, 0);
   for (const char* maker : {"3D Systems ", "Novint ", "Force Dimension ", "Haply "}) {
@@ -68,8 +68,9 @@ PenDeviceInfo info_of(const StylusPreset& preset) {
   return info;
 }
 
-/// Returns false for one of mouse and tablet, because a user who draws with both does not want to
-/// choose, and a pen without pressure draws the same with either.
+/// Returns whether the list of devices contains the preset. Of the presets without forces, only the
+/// tablet's is listed, because users who draw with mouse and tablet do not want to choose, and a
+/// pen without pressure draws the same with either preset.
 bool is_offered(const StylusPreset& preset) {
   return preset.capabilities.has_force() || preset.name == kTablet;
 }

@@ -24,20 +24,22 @@ struct PenDeviceInfo {
   QString label;             ///< for the user
   QString short_label = {};  ///< for the status line; if empty, the label is used
   QString note;              ///< one sentence on its use
-  bool moves_hand = false;   ///< true if it has real motors: the user must switch the forces on
-  /// True if it reports its position in its own frame, so that its drawing plane must be
-  /// calibrated.
+  bool moves_hand = false;   ///< true if the device has real motors: the user must switch the
+                             ///< forces on
+  /// True if the device reports its position in its own coordinate frame, so that the position of
+  /// the drawing plane must be calibrated.
   bool has_own_frame = false;
-  /// False if only opening it shows whether it is connected.
+  /// False if the program must open the device to find out whether it is connected.
   bool is_connected = true;
-  QString serial = {};          ///< empty: unknown
-  Capabilities capabilities{};  ///< as far as they are known before it is opened
+  QString serial = {};          ///< empty if the serial number is unknown
+  Capabilities capabilities{};  ///< as far as they are known before the device is opened
 };
 
-/// A device in use: either a device that the user holds, or a simulated one in a simulated hand.
+/// A device in use: either a real device that the user holds, or a simulated device in a simulated
+/// hand.
 class PenDevice {
  public:
-  /// `device` was opened by a driver; `info` describes it as known before it was opened.
+  /// `device` was opened by a driver; `info` is the description from before the device was opened.
   PenDevice(PenDeviceInfo info, std::unique_ptr<OpenDevice> device);
   PenDevice(PenDeviceInfo info, const StylusPreset& preset, const SimulatedHand& hand);
   PenDevice(const PenDevice&) = delete;
@@ -79,16 +81,16 @@ int add_pen_driver(PenDriver driver);
 void remove_pen_driver(int number);
 
 /// Returns all devices that can be chosen on this machine now: "tablet", the devices that drivers
-/// find, and the simulated styluses. With "tablet" the pen is exactly where mouse or tablet report
-/// it, and forces are only shown.
+/// find, and the simulated styluses. With the device "tablet", the pen is exactly at the position
+/// that mouse or tablet report, and forces are only shown on the screen.
 std::vector<PenDeviceInfo> pen_devices();
 
-/// Opens a device. A driver's device respects the user's limits (profile_of). A device with its
-/// own frame uses the user's calibration of the plane, or its default plane, around the middle of
-/// `page`. Fails if no device has that id, if it does not answer, or if its stored profile is
-/// invalid; the error says what to do.
+/// Opens a device. A driver's device respects the user's limits (profile_of). A device with its own
+/// frame uses the plane that the user calibrated, or otherwise its default plane around the middle
+/// of `page`. Fails if no device has that id, if the device does not answer, or if its stored
+/// profile is invalid; the error says what to do.
 Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id, const Rect& page);
-/// Opens a device in the same way, for the page of a new drawing.
+/// Does the same with the page of a new drawing.
 Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id);
 
 /// Returns the device that the user has chosen if it is connected; otherwise the device that is

@@ -21,8 +21,8 @@ namespace felt::desktop {
 ///
 /// The first session goes to "path.ndjson", the next to "path-2.ndjson" and so on. To replay a
 /// session that begins with a drawing, pass that drawing (`replay --on`). While Qt's event loop
-/// runs, data stays in memory for at most 50 ms. Use it in Qt's main thread; it must outlive the
-/// studio.
+/// runs, an event is written at most 50 ms after it was received. Use this class in Qt's main
+/// thread. The object must outlive the studio.
 class RecordingFile : public QObject {
   Q_OBJECT
 
@@ -56,8 +56,8 @@ class RecordingFile : public QObject {
   int session_ = 0;
 };
 
-/// Makes the studio that is created with these options record itself. Returns null if `path` is
-/// empty.
+/// Changes `options` so that a studio that is created with them records its sessions into the
+/// returned file. Returns null if `path` is empty.
 std::unique_ptr<RecordingFile> record_into(const QString& path, StudioOptions& options);
 
 }  // namespace felt::desktop

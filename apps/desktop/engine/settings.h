@@ -7,10 +7,11 @@
 namespace felt::desktop {
 
 /// The user's settings, stored in the XDG configuration folder as one flat table,
-/// "pens/pressure_curve" -> value. Each folder defines its own keys, with their defaults, in its
-/// own header. Reading is cheap because the table is in memory.
+/// "pens/pressure_curve" -> value. Each source folder defines its own keys and their defaults in a
+/// header. Reading is cheap because the table is in memory.
 ///
-/// Each process has one object, made before the first window. Use it in qApp's thread.
+/// Each process has one Settings object, which is made before the first window. Use it in qApp's
+/// thread.
 class Settings : public QObject {
   Q_OBJECT
 

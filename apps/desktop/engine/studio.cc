@@ -148,8 +148,8 @@ void Studio::set_saved(const ChangeMark& mark) {
   update_modified();
 }
 
-/// Updates is_modified(). When everything since the last save was undone, or redone, it is false
-/// again.
+/// Updates is_modified(). It becomes false again when undo or redo return to the state that was
+/// saved.
 void Studio::update_modified() {
   report_modified(has_other_changes_ || session_->history().position() != saved_position_);
 }
@@ -254,17 +254,17 @@ void Studio::advance(std::int64_t ns) {
   process();
 }
 
-/// Returns the time for an event. It lies after the samples that the session has handled, and
-/// usually before those that the loop will deliver next, because the events of a recording have
-/// increasing times.
+/// Returns the time for an event. The time is later than that of every sample that the session has
+/// handled, and usually earlier than that of the next samples, because the events of a recording
+/// must have increasing times.
 std::int64_t Studio::event_time_ns() {
   constexpr std::int64_t kInTransitNs = 5'000'000;
   return last_event_ns_ = std::max(last_event_ns_, now_ns() - kInTransitNs);
 }
 
-/// Clears the selection when the pencil first touches, so that a colour that is chosen for the
-/// next line does not change the selected lines, such as a paste. Uses an event, so that a
-/// recording contains it.
+/// Clears the selection when the pencil first touches the surface. Otherwise a colour that the user
+/// chooses for the next line would also change the selected lines, such as those of a paste.
+/// Applies an event, so that a recording contains this change.
 void Studio::deselect_for_drawing(const PenSample& sample) {
   const bool begins = !std::exchange(was_in_contact_, in_contact(sample)) && in_contact(sample);
   if (!begins || session_->selection().empty() || session_->tool().info().kind != ToolKind::kDraws)

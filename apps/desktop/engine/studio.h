@@ -55,45 +55,47 @@ class Studio : public QObject {
   /// is updated.
   void set_user_materials(const Materials& known);
   /// Sets the page. This is not a step of undo, but it is an unsaved change. The session uses the
-  /// page's surface, or keeps the previous one if the page names none or an unknown one. When the
-  /// user chooses a surface ("sheet.material"), it becomes the page's surface. If the paper is
-  /// white or has the usual colour of the previous surface, it gets the usual colour of the new
-  /// surface; a paper colour that the user chose stays. The same happens if the usual colour of
-  /// the page's surface changes (set_user_materials()).
+  /// page's surface; if the page names no surface or an unknown one, the session keeps its surface.
+  /// When the user chooses a surface ("sheet.material"), that surface becomes the page's. If the
+  /// paper is white or has the usual colour of the previous surface, it then gets the usual colour
+  /// of the new surface; a paper colour that the user chose stays. The paper's colour is also
+  /// updated in this way if the usual colour of the page's surface changes (set_user_materials()).
   void set_page(const SheetPage& page);
-  /// Replaces the drawing. History, selection and unsaved changes start again. Tool and options
-  /// stay, and so does the surface if the page names no known one. `materials` are the texts of
-  /// the materials that come with the drawing. A text that cannot be read is skipped, and
-  /// `refused` says why. These materials are used here even if a user-defined one of the same name
-  /// has other figures; `refused` names those. `ink` becomes the colour of new lines before
-  /// `opened` is emitted. option_changed is not emitted for it, because the colour comes with the
-  /// drawing and the user did not choose it.
+  /// Replaces the drawing. History, selection and unsaved changes start again. The tool and its
+  /// options stay. The surface stays, too, unless the page names a known surface. `materials` are
+  /// the texts of the materials that come with the drawing. A text that cannot be read is skipped,
+  /// and `refused` says why. The drawing's materials are used even if a user-defined material of
+  /// the same name has other figures; in this case `refused` names the material. `ink` becomes the
+  /// colour of new lines before `opened` is emitted. option_changed is not emitted for this colour,
+  /// because it comes with the drawing and the user did not choose it.
   void open(Document document, const SheetPage& page, std::span<const std::string> materials = {},
             std::optional<Rgba> ink = {});
   /// Returns true if the drawing has unsaved changes.
   [[nodiscard]] bool is_modified() const noexcept { return is_modified_; }
   void set_modified(bool modified);
-  /// Identifies the present state, for a file that is written while the user may continue to edit.
+  /// Returns a mark that identifies the present state. It is needed if a file is written while the
+  /// user continues to edit.
   [[nodiscard]] ChangeMark change_mark() const noexcept;
-  /// Reports that a file contains the state of `mark` now. Later changes, also by undo, are
-  /// unsaved changes.
+  /// Must be called when a file with the state of `mark` was written. Changes since that state,
+  /// including an undo, count as unsaved changes.
   void set_saved(const ChangeMark& mark);
 
   // --- Events
-  /// Applies an event to the session now, after every earlier sample. Returns false if the session
-  /// refuses it; then `refused` says why.
+  /// Handles all waiting samples and then applies an event to the session. Returns false if the
+  /// session refuses the event; then `refused` says why.
   bool apply(decltype(Event::what) what);
   /// Ends the gesture as if the pen had been lifted and commits its result.
   void finish_gesture();
   /// Adds strokes as one step of undo. Returns false if the session refuses them, as apply() does.
   bool import(const QString& path, std::span<const StrokePtr> strokes);
-  /// Adds the unknown media of these strokes; call it before import(). `texts` are the materials
-  /// that come with the strokes; a text that cannot be read is skipped. If a medium is known here
-  /// with other figures, it stays as it is. Returns the labels of these media, each once.
+  /// Adds those media of the strokes that are not known yet; call it before import(). `texts` are
+  /// the materials that come with the strokes; a text that cannot be read is skipped. If a medium
+  /// is already known but with other figures, the known one stays. Returns the labels of the media
+  /// with other figures, each once.
   std::vector<std::string> add_media(std::span<const std::string> texts,
                                      std::span<const StrokePtr> strokes);
-  /// Selects another tool until give_back_tool(), because a key is held or the pen is turned over.
-  /// Calls may be nested; the inner calls do nothing.
+  /// Selects another tool until give_back_tool() is called, for example while a key is held or the
+  /// pen is turned over. Calls may be nested; the inner calls do nothing.
   void borrow_tool(const QString& id);
   void give_back_tool();
   [[nodiscard]] bool is_borrowing() const noexcept { return borrowed_ > 0; }
@@ -101,12 +103,13 @@ class Studio : public QObject {
   // --- The pen
   [[nodiscard]] HapticLoop& loop() noexcept { return loop_; }
   [[nodiscard]] const HapticLoop& loop() const noexcept { return loop_; }
-  /// Opens another device. Returns false if it does not open; then the previous device stays in
-  /// use, and `refused` says why. A gesture ends as if the pen had been lifted.
+  /// Opens another device. Returns false if the device does not open; then the previous device
+  /// stays in use, and `refused` says why. A gesture ends as if the pen had been lifted.
   bool use_device(const QString& id);
   /// Handles a position of the hand from mouse, tablet or keys. Event times are on the clock of
-  /// now_ns(). If events arrive late or several together, they are played at their own intervals,
-  /// a few milliseconds later. If the device follows the hand exactly, each event is a sample.
+  /// now_ns(). Events may arrive late, or several together; the hand then still moves at the
+  /// events' own intervals, with a delay of a few milliseconds. If the device follows the hand
+  /// exactly, each event becomes a sample.
   void point(const PointerEvent& event);
   /// Returns the time on the clock of the session and of the haptic loop.
   [[nodiscard]] std::int64_t now_ns() const noexcept { return loop_.now_ns(); }
@@ -120,8 +123,8 @@ class Studio : public QObject {
  Q_SIGNALS:
   // --- Signals about the session, emitted immediately and in order, for code that stores or
   // records. Slots must be quick, and must not call functions of the studio.
-  /// A session with this document begins; its events follow. Emitted at the start and for each
-  /// open(). StudioOptions::connect_early connects before the first emission.
+  /// A session with this document begins; its events follow. Emitted when the studio is made and
+  /// for each open(). To receive the first emission, connect in StudioOptions::connect_early.
   void session_began(const felt::Document& document);
   /// The session handled this event; pen samples are passed as PenEvent. The first events set the
   /// device and the options that differ from the defaults, so that the events alone give the same
@@ -136,7 +139,8 @@ class Studio : public QObject {
   /// The document applied this edit, which may be an undo or redo; session().document() contains
   /// it.
   void edited(const felt::Edit& edit);
-  /// Preview, overlay or pen must be painted again. Emitted at most once for each process().
+  /// The preview, the overlay or the pen must be painted again. Emitted at most once for each
+  /// process().
   void shown();
   /// Another drawing was opened by open().
   void opened();
@@ -181,7 +185,7 @@ class Studio : public QObject {
   std::unique_ptr<Session> session_;
   SheetPage page_;
   Materials materials_;                  // all materials that can be chosen
-  std::vector<AnyMaterial> of_drawing_;  // came with the drawing and differ from
+  std::vector<AnyMaterial> of_drawing_;  // materials that came with the drawing and differ from
                                          // options_.materials
   PenState pen_;
   std::int64_t last_event_ns_ = 0;  // time of the last event of the session
@@ -191,7 +195,7 @@ class Studio : public QObject {
   bool is_modified_ = false;
   bool has_other_changes_ = false;    // changes outside of the history: page, materials, a
                                       // recovered drawing
-  std::uint64_t other_changes_ = 0;   // the number of these changes
+  std::uint64_t other_changes_ = 0;   // number of changes outside of the history
   std::uint64_t saved_position_ = 0;  // position in the history when the drawing was last saved
   bool in_process_ = false;
   bool has_news_ = false;

@@ -1,4 +1,4 @@
-// The part of Studio for the materials, and for the page, which names its surface.
+// The functions of Studio for the materials, and for the page, because the page names its surface.
 #include <algorithm>
 #include <set>
 #include <string_view>

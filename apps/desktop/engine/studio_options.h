@@ -19,11 +19,11 @@ struct StudioOptions {
   /// If false, no thread and no timer run; Studio::advance() advances the time. For tests and
   /// pictures.
   bool live = true;
-  /// If true, the options start with this program's defaults (first_options.h); if false, with the
-  /// library's, which scripts rely on.
+  /// If true, the options of the tools start with this program's defaults (first_options.h); if
+  /// false, with the library's defaults, on which scripts rely.
   bool first_options = true;
-  /// Time from the last event until a live studio pauses its loop and its timer if its device has
-  /// no motors. The next event resumes them.
+  /// Time from the last event until a live studio pauses its loop and its timer. The next event
+  /// resumes them. With a device that has forces, or that the user holds, they never pause.
   std::int64_t rest_ns = 3'000'000'000;
   /// Called before the first session begins, so that a recorder can connect to session_began and
   /// event_applied without missing an event.
@@ -33,8 +33,8 @@ struct StudioOptions {
   Materials materials = Materials::built_in();
 };
 
-/// Identifies the state of a drawing that is being written to a file: Studio::change_mark(),
-/// Studio::set_saved().
+/// Identifies the state of a drawing that is being written to a file. Studio::change_mark() makes
+/// it; Studio::set_saved() uses it.
 struct ChangeMark {
   std::uint64_t position = 0;       ///< position in the history
   std::uint64_t other_changes = 0;  ///< number of changes so far that are not steps of the history

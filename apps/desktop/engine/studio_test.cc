@@ -540,7 +540,7 @@ TEST(Studio, R18_APressureDrawsTheSameWidthOnEveryDeviceAndSurface) {
   const auto width_mm = [](const char* device, const char* surface, double pressure) {
     Desk desk(QString::fromLatin1(device));
     desk.studio.apply(SetOption{"sheet.material", std::string(surface)});
-    desk.wait(1500);  // forces engage
+    desk.wait(1500);  // time until forces are on
     desk.draw({40, 40}, {90, 50}, pressure);
     const auto strokes = visible_strokes(desk.studio.session().document());
     if (strokes.size() != 1) return 0.0;

@@ -8,10 +8,10 @@
 
 namespace felt::desktop {
 
-/// Returns the tilt of the pen from the upright, in degrees, rounded to a tenth; nullopt if the
-/// pen does not sense it. Qt reports the angles of the pen's projections on two planes, usually
-/// -60..60: +x to the right, +y towards the user. The rotation of the page on the screen does not
-/// matter.
+/// Returns the angle between the pen and the surface normal, in degrees, rounded to a tenth;
+/// nullopt if the pen does not sense its tilt. Qt reports the angles of the pen's projections on
+/// two planes, usually -60..60: +x to the right, +y towards the user. The rotation of the page on
+/// the screen does not matter.
 inline std::optional<double> tilt_of(const QTabletEvent& event) {
   using Capability = QInputDevice::Capability;
   const QPointingDevice* device = event.pointingDevice();

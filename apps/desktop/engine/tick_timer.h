@@ -14,8 +14,8 @@ namespace felt::desktop {
 ///   connect(&timer, &TickTimer::due, this, &HapticLoop::due);
 ///   timer.start(loop.next_tick_ns() - loop.now_ns() + 50'000);
 ///
-/// If the system has no such timer, uses one of Qt with its accuracy. Use the timer in the thread
-/// in which it was made.
+/// If the system provides no such timer, TickTimer uses one of Qt's, with the accuracy of that
+/// timer. Use a TickTimer in the thread in which it was made.
 class TickTimer : public QObject {
   Q_OBJECT
 
@@ -23,7 +23,8 @@ class TickTimer : public QObject {
   explicit TickTimer(QObject* parent = nullptr);
   ~TickTimer() override;
 
-  /// Fires in `in_ns`, or immediately if `in_ns` is less than 1. Replaces an earlier start().
+  /// Lets the timer fire after `in_ns`, or immediately if `in_ns` is less than 1. Replaces an
+  /// earlier start().
   void start(std::int64_t in_ns);
   void stop();
 

@@ -7,10 +7,10 @@
 
 namespace felt::desktop {
 
-/// Returns the colour of a page, or of ink, after its material changed. If `color` is the usual
-/// colour of the material `before`, or `first`, the colour of a new drawing, returns `now`, the
-/// usual colour of the new material (0xRRGGBB). Otherwise returns `color`, because the user chose
-/// it; the same for a fully transparent colour. Opacity stays.
+/// Returns the colour of a page, or of ink, after its material changed. `before` and `now` are the
+/// usual colours of the old and the new material (0xRRGGBB); `first` is the colour in a new
+/// drawing. If `color` is `before` or `first`, returns `now` with the opacity of `color`. Any other
+/// colour was chosen by the user and is returned unchanged, and so is a fully transparent colour.
 [[nodiscard]] inline Rgba usual_color(Rgba color, std::optional<std::uint32_t> before,
                                       std::uint32_t now, Rgba first) noexcept {
   const auto with = [&color](std::uint32_t rgb) {

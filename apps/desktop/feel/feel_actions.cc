@@ -19,8 +19,8 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kStrengthStep = 0.1;
-/// The program may miss a release if another program takes the focus, so it assumes one after this
-/// time.
+/// If another program gets the focus, the release of Escape may never be reported. Therefore the
+/// key counts as released after this time.
 constexpr int kForgetDownMs = 300;
 
 QString material_of(const Studio& studio) {

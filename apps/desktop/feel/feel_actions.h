@@ -8,11 +8,11 @@
 
 namespace felt::desktop {
 
-/// Applies the user's stored choices to a studio: strength, limit, surface. Adds to the window:
-/// feel.forces, feel.forces_off, feel.stronger, feel.weaker, a switch for each surface
+/// Applies the user's stored strength, force limit and surface to a studio. Adds the actions
+/// feel.forces, feel.forces_off, feel.stronger, feel.weaker, a switch for each built-in surface
 /// (feel.sheet_paper ...), feel.sheet_own with a menu of the other surfaces, and feel.sound if the
-/// program has sound. Two presses of Escape switch the forces off. A fault that only the user can
-/// clear does the same. Only feel.forces (and its button in the panel) switches them on again.
+/// program has sound. Two presses of Escape switch the forces off, and so does a fault that only
+/// the user can clear. Only feel.forces (and its button in the panel) switches forces on again.
 void add_feel_actions(Actions& actions, Studio& studio, QWidget* window);
 
 /// Chooses the surface and stores the choice.
@@ -20,7 +20,7 @@ void choose_material(Studio& studio, const QString& id);
 /// Sets the master strength, 0..1, and stores it.
 void choose_strength(Studio& studio, double share);
 
-/// Detects two presses of Escape within 0.6 s, in any widget of this program. The key keeps its
+/// Detects two presses of Escape within 0.6 s, in any widget of this program. Escape still has its
 /// other effects. Holding the key down counts as one press.
 class DoubleEscape : public QObject {
   Q_OBJECT

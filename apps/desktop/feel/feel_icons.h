@@ -11,22 +11,22 @@ namespace felt::desktop {
 /// Device-independent pixels per mm; such a pixel is 1/96 inch.
 inline constexpr double kScreenPxPerMm = 96.0 / 25.4;
 
-/// Returns an icon for a state: a check mark, a ring, an eye, dots, a triangle or a stop sign, so
-/// that its shape alone identifies it. It has the colour of text.
+/// Returns an icon for a state, in the colour of text. Each state has its own shape, so that it can
+/// be recognised without colour: a check mark, a ring, an eye, dots, a triangle or a stop sign.
 QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr);
 
-/// Returns a ring with a dot, for something that is present; with a question mark if `asks`, for
-/// help.
+/// Returns a ring that contains a dot, for something that is present, or a question mark if `asks`,
+/// for help.
 QPixmap ring_icon(bool asks, const QPalette& palette, int size, qreal dpr);
 
 /// Returns a red stop sign, for the button that ends all forces.
 QIcon stop_icon(const QPalette& palette, int size, qreal dpr);
 
-/// Returns the palette of that button: `palette` with a slight red tint.
+/// Returns the palette of the button that ends all forces: `palette` with a slight red tint.
 QPalette stop_palette(QPalette palette);
 
-/// Returns the icon of a choice button: the swatch with an outline; if chosen, in a frame with a
-/// check mark.
+/// Returns the icon of a button for a choice. It shows the swatch with an outline, and a frame with
+/// a check mark if the button is checked.
 QIcon swatch_icon(const QPixmap& swatch, const QPalette& palette);
 
 /// Returns a picture of a surface under chalk that is pressed harder from left to right. It shows

@@ -167,7 +167,8 @@ QAbstractButton* FeelPanel::button_of(const std::string& id) const {
 void FeelPanel::tell_forces() {
   SafetyReport safety = studio_.loop().tick().safety;
   told_state_ = safety.state;
-  // Forces were switched on, but no tick has arrived. Do not show "off" while a force may come.
+  // Forces were switched on, but no tick has arrived since then. The panel must not show "off"
+  // while a force may begin at any moment.
   if (studio_.loop().forces_are_on() && safety.state == SafetyState::kOff) {
     safety.state = SafetyState::kEngaging;
   }
@@ -175,7 +176,7 @@ void FeelPanel::tell_forces() {
   const bool on = studio_.loop().forces_are_on();
   const SafetyWords words =
       words_for(safety, has_motors, on, studio_.loop().device_status().last_fault);
-  // The button shows its effect, the line below it the present state.
+  // The button's text is its effect. The line below the button shows the present state.
   forces_->setText(on ? tr("Stop forces") : tr("Switch forces on"));
   forces_->setIcon(
       on ? stop_icon(palette(), kPanelIconPx, devicePixelRatioF())

@@ -50,8 +50,8 @@ class FeelPanel : public QWidget {
   std::vector<std::string> ids_;  // parallel to the buttons of materials_
   QLabel* material_ = nullptr;
   SafetyState told_state_ = SafetyState::kOff;
-  QThreadPool maker_;  // for the reliefs; last, so that it ends before the other members are
-                       // destroyed
+  QThreadPool maker_;  // makes the pictures of the reliefs; the last member, so that its work ends
+                       // before the other members are destroyed
 };
 
 }  // namespace felt::desktop

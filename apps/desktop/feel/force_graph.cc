@@ -264,7 +264,8 @@ void ForceGraph::draw_track(QPainter& painter, std::size_t track, std::int64_t f
   const TrackStyle style = track_style(track, palette());
   const qreal dpr = lines_.devicePixelRatio();
   const qreal height = lines_.height() / dpr, right = lines_.width() / dpr;
-  // Start at the last point before these bins, so that lines continue where they ended.
+  // Each line starts at its last point before these bins, so that it continues the line that was
+  // drawn before.
   std::int64_t first = from;
   while (first > from - kBinsToBridge && history_->at(track, first) < 0.0F) --first;
   std::array<QPointF, ForceHistory::kBins + kBinsToBridge + 1> line;
@@ -275,8 +276,8 @@ void ForceGraph::draw_track(QPainter& painter, std::size_t track, std::int64_t f
     if (value < 0.0F) continue;
     const QPointF at(right - static_cast<qreal>(column_of(to) - column_of(bin)) / dpr,
                      height * (1.0 - static_cast<double>(value) / top_n_));
-    // Stagger the marks of different tracks. Marks are drawn a little to the left, so that they
-    // fit in.
+    // The marks of different tracks are at different bins. A mark is drawn slightly to the left of
+    // its bin, so that it is not cut off at the right end.
     const std::int64_t turn = bin + 13 * static_cast<std::int64_t>(track);
     if (bin > from && turn % kBinsToMark == 0 && value > 0.0F) marks[marked++] = at;
     line[points++] = at;

@@ -21,16 +21,15 @@ struct ForceBound {
 /// distinguishes the track without colour, and a width.
 struct TrackStyle {
   QColor color;
-  int mark = 0;  ///< 0: no mark; otherwise the number of a shape
+  int mark = 0;  ///< number of the mark's shape; 0 means no mark
   qreal width = 1.0;
 };
 TrackStyle track_style(std::size_t track, const QPalette& palette);
 /// Draws the mark of a style; `radius` in pixels.
 void draw_mark(QPainter& painter, int mark, QPointF at, qreal radius);
 
-/// The plot of a ForceHistory. It only displays; its owner calls update() when the history has
-/// changed. Axes and lines are cached as pictures: each frame shifts the lines and adds the new
-/// parts at their end.
+/// The plot of a ForceHistory. The owner must call update() when the history has changed. Axes and
+/// lines are cached as pictures: each frame shifts the lines and adds the new parts at their end.
 class ForceGraph : public QWidget {
   Q_OBJECT
 
@@ -41,11 +40,11 @@ class ForceGraph : public QWidget {
   void show_history(const ForceHistory& history);
 
   void set_bounds(std::vector<ForceBound> bounds);
-  /// Sets whether sent forces are drawn. If false, nothing is sent to a device, and only the asked
-  /// forces are drawn.
+  /// Sets whether sent forces are drawn. Pass false if no device receives forces; then only the
+  /// requested forces are drawn.
   void set_shows_sent(bool shown);
-  /// Returns the end of the force axis, in N. It grows immediately and shrinks when the whole peak
-  /// has left the plot.
+  /// Returns the largest force on the axis, in N. It grows immediately when a larger force occurs,
+  /// and shrinks when the larger force has left the plot.
   [[nodiscard]] double top_n() const noexcept { return top_n_; }
 
   [[nodiscard]] QSize sizeHint() const override;

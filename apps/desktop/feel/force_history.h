@@ -8,22 +8,23 @@
 
 namespace felt::desktop {
 
-/// The forces of a loop in the last seconds, for a plot: the magnitudes in N of each term by name,
-/// of the asked force and of the sent force. A ring buffer of short bins keeps the maximum of the
-/// ticks in each bin, so that a plot of any resolution shows every peak. Adding a tick takes well
-/// under a microsecond and allocates nothing. Not thread-safe.
+/// The forces of a haptic loop in the last seconds, for a plot. It stores the magnitude in N of
+/// each named force term, of the requested force and of the sent force. A ring buffer of short bins
+/// keeps the maximum of the ticks in each bin, so that a plot of any resolution shows every peak.
+/// Adding a tick takes well under a microsecond and allocates nothing. Not thread-safe.
 class ForceHistory {
  public:
   static constexpr std::int64_t kBinNs = 10'000'000;
   static constexpr std::size_t kBins = 400;   ///< 4 s
-  static constexpr std::size_t kAsked = 0;    ///< track of the force asked of the device
+  static constexpr std::size_t kAsked = 0;    ///< track of the force that the tool requests
   static constexpr std::size_t kSent = 1;     ///< track of the force sent to the device
-  static constexpr std::size_t kTracks = 12;  ///< kAsked, kSent and ten terms; others are skipped
+  static constexpr std::size_t kTracks = 12;  ///< kAsked, kSent and ten terms; further terms are
+                                              ///< ignored
 
   ForceHistory() noexcept { clear(); }
 
-  /// Adds a tick. Terms are multiplied by the master strength, because that is what the hand
-  /// feels. If the tick is older than the last one, clears the history first.
+  /// Adds a tick. The terms are multiplied by the master strength, so that they are the forces that
+  /// the hand feels. If the tick is older than the previous one, clears the history first.
   void add(const TickReport& tick) noexcept;
   void clear() noexcept;
 
@@ -35,8 +36,8 @@ class ForceHistory {
   /// Returns the number of the newest bin, counted from time 0; negative if the history is empty.
   /// Later ticks may still increase its values.
   [[nodiscard]] std::int64_t newest() const noexcept { return newest_; }
-  /// Returns the largest value of that bin in N; negative if no tick fell into the bin or the bin
-  /// is too old.
+  /// Returns the largest value in a bin, in N. Returns a negative number if no tick fell into the
+  /// bin, or if the bin is no longer stored.
   [[nodiscard]] float at(std::size_t track, std::int64_t bin) const noexcept;
   /// Returns the value of the last tick, in N.
   [[nodiscard]] float now(std::size_t track) const noexcept { return now_[track]; }

@@ -10,9 +10,9 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kFrameMs = 33;       // between two repaints of the plot
-constexpr int kWordsMs = 250;      // between two updates of the numbers
-constexpr int kTablesToTell = 12;  // 3 s between two announcements
+constexpr int kFrameMs = 33;       // time between two repaints of the plot
+constexpr int kWordsMs = 250;      // time between two updates of the numbers
+constexpr int kTablesToTell = 12;  // number of table updates between two announcements (3 s)
 constexpr int kStopIconPx = 22;
 constexpr int kNameColumn = 0, kNowColumn = 1, kMaxColumn = 2;
 

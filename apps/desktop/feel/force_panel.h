@@ -14,9 +14,9 @@
 namespace felt::desktop {
 
 /// Shows what the pen feels. A plot shows each term of the force, their sum and the sent force. A
-/// table of the same values is the legend. Also shows the state of the safety chain in words and
-/// the timing of the loop. Repaints at most 30 times a second, and only while it is visible and
-/// values change.
+/// table of the same values serves as the legend. The panel also describes the state of the safety
+/// chain and shows the timing of the loop. Repaints at most 30 times a second, and only while it is
+/// visible and values change.
 class ForcePanel : public QWidget {
   Q_OBJECT
 
@@ -54,7 +54,7 @@ class ForcePanel : public QWidget {
   QLabel* detail_;
   QLabel* loop_;
   QToolButton* pause_;
-  QTimer frame_;  // single shot: runs until the next repaint
+  QTimer frame_;  // single-shot timer for the next repaint
   QTimer words_;
   bool has_motors_ = false;
   int told_tables_ = 0;

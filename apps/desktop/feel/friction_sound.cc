@@ -23,8 +23,8 @@ namespace {
 /// the pen to the device is some 45 ms. The device may have an additional latency.
 constexpr int kBufferMs = 25;
 
-/// Returns the format with 48 kHz and one channel that the device accepts; an invalid format if it
-/// accepts none.
+/// Returns a format with 48 kHz and one channel that the device accepts, or an invalid format if
+/// the device accepts none.
 QAudioFormat format_for(const QAudioDevice& device) {
   QAudioFormat format;
   format.setSampleRate(int(RubbingPlayer::kRateHz));
@@ -92,10 +92,11 @@ class FrictionSound::Player {
   }
 
   RubbedFeed& feed_;
-  QObject here_;  // lives in the main thread: calls queued to it are dropped when it is destroyed
+  QObject here_;  // belongs to the main thread; calls that are queued for it are dropped when it is
+                  // destroyed
   QThread thread_;
   QObject on_thread_;
-  // Only the thread uses the following members.
+  // Only the playing thread uses the following members.
   std::unique_ptr<QMediaDevices> devices_;
   std::unique_ptr<RubbedSamples> samples_;
   std::unique_ptr<QAudioSink> sink_;
@@ -142,7 +143,8 @@ void SoundState::set(State state) {
 }
 
 FrictionSound::FrictionSound(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
-  static_cast<void>(SoundState::the());  // makes sure that the object is made on this thread
+  static_cast<void>(SoundState::the());  // makes the SoundState now, so that it belongs to the main
+                                         // thread
   connect(&Settings::the(), &Settings::changed, this, &FrictionSound::follow);
   follow(QString::fromLatin1(feel_keys::kSoundVolume));
   follow(QString::fromLatin1(feel_keys::kSound));
@@ -154,7 +156,8 @@ void FrictionSound::follow(const QString& key) {
   const Settings& settings = Settings::the();
   if (key == QLatin1String(feel_keys::kSoundVolume)) {
     const double share = std::clamp(settings.number(key, feel_keys::kSoundVolumeDefault), 0.0, 1.0);
-    // Squared to match hearing: half the range reduces the level by some 12 dB.
+    // The setting is squared to match human hearing: half of the range reduces the level by about
+    // 12 dB.
     feed_.volume.store(float(share * share), std::memory_order_relaxed);
   }
   if (key != QLatin1String(feel_keys::kSound)) return;

@@ -18,7 +18,7 @@ class SoundState : public QObject {
   enum class State {
     kOff,
     kHeard,
-    kNoDevice,  ///< no sound device, or it does not accept 48 kHz
+    kNoDevice,  ///< there is no sound device, or it does not accept 48 kHz
     kNotBuilt,  ///< the program was built without Qt Multimedia
   };
   static SoundState& the();

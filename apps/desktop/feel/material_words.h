@@ -6,11 +6,11 @@
 
 namespace felt::desktop {
 
-/// Returns the translated name: "Paper".
+/// Returns the translated name of the surface, such as "Paper".
 QString material_label(const SurfaceMaterial& material);
-/// Returns the surface's figures in plain words: "Firm, some friction, fine grain.".
+/// Describes the surface's figures in plain words: "Firm, some friction, fine grain.".
 QString material_words(const SurfaceMaterial& material);
-/// Returns the same for a medium: "Pencil"; "Dry, some friction, all of the grain.".
+/// These functions do the same for a medium: "Pencil"; "Dry, some friction, all of the grain.".
 QString medium_label(const Medium& medium);
 QString medium_words(const Medium& medium);
 

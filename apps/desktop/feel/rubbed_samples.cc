@@ -31,7 +31,8 @@ qint64 RubbedSamples::bytesAvailable() const {
 }
 
 void RubbedSamples::take_news() {
-  // A previous reader may have consumed the value, but a new device needs it from the start.
+  // Sets the pair even if it is not new, because a previous sound device may already have received
+  // it, but a new device needs it, too.
   static_cast<void>(feed_.pair.update());
   sound_.set_pair(feed_.pair.get());
   std::array<RubbingSample, 64> batch;

@@ -43,11 +43,12 @@ class RubbedSamples final : public QIODevice {
   Q_OBJECT
 
  public:
-  /// Delay after the newest sample of the pen, in s. It is needed because a window delivers
-  /// samples in batches, every 8 ms and sometimes every 16 ms.
+  /// Delay of the sound behind the newest sample of the pen, in s. It is needed because the main
+  /// thread delivers samples in batches, usually every 8 ms and sometimes every 16 ms.
   static constexpr double kBehindS = 0.020;
 
-  /// Returns float samples if `is_float`, otherwise 16-bit integers. The feed must outlive it.
+  /// The samples are floats if `is_float`, otherwise 16-bit integers. `feed` must outlive this
+  /// object.
   RubbedSamples(RubbedFeed& feed, bool is_float);
   [[nodiscard]] bool isSequential() const override { return true; }
   [[nodiscard]] qint64 bytesAvailable() const override;

@@ -10,7 +10,7 @@
 namespace felt::desktop {
 namespace {
 
-/// Returns a text about the present limits of the force.
+/// Returns a text that says which limits reduce the force now.
 QString limits_in_words(std::uint32_t limited_by) {
   struct Stage {
     SafetyStage bit;

@@ -18,9 +18,10 @@ struct SafetyWords {
   QString detail;  ///< advice to the user; may be empty
 };
 
-/// Describes the state of the safety chain. `has_motors`: the pen can push. `wanted`: the user has
-/// switched the forces on. `device` is the newest fault of the device, which is more precise than
-/// "the device does not answer".
+/// Describes the state of the safety chain. `has_motors` is true if the device can exert forces;
+/// `wanted` is true if the user has switched the forces on. `device` is the newest fault of the
+/// device. If it is set, the text names this fault, which is more precise than "the device does not
+/// answer".
 SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted,
                       std::optional<DeviceFault> device = {});
 

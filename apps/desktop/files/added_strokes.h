@@ -9,10 +9,11 @@
 
 namespace felt::desktop {
 
-/// Adds the strokes of another drawing as one step of undo, together with their media. The texts
-/// of the media are in `materials`. If a medium has other figures in this drawing, it stays as it
-/// is, and `report` names it. Returns false if the session refuses the strokes (Studio::import). A
-/// recording stores `from`, the name of their source.
+/// Adds the strokes of another drawing as one step of undo, together with their media. `materials`
+/// contains the texts of the media. If this drawing has a medium of the same name with other
+/// figures, the drawing's medium stays as it is and `report` names it. `from` is the name of the
+/// strokes' source; a recording stores it. Returns false if the session refuses the strokes
+/// (Studio::import).
 bool add_strokes(Studio& studio, const QString& from, std::span<const StrokePtr> strokes,
                  std::span<const std::string> materials, ImportReport& report);
 

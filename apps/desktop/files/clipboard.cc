@@ -100,7 +100,7 @@ bool is_drawing_text(const QByteArray& text) {
          format == FileFormat::kNdjson;
 }
 
-/// Clipboard data that makes SVG and pixels only when another program requests them. Most copies
+/// Clipboard data that makes the SVG and the picture only when a program requests them. Most copies
 /// are pasted in Feltline, and making a large picture would delay the copy command too much.
 class PromisedStrokes final : public QMimeData {
  public:

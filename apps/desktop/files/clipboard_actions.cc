@@ -17,7 +17,8 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kBesideMm = 5.0;  // offset of each further paste of the same strokes
+constexpr double kBesideMm = 5.0;  // offset by which each paste of the same strokes differs from
+                                   // the previous one
 
 void put(std::unique_ptr<QMimeData> data) {
   QGuiApplication::clipboard()->setMimeData(data.release());
@@ -73,8 +74,9 @@ Drawing ClipboardActions::chosen() const {
       [&](StrokeId id) { return selection.empty() || selection.find(id) != nullptr; });
 }
 
-/// Returns the visible strokes for which `keep` is true, with their media as they are now. The
-/// media may have changed by the time of the paste, here or in another program.
+/// Returns the visible strokes for which `keep` is true, with the present texts of their media. The
+/// texts are needed because the user may change the media before the paste, or paste in another
+/// program.
 Drawing ClipboardActions::drawing_with(const std::function<bool(StrokeId)>& keep) const {
   const Document& document = studio_.session().document();
   DrawingBuilder builder;

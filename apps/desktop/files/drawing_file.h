@@ -12,7 +12,8 @@ namespace felt::desktop {
 /// Returns the file extension of a format: ".felt".
 QString suffix_of(FileFormat format);
 
-/// Returns the path with the extension of the format; unchanged if it already has one of them.
+/// Returns the path with an extension of the format. If the path already has one of the format's
+/// extensions, returns it unchanged.
 QString with_suffix(const QString& path, FileFormat format);
 
 /// Reads a drawing of any format and reports unsupported content. The format is detected from the
@@ -24,9 +25,9 @@ Result<Imported> open_drawing(const QString& path, bool salvage = false);
 /// Reads a drawing without the report.
 Result<Drawing> read_drawing(const QString& path);
 
-/// Writes a drawing in the format of the path's extension, durably, and either completely or not
-/// at all. If the format has no layers, writes the strokes of visible layers. The error names the
-/// file and the reason. Safe to call from any thread.
+/// Writes a drawing in the format of the path's extension, completely or not at all. When the
+/// function returns, the data is on the disk. If the format has no layers, writes the strokes of
+/// visible layers. The error names the file and the reason. Safe to call from any thread.
 Result<void> write_drawing(const QString& path, const Drawing& drawing);
 
 }  // namespace felt::desktop

@@ -6,8 +6,8 @@
 
 namespace felt::desktop {
 
-/// Returns one translated sentence for an error, by its code. The library's own messages are in
-/// English and name paths and positions; they are shown under "Details".
+/// Returns a translated sentence for the code of an error. The library's own message, which is in
+/// English and names path and position, is shown under "Details".
 QString error_words(const Error& error);
 
 }  // namespace felt::desktop

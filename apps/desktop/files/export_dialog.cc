@@ -30,8 +30,8 @@ namespace {
 
 constexpr QSize kPreviewSize(280, 220);
 constexpr int kCheck = 8;  // size of the chequered squares that show transparency
-// A preview of more strokes would take too long. It shows the strokes that were drawn last,
-// because they are on top.
+// A preview of more strokes would take too long. If the drawing has more, the preview shows those
+// that were drawn last, because they are on top.
 constexpr std::size_t kMaxPreviewStrokes = 5000;
 
 /// Returns the formats for export: all that can be written except .felt, which is for saving.

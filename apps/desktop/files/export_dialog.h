@@ -15,8 +15,8 @@ class QLabel;
 
 namespace felt::desktop {
 
-/// Asks how to export the drawing, and shows a small picture and the resulting size. The settings
-/// keep the choices.
+/// Asks how to export the drawing, and shows a small preview and the resulting size. The choices
+/// are stored in the settings.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -32,7 +32,8 @@ class ExportDialog : public QDialog {
 
   std::vector<StrokePtr> strokes_;
   SheetPage page_;
-  std::optional<Grain> sheet_grain_;  // nullopt if the surface is not known here
+  std::optional<Grain> sheet_grain_;  // grain of the drawing's surface; nullopt if the surface is
+                                      // unknown
   QComboBox* format_;
   QComboBox* area_;
   QDoubleSpinBox* dpi_;

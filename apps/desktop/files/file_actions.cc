@@ -54,8 +54,8 @@ bool is_own_file(const Imported& opened, const QString& path) {
          format_of_path(path.toStdString()) == FileFormat::kFelt;
 }
 
-/// Returns the materials for the drawing's file. They include the medium of the tool, because a
-/// crash may happen during the first stroke.
+/// Returns the materials for the drawing's file and its autosave. They include the medium of the
+/// tool, because the program may crash during the first stroke with this medium.
 std::vector<std::string> own_materials(const Session& session, const Drawing& drawing) {
   const std::vector<std::string> also{drawing_medium(session)};
   return texts_of_used(drawing.document, drawing.page.surface, session.materials(), also);
@@ -110,7 +110,8 @@ void FileActions::add_file_actions(Actions& actions) {
 bool FileActions::is_read_only() const {
   constexpr auto kAnyWriter = QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther;
   const QFileInfo info(path_);
-  // Also reports a file that is write-protected for everyone to a user who has all rights.
+  // The second condition is for root, who may write any file: a file without any write permission
+  // counts as read-only, too.
   return info.exists() && (!info.isWritable() || !(info.permissions() & kAnyWriter));
 }
 
@@ -221,7 +222,7 @@ void FileActions::adopt(Drawing drawing, const QString& name) {
 
 void FileActions::show(Drawing drawing, const QString& path, const QString& name) {
   const LayerId layer = drawing.layer;
-  // Set before open() emits its signals, so that slots see the right name.
+  // The name is set before open() emits its signals, so that slots already get the new name.
   path_ = path;
   name_ = name;
   has_page_of_file_ = false;
@@ -366,9 +367,9 @@ void FileActions::end_save(const QString& path, const ChangeMark& mark, const Re
   Q_EMIT saved(true);
 }
 
-/// Asks what to do with unsaved changes, and waits until they are saved. Returns true if another
-/// drawing may replace this one. If a gesture ended while the file was being written, saves once
-/// more.
+/// If there are unsaved changes, asks whether to save them, and waits until they are saved. Returns
+/// true if another drawing may replace this one. If a gesture ended while the file was being
+/// written, saves once more.
 bool FileActions::may_replace() {
   worker_.wait();
   studio_.finish_gesture();  // a line in progress is a change, too
@@ -383,7 +384,8 @@ bool FileActions::may_replace() {
   }
   if (!save()) return false;
   worker_.wait();
-  // The file does not contain a gesture that ended while it was being written.
+  // The pen may have drawn while the file was being written; the file does not contain that
+  // gesture.
   studio_.finish_gesture();
   if (!last_save_failed_ && studio_.is_modified()) {
     begin_save(path_);

@@ -25,7 +25,7 @@ class QMenu;
 
 namespace felt::desktop {
 
-/// Access to those parts of a drawing's file that other parts of the window own: palette and view.
+/// Functions for the parts of a drawing that FileActions does not own, palette and view.
 struct DrawingLooks {
   std::function<void(Drawing&)> tell = {};        ///< adds palette and view to a drawing
   std::function<void(const Drawing&)> show = {};  ///< shows palette and view of a drawing
@@ -35,11 +35,11 @@ struct DrawingLooks {
 /// export, copy as a picture, page, print. Adds its actions ("file.open", "edit.copy"). Asks the
 /// user before unsaved changes are lost.
 ///
-/// Files are written from a copy on another thread (FileWorker), so that the pen never waits. A
-/// drawing counts as saved when its bytes are on the disk. `path()` is always a .felt file. If a
-/// drawing was opened from another format, or from a .felt file with another extension, it has no
-/// path yet, so that Save never overwrites its source. `taken` reports the unsupported content of
-/// a file.
+/// Another thread writes a copy of the drawing (FileWorker), so that the pen never waits. A drawing
+/// counts as saved when its bytes are on the disk. `path()` is always a .felt file. If a drawing
+/// was opened from another format, or from a .felt file with another extension, its path is empty,
+/// so that Save never overwrites the opened file. `taken` reports the unsupported content of a
+/// file.
 class FileActions : public QObject {
   Q_OBJECT
 
@@ -51,7 +51,7 @@ class FileActions : public QObject {
 
   /// Returns the path, or "" for a drawing without a name.
   [[nodiscard]] const QString& path() const noexcept { return path_; }
-  /// Returns a name for titles: the file's, or the name of a drawing without a file.
+  /// Returns a name for titles: the file's name, or the drawing's name if it has no file.
   [[nodiscard]] QString display_name() const;
   /// Returns true if the drawing's file exists and is write-protected.
   [[nodiscard]] bool is_read_only() const;
@@ -80,7 +80,8 @@ class FileActions : public QObject {
 
   void set_looks(DrawingLooks looks) { looks_ = std::move(looks); }
 
-  /// Starts the autosave of the drawing. If the studio is live, the window calls this itself.
+  /// Starts the autosave of the drawing. If the studio is live, this object calls the function
+  /// itself.
   void start_autosave(const QStringList& roots);
   [[nodiscard]] StudioAutosave* autosave() const noexcept { return autosave_.get(); }
   /// If a crash left drawings behind, asks the user what to do with them.
@@ -103,8 +104,8 @@ class FileActions : public QObject {
   void saved(bool done);
   /// Emitted after Studio::opened when another drawing is shown: opened, new or recovered.
   void drawing_changed();
-  /// A file was opened or imported, or strokes were pasted; the report may be empty. `name` is
-  /// shown to the user.
+  /// A file was opened or imported, or strokes were pasted. `report` lists the unsupported content
+  /// and may be empty; `name` is the source as shown to the user.
   void taken(const QString& name, const felt::ImportReport& report);
   /// Asks for another window that shows that file; "" for an empty drawing.
   void wants_window(const QString& path);
@@ -138,16 +139,18 @@ class FileActions : public QObject {
   std::unique_ptr<FileDialogs> dialogs_;
   FileWorker worker_;
   std::unique_ptr<StudioAutosave> autosave_;
-  std::vector<AbandonedAutosave> rescued_;  // kept until their drawings are saved
+  std::vector<AbandonedAutosave> rescued_;  // autosaves of recovered drawings, kept until these
+                                            // drawings are saved
   QPointer<QLabel> warning_;                // shown while the autosave fails
   QMenu* recent_menu_;
   QString path_;
   QString name_;    // name of a drawing without a path; "" is "Untitled"
   QString folder_;  // folder of the file that was opened or saved last
   DrawingLooks looks_;
-  std::shared_ptr<const DrawingExtras> extras_;  // content of the file that Feltline does not use
-                                                 // but writes again
-  QDateTime seen_on_disk_;                       // time of path_ when it was read or written here
+  std::shared_ptr<const DrawingExtras> extras_;  // content of the opened file that Feltline does
+                                                 // not use but writes back when it saves
+  QDateTime seen_on_disk_;                       // time of the file path_ when it was last read or
+                                                 // written here
   int saves_in_work_ = 0;
   bool last_save_failed_ = false, is_showing_ = false;
   bool has_page_of_file_ = false;  // true if the page came with an opened file

@@ -17,7 +17,7 @@ void FileActions::start_autosave(const QStringList& roots) {
   autosave_->begin(display_name(), path_);
 }
 
-/// Offers recovery once per process. Called in the first window after it was shown.
+/// Offers recovery once per process, in the first window, after the window was shown.
 void FileActions::offer_once() {
   static bool is_done = false;
   if (std::exchange(is_done, true)) return;

@@ -190,8 +190,8 @@ TEST(FileActions, WhatIsDrawnDuringASaveStaysUnsaved) {
   EXPECT_EQ(read_drawing(desk.at("a.felt")).value().document.stroke_count(), 3u);
 }
 
-// Undo and redo while the file is being written: the file contains the state at the start of the
-// save.
+// If the user undoes and redoes while the file is being written, the file contains the state at the
+// start of the save.
 TEST(FileActions, UndoDuringASaveIsAnUnsavedChange) {
   TestDesk desk;
   desk.draw(1);

@@ -26,9 +26,9 @@ class FileDialogs {
   /// Appends `suffix` (".felt") if the name has no extension.
   virtual QString save_name(QWidget* window, const QString& title, const QString& path,
                             const QString& filters, const QString& suffix);
-  /// Returns the name to write: the result of save_name with the extension of the format. Asks
-  /// again if the extension makes it the name of another existing file, about which the dialog did
-  /// not ask ("a 1.2", "a 1.2.felt").
+  /// Asks with save_name() and returns the chosen name with the extension of the format. Adding the
+  /// extension may give the name of an existing file about which the dialog did not ask ("a 1.2"
+  /// becomes "a 1.2.felt"); in this case asks again.
   QString name_to_write(QWidget* window, const QString& title, const QString& path,
                         FileFormat format);
   /// Asks what to do with unsaved changes of a drawing that is about to be closed.

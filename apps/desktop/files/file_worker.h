@@ -25,7 +25,7 @@ class FileWorker : public QObject {
   using Work = std::function<Answer()>;
 
   explicit FileWorker(QObject* parent = nullptr);
-  /// Waits for all started work; drops the functions that were not called yet.
+  /// Waits until all started work is done. Returned functions that were not called yet are dropped.
   ~FileWorker() override;
 
   void start(Work work);
@@ -45,7 +45,8 @@ class FileWorker : public QObject {
   std::condition_variable wake_;
   std::deque<Work> waiting_;
   std::deque<Answer> answers_;
-  int in_work_ = 0;  // number of pieces that wait, run, or whose function was not called yet
+  int in_work_ = 0;  // number of pieces of work that wait, run, or returned a function that was not
+                     // called yet
   bool stop_ = false;
   std::thread thread_;
 };

@@ -20,12 +20,13 @@ constexpr int kWaitMs = 2000;
 constexpr qint64 kMaxBytes = 1 << 20;
 constexpr char kTaken = '1';
 
-/// Returns the name of the socket. It is in the runtime folder if that exists and belongs to the
-/// user; otherwise it is a short name.
+/// Returns the path of the socket. It is in the runtime folder (XDG_RUNTIME_DIR) if the user can
+/// write there, otherwise in the folder for temporary files. Returns "" if each process should work
+/// independently.
 QString socket_name(const QString& key) {
   QString text = key;
   if (text.isEmpty()) {
-    // If the platform has no visible windows, each process works alone.
+    // If the platform has no visible windows, each process works independently.
     const QString platform = QGuiApplication::platformName();
     if (platform == QStringLiteral("offscreen") || platform == QStringLiteral("minimal")) return {};
     text = QString::number(::getuid()) + QLatin1Char('|') + qEnvironmentVariable("DISPLAY") +
@@ -50,11 +51,11 @@ Instance::Instance(const QString& key, QObject* parent) : QObject(parent), name_
 }
 
 /// Connects to the first process and sends it the paths. The first process answers with one byte.
-/// If no answer comes, this process listens on the socket itself. A lock file serialises
-/// simultaneous starts.
+/// If no answer comes, this process listens on the socket itself. A lock file ensures that two
+/// processes that start simultaneously do this one after the other.
 bool Instance::hand_over(const QStringList& files) {
   if (is_first() || name_.isEmpty()) return false;
-  // Serialises two simultaneous starts.
+  // Another process that starts now waits here.
   QLockFile start(name_ + QStringLiteral(".lock"));
   start.tryLock(kWaitMs);
   QStringList paths;

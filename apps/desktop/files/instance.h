@@ -15,8 +15,8 @@ namespace felt::desktop {
 ///   if (instance.hand_over(files)) return 0;     // the first process takes them
 ///   connect(&instance, &Instance::wanted, ...);  // open each, or raise the window that has it
 ///
-/// A socket left behind by a crash is replaced. If a socket cannot be made, each process works
-/// alone.
+/// A socket left behind by a crash is replaced. If no socket can be made, each process works
+/// independently.
 class Instance : public QObject {
   Q_OBJECT
 
@@ -24,15 +24,15 @@ class Instance : public QObject {
   /// `key` is for tests; "" means this user on this display.
   explicit Instance(const QString& key = {}, QObject* parent = nullptr);
 
-  /// Passes the files to the first process and returns true if that process has received them. It
-  /// opens them, or only shows its window if the list is empty. Returns false if no other process
-  /// exists; then this process is the first from now on.
+  /// Passes the files to the first process and returns true if that process has received them. The
+  /// first process then opens the files, or only shows its window if the list is empty. Returns
+  /// false if no other process answers; then this process is the first from now on.
   bool hand_over(const QStringList& files);
   [[nodiscard]] bool is_first() const { return server_.isListening(); }
 
  Q_SIGNALS:
-  /// Another start of the program passes these absolute paths. If the list is empty, the program
-  /// should only show itself.
+  /// Emitted when another process of the program has passed these absolute paths. If the list is
+  /// empty, only show a window.
   void wanted(const QStringList& files);
 
  private:

@@ -60,7 +60,8 @@ QPainterPath path_of(const Stroke& stroke) {
   return path;
 }
 
-/// Paints a stroke as a picture of its ink, which has the size of its grain mask.
+/// Paints a stroke as a picture of its ink. The picture has the resolution of the stroke's grain
+/// mask.
 void paint_grained(QPainter& painter, const Stroke& stroke, const Grain& grain,
                    const GrainMask& mask, Rasterizer& rasterizer) {
   QImage image(mask.width, mask.height, QImage::Format_RGBA8888_Premultiplied);
@@ -104,8 +105,8 @@ void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi,
   painter.setPen(Qt::NoPen);
   const std::vector<StrokePtr> strokes = visible_strokes(drawing.document);
   std::optional<GrainMasks> masks;
-  // If the drawing has too much ink, all strokes get a coarser grain, or all are solid, so that no
-  // stroke differs from the others.
+  // If the drawing has too much ink, the grain of all strokes is coarser, or all strokes are
+  // painted without grain, so that all strokes look alike.
   const auto grain_dpi = GrainMasks::dpi_for_all(strokes, page.area(), kPrintGrainDpi);
   if (grain && grain_dpi) masks.emplace(GrainPrint{*grain, *grain_dpi}, page.area());
   Rasterizer rasterizer;

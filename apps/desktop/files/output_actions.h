@@ -16,10 +16,10 @@ namespace felt::desktop {
 
 class FileActions;
 
-/// Paints the page as vector lines, not pixels, at its true size if one unit of the painter's
-/// device is 1/dpi inch. The corner of the page is at the origin. If grain is wanted, strokes that
-/// show it are painted as pictures of 300 dots per inch, or fewer if all pictures together would
-/// be too large.
+/// Paints the page as vector lines. One unit of the painter must be 1/dpi inch; the page then has
+/// its true size. The corner of the page is at the origin. If `grain` is given, strokes that show
+/// grain are painted as pictures with 300 dots per inch, or with a lower resolution if all pictures
+/// together would be too large.
 void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi,
                  const std::optional<Grain>& grain = {});
 

@@ -28,7 +28,7 @@ QString name_of(const Recovered& recovered) {
                                 : QString::fromStdString(recovered.name);
 }
 
-/// Returns a time of today as "14:32", any other with its date.
+/// Returns a time of today as "14:32", and any other time with its date.
 QString time_of(const QDateTime& when) {
   const QLocale locale;
   const QString time = locale.toString(when.time(), QLocale::ShortFormat);

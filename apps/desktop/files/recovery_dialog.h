@@ -9,17 +9,17 @@ class QVBoxLayout;
 
 namespace felt::desktop {
 
-/// Offers drawings that a crash left behind, each next to the user's saved file: a picture of
-/// both, the time of their last change and their number of lines. For each drawing, the user can
-/// recover it as a new drawing, open the saved file, or discard the drawing after a confirmation.
-/// Closing the dialog means "later": the next start asks again.
+/// Offers drawings that a crash left behind. Shows each drawing next to the user's saved file, with
+/// a picture, the time of the last change and the number of lines of both. The user can recover a
+/// drawing as a new drawing, open the saved file instead, or discard the drawing after a
+/// confirmation. If the user closes the dialog, the next start asks again.
 class RecoveryDialog : public QDialog {
   Q_OBJECT
 
  public:
   RecoveryDialog(std::vector<RecoveryOffer> offers, QWidget* parent);
 
-  /// Returns the drawing that the user chose; the caller takes ownership of its autosave.
+  /// Returns the drawing that the user chose. The caller may move its autosave out of it.
   [[nodiscard]] RecoveryOffer& chosen() noexcept { return offers_[chosen_]; }
 
  Q_SIGNALS:

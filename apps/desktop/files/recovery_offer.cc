@@ -16,13 +16,13 @@ std::optional<SavedDrawing> saved_of(const Recovered& recovered) {
   return SavedDrawing{*std::move(drawing), info.lastModified()};
 }
 
-/// Returns true if the autosave can be removed without a loss.
+/// Returns true if the autosave can be removed, because the user would lose nothing.
 bool is_worthless(const RecoveryOffer& offer) {
   const Recovered& recovered = offer.recovered;
-  // A damaged autosave may have lost the record that unsaved changes existed.
+  // If the autosave is damaged, has_changes may be false although there were unsaved changes.
   if (recovered.has_changes || !recovered.problems.empty()) return false;
   if (recovered.drawing.document.stroke_count() == 0) return true;
-  if (recovered.path.empty()) return true;  // never had a file: an example
+  if (recovered.path.empty()) return true;  // an unchanged drawing without a file: an example
   // The drawing was saved. If the file contains another drawing now, someone may have restored an
   // older version, and the autosave is needed.
   return offer.saved && offer.saved->drawing.document == recovered.drawing.document;

@@ -20,12 +20,13 @@ struct SavedDrawing {
 struct RecoveryOffer {
   AbandonedAutosave store;
   Recovered recovered;
-  std::optional<SavedDrawing> saved;  ///< nullopt if it has no file, or the file cannot be read
+  std::optional<SavedDrawing> saved;  ///< nullopt if the drawing has no file, or if the file cannot
+                                      ///< be read
 };
 
 /// Reads the autosaves of dead processes, and the saved files. Removes an autosave if it is empty
-/// or if the file contains the same drawing. If an autosave cannot be read, keeps it, because a
-/// newer program may be able to read it. Safe to call from any thread.
+/// or if the file contains the same drawing. Keeps an autosave that cannot be read, because a newer
+/// version of the program may be able to read it. Safe to call from any thread.
 std::vector<RecoveryOffer> read_offers(std::vector<AbandonedAutosave> stores);
 
 }  // namespace felt::desktop

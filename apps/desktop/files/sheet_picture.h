@@ -12,12 +12,13 @@
 
 namespace felt::desktop {
 
-/// Returns strokes as a picture for widgets and the clipboard. Shows `area` in mm at `px_per_mm`,
-/// on a surface with that grain. Returns an empty picture if it would be too large.
+/// Draws strokes as a picture for widgets and the clipboard. The picture shows `area` (in mm) at
+/// `px_per_mm`, on a surface with this grain. Returns an empty picture if the picture would be too
+/// large.
 QImage sheet_picture(std::span<const StrokePtr> strokes, const Rect& area, double px_per_mm,
                      Rgba paper, const Grain& grain = Grain());
 
-/// Returns the same picture, as large as it can be within `size` pixels.
+/// Draws the same picture, as large as possible within `size` pixels.
 QImage sheet_thumbnail(std::span<const StrokePtr> strokes, const Rect& area, QSize size, Rgba paper,
                        const Grain& grain = Grain());
 

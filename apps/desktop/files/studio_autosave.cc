@@ -57,7 +57,7 @@ void StudioAutosave::connect_studio(Studio& studio) {
   connect(&studio, &Studio::page_changed, this, &StudioAutosave::post_head);
   connect(&studio, &Studio::materials_changed, this, &StudioAutosave::post_head_soon);
   connect(&studio, &Studio::option_changed, this, [this](const QString& id) {
-    // The user may have defined this medium.
+    // The new medium may be user-defined, and then the autosave needs its text.
     if (id.endsWith(QLatin1String(".material"))) post_head();
   });
   HapticLoop& loop = studio.loop();
@@ -101,7 +101,8 @@ void StudioAutosave::post_head() {
   autosave_->post({.head = std::move(head)});
 }
 
-/// Does not restart a running timer, so that figures are stored even if they change continuously.
+/// Starts the timer unless it is running. A running timer is not restarted, so that figures are
+/// stored even if they change continuously.
 void StudioAutosave::post_head_soon() {
   if (!head_timer_.isActive()) head_timer_.start();
 }

@@ -20,10 +20,11 @@ namespace felt::desktop {
 /// subfolders of a test's folder.
 QStringList recovery_roots();
 
-/// Connects a Studio and its haptic loop to an Autosave. Changed figures of a material, and the
-/// text of a medium that comes with strokes, are autosaved within half a second. Only flush() and
-/// the destructor wait for a disk. When a drawing is closed normally, its database is deleted. The
-/// databases of dead processes are offered at the next start (recovery_dialog.h).
+/// Autosaves the drawing of a Studio: passes its events and edits, and the samples of its haptic
+/// loop, to an Autosave. Changed figures of a material, and the text of a medium that comes with
+/// strokes, are autosaved within half a second. Only flush() and the destructor wait for a disk.
+/// When a drawing is closed normally, its database is deleted. The databases of dead processes are
+/// offered at the next start (recovery_dialog.h).
 class StudioAutosave : public QObject {
   Q_OBJECT
 
@@ -36,8 +37,8 @@ class StudioAutosave : public QObject {
 
   /// Starts the autosave of another drawing, named `name`, with its file `path`, which may be "".
   void begin(const QString& name, const QString& path);
-  /// Updates name and path after a save. Studio::is_modified() tells whether the file contains
-  /// every change.
+  /// Updates name and path after a save. Whether the drawing has unsaved changes is stored
+  /// separately, whenever Studio::is_modified() changes.
   void rename(const QString& name, const QString& path);
   /// Reports that the user chose to discard the drawing when the window closes.
   void discard() { is_discarded_ = true; }
@@ -64,7 +65,7 @@ class StudioAutosave : public QObject {
   std::function<Drawing()> current_;
   std::optional<Autosave> autosave_;
   QTimer head_timer_;
-  std::set<std::string> media_;  // ids of the media with texts in the autosave
+  std::set<std::string> media_;  // ids of the media whose texts are in the autosave
   bool is_discarded_ = false;
 };
 

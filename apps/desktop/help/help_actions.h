@@ -20,13 +20,13 @@ class HelpActions : public QObject {
   HelpActions(Actions& actions, QWidget* window);
 
  Q_SIGNALS:
-  /// The user chose an example; it replaces an empty drawing or opens in its own window.
+  /// The user chose an example. Show it in a pristine window or in a new one.
   void wants_drawing(const felt::Document& drawing, const QString& title);
 
  private:
   void make_example(const Example& example);
   void show_tour();
-  /// Shows the only window of this kind; makes it on the first call.
+  /// Shows a window of which only one exists; makes it on the first call.
   void show_dialog(QPointer<QWidget>& dialog, QWidget* (*make)(const Actions&, QWidget*));
 
   Actions& actions_;

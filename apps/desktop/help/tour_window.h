@@ -34,7 +34,7 @@ class TourWindow : public QWidget {
   [[nodiscard]] Studio& studio() noexcept { return *studio_; }
 
  Q_SIGNALS:
-  /// The user chose "Try it yourself": opens a window with the drawing of the tour.
+  /// The user chose "Try it yourself". Open a window with `drawing`, the drawing of the tour.
   void wants_sheet(const felt::Document& drawing);
 
  protected:

@@ -94,8 +94,8 @@ void FeltPlot::draw_axes(QPainter& painter, const QRectF& in) const {
   }
 }
 
-/// Draws the band in which a change of the force is not felt. The band is hatched, because colour
-/// alone may not be visible.
+/// Draws the band within which changes of the force are not felt. The band is hatched, so that it
+/// is visible without colour.
 void FeltPlot::draw_band(QPainter& painter, const QRectF& in) const {
   const auto y = [&](double newton) { return in.bottom() - newton / top_n() * in.height(); };
   const QRectF band =

@@ -6,9 +6,9 @@
 
 namespace felt::desktop {
 
-/// A plot of the predicted feel of a stroke of 40 mm with even pressure. It shows the force
-/// against the pen along the path, and a band around the mean of the force. The hand does not feel
-/// a change within the band, which extends 0.04 N to both sides. The parts outside of the band are
+/// A plot of the predicted force on the pen during a stroke of 40 mm with even pressure. It shows
+/// the force against the motion along the path, and a band of 0.04 N on each side of its mean. The
+/// hand does not feel changes within the band. The parts of the plot outside of the band are
 /// filled: they are the grain that the hand feels.
 class FeltPlot : public QWidget {
   Q_OBJECT

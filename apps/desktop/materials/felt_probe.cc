@@ -47,7 +47,8 @@ double grain_share_of(const FeltWish& wish, const Capabilities& device, const He
                             .period_s = 1e-9 * static_cast<double>(device.period_ns)})
         .stiffness_n_per_m();
   };
-  // At this height no limit applies, and the stiffness is proportional to the height.
+  // With this share of the height no limit applies, and the stiffness is proportional to the
+  // height.
   constexpr double kLow = 1e-3;
   const double free = stiffness(kLow) / kLow;
   return free > 0.0 ? std::clamp(stiffness(1.0) / free, 0.0, 1.0) : 1.0;

@@ -23,29 +23,30 @@ struct FeltWish {
   friend bool operator==(const FeltWish&, const FeltWish&) = default;
 };
 
-/// The predicted forces. They follow from the same formulas as the tools' forces and from a stroke
-/// of the simulated hand in virtual time.
+/// The predicted forces. They are computed with the same force models as the tools use, and by
+/// simulating a stroke of the hand in virtual time.
 struct FeltFigures {
   static constexpr double kLengthMm = 40.0;
   static constexpr double kSpeedMmPerS = 80.0;
   static constexpr double kPressN = 0.8;
 
-  /// Force against the motion of the pen along kLengthMm, in N, at equal distances. The pen pushes
+  /// Force against the motion of the pen, in N, at equal distances along kLengthMm. The pen presses
   /// with kPressN.
   std::vector<double> drag_n;
   double stiffness_n_per_m = 0.0;  ///< stiffness of the surface as the device renders it
-  double budget_share = 0.0;       ///< stiffness along the worst axis, relative to the limit of the
-                                   ///< device (R56)
-  double grain_share = 1.0;        ///< part of the relief's height that is felt; 1 without a relief
+  double budget_share = 0.0;       ///< largest stiffness of any axis, relative to the device's
+                                   ///< limit (R56)
+  double grain_share = 1.0;        ///< share of the relief's height that the device can render; 1
+                                   ///< without a relief
   double rest_n = 0.0;             ///< tremble of a resting pen: RMS above 30 Hz (R48)
   bool is_sound = true;            ///< true if the safety chain reported no fault
 
   friend bool operator==(const FeltFigures&, const FeltFigures&) = default;
 };
 
-/// Computes the figures. Takes 50 ms for a device of 1 kHz; the time grows in proportion to the
-/// rate. Deterministic. Safe to call from any thread except the haptic one. If the device has no
-/// motors, uses the simulated Touch.
+/// Computes the figures. This takes about 50 ms for a device with a rate of 1 kHz, and is
+/// proportional to the rate. The result depends only on `wish`. Safe to call from any thread except
+/// the haptic thread. If the device has no motors, uses the simulated Touch.
 FeltFigures felt_figures(const FeltWish& wish);
 /// Returns the device that felt_figures() uses: `device`, or the simulated Touch if `device` has
 /// no motors.
@@ -59,8 +60,9 @@ class FeltProbe : public QObject {
   explicit FeltProbe(QObject* parent = nullptr);
   ~FeltProbe() override;
 
-  /// Requests the figures. `figured` is emitted later for the last request, and sometimes before
-  /// that for an older request. Does nothing if the request equals the previous one.
+  /// Requests the figures. `figured` is emitted when they are ready; before that, it may also be
+  /// emitted with the figures of an older request. Does nothing if the request equals the previous
+  /// one.
   void ask(const FeltWish& wish);
   [[nodiscard]] bool is_busy() const noexcept { return is_busy_; }
 

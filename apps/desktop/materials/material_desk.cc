@@ -78,7 +78,7 @@ class MaterialDesk::Step final : public QUndoCommand {
   Step(MaterialDesk& desk, const QString& words, State before, State after)
       : QUndoCommand(words), desk_(desk), before_(std::move(before)), after_(std::move(after)) {}
 
-  /// Sets the run. Steps of one field in the same run are merged.
+  /// Sets the field and the run. Consecutive steps of the same field and run are merged into one.
   void set_run(std::string_view field, std::uint64_t run) {
     field_ = field;
     run_ = run;
@@ -143,8 +143,9 @@ void MaterialDesk::tell_now() {
   }
   told_ = known;
   studio_.set_user_materials(known);
-  // When the medium was selected, the tool copied its widths, and the ink its colour. Therefore
-  // these are updated if those of the medium changed.
+  // The tool copied the widths of the medium, and the colour of new ink is that of the medium,
+  // since the medium was selected. Therefore both must be updated if the medium's widths or colour
+  // have changed.
   const Medium* after = studio_.materials().find_medium(drawing_medium(studio_.session()));
   if (!before || !after) return;
   const std::uint32_t color = after->color_rgb;
@@ -152,9 +153,9 @@ void MaterialDesk::tell_now() {
   if (color != medium.color_rgb) take_usual_color(studio_, medium.color_rgb, color);
 }
 
-/// Updates the selection and the list of user-defined materials after another drawing was opened.
-/// The materials that came with the old and the new drawing determine which user-defined materials
-/// are in use.
+/// Updates the selection and the list of user-defined materials after another drawing was opened. A
+/// user-defined material can be used only if the drawing has no other material with its id, so a
+/// new drawing may change which ones are in use.
 void MaterialDesk::follow_drawing() {
   if (is_withheld_) tell_now();
   if (!own_of(key_) && !find_in(studio_.materials(), key_)) {
@@ -168,7 +169,8 @@ const OwnMaterials::Entry* MaterialDesk::own_of(const MaterialKey& key) const {
   const OwnMaterials::Entry* entry = own_.find(key);
   if (!entry) return nullptr;
   const std::optional<AnyMaterial> here = find_in(studio_.materials(), key);
-  // If a material was passed to the studio, it is the user's, even if it has changed since.
+  // If the studio's material is the one that this object passed last, it is user-defined, even if
+  // the user has changed it since then.
   const bool is_of_drawing = here && *here != entry->now && here != find_in(told_, key);
   return is_of_drawing ? nullptr : entry;
 }
@@ -180,7 +182,8 @@ void MaterialDesk::go(const State& from, const State& to, FileFate fate) {
   } else if (from.material) {
     const MaterialKey key = key_of(*from.material);
     const OwnMaterials::Entry* entry = own_.find(key);
-    // If a copy was saved meanwhile, it stays: undoing its creation deletes no file.
+    // If the step created a copy that was saved afterwards, undoing the step keeps the copy and its
+    // file.
     if (entry && (fate == FileFate::kGoes || !entry->saved)) tell_error(own_.remove(key));
     if (!own_.find(key)) compared_.erase(key);
   }
@@ -192,7 +195,8 @@ void MaterialDesk::bring_back(const State& to) {
   const MaterialKey key = key_of(*to.material);
   compared_.insert_or_assign(key, to.compared);
   if (to.saved && !own_.find(key)) {
-    // The file gets its old content, and unsaved changes are restored as unsaved.
+    // The file gets its old content first. Then the unsaved changes are restored, and are still
+    // unsaved.
     own_.put(*to.saved);
     tell_error(own_.save(key));
   }
@@ -229,7 +233,7 @@ void MaterialDesk::select(const MaterialKey& key) {
   if (is_other) Q_EMIT selected();
 }
 
-/// Uses the selected material, so that the user feels it.
+/// Makes the selected material the surface or the medium in use, so that the user feels it.
 void MaterialDesk::take_in_hand() {
   if (!find_in(studio_.materials(), key_)) tell_now();
   if (key_.is_sheet) {
@@ -414,7 +418,7 @@ bool MaterialDesk::slots_are_alike() const {
   return other() == now();
 }
 
-/// This is not a step of undo, because the user loses nothing.
+/// Choosing a slot is not a step of undo, because the user loses no figures.
 void MaterialDesk::flip() {
   if (!is_own()) return;
   const AnyMaterial hidden = other();

@@ -15,31 +15,31 @@ namespace felt::desktop {
 
 /// The editing model of one surface or medium, which the editor shows and changes.
 ///
-/// Built-in materials never change: the first change makes a user-defined copy and selects it.
-/// Each change goes to OwnMaterials immediately, and from there to forces, picture and sound of
-/// every window; saving writes it to a file. Changes, renames, copies and deletions can be undone;
-/// a drag of a slider is one step.
+/// Built-in materials never change: the first change makes a user-defined copy and selects it. Each
+/// change is stored in OwnMaterials immediately, so that forces, picture and sound of every window
+/// use it; saving also writes it to a file. Changes, renames, copies and deletions can be undone; a
+/// drag of a slider is one step.
 ///
-/// Materials of the open drawing do not change, either. If the drawing has a material with the id
-/// of a user-defined one but other figures, the drawing's material is used while it is open. A
-/// copy never gets an id that the drawing uses.
+/// Materials that came with the open drawing do not change, either. If such a material has the id
+/// of a user-defined one but other figures, the drawing's material is used while the drawing is
+/// open. A copy never gets an id that the drawing uses.
 ///
-/// Each user-defined material has two slots of figures to compare, A and B; only the chosen slot
-/// is used. The other slot has the original figures until it is changed. Choosing a slot is not a
-/// step of undo, but each step stores and restores both slots.
+/// To compare figures, each user-defined material has two sets of them, slot A and slot B. Only the
+/// chosen slot is used. The other slot contains the original figures until it is changed. Choosing
+/// a slot is not a step of undo, but each step stores and restores both slots.
 class MaterialDesk : public QObject {
   Q_OBJECT
 
  public:
-  /// From now on only this object passes user-defined materials to the studio, which may have them
-  /// already. `studio` and `own` must outlive this object.
+  /// From now on, only this object may pass user-defined materials to the studio. The studio may
+  /// already have them. `studio` and `own` must outlive this object.
   MaterialDesk(Studio& studio, OwnMaterials& own, QObject* parent = nullptr);
 
   [[nodiscard]] const MaterialKey& key() const noexcept { return key_; }
   /// Returns the selected material with its present figures.
   [[nodiscard]] AnyMaterial now() const;
-  /// Returns the original that revert() restores: the saved file, or without a file the material
-  /// that was copied.
+  /// Returns the original that revert() restores: the content of the material's file or, if it has
+  /// no file, the material that was copied.
   [[nodiscard]] AnyMaterial origin() const;
   [[nodiscard]] bool is_own() const { return own_of(key_) != nullptr; }
   /// Returns the user-defined material of this key. Returns null if none exists, or if the drawing
@@ -64,25 +64,26 @@ class MaterialDesk : public QObject {
   /// Restores origin().
   void revert();
 
-  /// Saves a user-defined material. Saves any other material as a copy with its own name. Fails as
+  /// Saves a user-defined material. Of any other material, saves a copy with a new name. Fails as
   /// OwnMaterials::save does; then the material stays unsaved.
   Result<void> save();
   /// Saves a copy of the present material under this name, and selects it. Fails as save() does.
   Result<void> save_as(const QString& name);
-  /// Renames the material. Does nothing if it has that name, or if `name` has no printable letter.
+  /// Renames the material. Does nothing if the material already has that name, or if `name` has no
+  /// printable letter.
   void rename(const QString& name);
-  /// Deletes a user-defined material and its file; undo restores both. Does nothing for any other
-  /// material. Fails as OwnMaterials::remove does; then the material still exists and no step of
-  /// undo was added.
+  /// Deletes a user-defined material and its file; undo restores both. Does nothing if the material
+  /// is not user-defined. Fails as OwnMaterials::remove does; then the material still exists, and
+  /// undo has no additional step.
   Result<void> remove();
-  /// Adds the material of a file as an unsaved user-defined material. It gets another id if its
-  /// own is in use.
+  /// Adds the material in a file as an unsaved user-defined material. The material gets another id
+  /// if its own is in use.
   Result<void> import_file(const QString& path);
   Result<void> export_file(const QString& path) const;
 
   /// Returns the chosen slot of the selected material: 'A' or 'B'.
   [[nodiscard]] char slot() const { return compared_of(key_).chosen; }
-  /// Switches to the other slot, for forces, picture and sound. Does nothing if the material is
+  /// Chooses the other slot; forces, picture and sound then use it. Does nothing if the material is
   /// not user-defined.
   void flip();
   /// Copies the figures of the chosen slot to the other slot, as a step of undo. Does nothing if
@@ -109,8 +110,8 @@ class MaterialDesk : public QObject {
   /// The slots of one material.
   struct Compared {
     char chosen = 'A';
-    std::optional<AnyMaterial> hidden;  ///< figures of the other slot; nullopt means those of
-                                        ///< origin()
+    std::optional<AnyMaterial> hidden;  ///< figures of the slot that is not chosen; nullopt means
+                                        ///< the figures of origin()
 
     friend bool operator==(const Compared&, const Compared&) = default;
   };
@@ -125,7 +126,7 @@ class MaterialDesk : public QObject {
 
     friend bool operator==(const State&, const State&) = default;
   };
-  /// Tells whether a change to a state without the material also deletes its file.
+  /// Whether the material's file is deleted when a step of undo removes the material.
   enum class FileFate { kStays, kGoes };
 
   [[nodiscard]] State state() const;
@@ -154,8 +155,8 @@ class MaterialDesk : public QObject {
   std::map<MaterialKey, Compared> compared_;
   // The user-defined materials that were last passed to the studio.
   Materials told_ = Materials::built_in();
-  bool is_withheld_ = false;  // some were not passed, because the drawing has others with their
-                              // ids
+  bool is_withheld_ = false;  // some materials were not passed to the studio, because the drawing
+                              // has other materials with their ids
   QTimer tell_;               // active until the last change is passed to the studio
   QUndoStack steps_;
 };

@@ -21,10 +21,10 @@
 
 namespace felt::desktop {
 
-/// The editor of user-defined surfaces and media: a list of all materials and a slider and a
-/// number for every figure. Beside them it shows the immediate result: strokes, a plot of the
-/// predicted force, whether the device in use can render the material, and the present force. The
-/// drawing's window stays usable and draws with the edited material.
+/// The editor of user-defined surfaces and media. It has a list of all materials, and a slider and
+/// a number for every figure of the selected one. Beside them it immediately shows the result:
+/// strokes, a plot of the predicted force, whether the device in use can render the material, and
+/// the present force. The drawing's window stays usable and draws with the edited material.
 class MaterialEditor : public QWidget {
   Q_OBJECT
 

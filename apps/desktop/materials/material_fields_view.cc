@@ -51,8 +51,8 @@ FigureSpec figure_spec(const Field& field) {
 constexpr int kSameRunMs = 700;  // changes by keys or wheel within this time are one step of undo
 constexpr QSize kColorPx{44, 16};
 
-/// Numbers the runs of values. The values between press and release have the same number, and so
-/// do values that follow each other within kSameRunMs.
+/// Numbers the runs of values. All values between a press and the release of the slider have the
+/// same number, and so do values that follow each other within kSameRunMs.
 class Runs {
  public:
   void begin() { held_ = next(); }

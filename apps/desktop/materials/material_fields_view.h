@@ -15,8 +15,8 @@
 
 namespace felt::desktop {
 
-/// The row of a figure. It shows the value that it is given, and emits the value that the user
-/// chooses.
+/// A row with the control for one figure. It shows the value that show_value() sets, and emits
+/// `chosen` with the value that the user chooses.
 class FigureRow : public QWidget {
   Q_OBJECT
 
@@ -30,9 +30,9 @@ class FigureRow : public QWidget {
   void chosen(double value, quint64 run);
 };
 
-/// Shows every figure of a surface or a medium, made from the tables in material_fields.h: a
-/// slider and a number with its unit, a list for a choice, or a colour. The reset button restores
-/// the original value. The figures are grouped by the tables of the file format.
+/// Shows every figure of a surface or a medium, as the tables in material_fields.h define them: a
+/// slider and a number with its unit, a list of choices, or a colour. The reset button of a row
+/// restores the original value. The figures are grouped like the tables in a material's file.
 class MaterialFieldsView : public QWidget {
   Q_OBJECT
 

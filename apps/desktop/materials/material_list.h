@@ -10,8 +10,8 @@ namespace felt::desktop {
 class MaterialDesk;
 
 /// Lists surfaces and media, built-in and user-defined, in four groups. Unsaved user-defined
-/// materials have a dot and are described as unsaved. Emits the material that the user chooses by
-/// mouse or keys.
+/// materials have a dot and are described as unsaved. Emits `chosen` when the user chooses a
+/// material by mouse or keys.
 class MaterialList : public QTreeWidget {
   Q_OBJECT
 

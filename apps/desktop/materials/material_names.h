@@ -32,8 +32,9 @@ QString name_of(const AnyMaterial& material);
 /// Returns the material's figures in plain words.
 QString words_of(const AnyMaterial& material);
 
-/// Returns an id for a name: "my-soft-chalk" for "My soft chalk". Appends a number while
-/// `is_taken` returns true. Returns `fallback` if the name has no letter of the Latin alphabet.
+/// Returns an id for a name: "my-soft-chalk" for "My soft chalk". If `is_taken` returns true for
+/// that id, appends the first number with which it returns false. If the name has no Latin letter
+/// and no digit, uses `fallback` in its place.
 std::string id_for(const QString& name, const std::string& fallback,
                    const std::function<bool(const std::string&)>& is_taken);
 
@@ -41,8 +42,8 @@ std::string id_for(const QString& name, const std::string& fallback,
 /// most kMaxMaterialLabelBytes long. Returns "" if nothing is left.
 QString label_for(const QString& name);
 
-/// Returns the material with another id and name. The name is label_for(name), or the usual name
-/// of that id if label_for returns "".
+/// Returns the material with the given id and the name label_for(name). If that name is "", uses
+/// the default name of the id.
 AnyMaterial renamed(AnyMaterial material, const std::string& id, const QString& name);
 
 }  // namespace felt::desktop

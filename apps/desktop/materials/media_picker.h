@@ -12,18 +12,19 @@
 
 namespace felt::desktop {
 
-/// Sets the medium of new lines. Also sets its widths and pressure curve, as separate events, so
-/// that a recording replays in the same way. Calls take_usual_color() if the medium differs from
-/// the previous one. Returns false if an event was refused; then `refused` says why.
+/// Sets the medium of new lines, and the line widths and the pressure curve of this medium. Each
+/// value is set by an event, so that a replay of a recording gives the same lines. Calls
+/// take_usual_color() if the medium differs from the previous one. Returns false if an event was
+/// refused; then `refused` says why.
 bool take_medium(Studio& studio, const std::string& id);
-/// Does the same for a click. It also applies the medium to the selected lines. If the colour of
-/// new ink changed, it reports this to the user.
+/// Calls take_medium() when the user has clicked a medium, and also applies the medium to the
+/// selected lines. Reports to the user if the colour of new ink changed.
 bool choose_medium(Studio& studio, const std::string& id);
 
-/// Sets the colour of new ink to `now`, the usual colour of the current medium, 0xRRGGBB. Does so
-/// only if the colour is still the usual one of the previous medium, `before`, or black as in a
-/// new drawing. Any other colour was chosen by the user and stays. Returns false if that was
-/// refused; then `refused` says why.
+/// Sets the colour of new ink to `now`, the usual colour of the current medium (0xRRGGBB). Does so
+/// only if the present colour is `before`, the usual colour of the previous medium, or black as in
+/// a new drawing. Any other colour was chosen by the user and stays. Returns false if the session
+/// refused the new colour; then `refused` says why.
 bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now);
 
 /// Shows the media for drawing as pictures: a stroke of each, from light to hard, on the current
@@ -39,7 +40,7 @@ class MediaPicker : public QWidget {
   /// Returns the ids of the buttons, in their order.
   [[nodiscard]] const std::vector<std::string>& ids() const noexcept { return ids_; }
   [[nodiscard]] QAbstractButton* button(const std::string& id) const;
-  /// Returns the height that it needs at this width.
+  /// Returns the height that the widget needs if it has this width.
   [[nodiscard]] int height_for(int width) const;
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;

@@ -14,7 +14,8 @@
 namespace felt::desktop {
 
 /// Makes a picture of each medium for drawing: a stroke from light to hard on the current surface.
-/// When surface or media change, another thread makes new pictures; until then the old ones stay.
+/// When the surface or a medium changes, another thread makes new pictures; the old pictures are
+/// used until the new ones are ready.
 class MediaPictures : public QObject {
   Q_OBJECT
 
@@ -40,9 +41,10 @@ class MediaPictures : public QObject {
   Studio& studio_;
   QWidget* window_;
   Pictures pictures_;
-  std::atomic<std::uint64_t> round_{0};  // the number of the newest run; older runs are abandoned
-  QThreadPool maker_;                    // last, so that it ends before the other members are
-                                         // destroyed
+  std::atomic<std::uint64_t> round_{0};  // number of the newest request for pictures; work for
+                                         // older requests is abandoned
+  QThreadPool maker_;                    // the last member, so that its work ends before the other
+                                         // members are destroyed
 };
 
 }  // namespace felt::desktop

@@ -25,7 +25,7 @@ Rgba rgba_of(const QColor& color) {
           static_cast<std::uint8_t>(color.blue()), 255};
 }
 
-/// Returns the pencil's widths with this medium, by the tools' own rule.
+/// Returns the line widths that the pencil tool uses with this medium.
 WidthMapOptions widths_of(const Medium& medium) {
   InkFitOptions ink;
   ink.width_map.min_mm = medium.line.min_mm;

@@ -19,17 +19,17 @@ struct MediumPicture {
   qreal dpr = 1.0;          ///< device pixels per device-independent pixel
   QColor ink{35, 38, 45};   ///< colour of the stroke
   QColor paper{Qt::white};  ///< colour of the page
-  /// Forces of the strokes, 0..1, from top to bottom. If empty, draws one stroke, light at its
-  /// left end and hard at its right end.
+  /// Pressure of each stroke, 0..1, from top to bottom. If empty, the picture has one stroke, with
+  /// light pressure at its left end and strong pressure at its right end.
   std::vector<double> forces{};
-  /// Grain of the surface for the known media. If absent, it is made, which takes longer than
-  /// drawing the picture.
+  /// Grain of the surface for the known media (grain_for()). If absent, draw_medium() makes it,
+  /// which takes longer than drawing the picture.
   std::optional<Grain> grain{};
 };
 
-/// Draws strokes of a medium on a surface, in life size, as the canvas does: felt/render with the
-/// surface's grain. If a stroke is too wide for the picture, draws it as wide as possible. Takes
-/// some milliseconds if the grain is given. Safe to call from any thread.
+/// Draws strokes of a medium on a surface, in life size, with the same renderer and grain as the
+/// canvas. If a stroke is too wide for the picture, draws it as wide as possible. Takes some
+/// milliseconds if the grain is given. Safe to call from any thread.
 QImage draw_medium(const MediumPicture& picture);
 /// Makes the grain of a surface for these media. Takes up to 100 ms for a new relief. Safe to call
 /// from any thread.

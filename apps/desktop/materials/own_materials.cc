@@ -16,8 +16,8 @@ namespace {
 
 constexpr int kKeepMs = 500;
 
-/// Returns true if the content of the file is known here. Replacing or deleting it then loses
-/// nothing.
+/// Returns true if the file contains the material as it is now, or as it was last read or saved
+/// here. The file can then be replaced or deleted without losing other changes.
 bool is_known(const std::string& path, const OwnMaterials::Entry& entry) {
   const Result<AnyMaterial> there = read_material_file(path, read_height_png);
   return there && (*there == entry.now || *there == entry.saved);

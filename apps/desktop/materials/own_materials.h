@@ -15,10 +15,10 @@
 
 namespace felt::desktop {
 
-/// The user-defined surfaces and media of all windows: the files of the data folder
-/// (feltline/materials/*.toml in XDG_DATA_HOME), and unsaved changes. The settings keep the
-/// changes between starts, so that closing a window neither asks the user nor loses them. If a
-/// stored change cannot be read, it is reported as a problem and stays stored.
+/// The user-defined surfaces and media of all windows: the files in the data folder
+/// (feltline/materials/*.toml in XDG_DATA_HOME), and unsaved changes. Unsaved changes are stored in
+/// the settings, so that a window can be closed without asking the user and without losing them. If
+/// a stored change cannot be read, it is reported as a problem and stays stored.
 ///
 /// Use it in Qt's main thread.
 class OwnMaterials : public QObject {
@@ -33,8 +33,8 @@ class OwnMaterials : public QObject {
     [[nodiscard]] bool is_changed() const { return !saved || *saved != now; }
   };
 
-  /// Returns the object of this process, for material_folders(). The files are read at the first
-  /// call.
+  /// Returns the object of this process, which uses material_folders(). The files are read at the
+  /// first call.
   static OwnMaterials& the();
   /// Uses these folders, which need not exist. Saves into the first folder.
   explicit OwnMaterials(std::vector<std::string> folders, QObject* parent = nullptr);
@@ -56,17 +56,17 @@ class OwnMaterials : public QObject {
   void put(const AnyMaterial& now);
   /// Restores the content of the material's file; removes the material if it has no file.
   void revert(const MaterialKey& key);
-  /// Writes the material to its file in the user's folder, completely or not at all. Does not
-  /// replace a file that was changed since it was last read or saved here, because that would
-  /// destroy someone's work. Fails in that case, or with an error of the disk. The error names
-  /// file and reason, and the material stays unsaved.
+  /// Writes the material to its file in the user's folder, completely or not at all. Fails if the
+  /// file was changed since it was last read or saved here, because replacing it would destroy
+  /// someone's work, or if writing fails. The error names the file and the reason; the material
+  /// then stays unsaved.
   Result<void> save(const MaterialKey& key);
   /// Returns "" if remove() may delete the material; otherwise the reason: its file is in a folder
   /// for all users (XDG_DATA_DIRS).
   [[nodiscard]] QString kept_because(const MaterialKey& key) const;
-  /// Deletes the material and its file; it is not an error if the file is already gone. Fails for
-  /// the reason of kept_because(), if the file was changed since it was last read or saved here,
-  /// or with an error of the disk. The material then still exists.
+  /// Deletes the material and its file. It is not an error if the file no longer exists. Fails if
+  /// kept_because() returns a reason, if the file was changed since it was last read or saved here,
+  /// or if the file cannot be deleted. The material then still exists.
   Result<void> remove(const MaterialKey& key);
   /// Writes unsaved changes to the settings now, without the usual delay.
   void keep_changes();

@@ -30,8 +30,8 @@ double rounded(double friction) {
   return std::round(1000.0 * friction) / 1000.0;
 }
 
-/// Edits a number with the decimals that the table shows. Opening and leaving the field changes
-/// nothing; the friction of the pair is set only if the number differs.
+/// Edits a number with the decimals that the table shows. If the user leaves the field without
+/// changing the number, the friction of the pair is not set.
 class FrictionDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;

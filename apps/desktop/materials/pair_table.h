@@ -10,8 +10,9 @@
 
 namespace felt::desktop {
 
-/// Shows the friction of a medium on each surface: either by the general rule (medium times
-/// surface), or as a separate number in bold. Typing a number sets it; the button removes it.
+/// Shows the friction of a medium on each surface. By default it is the product of the medium's and
+/// the surface's friction; a separate number for a pair is shown in bold. The user sets a separate
+/// number by typing it, and removes it with the button.
 class PairTable : public QWidget {
   Q_OBJECT
 

@@ -17,7 +17,8 @@ struct Told {
   std::optional<double> friction;
 };
 
-/// A table for a medium whose friction has many digits, by the general rule on every surface.
+/// A table for a medium whose friction has many digits. No surface has a separate friction for this
+/// medium.
 struct ShownTable {
   ShownTable() {
     medium.friction = 0.33333;

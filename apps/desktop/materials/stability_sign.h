@@ -7,8 +7,9 @@
 
 namespace felt::desktop {
 
-/// Shows whether the device in use can render the material: a sign with its own shape (a check
-/// mark, a triangle, a stop sign) and colour, a word, a number, and the deviations.
+/// Shows whether the device in use can render the material. It shows a sign with a different shape
+/// and colour for each level (a check mark, a triangle, a stop sign), a word, a number, and the
+/// deviations.
 class StabilitySign : public QWidget {
   Q_OBJECT
 

@@ -10,7 +10,8 @@ namespace {
 constexpr double kFeltN = 0.04;   // smallest perceived change (docs/design/simulation.md)
 constexpr double kCleanN = 0.03;  // below this value the tremble is "clean"
                                   // (docs/design/limits.md)
-constexpr double kWhole = 0.95;   // share of the wanted value from which no difference is felt
+constexpr double kWhole = 0.95;   // from this share of the wanted value on, the difference is not
+                                  // felt
 constexpr double kHalf = 0.5;
 
 QString text(const char* english) {

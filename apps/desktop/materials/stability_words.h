@@ -8,16 +8,17 @@ namespace felt::desktop {
 
 /// How well a device can render a material.
 enum class StabilityLevel {
-  kGiven,    ///< completely and without trembling
-  kLess,     ///< with reduced values, or close to a perceptible tremble
-  kNotGiven  ///< less than half of the wanted values, or it trembles
+  kGiven,    ///< the device renders the material completely and without trembling
+  kLess,     ///< some values are reduced, or the tremble is almost perceptible
+  kNotGiven  ///< a value is less than half of the wanted one, the pen trembles, or the safety chain
+             ///< reports a fault
 };
 
 /// The stability in words: a state, a number, and the deviations.
 struct StabilityWords {
   StabilityLevel level = StabilityLevel::kGiven;
-  QString state;       ///< "Stable", "Limited by the device", "Trembles"
-  QString number;      ///< "67 % of what the device bears"
+  QString state;       ///< "Stable, as requested", "Too much for this device"
+  QString number;      ///< "67 % of the device’s limit"
   QStringList detail;  ///< sentences; empty if nothing deviates
 };
 

@@ -10,8 +10,9 @@
 
 namespace felt::desktop {
 
-/// A preview of a medium on a surface: three strokes, light, firm and hard, in life size, on the
-/// colour of the surface. Another thread draws it; a newer request replaces an older one.
+/// A preview of a medium on a surface: three strokes with light, medium and strong pressure, in
+/// life size, on a page with the colour of the surface. Another thread draws the preview; a newer
+/// request replaces an older one.
 class StrokePreview : public QWidget {
   Q_OBJECT
 

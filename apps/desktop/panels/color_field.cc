@@ -206,7 +206,8 @@ QColor ColorField::color() const {
 }
 
 void ColorField::show_color(const QColor& color) {
-  // If the field already shows this colour (equal bytes), it keeps its own hue and saturation.
+  // If the field already shows this colour, rounded to bytes, it keeps its own hue and saturation,
+  // which are more exact.
   if (this->color().rgb() == color.rgb()) return;
   const QColor hsv = color.toHsv();
   if (hsv.hsvHueF() >= 0.0F) hue_ = static_cast<double>(hsv.hsvHueF());

@@ -62,8 +62,8 @@ class HueStrip : public QWidget {
   double hue_ = 0.0;
 };
 
-/// A ShadeField and a HueStrip side by side, for any colour. If the colour becomes grey or black,
-/// the hue stays as it was.
+/// A ShadeField and a HueStrip side by side, with which the user can choose any colour. Grey and
+/// black have no hue of their own, so the hue stays as it was when the user chooses one of them.
 class ColorField : public QWidget {
   Q_OBJECT
 

@@ -229,7 +229,8 @@ void ColorsPanel::choose(Rgba wanted) {
   if (wanted != color()) studio_.apply(SetOption{kColor, color_to_text(wanted)});
 }
 
-/// Also applies a clicked swatch to the selected lines.
+/// Sets the colour of the selected lines to the current colour. Called when the user has clicked a
+/// swatch.
 void ColorsPanel::recolor_selected() {
   if (studio_.session().selection().empty()) return;
   studio_.apply(RestyleEvent{.color = color_to_text(color())});
@@ -272,7 +273,7 @@ void ColorsPanel::follow() {
                                        : tr("Contrast with the paper: %1:1").arg(ratio));
 }
 
-/// Adds the colours of new strokes to the recent ones.
+/// Adds the colours of new strokes to the list of recently used colours.
 void ColorsPanel::note_drawn(const Edit& edit) {
   if (edit.changes.empty() || !edit.changes.front().after) return;
   const Rgba used = edit.changes.front().after->data().color;

@@ -20,30 +20,31 @@ double contrast_of(Rgba a, Rgba b);
 /// Returns the colour that results from `color` over the opaque `ground`.
 Rgba seen_on(Rgba color, Rgba ground);
 
-/// Shows the colour of new ink with a field of shades, its number and its opacity. Also shows
-/// recently used colours, palettes, and the contrast to the paper. Palettes are built in or .gpl
-/// files, which the user opens by a button or drops here. Applies SetOption events of sheet.color,
-/// and shows changes that come from elsewhere.
+/// Shows the colour of new ink: a field of shades, the colour's number and its opacity. Also shows
+/// recently used colours, palettes, and the contrast to the paper. Palettes are built in, or are
+/// .gpl files that the user opens with a button or drops here. When the user chooses a colour, the
+/// panel sets the option sheet.color; it also follows changes of this option by other code.
 class ColorsPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ColorsPanel(Studio& studio, QWidget* parent = nullptr);
 
-  /// Reads a .gpl file, shows it and keeps it for the next start. Returns false if it cannot be
-  /// read; then the studio's `refused` says why.
+  /// Reads a .gpl file, shows the palette and remembers the file for the next start. Returns false
+  /// if the file cannot be read; then the studio's `refused` says why.
   bool open_palette(const QString& path);
-  /// Writes the shown palette. Returns false if that fails; then `refused` says why.
+  /// Writes the shown palette to a file. Returns false if writing fails; then `refused` says why.
   bool export_palette(const QString& path);
   /// Returns the shown palette with its name.
   [[nodiscard]] Palette shown_palette() const;
   /// Shows a palette that came with a drawing and keeps it in the list until another drawing is
   /// opened. An empty palette only removes the previous one from the list.
   void show_drawing_palette(const Palette& palette);
-  /// Asks the user for the file, then opens the palette; ask_export() exports it.
+  /// These functions ask the user for a file and then call open_palette() or export_palette().
   void ask_open();
   void ask_export();
-  /// Adds the current colour to the user's palette. drop_color() removes it.
+  /// Adds the current colour to the user's own palette. drop_color() removes the current colour
+  /// from it.
   void keep_color();
   void drop_color();
 

@@ -12,8 +12,8 @@ QString menu_text(const char* english) {
   return QCoreApplication::translate("EditActions", english);
 }
 
-/// Updates the texts of undo and redo from the history. It is called after every process(), so it
-/// must cost nothing if nothing has changed.
+/// Updates the texts of undo and redo from the history. The update is called after every process(),
+/// so it must return quickly if nothing has changed.
 class UndoTexts : public QObject {
  public:
   UndoTexts(QAction* undo, QAction* redo, Studio& studio, QObject* parent)

@@ -5,10 +5,10 @@
 
 namespace felt::desktop {
 
-/// Adds the commands for the drawing as a whole: edit.undo, edit.redo (their texts name the step),
-/// edit.cancel, edit.delete, edit.duplicate, edit.select_all, edit.select_none,
-/// edit.invert_selection. A command is enabled only if it has an effect. Both arguments must
-/// outlive the actions.
+/// Adds the commands that edit the drawing: edit.undo and edit.redo (with the name of the step in
+/// their texts), edit.cancel, edit.delete, edit.duplicate, edit.select_all, edit.select_none,
+/// edit.invert_selection. A command is enabled only while it would have an effect. Both arguments
+/// must outlive the actions.
 void add_edit_actions(Actions& actions, Studio& studio);
 
 }  // namespace felt::desktop

@@ -24,8 +24,8 @@ void HistoryModel::start_anew() {
   Q_EMIT current_changed();
 }
 
-/// Updates the rows. Rows 1..steps_ are the steps. The history may forget steps at the front, new
-/// steps may replace undone ones at the end, and several edits may arrive together.
+/// Updates the rows, of which rows 1..steps_ are the steps. Since the last call, the history may
+/// have forgotten steps at the front, and new steps may have replaced undone steps at the end.
 void HistoryModel::follow() {
   const History& history = studio_.session().history();
   const int steps = static_cast<int>(history.step_count());

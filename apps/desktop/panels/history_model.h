@@ -6,9 +6,9 @@
 
 namespace felt::desktop {
 
-/// The history as a list: row 0 is the drawing as it was opened (or the oldest remembered state),
-/// row n is its state after the n-th step. An edit updates only the rows that it changes, so that
-/// the list stays fast with thousands of steps.
+/// The history as a list. Row 0 is the state of the drawing when it was opened, or the oldest state
+/// that the history remembers; row n is the state after the n-th step. An edit updates only the
+/// rows that it changes, so that the list stays fast with thousands of steps.
 class HistoryModel : public QAbstractListModel {
   Q_OBJECT
 

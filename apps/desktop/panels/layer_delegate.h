@@ -4,8 +4,8 @@
 
 namespace felt::desktop {
 
-/// Paints a row of the layers panel: an eye, a pencil if it is the current layer, the name, a
-/// lock. The user can click eye and lock.
+/// Paints a row of the layers panel: an eye, a pencil if the row is the current layer, the layer's
+/// name, and a lock. The user can click the eye and the lock.
 class LayerDelegate : public QStyledItemDelegate {
   Q_OBJECT
 

@@ -7,8 +7,8 @@
 namespace felt::desktop {
 
 /// The layers of a studio's drawing as a list, the topmost first. Renaming or moving a row applies
-/// an event to the studio; the list then follows the drawing. It is rebuilt only when an edit
-/// changes a layer.
+/// an event to the studio, and the resulting edit updates the list. The list is rebuilt only if an
+/// edit changes the layers themselves.
 class LayersModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -35,7 +35,7 @@ class LayersModel : public QAbstractListModel {
   }
 
  Q_SIGNALS:
-  /// Emitted when the list was rebuilt: views have lost their selection.
+  /// Emitted when the list was rebuilt. Views must then restore their selection.
   void refreshed();
 
  private:

@@ -10,11 +10,11 @@
 
 namespace felt::desktop {
 
-/// Lists the layers, the topmost first. The user can show, lock, rename and reorder them and
-/// choose the current layer, which receives new ink. A click makes a layer the current one; the
-/// eye and the lock are at the ends of its row; a double click or F2 renames it, dragging moves
-/// it. Keys: the arrows move the highlight, Enter makes the layer current, Space shows or hides
-/// it.
+/// Lists the layers, the topmost first. The user can show, lock, rename and reorder them and choose
+/// the current layer, which receives new ink. A click on a row makes its layer the current one; a
+/// click on the eye or the lock at the ends of the row switches these; a double click or F2 renames
+/// the layer; dragging moves it. With the keyboard, the arrow keys move the highlight, Enter makes
+/// the highlighted layer current, and Space shows or hides it.
 class LayersPanel : public QWidget {
   Q_OBJECT
 
@@ -26,10 +26,12 @@ class LayersPanel : public QWidget {
   void choose(LayerId layer);
   /// Applies an event to the highlighted layer.
   void tell(LayerEvent::Do what);
-  /// Shows or hides this layer, or the highlighted one if `id` has no value.
+  /// Shows or hides the layer `id`, or the highlighted layer if `id` is empty. toggle_locked()
+  /// locks or unlocks it.
   void toggle_visible(LayerId id = {});
   void toggle_locked(LayerId id = {});
-  /// Makes the next layer above or below current; skips hidden and locked layers.
+  /// Makes the next layer above or below the current one the current layer. Skips hidden and locked
+  /// layers.
   void use_next(bool above);
   /// Opens the text field in the highlighted row.
   void rename();

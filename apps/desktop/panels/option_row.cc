@@ -20,7 +20,8 @@ namespace {
 constexpr std::size_t kMaxButtons = 3;  // if an option has more choices, they are a list
 constexpr int kLineGapPx = 2;
 constexpr int kResetIconPx = 14;
-constexpr int kResetPx = 18;  // the button is not higher than the name beside it
+constexpr int kResetPx = 18;  // size of the button, which must not be higher than the name beside
+                              // it
 constexpr int kChoiceRoomPx = 7;
 constexpr double kChoiceRoundPx = 3.5;
 

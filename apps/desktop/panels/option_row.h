@@ -15,15 +15,15 @@
 
 namespace felt::desktop {
 
-/// Shows one option of a table as a control: a slider and a number, a check box, two or three
-/// buttons side by side, or a list for more choices. Its help is the tool tip; a button restores
-/// the default if the value differs from it. The row shows the value that it is given and emits
-/// the value that the user chooses.
+/// Shows one option of a tool as a control: a slider and a number, a check box, two or three
+/// buttons side by side, or a list if there are more choices. The option's help is the tool tip. If
+/// the value differs from the default, a button restores the default. The row shows the value that
+/// show_value() sets, and emits `chosen` with the value that the user chooses.
 class OptionRow : public QWidget {
   Q_OBJECT
 
  public:
-  /// `spec` is copied; the table to which it refers must outlive the row.
+  /// `spec` is copied, but the texts to which it refers must outlive the row.
   explicit OptionRow(const OptionSpec& spec, QWidget* parent = nullptr);
 
   [[nodiscard]] const OptionSpec& spec() const noexcept { return spec_; }

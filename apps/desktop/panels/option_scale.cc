@@ -10,9 +10,9 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kWideRatio = 20.0;  // from this ratio on, small values get a larger part of the
-                                     // slider
-constexpr double kWideSpan = 20.0;   // the same limit for a range that begins at 0
+constexpr double kWideRatio = 20.0;  // if max / min is at least kWideRatio, small values get a
+                                     // larger part of the slider
+constexpr double kWideSpan = 20.0;   // the same applies if min is 0 and max is at least kWideSpan
 
 }  // namespace
 

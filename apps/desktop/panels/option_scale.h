@@ -6,8 +6,8 @@
 
 namespace felt::desktop {
 
-/// Maps a number of a table to what is shown: a slider position, with finer steps for small values
-/// if the range is wide, and a text with the unit. Shares from 0 to 1 are shown in percent. A
+/// Converts the number of an option to a slider position and to a text with the unit. If the range
+/// is wide, the slider has finer steps for small values. Shares from 0 to 1 are shown in percent. A
 /// value type.
 class OptionScale {
  public:
@@ -17,8 +17,8 @@ class OptionScale {
 
   /// Returns the slider position of a value. A value out of range gives the nearest end.
   [[nodiscard]] int place_of(double value) const;
-  /// Returns the rounded value of a slider position. The ends of the slider give the ends of the
-  /// range.
+  /// Returns the value of a slider position, rounded to few digits. The ends of the slider give
+  /// exactly the ends of the range.
   [[nodiscard]] double value_at(int place) const;
 
   /// Returns the factor from the value to the shown number: 100 for a share, otherwise 1.

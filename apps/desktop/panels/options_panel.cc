@@ -93,9 +93,9 @@ OptionRow* OptionsPanel::row(std::string_view id) const {
   return nullptr;
 }
 
-/// Makes the panel as narrow as the widest row of all tools allows. The width is the same for all
-/// tools, because the panel does not scroll sideways, and because choosing a tool must not move
-/// the panel's edge and the drawing beside it.
+/// Makes the panel just wide enough for the widest row of all tools. The width is the same for all
+/// tools, because the panel does not scroll sideways, and because choosing a tool must not move the
+/// panel's edge and the drawing beside it.
 void OptionsPanel::hold_width() {
   int widest = 0;
   for (const auto& tool : studio_.session().tools()) {
@@ -172,8 +172,8 @@ bool OptionsPanel::add_picker(Page& page, QVBoxLayout* lines, const ToolInfo& to
   return true;
 }
 
-/// Adds a heading that unfolds the rows below it. All tools share its state, which is kept between
-/// starts.
+/// Adds a heading that folds and unfolds the rows below it. All tools share the state of this
+/// heading, which is stored in the settings.
 QVBoxLayout* OptionsPanel::add_more(Page& page, QVBoxLayout* lines) {
   auto* button = new QToolButton(page.widget);
   button->setObjectName(QStringLiteral("more"));

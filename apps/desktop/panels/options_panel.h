@@ -15,14 +15,15 @@
 
 namespace felt::desktop {
 
-/// Makes a widget, as a child of `parent`, that sets an option's value.
+/// A function that makes a widget with which the user sets an option's value, as a child of
+/// `parent`.
 using OptionPicker = std::function<QWidget*(QWidget* parent)>;
 
-/// Shows the options of the current tool, made from its table (OptionSpec): a row for each, with
-/// its help as the tool tip. A row is hidden while its option has no effect. The force level comes
-/// last; rarely used options are folded under "More". Applies SetOption events, and shows changes
-/// that come from elsewhere. If an option has a picker (by its key "tool.option"), the picker
-/// replaces the row, with the option's name above it.
+/// Shows the options of the current tool with a row for each OptionSpec of the tool. A row is
+/// hidden while its option has no effect. The force level comes last; rarely used options are
+/// folded under "More". When the user changes a value, the panel applies a SetOption event; it also
+/// follows changes by other code. If `pickers` has an entry for an option, with the key
+/// "tool.option", the panel shows that widget below the option's name instead of a row.
 class OptionsPanel : public QWidget {
   Q_OBJECT
 
@@ -61,8 +62,8 @@ class OptionsPanel : public QWidget {
   QToolButton* reset_;
   QScrollArea* scroll_;
   QVBoxLayout* pages_box_;
-  std::map<std::string, Page, std::less<>> pages_;  // key: tool id; a page is made when its tool
-                                                    // is first used
+  std::map<std::string, Page, std::less<>> pages_;  // the pages by tool id; a page is made when its
+                                                    // tool is first used
   std::string shown_;
 };
 

@@ -19,9 +19,9 @@ struct PaletteSource {
 /// with any colour vision can distinguish, and greys. Names are translated.
 std::vector<PaletteSource> built_in_palettes();
 
-/// Returns the .gpl files of the data folders (feltline/palettes in XDG_DATA_HOME and
-/// XDG_DATA_DIRS), then those of `opened`. Each path is returned once; files that do not exist are
-/// skipped.
+/// Returns the .gpl files in the data folders (feltline/palettes in XDG_DATA_HOME and
+/// XDG_DATA_DIRS), and then the files `opened`. Each path is returned once; files that do not exist
+/// are skipped.
 std::vector<PaletteSource> palette_files(const QStringList& opened);
 
 /// Reads a .gpl file. The error names the file, the line and the reason.

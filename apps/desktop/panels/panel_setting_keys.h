@@ -2,9 +2,9 @@
 
 namespace felt::desktop::panel_keys {
 
-/// Recently used colours, the newest first: "#rrggbb" or "#rrggbbaa" each.
+/// A list of recently used colours, the newest first, each as "#rrggbb" or "#rrggbbaa".
 inline constexpr const char* kRecentColors = "panels/recent_colors";
-/// The user's own colours, in the same form.
+/// A list of the colours in the user's own palette, in the same form.
 inline constexpr const char* kOwnColors = "panels/own_colors";
 /// Paths of the .gpl files that the user opened.
 inline constexpr const char* kPaletteFiles = "panels/palette_files";

@@ -7,10 +7,10 @@
 
 namespace felt::desktop {
 
-/// Returns the icon of a tool ("pencil") or of a command ("undo", "layer-add", ...): a custom
-/// drawing in the colours of the current palette. Returns a null icon if no icon has that name.
-/// The icon is sharp at any size and screen scale, grey if disabled, and in the colour of selected
-/// text if selected. Call it in Qt's main thread.
+/// Returns the icon of a tool ("pencil") or of a command ("undo", "layer-add", ...) in the colours
+/// of the current palette. Returns a null icon if no icon has that name. The icon is sharp at any
+/// size and screen scale, grey if disabled, and in the colour of selected text if selected. Call it
+/// in Qt's main thread.
 QIcon icon_of(std::string_view name);
 
 /// Returns all names that icon_of() accepts, sorted.

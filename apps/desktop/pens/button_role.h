@@ -9,11 +9,11 @@ namespace felt::desktop {
 /// The action of a button while it is held. The settings store it by name.
 enum class ButtonRole : std::uint8_t {
   kNone,
-  kEraser,  ///< borrows the tool
+  kEraser,  ///< selects the eraser while the button is held
   kPull,
   kLasso,
   kPan,   ///< moving the pen pans the view
-  kUndo,  ///< applies once, when the button is pressed
+  kUndo,  ///< undoes one step when the button is pressed
   kFirstModifier,
   kSecondModifier,
 };

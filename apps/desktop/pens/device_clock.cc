@@ -13,10 +13,11 @@ constexpr std::uint64_t kMaxStampMs = std::uint64_t{1} << 42;  // 139 years: fit
 
 }  // namespace
 
-/// How the offset is estimated: the smallest offset so far (arrival minus stamp) belongs to the
-/// event with the smallest delay. The estimate grows slowly, because the clocks may drift. An
-/// offset that is smaller, or much larger, replaces it. A result is never before the previous
-/// result or after `now_ns`.
+/// The offset of an event is its time of arrival minus its stamp. The event with the smallest
+/// offset had the smallest delay, so the smallest offset so far is the estimate. The estimate grows
+/// slowly, because the clocks may drift apart. If the offset of an event is smaller than the
+/// estimate, or much larger, it becomes the new estimate. The returned time is never before the
+/// last returned time and never after `now_ns`.
 std::int64_t DeviceClock::time_ns(std::uint64_t stamp_ms, std::int64_t now_ns) noexcept {
   const bool has_stamp = stamp_ms != 0 && stamp_ms < kMaxStampMs;
   std::int64_t time_ns = now_ns;

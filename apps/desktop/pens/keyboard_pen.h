@@ -8,15 +8,16 @@
 
 namespace felt::desktop {
 
-/// Lets the user draw with keys alone. The arrows move the pen, faster the longer the key is held;
-/// Shift makes fine steps. Return, Enter or Insert puts the pen down and lifts it. This works only
-/// after an arrow has moved the pen or Tab or F6 has moved the focus here, so that an Enter meant
-/// for a text field draws nothing. Escape cancels the gesture. Steps are counted, not timed, so
-/// that the same keys make the same line. The view scrolls with the pen. The arguments of the
-/// constructor must outlive it.
+/// Lets the user draw with keys alone. The arrow keys move the pen, with steps that grow while the
+/// key is held; Shift makes fine steps. Return, Enter or Insert puts the pen down and lifts it
+/// again. These keys work only after an arrow key has moved the pen, or after Tab or F6 has moved
+/// the focus to the canvas, so that an Enter that was meant for a text field draws nothing. Escape
+/// cancels the gesture. The length of a step depends on the number of key repeats and not on time,
+/// so that the same keys draw the same line. The view scrolls with the pen. The arguments of the
+/// constructor must outlive this object.
 ///
-/// If the device cannot sense contact, its pen counts as touching while Return, Enter or Insert is
-/// held.
+/// If the user holds a device that cannot sense contact, its pen counts as touching while one of
+/// these keys is held.
 class KeyboardPen : public QObject {
   Q_OBJECT
 
@@ -29,15 +30,16 @@ class KeyboardPen : public QObject {
 
   KeyboardPen(Canvas& canvas, PenHand& hand);
 
-  /// Returns true if it would handle the key in its present state; for ShortcutOverride.
+  /// Returns true if press() would use the key now. Called for ShortcutOverride events.
   [[nodiscard]] bool wants(const QKeyEvent& event) const;
-  /// Handles a pressed key. Returns false if it does not use the key.
+  /// Handles a pressed key. Returns false if the key has no meaning for the pen.
   bool press(const QKeyEvent& event);
   /// Handles a released key. The next press of this key starts with small steps.
   void release(const QKeyEvent& event);
   /// Treats all keys as released, because their release events will not arrive.
   void let_go();
-  /// Mouse or pen move the hand now, until an arrow is pressed again.
+  /// Must be called when the mouse or a pen moves the hand. The keys then move the hand only after
+  /// an arrow key is pressed again.
   void stop_leading() noexcept { is_leading_ = false; }
 
  Q_SIGNALS:
@@ -54,7 +56,7 @@ class KeyboardPen : public QObject {
   int key_ = 0;
   int repeats_ = 0;
   bool is_leading_ = false;  // an arrow was pressed since the mouse last moved
-  int held_ = 0;             // the key that holds a device's pen down
+  int held_ = 0;             // the held key because of which a device's pen counts as touching
 };
 
 }  // namespace felt::desktop

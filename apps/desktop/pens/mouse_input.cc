@@ -20,7 +20,8 @@ QPointF place_of(const QMouseEvent& event, const QWidget& canvas) {
                               canvas.mapFromGlobal(event.globalPosition())}) {
     const QPointF off = exact - event.position();
     const double far = std::max(std::abs(off.x()), std::abs(off.y()));
-    // A synthetic event may contain neither position.
+    // A synthetic event may contain neither of the two positions, so a position is used only if it
+    // agrees with position().
     if (far > 0.0 && far <= 1.0) return exact;
   }
   return event.position();

@@ -12,9 +12,9 @@
 
 namespace felt::desktop {
 
-/// Uses the mouse as the hand. The left button is the pen's tip, the middle button moves the view,
-/// the right button may draw with a borrowed tool; the wheel zooms at the pointer. The arguments
-/// of the constructor must outlive it.
+/// Moves the hand with the mouse. The left button puts the pen down, the middle button moves the
+/// view, and the right button may draw with a borrowed tool; the wheel zooms at the pointer. The
+/// arguments of the constructor must outlive this object.
 ///
 ///   wheel                  zoom           Shift + wheel          move sideways
 ///   Ctrl + wheel           zoom, finely   Ctrl + Shift + wheel   turn

@@ -5,9 +5,9 @@
 
 namespace felt::desktop {
 
-/// Adds the commands for the pen: pressure on and off ("feel.pressure"), and the tool's modifiers,
-/// which these commands hold without a key ("feel.hold_first", "feel.hold_second"). Both arguments
-/// must outlive the actions.
+/// Adds the commands for the pen: "feel.pressure" switches pressure on and off; "feel.hold_first"
+/// and "feel.hold_second" switch the tool's modifiers on and off, so that the user does not have to
+/// hold a key. Both arguments must outlive the actions.
 void add_pen_actions(Actions& actions, PenInput& input);
 
 }  // namespace felt::desktop

@@ -9,8 +9,8 @@
 namespace felt::desktop {
 namespace {
 
-/// Time after which the session has surely seen a lift if no simulated body has to follow: the
-/// hand's positions are played up to 15 ms late (AimTrack).
+/// Time after which the session has certainly handled a lift of the pen, unless a simulated body
+/// still has to move: the hand's positions are played with a delay of up to 15 ms (AimTrack).
 constexpr std::int64_t kLiftSeenNs = 20'000'000;
 
 std::uint32_t bit_of(ButtonRole role) {

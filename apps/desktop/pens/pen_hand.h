@@ -10,12 +10,13 @@
 
 namespace felt::desktop {
 
-/// The hand over a canvas. Mouse, tablet, finger or keys move it, one source at a time. The source
-/// that has put the pen down keeps the hand until the pen is lifted, but the tablet takes
+/// The hand over a canvas. Mouse, tablet, finger or keys move the hand, one source at a time. The
+/// source that has put the pen down keeps the hand until the pen is lifted, but the tablet takes
 /// precedence over the others.
 ///
-/// A borrowed tool is given back after the session has seen the pen lifted, so that the end of the
-/// line belongs to the tool that drew it. The canvas must outlive it. Use it in Qt's main thread.
+/// When a button is released, the former tool is selected again only after the session has handled
+/// the sample with the lifted pen, so that the borrowed tool draws its line to the end. The canvas
+/// must outlive this object. Use it in Qt's main thread.
 class PenHand : public QObject {
   Q_OBJECT
 
@@ -32,7 +33,7 @@ class PenHand : public QObject {
                 std::optional<double> pressure, std::optional<double> tilt_deg = {});
   /// Lifts the pen at its present position, for any source. Does nothing if the pen is not down.
   void lift();
-  /// Discards the gesture. The pen has no effect until it was lifted.
+  /// Discards the gesture in progress and lifts the pen.
   void cancel();
   [[nodiscard]] bool is_down() const noexcept { return down_; }
   [[nodiscard]] bool is_down(Source source) const noexcept { return down_ && source_ == source; }
@@ -73,8 +74,8 @@ class PenHand : public QObject {
   std::optional<double> pressure_, tilt_deg_;
   std::uint32_t keys_ = 0, held_ = 0, locked_ = 0;
   std::uint32_t borrowing_ = 0;  // roles that borrow a tool, one bit each
-  int owed_ = 0;                 // number of tools to give back after the session has seen the
-                                 // lift
+  int owed_ = 0;                 // number of borrowed tools to give back when the session has
+                                 // handled the lifted pen
   std::int64_t lifted_ns_ = 0;
 };
 

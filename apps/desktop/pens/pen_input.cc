@@ -86,8 +86,8 @@ bool PenInput::eventFilter(QObject* watched, QEvent* event) {
       let_go();
       return false;
     case QEvent::Leave:
-      // While a button is held, mouse events arrive even outside of the widget, and this event
-      // does not. Therefore the release was lost.
+      // Qt does not send this event while a button is held. If the pen is still down, its release
+      // was lost.
       if (hand_.is_down(PenHand::Source::kMouse)) let_go();
       canvas_.set_pen_visible(hand_.is_down());
       return false;
@@ -100,8 +100,8 @@ bool PenInput::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
-/// Shows the pointer if it already rests where the window opens, because then no move event
-/// arrives.
+/// Handles a pointer that enters the canvas. Needed because no move event arrives if the window
+/// opens under a resting pointer.
 void PenInput::come(QPointF px) {
   const std::int64_t now_ns = canvas_.studio().now_ns();
   if (!hand_.is_known()) hand_.point(PenHand::Source::kMouse, px, now_ns, false, {});
@@ -184,7 +184,8 @@ bool PenInput::press_key(QKeyEvent& event) {
     return true;
   }
   if (keys_.press(event)) return true;
-  // The event contains the modifiers as they were before it.
+  // event.modifiers() are the modifiers before the key was pressed or released, so the key itself
+  // is added or removed.
   Qt::KeyboardModifiers held = event.modifiers();
   if (event.key() == Qt::Key_Shift) held |= Qt::ShiftModifier;
   if (event.key() == Qt::Key_Control) held |= Qt::ControlModifier;

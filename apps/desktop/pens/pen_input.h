@@ -13,12 +13,12 @@
 
 namespace felt::desktop {
 
-/// Handles mouse, tablet, touch and keys over a canvas. It is an event filter that calls
-/// Studio::point(), or pans, zooms and turns the view. The canvas must outlive it.
+/// Handles mouse, tablet, touch and keys over a canvas. This event filter moves the hand (PenHand),
+/// or pans, zooms and turns the view. The canvas must outlive it.
 ///
-/// Space and a drag pan the view; with Ctrl they zoom it, with Shift they turn it. If the input
-/// ends without a release (the window loses the focus, a release event is lost, the pen leaves the
-/// range), the pen is lifted.
+/// A drag while Space is held pans the view; with Ctrl it zooms the view, with Shift it turns the
+/// view. If the input ends without a release (the window loses the focus, a release event is lost,
+/// the pen leaves the range), the pen is lifted.
 class PenInput : public QObject {
   Q_OBJECT
 

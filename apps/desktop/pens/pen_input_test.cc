@@ -207,7 +207,7 @@ TEST_F(PenInputTest, ThePenTiltsAsTheTabletSays) {
   EXPECT_EQ(samples_.back().tilt_deg, std::nullopt);
 }
 
-// However a stroke ends, the pen is up afterwards and the ink exists.
+// Whatever ends a stroke, the pen is lifted afterwards and the stroke is in the document.
 TEST_F(PenInputTest, NoPenStaysDown) {
   const std::vector<std::function<void()>> ends = {
       [this] { leave_proximity(); },

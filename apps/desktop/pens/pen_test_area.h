@@ -9,8 +9,8 @@
 
 namespace felt::desktop {
 
-/// An area to try a pen with mouse or tablet. A line there is as wide as the settings make it, and
-/// is not part of a drawing.
+/// An area in which the user tries the settings with mouse or tablet. The width of the lines there
+/// depends on the settings. The lines are not part of a drawing.
 class PenTestArea : public QWidget {
   Q_OBJECT
 
@@ -22,12 +22,12 @@ class PenTestArea : public QWidget {
   [[nodiscard]] QSize sizeHint() const override;
 
  Q_SIGNALS:
-  /// Emitted while the pen presses. `raw` is the tablet's pressure before the curve (nullopt for a
-  /// mouse); `curved` is the pressure after the curve. Both are 0..1, and 0 when the pen was
-  /// lifted.
+  /// Emitted for each event of the pen. `raw` is the tablet's pressure before the curve, or nullopt
+  /// for a mouse; `curved` is the pressure after the curve. Both are 0..1, and 0 if the pen does
+  /// not touch.
   void pressed(std::optional<double> raw, double curved);
-  /// Emitted with the pen's tilt from the upright, in degrees; nullopt if the pen does not report
-  /// it.
+  /// Emitted with the angle between the pen and the surface normal, in degrees; nullopt if the pen
+  /// does not report its tilt.
   void tilted(std::optional<double> tilt_deg);
 
  protected:

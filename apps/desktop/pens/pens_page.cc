@@ -179,8 +179,8 @@ QWidget* PensPage::make_buttons() {
   return group;
 }
 
-/// The curve is copied, because the editor's own curve changes while the settings are stored one
-/// by one.
+/// The parameter is a copy, because the editor's own curve changes while store() sets the settings
+/// one by one.
 void PensPage::set_curve(PressureCurve curve) {
   loads_ = true;
   curve.store();

@@ -11,7 +11,8 @@ namespace {
 
 /// Distance of the handles from the diagonal for the softest or firmest curve.
 constexpr double kMaxBend = 0.3;
-constexpr int kHalvings = 40;  // of the parameter: more precise than any tablet
+constexpr int kHalvings = 40;  // steps of the bisection for the curve's parameter; the result is
+                               // more precise than any tablet
 
 QPointF in_square(QPointF p) {
   const auto inside = [](double v, double otherwise) {

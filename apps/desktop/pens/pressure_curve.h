@@ -4,9 +4,9 @@
 
 namespace felt::desktop {
 
-/// The curve that maps a tablet's pressure to the pressure that the user wants. It is a cubic in
-/// the unit square from corner to corner, with two handles in the square, so that it never falls.
-/// Below a threshold the pen does not touch. A value type.
+/// The curve that maps a tablet's pressure to the pressure that the user wants. It is a cubic from
+/// corner to corner of the unit square. Its two handles lie in the square, so that the curve never
+/// falls. If the pressure is below a threshold, the pen does not count as touching. A value type.
 class PressureCurve {
  public:
   static constexpr double kMaxThreshold = 0.5;
@@ -16,7 +16,7 @@ class PressureCurve {
   PressureCurve() = default;
   /// Clamps all arguments to their ranges.
   PressureCurve(QPointF first, QPointF second, double threshold);
-  /// Loads the curve from the settings. store() saves it there.
+  /// Loads the curve from the settings. store() stores it in the settings.
   static PressureCurve load();
   void store() const;
   /// Returns the curve for a firmness with this threshold. A firmness of -1 is soft (light

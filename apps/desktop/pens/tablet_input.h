@@ -12,9 +12,9 @@
 
 namespace felt::desktop {
 
-/// Uses a tablet's pen as the hand. Pressure follows the user's curve, tilt is unchanged, the
-/// eraser end and the side buttons borrow tools, and times come from the device's own time stamps.
-/// The arguments of the constructor must outlive it.
+/// Moves the hand with the pen of a tablet. The user's curve is applied to the pressure; the tilt
+/// is unchanged. The eraser end and the side buttons borrow tools. Times are computed from the
+/// device's own time stamps. The arguments of the constructor must outlive this object.
 class TabletInput : public QObject {
   Q_OBJECT
 
@@ -28,8 +28,8 @@ class TabletInput : public QObject {
   void take(const QTabletEvent& event);
   /// Handles a pen that left the range: its gesture ends as if the pen had been lifted.
   void leave();
-  /// Ends the gesture in the same way, and treats all buttons as released. Called when the window
-  /// is no longer active.
+  /// Treats all side buttons as released and ends a drag of the view. Called when the window is no
+  /// longer active.
   void let_go();
   /// Returns true if the pen is over the tablet, or was there a moment ago. A touch then counts as
   /// a palm.
@@ -42,7 +42,8 @@ class TabletInput : public QObject {
  Q_SIGNALS:
   /// Emitted when the pen comes into range.
   void came();
-  /// Emitted while the pen presses. `raw` is the tablet's pressure before the curve.
+  /// Emitted for each event of the pen. `raw` is the tablet's pressure before the curve, or 0 if
+  /// the pen does not touch.
   void pressed(double raw);
   void pressure_seen_changed();
 
@@ -59,7 +60,7 @@ class TabletInput : public QObject {
   DeviceClock clock_;
   QElapsedTimer since_;  // time since the last event
   bool erasing_ = false;
-  bool drags_ = false;                    // true while it drags the view
+  bool drags_ = false;                    // true while a side button drags the view
   std::array<ButtonRole, 2> held_roles_;  // roles of the side buttons while they are held
   std::array<bool, 2> held_{};
   Pressure pressure_seen_ = Pressure::kNotSeen;

@@ -65,8 +65,8 @@ void TouchInput::move_view(const QTouchEvent& event) {
     middle += point.position() / double(down.size());
   }
   if (down.size() > 1) first = down[1].position() - down[0].position();
-  // When a finger is added or lifted, the view does not move; motion continues from the new
-  // positions.
+  // The view moves only if the same fingers were down at the last event. When a finger is added or
+  // lifted, only the new positions are stored.
   if (ids == ids_ && !ids.isEmpty()) {
     CanvasView view = canvas_.view();
     view.pan(middle - middle_);

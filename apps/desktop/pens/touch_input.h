@@ -22,7 +22,8 @@ class TouchInput : public QObject {
 
   /// Handles a touch event. If `pen_is_near`, treats it as a palm.
   void take(const QTouchEvent& event, bool pen_is_near);
-  /// Cancels the effect of the present touch, because a pen came near.
+  /// Discards what the present touch draws, because a pen came near. The touch then counts as a
+  /// palm.
   void cancel();
 
  private:

@@ -9,8 +9,8 @@
 
 namespace felt::desktop {
 
-/// Moves the view of a canvas by a drag with the middle button, or with pen or mouse while Space
-/// is held. The cursor shows it.
+/// Moves the view of a canvas by a drag with the middle button, or with pen or mouse while Space is
+/// held. The shape of the cursor shows the kind of drag.
 class ViewDrag {
  public:
   enum class Kind : std::uint8_t { kPan, kZoom, kTurn };
@@ -18,8 +18,8 @@ class ViewDrag {
   /// The canvas must outlive it.
   explicit ViewDrag(Canvas& canvas) : canvas_(canvas) {}
 
-  /// Sets the kind of the next drag, because Space is held, and shows it by the cursor. Nullopt
-  /// means no drag.
+  /// Sets the kind of the next drag and shows the cursor for it. Called when Space is pressed;
+  /// nullopt, when Space is released, means that the next drag does not move the view.
   void offer(std::optional<Kind> kind);
   [[nodiscard]] std::optional<Kind> offered() const noexcept { return offered_; }
 

@@ -6,8 +6,8 @@
 
 namespace felt::desktop {
 
-/// Shows the colour of new ink at all times as a filled button. A click opens the colours panel
-/// beside it.
+/// A button filled with the colour of new ink, which is always visible. A click opens a colours
+/// panel beside it.
 class ColorWell : public QToolButton {
   Q_OBJECT
 

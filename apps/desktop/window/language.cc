@@ -38,7 +38,7 @@ QString use_language(const QString& language) {
   } else {
     chosen = chosen.section(QLatin1Char('_'), 0, 0).section(QLatin1Char('-'), 0, 0);
     if (!languages().contains(chosen)) chosen = QStringLiteral("en");
-    // Dates and decimal separators must match the language.
+    // Sets the locale, too, because dates and decimal separators must match the language.
     if (QLocale::system().name().section(QLatin1Char('_'), 0, 0) != chosen) {
       QLocale::setDefault(
           QLocale(chosen == QStringLiteral("en") ? QStringLiteral("en_GB") : chosen));

@@ -41,11 +41,11 @@ namespace {
 /// used.
 constexpr int kLayoutVersion = 1;
 constexpr QSize kFirstWindowSize{1280, 820};
-/// Part of the screen that is reserved for the frame of the window manager.
+/// Part of the screen that is reserved for the frame around the window.
 constexpr QSize kFrame{0, 40};
 constexpr int kMinLines = 8;  // minimum number of lines of a panel that scrolls
-/// Share of the height for the options, in per cent. A tool has more options than a drawing has
-/// layers.
+/// Percentage of the height that the options panel gets; the layers panel gets the rest. A tool
+/// usually has more options than a drawing has layers.
 constexpr int kOptionsShare = 64;
 
 Viewport stored_view(const CanvasView& view) {
@@ -183,7 +183,8 @@ QDockWidget* MainWindow::add_panel(const QString& name, const QString& title, QW
                              dock->setVisible(on);
                              if (on) dock->raise();
                            });
-  // The visibility is not used, because a panel behind another tab counts as visible.
+  // The action follows the dock's own action and not its visibility, because a panel behind another
+  // tab is open but not visible.
   connect(dock->toggleViewAction(), &QAction::toggled, action, &QAction::setChecked);
   return dock;
 }

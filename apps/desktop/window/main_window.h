@@ -18,8 +18,8 @@ namespace felt::desktop {
 
 /// The window of one drawing: canvas, tool bar, panels, menus, status line.
 ///
-/// Its layout (size, position, panels) is stored for the next window. One process may have several
-/// windows (windows.h).
+/// The layout of the window (size, position, panels) is stored for the next one. A process may have
+/// several windows (windows.h).
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -46,7 +46,8 @@ class MainWindow : public QMainWindow {
  Q_SIGNALS:
   /// Emitted when "edit.preferences" was triggered.
   void wants_preferences();
-  /// The user chose an example. It opens here if nothing was drawn, otherwise in its own window.
+  /// The user chose an example. Show it in this window if it is pristine, otherwise in a new
+  /// window.
   void wants_drawing(const felt::Document& drawing, const QString& title);
 
  protected:

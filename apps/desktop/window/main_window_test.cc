@@ -149,7 +149,7 @@ TEST(MainWindow, WhatAPersonMakesIsInEveryListAtOnce) {
       found += box->findText(QStringLiteral("Graphite")) >= 0;
     }
     for (const auto* button : window.findChildren<QAbstractButton*>()) {
-      // If space is short, the text of a button is shorter than its name.
+      // If there is not enough space, the text of a button may be shorter than its accessible name.
       const QString name =
           button->accessibleName().isEmpty() ? button->text() : button->accessibleName();
       found += !button->isHidden() &&

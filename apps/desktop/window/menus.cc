@@ -13,15 +13,17 @@
 namespace felt::desktop {
 namespace {
 
-/// A menu: the first part of its actions' names, and their sequence. "-" is a separator. "name.*"
-/// means all actions with that prefix, in a submenu if `submenus` names one.
+/// A menu: the first part of its actions' names, and the sequence of its entries. "-" is a
+/// separator. "name.*" means all actions with that prefix; they are in a submenu if a SubmenuRow
+/// has this prefix.
 struct MenuRow {
   std::string_view prefix;
   const char* title;
   std::string_view order;  // separated by blanks
 };
 
-/// The position of the submenu of recent files. It is not the name of an action.
+/// In the sequence of a menu, the position of the submenu of recent files. It is not the name of an
+/// action.
 constexpr auto kRecent = "file.recent_menu";
 
 constexpr std::array kMenus{

@@ -7,10 +7,10 @@
 
 namespace felt::desktop {
 
-/// Makes the menu bar from the actions by their names. A single table defines their sequence.
-/// Names without an action are skipped. An action that is not in the table comes at the end of the
-/// menu that its name starts with, so that every action has a menu. `recent` is the menu of recent
-/// files, or null.
+/// Makes the menu bar. A table of action names defines the menus and the sequence of their entries.
+/// Names without an action are skipped. An action whose name is not in the table is added to the
+/// end of the menu that its name starts with, so that every action is in a menu. `recent` is the
+/// menu of recent files, or null.
 void make_menus(QMainWindow& window, const Actions& actions, QMenu* recent);
 
 /// Sets the icons of the actions, in the colours of the current palette.

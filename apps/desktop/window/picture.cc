@@ -40,7 +40,7 @@ int complain(const QString& text) {
   return 1;
 }
 
-/// Processes events as a program with a screen does.
+/// Processes all waiting events, as the event loop does.
 void settle() {
   for (int i = 0; i < 30; ++i) {
     QApplication::processEvents(QEventLoop::AllEvents, 20);

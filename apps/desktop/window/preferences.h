@@ -10,8 +10,9 @@
 
 namespace felt::desktop {
 
-/// The dialog of the settings, with several pages. Every change takes effect immediately and is
-/// stored; the dialog has no button to confirm. A page is made when it is first shown.
+/// The dialog in which the user changes the settings, with several pages. Every change takes effect
+/// immediately and is stored; the dialog has no button to confirm. A page is made when it is first
+/// shown.
 class Preferences : public QDialog {
   Q_OBJECT
 

@@ -10,16 +10,17 @@
 
 namespace felt::desktop {
 
-/// Returns a control that shows and changes a setting, and follows changes that come from
-/// elsewhere.
+/// Returns a check box that shows and changes a setting. It also follows changes of the setting by
+/// other code.
 QCheckBox* setting_switch(const QString& key, bool fallback, const QString& text,
                           const QString& tip, QWidget* parent);
-/// `choices` are the stored values and the texts that the user sees.
+/// Does the same with a list. `choices` are pairs of the stored value and the text that the user
+/// sees.
 QComboBox* setting_choice(const QString& key, const QString& fallback,
                           const std::vector<std::pair<QString, QString>>& choices,
                           const QString& name, QWidget* parent);
 
-/// Returns a slider for a share, 0..1, in steps of 0.01.
+/// Does the same with a slider for a number from 0 to 1, in steps of 0.01.
 QSlider* setting_slider(const QString& key, double fallback, const QString& name, QWidget* parent);
 
 }  // namespace felt::desktop

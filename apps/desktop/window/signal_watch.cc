@@ -36,8 +36,7 @@ extern "C" void note_signal(int signal) {
 
 SignalWatch::SignalWatch(QObject* parent) : QObject(parent) {
   if (pipe2(pipe_.data(), O_CLOEXEC | O_NONBLOCK) != 0)
-    return;  // then signals end the process as
-             // usual
+    return;  // without a pipe, signals end the process as usual
   notifier_ = std::make_unique<QSocketNotifier>(pipe_[0], QSocketNotifier::Read);
   connect(notifier_.get(), &QSocketNotifier::activated, this, [this] {
     notifier_->setEnabled(false);

@@ -7,10 +7,10 @@
 
 namespace felt::desktop {
 
-/// While it exists, SIGTERM, SIGINT and SIGHUP (sent by a logout, `kill`, Ctrl-C or a terminal
-/// that closes) emit `asked`. Without it, they would end the process immediately, with the
-/// device's last force still on. A second signal ends the process as usual. Each process may have
-/// one, in the main thread.
+/// Emits `asked` for SIGTERM, SIGINT and SIGHUP, which a logout, `kill`, Ctrl-C or a closing
+/// terminal sends. Without a SignalWatch, these signals would end the process immediately, with the
+/// device's last force still on. A second signal ends the process as usual. A process may have only
+/// one SignalWatch, in the main thread.
 class SignalWatch : public QObject {
   Q_OBJECT
 

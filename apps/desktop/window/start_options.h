@@ -7,8 +7,8 @@
 
 namespace felt::desktop {
 
-/// A request for a picture of a window, for the documents. The program then uses default settings,
-/// no display and a virtual clock.
+/// A request for a picture of a window, for the documents. To make the picture, the program uses
+/// default settings, no display and a virtual clock.
 struct PictureRequest {
   QString path;  ///< "" if no picture is requested
   QSize size{1280, 800};
@@ -16,7 +16,7 @@ struct PictureRequest {
   QStringList panels;  ///< names of the panels to show
   QString tool;
   QString script;                  ///< path of an event script that is played first
-  std::optional<qint64> until_ms;  ///< script time at which it stops
+  std::optional<qint64> until_ms;  ///< script time at which the script stops; nullopt: at its end
   QString example;                 ///< id of an example that is opened before the script
   QString dialog;                  ///< "preferences/pen", "shortcuts", "about", "guide", "tour/2"
 };
@@ -31,7 +31,8 @@ struct StartOptions {
   PictureRequest picture;
 };
 
-/// Reads the arguments of QCoreApplication. Returns an error for stderr (exit code 2), or nullopt.
+/// Sets `options` from the arguments of QCoreApplication. Returns an error message, which the
+/// program prints to stderr before it exits with code 2, or nullopt.
 std::optional<QString> read_arguments(const QStringList& arguments, StartOptions& options);
 
 /// Returns the text of --help.

@@ -37,7 +37,7 @@ StartWatch::StartWatch(Canvas& canvas) : QObject(&canvas) {
 bool StartWatch::eventFilter(QObject*, QEvent* event) {
   if (event->type() != QEvent::Paint || is_done_) return false;
   is_done_ = true;
-  // Runs after the paint, when the picture was passed to the screen.
+  // The timer fires after the paint, when the picture was passed to the screen.
   QTimer::singleShot(0, this, [] {
     std::printf("first paint %.0f ms after the start, %.0f ms of CPU\n",
                 1e3 * seconds_since_start(), 1e3 * double(std::clock()) / CLOCKS_PER_SEC);

@@ -8,9 +8,9 @@
 
 namespace felt::desktop {
 
-/// The status bar. Left: the current tool's effect and modifiers. Right: pen position, zoom,
-/// rotation, pressure, device, and whether the drawing is saved. Messages of Studio::refused are
-/// shown for some seconds; they do not move the focus.
+/// The status bar. The left part describes the current tool's effect and modifiers. The right part
+/// shows the pen position, zoom, rotation, pressure and device, and whether the drawing is saved.
+/// Messages of Studio::refused are shown for some seconds, without moving the focus.
 class StatusLine : public QStatusBar {
   Q_OBJECT
 

@@ -15,7 +15,7 @@
 namespace felt::desktop::theme_test {
 namespace {
 
-/// Returns the relative luminance of WCAG 2.1.
+/// Returns the relative luminance of a colour as defined by WCAG 2.1.
 double luminance(const QColor& color) {
   const auto linear = [](float part) {
     const double c = double(part);

@@ -117,7 +117,7 @@ bool ToolKeys::eventFilter(QObject* watched, QEvent* event) {
       break;
     }
     case QEvent::MouseButtonPress:
-      last_key_ = 0;  // if an action is triggered now, the user has clicked
+      last_key_ = 0;  // an action that is triggered now is triggered by a click and not by a key
       break;
     case QEvent::WindowDeactivate:
       if (watched == window_) {

@@ -8,15 +8,15 @@
 
 namespace felt::desktop {
 
-/// Handles a key for each tool. A tap selects the tool permanently. If the key is held while its
-/// tool is used, its release selects the former tool again ("hold to borrow"). A key counts as
-/// held after kHoldMs. If a gesture is in progress, it is finished first. When the window loses
-/// the focus, the key counts as released.
+/// Handles a key for each tool. Pressing the key selects the tool. If the key is held for at least
+/// kHoldMs and the tool is used meanwhile, the release of the key selects the former tool again
+/// ("hold to borrow"); otherwise the tool stays selected. A gesture that is in progress at the
+/// release is finished first. When the window loses the focus, the key counts as released.
 ///
-/// "tool.swap" (X) borrows the eraser while it is held, or the pencil if the eraser is selected.
+/// "tool.swap" (X) borrows the eraser, or the pencil if the eraser is selected. The release of this
+/// key always selects the former tool again.
 ///
-/// Adds the actions "tool.ID" that no other folder has added, and watches the program's key
-/// events.
+/// This class adds an action "tool.ID" for each tool for which no other code has added one.
 class ToolKeys : public QObject {
   Q_OBJECT
 
@@ -49,8 +49,9 @@ class ToolKeys : public QObject {
   Studio& studio_;
   QWidget* window_;
   Held held_;
-  QString before_;    // the tool that was current when that key was pressed
-  int last_key_ = 0;  // the key event that may trigger a shortcut now
+  QString before_;    // the tool that was current when `last_key_` was pressed
+  int last_key_ = 0;  // the key that was pressed last and whose event may trigger an action now; 0:
+                      // none
   QString owed_;      // the tool to select again when the pen is lifted
 };
 

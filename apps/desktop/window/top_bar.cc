@@ -73,8 +73,8 @@ void TopBar::add_named(const Actions& actions, const char* name) {
   button->setFocusPolicy(Qt::TabFocus);
 }
 
-/// Adds the switch of the forces. It shows its text at every width, so that the user always sees
-/// how to stop the forces.
+/// Adds the switch of the forces. Its text is visible even if the bar is narrow, so that the user
+/// always sees how to stop the forces.
 void TopBar::add_forces(const Actions& actions) {
   add_named(actions, "feel.forces");
   forces_ = actions.find(QStringLiteral("feel.forces"));

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-/// The settings of the window, which are kept between starts.
+/// The stored settings of the window (engine/settings.h).
 namespace felt::desktop::window_keys {
 
 /// Theme: "system", "light" or "dark".

@@ -18,18 +18,20 @@ class Windows : public QObject {
 
   /// Opens a window with an empty page.
   MainWindow* open();
-  /// Returns a window that shows this file: the window that shows it already, a pristine window,
-  /// or a new one. If the file cannot be read, the window shows the error over an empty page.
+  /// Shows the file in a window and returns the window. If a window already shows the file, uses
+  /// that window; otherwise a pristine window or a new one. If the file cannot be read, the window
+  /// shows the error over an empty page.
   MainWindow* open_file(const QString& path);
   /// Opens an example: in `here` if nothing was drawn there, otherwise in a new window.
   MainWindow* open_drawing(const Document& drawing, const QString& title, MainWindow* here);
-  /// Prepares to end without asking the user, because the program must end. Switches forces off
-  /// immediately. When it returns, the drawings are on the disk; the next start offers the unsaved
-  /// ones.
+  /// Prepares the end of the program without asking the user. Switches forces off immediately and
+  /// autosaves all drawings. When the function returns, they are on the disk; the next start offers
+  /// those with unsaved changes.
   void let_go();
   /// Calls let_go() and closes all windows. Must not be called from within a dialog.
   void end();
-  /// Returns the path of the file that was last open, or "".
+  /// Returns the path of the drawing that was last open, if the next start should open it again and
+  /// the file exists; otherwise "".
   [[nodiscard]] static QString last_file();
 
  private:

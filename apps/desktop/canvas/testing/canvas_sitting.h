@@ -12,8 +12,8 @@
 
 namespace felt::desktop {
 
-/// A fixture that draws on a canvas, for tests and pictures. It has a moving hand, and a clock
-/// that advances by the time that the moves take.
+/// A fixture that draws on a canvas, for tests and pictures. Its functions move the hand, and each
+/// move also advances the studio's clock.
 class Sitting {
  public:
   explicit Sitting(QSize size = {640, 480}, const QString& device = QStringLiteral("tablet"))
@@ -59,7 +59,7 @@ class Sitting {
     canvas.ink().finish();
     for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
   }
-  /// Returns the pixels that the window shows.
+  /// Returns the pixels that the window shows now, after its partial repaints.
   QImage seen() {
     settle();
     const auto* window = dynamic_cast<QImage*>(canvas.backingStore()->paintDevice());

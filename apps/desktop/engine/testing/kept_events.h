@@ -7,7 +7,8 @@
 
 namespace felt::desktop {
 
-/// For StudioOptions::connect_early: appends every event of the studio's sessions to `events`.
+/// Returns a function for StudioOptions::connect_early. It makes the studio append every event of
+/// its sessions to `events`.
 inline std::function<void(Studio&)> keep_events(std::vector<Event>& events) {
   return [&events](Studio& studio) {
     QObject::connect(&studio, &Studio::event_applied, &studio,

@@ -7,7 +7,7 @@
 
 namespace felt::desktop {
 
-/// Dialogs that give the answers that a test sets, and record the questions.
+/// Dialogs for tests. They return the answers that the test has set, and record the questions.
 class ScriptedDialogs : public FileDialogs {
  public:
   QString open_name(QWidget*, const QString&, const QString&, const QString&) override {

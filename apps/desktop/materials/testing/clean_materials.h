@@ -7,8 +7,8 @@
 
 namespace felt::desktop {
 
-/// For tests: removes unsaved materials of other tests at its start, and those of this test at its
-/// end. It must be the first member.
+/// For tests: the constructor removes unsaved materials that other tests left in the settings, and
+/// the destructor those of this test. Must be the first member of a fixture.
 struct Clean {
   Clean() { forget(); }
   ~Clean() { forget(); }

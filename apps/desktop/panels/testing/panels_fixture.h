@@ -19,8 +19,8 @@ inline StudioOptions still() {
 /// Adds `count` lines in the current colour, from top to bottom, each as a step of undo.
 void draw_lines(Studio& studio, int count);
 
-/// Returns the controls below a widget that the user can reach but that have neither a text nor an
-/// accessible name. Each is given by class and object name, for a message.
+/// Returns the controls inside a widget that the user can reach but that have neither a text nor an
+/// accessible name. Each is described by its class and object name, for a test's message.
 std::vector<std::string> nameless(const QWidget& widget);
 
 /// Returns the names of the layers, the topmost first, with "*" after the current one.
