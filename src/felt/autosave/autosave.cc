@@ -281,14 +281,13 @@ void Autosave::apply(AutosaveMessage& message) {
   }
 }
 
-/// Closes the database in use. It is removed later, when the base of the next database is complete.
-/// It is removed immediately if its own base is incomplete and an older database exists, because it
-/// is then useless and repeated attempts must not fill the disk.
-void Autosave::retire_database() {
-  if (!database_) return;
-  AutosaveDatabase database = *std::exchange(database_, {});
-  if (database.base_in_progress() && !old_.empty()) {
-    static_cast<void>(std::move(database).remove());
+/// Puts a database out of use. It is removed when another one is complete. If an older one exists,
+/// this one never was complete, because old_ is removed then; so it is useless and is removed now,
+/// because repeated attempts must not fill the disk.
+void Autosave::retire(std::optional<AutosaveDatabase> database) {
+  if (!database) return;
+  if (old_) {
+    static_cast<void>(std::move(*database).remove());
   } else {
     old_ = std::move(database);
   }

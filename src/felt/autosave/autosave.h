@@ -190,8 +190,8 @@ class Autosave {
   LiveInk::Changes live_changes_;
   std::vector<Edit> edits_;  // edits that are not in the database yet
   std::optional<AutosaveDatabase> database_;
-  std::vector<AutosaveDatabase> old_;  // to be removed when the base of `database_` is complete
-  std::size_t root_ = 0;               // index of the folder of `database_`
+  std::optional<AutosaveDatabase> old_;  // to be removed when the base of `database_` is complete
+  std::size_t root_ = 0;                 // index of the folder of `database_`
   int drawing_number_ = 0, database_number_ = 0;
   bool has_drawing_ = false, is_info_written_ = false;
   std::int64_t newest_ns_ = INT64_MIN;  // time of the newest event so far, on the session's clock
