@@ -92,7 +92,8 @@ class Edits {
   Ink& ink_;
 };
 
-/// An InkTileStore that shows a window's view. The benchmark calls its work directly, without threads.
+/// An InkTileStore that shows a window's view. The benchmark calls its work directly, without
+/// threads.
 class Window {
  public:
   explicit Window(const Document& document) { desk_.open(document); }

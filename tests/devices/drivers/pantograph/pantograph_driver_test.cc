@@ -267,7 +267,8 @@ TEST(PantographDriver, AFrameThatDidNotGoIsAFault) {
   EXPECT_EQ(ticked.written.error(), DeviceFault::kOther);
   EXPECT_GT(norm(table.world.held_force()), 0.9);
   EXPECT_EQ(table.device->status().last_fault, DeviceFault::kOther);
-  EXPECT_THAT(std::string(table.device->status().vendor_words.view()), HasSubstr("does not accept data"));
+  EXPECT_THAT(std::string(table.device->status().vendor_words.view()),
+              HasSubstr("does not accept data"));
   ASSERT_TRUE(table.tick({0.5, 0, 0}).written.has_value()) << "the next goes";
   EXPECT_NEAR(norm(table.world.held_force()), 0.5, 0.01);
 }
