@@ -5,7 +5,7 @@
 #include <cstring>
 #include <map>
 
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/render/plot_canvas.h"
 
 namespace felt::cli {
@@ -69,7 +69,7 @@ void ActPictures::see(const Session& session, const PenSample& pen) {
     return;
   }
   if (!before_) before_ = SessionView{session.document(), {}, std::nullopt};
-  in_work_ = view_of(session, on_sheet(pen.position));
+  in_work_ = view_of(session, on_page(pen.position));
 }
 
 Result<Image> ActPictures::draw(const Session& after, int width_px) const {
@@ -85,14 +85,14 @@ Result<Image> ActPictures::draw(const Session& after, int width_px) const {
   box.extend(bounds_of(shown));
   PictureOptions picture;
   picture.paper = kPaper;
-  picture.sheet = panel_around(box);
+  picture.area = panel_around(box);
   const double px_per_unit = width_px / (3.0 * kUnits + 2.0 * kGapUnits);
-  const double panel_height = kUnits * picture.sheet->height() / picture.sheet->width();
+  const double panel_height = kUnits * picture.area->height() / picture.area->width();
   const int panel_px = static_cast<int>(kUnits * px_per_unit);
   const int height_px = static_cast<int>(panel_height * px_per_unit);
   const int step_px = static_cast<int>((kUnits + kGapUnits) * px_per_unit);
   const int caption_px = static_cast<int>(kCaptionUnits * px_per_unit);
-  picture.dpi = kMmPerInch * panel_px / picture.sheet->width();
+  picture.dpi = kMmPerInch * panel_px / picture.area->width();
   Result<Image> whole = Image::create(2 * step_px + panel_px, height_px + caption_px);
   if (!whole) return whole;
   fill(whole->pixels(), whole->pixels().rect(), kGround);

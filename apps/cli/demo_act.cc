@@ -105,7 +105,7 @@ void DemoAct::press(double depth_mm) {
 }
 
 void DemoAct::along(const std::vector<Point>& via, double mm_per_s) {
-  std::vector<Point> points{on_sheet(hand_)};
+  std::vector<Point> points{on_page(hand_)};
   points.insert(points.end(), via.begin(), via.end());
   const std::vector<Point> way = smooth_way(points);
   std::vector<double> at_mm{0.0};

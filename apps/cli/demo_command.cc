@@ -12,7 +12,7 @@
 #include "drawing_output.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/io/picture/png.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/replay/script_run.h"
 #include "force_plot.h"
 #include "forces_file.h"
@@ -125,8 +125,8 @@ Result<void> write_picture(const std::string& path, const Document& document,
 
 Result<void> write_pictures(const DemoArguments& args, const Document& document) {
   PictureOptions picture;
-  picture.sheet = ink_bounds(document).inflated(kDemoMarginMm);
-  picture.dpi = kMmPerInch * args.size_px / picture.sheet->width();
+  picture.area = ink_bounds(document).inflated(kDemoMarginMm);
+  picture.dpi = kMmPerInch * args.size_px / picture.area->width();
   for (const char* name : {"sketch.ndjson", "sketch.svg"}) {
     if (auto done = write_picture(path_in(args, name), document, picture); !done) return done;
   }

@@ -15,7 +15,7 @@
 #include "felt/io/picture/png.h"
 #include "felt/io/svg/svg_elements.h"
 #include "felt/io/svg/svg_writer.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "ordered_pipeline.h"
 
 namespace felt::cli {
@@ -36,11 +36,11 @@ Rect ink_area(const Drawing& drawing, Format format) {
 Result<std::optional<Rect>> shown_area(Drawing& drawing, Format format,
                                        const PictureOptions& picture) {
   const bool is_picture = traits_of(format).picture;
-  if (!picture.sheet) {
+  if (!picture.area) {
     const bool whole_ink = is_picture && (picture.fit || !drawing.has_page);
     return whole_ink ? std::optional(ink_area(drawing, format)) : std::nullopt;
   }
-  Result<SheetPage> page = sheet_page(*picture.sheet, drawing.page.paper);
+  Result<Page> page = page_for(*picture.area, drawing.page.paper);
   if (page) {
     page->surface = drawing.page.surface;
     drawing.page = *page;
@@ -48,7 +48,7 @@ Result<std::optional<Rect>> shown_area(Drawing& drawing, Format format,
     return std::nullopt;
   }
   if (!is_picture) return tl::unexpected(page.error());
-  return picture.sheet;  // a picture may have any size
+  return picture.area;  // a picture may have any size
 }
 
 /// Sets the drawing's page to the requested page. Returns the options for writing.
@@ -209,7 +209,7 @@ Result<void> DrawingOutput::begin_svg() {
 
 Result<void> DrawingOutput::finish_svg() {
   std::string head, tail;
-  append_svg_head(head, picture_area(ink_, picture_.sheet, kMarginMm),
+  append_svg_head(head, picture_area(ink_, picture_.area, kMarginMm),
                   picture_.paper.value_or(Rgba{255, 255, 255, 0}));
   append_svg_group_end(tail);
   append_svg_tail(tail);
@@ -222,8 +222,8 @@ Result<void> DrawingOutput::finish_svg() {
 Result<void> DrawingOutput::finish_png() {
   PageOptions options;
   options.dpi = picture_.dpi;
-  options.sheet =
-      picture_.sheet.value_or((ink_.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink_).inflated(kMarginMm));
+  options.area =
+      picture_.area.value_or((ink_.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink_).inflated(kMarginMm));
   options.paper = picture_.paper.value_or(options.paper);
   options.grain = picture_.grain;
   Result<PagePainter> page = PagePainter::create(ink_, options);

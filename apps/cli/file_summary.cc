@@ -56,7 +56,7 @@ const char* kind_of(const FileSummary& s) {
 }
 
 std::string page_text(const Imported& opened) {
-  const SheetPage& page = opened.drawing.page;
+  const Page& page = opened.drawing.page;
   return opened.drawing.has_page ? fmt::format("{} x {} mm, {}", number(page.width_mm),
                                                number(page.height_mm), color_to_text(page.paper))
                                  : "none";
@@ -112,7 +112,7 @@ std::string recordings_json(const Imported& opened) {
 }
 
 std::string page_json(const Imported& opened) {
-  const SheetPage& page = opened.drawing.page;
+  const Page& page = opened.drawing.page;
   if (!opened.drawing.has_page) return "null";
   return fmt::format(R"({{"width_mm":{},"height_mm":{},"paper":"{}"}})", number(page.width_mm),
                      number(page.height_mm), color_to_text(page.paper));

@@ -31,7 +31,7 @@ struct FitArguments {
   int shared_samples = InkFitOptions{}.shared_samples;
   std::string stats;
   int jobs = 1;
-  std::string material;
+  std::string medium;
   std::optional<double> min_width_mm, max_width_mm;
   PictureArguments picture;
 };
@@ -60,7 +60,7 @@ std::string check_medium(const std::string& id) {
 
 void add_width_options(CLI::App& command, FitArguments& args) {
   command
-      .add_option("--medium,--material", args.material,
+      .add_option("--medium,--material", args.medium,
                   "What the lines are drawn with, by its widths, tone and response to tilt: " +
                       media_names())
       ->check(CLI::Validator(check_medium, "ID"));
@@ -79,7 +79,7 @@ void add_width_options(CLI::App& command, FitArguments& args) {
 /// Returns the settings for the medium and its widths from the command line.
 InkFitOptions ink_of(const FitArguments& args) {
   InkFitOptions ink;
-  const Medium* medium = args.material.empty() ? nullptr : find_medium(args.material);
+  const Medium* medium = args.medium.empty() ? nullptr : find_medium(args.medium);
   WidthMapOptions& widths = ink.width_map;
   if (medium) {
     widths.min_mm = medium->line.min_mm;

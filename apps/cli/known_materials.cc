@@ -21,17 +21,17 @@ const MaterialLibrary& known_materials(Console& console) {
   return kLibrary;
 }
 
-Result<SurfaceMaterial> find_sheet(const std::string& text, const Materials& known) {
-  if (const SurfaceMaterial* sheet = known.find_surface(text)) return *sheet;
+Result<SurfaceMaterial> find_surface(const std::string& text, const Materials& known) {
+  if (const SurfaceMaterial* surface = known.find_surface(text)) return *surface;
   if (text.ends_with(".toml")) {
     Result<AnyMaterial> material = read_material_file(text, load_height_picture);
     if (!material) return tl::unexpected(material.error());
-    if (auto* sheet = std::get_if<SurfaceMaterial>(&*material)) return std::move(*sheet);
+    if (auto* surface = std::get_if<SurfaceMaterial>(&*material)) return std::move(*surface);
     return fail(ErrorCode::kInvalidArgument, text + " is a medium, not a surface");
   }
   std::string names;
-  for (const SurfaceMaterial& sheet : known.surfaces()) {
-    names += (names.empty() ? "" : ", ") + sheet.id;
+  for (const SurfaceMaterial& surface : known.surfaces()) {
+    names += (names.empty() ? "" : ", ") + surface.id;
   }
   return fail(ErrorCode::kNotFound, "'" + text + "' is not " + names);
 }

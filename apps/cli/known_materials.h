@@ -14,7 +14,7 @@ const MaterialLibrary& known_materials(Console& console);
 
 /// Returns the surface that `text` specifies: the id of a known surface, or a file NAME.toml. Fails
 /// if neither exists; the message begins with `text`.
-Result<SurfaceMaterial> find_sheet(const std::string& text, const Materials& known);
+Result<SurfaceMaterial> find_surface(const std::string& text, const Materials& known);
 
 /// Loads a picture that belongs to the text of a material.
 Result<HeightPicture> load_height_picture(const std::string& path);

@@ -111,7 +111,7 @@ std::string pencil_act() {
   DemoAct act;
   act.tool("pencil");
   fine_pencil(act);
-  act.set("sheet.color", std::string("#23262d"));
+  act.set("ink.color", std::string("#23262d"));
   act.draw(hand, ball, count);
   act.draw(hand, cat_drawing(), count);
   return act.text();

@@ -31,22 +31,22 @@ std::vector<Row> rows_of(const MaterialLibrary& library) {
         });
     rows.push_back({material, own == library.own.end() ? "" : own->path});
   };
-  for (const SurfaceMaterial& sheet : library.materials.surfaces()) add(sheet);
+  for (const SurfaceMaterial& surface : library.materials.surfaces()) add(surface);
   for (const Medium& medium : library.materials.media()) add(medium);
   return rows;
 }
 
 double friction_in(const AnyMaterial& material) {
-  const auto* sheet = std::get_if<SurfaceMaterial>(&material);
-  return sheet ? sheet->friction : std::get<Medium>(material).friction;
+  const auto* surface = std::get_if<SurfaceMaterial>(&material);
+  return surface ? surface->friction : std::get<Medium>(material).friction;
 }
 
-std::string figures_of(const SurfaceMaterial& sheet) {
-  std::string text = fmt::format("{:g} N/m, ", sheet.stiffness_n_per_m);
-  if (!(sheet.grain_um > 0.0)) return text + "smooth";
-  const auto character = static_cast<std::size_t>(sheet.grain_character);
+std::string figures_of(const SurfaceMaterial& surface) {
+  std::string text = fmt::format("{:g} N/m, ", surface.stiffness_n_per_m);
+  if (!(surface.grain_um > 0.0)) return text + "smooth";
+  const auto character = static_cast<std::size_t>(surface.grain_character);
   return text + fmt::format("{} {:g} um high, {:g} mm wide", kGrainCharacters[character],
-                            sheet.grain_um, sheet.grain_mm);
+                            surface.grain_um, surface.grain_mm);
 }
 
 std::string figures_of(const Medium& medium) {
@@ -105,9 +105,9 @@ std::string row_json(const Row& row) {
   object.add_text("kind", kind_of(row.material));
   object.add_text("label", label_of(row.material));
   object.add_raw("path", row.path.empty() ? "null" : json_string(row.path));
-  if (const auto* sheet = std::get_if<SurfaceMaterial>(&row.material)) {
-    object.add_raw("figures", figures_json(*sheet, sheet_fields()));
-    object.add_raw("own_relief", sheet->picture ? "true" : "false");
+  if (const auto* surface = std::get_if<SurfaceMaterial>(&row.material)) {
+    object.add_raw("figures", figures_json(*surface, surface_fields()));
+    object.add_raw("own_relief", surface->picture ? "true" : "false");
   } else {
     const auto& medium = std::get<Medium>(row.material);
     object.add_raw("figures", figures_json(medium, medium_fields()));
@@ -234,9 +234,10 @@ void add_materials_command(CLI::App& app, Console& console) {
   const auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "A line of JSON for each");
   command->footer(
-      examples("feltline materials\n"
-               "feltline materials new my-paper --from rough-paper --save\n"
-               "feltline replay cat.ndjson -o cat.png --sheet my-paper --medium charcoal --grain") +
+      examples(
+          "feltline materials\n"
+          "feltline materials new my-paper --from rough-paper --save\n"
+          "feltline replay cat.ndjson -o cat.png --surface my-paper --medium charcoal --grain") +
       "\n\nYour own are *.toml in feltline/materials of $XDG_DATA_HOME, which is ~/.local/share\n"
       "where it is not set, and of $XDG_DATA_DIRS. Format: docs/formats/material.md.");
   command->require_subcommand(0, 1);

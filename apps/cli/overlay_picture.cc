@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "felt/document/visible_strokes.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/render/plot.h"
 #include "felt/render/plot_canvas.h"
 #include "felt/render/raster.h"
@@ -219,8 +219,8 @@ Rgba role_color(Overlay::Role role) noexcept {
 Result<Image> draw_view(const SessionView& view, const PictureOptions& options, double scale) {
   PageOptions page;
   page.dpi = options.dpi;
-  page.sheet = options.sheet.value_or(bounds_of(view).inflated(kOverlayMarginMm));
-  if (page.sheet->empty()) page.sheet = page_area(ink_bounds(view.document), {});
+  page.area = options.area.value_or(bounds_of(view).inflated(kOverlayMarginMm));
+  if (page.area->empty()) page.area = page_area(ink_bounds(view.document), {});
   page.paper = options.paper.value_or(page.paper);
   Result<PagePainter> painter = PagePainter::create({}, page);
   if (!painter) return tl::unexpected(painter.error());

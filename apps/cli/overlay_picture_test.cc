@@ -18,15 +18,15 @@ constexpr std::array kRoles{Role::kReach,    Role::kSnap,   Role::kTether,
                             Role::kSelected, Role::kHandle, Role::kCut};
 
 /// A view of 100 x 100 mm with 2 pixels per mm.
-PictureOptions small_sheet() {
+PictureOptions small_area() {
   PictureOptions options;
   options.dpi = 50.8;
-  options.sheet = Rect{0.0, 0.0, 100.0, 100.0};
+  options.area = Rect{0.0, 0.0, 100.0, 100.0};
   return options;
 }
 
 Image drawn(const SessionView& view) {
-  Result<Image> image = draw_view(view, small_sheet(), 3.0);
+  Result<Image> image = draw_view(view, small_area(), 3.0);
   EXPECT_TRUE(image) << image.error().message;
   return *std::move(image);
 }
@@ -98,7 +98,7 @@ TEST(OverlayPicture, ALabelIsSeenWholeOrNotAtAll) {
   }
 }
 
-TEST(OverlayPicture, ShapesBeyondTheSheetNeitherHangNorShow) {
+TEST(OverlayPicture, ShapesBeyondTheAreaNeitherHangNorShow) {
   SessionView view;
   const Image empty = drawn(view);
   for (const Role role : kRoles) {

@@ -105,9 +105,9 @@ Result<PictureOptions> PictureArguments::parse(Console& console) const {
   options.wants_grain = grain;
   options.grain_dpi = grain_dpi;
   options.has_surface = !surface.empty();
-  const Result<std::optional<Rect>> sheet = parse_page(page);
-  if (!sheet) return tl::unexpected(sheet.error());
-  options.sheet = *sheet;
+  const Result<std::optional<Rect>> area = parse_page(page);
+  if (!area) return tl::unexpected(area.error());
+  options.area = *area;
   options.fit = page == "fit";
   if (const Result<void> known = parse_surface(surface, options); !known) {
     return tl::unexpected(known.error());
@@ -128,10 +128,10 @@ Result<std::optional<Rect>> parse_page(const std::string& text) {
               "--page: '" + text + "' is not fit, A0..A6, A4-landscape or WxH in mm (at most 1e5)");
 }
 
-Result<SheetPage> sheet_page(const Rect& sheet, Rgba paper) {
-  const auto fits = [](double mm) { return mm >= SheetPage::kMinMm && mm <= SheetPage::kMaxMm; };
-  if (fits(sheet.width()) && fits(sheet.height())) {
-    return SheetPage{sheet.width(), sheet.height(), paper};
+Result<Page> page_for(const Rect& area, Rgba paper) {
+  const auto fits = [](double mm) { return mm >= Page::kMinMm && mm <= Page::kMaxMm; };
+  if (fits(area.width()) && fits(area.height())) {
+    return Page{area.width(), area.height(), paper};
   }
   return fail(ErrorCode::kInvalidArgument,
               "--page: the page of a drawing is 10 to 5000 mm wide and high");
@@ -164,7 +164,7 @@ std::string surface_names() {
 Result<void> parse_surface(const std::string& text, PictureOptions& options) {
   if (text.empty()) return {};
   if (!std::string_view(text).ends_with(".png")) {
-    const Result<SurfaceMaterial> surface = find_sheet(text, options.materials);
+    const Result<SurfaceMaterial> surface = find_surface(text, options.materials);
     if (!surface) {
       const bool is_file = text.ends_with(".toml");
       return fail(surface.error().code, "--surface: " + surface.error().message +

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "felt/base/result.h"
-#include "felt/document/sheet_page.h"
+#include "felt/document/page.h"
 #include "felt/geometry/rect.h"
 #include "felt/material/materials.h"
 #include "felt/render/grain.h"
@@ -26,7 +26,7 @@ struct PictureOptions {
   double dpi = 300.0;  ///< of a .png
   /// The shown area. If nullopt, it is the drawing's page; if the drawing has no page, it is all
   /// ink and a margin.
-  std::optional<Rect> sheet;
+  std::optional<Rect> area;
   bool fit = false;           ///< --page fit: shows all ink and a margin, even if a page exists
   std::optional<Rgba> paper;  ///< nullopt: white in a .png, transparent in an .svg
   std::shared_ptr<const HeightField> own_relief{};  ///< a user-defined picture, used as the relief
@@ -64,7 +64,7 @@ Result<std::optional<Rect>> parse_page(const std::string& text);
 
 /// Returns a page for a drawing, with the size of `sheet` and the colour `paper`. Fails if the size
 /// is not allowed.
-Result<SheetPage> sheet_page(const Rect& sheet, Rgba paper);
+Result<Page> page_for(const Rect& area, Rgba paper);
 
 /// Parses "#rrggbb", "#rrggbbaa", "white" or "transparent".
 Result<Rgba> parse_paper(const std::string& text);

@@ -60,7 +60,7 @@ Result<RecordOutputs> open_outputs(const RecordArguments& args, const Rect& page
   const Result<Format> format = output_format(args.output, args.to);
   if (!format) throw UsageError(format.error().message);
   PictureOptions picture;
-  picture.sheet = page;
+  picture.area = page;
   Result<DrawingOutput> drawing = DrawingOutput::create(args.output, *format, picture);
   if (!drawing) return tl::unexpected(drawing.error());
   outputs.drawing.emplace(*std::move(drawing));

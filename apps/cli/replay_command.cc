@@ -42,7 +42,7 @@ struct ReplayCommandArguments {
   std::string forces, plot, sound, stats;
   ReplayArguments pen;
   std::uint64_t seed = 0;
-  std::string sheet, medium;
+  std::string surface, medium;
   std::vector<std::string> options;
   double mm_per_unit = 1.0;
   std::optional<double> until_ms;
@@ -57,7 +57,7 @@ constexpr const char* kReplayExamples =
     "feltline replay events.ndjson --on sketch.ndjson -o - | feltline info -\n"
     "feltline replay events.ndjson --until 2500 --overlay -o work.png\n"
     "feltline replay recording.ndjson --as-recorded -o sketch.svg\n"
-    "feltline replay strokes.ndjson --sheet canvas --medium chalk --sound rubbing.wav\n"
+    "feltline replay strokes.ndjson --surface canvas --medium chalk --sound rubbing.wav\n"
     "feltline replay strokes.ndjson --recording -o sketch.felt\n"
     "feltline replay strokes.ndjson --device premium --hand light --set pencil.snap=off \\\n"
     "      --stats json";
@@ -89,10 +89,12 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
   command.add_option("--seed", args.seed, "Number of a tremor for raw strokes; 0 = none")
       ->check(whole_number())
       ->capture_default_str();
-  command.add_option("--sheet,--material", args.sheet,
-                     "What is drawn on:\n" + surface_names() +
-                         ", or one of your own;\n"
-                         "the page takes its usual colour, unless --paper says another one");
+  command.add_option(
+      "--surface", args.surface,
+      "The surface: " + surface_names() +
+          ",\nor a custom one. It also sets the colour of the page, unless --paper sets\n"
+          "another one");
+  command.add_option("--sheet,--material", args.surface)->group("");  // former names
   command.add_option("--medium", args.medium,
                      "What is drawn with, in its own widths and its usual colour: an id of\n"
                      "'feltline materials'");
@@ -172,8 +174,9 @@ PictureOptions picture_of(const ReplayCommandArguments& args, const Materials& k
                           Console& console) {
   Result<PictureOptions> picture = args.picture.parse(console);
   if (!picture) throw UsageError(picture.error());
-  const SurfaceMaterial* sheet = args.sheet.empty() ? nullptr : known.find_surface(args.sheet);
-  if (sheet && !picture->paper) picture->paper = usual_color(sheet->color_rgb);
+  const SurfaceMaterial* surface =
+      args.surface.empty() ? nullptr : known.find_surface(args.surface);
+  if (surface && !picture->paper) picture->paper = usual_color(surface->color_rgb);
   return *std::move(picture);
 }
 
@@ -241,15 +244,15 @@ void set_options(const ReplayCommandArguments& args, const Drawing& start, Repla
   };
   const Materials& known = machine.session().materials();
   for (const auto& [id, value] : options_of(start, known)) set("--on", id, value);
-  if (!args.sheet.empty()) set("--sheet", "sheet.material", args.sheet);
+  if (!args.surface.empty()) set("--surface", "surface.material", args.surface);
   if (!args.medium.empty()) {
     // If a medium of that name does not exist, this fails with a list of media.
-    set("--medium", drawing_option(machine.session(), "material"), args.medium);
+    set("--medium", drawing_option(machine.session(), "medium"), args.medium);
     const Medium& medium = *known.find_medium(args.medium);
     for (const SetOption& option : options_for_medium(machine.session(), medium)) {
       set("--medium", option.id, text_of(option.value));
     }
-    set("--medium", "sheet.color", color_to_text(usual_color(medium.color_rgb)));
+    set("--medium", "ink.color", color_to_text(usual_color(medium.color_rgb)));
   }
   for (const std::string& option : args.options) {
     const std::size_t equals = option.find('=');
@@ -333,7 +336,7 @@ ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOu
   if (args.until_ms) {
     observer.until_ns = std::llround(1e6 * *args.until_ms);
     observer.stopped = [&outputs](const Session& session, const PenSample& pen) {
-      outputs.stopped = view_of(session, on_sheet(pen.position));
+      outputs.stopped = view_of(session, on_page(pen.position));
       outputs.stopped_document = seen_document(session);
     };
   }
@@ -354,8 +357,8 @@ ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOu
 /// Throws a usage error for options that need a device, a hand and a loop.
 void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& command) {
   for (const char* option : {"--forces", "--plot", "--stats", "--device", "--hand", "--rate",
-                             "--delay", "--no-force", "--seed", "--sheet", "--medium", "--set",
-                             "--until", "--overlay", "--mm-per-unit", "--recording"}) {
+                             "--delay", "--no-force", "--seed", "--surface", "--sheet", "--medium",
+                             "--set", "--until", "--overlay", "--mm-per-unit", "--recording"}) {
     if (command.count(option) == 0) continue;
     throw UsageError(std::string(option) +
                      " cannot be used with --as-recorded: a recording is drawn as it is, without "
@@ -443,7 +446,7 @@ void run_replay(const ReplayCommandArguments& args, Console& console) {
   const auto begin = std::chrono::steady_clock::now();
   Result<Drawing> start = start_of(args);
   if (!start) return console.error(start.error().message);
-  if (!args.sheet.empty()) start->page.surface.clear();  // another surface is selected
+  if (!args.surface.empty()) start->page.surface.clear();  // another surface is selected
   ReplaySettings settings = args.pen.settings();
   settings.materials = with_texts(start->materials, known_materials(console).materials);
   Result<ReplayOutputs> outputs = open_outputs(args, settings, console);

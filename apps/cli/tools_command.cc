@@ -4,7 +4,7 @@
 
 #include "commands.h"
 #include "felt/io/ndjson/json_text.h"
-#include "felt/session/sheet_options.h"
+#include "felt/session/surface_options.h"
 #include "felt/tools/tool.h"
 #include "known_materials.h"
 #include "print.h"
@@ -132,8 +132,8 @@ void print_tools(bool as_json, const Materials& known) {
     std::vector<std::string> objects;
     objects.reserve(tools.size());
     for (const auto& tool : tools) objects.push_back(tool_json(tool->info(), known));
-    print("{{\"tools\":{},\"sheet\":{}}}\n", json_array(objects),
-          options_json(SheetOptions::table(), known));
+    print("{{\"tools\":{},\"surface\":{}}}\n", json_array(objects),
+          options_json(SurfaceOptions::table(), known));
     return;
   }
   const TextStyle style = TextStyle::of_stdout();
@@ -141,9 +141,11 @@ void print_tools(bool as_json, const Materials& known) {
     if (tool != tools.front()) print("\n");
     print_text(tool->info(), known, style);
   }
-  print("\n{}\nWhat is drawn on; sheet.color, \"#rrggbb\", is the colour of new ink.\n",
-        heading("sheet", style));
-  print_options("sheet", SheetOptions::table(), known, style);
+  print(
+      "\n{}\nThe surface of the page. The option ink.color is the colour of new ink: "
+      "\"#rrggbb\".\n",
+      heading("surface", style));
+  print_options("surface", SurfaceOptions::table(), known, style);
 }
 
 }  // namespace

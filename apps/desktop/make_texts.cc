@@ -12,7 +12,7 @@
 
 #include "felt/material/material_fields.h"
 #include "felt/material/materials.h"
-#include "felt/session/sheet_options.h"
+#include "felt/session/surface_options.h"
 #include "felt/tools/tool.h"
 
 namespace felt {
@@ -73,8 +73,8 @@ bool write_all(const char* path) {
     add_tool(tables, tool->info());
     edits.insert(tool->info().edits.begin(), tool->info().edits.end());
   }
-  add_table(tables, SheetOptions::table());
-  add_table(tables, sheet_fields());
+  add_table(tables, SurfaceOptions::table());
+  add_table(tables, surface_fields());
   add_table(tables, medium_fields());
   for (const SurfaceMaterial& material : surface_materials()) add(tables, material.label);
   std::ofstream out(path);

@@ -18,7 +18,7 @@ StrokePtr made(StrokeData data) {
 }
 
 /// Returns one page of strokes: all sample sets, one below the other, with the first at (0, 0).
-std::vector<StrokePtr> sheet_of_samples() {
+std::vector<StrokePtr> page_of_samples() {
   std::vector<StrokePtr> all;
   double top = 0.0;
   InkFitter fitter{InkFitOptions{}};
@@ -47,11 +47,11 @@ std::vector<StrokePtr> sheet_of_samples() {
 
 Ink::Ink(std::size_t strokes) {
   Rect size;
-  const std::vector<StrokePtr> sheet = sheet_of_samples();
-  for (const StrokePtr& stroke : sheet) size.extend(stroke->bounds());
-  const double sheets = std::ceil(static_cast<double>(strokes) / static_cast<double>(sheet.size()));
+  const std::vector<StrokePtr> area = page_of_samples();
+  for (const StrokePtr& stroke : area) size.extend(stroke->bounds());
+  const double pages = std::ceil(static_cast<double>(strokes) / static_cast<double>(area.size()));
   const double columns =
-      std::max(1.0, std::round(std::sqrt(sheets * size.height() / size.width() * 16.0 / 9.0)));
+      std::max(1.0, std::round(std::sqrt(pages * size.height() / size.width() * 16.0 / 9.0)));
   lay(strokes, [&](double n) {
     return Vec{std::fmod(n, columns) * (size.width() + 5.0),
                std::floor(n / columns) * (size.height() + 5.0)};
@@ -66,13 +66,13 @@ Ink::Ink(std::size_t strokes, const Rect& page) {
 
 /// Adds copies of the page of samples until the document has `strokes` strokes. Copy n is moved by
 /// place(n).
-void Ink::lay(std::size_t strokes, const std::function<Vec(double sheet)>& place) {
-  const std::vector<StrokePtr> sheet = sheet_of_samples();
+void Ink::lay(std::size_t strokes, const std::function<Vec(double area)>& place) {
+  const std::vector<StrokePtr> area = page_of_samples();
   EditBuilder builder(document_);
   Vec by;
   for (std::size_t i = 0; i < strokes; ++i) {
-    if (i % sheet.size() == 0) by = place(static_cast<double>(i / sheet.size()));
-    const StrokePtr stroke = moved(*sheet[i % sheet.size()], by);
+    if (i % area.size() == 0) by = place(static_cast<double>(i / area.size()));
+    const StrokePtr stroke = moved(*area[i % area.size()], by);
     area_.extend(stroke->bounds());
     builder.add({1}, stroke);
   }

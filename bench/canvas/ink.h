@@ -33,7 +33,7 @@ class Ink {
   }
 
  private:
-  void lay(std::size_t strokes, const std::function<Vec(double sheet)>& place);
+  void lay(std::size_t strokes, const std::function<Vec(double area)>& place);
 
   Document document_;
   Rect area_;

@@ -103,7 +103,7 @@ Result<ReplayStats> draw(const Options& options, const std::string& material, bo
   const ReplaySettings settings = replay_settings(*find_stylus_preset(options.device),
                                                   *find_hand(options.hand), forces, {}, {});
   ReplayMachine machine(settings, Document(), {});
-  if (Result<void> set = machine.set_option("pencil.material", material); !set) {
+  if (Result<void> set = machine.set_option("pencil.medium", material); !set) {
     return tl::unexpected(set.error());
   }
   const auto start = std::chrono::steady_clock::now();
@@ -124,7 +124,7 @@ Result<ReplayStats> draw(const Options& options, const std::string& material, bo
 
 std::vector<std::string> cells_of(const Row& row) {
   const ReplayStats& s = row.stats;
-  return {row.material,
+  return {row.medium,
           row.forces ? "on" : "off",
           std::to_string(s.strokes_meant),
           std::to_string(s.strokes),

@@ -33,7 +33,7 @@ struct Wanted {
 };
 
 /// Returns short strokes all over the page, except in a band in its middle.
-Document many_strokes(int count, const SheetPage& page) {
+Document many_strokes(int count, const Page& page) {
   std::mt19937 random(1);
   const auto any = [&random](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);

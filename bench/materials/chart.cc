@@ -10,7 +10,7 @@
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/haptics/bricks/drawing_feel.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/render/plot_canvas.h"
 #include "felt/session/player.h"
 #include "felt/stroke/color_text.h"
@@ -32,11 +32,11 @@ Rgba color_of(std::uint32_t rgb) {
 }
 
 /// Returns the medium's usual colour, or another one if it is hardly visible on `sheet`.
-Rgba color_on(const Medium& medium, Rgba sheet) {
+Rgba color_on(const Medium& medium, Rgba area) {
   const Rgba usual = color_of(medium.color_rgb);
-  const double r = usual.r - sheet.r, g = usual.g - sheet.g, b = usual.b - sheet.b;
+  const double r = usual.r - area.r, g = usual.g - area.g, b = usual.b - area.b;
   if (r * r + g * g + b * b > 80.0 * 80.0) return usual;
-  return sheet.g < 128 ? Rgba{214, 212, 204, 255} : Rgba{112, 74, 132, 255};
+  return area.g < 128 ? Rgba{214, 212, 204, 255} : Rgba{112, 74, 132, 255};
 }
 
 void add(std::vector<Event>& events, double t_s, decltype(Event::what) what) {
@@ -64,8 +64,8 @@ double add_stroke(std::vector<Event>& events, double t_s, Point from, double lin
 
 /// Sets the pencil tool's options for a medium.
 void take(std::vector<Event>& events, double t_s, const Medium& medium, Rgba color) {
-  add(events, t_s, SetOption{"pencil.material", OptionValue(medium.id)});
-  add(events, t_s, SetOption{"sheet.color", OptionValue(color_to_text(color))});
+  add(events, t_s, SetOption{"pencil.medium", OptionValue(medium.id)});
+  add(events, t_s, SetOption{"ink.color", OptionValue(color_to_text(color))});
   add(events, t_s, SetOption{"pencil.min_width_mm", OptionValue(medium.line.min_mm)});
   add(events, t_s, SetOption{"pencil.max_width_mm", OptionValue(medium.line.max_mm)});
   add(events, t_s, SetOption{"pencil.gamma", OptionValue(medium.line.gamma)});
@@ -79,16 +79,16 @@ Result<Document> draw_row(const SurfaceMaterial& surface, std::span<const Medium
   SimulatedStylus stylus(device, typical_hand());
   Session session(make_tools(), {.device = device.capabilities});
   std::vector<Event> events;
-  add(events, 0.0, SetOption{"sheet.material", OptionValue(surface.id)});
+  add(events, 0.0, SetOption{"surface.material", OptionValue(surface.id)});
   add(events, 0.0, SetOption{"pencil.snap", OptionValue(std::string("off"))});
-  const double sheet = plane_for(surface, device.capabilities).stiffness_n_per_m;
+  const double area = plane_for(surface, device.capabilities).stiffness_n_per_m;
   double t_s = 0.6;
   double left = kMarginMm;
   for (const Medium* medium : media) {
     take(events, t_s, *medium, color_on(*medium, color_of(surface.color_rgb)));
     double y = 5.0;
     for (const double force_n : kForcesN) {
-      const double depth = 1e3 * force_n * (1.0 / sheet + 1.0 / typical_hand().stiffness_n_per_m);
+      const double depth = 1e3 * force_n * (1.0 / area + 1.0 / typical_hand().stiffness_n_per_m);
       t_s = add_stroke(events, t_s, {left, y}, cell_mm - 2.0 * kMarginMm, depth) + 0.3;
       y += 8.5;
     }
@@ -146,7 +146,7 @@ Result<Image> draw_chart(std::span<const std::string_view> ids) {
     const Result<Document> drawn = draw_row(surface, media, cell_mm);
     if (!drawn) return tl::unexpected(drawn.error());
     PageOptions page{.dpi = kDpi};
-    page.sheet = Rect{0.0, 0.0, kWidthMm - kLabelMm, kRowMm - 0.5};
+    page.area = Rect{0.0, 0.0, kWidthMm - kLabelMm, kRowMm - 0.5};
     page.paper = color_of(surface.color_rgb);
     page.grain = Grain(surface_grain(surface));
     const Result<Image> row = render_page(visible_strokes(*drawn), page);

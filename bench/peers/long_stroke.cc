@@ -25,7 +25,7 @@ class LongStroke {
  private:
   enum class Phase { kSlowLine, kSlowRound, kRest, kWriting, kZigzag, kJump, kCount };
   static constexpr double kQuantum = 0.15;
-  static constexpr double kSheet = 2000.0;
+  static constexpr double kSurface = 2000.0;
 
   /// Returns the same numbers with every standard library, unlike the distributions of <random>.
   double uniform(double low, double high) {
@@ -74,7 +74,7 @@ class LongStroke {
     if (phase_ == Phase::kZigzag && left_ % 90 == 0) heading_ += 2.4;
     if (phase_ == Phase::kJump) heading_ += uniform(-2.0, 2.0);
     heading_ += curvature_ * step;
-    if (std::fabs(place_.x) > kSheet || std::fabs(place_.y) > kSheet) {
+    if (std::fabs(place_.x) > kSurface || std::fabs(place_.y) > kSurface) {
       heading_ = std::atan2(-place_.y, -place_.x);  // toward the middle
     }
     place_ = place_ + step * Point{std::cos(heading_), std::sin(heading_)};

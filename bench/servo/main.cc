@@ -49,7 +49,7 @@ void print_row(const char* what, std::vector<std::int64_t>& each, double mean_ns
 ForceModel everything(const Capabilities& device, std::uint32_t fade_id) {
   const SurfaceMaterial& paper = surface_materials()[0];
   const std::array<Point, 4> targets{Point{70, 50}, Point{75, 50}, Point{70, 55}, Point{60, 50}};
-  ForceModel model(Compose(make_sheet_force(paper, media()[0], device, surface_grain(paper)),
+  ForceModel model(Compose(make_surface_force(paper, media()[0], device, surface_grain(paper)),
                            EditSpring(Point{70, 50}),
                            SweepSpring({.pen = {70, 50}, .curve = {70, 50}, .normal = {0, 1}}),
                            SnapWells(targets), Damping({.where = DampingWhere::kEverywhere})));
@@ -58,7 +58,7 @@ ForceModel everything(const Capabilities& device, std::uint32_t fade_id) {
 }
 
 ForceModel paper_only(const Capabilities& device, std::uint32_t fade_id) {
-  ForceModel model(make_sheet_force(surface_materials()[0], media()[0], device));
+  ForceModel model(make_surface_force(surface_materials()[0], media()[0], device));
   model.set_fade_id(fade_id);
   return model;
 }

@@ -10,7 +10,7 @@
 
 #include "felt/document/stroke_index.h"
 #include "felt/session/session.h"
-#include "sheet.h"
+#include "random_page.h"
 
 namespace felt::bench {
 namespace {
@@ -61,14 +61,14 @@ class Table {
   bool json_;
 };
 
-void index_rows(Sheet& sheet, Document& document, const Table& table) {
+void index_rows(Page& page, Document& document, const Table& table) {
   StrokeIndex index;
   Times build = {timed_us([&] { index = StrokeIndex(document); })};
   table.add("index: build", std::move(build));
   Times near, area, edits, documents;
   std::size_t found = 0;
   for (int i = 0; i < 100'000; ++i) {
-    const Point place{sheet.uniform(0, sheet.side_mm()), sheet.uniform(0, sheet.side_mm())};
+    const Point place{page.uniform(0, page.side_mm()), page.uniform(0, page.side_mm())};
     near.push_back(timed_us([&] { found += index.nearest(place, 8.0) ? 1 : 0; }));
     if (i % 10 != 0) continue;
     const Rect box = Rect{place.x, place.y, place.x, place.y}.inflated(5.0);
@@ -77,11 +77,11 @@ void index_rows(Sheet& sheet, Document& document, const Table& table) {
   const std::vector<StrokeId> ids = document.layers()[0].strokes;
   for (int i = 0; i < 20'000; ++i) {
     const std::size_t k =
-        static_cast<std::size_t>(sheet.uniform(0, 1) * 0.999999 * static_cast<double>(ids.size()));
+        static_cast<std::size_t>(page.uniform(0, 1) * 0.999999 * static_cast<double>(ids.size()));
     const StrokePtr before = document.find(ids[k]);
     if (!before) continue;
     const StrokePlace place{{1}, k};
-    const Edit edit{"Edit", {{ids[k], before, sheet.scribble(), place, place}}};
+    const Edit edit{"Edit", {{ids[k], before, page.scribble(), place, place}}};
     documents.push_back(timed_us([&] { (void)document.apply(edit); }));
     edits.push_back(timed_us([&] { index.update(edit, document); }));
   }
@@ -134,17 +134,17 @@ void choose(Session& session, std::string_view id) {
   (void)session.apply({0, SelectTool{std::string(id)}});
 }
 
-void tool_rows(Sheet& sheet, Session& session, const std::string& id, std::int64_t& now_ns,
+void tool_rows(Page& page, Session& session, const std::string& id, std::int64_t& now_ns,
                const Arguments& args, const Table& table) {
   Hand hand(session, now_ns);
   const std::vector<StrokeId> ids = session.document().layers()[0].strokes;
   for (int i = 0; i < args.gestures; ++i) {
     StrokePtr stroke;
     while (!stroke) {
-      const double k = sheet.uniform(0, static_cast<double>(ids.size()) - 1.0);
+      const double k = page.uniform(0, static_cast<double>(ids.size()) - 1.0);
       stroke = session.document().find(ids[static_cast<std::size_t>(k)]);
     }
-    Point start = stroke->position(sheet.uniform(0, stroke->segment_count()));
+    Point start = stroke->position(page.uniform(0, stroke->segment_count()));
     const Tool* selects = session.first_tool(ToolKind::kSelects);
     if (session.tool().info().kind == ToolKind::kTransforms && selects) {
       // Selects the points to transform with a circle of radius 15 mm around the position.
@@ -156,8 +156,8 @@ void tool_rows(Sheet& sheet, Session& session, const std::string& id, std::int64
       choose(session, id);
       start = start + Vec{6, 4};  // not on the dot in the middle, which would move alone
     }
-    const double bend = sheet.uniform(-0.02, 0.02);
-    hand.gesture(start, sheet.uniform(0, 6.28), bend, i % 4 == 0 ? 1000 : 250);
+    const double bend = page.uniform(-0.02, 0.02);
+    hand.gesture(start, page.uniform(0, 6.28), bend, i % 4 == 0 ? 1000 : 250);
   }
   table.add(id + ": sample", std::move(hand.samples));
   table.add(id + ": sample that commits", std::move(hand.commits));
@@ -167,9 +167,9 @@ void tool_rows(Sheet& sheet, Session& session, const std::string& id, std::int64
 
 void run(const Arguments& args) {
   const Table table(args.json);
-  Sheet sheet(args.strokes);
-  Document document = sheet.take();
-  if (args.only.empty() || args.only == "index") index_rows(sheet, document, table);
+  Page page(args.strokes);
+  Document document = page.take();
+  if (args.only.empty() || args.only == "index") index_rows(page, document, table);
   SessionOptions options;
   options.device = {.max_force_n = 3.3, .continuous_force_n = 0.0, .max_stiffness_n_per_m = 0.0};
   options.document = std::move(document);
@@ -179,7 +179,7 @@ void run(const Arguments& args) {
     const std::string id(tool->info().id);
     if (!args.only.empty() && args.only != id) continue;
     choose(session, id);
-    tool_rows(sheet, session, id, now_ns, args, table);
+    tool_rows(page, session, id, now_ns, args, table);
   }
 }
 

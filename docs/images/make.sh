@@ -22,7 +22,7 @@ cp "$scratch/demo/forces.png" "$here/forces.png"
 
 # cat_with N SHEET MEDIUM: the cat as a hand draws it with that, its grain seen, in their usual colours.
 cat_with() {
-  "$feltline" --quiet replay "$samples/cat.ndjson" --sheet "$2" --medium "$3" -o "$scratch/cat$1.felt"
+  "$feltline" --quiet replay "$samples/cat.ndjson" --surface "$2" --medium "$3" -o "$scratch/cat$1.felt"
   "$feltline" render "$scratch/cat$1.felt" --grain --page fit --dpi 120 -o "$scratch/cat$1.png"
 }
 sheets=(paper rough-paper blackboard)

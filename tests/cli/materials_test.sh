@@ -66,15 +66,15 @@ rm -r shared
 
 # User-defined materials are chosen like built-in ones, and pictures show them.
 strokes 2 >in.ndjson
-run 0 "$feltline" replay in.ndjson -o own.ndjson --set sheet.material=my-paper --set pencil.material=my-chalk
+run 0 "$feltline" replay in.ndjson -o own.ndjson --set surface.material=my-paper --set pencil.medium=my-chalk
 has own.ndjson '"my-chalk"'
-run 0 "$feltline" replay in.ndjson -o same.ndjson --set sheet.material=rough-paper --set pencil.material=chalk
+run 0 "$feltline" replay in.ndjson -o same.ndjson --set surface.material=rough-paper --set pencil.medium=chalk
 sed 's/my-chalk/chalk/' own.ndjson >renamed.ndjson
 same renamed.ndjson same.ndjson
-run 2 "$feltline" replay in.ndjson -o x.ndjson --set pencil.material=mud
+run 2 "$feltline" replay in.ndjson -o x.ndjson --set pencil.medium=mud
 has err "it is one of pencil, pencil-hard"
 has err "my-chalk"
-run 2 "$feltline" replay in.ndjson -o x.ndjson --set pencil.material=eraser
+run 2 "$feltline" replay in.ndjson -o x.ndjson --set pencil.medium=eraser
 run 0 "$feltline" fit in.ndjson -o a.png --dpi 50 --surface my-paper
 run 0 "$feltline" fit in.ndjson -o b.png --dpi 50 --surface rough-paper
 same a.png b.png
@@ -91,12 +91,12 @@ for pen in own built; do
   run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" render $pen.felt -o $pen.png --dpi 50 --surface canvas
 done
 same own.png built.png
-run 0 "$feltline" replay in.ndjson -o thin.felt --recording --set pencil.material=my-chalk
+run 0 "$feltline" replay in.ndjson -o thin.felt --recording --set pencil.medium=my-chalk
 cmp -s thin.felt own.felt && fail "--medium takes no widths"
 
 # A recording contains the materials that it names, so that it gives the same drawing on a machine
 # without them.
-run 0 "$feltline" replay in.ndjson -o run.felt --recording --set sheet.material=my-paper --set pencil.material=my-chalk
+run 0 "$feltline" replay in.ndjson -o run.felt --recording --set surface.material=my-paper --set pencil.medium=my-chalk
 run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" replay run.felt -o there.ndjson --as-recorded
 has there.ndjson '"my-chalk"'
 
@@ -121,7 +121,7 @@ same there.png faint.png
 run 0 "$feltline" replay in.ndjson -o played.png --dpi 50 --page A4 --medium faint --surface canvas
 same played.png faint.png
 # If the values in the drawing and in the folder differ, those in the drawing are used.
-run 0 "$feltline" replay in.ndjson -o own_text.felt --medium faint --sheet my-paper
+run 0 "$feltline" replay in.ndjson -o own_text.felt --medium faint --surface my-paper
 run 0 "$feltline" render own_text.felt -o before.png --dpi 50 --grain
 sed -i 's/^opacity_heavy = [0-9.]*/opacity_heavy = 0.9/' "$XDG_DATA_HOME/feltline/materials/faint.toml"
 sed -i 's/^height_um = [0-9.]*/height_um = 5/' "$XDG_DATA_HOME/feltline/materials/my-paper.toml"
@@ -136,8 +136,8 @@ has err "'my-paper' is not known here"
 
 # The drawing stores its surface and its materials, with or without a recording.
 for sheet in wood my-paper; do
-  run 0 "$feltline" replay in.ndjson -o kept.felt --sheet $sheet --medium faint --recording
-  run 0 "$feltline" replay in.ndjson -o plain.felt --sheet $sheet --medium faint
+  run 0 "$feltline" replay in.ndjson -o kept.felt --surface $sheet --medium faint --recording
+  run 0 "$feltline" replay in.ndjson -o plain.felt --surface $sheet --medium faint
   for name in kept plain; do
     run 0 "$feltline" convert $name.felt -o $name.svg
     has $name.svg "felt:surface=\"$sheet\""
@@ -145,15 +145,15 @@ for sheet in wood my-paper; do
   done
   same plain.svg kept.svg
   same plain.png kept.png
-  run 0 "$feltline" replay in.ndjson -o plain.svg --sheet $sheet --medium faint
+  run 0 "$feltline" replay in.ndjson -o plain.svg --surface $sheet --medium faint
   has plain.svg "felt:surface=\"$sheet\""
   has plain.svg "id = &quot;faint&quot;"
 done
 run 0 "$feltline" convert plain.svg -o back.felt
 run 0 "$feltline" convert back.felt -o back.svg
 has back.svg 'felt:surface="my-paper"'
-run 0 "$feltline" replay in.ndjson -o grain.png --dpi 50 --page A4 --medium faint --sheet my-paper --grain
-run 0 "$feltline" replay in.ndjson -o solid.png --dpi 50 --page A4 --medium faint --sheet my-paper
+run 0 "$feltline" replay in.ndjson -o grain.png --dpi 50 --page A4 --medium faint --surface my-paper --grain
+run 0 "$feltline" replay in.ndjson -o solid.png --dpi 50 --page A4 --medium faint --surface my-paper
 cmp -s grain.png solid.png && fail "replay --grain shows none"
 
 # A drawing given with --on keeps its own surface and the materials that it contains.
@@ -162,11 +162,11 @@ run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" replay in.ndjson --on plain.f
 run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" convert on.felt -o on.svg
 has on.svg 'felt:surface="my-paper"'
 has on.svg "id = &quot;faint&quot;"
-run 0 "$feltline" replay in.ndjson --sheet wood --forces wood.csv --set pencil.snap=off
-run 0 "$feltline" replay in.ndjson -o wood.felt --sheet wood
+run 0 "$feltline" replay in.ndjson --surface wood --forces wood.csv --set pencil.snap=off
+run 0 "$feltline" replay in.ndjson -o wood.felt --surface wood
 run 0 "$feltline" replay in.ndjson --on wood.felt --forces on.csv --set pencil.snap=off
 same on.csv wood.csv
-run 0 "$feltline" replay in.ndjson --on wood.felt --sheet glass -o glass.felt
+run 0 "$feltline" replay in.ndjson --on wood.felt --surface glass -o glass.felt
 run 0 "$feltline" convert glass.felt -o glass.svg
 has glass.svg 'felt:surface="glass"'
 sed 's/my-paper/moon-dust/' named.svg >moon.svg
@@ -174,24 +174,24 @@ run 0 "$feltline" replay in.ndjson --on moon.svg -o moon_on.svg
 has moon_on.svg 'felt:surface="moon-dust"'
 
 # Surface and medium set their usual colours, unless other colours are requested.
-run 0 "$feltline" replay in.ndjson -o board.felt --sheet blackboard --medium chalk
+run 0 "$feltline" replay in.ndjson -o board.felt --surface blackboard --medium chalk
 run 0 "$feltline" info board.felt --json
 has out '"paper":"#34463e"'
 run 0 "$feltline" convert board.felt -o board.ndjson
 has board.ndjson '"color":"#f4f1e6"'
-run 0 "$feltline" replay in.ndjson -o board.felt --sheet blackboard --medium chalk --paper white \
-  --set sheet.color=#102030
+run 0 "$feltline" replay in.ndjson -o board.felt --surface blackboard --medium chalk --paper white \
+  --set ink.color=#102030
 run 0 "$feltline" info board.felt --json
 has out '"paper":"#ffffff"'
 run 0 "$feltline" convert board.felt -o board.ndjson
 has board.ndjson '"color":"#102030"'
-run 0 "$feltline" replay in.ndjson -o board.png --dpi 50 --sheet blackboard --medium chalk
-run 0 "$feltline" replay in.ndjson -o board2.png --dpi 50 --sheet blackboard --medium chalk --paper '#34463e'
+run 0 "$feltline" replay in.ndjson -o board.png --dpi 50 --surface blackboard --medium chalk
+run 0 "$feltline" replay in.ndjson -o board2.png --dpi 50 --surface blackboard --medium chalk --paper '#34463e'
 same board.png board2.png
 
 # A script can define a material itself.
 { printf '{"t_ms":0,"event":"material","text":"kind = \\"medium\\"\\nid = \\"told\\"\\n"}\n'
-  printf '{"t_ms":0,"event":"option","id":"pencil.material","value":"told"}\n'; cat in.ndjson; } >script.ndjson
+  printf '{"t_ms":0,"event":"option","id":"pencil.medium","value":"told"}\n'; cat in.ndjson; } >script.ndjson
 run 0 "$feltline" replay script.ndjson -o told.ndjson
 has told.ndjson '"told"'
 sed 's/told\\"/told\\"\\nfriction = 1/' script.ndjson >wrong.ndjson

@@ -30,10 +30,10 @@ has err " strokes in circle.ndjson"
 mkdir -p home/.local/share
 unset XDG_DATA_HOME
 run 0 "$feltline" materials new my-paper --from rough-paper --save
-run 0 "$feltline" record --device openhaptics -o own.svg --set sheet.material=my-paper --seconds 0.5 --yes
+run 0 "$feltline" record --device openhaptics -o own.svg --set surface.material=my-paper --seconds 0.5 --yes
 has own.svg 'felt:surface="my-paper"'
 has own.svg 'id = &quot;my-paper&quot;'
-run 0 "$feltline" record --device openhaptics -o own.felt --set sheet.material=my-paper --seconds 0.5 --yes
+run 0 "$feltline" record --device openhaptics -o own.felt --set surface.material=my-paper --seconds 0.5 --yes
 run 0 "$feltline" convert own.felt -o back.svg
 has back.svg 'felt:surface="my-paper"'
 

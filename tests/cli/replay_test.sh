@@ -56,7 +56,7 @@ run 0 "$feltline" replay events.ndjson --on s1.ndjson -o on.ndjson
 lines on.ndjson 4
 run 0 "$feltline" replay events.ndjson events.ndjson -o twice.ndjson
 lines twice.ndjson 2
-run 0 "$feltline" replay events.ndjson -o glass.ndjson --sheet glass
+run 0 "$feltline" replay events.ndjson -o glass.ndjson --surface glass
 cmp -s glass.ndjson e.ndjson && fail "the sheet changes nothing"
 run 0 "$feltline" replay events.ndjson -o chalk.ndjson --medium chalk
 has chalk.ndjson '"material":"chalk"'
@@ -190,7 +190,7 @@ same played.shapes kept.shapes
 cut -d, -f2- plain.ndjson >plain.shapes
 same plain.shapes kept.shapes
 # The surface, page and colours are also the same, and so is the grain.
-run 0 "$feltline" replay events.ndjson --recording -o sheet.felt --sheet rough-paper --medium charcoal --page A5
+run 0 "$feltline" replay events.ndjson --recording -o sheet.felt --surface rough-paper --medium charcoal --page A5
 run 0 "$feltline" replay sheet.felt --as-recorded -o again.felt
 for name in sheet again; do
   run 0 "$feltline" convert $name.felt -o $name.svg

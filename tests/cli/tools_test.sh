@@ -5,7 +5,7 @@ run 0 "$feltline" tools
 has out "pencil  [p]"
 has out "pencil.snap"
 has out "off|force|snap|both"
-has out "sheet.material"
+has out "surface.material"
 is_empty err
 ! grep -q $'\x1b' out || fail "colour in a pipe"
 run 0 "$feltline" tools --json

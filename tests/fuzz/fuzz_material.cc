@@ -20,9 +20,9 @@ void check_figures(const Material& material, std::span<const Field> fields) {
   }
 }
 
-void check(const SurfaceMaterial& sheet) {
-  check_figures(sheet, sheet_fields());
-  FELT_CHECK(!(sheet.grain_um > 0.0) || sheet.grain_mm > 0.0);
+void check(const SurfaceMaterial& surface) {
+  check_figures(surface, surface_fields());
+  FELT_CHECK(!(surface.grain_um > 0.0) || surface.grain_mm > 0.0);
 }
 
 void check(const Medium& medium) {

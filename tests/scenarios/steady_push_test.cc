@@ -44,7 +44,7 @@ struct Widths {
 Widths widths_of(const StylusPreset& preset, double push_n, double circle_mm) {
   Pressed pen(preset);
   const SurfaceMaterial& paper = surface_materials().front();
-  pen.servo->publish(ForceModel(make_sheet_force(paper, media().front(), pen.can())));
+  pen.servo->publish(ForceModel(make_surface_force(paper, media().front(), pen.can())));
   pen.servo->arm();
   const Pressing pressing(paper, pen.can());
   const double depth_mm =

@@ -162,7 +162,7 @@ TEST(Canvas, WetInkIsTheInkThatDries) {
   }
   for (const char* color : {"#20242c", "#c0402080"}) {
     Sitting sitting;
-    sitting.option("sheet.color", std::string(color));
+    sitting.option("ink.color", std::string(color));
     sitting.option("pencil.max_width_mm", 4.0);
     sitting.option("pencil.snap", std::string("off"));
     sitting.option("pencil.refine", false);
@@ -248,9 +248,10 @@ TEST(Canvas, R47_WetInkOfEveryMediumDriesAsItLooks) {
     SCOPED_TRACE(medium.id);
     Sitting sitting;
     draw_evenly(sitting, 5.0);
-    sitting.option("sheet.material", std::string(medium.look.rim > 0.0 ? "glass" : "rough-paper"));
-    sitting.option("sheet.color", std::string("#20242c"));
-    sitting.option("pencil.material", medium.id);
+    sitting.option("surface.material",
+                   std::string(medium.look.rim > 0.0 ? "glass" : "rough-paper"));
+    sitting.option("ink.color", std::string("#20242c"));
+    sitting.option("pencil.medium", medium.id);
     // Hairs are as thin as pixels. Where a line crosses itself, either pass may be visible, in 250
     // of 20,000 pixels.
     expect_no_jump(sitting, loops, medium.look.streaks > 0.0 ? 250 : 0);
@@ -264,15 +265,15 @@ TEST(Canvas, WetInkLiesBelowTheLayersAboveIt) {
   Sitting sitting;
   draw_evenly(sitting, 12.0);
   const LayerId low = sitting.studio.session().layer();
-  sitting.option("sheet.color", std::string("#209040ff"));
+  sitting.option("ink.color", std::string("#209040ff"));
   sitting.draw({{30, 60}, {250, 60}});
   sitting.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}});
   const LayerId high = sitting.studio.session().layer();
-  sitting.option("sheet.color", std::string("#c02020ff"));
+  sitting.option("ink.color", std::string("#c02020ff"));
   sitting.draw({{100, 30}, {100, 180}});
-  sitting.option("sheet.color", std::string("#2040c080"));
+  sitting.option("ink.color", std::string("#2040c080"));
   sitting.draw({{150, 30}, {150, 180}});
-  sitting.option("sheet.color", std::string("#202020ff"));
+  sitting.option("ink.color", std::string("#202020ff"));
   const auto color_at = [&](const QImage& seen, Point place) {
     const double dpr = sitting.canvas.devicePixelRatioF();
     return seen.pixelColor((sitting.canvas.view().to_px(place) * dpr).toPoint());
@@ -306,7 +307,7 @@ TEST(Canvas, WetInkWithAlphaCoversEachPlaceOnce) {
   const SolidInk solid;
   Sitting sitting;
   sitting.canvas.set_pen_visible(false);
-  sitting.option("sheet.color", std::string("#00000080"));
+  sitting.option("ink.color", std::string("#00000080"));
   sitting.option("pencil.snap", std::string("off"));
   sitting.option("pencil.min_width_mm", 5.0);
   sitting.option("pencil.max_width_mm", 6.0);
@@ -323,7 +324,7 @@ TEST(Canvas, WetInkWithAlphaCoversEachPlaceOnce) {
   EXPECT_NEAR(darkest, 127, 2);
 }
 
-TEST(Canvas, TellsTheEmptySheetWhatToDoUntilThereIsInk) {
+TEST(Canvas, TellsTheEmptyPageWhatToDoUntilThereIsInk) {
   Sitting sitting;
   sitting.canvas.set_pen_visible(false);
   const QImage empty = sitting.seen();

@@ -76,7 +76,7 @@ TEST(CanvasView, TurnsClockwiseAsSeenMirroredOrNot) {
   }
 }
 
-TEST(CanvasView, PanMovesTheSheetWithTheHand) {
+TEST(CanvasView, PanMovesThePageWithTheHand) {
   ViewDice dice;
   for (int i = 0; i < 500; ++i) {
     CanvasView view = dice.view();

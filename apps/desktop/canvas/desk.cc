@@ -29,10 +29,10 @@ QColor Desk::paper() const {
 }
 
 void Desk::paint(QPainter& painter, const QRect& part, const CanvasView& view) const {
-  QPolygonF sheet;
+  QPolygonF page;
   for (const Point p : {Point{0, 0}, Point{page_.width_mm, 0},
                         Point{page_.width_mm, page_.height_mm}, Point{0, page_.height_mm}}) {
-    sheet << view.to_px(p);
+    page << view.to_px(p);
   }
   const Rect inner = page_.area().inflated(-2.0 / view.px_per_mm());
   const QRectF all(part);
@@ -44,18 +44,18 @@ void Desk::paint(QPainter& painter, const QRect& part, const CanvasView& view) c
   }
   painter.fillRect(part, color_);
   const double reach = kShadowPx.back() + kShadowDownPx;
-  if (!sheet.boundingRect().adjusted(-reach, -reach, reach, reach).intersects(all)) return;
-  paint_edge(painter, sheet);
+  if (!page.boundingRect().adjusted(-reach, -reach, reach, reach).intersects(all)) return;
+  paint_edge(painter, page);
   painter.setPen(Qt::NoPen);
   painter.setBrush(paper());
-  painter.drawPolygon(sheet);
+  painter.drawPolygon(page);
 }
 
 /// Paints a shadow that fades outwards. In a dark theme, also paints a hairline, because the paper
 /// may have the colour of the background.
-void Desk::paint_edge(QPainter& painter, const QPolygonF& sheet) const {
+void Desk::paint_edge(QPainter& painter, const QPolygonF& page) const {
   painter.setBrush(Qt::NoBrush);
-  const QPolygonF below = sheet.translated(0, kShadowDownPx);
+  const QPolygonF below = page.translated(0, kShadowDownPx);
   for (const double width : kShadowPx) {
     QPen pen(QColor(0, 0, 0, is_dark_ ? 2 * kShadowAlpha : kShadowAlpha), width);
     pen.setJoinStyle(Qt::RoundJoin);
@@ -64,7 +64,7 @@ void Desk::paint_edge(QPainter& painter, const QPolygonF& sheet) const {
   }
   const QColor line = is_dark_ ? QColor(255, 255, 255, 40) : QColor(0, 0, 0, 40);
   painter.setPen(QPen(line, 2.0));
-  painter.drawPolygon(sheet);
+  painter.drawPolygon(page);
 }
 
 }  // namespace felt::desktop

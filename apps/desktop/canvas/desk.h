@@ -6,7 +6,7 @@
 #include <QRect>
 
 #include "desktop/canvas/canvas_view.h"
-#include "felt/document/sheet_page.h"
+#include "felt/document/page.h"
 
 namespace felt::desktop {
 
@@ -14,7 +14,7 @@ namespace felt::desktop {
 /// and the page. The page keeps its own colour in a dark theme.
 class Desk {
  public:
-  void set_page(const SheetPage& page) { page_ = page; }
+  void set_page(const Page& page) { page_ = page; }
   void set_palette(const QPalette& palette);
   [[nodiscard]] QColor color() const noexcept { return color_; }
   /// Returns the opaque colour below the ink; white if the page has no paper colour.
@@ -22,9 +22,9 @@ class Desk {
   void paint(QPainter& painter, const QRect& part, const CanvasView& view) const;
 
  private:
-  void paint_edge(QPainter& painter, const QPolygonF& sheet) const;
+  void paint_edge(QPainter& painter, const QPolygonF& page) const;
 
-  SheetPage page_;
+  Page page_;
   QColor color_{Qt::gray};
   bool is_dark_ = false;
 };

@@ -203,7 +203,7 @@ void WetInkView::lay(const PixelRect& pixels, const Row& row, double edge) {
 
 /// Turns coverage into colour. For each pixel, uses the mask's coverage if it is larger.
 void WetInkView::ink_pixels(QImage& image, const PixelRect& pixels, const Row& row) {
-  const auto look = outline_mode_ ? nullptr : grain_.look(row.material, view_.px_per_mm());
+  const auto look = outline_mode_ ? nullptr : grain_.look(row.medium, view_.px_per_mm());
   std::optional<InkShade> shade;
   if (look) {
     lay(pixels, row, look->edge);

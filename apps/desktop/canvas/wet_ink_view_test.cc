@@ -30,7 +30,7 @@ void show(Overlay& overlay, std::uint64_t stroke, std::size_t n) {
   for (std::size_t i = stable.size(); i < n; ++i) overlay.ink.push_back(segment(i, true));
 }
 
-WetInkView view_of_the_sheet() {
+WetInkView view_of_the_page() {
   DeviceView view;
   view.view.set_size(kSize);
   view.view.fit({0.0, 0.0, 120.0, 90.0});
@@ -49,7 +49,7 @@ QImage picture(WetInkView& ink) {
 
 /// Stable segments are not read again. To show this, the test overwrites them.
 TEST(WetInkView, LooksOnlyAtInkThatIsNotStable) {
-  WetInkView ink = view_of_the_sheet(), expected = view_of_the_sheet();
+  WetInkView ink = view_of_the_page(), expected = view_of_the_page();
   Overlay overlay;
   std::size_t stable = 0;
   for (std::size_t n = 1; n < 200; n += 1 + n % 3) {
@@ -66,7 +66,7 @@ TEST(WetInkView, LooksOnlyAtInkThatIsNotStable) {
 }
 
 TEST(WetInkView, ShowsAnotherStrokeWhole) {
-  WetInkView ink = view_of_the_sheet(), expected = view_of_the_sheet();
+  WetInkView ink = view_of_the_page(), expected = view_of_the_page();
   Overlay overlay;
   show(overlay, 1, 40);
   for (Overlay::InkSegment& s : overlay.ink) s.curve = reversed(s.curve);

@@ -219,7 +219,7 @@ void CalibrationDialog::tell() {
     return;
   }
   where_->setText(tr("The pen is %L1 mm above the drawing plane.")
-                      .arg(found_->calibration.to_sheet(p).z, 0, 'f', 1));
+                      .arg(found_->calibration.to_page(p).z, 0, 'f', 1));
 }
 
 /// Returns a point as the user sees it. Before the plane is known, uses the device's default
@@ -229,7 +229,7 @@ QPointF CalibrationDialog::in_picture(const Vec3& device_mm) const {
   const std::optional<DrawingArea> touched = area();
   const PlaneCalibration& plane = is_known ? found_->calibration : usual_;
   const DrawingArea& shown = is_known && touched ? *touched : reach_;
-  const Vec3 off = plane.to_sheet(device_mm) - plane.to_sheet(shown.middle_mm);
+  const Vec3 off = plane.to_page(device_mm) - plane.to_page(shown.middle_mm);
   const double width = kPicturePx.width() - 2.0 * kPictureMargin;
   const double height = kPicturePx.height() - 2.0 * kPictureMargin;
   const double px_per_mm =
@@ -248,17 +248,17 @@ void CalibrationDialog::draw() {
   const QColor line = palette().color(QPalette::WindowText),
                highlight = palette().color(QPalette::Highlight);
   // The rectangle is the touched area once it is known, otherwise the reach of the device.
-  QRectF sheet(0, 0, kPicturePx.width() - 2.0 * kPictureMargin,
-               kPicturePx.height() - 2.0 * kPictureMargin);
-  sheet.moveCenter(QPointF(0.5 * kPicturePx.width(), 0.5 * kPicturePx.height()));
+  QRectF page(0, 0, kPicturePx.width() - 2.0 * kPictureMargin,
+              kPicturePx.height() - 2.0 * kPictureMargin);
+  page.moveCenter(QPointF(0.5 * kPicturePx.width(), 0.5 * kPicturePx.height()));
   if (found_ && area()) {
-    sheet = QRectF(in_picture(corners_[0]),
-                   QPointF(in_picture(corners_[1]).x(), in_picture(corners_[2]).y()));
+    page = QRectF(in_picture(corners_[0]),
+                  QPointF(in_picture(corners_[1]).x(), in_picture(corners_[2]).y()));
   }
   painter.setPen(QPen(line, 1.2, found_ ? Qt::SolidLine : Qt::DashLine));
   painter.setBrush(palette().color(QPalette::Base));
-  painter.drawRect(sheet);
-  const std::array<QPointF, kCorners> wanted{sheet.topLeft(), sheet.topRight(), sheet.bottomLeft()};
+  painter.drawRect(page);
+  const std::array<QPointF, kCorners> wanted{page.topLeft(), page.topRight(), page.bottomLeft()};
   for (std::size_t i = 0; i < kCorners; ++i) {
     const bool is_known = i < corners_.size(), is_next = i == corners_.size();
     const double radius = is_next ? kNextPx : kCornerPx;

@@ -90,7 +90,7 @@ struct Sitting {
     studio = std::make_unique<Studio>(options);
     studio_of_bench = studio.get();
     care = new DeviceCare(*studio, *notice, &window);
-    const Capabilities can = bench->plane().to_sheet(bench->device()->capabilities());
+    const Capabilities can = bench->plane().to_page(bench->device()->capabilities());
     middle = 0.5 * (can.workspace_min + can.workspace_max);
     look();
   }

@@ -134,7 +134,7 @@ TEST(PenDevices, APersonsNameAndLimitsAreTheDevices) {
   EXPECT_EQ((*opened)->info().label, QStringLiteral("Old friend"));
   const Capabilities& can = (*opened)->device().capabilities();
   EXPECT_EQ(limits_for(can).peak_force_n, 0.7);
-  EXPECT_EQ(can.sheet_scale, 2.0);
+  EXPECT_EQ(can.page_scale, 2.0);
   EXPECT_EQ(can.max_stiffness_n_per_m,
             0.5 * driver.arm->descriptor.capabilities.max_stiffness_n_per_m);
 }
@@ -202,8 +202,8 @@ TEST(PenDevices, AnotherForceLimitDoesNotSwitchForcesOnAgainAfterAFault) {
   EXPECT_EQ(studio.loop().tick().sent, Force{});
 }
 
-void touch(FakeDriver& driver, CalibrationDialog& dialog, const Vec3& sheet_mm) {
-  driver.arm->at.position = leaning().to_device(sheet_mm);
+void touch(FakeDriver& driver, CalibrationDialog& dialog, const Vec3& page_mm) {
+  driver.arm->at.position = leaning().to_device(page_mm);
   dialog.take();
 }
 
@@ -220,7 +220,7 @@ TEST(CalibrationDialog, ThreeCornersFindTheLeaningPlane) {
   // The plane and the directions of its axes do not change; the drawing area lies around the
   // requested centre.
   const Vec3 p{77, 66, 5};
-  EXPECT_NEAR(norm(map.to_sheet(leaning().to_device(p)) - (p + Vec3{23.5, 15, 0})), 0.0, 1e-6);
+  EXPECT_NEAR(norm(map.to_page(leaning().to_device(p)) - (p + Vec3{23.5, 15, 0})), 0.0, 1e-6);
   EXPECT_LT(dialog.found()->worst_mm, 1e-6);
   EXPECT_EQ(driver.arm->sent, Force{});
 }
@@ -237,7 +237,7 @@ TEST(CalibrationDialog, AnOlderPlaneDoesNotBendTheNewOne) {
   touch(driver, dialog, {200, 40, 0});
   touch(driver, dialog, {50, 140, 0});
   ASSERT_TRUE(dialog.found().has_value());
-  EXPECT_NEAR(norm(dialog.found()->calibration.to_sheet(leaning().to_device(Vec3{60, 60, 1})) -
+  EXPECT_NEAR(norm(dialog.found()->calibration.to_page(leaning().to_device(Vec3{60, 60, 1})) -
                    Vec3{60, 60, 1}),
               0.0, 1e-6);
 }
@@ -326,7 +326,7 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
   EXPECT_EQ(kept.plane->scale(), 1.5);
   EXPECT_EQ(studio.loop().device().info().label, QStringLiteral("My arm"));
   EXPECT_EQ(limits_for(studio.loop().device().device().capabilities()).peak_force_n, 1.2);
-  EXPECT_EQ(studio.loop().device().device().capabilities().sheet_scale, 1.5);
+  EXPECT_EQ(studio.loop().device().device().capabilities().page_scale, 1.5);
   // A limit that is raised to the maximum of the device is not stored in the profile.
   auto* limit = qobject_cast<QDoubleSpinBox*>(child("Largest force"));
   limit->setValue(99.0);
@@ -334,7 +334,7 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
   EXPECT_FALSE(profile_of(driver.id)->force_limit_n.has_value());
   // A Touch reaches 160 mm of the page's 210 or 297 mm.
   settings->fit();
-  EXPECT_GT(studio.loop().device().device().capabilities().sheet_scale, 1.5);
+  EXPECT_GT(studio.loop().device().device().capabilities().page_scale, 1.5);
   const Rect page_area = studio.page().area();
   const Capabilities& can = studio.loop().device().device().capabilities();
   EXPECT_NEAR(0.5 * (can.workspace_min.x + can.workspace_max.x),
@@ -343,7 +343,7 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
 
 // The general limit may be too low for the field to show. Changing another field must not raise
 // it.
-TEST(DevicePage, TheStiffestSheetLeavesTheForceLimitsAlone) {
+TEST(DevicePage, TheStiffestPageLeavesTheForceLimitsAlone) {
   FakeDriver driver;
   Studio studio(by_hand());
   ASSERT_TRUE(studio.use_device(driver.id));
@@ -406,8 +406,8 @@ TEST(CalibrationDialog, ADeviceThatMovesInThePlaneOnlyIsInIt) {
   }
   ASSERT_TRUE(dialog.found().has_value());
   const PlaneCalibration& plane = dialog.found()->calibration;
-  EXPECT_NEAR(plane.to_sheet(Vec3{60, 60, 0.25}).z, 0.25, 1e-9);
-  EXPECT_NEAR(plane.to_sheet(Vec3{60, 60, -0.25}).z, -0.25, 1e-9);
+  EXPECT_NEAR(plane.to_page(Vec3{60, 60, 0.25}).z, 0.25, 1e-9);
+  EXPECT_NEAR(plane.to_page(Vec3{60, 60, -0.25}).z, -0.25, 1e-9);
 }
 
 TEST(DevicePage, TheTestPadLeavesTheDrawingAlone) {

@@ -70,7 +70,7 @@ DeviceSettings::DeviceSettings(Studio& studio, QWidget* parent)
   stiffest_->setToolTip(tr("Lower this if the surface hums or trembles under the pen"));
   stiffest_->setAccessibleName(tr("Stiffest surface"));
   plane_->setTextFormat(Qt::PlainText);
-  scale_->setRange(qRound(100 * kSmallestSheetScale), qRound(100 * kLargestSheetScale));
+  scale_->setRange(qRound(100 * kMinPageScale), qRound(100 * kMaxPageScale));
   scale_->setSingleStep(kPercentStep);
   scale_->setSuffix(tr(" %"));
   scale_->setKeyboardTracking(false);

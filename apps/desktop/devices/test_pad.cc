@@ -86,7 +86,7 @@ void TestPad::point(QPointF px, bool touches, std::optional<double> pressure,
 
 void TestPad::follow() {
   const PenSample& sample = studio_->pen().sample;
-  const Point at = on_sheet(sample.position);
+  const Point at = on_page(sample.position);
   const bool touches = in_contact(sample);
   const double pressure = sample.pressure.value_or(std::min(1.0, depth_mm(sample) / 3.0));
   trail_.push_back({QPointF(at.x, at.y) * kScreenPxPerMm, 1.0 + 6.0 * pressure, touches});

@@ -14,6 +14,11 @@ QString key_of(const QString& name) {
   return kShortcutPrefix + name;
 }
 
+/// Returns the name under which older versions stored the shortcut of an action.
+QString former_name(QString name) {
+  return name.replace(QLatin1String("feel.surface_"), QLatin1String("feel.sheet_"));
+}
+
 }  // namespace
 
 Actions::Actions(QWidget* window) : QObject(window), window_(window) {
@@ -26,7 +31,8 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
 
 void Actions::take_keys(QAction* action) {
   const QString name = action->objectName();
-  const QVariant chosen = Settings::the().value(key_of(name));
+  QVariant chosen = Settings::the().value(key_of(name));
+  if (!chosen.isValid()) chosen = Settings::the().value(key_of(former_name(name)));
   QList<QKeySequence> keys = defaults_[name];
   if (chosen.isValid()) keys = QKeySequence::listFromString(chosen.toString());
   keys.removeAll(QKeySequence());  // an empty text is read as an empty sequence

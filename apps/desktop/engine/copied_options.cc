@@ -12,13 +12,7 @@ void copy_options(const Session& from, Session& to, std::int64_t now_ns) {
     if (!value || (present && *present == *value)) return;
     static_cast<void>(to.apply({now_ns, SetOption{id, *value}}));
   };
-  for (const auto& tool : from.tools()) {
-    for (const OptionSpec& row : tool->info().options) {
-      copy(std::string(tool->info().id) + "." + std::string(row.id));
-    }
-  }
-  for (const OptionSpec& row : SheetOptions::table()) copy("sheet." + std::string(row.id));
-  copy("sheet.color");
+  for (const std::string& id : from.option_ids()) copy(id);
   const std::string tool(from.tool().info().id);
   if (tool != to.tool().info().id) static_cast<void>(to.apply({now_ns, SelectTool{tool}}));
 }

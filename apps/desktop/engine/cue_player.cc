@@ -168,7 +168,7 @@ void CuePlayer::fall_silent() {
 
 CueFeel CuePlayer::feel() const {
   const Session& session = studio_.session();
-  return cue_feel_of(medium_in_hand(session), session.sheet().material());
+  return cue_feel_of(medium_in_hand(session), session.surface());
 }
 
 void CuePlayer::take(const TickReport& tick) {
@@ -181,7 +181,7 @@ void CuePlayer::take(const TickReport& tick) {
     law_.set_feel(feel());
     if (const auto event = watch_.look(studio_.session(), tick.sample)) law_.tell(*event);
   }
-  CueInput input = cue_input_of(tick.sample, studio_.session().sheet().material());
+  CueInput input = cue_input_of(tick.sample, studio_.session().surface());
   input.time_ns = now_ns;
   std::optional<Cue> cue = law_.step(input);
   if (!cue) return;

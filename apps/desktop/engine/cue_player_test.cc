@@ -159,7 +159,7 @@ TEST_F(CuePlayerTest, AStrokeTouchesHumsAndLifts) {
 TEST_F(CuePlayerTest, FollowsMaterialAndTool) {
   choose();
   start();
-  studio_.apply(SetOption{"pencil.material", OptionValue(std::string("felt-tip"))});
+  studio_.apply(SetOption{"pencil.medium", OptionValue(std::string("felt-tip"))});
   draw({20, 20}, {80, 30});
   EXPECT_GE(tape_.count(CueWaveform::kMarker), 1);
   EXPECT_EQ(tape_.count(CueWaveform::kPencil), 0);

@@ -17,7 +17,7 @@ inline constexpr std::string_view kFirstMedium = "ink-pen";
 [[nodiscard]] inline OptionSpec as_at_first(ToolKind kind, OptionSpec spec) {
   const Medium* medium = kind == ToolKind::kDraws ? find_medium(kFirstMedium) : nullptr;
   if (!medium) return spec;
-  if (spec.id == "material") {
+  if (spec.id == "medium") {
     const auto at = std::find(spec.choices.begin(), spec.choices.end(), kFirstMedium);
     if (at != spec.choices.end()) spec.fallback = static_cast<double>(at - spec.choices.begin());
   }

@@ -14,7 +14,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr auto kOptionPrefix = "options/";
-constexpr auto kColor = "sheet.color";
+constexpr auto kColor = "ink.color", kFormerColor = "sheet.color";
 
 QString option_key(const std::string& id) {
   return QLatin1String(kOptionPrefix) + QString::fromStdString(id);
@@ -64,7 +64,9 @@ void KeptOptions::restore() {
       if (value && studio_.session().option(id) != *value) studio_.apply(SetOption{id, *value});
     }
   }
-  const std::string color = settings.text(option_key(kColor)).toStdString();
+  QVariant ink = settings.value(option_key(kColor));
+  if (!ink.isValid()) ink = settings.value(option_key(kFormerColor));
+  const std::string color = ink.toString().toStdString();
   if (color_from_text(color)) studio_.apply(SetOption{kColor, OptionValue(color)});
 }
 

@@ -8,7 +8,7 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/engine/text_of.h"
-#include "felt/document/sheet_page.h"
+#include "felt/document/page.h"
 
 namespace felt::desktop {
 namespace {
@@ -178,7 +178,7 @@ Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id, const Rect
 }
 
 Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id) {
-  return open_pen_device(id, SheetPage{}.area());
+  return open_pen_device(id, Page{}.area());
 }
 
 QString chosen_pen_device() {

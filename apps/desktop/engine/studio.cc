@@ -103,28 +103,28 @@ void Studio::apply_first_options(std::int64_t now_ns) {
   }
   if (const Medium* medium = find_medium(kFirstMedium)) {
     const Rgba ink = usual_color({}, {}, medium->color_rgb, {});
-    static_cast<void>(session_->apply({now_ns, SetOption{"sheet.color", color_to_text(ink)}}));
+    static_cast<void>(session_->apply({now_ns, SetOption{"ink.color", color_to_text(ink)}}));
   }
 }
 
-void Studio::open(Document document, const SheetPage& page, std::span<const std::string> materials,
+void Studio::open(Document document, const Page& page, std::span<const std::string> materials,
                   std::optional<Rgba> ink) {
   loop_.wake();
   drain();
   static_cast<void>(session_->finish());
   edits_.clear();
-  const SurfaceMaterial sheet = session_->sheet().material();
+  const SurfaceMaterial surface = session_->surface();
   make_session(std::move(document), materials);
   apply_page(page);
   if (ink) {
     static_cast<void>(
-        session_->apply({event_time_ns(), SetOption{"sheet.color", color_to_text(*ink)}}));
+        session_->apply({event_time_ns(), SetOption{"ink.color", color_to_text(*ink)}}));
   }
-  const bool has_other_sheet = session_->sheet().material() != sheet;
+  const bool has_other_surface = session_->surface() != surface;
   publish();
   set_modified(false);
   Q_EMIT opened();
-  if (has_other_sheet) Q_EMIT option_changed(QLatin1String(kSheetMaterialId));
+  if (has_other_surface) Q_EMIT option_changed(QLatin1String(kSurfaceOptionId));
   Q_EMIT page_changed();
   Q_EMIT selection_changed();
   Q_EMIT layer_changed();
@@ -162,11 +162,12 @@ bool Studio::apply(decltype(Event::what) what) {
   loop_.wake();
   drain();
   const auto* option = std::get_if<SetOption>(&what);
-  const QString option_id = option ? QString::fromStdString(option->id) : QString();
+  const std::string current_id = option ? session_->current_option_id(option->id) : std::string();
+  const QString option_id = QString::fromStdString(current_id);
   // The surface and its colour are saved with the drawing. Therefore a change of them is an
   // unsaved change, unless the drawing is empty.
-  const bool is_of_drawing =
-      option_id.startsWith(QLatin1String("sheet.")) && session_->document().stroke_count() > 0;
+  const bool is_of_drawing = (current_id == kSurfaceOptionId || current_id == kInkColorId) &&
+                             session_->document().stroke_count() > 0;
   const OptionValue before =
       is_of_drawing ? session_->option(option->id).value_or(OptionValue{}) : OptionValue{};
   const auto* material = std::get_if<UseMaterial>(&what);
@@ -178,7 +179,7 @@ bool Studio::apply(decltype(Event::what) what) {
       session_->option(option_id.toStdString()).value_or(OptionValue{}) != before) {
     set_modified(true);
   }
-  if (done && option_id == QLatin1String(kSheetMaterialId)) set_surface_of_page();
+  if (done && option_id == QLatin1String(kSurfaceOptionId)) set_surface_of_page();
   if (!option_id.isEmpty() && done) Q_EMIT option_changed(option_id);
   report_changes();
   Q_EMIT shown();
@@ -227,7 +228,7 @@ bool Studio::use_device(const QString& id) {
 
 void Studio::point(const PointerEvent& event) {
   pen_.hand = event.position;
-  loop_.point(event, session_->sheet().material(), session_->device(), absent_pressure(*session_));
+  loop_.point(event, session_->surface(), session_->device(), absent_pressure(*session_));
 }
 
 void Studio::process() {

@@ -11,7 +11,7 @@
 
 #include "desktop/engine/haptic_loop.h"
 #include "desktop/engine/studio_options.h"
-#include "felt/document/sheet_page.h"
+#include "felt/document/page.h"
 #include "felt/material/material_file.h"
 #include "felt/session/session.h"
 
@@ -46,7 +46,7 @@ class Studio : public QObject {
 
   // --- The drawing
   [[nodiscard]] const Session& session() const noexcept { return *session_; }
-  [[nodiscard]] const SheetPage& page() const noexcept { return page_; }
+  [[nodiscard]] const Page& page() const noexcept { return page_; }
   /// Returns the surfaces and media that can be chosen: Feltline's, the user's, and those that
   /// came with the drawing.
   [[nodiscard]] const Materials& materials() const noexcept { return materials_; }
@@ -60,7 +60,7 @@ class Studio : public QObject {
   /// paper is white or has the usual colour of the previous surface, it then gets the usual colour
   /// of the new surface; a paper colour that the user chose stays. The paper's colour is also
   /// updated in this way if the usual colour of the page's surface changes (set_user_materials()).
-  void set_page(const SheetPage& page);
+  void set_page(const Page& page);
   /// Replaces the drawing. History, selection and unsaved changes start again. The tool and its
   /// options stay. The surface stays, too, unless the page names a known surface. `materials` are
   /// the texts of the materials that come with the drawing. A text that cannot be read is skipped,
@@ -68,7 +68,7 @@ class Studio : public QObject {
   /// the same name has other figures; in this case `refused` names the material. `ink` becomes the
   /// colour of new lines before `opened` is emitted. option_changed is not emitted for this colour,
   /// because it comes with the drawing and the user did not choose it.
-  void open(Document document, const SheetPage& page, std::span<const std::string> materials = {},
+  void open(Document document, const Page& page, std::span<const std::string> materials = {},
             std::optional<Rgba> ink = {});
   /// Returns true if the drawing has unsaved changes.
   [[nodiscard]] bool is_modified() const noexcept { return is_modified_; }
@@ -177,13 +177,13 @@ class Studio : public QObject {
   void gather_materials();
   void update_paper(const std::optional<AnyMaterial>& before, const AnyMaterial& now);
   [[nodiscard]] bool is_drawn_with(const AnyMaterial& material) const;
-  bool apply_page(const SheetPage& page);
+  bool apply_page(const Page& page);
   void set_surface_of_page();
 
   StudioOptions options_;
   HapticLoop loop_;
   std::unique_ptr<Session> session_;
-  SheetPage page_;
+  Page page_;
   Materials materials_;                  // all materials that can be chosen
   std::vector<AnyMaterial> of_drawing_;  // materials that came with the drawing and differ from
                                          // options_.materials

@@ -17,8 +17,8 @@ bool is_same_one(const AnyMaterial& a, const AnyMaterial& b) {
 /// Returns the material of the same kind and id, or nullopt.
 std::optional<AnyMaterial> find_in(const Materials& materials, const AnyMaterial& like) {
   if (std::holds_alternative<SurfaceMaterial>(like)) {
-    const SurfaceMaterial* sheet = materials.find_surface(id_of(like));
-    return sheet ? std::optional<AnyMaterial>(*sheet) : std::nullopt;
+    const SurfaceMaterial* surface = materials.find_surface(id_of(like));
+    return surface ? std::optional<AnyMaterial>(*surface) : std::nullopt;
   }
   const Medium* medium = materials.find_medium(id_of(like));
   return medium ? std::optional<AnyMaterial>(*medium) : std::nullopt;
@@ -33,7 +33,7 @@ bool is_own(const std::optional<AnyMaterial>& material) {
 /// Returns the paper colour of a page whose surface changed. `before` is null if it is unknown.
 Rgba paper_on(const SurfaceMaterial& now, Rgba paper, const SurfaceMaterial* before) {
   const auto was = before ? std::optional(before->color_rgb) : std::nullopt;
-  return usual_color(paper, was, now.color_rgb, SheetPage{}.paper);
+  return usual_color(paper, was, now.color_rgb, Page{}.paper);
 }
 
 }  // namespace
@@ -56,9 +56,10 @@ void Studio::set_user_materials(const Materials& known) {
 /// Updates the paper after the colour of the page's surface changed.
 void Studio::update_paper(const std::optional<AnyMaterial>& before, const AnyMaterial& now) {
   const auto* old = before ? std::get_if<SurfaceMaterial>(&*before) : nullptr;
-  const auto* sheet = std::get_if<SurfaceMaterial>(&now);
-  if (!old || !sheet || sheet->id != page_.surface || old->color_rgb == sheet->color_rgb) return;
-  const Rgba paper = paper_on(*sheet, page_.paper, old);
+  const auto* surface = std::get_if<SurfaceMaterial>(&now);
+  if (!old || !surface || surface->id != page_.surface || old->color_rgb == surface->color_rgb)
+    return;
+  const Rgba paper = paper_on(*surface, page_.paper, old);
   if (std::exchange(page_.paper, paper) != paper) Q_EMIT page_changed();
 }
 
@@ -67,7 +68,7 @@ bool Studio::is_drawn_with(const AnyMaterial& material) const {
   const Document& document = session_->document();
   if (document.stroke_count() == 0) return false;  // an empty drawing cannot change
   if (std::holds_alternative<SurfaceMaterial>(material)) {
-    return session_->sheet().material().id == id_of(material);
+    return session_->surface().id == id_of(material);
   }
   for (const Layer& layer : document.layers()) {
     for (const StrokeId id : layer.strokes) {
@@ -111,7 +112,7 @@ void Studio::add_materials_of_drawing(std::span<const std::string> texts) {
 std::vector<std::string> Studio::add_media(std::span<const std::string> texts,
                                            std::span<const StrokePtr> strokes) {
   std::set<std::string_view> named;
-  for (const StrokePtr& stroke : strokes) named.insert(stroke->material());
+  for (const StrokePtr& stroke : strokes) named.insert(stroke->medium());
   drain();
   std::set<std::string> others;
   bool is_news = false;
@@ -139,25 +140,25 @@ void Studio::gather_materials() {
   for (const AnyMaterial& brought : of_drawing_) put(materials_, brought);
 }
 
-void Studio::set_page(const SheetPage& page) {
+void Studio::set_page(const Page& page) {
   if (page == page_) return;
   drain();
-  const bool has_other_sheet = apply_page(page);
+  const bool has_other_surface = apply_page(page);
   publish();
   set_modified(true);
-  if (has_other_sheet) Q_EMIT option_changed(QLatin1String(kSheetMaterialId));
+  if (has_other_surface) Q_EMIT option_changed(QLatin1String(kSurfaceOptionId));
   Q_EMIT page_changed();
 }
 
 /// Sets the page, and sets the session's surface to the surface that the page names. Returns true
 /// if the surface changed.
-bool Studio::apply_page(const SheetPage& page) {
+bool Studio::apply_page(const Page& page) {
   page_ = page;
   const OptionValue wanted(page_.surface);
-  if (page_.surface.empty() || session_->option(kSheetMaterialId).value_or(wanted) == wanted) {
+  if (page_.surface.empty() || session_->option(kSurfaceOptionId).value_or(wanted) == wanted) {
     return false;
   }
-  if (session_->apply({event_time_ns(), SetOption{kSheetMaterialId, wanted}})) return true;
+  if (session_->apply({event_time_ns(), SetOption{kSurfaceOptionId, wanted}})) return true;
   const auto id = QString::fromStdString(page_.surface);
   Q_EMIT refused(tr("The surface “%1” is not installed, so the previous surface is used.").arg(id));
   return false;
@@ -165,10 +166,10 @@ bool Studio::apply_page(const SheetPage& page) {
 
 /// Stores the surface that the user has chosen, and its colour, in the page.
 void Studio::set_surface_of_page() {
-  const SurfaceMaterial& sheet = session_->sheet().material();
-  const std::string before = std::exchange(page_.surface, sheet.id);
+  const SurfaceMaterial& surface = session_->surface();
+  const std::string before = std::exchange(page_.surface, surface.id);
   if (before == page_.surface) return;
-  const Rgba paper = paper_on(sheet, page_.paper, session_->materials().find_surface(before));
+  const Rgba paper = paper_on(surface, page_.paper, session_->materials().find_surface(before));
   const bool has_other_paper = std::exchange(page_.paper, paper) != paper;
   const bool is_other = !before.empty() || has_other_paper;
   if (is_other && session_->document().stroke_count() > 0) set_modified(true);

@@ -24,15 +24,15 @@ Medium soft_chalk(double friction) {
   return medium;
 }
 
-SheetPage page_of(const std::string& surface) {
-  SheetPage page;
+Page page_of(const std::string& surface) {
+  Page page;
   page.surface = surface;
   return page;
 }
 
 std::vector<StrokePtr> line_of(const std::string& medium) {
   StrokeData data = felt::testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
-  data.material = medium;
+  data.medium = medium;
   return {std::make_shared<const Stroke>(Stroke::create(data).value())};
 }
 
@@ -51,15 +51,15 @@ struct Ear {
 
 constexpr Rgba kWhite{255, 255, 255, 255};
 
-bool choose(Studio& studio, const std::string& sheet) {
-  return studio.apply(SetOption{"sheet.material", OptionValue(sheet)});
+bool choose(Studio& studio, const std::string& surface) {
+  return studio.apply(SetOption{"surface.material", OptionValue(surface)});
 }
 
-Rgba color_of(const std::string& sheet) {
-  return usual_color(kWhite, {}, find_surface(sheet)->color_rgb, kWhite);
+Rgba color_of(const std::string& surface) {
+  return usual_color(kWhite, {}, find_surface(surface)->color_rgb, kWhite);
 }
 
-TEST(StudioMaterials, ThePagesPaperIsOfTheColourOfItsSheet) {
+TEST(StudioMaterials, ThePagesPaperIsOfTheColourOfItsSurface) {
   Studio studio({.live = false});
   int changes = 0;
   QObject::connect(&studio, &Studio::page_changed, [&changes] { ++changes; });
@@ -77,7 +77,7 @@ TEST(StudioMaterials, ThePagesPaperIsOfTheColourOfItsSheet) {
   EXPECT_EQ(studio.page().paper, color_of("paper"));
 }
 
-TEST(StudioMaterials, AWhiteSheetMakesThePageWhiteAgain) {
+TEST(StudioMaterials, AWhiteSurfaceMakesThePageWhiteAgain) {
   Materials known = Materials::built_in();
   SurfaceMaterial plain;  // has no colour
   plain.id = "plain";
@@ -93,13 +93,13 @@ TEST(StudioMaterials, AWhiteSheetMakesThePageWhiteAgain) {
 TEST(StudioMaterials, APaperThatAPersonChoseStays) {
   Studio studio({.live = false});
   for (const Rgba own : {Rgba{200, 220, 240, 255}, Rgba{255, 255, 255, 0}}) {
-    SheetPage page = studio.page();
+    Page page = studio.page();
     page.paper = own;
     studio.set_page(page);
-    for (const char* sheet : {"blackboard", "glass", "paper"}) {
-      ASSERT_TRUE(choose(studio, sheet));
-      EXPECT_EQ(studio.page().paper, own) << sheet;
-      EXPECT_EQ(studio.page().surface, sheet);
+    for (const char* surface : {"blackboard", "glass", "paper"}) {
+      ASSERT_TRUE(choose(studio, surface));
+      EXPECT_EQ(studio.page().paper, own) << surface;
+      EXPECT_EQ(studio.page().surface, surface);
     }
   }
 }
@@ -117,7 +117,7 @@ TEST(StudioMaterials, ADrawingIsOpenedWithItsOwnPaper) {
   EXPECT_EQ(studio.page().paper, color_of("glass"));
 }
 
-TEST(StudioMaterials, ThePaperFollowsTheColourThatItsSheetIsGiven) {
+TEST(StudioMaterials, ThePaperFollowsTheColourThatItsSurfaceIsGiven) {
   Materials known = Materials::built_in();
   known.put(slate(0.5));
   Studio studio({.live = false, .materials = known});
@@ -181,32 +181,32 @@ TEST(StudioMaterials, OptionsMayNameWhatTheNextDrawingBrings) {
                  }});
   const Texts texts{write_material(slate(0.5)), write_material(soft_chalk(0.4))};
   studio.open(Document{}, page_of("slate"), texts);
-  ASSERT_TRUE(studio.apply(SetOption{"pencil.material", std::string("soft-chalk")}));
+  ASSERT_TRUE(studio.apply(SetOption{"pencil.medium", std::string("soft-chalk")}));
   studio.open(Document{}, page_of("slate"), texts);
-  EXPECT_EQ(studio.session().option("pencil.material").value(),
+  EXPECT_EQ(studio.session().option("pencil.medium").value(),
             OptionValue(std::string("soft-chalk")));
-  EXPECT_EQ(studio.session().sheet().material(), slate(0.5));
+  EXPECT_EQ(studio.session().surface(), slate(0.5));
   // A recording of the second session contains every material that it names.
   Session replayed(make_tools(), {});
   for (std::size_t i = begin; i < events.size(); ++i) {
     EXPECT_TRUE(replayed.apply(events[i])) << i;
     EXPECT_TRUE(i == begin || events[i].time_ns >= events[i - 1].time_ns) << i;
   }
-  EXPECT_EQ(replayed.option("pencil.material").value(), OptionValue(std::string("soft-chalk")));
-  EXPECT_EQ(replayed.sheet().material(), slate(0.5));
+  EXPECT_EQ(replayed.option("pencil.medium").value(), OptionValue(std::string("soft-chalk")));
+  EXPECT_EQ(replayed.surface(), slate(0.5));
   // This drawing does not contain the medium, so the pencil has its initial one again.
-  studio.open(Document{}, SheetPage{});
-  EXPECT_EQ(studio.session().option("pencil.material").value(), OptionValue(std::string("pencil")));
+  studio.open(Document{}, Page{});
+  EXPECT_EQ(studio.session().option("pencil.medium").value(), OptionValue(std::string("pencil")));
 }
 
-TEST(StudioMaterials, ASheetThatGoesWithItsDrawingIsTold) {
+TEST(StudioMaterials, ASurfaceThatGoesWithItsDrawingIsTold) {
   Studio studio({.live = false});
   studio.open(Document{}, page_of("slate"), Texts{write_material(slate(0.5))});
   Ear ear(studio);
   studio.open(Document{}, page_of("slate"), Texts{write_material(slate(0.7))});
-  EXPECT_EQ(ear.options, QStringList(QStringLiteral("sheet.material")));
-  studio.open(Document{}, SheetPage{});
-  EXPECT_EQ(studio.session().sheet().material().id, "paper");
+  EXPECT_EQ(ear.options, QStringList(QStringLiteral("surface.material")));
+  studio.open(Document{}, Page{});
+  EXPECT_EQ(studio.session().surface().id, "paper");
   EXPECT_EQ(ear.options.size(), 2);
   EXPECT_FALSE(studio.is_modified());
 }
@@ -219,11 +219,11 @@ TEST(StudioMaterials, ADrawingWithOtherFiguresThanAPersonsOwnSaysSo) {
   studio.open(Document{}, page_of("slate"), Texts{write_material(slate(0.5))});
   EXPECT_TRUE(ear.refused.isEmpty()) << "it is the same";
   studio.open(Document{}, page_of("slate"), Texts{write_material(slate(0.7))});
-  EXPECT_EQ(studio.session().sheet().material(), slate(0.7));
+  EXPECT_EQ(studio.session().surface(), slate(0.7));
   ASSERT_EQ(ear.refused.size(), 1);
   EXPECT_TRUE(ear.refused[0].contains(QStringLiteral("Slate")));
   studio.open(Document{}, page_of("slate"));
-  EXPECT_EQ(studio.session().sheet().material(), slate(0.5)) << "nothing is lost of one's own";
+  EXPECT_EQ(studio.session().surface(), slate(0.5)) << "nothing is lost of one's own";
   EXPECT_EQ(ear.refused.size(), 1);
 }
 

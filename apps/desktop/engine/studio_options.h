@@ -10,7 +10,8 @@ namespace felt::desktop {
 
 class Studio;
 
-inline constexpr const char* kSheetMaterialId = "sheet.material";
+inline constexpr const char* kSurfaceOptionId = "surface.material";
+inline constexpr const char* kInkColorId = "ink.color";
 
 /// The options of a new studio.
 struct StudioOptions {

@@ -157,9 +157,9 @@ TEST(Studio, OpenKeepsToolAndOptions) {
   Desk desk;
   desk.studio.apply(SelectTool{"eraser"});
   desk.studio.apply(SetOption{"pencil.max_width_mm", 4.5});
-  desk.studio.apply(SetOption{"sheet.material", std::string("felt")});
+  desk.studio.apply(SetOption{"surface.material", std::string("felt")});
   desk.draw({10, 10}, {60, 20});
-  desk.studio.open(Document{}, SheetPage{});
+  desk.studio.open(Document{}, Page{});
   EXPECT_EQ(desk.studio.session().tool().info().id, "eraser");
   EXPECT_EQ(desk.studio.session().option("pencil.max_width_mm").value(), OptionValue(4.5));
   EXPECT_FALSE(desk.studio.is_modified());
@@ -371,7 +371,7 @@ TEST(RecordingFile, WritesEachSessionIntoAFileOfItsOwn) {
     Studio studio(options);
     studio.point({studio.now_ns(), {10, 10}, true, 0.5, 0});
     studio.advance(50 * kMs);
-    studio.open(Document{}, SheetPage{});
+    studio.open(Document{}, Page{});
     studio.point({studio.now_ns(), {20, 20}, true, 0.5, 0});
     studio.advance(50 * kMs);
     EXPECT_EQ(recording->path(), folder.filePath(QStringLiteral("rec-2.ndjson")));
@@ -395,9 +395,9 @@ TEST(RecordingFile, WritesEachSessionIntoAFileOfItsOwn) {
   EXPECT_EQ(record_into(QString(), nowhere), nullptr);
 }
 
-TEST(Studio, TheSheetOfADrawingIsPartOfIt) {
+TEST(Studio, TheSurfaceOfADrawingIsPartOfIt) {
   Studio studio({.live = false});
-  studio.apply(SetOption{"sheet.material", std::string("felt")});
+  studio.apply(SetOption{"surface.material", std::string("felt")});
   EXPECT_FALSE(studio.is_modified());  // nothing was drawn
   studio.point({studio.now_ns(), {30, 40}, true, 0.5});
   studio.advance(100'000'000);
@@ -408,26 +408,26 @@ TEST(Studio, TheSheetOfADrawingIsPartOfIt) {
   studio.apply(SelectTool{"pull"});
   ASSERT_GT(studio.session().document().stroke_count(), 0u);
   studio.set_modified(false);
-  studio.apply(SetOption{"sheet.material", std::string("felt")});
+  studio.apply(SetOption{"surface.material", std::string("felt")});
   EXPECT_FALSE(studio.is_modified());  // the saved state again
-  studio.apply(SetOption{"sheet.color", std::string("#2040a0")});
+  studio.apply(SetOption{"ink.color", std::string("#2040a0")});
   EXPECT_TRUE(studio.is_modified());
 }
 
 // A page names its surface. If it names none, the surface that the user chose stays.
 TEST(Studio, ThePageKnowsItsSurface) {
   Studio studio({.live = false});
-  const auto felt_on = [&studio] { return studio.session().sheet().material().id; };
+  const auto felt_on = [&studio] { return studio.session().surface().id; };
   std::vector<QString> told, refused;
   QObject::connect(&studio, &Studio::option_changed,
                    [&told](const QString& id) { told.push_back(id); });
   QObject::connect(&studio, &Studio::refused,
                    [&refused](const QString& w) { refused.push_back(w); });
   EXPECT_EQ(studio.page().surface, "");
-  studio.apply(SetOption{"sheet.material", std::string("felt")});
+  studio.apply(SetOption{"surface.material", std::string("felt")});
   EXPECT_EQ(studio.page().surface, "felt");
 
-  SheetPage page;
+  Page page;
   studio.open(Document{}, page);  // as a file that was written before surfaces existed
   EXPECT_EQ(felt_on(), "felt");
   EXPECT_EQ(studio.page().surface, "");
@@ -436,7 +436,7 @@ TEST(Studio, ThePageKnowsItsSurface) {
   page.surface = "glass";
   studio.open(Document{}, page);
   EXPECT_EQ(felt_on(), "glass");
-  EXPECT_EQ(told, std::vector<QString>{QStringLiteral("sheet.material")});
+  EXPECT_EQ(told, std::vector<QString>{QStringLiteral("surface.material")});
   EXPECT_FALSE(studio.is_modified());
   EXPECT_TRUE(refused.empty());
 
@@ -466,16 +466,16 @@ TEST(Studio, KnowsAPersonsOwnMaterials) {
     });
   };
   EXPECT_EQ(told(), 0) << "nobody uses it yet";
-  ASSERT_TRUE(studio.apply(SetOption{"sheet.material", std::string("slate")}));
-  EXPECT_EQ(studio.session().sheet().material(), slate(0.5));
+  ASSERT_TRUE(studio.apply(SetOption{"surface.material", std::string("slate")}));
+  EXPECT_EQ(studio.session().surface(), slate(0.5));
   EXPECT_EQ(told(), 1) << "a recording has what it needs";
   known.put(slate(0.7));
   studio.set_user_materials(known);
   studio.set_user_materials(known);
-  EXPECT_EQ(studio.session().sheet().material().friction, 0.7);
+  EXPECT_EQ(studio.session().surface().friction, 0.7);
   EXPECT_EQ(told(), 2);
-  studio.open(Document{}, SheetPage{});
-  EXPECT_EQ(studio.session().sheet().material(), slate(0.7));
+  studio.open(Document{}, Page{});
+  EXPECT_EQ(studio.session().surface(), slate(0.7));
 }
 
 TEST(Studio, ADrawingBringsItsMaterialsAlongAndTakesThemAwayAgain) {
@@ -483,11 +483,11 @@ TEST(Studio, ADrawingBringsItsMaterialsAlongAndTakesThemAwayAgain) {
   std::vector<QString> refused;
   QObject::connect(&studio, &Studio::refused,
                    [&refused](const QString& why) { refused.push_back(why); });
-  SheetPage page;
+  Page page;
   page.surface = "slate";
   const std::vector<std::string> texts{write_material(slate(0.5)), "kind = \"sheet\"\n"};
   studio.open(Document{}, page, texts);
-  EXPECT_EQ(studio.session().sheet().material(), slate(0.5));
+  EXPECT_EQ(studio.session().surface(), slate(0.5));
   EXPECT_NE(studio.materials().find_surface("slate"), nullptr);
   EXPECT_EQ(refused.size(), 1u) << "the one that cannot be read";
   EXPECT_FALSE(studio.is_modified());
@@ -509,7 +509,7 @@ TEST(Studio, UndoingEverythingIsNoChange) {
   EXPECT_TRUE(desk.studio.is_modified()) << "the file has more";
   desk.studio.apply(RedoEvent{});
   EXPECT_FALSE(desk.studio.is_modified());
-  SheetPage page = desk.studio.page();
+  Page page = desk.studio.page();
   page.width_mm += 10;
   desk.studio.set_page(page);
   desk.studio.apply(UndoEvent{});
@@ -520,7 +520,7 @@ TEST(Studio, UndoingEverythingIsNoChange) {
 TEST(Studio, BeginsWithASmoothThinLineInTheColourOfItsMedium) {
   const Studio studio({.live = false});
   const auto option = [&studio](const char* id) { return studio.session().option(id).value(); };
-  const Medium* medium = find_medium(std::get<std::string>(option("pencil.material")));
+  const Medium* medium = find_medium(std::get<std::string>(option("pencil.medium")));
   ASSERT_TRUE(medium);
   EXPECT_EQ(medium->look.grain, 0.0);
   const double thin = std::get<double>(option("pencil.min_width_mm"));
@@ -529,7 +529,7 @@ TEST(Studio, BeginsWithASmoothThinLineInTheColourOfItsMedium) {
   const double mouse_mm = thin + (broad - thin) * share;
   EXPECT_GE(mouse_mm, 0.3);
   EXPECT_LE(mouse_mm, 1.5);
-  const Rgba color = studio.session().sheet().color();
+  const Rgba color = studio.session().ink_color();
   EXPECT_EQ(std::uint32_t{color.r} << 16U | std::uint32_t{color.g} << 8U | color.b,
             medium->color_rgb);
 }
@@ -539,7 +539,7 @@ TEST(Studio, BeginsWithASmoothThinLineInTheColourOfItsMedium) {
 TEST(Studio, R18_APressureDrawsTheSameWidthOnEveryDeviceAndSurface) {
   const auto width_mm = [](const char* device, const char* surface, double pressure) {
     Desk desk(QString::fromLatin1(device));
-    desk.studio.apply(SetOption{"sheet.material", std::string(surface)});
+    desk.studio.apply(SetOption{"surface.material", std::string(surface)});
     desk.wait(1500);  // time until forces are on
     desk.draw({40, 40}, {90, 50}, pressure);
     const auto strokes = visible_strokes(desk.studio.session().document());
@@ -634,12 +634,12 @@ TEST(KeptOptions, AnotherStartBeginsWithThem) {
   {
     Studio studio({.live = false});
     const KeptOptions kept(studio);
-    studio.apply(SetOption{"pencil.material", std::string("charcoal")});
+    studio.apply(SetOption{"pencil.medium", std::string("charcoal")});
     studio.apply(SetOption{"pencil.max_width_mm", 3.5});
     studio.apply(SetOption{"pencil.snap", std::string("force")});
     studio.apply(SetOption{"pencil.stabiliser", std::string("towed")});
     studio.apply(SetOption{"eraser.mode", std::string("stroke")});
-    studio.apply(SetOption{"sheet.color", std::string("#b02020")});
+    studio.apply(SetOption{"ink.color", std::string("#b02020")});
     studio.apply(SetOption{"pencil.refine", false});
     studio.apply(SetOption{"pencil.refine", true});
   }
@@ -650,16 +650,15 @@ TEST(KeptOptions, AnotherStartBeginsWithThem) {
   Studio next({.live = false});
   const KeptOptions kept(next);
   const auto option = [&next](const char* id) { return next.session().option(id).value(); };
-  EXPECT_EQ(option("pencil.material"), OptionValue(std::string("charcoal")));
+  EXPECT_EQ(option("pencil.medium"), OptionValue(std::string("charcoal")));
   EXPECT_EQ(option("pencil.max_width_mm"), OptionValue(3.5));
   EXPECT_EQ(option("pencil.snap"), OptionValue(std::string("force")));
   EXPECT_EQ(option("pencil.stabiliser"), OptionValue(std::string("towed")));
   EXPECT_EQ(option("eraser.mode"), OptionValue(std::string("stroke")));
-  EXPECT_EQ(option("sheet.color"), OptionValue(std::string("#b02020")));
+  EXPECT_EQ(option("ink.color"), OptionValue(std::string("#b02020")));
   EXPECT_EQ(option("pencil.gamma"), OptionValue(1.0)) << "out of range";
-  for (const char* id :
-       {"pencil.material", "pencil.max_width_mm", "pencil.snap", "pencil.stabiliser", "eraser.mode",
-        "sheet.color", "pencil.gamma", "pull.mode"}) {
+  for (const char* id : {"pencil.medium", "pencil.max_width_mm", "pencil.snap", "pencil.stabiliser",
+                         "eraser.mode", "ink.color", "pencil.gamma", "pull.mode"}) {
     settings.reset(QStringLiteral("options/") + QString::fromLatin1(id));
   }
 }

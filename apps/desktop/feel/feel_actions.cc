@@ -24,7 +24,7 @@ constexpr double kStrengthStep = 0.1;
 constexpr int kForgetDownMs = 300;
 
 QString material_of(const Studio& studio) {
-  const std::string_view id = studio.session().sheet().material().id;
+  const std::string_view id = studio.session().surface().id;
   return QString::fromUtf8(id.data(), qsizetype(id.size()));
 }
 
@@ -35,7 +35,7 @@ void restore(Studio& studio) {
       settings.number(feel_keys::kForceLimit, feel_keys::kForceLimitDefault));
   const QString material = settings.text(feel_keys::kMaterial);
   if (studio.materials().find_surface(material.toStdString()) && material != material_of(studio)) {
-    studio.apply(SetOption{"sheet.material", OptionValue(material.toStdString())});
+    studio.apply(SetOption{"surface.material", OptionValue(material.toStdString())});
   }
 }
 
@@ -71,7 +71,7 @@ void add_materials(Actions& actions, Studio& studio, QWidget* window) {
   auto* group = new QActionGroup(window);
   for (const SurfaceMaterial& material : surface_materials()) {
     const QString id = QString::fromUtf8(material.id.data(), qsizetype(material.id.size()));
-    QAction* action = actions.add_switch(QStringLiteral("feel.sheet_") + id,
+    QAction* action = actions.add_switch(QStringLiteral("feel.surface_") + id,
                                          material_label(material), {}, material_words(material),
                                          id == material_of(studio), [&studio, id](bool on) {
                                            if (on) choose_material(studio, id);
@@ -88,7 +88,7 @@ bool is_own(const SurfaceMaterial& material) {
   return find_surface(material.id) == nullptr;
 }
 
-void fill_own_sheets(QMenu& menu, Studio& studio) {
+void fill_own_surfaces(QMenu& menu, Studio& studio) {
   menu.clear();
   for (const SurfaceMaterial& material : studio.materials().surfaces()) {
     if (!is_own(material)) continue;
@@ -103,10 +103,10 @@ void fill_own_sheets(QMenu& menu, Studio& studio) {
 
 /// Adds a submenu of the surfaces that the user made or that came with a drawing. It is visible if
 /// such surfaces exist.
-void add_own_sheets(Actions& actions, Studio& studio, QWidget* window) {
+void add_own_surfaces(Actions& actions, Studio& studio, QWidget* window) {
   auto* menu = new QMenu(window);
   QAction* action =
-      actions.add(QStringLiteral("feel.sheet_own"),
+      actions.add(QStringLiteral("feel.surface_own"),
                   QCoreApplication::translate("FeelActions", "M&y surfaces"), {},
                   QCoreApplication::translate("FeelActions",
                                               "Surfaces that you made or that came with a drawing"),
@@ -116,7 +116,7 @@ void add_own_sheets(Actions& actions, Studio& studio, QWidget* window) {
                   });
   action->setMenu(menu);
   const auto fill = [action, menu, &studio] {
-    fill_own_sheets(*menu, studio);
+    fill_own_surfaces(*menu, studio);
     action->setVisible(!menu->isEmpty());
   };
   fill();
@@ -165,7 +165,7 @@ void add_feel_actions(Actions& actions, Studio& studio, QWidget* window) {
   add_switch(actions, studio);
   add_strength(actions, studio);
   add_materials(actions, studio, window);
-  add_own_sheets(actions, studio, window);
+  add_own_surfaces(actions, studio, window);
   add_sound(actions, studio, window);
   add_cues(studio, window);
   watch_faults(studio, window);
@@ -180,7 +180,7 @@ void add_feel_actions(Actions& actions, Studio& studio, QWidget* window) {
 
 void choose_material(Studio& studio, const QString& id) {
   if (id == material_of(studio)) return;
-  if (!studio.apply(SetOption{"sheet.material", OptionValue(id.toStdString())})) return;
+  if (!studio.apply(SetOption{"surface.material", OptionValue(id.toStdString())})) return;
   Settings::the().set(feel_keys::kMaterial, id);
 }
 

@@ -54,7 +54,7 @@ FeelPanel::FeelPanel(Studio& studio, QWidget* parent)
   connect(&studio_.loop(), &HapticLoop::device_status_changed, this, &FeelPanel::tell_forces);
   connect(&studio_.loop(), &HapticLoop::strength_changed, this, &FeelPanel::tell_strength);
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
-    if (id == QLatin1String("sheet.material")) tell_material();
+    if (id == QLatin1String("surface.material")) tell_material();
   });
   const auto follow_materials = [this] {
     fill_materials();
@@ -199,7 +199,7 @@ void FeelPanel::tell_strength() {
 }
 
 void FeelPanel::tell_material() {
-  const SurfaceMaterial& chosen = studio_.session().sheet().material();
+  const SurfaceMaterial& chosen = studio_.session().surface();
   if (QAbstractButton* button = button_of(chosen.id)) button->setChecked(true);
   material_->setText(material_words(chosen));
 }

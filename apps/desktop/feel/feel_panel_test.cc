@@ -106,7 +106,7 @@ TEST(FeelPanel, StrengthIsKeptAndReachesTheLoop) {
 TEST(FeelPanel, AMaterialIsChosenByButtonActionOrEventAndAllAgree) {
   forget_settings();
   Window window;
-  const auto chosen = [&] { return window.studio.session().sheet().material().id; };
+  const auto chosen = [&] { return window.studio.session().surface().id; };
   QAbstractButton* glass = nullptr;
   for (auto* button : window.panel->findChildren<QAbstractButton*>()) {
     if (button->text() == QStringLiteral("Glass")) glass = button;
@@ -114,18 +114,18 @@ TEST(FeelPanel, AMaterialIsChosenByButtonActionOrEventAndAllAgree) {
   ASSERT_NE(glass, nullptr);
   glass->click();
   EXPECT_EQ(chosen(), "glass");
-  EXPECT_TRUE(window.actions.find(QStringLiteral("feel.sheet_glass"))->isChecked());
+  EXPECT_TRUE(window.actions.find(QStringLiteral("feel.surface_glass"))->isChecked());
   EXPECT_EQ(Settings::the().text(feel_keys::kMaterial), QStringLiteral("glass"));
-  window.actions.find(QStringLiteral("feel.sheet_felt"))->trigger();
+  window.actions.find(QStringLiteral("feel.surface_felt"))->trigger();
   EXPECT_EQ(chosen(), "felt");
   EXPECT_FALSE(glass->isChecked());
-  window.studio.apply(SetOption{"sheet.material", OptionValue(std::string("glass"))});
+  window.studio.apply(SetOption{"surface.material", OptionValue(std::string("glass"))});
   EXPECT_TRUE(glass->isChecked());
-  EXPECT_TRUE(window.actions.find(QStringLiteral("feel.sheet_glass"))->isChecked());
+  EXPECT_TRUE(window.actions.find(QStringLiteral("feel.surface_glass"))->isChecked());
   forget_settings();
 }
 
-TEST(FeelPanel, ASheetIsSeenInItsColourAlsoAtTheNextStart) {
+TEST(FeelPanel, ASurfaceIsSeenInItsColourAlsoAtTheNextStart) {
   forget_settings();
   const Rgba green{0x34, 0x46, 0x3e, 255};
   {
@@ -137,7 +137,7 @@ TEST(FeelPanel, ASheetIsSeenInItsColourAlsoAtTheNextStart) {
   Window next;
   EXPECT_EQ(next.studio.page().paper, green);
   EXPECT_FALSE(next.studio.is_modified());
-  SheetPage page = next.studio.page();
+  Page page = next.studio.page();
   page.paper = {250, 240, 200, 255};
   next.studio.set_page(page);
   choose_material(next.studio, QStringLiteral("glass"));
@@ -145,11 +145,11 @@ TEST(FeelPanel, ASheetIsSeenInItsColourAlsoAtTheNextStart) {
   forget_settings();
 }
 
-TEST(FeelPanel, SheetsOfOnesOwnAreInAMenuOfTheirOwn) {
+TEST(FeelPanel, SurfacesOfOnesOwnAreInAMenuOfTheirOwn) {
   forget_settings();
   Window window;
-  const auto chosen = [&] { return window.studio.session().sheet().material().id; };
-  QAction* own = window.actions.find(QStringLiteral("feel.sheet_own"));
+  const auto chosen = [&] { return window.studio.session().surface().id; };
+  QAction* own = window.actions.find(QStringLiteral("feel.surface_own"));
   ASSERT_NE(own, nullptr);
   EXPECT_FALSE(own->isVisible()) << "there are none yet";
   Materials known = Materials::built_in();
@@ -169,7 +169,7 @@ TEST(FeelPanel, SheetsOfOnesOwnAreInAMenuOfTheirOwn) {
   Q_EMIT own->menu()->aboutToShow();
   EXPECT_TRUE(own->menu()->actions().front()->isChecked());
   EXPECT_EQ(Settings::the().text(feel_keys::kMaterial), QStringLiteral("my-glass"));
-  window.actions.find(QStringLiteral("feel.sheet_glass"))->trigger();
+  window.actions.find(QStringLiteral("feel.surface_glass"))->trigger();
   EXPECT_EQ(chosen(), "glass");
   window.studio.set_user_materials(Materials::built_in());
   EXPECT_FALSE(own->isVisible());

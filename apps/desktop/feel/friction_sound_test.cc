@@ -50,8 +50,8 @@ TEST(FrictionSound, EverySampleOfThePenGoesToTheSoundByTheRing) {
   ASSERT_GE(told.count(), 190);
   EXPECT_EQ(feed.samples.size(), std::size_t(told.count()));
   ASSERT_TRUE(feed.pair.update());
-  const SurfaceMaterial& sheet = studio.session().sheet().material();
-  EXPECT_EQ(feed.pair.get().relief, surface_grain(sheet));  // R47
+  const SurfaceMaterial& surface = studio.session().surface();
+  EXPECT_EQ(feed.pair.get().relief, surface_grain(surface));  // R47
   RubbingSample sample, last;
   bool pushed = false;
   while (feed.samples.pop(sample)) {
@@ -108,7 +108,7 @@ TEST(FrictionSound, ADeviceOf16BitsHearsTheSame) {
 // surface and medium.
 TEST(FrictionSound, AnotherDeviceHearsThePairThatIsInUse) {
   Studio studio(still());
-  studio.apply(SetOption{"sheet.material", OptionValue(std::string("canvas"))});
+  studio.apply(SetOption{"surface.material", OptionValue(std::string("canvas"))});
   RubbedFeed feed, also;
   feed.volume = also.volume = 1.0F;
   PenFeed pen(studio, feed), other(studio, also);
@@ -125,11 +125,11 @@ TEST(FrictionSound, AnotherDeviceHearsThePairThatIsInUse) {
   EXPECT_EQ(read(after, 4000), read(fresh, 4000));
 }
 
-TEST(FrictionSound, FollowsTheSheetAndAnotherDrawing) {
+TEST(FrictionSound, FollowsTheSurfaceAndAnotherDrawing) {
   Studio studio(still());
   RubbedFeed feed;
   PenFeed pen(studio, feed);
-  studio.apply(SetOption{"sheet.material", OptionValue(std::string("canvas"))});
+  studio.apply(SetOption{"surface.material", OptionValue(std::string("canvas"))});
   draw(studio, 100);
   ASSERT_TRUE(feed.pair.update());
   EXPECT_EQ(feed.pair.get().relief, surface_grain(*find_surface("canvas")));

@@ -11,14 +11,14 @@
 #include <cmath>
 #include <utility>
 
-#include "desktop/files/sheet_picture.h"
+#include "desktop/files/page_picture.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_reader.h"
 #include "felt/io/limits.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/svg/svg_writer.h"
 #include "felt/io/xml/material_texts.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/render/view.h"
 
 namespace felt::desktop {
@@ -74,8 +74,8 @@ QByteArray svg_of(const Drawing& drawing) {
 QImage picture_of(const Drawing& drawing) {
   const Rect area = ink_area(ink_bounds(drawing.document));
   const double fits = std::sqrt(kMaxPixels / std::max(1.0, area.width() * area.height()));
-  return sheet_picture(visible_strokes(drawing.document), area, std::min(kDpi / kMmPerInch, fits),
-                       {255, 255, 255, 0});
+  return page_picture(visible_strokes(drawing.document), area, std::min(kDpi / kMmPerInch, fits),
+                      {255, 255, 255, 0});
 }
 
 /// Reads a drawing of any text format.

@@ -87,7 +87,7 @@ Drawing ClipboardActions::drawing_with(const std::function<bool(StrokeId)>& keep
     for (const StrokeId id : layer.strokes) {
       if (!keep(id)) continue;
       const StrokePtr stroke = document.find(id);
-      media.insert(stroke->material());
+      media.insert(stroke->medium());
       builder.add(kept, stroke, id);
     }
   }

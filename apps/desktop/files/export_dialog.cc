@@ -19,7 +19,7 @@
 #include "desktop/engine/settings.h"
 #include "desktop/files/files_setting_keys.h"
 #include "desktop/files/format_texts.h"
-#include "desktop/files/sheet_picture.h"
+#include "desktop/files/page_picture.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
 #include "felt/formats/format_traits.h"
@@ -90,8 +90,8 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
   dpi_->setSuffix(tr(" dots per inch"));
   dpi_->setValue(settings.number(files_keys::kExportDpi, files_keys::kExportDpiDefault));
   background_->setChecked(settings.flag(files_keys::kExportBackground, true));
-  if (const Result<Grain> grain = grain_of(drawing)) sheet_grain_ = *grain;
-  grain_->setChecked(sheet_grain_ && settings.flag(kShowsGrain, kShowsGrainDefault));
+  if (const Result<Grain> grain = grain_of(drawing)) surface_grain_ = *grain;
+  grain_->setChecked(surface_grain_ && settings.flag(kShowsGrain, kShowsGrainDefault));
   grain_->setToolTip(tr("As on the screen. Lines stay editable; the grain is added as a picture"));
   picture_->setFixedSize(kPreviewSize);
   picture_->setAlignment(Qt::AlignCenter);
@@ -153,16 +153,16 @@ void ExportDialog::show_result() {
   format_->setAccessibleDescription(kept_->text());
   const bool is_png = chosen.format == FileFormat::kPng;
   dpi_->setEnabled(is_png || (is_picture && chosen.grain));
-  grain_->setEnabled(is_picture && sheet_grain_);
+  grain_->setEnabled(is_picture && surface_grain_);
   area_->setEnabled(is_picture);
   background_->setEnabled(traits_of(chosen.format).page || is_png);
   if (page_.paper.a == 0) background_->setEnabled(false);
   const Rect area = export_area(ink_bounds(strokes_), page_, chosen);
   const Rgba paper = chosen.background ? page_.paper : Rgba{255, 255, 255, 0};
   const double ratio = devicePixelRatioF();
-  const bool is_grained = is_picture && chosen.grain && sheet_grain_;
-  const QImage picture = sheet_thumbnail(strokes_, area, kPreviewSize * ratio, paper,
-                                         is_grained ? *sheet_grain_ : Grain());
+  const bool is_grained = is_picture && chosen.grain && surface_grain_;
+  const QImage picture = page_thumbnail(strokes_, area, kPreviewSize * ratio, paper,
+                                        is_grained ? *surface_grain_ : Grain());
   picture_->setPixmap(on_squares(picture, ratio));
   const QLocale locale;
   QString text =

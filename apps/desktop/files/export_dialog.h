@@ -31,9 +31,9 @@ class ExportDialog : public QDialog {
   void show_result();
 
   std::vector<StrokePtr> strokes_;
-  SheetPage page_;
-  std::optional<Grain> sheet_grain_;  // grain of the drawing's surface; nullopt if the surface is
-                                      // unknown
+  Page page_;
+  std::optional<Grain> surface_grain_;  // grain of the drawing's surface; nullopt if the surface is
+                                        // unknown
   QComboBox* format_;
   QComboBox* area_;
   QDoubleSpinBox* dpi_;

@@ -10,7 +10,7 @@
 
 namespace felt::desktop {
 
-Rect export_area(const Rect& ink, const SheetPage& page, const ExportOptions& options) {
+Rect export_area(const Rect& ink, const Page& page, const ExportOptions& options) {
   return options.ink_only && !ink.empty() ? ink_area(ink) : page.area();
 }
 

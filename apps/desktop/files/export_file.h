@@ -17,7 +17,7 @@ struct ExportOptions {
 };
 
 /// Returns the area of the page that is exported. `ink` is the bounding box of the ink.
-Rect export_area(const Rect& ink, const SheetPage& page, const ExportOptions& options);
+Rect export_area(const Rect& ink, const Page& page, const ExportOptions& options);
 
 /// Writes the visible layers, and also the hidden ones if the format has layers. The error names
 /// the file and the reason. Safe to call from any thread.

@@ -44,7 +44,7 @@ QDateTime changed_at(const QString& path) {
 
 /// Returns the usual paper colour of a new page with that surface.
 Rgba usual_paper(const SurfaceMaterial& surface) {
-  return usual_color(SheetPage{}.paper, {}, surface.color_rgb, SheetPage{}.paper);
+  return usual_color(Page{}.paper, {}, surface.color_rgb, Page{}.paper);
 }
 
 /// Returns true if Save may overwrite the file: it is a .felt file by content and by extension.
@@ -130,9 +130,9 @@ Drawing FileActions::drawing() const {
   Drawing drawing;
   drawing.document = session.document();
   drawing.page = studio_.page();
-  if (drawing.page.surface.empty()) drawing.page.surface = session.sheet().material().id;
+  if (drawing.page.surface.empty()) drawing.page.surface = session.surface().id;
   drawing.materials = own_materials(session, drawing);
-  drawing.color = session.sheet().color();
+  drawing.color = session.ink_color();
   drawing.layer = session.layer();
   drawing.extras = extras_;
   if (looks_.tell) looks_.tell(drawing);
@@ -146,9 +146,9 @@ void FileActions::start_new() {
   Drawing fresh;
   // Keeps a page that the user set up here, but not the page that came with an opened file.
   if (!has_page_of_file_) fresh.page = studio_.page();
-  fresh.page.surface = studio_.session().sheet().material().id;
-  if (has_page_of_file_) fresh.page.paper = usual_paper(studio_.session().sheet().material());
-  fresh.color = studio_.session().sheet().color();
+  fresh.page.surface = studio_.session().surface().id;
+  if (has_page_of_file_) fresh.page.paper = usual_paper(studio_.session().surface());
+  fresh.color = studio_.session().ink_color();
   // Surface and medium stay, even if they came only with the previous drawing.
   fresh.materials = own_materials(studio_.session(), fresh);
   show(std::move(fresh), {}, {});
@@ -205,7 +205,7 @@ bool FileActions::open(const QString& given) {
   return true;
 }
 
-void FileActions::show_unsaved(Document document, const SheetPage& page, const QString& name) {
+void FileActions::show_unsaved(Document document, const Page& page, const QString& name) {
   Drawing as_it_looks = drawing();
   as_it_looks.document = std::move(document);
   as_it_looks.page = page;

@@ -74,7 +74,7 @@ class FileActions : public QObject {
   void take_dropped(const QStringList& paths);
   /// Shows a drawing that has no file, such as an example, under this name and without unsaved
   /// changes. Does not ask the user; requires that the window is pristine.
-  void show_unsaved(Document document, const SheetPage& page, const QString& name);
+  void show_unsaved(Document document, const Page& page, const QString& name);
   /// Shows a recovered drawing. It has this name and unsaved changes, but no file.
   void adopt(Drawing drawing, const QString& name);
 

@@ -29,7 +29,7 @@ TEST(FileActions, WhatIsSavedOpensAsItWas) {
   desk.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}, "Ideas"});
   desk.draw(2);
   desk.studio.set_page({148.0, 210.0, {255, 250, 240, 255}});
-  desk.studio.apply(SetOption{"sheet.color", std::string("#204060")});
+  desk.studio.apply(SetOption{"ink.color", std::string("#204060")});
   desk.person->next = desk.at("one");  // the suffix is appended
   EXPECT_TRUE(desk.studio.is_modified());
   ASSERT_TRUE(desk.files->save());
@@ -81,7 +81,7 @@ TEST(FileActions, PaletteViewAndRecordingsTravelWithTheFile) {
   EXPECT_EQ(saved.view->px_per_mm, 2.0);
   EXPECT_EQ(recordings_of(saved).value().size(), 1u);
   // Another drawing does not keep palette and view.
-  other.files->show_unsaved(Document(), SheetPage(), QStringLiteral("Example"));
+  other.files->show_unsaved(Document(), Page(), QStringLiteral("Example"));
   EXPECT_EQ(other.files->drawing().extras, nullptr);
 }
 
@@ -168,10 +168,10 @@ TEST(FileActions, ANewDrawingHasNotThePageOfTheFileBefore) {
   ASSERT_TRUE(desk.files->open(desk.at("wide.felt")));
   EXPECT_EQ(desk.studio.page().width_mm, 900.0);
   desk.actions.find(QStringLiteral("file.new"))->trigger();
-  EXPECT_EQ(desk.studio.page().width_mm, SheetPage{}.width_mm);
-  EXPECT_EQ(desk.studio.page().paper, SheetPage{}.paper);
+  EXPECT_EQ(desk.studio.page().width_mm, Page{}.width_mm);
+  EXPECT_EQ(desk.studio.page().paper, Page{}.paper);
   // A page that the user set up here stays.
-  SheetPage mine = desk.studio.page();
+  Page mine = desk.studio.page();
   mine.width_mm = 333.0;
   desk.studio.set_page(mine);
   desk.person->unsaved = FileDialogs::Unsaved::kDiscard;
@@ -217,12 +217,12 @@ TEST(FileActions, UndoDuringASaveIsAnUnsavedChange) {
 }
 
 TEST(FileActions, TheColourOfAnOpenedDrawingIsNotKeptForTheNextStart) {
-  const QString key = QStringLiteral("options/sheet.color");
+  const QString key = QStringLiteral("options/ink.color");
   Settings::the().reset(key);
   TestDesk desk;
   const KeptOptions kept(desk.studio);
   const auto ink = [](const Studio& studio) {
-    return std::get<std::string>(studio.session().option("sheet.color").value());
+    return std::get<std::string>(studio.session().option("ink.color").value());
   };
   const std::string first = ink(desk.studio);
   Drawing board = desk.files->drawing();
@@ -237,7 +237,7 @@ TEST(FileActions, TheColourOfAnOpenedDrawingIsNotKeptForTheNextStart) {
     const KeptOptions at_start(next);
     EXPECT_EQ(ink(next), first);
   }
-  desk.studio.apply(SetOption{"sheet.color", std::string("#b02020")});
+  desk.studio.apply(SetOption{"ink.color", std::string("#b02020")});
   ASSERT_TRUE(desk.files->open(desk.at("board.felt")));
   Studio next({.live = false});
   const KeptOptions at_start(next);
@@ -450,22 +450,22 @@ TEST(FileActions, AMediumThatIsAnotherOneHereIsNamedInTheReportOfAnImport) {
   EXPECT_NE(report_of(taken).notices()[0].what.find("Soft chalk"), std::string::npos);
 }
 
-TEST(FileActions, ANewDrawingKeepsSheetAndPencilThatCameWithTheLast) {
+TEST(FileActions, ANewDrawingKeepsSurfaceAndPencilThatCameWithTheLast) {
   SurfaceMaterial slate = *find_surface("blackboard");
   slate.id = "slate";
   slate.friction = 0.5;
   const Texts texts{write_material(slate), write_material(soft_chalk(0.4))};
   TestDesk desk;
-  SheetPage page;
+  Page page;
   page.surface = "slate";
   desk.studio.open(Document{}, page, texts);
-  ASSERT_TRUE(desk.studio.apply(SetOption{"pencil.material", std::string("soft-chalk")}));
+  ASSERT_TRUE(desk.studio.apply(SetOption{"pencil.medium", std::string("soft-chalk")}));
   QSignalSpy refused(&desk.studio, &Studio::refused);
   desk.actions.find(QStringLiteral("file.new"))->trigger();
   EXPECT_EQ(refused.count(), 0);
   EXPECT_TRUE(desk.files->is_pristine());
-  EXPECT_EQ(desk.studio.session().sheet().material(), slate);
-  EXPECT_EQ(desk.studio.session().option("pencil.material").value(),
+  EXPECT_EQ(desk.studio.session().surface(), slate);
+  EXPECT_EQ(desk.studio.session().option("pencil.medium").value(),
             OptionValue(std::string("soft-chalk")));
   EXPECT_EQ(desk.texts(), texts);
   desk.draw(1);
@@ -474,7 +474,7 @@ TEST(FileActions, ANewDrawingKeepsSheetAndPencilThatCameWithTheLast) {
   QSignalSpy other_refused(&other.studio, &Studio::refused);
   ASSERT_TRUE(other.files->open(desk.at("new.felt")));
   EXPECT_EQ(other_refused.count(), 0);
-  EXPECT_EQ(other.studio.session().sheet().material(), slate);
+  EXPECT_EQ(other.studio.session().surface(), slate);
 }
 
 TEST(FileActions, FiguresThatChangeDuringASaveStayUnsaved) {

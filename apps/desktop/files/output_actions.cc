@@ -77,7 +77,7 @@ void paint_grained(QPainter& painter, const Stroke& stroke, const Grain& grain,
 /// Returns a printer whose paper has the size of the page.
 std::unique_ptr<QPrinter> printer_for(const Drawing& drawing, const QString& name) {
   auto printer = std::make_unique<QPrinter>(QPrinter::HighResolution);
-  const SheetPage& page = drawing.page;
+  const Page& page = drawing.page;
   const bool lies = page.width_mm > page.height_mm;
   const QSizeF upright(lies ? page.height_mm : page.width_mm,
                        lies ? page.width_mm : page.height_mm);
@@ -90,17 +90,17 @@ std::unique_ptr<QPrinter> printer_for(const Drawing& drawing, const QString& nam
 
 }  // namespace
 
-void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi,
-                 const std::optional<Grain>& grain) {
+void paint_page(QPainter& painter, const Drawing& drawing, double dpi,
+                const std::optional<Grain>& grain) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.scale(dpi / kMmPerInch, dpi / kMmPerInch);
-  const SheetPage& page = drawing.page;
-  const QRectF sheet(0.0, 0.0, page.width_mm, page.height_mm);
-  painter.setClipRect(sheet);
+  const Page& page = drawing.page;
+  const QRectF page(0.0, 0.0, page.width_mm, page.height_mm);
+  painter.setClipRect(page);
   // White paper does not have to be painted.
   if (page.paper.a > 0 && page.paper != Rgba{255, 255, 255, 255}) {
-    painter.fillRect(sheet, color_of(page.paper));
+    painter.fillRect(page, color_of(page.paper));
   }
   painter.setPen(Qt::NoPen);
   const std::vector<StrokePtr> strokes = visible_strokes(drawing.document);
@@ -126,8 +126,8 @@ void print_drawing(QPrinter& printer, const Drawing& drawing) {
   QPainter painter(&printer);
   const bool shows = Settings::the().flag(kShowsGrain, kShowsGrainDefault);
   const Result<Grain> grain = grain_of(drawing);
-  paint_sheet(painter, drawing, printer.resolution(),
-              shows && grain ? std::optional(*grain) : std::nullopt);
+  paint_page(painter, drawing, printer.resolution(),
+             shows && grain ? std::optional(*grain) : std::nullopt);
 }
 
 OutputActions::OutputActions(FileActions& files, Studio& studio, Actions& actions, QWidget* window)

@@ -20,8 +20,8 @@ class FileActions;
 /// its true size. The corner of the page is at the origin. If `grain` is given, strokes that show
 /// grain are painted as pictures with 300 dots per inch, or with a lower resolution if all pictures
 /// together would be too large.
-void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi,
-                 const std::optional<Grain>& grain = {});
+void paint_page(QPainter& painter, const Drawing& drawing, double dpi,
+                const std::optional<Grain>& grain = {});
 
 /// Sets the printer's paper to the size of the page and prints. Prints the grain if the screen
 /// shows it.

@@ -15,7 +15,7 @@
 #include "desktop/files/format_texts.h"
 #include "desktop/files/output_actions.h"
 #include "desktop/files/page_dialog.h"
-#include "desktop/files/sheet_picture.h"
+#include "desktop/files/page_picture.h"
 #include "desktop/files/testing/test_desk.h"
 #include "felt/base/read_file.h"
 #include "felt/document/visible_strokes.h"
@@ -88,10 +88,10 @@ TEST(PageSetup, PresetsAndOrientationAgreeWithTheSides) {
   EXPECT_EQ(preset->currentText(), QStringLiteral("A4"));
   EXPECT_TRUE(ways[1]->isChecked());
   ways[0]->setChecked(true);
-  EXPECT_EQ(dialog.page(), (SheetPage{210.0, 297.0, {255, 255, 255, 255}}));
+  EXPECT_EQ(dialog.page(), (Page{210.0, 297.0, {255, 255, 255, 255}}));
   preset->setCurrentIndex(0);
   Q_EMIT preset->activated(0);
-  EXPECT_EQ(dialog.page(), (SheetPage{148.0, 210.0, {255, 255, 255, 255}}));
+  EXPECT_EQ(dialog.page(), (Page{148.0, 210.0, {255, 255, 255, 255}}));
   sides[0]->setValue(300.0);
   EXPECT_EQ(preset->currentText(), QStringLiteral("Custom"));
   EXPECT_TRUE(ways[1]->isChecked());
@@ -100,7 +100,7 @@ TEST(PageSetup, PresetsAndOrientationAgreeWithTheSides) {
   EXPECT_EQ(preset->currentText(), QStringLiteral("A2"));
 }
 
-TEST(Print, TheSheetIsPaintedAtItsTrueSize) {
+TEST(Print, ThePageIsPaintedAtItsTrueSize) {
   TestDesk desk;
   desk.draw(3, 6);
   desk.studio.set_page({60.0, 40.0, {255, 255, 255, 255}});
@@ -109,10 +109,10 @@ TEST(Print, TheSheetIsPaintedAtItsTrueSize) {
   QImage painted(600, 400, QImage::Format_RGBA8888_Premultiplied);
   painted.fill(Qt::white);
   QPainter painter(&painted);
-  paint_sheet(painter, drawing, kDpi);
+  paint_page(painter, drawing, kDpi);
   painter.end();
-  const QImage ours = sheet_picture(visible_strokes(drawing.document), drawing.page.area(), 10.0,
-                                    {255, 255, 255, 255});
+  const QImage ours = page_picture(visible_strokes(drawing.document), drawing.page.area(), 10.0,
+                                   {255, 255, 255, 255});
   ASSERT_EQ(ours.size(), painted.size());
   double sum = 0.0;
   for (int y = 0; y < ours.height(); ++y) {
@@ -124,9 +124,9 @@ TEST(Print, TheSheetIsPaintedAtItsTrueSize) {
 }
 
 // The option "Grain of the surface" applies to print and to every format that is a picture.
-TEST(Export, GrainIsThatOfTheSheet) {
+TEST(Export, GrainIsThatOfTheSurface) {
   TestDesk desk;
-  desk.studio.apply(SetOption{"sheet.material", std::string("rough-paper")});
+  desk.studio.apply(SetOption{"surface.material", std::string("rough-paper")});
   desk.draw(3, 6);
   desk.studio.set_page({60.0, 40.0, {255, 255, 255, 255}, "rough-paper"});
   const Drawing drawing = desk.files->drawing();
@@ -143,12 +143,12 @@ TEST(Export, GrainIsThatOfTheSheet) {
 
   constexpr double kDpi = 300.0;
   const Grain grain = grain_of(drawing).value();
-  const QImage ours = sheet_picture(visible_strokes(drawing.document), drawing.page.area(),
-                                    kDpi / 25.4, {255, 255, 255, 255}, grain);
+  const QImage ours = page_picture(visible_strokes(drawing.document), drawing.page.area(),
+                                   kDpi / 25.4, {255, 255, 255, 255}, grain);
   QImage painted(ours.size(), QImage::Format_RGBA8888_Premultiplied);
   painted.fill(Qt::white);
   QPainter painter(&painted);
-  paint_sheet(painter, drawing, kDpi, grain);
+  paint_page(painter, drawing, kDpi, grain);
   painter.end();
   double sum = 0.0;
   for (int y = 0; y < ours.height(); ++y) {

@@ -28,7 +28,7 @@ constexpr int kPresetCount = int(std::size(kPresets));
 
 QDoubleSpinBox* side_box(double value, QWidget* parent) {
   auto* box = new QDoubleSpinBox(parent);
-  box->setRange(SheetPage::kMinMm, SheetPage::kMaxMm);
+  box->setRange(Page::kMinMm, Page::kMaxMm);
   box->setDecimals(1);
   box->setSuffix(PageDialog::tr(" mm"));
   box->setValue(value);
@@ -37,7 +37,7 @@ QDoubleSpinBox* side_box(double value, QWidget* parent) {
 
 }  // namespace
 
-PageDialog::PageDialog(const SheetPage& page, QWidget* parent)
+PageDialog::PageDialog(const Page& page, QWidget* parent)
     : QDialog(parent),
       preset_(new QComboBox(this)),
       width_(side_box(page.width_mm, this)),
@@ -87,7 +87,7 @@ PageDialog::PageDialog(const SheetPage& page, QWidget* parent)
   show_color();
 }
 
-SheetPage PageDialog::page() const {
+Page PageDialog::page() const {
   const auto byte = [](int v) { return static_cast<std::uint8_t>(v); };
   return {width_->value(),
           height_->value(),

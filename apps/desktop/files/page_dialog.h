@@ -4,7 +4,7 @@
 #include <QDialog>
 #include <string>
 
-#include "felt/document/sheet_page.h"
+#include "felt/document/page.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -18,9 +18,9 @@ class PageDialog : public QDialog {
   Q_OBJECT
 
  public:
-  PageDialog(const SheetPage& page, QWidget* parent);
+  PageDialog(const Page& page, QWidget* parent);
 
-  [[nodiscard]] SheetPage page() const;
+  [[nodiscard]] Page page() const;
 
  private:
   void take_preset();

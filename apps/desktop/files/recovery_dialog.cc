@@ -14,7 +14,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "desktop/files/sheet_picture.h"
+#include "desktop/files/page_picture.h"
 #include "felt/document/visible_strokes.h"
 
 namespace felt::desktop {
@@ -53,10 +53,10 @@ QLabel* frame_of(const QString& name, QWidget* parent) {
 
 QLabel* picture_of(const Drawing& drawing, const QString& name, double ratio, QWidget* parent) {
   QLabel* label = frame_of(name, parent);
-  const SheetPage& page = drawing.page;
+  const Page& page = drawing.page;
   const Rgba paper = page.paper.a > 0 ? page.paper : Rgba{255, 255, 255, 255};
-  QImage picture = sheet_thumbnail(visible_strokes(drawing.document), page.area(),
-                                   kThumbnailSize * ratio, paper);
+  QImage picture =
+      page_thumbnail(visible_strokes(drawing.document), page.area(), kThumbnailSize * ratio, paper);
   picture.setDevicePixelRatio(ratio);
   label->setPixmap(QPixmap::fromImage(picture));
   return label;

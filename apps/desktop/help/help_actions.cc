@@ -67,7 +67,7 @@ void HelpActions::show_dialog(QPointer<QWidget>& dialog,
 void HelpActions::show_tour() {
   if (!tour_) {
     auto* tour = new TourWindow(window_);
-    connect(tour, &TourWindow::wants_sheet, this, [this](const Document& drawing) {
+    connect(tour, &TourWindow::drawing_requested, this, [this](const Document& drawing) {
       Q_EMIT wants_drawing(drawing, tr("From the tour"));
     });
     tour_ = tour;

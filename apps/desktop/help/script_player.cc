@@ -16,10 +16,10 @@ constexpr std::int64_t kSettleNs = 300'000'000;  // time for the pen to leave th
 /// Returns options for a practised hand on the present surface with the present medium.
 HandScriptOptions hand_of(Studio& studio) {
   HandScriptOptions options = studio.loop().device().hand_options();
-  const SurfaceMaterial& sheet = studio.session().sheet().material();
+  const SurfaceMaterial& surface = studio.session().surface();
   const Capabilities& device = studio.session().device();
   const Medium* medium = studio.session().materials().find_medium(drawing_medium(studio.session()));
-  set_surface(options, sheet, device, medium);
+  set_surface(options, surface, device, medium);
   return options;
 }
 

@@ -19,7 +19,7 @@ constexpr std::int64_t kMaxNs = 50'000'000;  // limit of the time that a frame p
                                              // late
 constexpr qint64 kHurryMs = 10;              // computing time of a frame while acts are skipped
 constexpr std::int64_t kHurryStepNs = 4'000'000;
-constexpr double kSheetWidthMm = 124.0, kSheetHeightMm = 140.0;
+constexpr double kPageWidthMm = 124.0, kPageHeightMm = 140.0;
 
 /// An act consists of the script in a tool's folder and the texts of the tool.
 struct Act {
@@ -56,7 +56,7 @@ TourWindow::TourWindow(QWidget* parent)
       player_(*studio_) {
   setWindowTitle(tr("Guided tour"));
   setAttribute(Qt::WA_DeleteOnClose);
-  studio_->set_page({.width_mm = kSheetWidthMm, .height_mm = kSheetHeightMm});
+  studio_->set_page({.width_mm = kPageWidthMm, .height_mm = kPageHeightMm});
   canvas_->setFocusPolicy(Qt::NoFocus);
   canvas_->setAccessibleName(tr("Drawing area of the tour"));
   make_controls();
@@ -97,7 +97,7 @@ void TourWindow::make_controls() {
   connect(pause_, &QPushButton::clicked, this, [this] { set_paused(!is_paused_); });
   connect(next_, &QPushButton::clicked, this, [this] {
     if (act_ < act_count()) return go_to(act_ + 1);
-    Q_EMIT wants_sheet(studio_->session().document());
+    Q_EMIT drawing_requested(studio_->session().document());
     this->close();
   });
   connect(close, &QPushButton::clicked, this, &QWidget::close);

@@ -35,7 +35,7 @@ class TourWindow : public QWidget {
 
  Q_SIGNALS:
   /// The user chose "Try it yourself". Open a window with `drawing`, the drawing of the tour.
-  void wants_sheet(const felt::Document& drawing);
+  void drawing_requested(const felt::Document& drawing);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

@@ -70,7 +70,7 @@ TEST(TourWindow, TryItYourselfKeepsWhatTheTourHasDrawn) {
   TourWindow tour;
   tour.setAttribute(Qt::WA_DeleteOnClose, false);
   std::size_t strokes = 0;
-  QObject::connect(&tour, &TourWindow::wants_sheet, &tour,
+  QObject::connect(&tour, &TourWindow::drawing_requested, &tour,
                    [&strokes](const Document& drawing) { strokes = drawing.stroke_count(); });
   tour.go_to(tour.act_count());
   play_to(tour, tour.act_count());

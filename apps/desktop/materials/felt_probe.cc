@@ -37,10 +37,10 @@ std::vector<double> drag_of(const StrokeForces& forces) {
 /// completely.
 double grain_share_of(const FeltWish& wish, const Capabilities& device, const HeightField* grain) {
   if (!grain || !(wish.medium.grain > 0.0)) return 1.0;
-  const FrictionOptions friction = friction_for(wish.medium, wish.sheet, device);
+  const FrictionOptions friction = friction_for(wish.medium, wish.surface, device);
   const auto stiffness = [&](double height_share) {
     const HeightField field =
-        grain->scaled(wish.sheet.grain_mm, height_share * wish.sheet.grain_um);
+        grain->scaled(wish.surface.grain_mm, height_share * wish.surface.grain_um);
     return Texture(&field, {.strength = wish.medium.grain,
                             .friction = friction.coefficient,
                             .bristle_n_per_m = friction.stiffness_n_per_m,
@@ -68,10 +68,10 @@ FeltFigures felt_figures(const FeltWish& wish) {
   // Uses the device's own workspace, because the figures do not depend on its position on the
   // page.
   const Capabilities& can = device.capabilities;
-  const HeightField* grain = surface_grain(wish.sheet);
-  const Slopes slopes = make_sheet_force(wish.sheet, wish.medium, can, grain).slopes();
+  const HeightField* grain = surface_grain(wish.surface);
+  const Slopes slopes = make_surface_force(wish.surface, wish.medium, can, grain).slopes();
   FeltFigures figures;
-  figures.stiffness_n_per_m = plane_for(wish.sheet, can).stiffness_n_per_m;
+  figures.stiffness_n_per_m = plane_for(wish.surface, can).stiffness_n_per_m;
   figures.budget_share =
       std::max(slopes.normal_n_per_m, slopes.friction_n_per_m + slopes.lateral_n_per_m) /
       stiffness_budget_n_per_m(can);
@@ -79,7 +79,7 @@ FeltFigures felt_figures(const FeltWish& wish) {
   const StrokeForces forces = draw_stroke({.device = &device,
                                            .hand = &typical_hand(),
                                            .period_ns = can.period_ns,
-                                           .surface = &wish.sheet,
+                                           .surface = &wish.surface,
                                            .tool = &wish.medium,
                                            .speed_mm_per_s = FeltFigures::kSpeedMmPerS,
                                            .press_n = FeltFigures::kPressN,

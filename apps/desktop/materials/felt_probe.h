@@ -14,7 +14,7 @@ namespace felt::desktop {
 
 /// The input of felt_figures(): a medium on a surface, felt through a device.
 struct FeltWish {
-  SurfaceMaterial sheet;
+  SurfaceMaterial surface;
   Medium medium;
   Capabilities device;
   /// Factor of all forces, 0..1 (Studio::strength).

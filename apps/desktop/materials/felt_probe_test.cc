@@ -14,8 +14,8 @@
 namespace felt::desktop::felt_probe_test {
 namespace {
 
-FeltWish wish_of(const char* sheet, const char* device = "touch") {
-  return {.sheet = *find_surface(sheet),
+FeltWish wish_of(const char* surface, const char* device = "touch") {
+  return {.surface = *find_surface(surface),
           .medium = *find_medium("pencil"),
           .device = find_stylus_preset(device)->capabilities};
 }
@@ -47,7 +47,7 @@ TEST(FeltProbe, TheNewestWishIsTheLastThatIsFigured) {
   QSignalSpy figured(&probe, &FeltProbe::figured);
   FeltFigures last;
   QObject::connect(&probe, &FeltProbe::figured, [&last](const FeltFigures& f) { last = f; });
-  for (const char* sheet : {"paper", "canvas", "felt", "glass"}) probe.ask(wish_of(sheet));
+  for (const char* surface : {"paper", "canvas", "felt", "glass"}) probe.ask(wish_of(surface));
   while (probe.is_busy()) ASSERT_TRUE(figured.wait(8000));
   EXPECT_EQ(last, felt_figures(wish_of("glass")));
   EXPECT_LE(figured.count(), 2) << "those in between are nobody's wish any more";
@@ -61,9 +61,9 @@ TEST(Stability, WhatTheDeviceGivesAsWishedIsGreen) {
   EXPECT_TRUE(words.number.contains(u'%'));
 }
 
-TEST(Stability, R55_AStiffSheetOnASlowDeviceIsRedAndSaysWhatTheDeviceMakesOfIt) {
+TEST(Stability, R55_AStiffSurfaceOnASlowDeviceIsRedAndSaysWhatTheDeviceMakesOfIt) {
   FeltWish wish = wish_of("paper");
-  wish.sheet.stiffness_n_per_m = 2000.0;
+  wish.surface.stiffness_n_per_m = 2000.0;
   wish.device.period_ns = 4'000'000;
   wish.device.delay_ticks = 2;
   const FeltFigures figures = felt_figures(wish);
@@ -81,7 +81,7 @@ TEST(Stability, R55_AStiffSheetOnASlowDeviceIsRedAndSaysWhatTheDeviceMakesOfIt) 
 
 TEST(Stability, SteepGrainIsSaidToBeFeltLower) {
   FeltWish wish = wish_of("rough-paper");
-  wish.sheet.grain_um = 200.0;
+  wish.surface.grain_um = 200.0;
   const FeltFigures figures = felt_figures(wish);
   EXPECT_LT(figures.grain_share, 0.5);
   EXPECT_EQ(felt_figures(wish_of("glass")).grain_share, 1.0);
@@ -94,7 +94,7 @@ TEST(Stability, HeightsAreWrittenOutInWholeMicrometresFromTenOn) {
   FeltWish wish = wish_of("rough-paper");
   FeltFigures figures = felt_figures(wish);
   const auto words = [&](double wished_um, double share) {
-    wish.sheet.grain_um = wished_um;
+    wish.surface.grain_um = wished_um;
     figures.grain_share = share;
     return stability_words(wish, figures, {}).detail.join(u' ');
   };

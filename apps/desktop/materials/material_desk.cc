@@ -25,8 +25,8 @@ bool set_field(const Field* field, auto& material, double value) {
 }
 
 bool set_in(AnyMaterial& material, std::string_view field, double value) {
-  auto* sheet = std::get_if<SurfaceMaterial>(&material);
-  if (sheet) return set_field(find_sheet_field(field), *sheet, value);
+  auto* surface = std::get_if<SurfaceMaterial>(&material);
+  if (surface) return set_field(find_surface_field(field), *surface, value);
   return set_field(find_medium_field(field), std::get<Medium>(material), value);
 }
 
@@ -37,19 +37,19 @@ void make_fit(AnyMaterial& material, std::string_view field) {
     MediumLine& line = medium->line;
     if (field == "line.min_mm") line.max_mm = std::max(line.max_mm, line.min_mm);
     if (field == "line.max_mm") line.min_mm = std::min(line.min_mm, line.max_mm);
-  } else if (auto* sheet = std::get_if<SurfaceMaterial>(&material)) {
-    if (sheet->grain_um > 0.0 && !(sheet->grain_mm > 0.0)) sheet->grain_mm = kFirstGrainMm;
+  } else if (auto* surface = std::get_if<SurfaceMaterial>(&material)) {
+    if (surface->grain_um > 0.0 && !(surface->grain_mm > 0.0)) surface->grain_mm = kFirstGrainMm;
   }
 }
 
 bool lacks_picture(const AnyMaterial& material) {
-  const auto* sheet = std::get_if<SurfaceMaterial>(&material);
-  return sheet && sheet->grain_character == HeightCharacter::kPicture && !sheet->picture;
+  const auto* surface = std::get_if<SurfaceMaterial>(&material);
+  return surface && surface->grain_character == HeightCharacter::kPicture && !surface->picture;
 }
 
 QString label_of_field(const AnyMaterial& material, std::string_view field) {
   if (std::holds_alternative<SurfaceMaterial>(material)) {
-    const SheetField* row = find_sheet_field(field);
+    const SurfaceField* row = find_surface_field(field);
     return row ? translated(row->label) : QString();
   }
   const MediumField* row = find_medium_field(field);
@@ -110,7 +110,7 @@ class MaterialDesk::Step final : public QUndoCommand {
 
 MaterialDesk::MaterialDesk(Studio& studio, OwnMaterials& own, QObject* parent)
     : QObject(parent), studio_(studio), own_(own) {
-  key_.id = studio_.session().sheet().material().id;
+  key_.id = studio_.session().surface().id;
   for (const OwnMaterials::Entry* entry : own_.all()) {
     const std::optional<AnyMaterial> here = find_in(studio_.materials(), key_of(entry->now));
     if (here == entry->now) felt::put(told_, entry->now);
@@ -159,7 +159,7 @@ void MaterialDesk::tell_now() {
 void MaterialDesk::follow_drawing() {
   if (is_withheld_) tell_now();
   if (!own_of(key_) && !find_in(studio_.materials(), key_)) {
-    key_ = {true, studio_.session().sheet().material().id};
+    key_ = {true, studio_.session().surface().id};
     Q_EMIT selected();
   }
   Q_EMIT changed();
@@ -210,7 +210,7 @@ void MaterialDesk::tell_error(const Result<void>& done) {
 AnyMaterial MaterialDesk::now() const {
   if (const OwnMaterials::Entry* entry = own_of(key_)) return entry->now;
   if (std::optional<AnyMaterial> known = find_in(studio_.materials(), key_)) return *known;
-  return key_.is_sheet ? AnyMaterial(surface_materials().front()) : AnyMaterial(media().front());
+  return key_.is_surface ? AnyMaterial(surface_materials().front()) : AnyMaterial(media().front());
 }
 
 AnyMaterial MaterialDesk::origin() const {
@@ -236,7 +236,7 @@ void MaterialDesk::select(const MaterialKey& key) {
 /// Makes the selected material the surface or the medium in use, so that the user feels it.
 void MaterialDesk::take_in_hand() {
   if (!find_in(studio_.materials(), key_)) tell_now();
-  if (key_.is_sheet) {
+  if (key_.is_surface) {
     choose_material(studio_, QString::fromStdString(key_.id));
   } else if (drawing_medium(studio_.session()) != key_.id) {
     take_medium(studio_, key_.id);
@@ -251,33 +251,33 @@ void MaterialDesk::set(std::string_view field, double value, std::uint64_t run) 
 }
 
 void MaterialDesk::take_figures(const AnyMaterial& from) {
-  if (key_of(from).is_sheet != key_.is_sheet) return;
+  if (key_of(from).is_surface != key_.is_surface) return;
   change(with_names_of(from, now()), tr("Values of %1").arg(name_of(from)));
 }
 
 Result<void> MaterialDesk::take_relief(const HeightPicture& picture) {
   AnyMaterial to = now();
-  auto* sheet = std::get_if<SurfaceMaterial>(&to);
-  if (!sheet) return {};
+  auto* surface = std::get_if<SurfaceMaterial>(&to);
+  if (!surface) return {};
   Result<std::shared_ptr<const HeightField>> relief = own_relief(picture);
   if (!relief) return tl::unexpected(relief.error());
-  const bool was_smooth = !(sheet->grain_um > 0.0);
-  sheet->picture = *std::move(relief);
-  sheet->grain_character = HeightCharacter::kPicture;
-  if (!(sheet->grain_mm > 0.0)) sheet->grain_mm = 1.0;
-  if (was_smooth) sheet->grain_um = 10.0;
+  const bool was_smooth = !(surface->grain_um > 0.0);
+  surface->picture = *std::move(relief);
+  surface->grain_character = HeightCharacter::kPicture;
+  if (!(surface->grain_mm > 0.0)) surface->grain_mm = 1.0;
+  if (was_smooth) surface->grain_um = 10.0;
   change(std::move(to), tr("Relief of a picture"));
   return {};
 }
 
-void MaterialDesk::set_pair(const std::string& sheet, std::optional<double> friction) {
+void MaterialDesk::set_pair(const std::string& surface, std::optional<double> friction) {
   AnyMaterial to = now();
   auto* medium = std::get_if<Medium>(&to);
   if (!medium) return;
-  std::erase_if(medium->pairs, [&](const PairFriction& pair) { return pair.surface == sheet; });
+  std::erase_if(medium->pairs, [&](const PairFriction& pair) { return pair.surface == surface; });
   if (friction && *friction >= 0.0 && *friction <= kMaxFriction &&
       medium->pairs.size() < kMaxPairs) {
-    medium->pairs.push_back({sheet, *friction});
+    medium->pairs.push_back({surface, *friction});
   }
   if (to != now()) change(std::move(to), tr("Friction of a pair"));
 }
@@ -309,7 +309,7 @@ bool MaterialDesk::is_taken(const std::string& id) const {
 }
 
 std::string MaterialDesk::free_id(const QString& name) const {
-  return id_for(name, key_.is_sheet ? "sheet" : "medium",
+  return id_for(name, key_.is_surface ? "surface" : "medium",
                 [this](const std::string& id) { return is_taken(id); });
 }
 
@@ -378,7 +378,7 @@ Result<void> MaterialDesk::remove() {
   if (!entry) return {};
   State before = state();
   before.saved = entry->saved;
-  const MaterialKey next{key_.is_sheet, key_.is_sheet ? "paper" : "pencil"};
+  const MaterialKey next{key_.is_surface, key_.is_surface ? "paper" : "pencil"};
   const QString words = tr("Delete %1").arg(name_of(entry->now));
   // The file is deleted first, because nothing is to be undone if that fails.
   if (Result<void> gone = own_.remove(key_); !gone) return gone;

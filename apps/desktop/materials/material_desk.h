@@ -60,7 +60,7 @@ class MaterialDesk : public QObject {
   /// read_height_png.
   Result<void> take_relief(const HeightPicture& picture);
   /// Sets the friction of a medium on this surface. Nullopt restores the general rule.
-  void set_pair(const std::string& sheet, std::optional<double> friction);
+  void set_pair(const std::string& surface, std::optional<double> friction);
   /// Restores origin().
   void revert();
 

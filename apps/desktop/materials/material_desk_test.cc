@@ -26,8 +26,8 @@ namespace {
 struct Bench {
   Clean clean;
 
-  [[nodiscard]] SurfaceMaterial sheet() const { return std::get<SurfaceMaterial>(desk.now()); }
-  [[nodiscard]] std::string felt_on() const { return studio.session().sheet().material().id; }
+  [[nodiscard]] SurfaceMaterial surface() const { return std::get<SurfaceMaterial>(desk.now()); }
+  [[nodiscard]] std::string felt_on() const { return studio.session().surface().id; }
   [[nodiscard]] std::size_t told() const {
     std::size_t count = 0;
     for (const Event& event : events) count += std::holds_alternative<UseMaterial>(event.what);
@@ -51,7 +51,7 @@ TEST(MaterialDesk, AChangeOfABuiltInOneIsACopyThatIsFeltAtOnce) {
   EXPECT_TRUE(bench.desk.is_own());
   EXPECT_NE(bench.desk.key().id, "glass");
   EXPECT_EQ(bench.felt_on(), bench.desk.key().id);
-  EXPECT_EQ(bench.studio.session().sheet().material().friction, 0.3);
+  EXPECT_EQ(bench.studio.session().surface().friction, 0.3);
   EXPECT_EQ(find_surface("glass")->friction, 0.08);
   EXPECT_EQ(bench.studio.session().materials().find_surface("glass")->friction, 0.08);
   EXPECT_TRUE(bench.desk.is_changed());
@@ -60,8 +60,8 @@ TEST(MaterialDesk, AChangeOfABuiltInOneIsACopyThatIsFeltAtOnce) {
 TEST(MaterialDesk, EveryChangeIsUndoneAndRedone) {
   Bench bench;
   std::vector<AnyMaterial> states{bench.desk.now()};
-  for (const SheetField& field : sheet_fields()) {
-    const double now = field.get(bench.sheet());
+  for (const SurfaceField& field : surface_fields()) {
+    const double now = field.get(bench.surface());
     double other = field.kind == MaterialFieldKind::kColor ? 0x112233
                    : now == field.min                      ? 0.5 * (field.min + field.max)
                                                            : field.min;
@@ -69,7 +69,7 @@ TEST(MaterialDesk, EveryChangeIsUndoneAndRedone) {
     if (field.kind == MaterialFieldKind::kChoice) other = 2.0;
     if (!field.allows(other) || other == now) continue;
     bench.desk.set(field.id, other);
-    ASSERT_EQ(field.get(bench.sheet()), other) << field.id;
+    ASSERT_EQ(field.get(bench.surface()), other) << field.id;
     states.push_back(bench.desk.now());
   }
   ASSERT_GE(states.size(), 9u);
@@ -94,10 +94,10 @@ TEST(MaterialDesk, ADragIsOneStepAndFewEvents) {
   bench.desk.tell_now();
   EXPECT_EQ(bench.desk.steps().count(), 2);
   EXPECT_LE(bench.told(), told + 2);
-  EXPECT_EQ(bench.studio.session().sheet().material().stiffness_n_per_m, 699.0);
+  EXPECT_EQ(bench.studio.session().surface().stiffness_n_per_m, 699.0);
   bench.desk.steps().undo();
-  EXPECT_EQ(bench.sheet().stiffness_n_per_m, 500.0);
-  EXPECT_EQ(bench.sheet().friction, 0.5);
+  EXPECT_EQ(bench.surface().stiffness_n_per_m, 500.0);
+  EXPECT_EQ(bench.surface().friction, 0.5);
 }
 
 TEST(MaterialDesk, ValuesThatNoFileMayHaveAreNotTaken) {
@@ -114,10 +114,10 @@ TEST(MaterialDesk, FiguresThatBelongTogetherFollowEachOther) {
   Bench bench;
   bench.desk.select({true, "glass"});
   bench.desk.set("grain.height_um", 10.0);
-  EXPECT_GT(bench.sheet().grain_mm, 0.0);
+  EXPECT_GT(bench.surface().grain_mm, 0.0);
   EXPECT_EQ(material_error(bench.desk.now()), "");
   bench.desk.set("grain.character", 5.0);  // "picture", but no picture is set
-  EXPECT_NE(bench.sheet().grain_character, HeightCharacter::kPicture);
+  EXPECT_NE(bench.surface().grain_character, HeightCharacter::kPicture);
   bench.desk.select({false, "pencil"});
   bench.desk.set("line.max_mm", 0.1);
   EXPECT_EQ(std::get<Medium>(bench.desk.now()).line.min_mm, 0.1);
@@ -133,19 +133,19 @@ TEST(MaterialDesk, OneKeyFlipsBetweenAAndB) {
   EXPECT_EQ(bench.desk.slot(), 'A');
   bench.desk.flip();
   EXPECT_EQ(bench.desk.slot(), 'B');
-  EXPECT_EQ(bench.sheet().friction, find_surface("paper")->friction);
-  EXPECT_EQ(bench.studio.session().sheet().material().friction, find_surface("paper")->friction)
+  EXPECT_EQ(bench.surface().friction, find_surface("paper")->friction);
+  EXPECT_EQ(bench.studio.session().surface().friction, find_surface("paper")->friction)
       << "the hand has it at once";
   bench.desk.set("feel.friction", 0.9);
   bench.desk.flip();
   EXPECT_EQ(bench.desk.slot(), 'A');
-  EXPECT_EQ(bench.sheet().friction, 0.5);
-  EXPECT_EQ(bench.studio.session().sheet().material().friction, 0.5);
+  EXPECT_EQ(bench.surface().friction, 0.5);
+  EXPECT_EQ(bench.studio.session().surface().friction, 0.5);
   bench.desk.steps().undo();  // undoes a change of slot B, so it switches to B
   EXPECT_EQ(bench.desk.slot(), 'B');
-  EXPECT_EQ(bench.sheet().friction, find_surface("paper")->friction);
+  EXPECT_EQ(bench.surface().friction, find_surface("paper")->friction);
   bench.desk.flip();
-  EXPECT_EQ(bench.sheet().friction, 0.5);
+  EXPECT_EQ(bench.surface().friction, 0.5);
   bench.desk.copy_to_other();
   EXPECT_TRUE(bench.desk.slots_are_alike());
 }
@@ -162,16 +162,16 @@ TEST(MaterialDesk, UndoingAStepOfOneMaterialLeavesAAndBOfOthersAlone) {
   bench.desk.select(first);
   EXPECT_EQ(bench.desk.slot(), 'A') << "each has its own";
   bench.desk.flip();
-  EXPECT_EQ(bench.sheet().friction, of_paper);
+  EXPECT_EQ(bench.surface().friction, of_paper);
   bench.desk.steps().undo();
   EXPECT_EQ(bench.desk.key(), second);
-  EXPECT_EQ(bench.sheet().friction, 0.3);
+  EXPECT_EQ(bench.surface().friction, 0.3);
   EXPECT_EQ(bench.desk.slot(), 'A');
   bench.desk.select(first);
   EXPECT_EQ(bench.desk.slot(), 'B');
-  EXPECT_EQ(bench.sheet().friction, of_paper);
+  EXPECT_EQ(bench.surface().friction, of_paper);
   bench.desk.flip();
-  EXPECT_EQ(bench.sheet().friction, 0.5);
+  EXPECT_EQ(bench.surface().friction, 0.5);
 }
 
 TEST(MaterialDesk, CopyingToTheOtherSlotIsAStep) {
@@ -188,11 +188,11 @@ TEST(MaterialDesk, CopyingToTheOtherSlotIsAStep) {
   EXPECT_EQ(bench.desk.steps().count(), steps + 1) << "they are alike already";
   bench.desk.steps().undo();
   EXPECT_EQ(bench.desk.slot(), 'A');
-  EXPECT_EQ(bench.sheet().friction, 0.5);
+  EXPECT_EQ(bench.surface().friction, 0.5);
   bench.desk.flip();
-  EXPECT_EQ(bench.sheet().friction, 0.9) << "what was tuned in B is there again";
+  EXPECT_EQ(bench.surface().friction, 0.9) << "what was tuned in B is there again";
   bench.desk.steps().redo();
-  EXPECT_EQ(bench.sheet().friction, 0.5);
+  EXPECT_EQ(bench.surface().friction, 0.5);
   EXPECT_TRUE(bench.desk.slots_are_alike());
 }
 
@@ -214,7 +214,7 @@ TEST(MaterialDesk, NoCopyTakesTheIdOfWhatTheDrawingBrought) {
     return known == theirs && in_session && AnyMaterial(*in_session) == theirs;
   };
   const std::vector<std::string> texts{write_material(theirs)};
-  bench.studio.open(Document{}, SheetPage{}, texts);
+  bench.studio.open(Document{}, Page{}, texts);
   bench.desk.select({false, "chalk"});
   bench.desk.set("feel.wear", 0.9);
   EXPECT_EQ(name_of(bench.desk.now()), name_of(theirs));
@@ -245,15 +245,15 @@ TEST(MaterialDesk, AnIdThatStrokesMayNameIsNotGivenAgain) {
 }
 
 /// A drawing whose surface has the id of a user-defined one but other figures.
-struct OtherSheetOfThatId : Bench {
-  OtherSheetOfThatId() {
+struct OtherSurfaceOfThatId : Bench {
+  OtherSurfaceOfThatId() {
     desk.set("feel.friction", 0.5);
     EXPECT_TRUE(desk.save());
     key = desk.key();
-    mine = sheet();
+    mine = surface();
     theirs = mine;
     theirs.friction = 0.9;
-    SheetPage page;
+    Page page;
     page.surface = key.id;
     const std::vector<std::string> texts{write_material(theirs)};
     studio.open(Document{}, page, texts);
@@ -268,39 +268,39 @@ struct OtherSheetOfThatId : Bench {
 };
 
 TEST(MaterialDesk, WhatTheDrawingBroughtGoesBeforeOnesOwnOfThatId) {
-  OtherSheetOfThatId bench;
+  OtherSurfaceOfThatId bench;
   EXPECT_FALSE(bench.desk.is_own());
   EXPECT_FALSE(bench.desk.is_changed());
   EXPECT_EQ(bench.desk.now(), AnyMaterial(bench.theirs));
-  EXPECT_EQ(bench.studio.session().sheet().material(), bench.theirs);
+  EXPECT_EQ(bench.studio.session().surface(), bench.theirs);
   bench.desk.set("feel.friction", 0.7);
   EXPECT_NE(bench.desk.key(), bench.key) << "a copy";
   EXPECT_TRUE(bench.desk.is_own());
-  EXPECT_EQ(bench.sheet().friction, 0.7);
+  EXPECT_EQ(bench.surface().friction, 0.7);
   bench.desk.tell_now();
   EXPECT_EQ(bench.of_drawing(), AnyMaterial(bench.theirs));
   EXPECT_EQ(bench.own.find(bench.key)->now, AnyMaterial(bench.mine));
   bench.desk.steps().undo();
   EXPECT_EQ(bench.desk.key(), bench.key);
   EXPECT_EQ(bench.desk.now(), AnyMaterial(bench.theirs));
-  bench.studio.open(Document{}, SheetPage{});
+  bench.studio.open(Document{}, Page{});
   EXPECT_TRUE(bench.desk.is_own()) << "that drawing is gone";
   EXPECT_EQ(bench.desk.now(), AnyMaterial(bench.mine));
 }
 
 TEST(MaterialDesk, AChangeInAnotherWindowLeavesTheDrawingsOwnAlone) {
-  OtherSheetOfThatId bench;
+  OtherSurfaceOfThatId bench;
   Studio studio({.device = QStringLiteral("simulated:touch"), .live = false});
   MaterialDesk elsewhere(studio, bench.own);
   elsewhere.select(bench.key);
   EXPECT_TRUE(elsewhere.is_own());
   elsewhere.set("feel.friction", 0.6);
   elsewhere.tell_now();
-  EXPECT_EQ(studio.session().sheet().material().friction, 0.6);
+  EXPECT_EQ(studio.session().surface().friction, 0.6);
   bench.desk.tell_now();
   EXPECT_EQ(bench.of_drawing(), AnyMaterial(bench.theirs));
   EXPECT_FALSE(bench.desk.is_own());
-  bench.studio.open(Document{}, SheetPage{});
+  bench.studio.open(Document{}, Page{});
   EXPECT_TRUE(bench.desk.is_own());
   EXPECT_EQ(std::get<SurfaceMaterial>(bench.of_drawing().value()).friction, 0.6)
       << "what was withheld";
@@ -310,11 +310,11 @@ TEST(MaterialDesk, AnotherDrawingTakesWhatTheLastOneBroughtFromTheDesk) {
   const AnyMaterial theirs = chalk_of_another_person();
   Bench bench;
   const std::vector<std::string> texts{write_material(theirs)};
-  bench.studio.open(Document{}, SheetPage{}, texts);
+  bench.studio.open(Document{}, Page{}, texts);
   bench.desk.select(key_of(theirs));
   EXPECT_EQ(bench.desk.now(), theirs);
   EXPECT_FALSE(bench.desk.is_own());
-  bench.studio.open(Document{}, SheetPage{});
+  bench.studio.open(Document{}, Page{});
   EXPECT_EQ(bench.desk.key(), (MaterialKey{true, bench.felt_on()}));
 }
 
@@ -406,7 +406,7 @@ TEST(MaterialDesk, RevertBringsBackWhatTheFileHas) {
   EXPECT_EQ(bench.desk.now(), saved);
   EXPECT_FALSE(bench.desk.is_changed());
   bench.desk.steps().undo();
-  EXPECT_EQ(bench.sheet().grain_um, 20.0);
+  EXPECT_EQ(bench.surface().grain_um, 20.0);
 }
 
 TEST(MaterialDesk, FilesComeInAndGoOut) {
@@ -452,7 +452,7 @@ TEST(MaterialDesk, TheColourOfWhatIsWorkedOnIsThatOfPageAndInk) {
   bench.desk.steps().undo();
   EXPECT_EQ(paper(), (Rgba{0x34, 0x46, 0x3e, 255}));
   bench.desk.select({false, "chalk"});
-  const auto ink = [&] { return bench.studio.session().sheet().color(); };
+  const auto ink = [&] { return bench.studio.session().ink_color(); };
   EXPECT_EQ(ink(), (Rgba{0xf4, 0xf1, 0xe6, 255}));
   bench.desk.set("color", 0xffff00);
   bench.desk.tell_now();
@@ -466,8 +466,8 @@ TEST(MaterialDesk, AReliefOfAPictureIsFeltAndSaved) {
     picture.heights.push_back(static_cast<float>((i / 64 / 8 + i % 64 / 8) % 2));
   }
   ASSERT_TRUE(bench.desk.take_relief(picture));
-  EXPECT_EQ(bench.sheet().grain_character, HeightCharacter::kPicture);
-  ASSERT_NE(surface_grain(bench.sheet()), nullptr);
+  EXPECT_EQ(bench.surface().grain_character, HeightCharacter::kPicture);
+  ASSERT_NE(surface_grain(bench.surface()), nullptr);
   ASSERT_TRUE(bench.desk.save());
   OwnMaterials next({bench.home.path().toStdString()});
   ASSERT_TRUE(next.find(bench.desk.key()));
@@ -483,7 +483,7 @@ TEST(MaterialDesk, WhatWasToldReplaysAlike) {
   bench.desk.tell_now();
   Session other(make_tools(), {});
   for (const Event& event : bench.events) ASSERT_TRUE(other.apply(event));
-  EXPECT_EQ(other.sheet().material(), bench.studio.session().sheet().material());
+  EXPECT_EQ(other.surface(), bench.studio.session().surface());
 }
 
 }  // namespace

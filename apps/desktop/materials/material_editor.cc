@@ -143,7 +143,8 @@ QWidget* MaterialEditor::make_figures() {
       tr("Sets all values to those of another material; you can then change them"));
   presets_->setPlaceholderText(tr("Values of…"));
   connect(presets_, &QComboBox::activated, this, [this](int index) {
-    const MaterialKey key{desk_.key().is_sheet, presets_->itemData(index).toString().toStdString()};
+    const MaterialKey key{desk_.key().is_surface,
+                          presets_->itemData(index).toString().toStdString()};
     const std::optional<AnyMaterial> from = find_in(studio_.materials(), key);
     if (from) desk_.take_figures(*from);
     presets_->setCurrentIndex(-1);
@@ -205,8 +206,8 @@ void MaterialEditor::fill_presets() {
     if (key_of(material) == desk_.key()) return;
     all.push_back({name_of(material), QString::fromStdString(id_of(material))});
   };
-  if (desk_.key().is_sheet) {
-    for (const SurfaceMaterial& sheet : studio_.materials().surfaces()) add(sheet);
+  if (desk_.key().is_surface) {
+    for (const SurfaceMaterial& surface : studio_.materials().surfaces()) add(surface);
   } else {
     for (const Medium& medium : studio_.materials().media()) add(medium);
   }
@@ -269,11 +270,11 @@ void MaterialEditor::tell_slots() {
 
 FeltWish MaterialEditor::wish() const {
   FeltWish wish;
-  wish.sheet = studio_.session().sheet().material();
+  wish.surface = studio_.session().surface();
   const Medium* in_hand = studio_.materials().find_medium(drawing_medium(studio_.session()));
   wish.medium = in_hand ? *in_hand : media().front();
   const AnyMaterial now = desk_.now();
-  if (const auto* sheet = std::get_if<SurfaceMaterial>(&now)) wish.sheet = *sheet;
+  if (const auto* surface = std::get_if<SurfaceMaterial>(&now)) wish.surface = *surface;
   if (const auto* medium = std::get_if<Medium>(&now)) wish.medium = *medium;
   wish.device = studio_.loop().device().device().capabilities();
   wish.strength = studio_.loop().strength();
@@ -284,7 +285,7 @@ void MaterialEditor::ask_probe() {
   if (!isVisible()) return;
   const FeltWish wanted = wish();
   probe_.ask(wanted);
-  preview_->show_medium(wanted.medium, wanted.sheet);
+  preview_->show_medium(wanted.medium, wanted.surface);
 }
 
 void MaterialEditor::take_tick(const TickReport& tick) {

@@ -25,7 +25,7 @@ struct Shown {
     editor.activateWindow();
     static_cast<void>(QTest::qWaitForWindowActive(&editor));
   }
-  [[nodiscard]] SurfaceMaterial sheet() const { return std::get<SurfaceMaterial>(desk.now()); }
+  [[nodiscard]] SurfaceMaterial surface() const { return std::get<SurfaceMaterial>(desk.now()); }
   QDoubleSpinBox* spin(const char* field) {
     return editor.fields().row(field)->findChild<QDoubleSpinBox*>();
   }
@@ -41,12 +41,12 @@ struct Shown {
 
 TEST(MaterialEditor, EveryFieldOfTheTablesHasARowThatShowsItsValue) {
   Shown shown;
-  for (const SheetField& field : sheet_fields()) {
+  for (const SurfaceField& field : surface_fields()) {
     FigureRow* row = shown.editor.fields().row(field.id);
     ASSERT_NE(row, nullptr) << field.id;
     if (auto* spin = row->findChild<QDoubleSpinBox*>()) {
       const double factor = spin->suffix() == QStringLiteral(" %") ? 100.0 : 1.0;
-      EXPECT_NEAR(spin->value(), factor * field.get(shown.sheet()), 0.051 * factor) << field.id;
+      EXPECT_NEAR(spin->value(), factor * field.get(shown.surface()), 0.051 * factor) << field.id;
     }
   }
   shown.desk.select({false, "pencil"});
@@ -70,7 +70,7 @@ TEST(MaterialEditor, EverySliderSetsWhatAFileMayHave) {
     }
     EXPECT_EQ(material_error(shown.desk.now()), "");
   };
-  try_all(sheet_fields(), [&](const SheetField& field) { return field.get(shown.sheet()); });
+  try_all(surface_fields(), [&](const SurfaceField& field) { return field.get(shown.surface()); });
   shown.desk.select({false, "pencil"});
   try_all(medium_fields(),
           [&](const MediumField& field) { return field.get(std::get<Medium>(shown.desk.now())); });
@@ -80,7 +80,7 @@ TEST(MaterialEditor, ANumberThatIsTypedIsFelt) {
   Shown shown;
   shown.spin("feel.stiffness_n_per_m")->setValue(800.0);
   shown.desk.tell_now();
-  EXPECT_EQ(shown.studio.session().sheet().material().stiffness_n_per_m, 800.0);
+  EXPECT_EQ(shown.studio.session().surface().stiffness_n_per_m, 800.0);
   EXPECT_TRUE(shown.desk.is_own());
 }
 
@@ -91,16 +91,16 @@ TEST(MaterialEditor, ADragOfASliderIsOneStepThatKeysUndo) {
   slider->setSliderDown(true);
   for (int place = 500; place < 900; place += 7) slider->setValue(place);
   slider->setSliderDown(false);
-  EXPECT_NE(shown.sheet().stiffness_n_per_m, 500.0);
+  EXPECT_NE(shown.surface().stiffness_n_per_m, 500.0);
   EXPECT_EQ(shown.desk.steps().count(), 2);
   // The keys also work with the focus in a number field.
   QLineEdit* edit = shown.spin("feel.friction")->findChild<QLineEdit*>();
   edit->setFocus();
   QTest::keyClick(edit, Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(shown.sheet().stiffness_n_per_m, 500.0);
-  EXPECT_EQ(shown.sheet().friction, 0.4);
+  EXPECT_EQ(shown.surface().stiffness_n_per_m, 500.0);
+  EXPECT_EQ(shown.surface().friction, 0.4);
   QTest::keyClick(edit, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_NE(shown.sheet().stiffness_n_per_m, 500.0);
+  EXPECT_NE(shown.surface().stiffness_n_per_m, 500.0);
 }
 
 TEST(MaterialEditor, TheKeyBFlipsAndTheLabelSaysWhich) {
@@ -112,7 +112,7 @@ TEST(MaterialEditor, TheKeyBFlipsAndTheLabelSaysWhich) {
   QTest::keyClick(&shown.editor.list(), Qt::Key_B);
   EXPECT_EQ(shown.desk.slot(), 'B');
   EXPECT_TRUE(flip->text().contains(u'B'));
-  EXPECT_EQ(shown.studio.session().sheet().material().friction, find_surface("paper")->friction);
+  EXPECT_EQ(shown.studio.session().surface().friction, find_surface("paper")->friction);
 }
 
 TEST(MaterialEditor, TheListTakesWhatIsChosenInHand) {
@@ -120,11 +120,11 @@ TEST(MaterialEditor, TheListTakesWhatIsChosenInHand) {
   const std::vector<MaterialKey> keys = shown.editor.list().keys();
   EXPECT_EQ(keys.size(), surface_materials().size() + media().size() - 1) << "no eraser";
   Q_EMIT shown.editor.list().chosen({true, "canvas"});
-  EXPECT_EQ(shown.studio.session().sheet().material().id, "canvas");
+  EXPECT_EQ(shown.studio.session().surface().id, "canvas");
   EXPECT_EQ(shown.desk.key().id, "canvas");
 }
 
-TEST(MaterialEditor, R56_TheSignTurnsRedForASheetThatTheDeviceCannotMake) {
+TEST(MaterialEditor, R56_TheSignTurnsRedForASurfaceThatTheDeviceCannotMake) {
   Shown shown;
   QSignalSpy figured(&shown.editor.probe(), &FeltProbe::figured);
   shown.desk.set("feel.stiffness_n_per_m", 2000.0);

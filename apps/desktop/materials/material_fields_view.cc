@@ -259,7 +259,7 @@ QString group_name(const QString& id) {
 MaterialFieldsView::MaterialFieldsView(QWidget* parent)
     : QWidget(parent), pages_(new QVBoxLayout(this)) {
   pages_->setContentsMargins({});
-  sheets_ = make_page(sheet_fields());
+  surfaces_ = make_page(surface_fields());
   media_ = make_page(medium_fields());
   media_.widget->hide();
 }
@@ -306,14 +306,14 @@ QVBoxLayout* MaterialFieldsView::group_of(Page& page, QVBoxLayout* all, std::str
   return layout;
 }
 
-void MaterialFieldsView::add_to_group(bool of_sheets, const QString& group, QWidget* widget) {
-  for (const auto& [name, layout] : (of_sheets ? sheets_ : media_).groups) {
+void MaterialFieldsView::add_to_group(bool of_surfaces, const QString& group, QWidget* widget) {
+  for (const auto& [name, layout] : (of_surfaces ? surfaces_ : media_).groups) {
     if (name == group) layout->addWidget(widget);
   }
 }
 
 const MaterialFieldsView::Page& MaterialFieldsView::shown_page() const {
-  return media_.widget->isHidden() ? sheets_ : media_;
+  return media_.widget->isHidden() ? surfaces_ : media_;
 }
 
 FigureRow* MaterialFieldsView::row(std::string_view field) const {
@@ -324,19 +324,19 @@ FigureRow* MaterialFieldsView::row(std::string_view field) const {
 }
 
 void MaterialFieldsView::show_material(const AnyMaterial& now, const AnyMaterial& origin) {
-  const bool is_sheet = std::holds_alternative<SurfaceMaterial>(now);
-  sheets_.widget->setVisible(is_sheet);
-  media_.widget->setVisible(!is_sheet);
+  const bool is_surface = std::holds_alternative<SurfaceMaterial>(now);
+  surfaces_.widget->setVisible(is_surface);
+  media_.widget->setVisible(!is_surface);
   const auto show = [](const auto& fields, const auto& rows, const auto& is, const auto& was) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       rows[i]->show_value(fields[i].get(is), fields[i].get(was));
     }
   };
-  if (is_sheet) {
-    const auto& sheet = std::get<SurfaceMaterial>(now);
-    show(sheet_fields(), sheets_.rows, sheet, std::get<SurfaceMaterial>(origin));
+  if (is_surface) {
+    const auto& surface = std::get<SurfaceMaterial>(now);
+    show(surface_fields(), surfaces_.rows, surface, std::get<SurfaceMaterial>(origin));
     // A picture is one fixed relief and does not depend on the seed.
-    const bool is_picture = sheet.grain_character == HeightCharacter::kPicture && sheet.picture;
+    const bool is_picture = surface.grain_character == HeightCharacter::kPicture && surface.picture;
     if (FigureRow* seed = row("grain.seed")) seed->setEnabled(!is_picture);
   } else {
     show(medium_fields(), media_.rows, std::get<Medium>(now), std::get<Medium>(origin));

@@ -45,7 +45,7 @@ class MaterialFieldsView : public QWidget {
   [[nodiscard]] FigureRow* row(std::string_view field) const;
   /// Adds a widget at the end of a group, such as "grain", on the page of the surfaces or of the
   /// media.
-  void add_to_group(bool of_sheets, const QString& group, QWidget* widget);
+  void add_to_group(bool of_surfaces, const QString& group, QWidget* widget);
 
  Q_SIGNALS:
   void chosen(const QString& field, double value, quint64 run);
@@ -63,7 +63,7 @@ class MaterialFieldsView : public QWidget {
   [[nodiscard]] const Page& shown_page() const;
 
   QVBoxLayout* pages_;
-  Page sheets_, media_;
+  Page surfaces_, media_;
 };
 
 }  // namespace felt::desktop

@@ -9,7 +9,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kSheetRole = Qt::UserRole, kMaterialIdRole = Qt::UserRole + 1;
+constexpr int kSurfaceRole = Qt::UserRole, kMaterialIdRole = Qt::UserRole + 1;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ MaterialList::MaterialList(QWidget* parent) : QTreeWidget(parent) {
   setTextElideMode(Qt::ElideRight);
   connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (!item || item->data(0, kMaterialIdRole).isNull()) return;
-    Q_EMIT chosen({item->data(0, kSheetRole).toBool(),
+    Q_EMIT chosen({item->data(0, kSurfaceRole).toBool(),
                    item->data(0, kMaterialIdRole).toString().toStdString()});
   });
 }
@@ -38,7 +38,7 @@ void MaterialList::show_materials(const Materials& known, const MaterialDesk& de
                     words_of(entry ? entry->now : material), !is_built_in(key),
                     entry && entry->is_changed()});
   };
-  for (const SurfaceMaterial& sheet : known.surfaces()) add(sheet);
+  for (const SurfaceMaterial& surface : known.surfaces()) add(surface);
   // The built-in eraser is not listed, because it is a tool.
   for (const Medium& medium : known.media()) {
     if (medium.draws || desk.own_of({false, medium.id})) add(medium);
@@ -51,20 +51,20 @@ void MaterialList::show_materials(const Materials& known, const MaterialDesk& de
 void MaterialList::fill() {
   const QTreeWidgetItem* current = currentItem();
   const MaterialKey chosen_now{
-      current && current->data(0, kSheetRole).toBool(),
+      current && current->data(0, kSurfaceRole).toBool(),
       current ? current->data(0, kMaterialIdRole).toString().toStdString() : std::string()};
   const QSignalBlocker quiet(this);
   clear();
   struct Group {
     QString name;
-    bool is_sheet, is_own;
+    bool is_surface, is_own;
   };
   for (const Group& group :
        {Group{tr("Surfaces"), true, false}, Group{tr("My surfaces"), true, true},
         Group{tr("Media"), false, false}, Group{tr("My media"), false, true}}) {
     QTreeWidgetItem* head = nullptr;
     for (const Row& row : rows_) {
-      if (row.key.is_sheet != group.is_sheet || row.is_own != group.is_own) continue;
+      if (row.key.is_surface != group.is_surface || row.is_own != group.is_own) continue;
       if (!head) {
         head = new QTreeWidgetItem(this, {group.name});
         head->setFlags(Qt::ItemIsEnabled);
@@ -75,7 +75,7 @@ void MaterialList::fill() {
       auto* item = new QTreeWidgetItem(head);
       item->setText(0, row.is_changed ? tr("%1 \u2022 not saved").arg(row.name) : row.name);
       item->setToolTip(0, row.words);
-      item->setData(0, kSheetRole, row.key.is_sheet);
+      item->setData(0, kSurfaceRole, row.key.is_surface);
       item->setData(0, kMaterialIdRole, QString::fromStdString(row.key.id));
     }
   }
@@ -87,7 +87,7 @@ QTreeWidgetItem* MaterialList::item_of(const MaterialKey& key) const {
   for (int group = 0; group < topLevelItemCount(); ++group) {
     for (int i = 0; i < topLevelItem(group)->childCount(); ++i) {
       QTreeWidgetItem* item = topLevelItem(group)->child(i);
-      if (item->data(0, kSheetRole).toBool() == key.is_sheet &&
+      if (item->data(0, kSurfaceRole).toBool() == key.is_surface &&
           item->data(0, kMaterialIdRole).toString().toStdString() == key.id) {
         return item;
       }

@@ -17,16 +17,16 @@ MaterialKey key_of(const AnyMaterial& material) {
   return {std::holds_alternative<SurfaceMaterial>(material), id_of(material)};
 }
 
-const SurfaceMaterial* sheet_in(const Materials& materials, const MaterialKey& key) {
-  return key.is_sheet ? materials.find_surface(key.id) : nullptr;
+const SurfaceMaterial* surface_in(const Materials& materials, const MaterialKey& key) {
+  return key.is_surface ? materials.find_surface(key.id) : nullptr;
 }
 
 const Medium* medium_in(const Materials& materials, const MaterialKey& key) {
-  return key.is_sheet ? nullptr : materials.find_medium(key.id);
+  return key.is_surface ? nullptr : materials.find_medium(key.id);
 }
 
 std::optional<AnyMaterial> find_in(const Materials& materials, const MaterialKey& key) {
-  if (const SurfaceMaterial* sheet = sheet_in(materials, key)) return *sheet;
+  if (const SurfaceMaterial* surface = surface_in(materials, key)) return *surface;
   if (const Medium* medium = medium_in(materials, key)) return *medium;
   return std::nullopt;
 }
@@ -36,13 +36,13 @@ bool is_built_in(const MaterialKey& key) {
 }
 
 QString name_of(const AnyMaterial& material) {
-  const auto* sheet = std::get_if<SurfaceMaterial>(&material);
-  return sheet ? material_label(*sheet) : medium_label(std::get<Medium>(material));
+  const auto* surface = std::get_if<SurfaceMaterial>(&material);
+  return surface ? material_label(*surface) : medium_label(std::get<Medium>(material));
 }
 
 QString words_of(const AnyMaterial& material) {
-  const auto* sheet = std::get_if<SurfaceMaterial>(&material);
-  return sheet ? material_words(*sheet) : medium_words(std::get<Medium>(material));
+  const auto* surface = std::get_if<SurfaceMaterial>(&material);
+  return surface ? material_words(*surface) : medium_words(std::get<Medium>(material));
 }
 
 std::string id_for(const QString& name, const std::string& fallback,

@@ -12,7 +12,7 @@ namespace felt::desktop {
 
 /// Identifies a surface or a medium; a surface and a medium may have the same id.
 struct MaterialKey {
-  bool is_sheet = true;
+  bool is_surface = true;
   std::string id;
 
   friend auto operator<=>(const MaterialKey&, const MaterialKey&) = default;
@@ -20,7 +20,7 @@ struct MaterialKey {
 
 MaterialKey key_of(const AnyMaterial& material);
 /// These functions return null if `materials` does not contain the key.
-const SurfaceMaterial* sheet_in(const Materials& materials, const MaterialKey& key);
+const SurfaceMaterial* surface_in(const Materials& materials, const MaterialKey& key);
 const Medium* medium_in(const Materials& materials, const MaterialKey& key);
 /// Returns nullopt if `materials` does not contain the key.
 std::optional<AnyMaterial> find_in(const Materials& materials, const MaterialKey& key);

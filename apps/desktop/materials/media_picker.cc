@@ -19,7 +19,7 @@ namespace {
 constexpr int kRoomPx = 8;  // margin around picture and text
 constexpr int kGapPx = 3;
 constexpr int kMinColumns = 2;
-constexpr auto kColor = "sheet.color";
+constexpr auto kColor = "ink.color";
 
 std::vector<Medium> drawing_media(const Materials& materials) {
   std::vector<Medium> all;
@@ -48,13 +48,13 @@ bool take_medium(Studio& studio, const std::string& id) {
 }
 
 bool choose_medium(Studio& studio, const std::string& id) {
-  const Rgba before = studio.session().sheet().color();
+  const Rgba before = studio.session().ink_color();
   const bool is_taken = take_medium(studio, id);
   if (!is_taken) return false;
   const Medium* medium = studio.materials().find_medium(id);
   const QString label = medium ? medium_label(*medium) : QString::fromStdString(id);
   if (!studio.session().selection().empty()) studio.apply(RestyleEvent{.medium = id});
-  const Rgba now = studio.session().sheet().color();
+  const Rgba now = studio.session().ink_color();
   if (now != before) {
     Q_EMIT studio.refused(
         QCoreApplication::translate("MediaPicker", "%1 draws in its own colour, %2.")
@@ -64,8 +64,8 @@ bool choose_medium(Studio& studio, const std::string& id) {
 }
 
 bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now) {
-  const Rgba ink = studio.session().sheet().color();
-  const Rgba wanted = usual_color(ink, before, now, SheetOptions{}.color());
+  const Rgba ink = studio.session().ink_color();
+  const Rgba wanted = usual_color(ink, before, now, Rgba{});
   return wanted == ink || studio.apply(SetOption{kColor, color_to_text(wanted)});
 }
 
@@ -79,7 +79,7 @@ MediaPicker::MediaPicker(Studio& studio, const MediaPictures& pictures, QWidget*
     follow_choice();  // if refused, shows the present medium again
   });
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
-    if (id.toStdString() == drawing_option(studio_.session(), "material")) follow_choice();
+    if (id.toStdString() == drawing_option(studio_.session(), "medium")) follow_choice();
   });
   connect(&pictures_, &MediaPictures::changed, this, &MediaPicker::show_pictures);
   connect(&studio_, &Studio::materials_changed, this, &MediaPicker::make_buttons);

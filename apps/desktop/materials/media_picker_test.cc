@@ -64,13 +64,13 @@ TEST(MediaPicker, AClickTakesAMediumWithItsOwnWidthsAsEvents) {
     if (!std::holds_alternative<SetOption>(event.what)) continue;
     ASSERT_TRUE(other.apply(event));
   }
-  for (const char* id : {"pencil.material", "pencil.min_width_mm", "pencil.max_width_mm"}) {
+  for (const char* id : {"pencil.medium", "pencil.min_width_mm", "pencil.max_width_mm"}) {
     EXPECT_EQ(other.option(id).value(), desk.studio.session().option(id).value()) << id;
   }
 }
 
 std::string ink(const Studio& studio) {
-  return std::get<std::string>(studio.session().option("sheet.color").value());
+  return std::get<std::string>(studio.session().option("ink.color").value());
 }
 
 TEST(MediaPicker, NewInkIsOfTheUsualColourUnlessAPersonChoseAnother) {
@@ -83,10 +83,10 @@ TEST(MediaPicker, NewInkIsOfTheUsualColourUnlessAPersonChoseAnother) {
   ASSERT_TRUE(take_medium(desk.studio, "crayon"));
   EXPECT_EQ(ink(desk.studio), "#c0402f");
   // A transparent version of a colour counts as the same colour.
-  desk.studio.apply(SetOption{"sheet.color", std::string("#c0402f80")});
+  desk.studio.apply(SetOption{"ink.color", std::string("#c0402f80")});
   ASSERT_TRUE(take_medium(desk.studio, "pencil"));
   EXPECT_EQ(ink(desk.studio), "#33353b80");
-  desk.studio.apply(SetOption{"sheet.color", std::string("#20a040")});
+  desk.studio.apply(SetOption{"ink.color", std::string("#20a040")});
   for (const char* medium : {"chalk", "felt-tip", "pencil"}) {
     ASSERT_TRUE(take_medium(desk.studio, medium));
     EXPECT_EQ(ink(desk.studio), "#20a040") << medium;
@@ -96,7 +96,7 @@ TEST(MediaPicker, NewInkIsOfTheUsualColourUnlessAPersonChoseAnother) {
 
 TEST(MediaPicker, FollowsWhatOthersChoose) {
   Desk desk;
-  desk.studio.apply(SetOption{"pencil.material", OptionValue(std::string("chalk"))});
+  desk.studio.apply(SetOption{"pencil.medium", OptionValue(std::string("chalk"))});
   EXPECT_TRUE(desk.picker.button("chalk")->isChecked());
   EXPECT_FALSE(desk.picker.button("pencil")->isChecked());
 }
@@ -115,7 +115,7 @@ TEST(MediaPicker, KeysTakeAMedium) {
   EXPECT_NE(drawing_medium(desk.studio.session()), "pencil");
 }
 
-TEST(MediaPicker, PicturesComeByThemselvesAndAreOthersOnAnotherSheet) {
+TEST(MediaPicker, PicturesComeByThemselvesAndAreOthersOnAnotherSurface) {
   Desk desk;
   QSignalSpy changed(&desk.pictures, &MediaPictures::changed);
   ASSERT_TRUE(changed.wait(8000));
@@ -123,7 +123,7 @@ TEST(MediaPicker, PicturesComeByThemselvesAndAreOthersOnAnotherSheet) {
   ASSERT_FALSE(on_paper.isNull());
   EXPECT_NE(on_paper, pencil);
   EXPECT_FALSE(desk.picker.button("chalk")->icon().isNull());
-  desk.studio.apply(SetOption{"sheet.material", OptionValue(std::string("canvas"))});
+  desk.studio.apply(SetOption{"surface.material", OptionValue(std::string("canvas"))});
   ASSERT_TRUE(changed.wait(8000));
   EXPECT_NE(desk.pictures.of("chalk"), on_paper);
 }
@@ -140,7 +140,7 @@ TEST(MediaPicker, AsManySideBySideAsThereIsRoomFor) {
 
 TEST(MediumPicture, AStrokeGoesFromLightToHard) {
   const QImage image =
-      draw_medium({.medium = *find_medium("charcoal"), .sheet = *find_surface("rough-paper")});
+      draw_medium({.medium = *find_medium("charcoal"), .surface = *find_surface("rough-paper")});
   ASSERT_EQ(image.size(), QSize(64, 26));
   const auto ink = [&image](int from, int to) {
     int sum = 0;

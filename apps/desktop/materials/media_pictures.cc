@@ -11,7 +11,7 @@ MediaPictures::MediaPictures(Studio& studio, QWidget* window)
     : QObject(window), studio_(studio), window_(window) {
   maker_.setMaxThreadCount(1);
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
-    if (id == QLatin1String("sheet.material")) make();
+    if (id == QLatin1String("surface.material")) make();
   });
   connect(&studio_, &Studio::materials_changed, this, &MediaPictures::make);
   connect(&studio_, &Studio::opened, this, &MediaPictures::make);
@@ -34,16 +34,16 @@ void MediaPictures::make() {
     if (!medium.draws) continue;
     const QColor ink(QRgb(0xFF000000U | medium.color_rgb));
     wanted.push_back({.medium = medium,
-                      .sheet = studio_.session().sheet().material(),
+                      .surface = studio_.session().surface(),
                       .size = kSize,
                       .dpr = window_->devicePixelRatioF(),
                       .ink = readable_ink(ink, Qt::white)});
   }
   maker_.clear();
   maker_.start([this, round, wanted = std::move(wanted), media = studio_.materials(),
-                sheet = studio_.session().sheet().material()]() mutable {
+                surface = studio_.session().surface()]() mutable {
     Pictures made;
-    const Grain grain = grain_for(sheet, media);
+    const Grain grain = grain_for(surface, media);
     for (MediumPicture& picture : wanted) {
       if (round_ != round) return;
       picture.grain = grain;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "felt/material/relief.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/stroke/fit/width_map.h"
 #include "felt/tools/medium_line.h"
 
@@ -38,7 +38,7 @@ WidthMapOptions widths_of(const Medium& medium) {
 /// `from` to `to`.
 Result<Stroke> stroke_in(const MediumPicture& picture, const Rect& area, double from, double to) {
   StrokeData data;
-  data.material = picture.medium.id;
+  data.medium = picture.medium.id;
   data.color = rgba_of(picture.ink);
   const WidthMapOptions widths = widths_of(picture.medium);
   const double fullest_mm = kFullestShare * area.height();
@@ -66,8 +66,8 @@ Result<Stroke> stroke_in(const MediumPicture& picture, const Rect& area, double 
 
 }  // namespace
 
-Grain grain_for(const SurfaceMaterial& sheet, const Materials& media) {
-  return Grain(surface_grain(sheet), media);
+Grain grain_for(const SurfaceMaterial& area, const Materials& media) {
+  return Grain(surface_grain(area), media);
 }
 
 QImage draw_medium(const MediumPicture& picture) {
@@ -87,10 +87,10 @@ QImage draw_medium(const MediumPicture& picture) {
   if (!picture.grain) media.put(picture.medium);
   const Result<Image> drawn = render_page(
       strokes, {.dpi = 96.0 * picture.dpr,
-                .sheet = Rect{0.0, 0.0, size_mm.width(), size_mm.height()},
+                .area = Rect{0.0, 0.0, size_mm.width(), size_mm.height()},
                 .paper = rgba_of(picture.paper),
 
-                .grain = picture.grain ? *picture.grain : grain_for(picture.sheet, media)});
+                .grain = picture.grain ? *picture.grain : grain_for(picture.area, media)});
   if (!drawn) return {};
   QImage image(drawn->bytes().data(), drawn->width(), drawn->height(),
                QImage::Format_RGBA8888_Premultiplied);

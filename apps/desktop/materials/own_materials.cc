@@ -71,10 +71,10 @@ void OwnMaterials::read_changes() {
 }
 
 std::vector<const OwnMaterials::Entry*> OwnMaterials::all() const {
-  std::vector<const Entry*> sheets, media;
-  for (const auto& [key, entry] : entries_) (key.is_sheet ? sheets : media).push_back(&entry);
-  sheets.insert(sheets.end(), media.begin(), media.end());
-  return sheets;
+  std::vector<const Entry*> surfaces, media;
+  for (const auto& [key, entry] : entries_) (key.is_surface ? surfaces : media).push_back(&entry);
+  surfaces.insert(surfaces.end(), media.begin(), media.end());
+  return surfaces;
 }
 
 const OwnMaterials::Entry* OwnMaterials::find(const MaterialKey& key) const {
@@ -89,8 +89,8 @@ Materials OwnMaterials::known() const {
 }
 
 bool OwnMaterials::is_taken(const std::string& id) const {
-  for (const bool is_sheet : {true, false}) {
-    const MaterialKey key{is_sheet, id};
+  for (const bool is_surface : {true, false}) {
+    const MaterialKey key{is_surface, id};
     if (is_built_in(key) || find(key)) return true;
   }
   return false;

@@ -16,17 +16,17 @@ namespace felt::desktop::own_materials_test {
 namespace {
 
 SurfaceMaterial slate() {
-  SurfaceMaterial sheet = *find_surface("blackboard");
-  sheet.id = "slate";
-  sheet.label = "Slate";
-  sheet.stiffness_n_per_m = 950.0;
-  return sheet;
+  SurfaceMaterial surface = *find_surface("blackboard");
+  surface.id = "slate";
+  surface.label = "Slate";
+  surface.stiffness_n_per_m = 950.0;
+  return surface;
 }
 
 SurfaceMaterial harder_slate() {
-  SurfaceMaterial sheet = slate();
-  sheet.stiffness_n_per_m = 1500.0;
-  return sheet;
+  SurfaceMaterial surface = slate();
+  surface.stiffness_n_per_m = 1500.0;
+  return surface;
 }
 
 void forget_unsaved() {
@@ -204,14 +204,14 @@ TEST(OwnMaterials, AFileThatWasNeverReadIsNotReplaced) {
   theirs.friction = 0.77;
   write(home.filePath(QStringLiteral("slate.toml")),
         QByteArray::fromStdString(write_material(theirs)));
-  const QString sheet = home.filePath(QStringLiteral("x.toml"));
-  write(sheet, "kind = \"sheet\"\nid = \"x\"\n");
+  const QString surface = home.filePath(QStringLiteral("x.toml"));
+  write(surface, "kind = \"sheet\"\nid = \"x\"\n");
   EXPECT_FALSE(own.save({true, "slate"}));
   const Result<void> saved = own.save({false, "x"});
   ASSERT_FALSE(saved);
-  EXPECT_NE(saved.error().message.find(sheet.toStdString() + " is a sheet"), std::string::npos)
+  EXPECT_NE(saved.error().message.find(surface.toStdString() + " is a sheet"), std::string::npos)
       << saved.error().message;
-  const Result<AnyMaterial> there = read_material_file(sheet.toStdString());
+  const Result<AnyMaterial> there = read_material_file(surface.toStdString());
   ASSERT_TRUE(there);
   EXPECT_TRUE(std::holds_alternative<SurfaceMaterial>(*there));
   forget_unsaved();

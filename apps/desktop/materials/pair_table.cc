@@ -15,13 +15,13 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kSheet = 0, kFriction = 1;
+constexpr int kSurface = 0, kFriction = 1;
 constexpr int kRowRoomPx = 5;
 constexpr int kPairIdRole = Qt::UserRole, kOwnRole = Qt::UserRole + 1;
 
-bool has_own(const Medium& medium, const std::string& sheet) {
+bool has_own(const Medium& medium, const std::string& surface) {
   return std::any_of(medium.pairs.begin(), medium.pairs.end(),
-                     [&](const PairFriction& pair) { return pair.surface == sheet; });
+                     [&](const PairFriction& pair) { return pair.surface == surface; });
 }
 
 /// Three decimals are finer than a hand can distinguish.
@@ -79,7 +79,7 @@ PairTable::PairTable(QWidget* parent)
   table_->setAccessibleDescription(tr("Bold numbers are specific to this medium and surface"));
   table_->setToolTip(tr("Double-click a number, or press F2, to set the friction on that surface"));
   table_->setHorizontalHeaderLabels({tr("Surface"), tr("Friction")});
-  table_->horizontalHeader()->setSectionResizeMode(kSheet, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(kSurface, QHeaderView::Stretch);
   table_->horizontalHeader()->setSectionResizeMode(kFriction, QHeaderView::ResizeToContents);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRowRoomPx);
@@ -94,16 +94,16 @@ PairTable::PairTable(QWidget* parent)
   connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
     if (item->column() != kFriction) return;
     const double typed = std::clamp(item->data(Qt::EditRole).toDouble(), 0.0, kMaxFriction);
-    Q_EMIT chosen(sheet_of(item->row()), rounded(typed));
+    Q_EMIT chosen(surface_of(item->row()), rounded(typed));
   });
   connect(table_, &QTableWidget::itemSelectionChanged, this, &PairTable::tell_button);
   connect(rule_, &QToolButton::clicked, this, [this] {
-    if (table_->currentRow() >= 0) Q_EMIT chosen(sheet_of(table_->currentRow()), std::nullopt);
+    if (table_->currentRow() >= 0) Q_EMIT chosen(surface_of(table_->currentRow()), std::nullopt);
   });
 }
 
-std::string PairTable::sheet_of(int row) const {
-  return table_->item(row, kSheet)->data(kPairIdRole).toString().toStdString();
+std::string PairTable::surface_of(int row) const {
+  return table_->item(row, kSurface)->data(kPairIdRole).toString().toStdString();
 }
 
 void PairTable::tell_button() {
@@ -115,17 +115,17 @@ void PairTable::show_pairs(const Medium& medium, const Materials& known) {
   const QSignalBlocker quiet(table_);
   table_->setRowCount(static_cast<int>(known.surfaces().size()));
   int row = 0;
-  for (const SurfaceMaterial& sheet : known.surfaces()) {
-    for (const int column : {kSheet, kFriction}) {
+  for (const SurfaceMaterial& surface : known.surfaces()) {
+    for (const int column : {kSurface, kFriction}) {
       if (!table_->item(row, column)) table_->setItem(row, column, new QTableWidgetItem);
     }
-    QTableWidgetItem* name = table_->item(row, kSheet);
-    name->setText(material_label(sheet));
-    name->setData(kPairIdRole, QString::fromStdString(sheet.id));
+    QTableWidgetItem* name = table_->item(row, kSurface);
+    name->setText(material_label(surface));
+    name->setData(kPairIdRole, QString::fromStdString(surface.id));
     name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     QTableWidgetItem* number = table_->item(row, kFriction);
-    const bool is_own = has_own(medium, sheet.id);
-    number->setData(Qt::EditRole, rounded(friction_of(medium, sheet)));
+    const bool is_own = has_own(medium, surface.id);
+    number->setData(Qt::EditRole, rounded(friction_of(medium, surface)));
     number->setData(kOwnRole, is_own);
     number->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     QFont font = table_->font();

@@ -22,11 +22,11 @@ class PairTable : public QWidget {
   void show_pairs(const Medium& medium, const Materials& known);
 
  Q_SIGNALS:
-  void chosen(const std::string& sheet, std::optional<double> friction);
+  void chosen(const std::string& surface, std::optional<double> friction);
 
  private:
   void tell_button();
-  [[nodiscard]] std::string sheet_of(int row) const;
+  [[nodiscard]] std::string surface_of(int row) const;
 
   QTableWidget* table_;
   QToolButton* rule_;

@@ -13,7 +13,7 @@ namespace felt::desktop::pair_table_test {
 namespace {
 
 struct Told {
-  std::string sheet;
+  std::string surface;
   std::optional<double> friction;
 };
 
@@ -25,8 +25,8 @@ struct ShownTable {
     medium.pairs.clear();
     table.show_pairs(medium, Materials::built_in());
     QObject::connect(&table, &PairTable::chosen,
-                     [this](const std::string& sheet, std::optional<double> friction) {
-                       told.push_back({sheet, friction});
+                     [this](const std::string& surface, std::optional<double> friction) {
+                       told.push_back({surface, friction});
                      });
   }
   [[nodiscard]] QModelIndex number(int row) const { return cells->model()->index(row, 1); }
@@ -75,7 +75,7 @@ TEST(PairTable, ANumberHasThreeDigits) {
   spin->setValue(0.123);
   shown.leave(*spin, 1);
   ASSERT_EQ(shown.told.size(), 1u);
-  EXPECT_EQ(shown.told[0].sheet, surface_materials()[1].id);
+  EXPECT_EQ(shown.told[0].surface, surface_materials()[1].id);
   ASSERT_TRUE(shown.told[0].friction);
   EXPECT_DOUBLE_EQ(*shown.told[0].friction, 0.123);
 }

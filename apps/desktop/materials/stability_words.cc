@@ -73,7 +73,7 @@ StabilityWords stability_words(const FeltWish& wish, const FeltFigures& figures,
                                            "those of a 3D Systems Touch."))
                         .arg(device_label);
   }
-  const double hard = figures.stiffness_n_per_m / wish.sheet.stiffness_n_per_m;
+  const double hard = figures.stiffness_n_per_m / wish.surface.stiffness_n_per_m;
   const StabilityLevel rest = level_of_rest(figures);
   words.level = std::max({level_of_share(hard), level_of_share(figures.grain_share), rest});
   words.state = state_of(words.level, rest == words.level);
@@ -82,14 +82,16 @@ StabilityWords stability_words(const FeltWish& wish, const FeltFigures& figures,
   if (hard < kWhole) {
     words.detail << text(QT_TRANSLATE_NOOP("Stability",
                                            "Hardness: this device reaches %1 of your %2 N/m."))
-                        .arg(whole(figures.stiffness_n_per_m), whole(wish.sheet.stiffness_n_per_m));
+                        .arg(whole(figures.stiffness_n_per_m),
+                             whole(wish.surface.stiffness_n_per_m));
   }
   if (figures.grain_share < kWhole) {
     words.detail
         << text(QT_TRANSLATE_NOOP(
                     "Stability",
                     "Grain: it is too steep for the haptic loop; you feel %1 of your %2 µm."))
-               .arg(height(figures.grain_share * wish.sheet.grain_um), height(wish.sheet.grain_um));
+               .arg(height(figures.grain_share * wish.surface.grain_um),
+                    height(wish.surface.grain_um));
   }
   tell_rest(figures, words.detail);
   return words;

@@ -28,7 +28,7 @@ constexpr std::size_t kMaxRecent = 16;
 constexpr std::size_t kMaxOwn = 500;
 constexpr double kFaint = 3.0;  // a lower contrast is hard to see (WCAG 2.2, 1.4.11)
 constexpr int kSamplePx = 28;
-const char* const kColor = "sheet.color";
+const char* const kColor = "ink.color";
 
 QString hex_of(Rgba color) {
   return QString::fromStdString(color_to_text(color));
@@ -222,7 +222,7 @@ void ColorsPanel::connect_all() {
 }
 
 Rgba ColorsPanel::color() const {
-  return studio_.session().sheet().color();
+  return studio_.session().ink_color();
 }
 
 void ColorsPanel::choose(Rgba wanted) {

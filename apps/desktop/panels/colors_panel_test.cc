@@ -36,7 +36,7 @@ class ColorsPanelTest : public ::testing::Test {
     panel->show();
   }
   [[nodiscard]] std::string color() const {
-    return std::get<std::string>(studio.session().option("sheet.color").value());
+    return std::get<std::string>(studio.session().option("ink.color").value());
   }
   void type(const QString& number) {
     auto* field = panel->findChild<QLineEdit*>();
@@ -88,7 +88,7 @@ TEST_F(ColorsPanelTest, TakesANumberInEveryForm) {
 }
 
 TEST_F(ColorsPanelTest, OpacityIsItsOwnField) {
-  studio.apply(SetOption{"sheet.color", std::string("#204060")});
+  studio.apply(SetOption{"ink.color", std::string("#204060")});
   auto* opacity = panel->findChild<QSpinBox*>();
   EXPECT_EQ(opacity->value(), 100);
   opacity->setFocus();
@@ -100,7 +100,7 @@ TEST_F(ColorsPanelTest, OpacityIsItsOwnField) {
 }
 
 TEST_F(ColorsPanelTest, TheFieldGivesEveryShadeByMouseAndKeys) {
-  studio.apply(SetOption{"sheet.color", std::string("#ff0000")});
+  studio.apply(SetOption{"ink.color", std::string("#ff0000")});
   auto* shade = panel->findChild<ShadeField*>();
   auto* strip = panel->findChild<HueStrip*>();
   QTest::mouseClick(shade, Qt::LeftButton, {}, {0, shade->height() - 1});
@@ -126,7 +126,7 @@ TEST_F(ColorsPanelTest, ShowsAnyColourThatOthersChooseAndChangesNone) {
   for (int i = 0; i < 300; ++i) {
     const Rgba wanted{std::uint8_t(random()), std::uint8_t(random()), std::uint8_t(random()),
                       std::uint8_t(random())};
-    studio.apply(SetOption{"sheet.color", color_to_text(wanted)});
+    studio.apply(SetOption{"ink.color", color_to_text(wanted)});
     EXPECT_EQ(color(), color_to_text(wanted));
     EXPECT_EQ(rgba(panel->findChild<ColorField*>()->color()), (Rgba{wanted.r, wanted.g, wanted.b}));
   }
@@ -150,10 +150,10 @@ TEST_F(ColorsPanelTest, ASwatchIsChosenByClickAndByKeys) {
 TEST_F(ColorsPanelTest, RemembersWhatWasDrawnWith) {
   EXPECT_TRUE(swatches(0)->colors().empty());
   for (const char* one : {"#102030", "#405060", "#102030"}) {
-    studio.apply(SetOption{"sheet.color", std::string(one)});
+    studio.apply(SetOption{"ink.color", std::string(one)});
     testing::draw_lines(studio, 2);
   }
-  studio.apply(SetOption{"sheet.color", std::string("#ffffff")});
+  studio.apply(SetOption{"ink.color", std::string("#ffffff")});
   const std::vector<NamedColor> wanted = {{{16, 32, 48}, {}}, {{64, 80, 96}, {}}};
   EXPECT_EQ(swatches(0)->colors(), wanted)
       << "newest first, each once, and none that was only seen";
@@ -161,7 +161,7 @@ TEST_F(ColorsPanelTest, RemembersWhatWasDrawnWith) {
   ColorsPanel again(other);
   EXPECT_EQ(again.findChildren<SwatchView*>()[0]->colors(), wanted) << "kept for the next start";
   for (int i = 0; i < 40; ++i) {
-    studio.apply(SetOption{"sheet.color", color_to_text({std::uint8_t(i), 0, 0})});
+    studio.apply(SetOption{"ink.color", color_to_text({std::uint8_t(i), 0, 0})});
     testing::draw_lines(studio, 1);
   }
   EXPECT_EQ(swatches(0)->colors().size(), 16U);
@@ -218,7 +218,7 @@ TEST_F(ColorsPanelTest, KeepsColoursOfThePersonsOwn) {
   QWidget window;
   Actions actions(&window);
   add_color_actions(actions, *panel);
-  studio.apply(SetOption{"sheet.color", std::string("#0a0b0c")});
+  studio.apply(SetOption{"ink.color", std::string("#0a0b0c")});
   actions.find(QStringLiteral("edit.palette_keep"))->trigger();
   actions.find(QStringLiteral("edit.palette_keep"))->trigger();
   ASSERT_EQ(swatches(1)->colors().size(), 1U);
@@ -234,7 +234,7 @@ TEST_F(ColorsPanelTest, NotesFaintColoursOnThePaper) {
     }
     return std::string();
   };
-  studio.apply(SetOption{"sheet.color", std::string("#000000")});
+  studio.apply(SetOption{"ink.color", std::string("#000000")});
   EXPECT_EQ(note(), "Contrast with the paper: 21.0:1");
   studio.set_page({.paper = {0, 0, 0, 255}});
   EXPECT_EQ(note(), "Low contrast with the paper: 1.0:1");
@@ -274,7 +274,7 @@ TEST(ColorsPanel, ASwatchIsForTheSelectedLinesToo) {
     EXPECT_EQ(stroke->color(), wanted);
   }
   EXPECT_EQ(studio.session().history().undo_count(), steps + 1);
-  EXPECT_EQ(studio.session().sheet().color(), wanted);
+  EXPECT_EQ(studio.session().ink_color(), wanted);
 }
 
 }  // namespace

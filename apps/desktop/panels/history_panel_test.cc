@@ -79,7 +79,7 @@ TEST(HistoryModel, TellsViewsEveryRowThatChangesWhateverHappens) {
         ASSERT_EQ(echo.rows[std::size_t(row)], echo.text(row)) << i << " row " << row;
       }
     }
-    studio.open(Document{}, SheetPage{});
+    studio.open(Document{}, Page{});
     EXPECT_EQ(echo.rows, std::vector<QString>{QStringLiteral("As opened, current")});
   }
 }

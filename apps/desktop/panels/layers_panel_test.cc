@@ -154,7 +154,7 @@ TEST(LayersPanel, IsReadAnewOnlyWhenALayerChanges) {
   EXPECT_EQ(resets.count(), 0);
   desk.studio.apply(LayerEvent{Do::kHide, {2}});
   EXPECT_EQ(resets.count(), 1);
-  desk.studio.open(Document{}, SheetPage{});
+  desk.studio.open(Document{}, Page{});
   EXPECT_EQ(desk.list->model()->rowCount(), 1);
 }
 

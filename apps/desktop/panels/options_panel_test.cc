@@ -141,7 +141,7 @@ TEST(OptionsPanel, FollowsWhatOthersSetAndAnotherDrawing) {
   studio.apply(SetOption{"pencil.max_width_mm", 12.5});
   EXPECT_EQ(shown(), 12.5);
   EXPECT_EQ(std::get<double>(studio.session().option("pencil.max_width_mm").value()), 12.5);
-  studio.open(Document{}, SheetPage{});
+  studio.open(Document{}, Page{});
   EXPECT_EQ(shown(), 12.5);
   studio.apply(SelectTool{"eraser"});
   EXPECT_EQ(panel.row("max_width_mm"), nullptr);

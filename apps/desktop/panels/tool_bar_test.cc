@@ -212,7 +212,7 @@ TEST(EditActions, NameTheStepAndDoItByKeys) {
   QTest::keyClick(&desk.window, Qt::Key_Y, Qt::ControlModifier);
   EXPECT_EQ(desk.studio.session().document().layers().size(), 2U);
   EXPECT_FALSE(desk.find("edit.redo")->isEnabled());
-  desk.studio.open(Document{}, SheetPage{});
+  desk.studio.open(Document{}, Page{});
   EXPECT_FALSE(desk.find("edit.undo")->isEnabled());
 }
 

@@ -34,7 +34,7 @@ ColorWell::ColorWell(Studio& studio, QWidget* parent) : QToolButton(parent), stu
   });
   setMenu(menu);
   connect(&studio, &Studio::option_changed, this, [this](const QString& id) {
-    if (id == QLatin1String("sheet.color")) follow();
+    if (id == QLatin1String("ink.color")) follow();
   });
   connect(&studio, &Studio::opened, this, &ColorWell::follow);
   connect(&studio, &Studio::page_changed, this, &ColorWell::follow);
@@ -42,7 +42,7 @@ ColorWell::ColorWell(Studio& studio, QWidget* parent) : QToolButton(parent), stu
 }
 
 void ColorWell::follow() {
-  const Rgba color = studio_.session().sheet().color();
+  const Rgba color = studio_.session().ink_color();
   const double dpr = devicePixelRatioF();
   QPixmap picture(kSizePx * dpr);
   picture.setDevicePixelRatio(dpr);

@@ -113,7 +113,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
       media_pictures_(new MediaPictures(*studio_, this)) {
   setObjectName(QStringLiteral("main"));
   new KeptOptions(*studio_, this);
-  setCentralWidget(sheet_with_notices());
+  setCentralWidget(canvas_with_notices());
   auto* pens = new PenInput(*canvas_);
   add_edit_actions(*actions_, *studio_);
   add_tool_actions(*actions_, *studio_);
@@ -151,7 +151,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
 }
 
 /// Returns the canvas with the messages about the device and about unsupported content above it.
-QWidget* MainWindow::sheet_with_notices() {
+QWidget* MainWindow::canvas_with_notices() {
   auto* middle = new QWidget(this);
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
@@ -195,9 +195,9 @@ void MainWindow::make_panels() {
   const OptionPicker media = [this](QWidget* parent) {
     return new MediaPicker(*studio_, *media_pictures_, parent);
   };
-  add_panel(QStringLiteral("options"), tr("Options"),
-            new OptionsPanel(*studio_, nullptr,
-                             {{drawing_option(studio_->session(), "material"), media}}));
+  add_panel(
+      QStringLiteral("options"), tr("Options"),
+      new OptionsPanel(*studio_, nullptr, {{drawing_option(studio_->session(), "medium"), media}}));
   auto* feel = new FeelPanel(*studio_);
   add_panel(QStringLiteral("feel"), tr("Feel"), scrolled(feel, tr("Feel")));
   connect(feel, &FeelPanel::wants_editor, this,

@@ -57,7 +57,7 @@ class MainWindow : public QMainWindow {
 
  private:
   QDockWidget* add_panel(const QString& name, const QString& title, QWidget* panel);
-  QWidget* sheet_with_notices();
+  QWidget* canvas_with_notices();
   void make_panels();
   void place_panels();
   void check_panel_actions();

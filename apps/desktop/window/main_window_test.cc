@@ -120,11 +120,11 @@ TEST(MainWindow, EveryControlHasAName) {
   Preferences preferences(window);
   for (const QString& page : preferences.page_names()) EXPECT_TRUE(preferences.page(page));
   GuideDialog guide(window.actions());
-  ShortcutSheet sheet(window.actions());
+  ShortcutSheet surface(window.actions());
   AboutDialog about;
   TourWindow tour;
   for (QWidget* widget : std::initializer_list<QWidget*>{
-           &window, &preferences, &guide, &sheet, &about, &tour, &window.material_editor()}) {
+           &window, &preferences, &guide, &surface, &about, &tour, &window.material_editor()}) {
     EXPECT_THAT(nameless_controls(*widget).join(QStringLiteral(", ")).toStdString(), IsEmpty())
         << widget->metaObject()->className();
   }
@@ -143,7 +143,7 @@ TEST(MainWindow, WhatAPersonMakesIsInEveryListAtOnce) {
   const auto lists = [](MainWindow& window) {
     window.materials().tell_now();
     int found = 0;
-    for (const char* name : {"top_sheets", "top_media"}) {
+    for (const char* name : {"top_surfaces", "top_media"}) {
       auto* box = window.findChild<QComboBox*>(QString::fromLatin1(name));
       found += box->findText(QStringLiteral("Slate")) >= 0;
       found += box->findText(QStringLiteral("Graphite")) >= 0;
@@ -159,12 +159,12 @@ TEST(MainWindow, WhatAPersonMakesIsInEveryListAtOnce) {
   };
   EXPECT_EQ(lists(one), 4);
   EXPECT_EQ(lists(other), 4) << "and in every window";
-  auto* sheets = one.findChild<QComboBox*>(QStringLiteral("top_sheets"));
-  const int row = sheets->findText(QStringLiteral("Slate"));
-  sheets->setCurrentIndex(row);
-  Q_EMIT sheets->activated(row);
-  EXPECT_EQ(one.studio().session().sheet().material().id, "slate");
-  one.studio().apply(SetOption{"sheet.material", OptionValue(std::string("paper"))});
+  auto* surfaces = one.findChild<QComboBox*>(QStringLiteral("top_surfaces"));
+  const int row = surfaces->findText(QStringLiteral("Slate"));
+  surfaces->setCurrentIndex(row);
+  Q_EMIT surfaces->activated(row);
+  EXPECT_EQ(one.studio().session().surface().id, "slate");
+  one.studio().apply(SetOption{"surface.material", OptionValue(std::string("paper"))});
   OwnMaterials::the().revert({true, "slate"});
   OwnMaterials::the().revert({false, "graphite"});
   EXPECT_EQ(lists(one), 0);
@@ -355,7 +355,7 @@ TEST(Windows, AFileThatCannotBeOpenedSaysSoInAWindowThatStays) {
   delete first;
 }
 
-TEST(MainWindow, TabHidesThePanelsWhileTheSheetHasTheFocus) {
+TEST(MainWindow, TabHidesThePanelsWhileTheCanvasHasTheFocus) {
   const auto window = shown_window();
   ASSERT_TRUE(window->canvas().hasFocus());
   QTest::keyClick(window->windowHandle(), Qt::Key_Tab);

@@ -45,9 +45,10 @@ constexpr std::array kMenus{
     MenuRow{"layer", QT_TRANSLATE_NOOP("Menus", "&Layer"),
             "layer.add layer.rename layer.remove - layer.show layer.lock - layer.raise "
             "layer.lower - layer.*"},
-    MenuRow{"feel", QT_TRANSLATE_NOOP("Menus", "F&eel"),
-            "feel.forces feel.forces_off feel.stronger feel.weaker - feel.sheet_* - feel.pressure "
-            "feel.sound - feel.*"},
+    MenuRow{
+        "feel", QT_TRANSLATE_NOOP("Menus", "F&eel"),
+        "feel.forces feel.forces_off feel.stronger feel.weaker - feel.surface_* - feel.pressure "
+        "feel.sound - feel.*"},
     MenuRow{"help", QT_TRANSLATE_NOOP("Menus", "&Help"),
             "help.guide help.tour help.shortcuts - help.example* - help.* - help.about"},
 };
@@ -63,7 +64,7 @@ constexpr std::array kSubmenus{
     SubmenuRow{"edit.palette_", QT_TRANSLATE_NOOP("Menus", "Pal&ette")},
     SubmenuRow{"view.scroll_", QT_TRANSLATE_NOOP("Menus", "&Scroll")},
     SubmenuRow{"view.panel_", QT_TRANSLATE_NOOP("Menus", "&Panels")},
-    SubmenuRow{"feel.sheet_", QT_TRANSLATE_NOOP("Menus", "S&urface")},
+    SubmenuRow{"feel.surface_", QT_TRANSLATE_NOOP("Menus", "S&urface")},
     SubmenuRow{"help.example_", QT_TRANSLATE_NOOP("Menus", "&Example drawings")},
 };
 

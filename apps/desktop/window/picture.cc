@@ -83,8 +83,8 @@ QString play(Studio& studio, const PictureRequest& request) {
 /// Opens the editor with this surface or medium, and waits for its previews.
 QWidget* open_materials(MainWindow& window, const QString& id) {
   MaterialEditor& editor = window.material_editor();
-  const bool is_sheet = window.studio().materials().find_surface(id.toStdString()) != nullptr;
-  if (!id.isEmpty()) window.materials().select({is_sheet, id.toStdString()});
+  const bool is_surface = window.studio().materials().find_surface(id.toStdString()) != nullptr;
+  if (!id.isEmpty()) window.materials().select({is_surface, id.toStdString()});
   editor.show();
   do {
     QThread::msleep(1);
@@ -137,7 +137,7 @@ int make_picture(const PictureRequest& request) {
                     }});
     if (!studio.use_device(shown_pen().id)) return 1;
   }
-  if (!request.example.isEmpty()) studio.open(example_document(request.example), SheetPage{});
+  if (!request.example.isEmpty()) studio.open(example_document(request.example), Page{});
   if (!request.script.isEmpty()) {
     if (const QString wrong = play(studio, request); !wrong.isEmpty()) return complain(wrong);
   }

@@ -67,7 +67,7 @@ TEST(ColorWell, ItsBorderIsSeenInBothThemes) {
     ColorWell well(studio);
     well.setPalette(palette_of(theme));
     for (const char* ink : {"#000000", "#ffffff"}) {
-      studio.apply(SetOption{"sheet.color", std::string(ink)});
+      studio.apply(SetOption{"ink.color", std::string(ink)});
       const QImage picture = well.icon().pixmap(well.iconSize()).toImage();
       EXPECT_GE(contrast(picture.pixelColor(0, 0), well.palette().color(QPalette::Window)), 2.0)
           << int(theme) << ", " << ink;

@@ -56,7 +56,7 @@ TopBar::TopBar(const Actions& actions, Canvas& canvas, const MediaPictures& pict
   add_media(pictures);
   addWidget(new ColorWell(studio_, this));
   add_size();
-  add_sheets();
+  add_surfaces();
   addSeparator();
   add_forces(actions);
   addSeparator();
@@ -149,7 +149,7 @@ void TopBar::add_media(const MediaPictures& pictures) {
     show();
   });
   connect(&studio_, &Studio::option_changed, this, [this, show](const QString& id) {
-    if (id.toStdString() == drawing_option(studio_.session(), "material")) show();
+    if (id.toStdString() == drawing_option(studio_.session(), "medium")) show();
   });
   connect(&studio_, &Studio::materials_changed, this, fill);
   connect(&studio_, &Studio::opened, this, fill);
@@ -165,12 +165,12 @@ void TopBar::add_size() {
   addWidget(field);
 }
 
-void TopBar::add_sheets() {
+void TopBar::add_surfaces() {
   QComboBox* box = add_list(tr("Surface:"), tr("Material of the surface"),
                             tr("How the surface feels and looks"));
-  box->setObjectName(QStringLiteral("top_sheets"));
+  box->setObjectName(QStringLiteral("top_surfaces"));
   const auto show = [this, box] {
-    box->setCurrentIndex(box->findData(text_of(studio_.session().sheet().material().id)));
+    box->setCurrentIndex(box->findData(text_of(studio_.session().surface().id)));
   };
   const auto fill = [this, box, show] {
     QList<Choice> all;
@@ -184,7 +184,7 @@ void TopBar::add_sheets() {
   connect(box, &QComboBox::activated, this,
           [this, box] { choose_material(studio_, box->currentData().toString()); });
   connect(&studio_, &Studio::option_changed, this, [show](const QString& id) {
-    if (id == QLatin1String("sheet.material")) show();
+    if (id == QLatin1String("surface.material")) show();
   });
   connect(&studio_, &Studio::materials_changed, this, fill);
   connect(&studio_, &Studio::opened, this, fill);

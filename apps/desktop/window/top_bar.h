@@ -27,7 +27,7 @@ class TopBar : public QToolBar {
   QComboBox* add_list(const QString& label, const QString& name, const QString& tip);
   void add_media(const MediaPictures& pictures);
   void add_size();
-  void add_sheets();
+  void add_surfaces();
 
   Studio& studio_;
   QAction* forces_ = nullptr;

@@ -85,7 +85,7 @@ MainWindow* Windows::pristine() const {
 
 MainWindow* Windows::open_drawing(const Document& drawing, const QString& title, MainWindow* here) {
   MainWindow* window = here && here->files().is_pristine() ? here : open();
-  window->files().show_unsaved(drawing, SheetPage{}, title);
+  window->files().show_unsaved(drawing, Page{}, title);
   window->canvas().fit_page();
   window->raise();
   window->activateWindow();

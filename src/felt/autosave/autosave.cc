@@ -45,13 +45,7 @@ std::vector<Event> context_of(const Session& session) {
   for (const AnyMaterial& own : not_built_in(session.materials())) {
     add(UseMaterial{write_material(own)});
   }
-  for (const auto& tool : session.tools()) {
-    for (const OptionSpec& row : tool->info().options) {
-      add_option(std::string(tool->info().id) + "." + std::string(row.id));
-    }
-  }
-  for (const OptionSpec& row : SheetOptions::table()) add_option("sheet." + std::string(row.id));
-  add_option("sheet.color");
+  for (const std::string& id : session.option_ids()) add_option(id);
   add(SelectTool{std::string(session.tool().info().id)});
   add(LayerEvent{LayerEvent::Do::kUse, session.layer(), {}});
   return events;
@@ -321,10 +315,10 @@ void Autosave::apply_to_head(const Event& event) {
   const auto* option = std::get_if<SetOption>(&event.what);
   const auto* text = option ? std::get_if<std::string>(&option->value) : nullptr;
   if (!text) return;
-  if (option->id == "sheet.material") {
+  if (option->id == "surface.material") {
     drawing_.page.surface = *text;
     is_info_written_ = false;
-  } else if (option->id == "sheet.color") {
+  } else if (option->id == "ink.color") {
     if (const auto color = color_from_text(*text)) drawing_.color = *color;
     is_info_written_ = false;
   }

@@ -19,14 +19,14 @@ constexpr std::size_t kMinLayerBytes = 13, kMinRunStrokeBytes = 12;
 constexpr std::uint8_t kRowVisible = 1, kRowLocked = 2;
 
 /// Appends a drawing without its strokes and layers, as the bytes of a .felt file.
-Result<void> append_sheet(ByteWriter& out, const Drawing& drawing) {
-  Drawing sheet;  // without document and extras
-  sheet.page = drawing.page;
-  sheet.color = drawing.color;
-  sheet.palette = drawing.palette;
-  sheet.view = drawing.view;
-  sheet.materials = drawing.materials;
-  const Result<std::string> bytes = felt_bytes(sheet);
+Result<void> append_page(ByteWriter& out, const Drawing& drawing) {
+  Drawing page;  // without document and extras
+  page.page = drawing.page;
+  page.color = drawing.color;
+  page.palette = drawing.palette;
+  page.view = drawing.view;
+  page.materials = drawing.materials;
+  const Result<std::string> bytes = felt_bytes(page);
   if (!bytes) return tl::unexpected(bytes.error());
   out.text(*bytes);
   return {};
@@ -98,7 +98,7 @@ Result<std::string> base_head_bytes(const Drawing& drawing) {
     out.u8(static_cast<std::uint8_t>((layer.visible ? kRowVisible : 0) |
                                      (layer.locked ? kRowLocked : 0)));
   }
-  if (auto ok = append_sheet(out, drawing); !ok) return tl::unexpected(ok.error());
+  if (auto ok = append_page(out, drawing); !ok) return tl::unexpected(ok.error());
   return bytes;
 }
 
@@ -160,7 +160,7 @@ Result<std::string> info_bytes(const AutosaveInfo& info) {
   out.text(std::string_view(info.path).substr(0, kMaxTextBytes));
   out.u8(info.modified ? 1 : 0);
   out.u64(info.head.layer.value);
-  if (auto ok = append_sheet(out, info.head); !ok) return tl::unexpected(ok.error());
+  if (auto ok = append_page(out, info.head); !ok) return tl::unexpected(ok.error());
   return bytes;
 }
 

@@ -41,7 +41,7 @@ TEST(Autosave, EveryToolsGestureIsThere) {
       desk.draw(7, 12);
       desk.apply(SelectStrokes{});
       desk.apply(SelectTool{tool});
-      desk.apply(SetOption{"sheet.color", "#2040a0"});
+      desk.apply(SetOption{"ink.color", "#2040a0"});
       for (int i = 0; i < steps; ++i) {
         desk.step();
         if (i % 5 == 2) desk.autosave->process();

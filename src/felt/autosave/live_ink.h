@@ -77,7 +77,7 @@ class LiveInk {
 
   std::map<std::string, OptionValue> options_;
   std::optional<UseDevice> device_;
-  std::map<std::string, std::string> materials_;  // texts by "sheet my-paper"
+  std::map<std::string, std::string> materials_;  // texts by "surface my-paper"
   std::string tool_;
   LayerId layer_;
   Selection selection_;

@@ -7,8 +7,8 @@
 
 #include "felt/document/document.h"
 #include "felt/document/edit.h"
+#include "felt/document/page.h"
 #include "felt/document/palette.h"
-#include "felt/document/sheet_page.h"
 
 namespace felt {
 
@@ -44,7 +44,7 @@ class DrawingExtras {
 /// selection. A copy shares the strokes and takes linear time in their number.
 struct Drawing {
   Document document{};
-  SheetPage page{};
+  Page page{};
   /// False if the file that it was read from has no page size. `page` then has the default size;
   /// its surface is valid.
   bool has_page = true;

@@ -10,7 +10,7 @@ std::size_t memory_of(const StrokePtr& stroke) noexcept {
   const StrokeData& d = stroke->data();
   return sizeof(Stroke) + d.points.capacity() * sizeof(Point) +
          d.joints.capacity() * sizeof(JointKind) + d.widths.capacity() * sizeof(WidthKnot) +
-         d.material.capacity();
+         d.medium.capacity();
 }
 
 }  // namespace

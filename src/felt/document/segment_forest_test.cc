@@ -222,9 +222,8 @@ TEST(SegmentForest, ClaimsNothingOfNonsenseAndLosesNothingFarAway) {
 }
 
 /// A page that grows with its strokes, so that the density stays about the same.
-struct Sheet {
-  explicit Sheet(int count, std::uint64_t seed = 1)
-      : random(seed), side_mm(8.0 * std::sqrt(count)) {
+struct Page {
+  explicit Page(int count, std::uint64_t seed = 1) : random(seed), side_mm(8.0 * std::sqrt(count)) {
     std::vector<SegmentForest::Change> changes;
     for (int i = 0; i < count; ++i) changes.push_back({StrokeId{++last_id}, fresh()});
     forest.update(changes);
@@ -238,12 +237,12 @@ struct Sheet {
   SegmentForest forest;
 };
 
-double mean_nodes(Sheet& sheet) {
+double mean_nodes(Page& page) {
   double nodes = 0.0;
   constexpr int kQueries = 2000;
   for (int i = 0; i < kQueries; ++i) {
     SegmentForest::Work work;
-    (void)sheet.forest.nearest(sheet.place(), 8.0, &work);
+    (void)page.forest.nearest(page.place(), 8.0, &work);
     nodes += work.nodes;
     EXPECT_LE(work.leaves, 12);
   }
@@ -251,30 +250,30 @@ double mean_nodes(Sheet& sheet) {
 }
 
 TEST(SegmentForest, AHundredTimesTheStrokesCostAQueryNoMore) {
-  Sheet small(1000), large(100000);
+  Page small(1000), large(100000);
   EXPECT_GT(large.forest.segment_count(), 900000u);
   EXPECT_LT(mean_nodes(large), 1.3 * mean_nodes(small));
 }
 
-TEST(SegmentForest, WhatAnEditSortsIsAFewLeavesHoweverLargeTheSheet) {
-  Sheet sheet(20000);
+TEST(SegmentForest, WhatAnEditSortsIsAFewLeavesHoweverLargeThePage) {
+  Page page(20000);
   std::uint64_t worst = 0;
-  std::uint64_t before = sheet.forest.sorted_count();
-  const std::uint64_t start = before, boxes_before = sheet.forest.sorted_leaf_count();
+  std::uint64_t before = page.forest.sorted_count();
+  const std::uint64_t start = before, boxes_before = page.forest.sorted_leaf_count();
   constexpr int kEdits = 5000;
   for (int i = 0; i < kEdits; ++i) {
-    const StrokeId id{static_cast<std::uint64_t>(sheet.random.pick(1, 25000))};
-    const SegmentForest::Change c{id, sheet.random.chance(0.2) ? nullptr : sheet.fresh()};
-    sheet.forest.update({&c, 1});
-    worst = std::max(worst, sheet.forest.sorted_count() - before);
-    before = sheet.forest.sorted_count();
+    const StrokeId id{static_cast<std::uint64_t>(page.random.pick(1, 25000))};
+    const SegmentForest::Change c{id, page.random.chance(0.2) ? nullptr : page.fresh()};
+    page.forest.update({&c, 1});
+    worst = std::max(worst, page.forest.sorted_count() - before);
+    before = page.forest.sorted_count();
   }
   EXPECT_LT(worst, 8 * SegmentForest::kLeafSegments);
   EXPECT_LT(static_cast<double>(before - start) / kEdits, 200.0);
   // The boxes of leaves are hardly ever sorted.
-  const std::uint64_t boxes = sheet.forest.sorted_leaf_count() - boxes_before;
+  const std::uint64_t boxes = page.forest.sorted_leaf_count() - boxes_before;
   EXPECT_LT(static_cast<double>(boxes) / kEdits, 20.0);
-  EXPECT_LT(mean_nodes(sheet), 60.0);
+  EXPECT_LT(mean_nodes(page), 60.0);
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ Result<void> set_hand(bool& left_handed, std::string_view text) {
 Result<void> set_scale(PlaneParts& parts, std::string_view text) {
   const auto read = numbers<1>(text);
   if (!read) return tl::unexpected(read.error());
-  if (!((*read)[0] >= kSmallestSheetScale && (*read)[0] <= kLargestSheetScale)) {
+  if (!((*read)[0] >= kMinPageScale && (*read)[0] <= kMaxPageScale)) {
     return invalid_data("is not between 0.5 and 2");
   }
   parts.scale = (*read)[0];

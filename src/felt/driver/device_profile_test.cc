@@ -201,7 +201,7 @@ TEST(DeviceProfile, NoBytesAreTooOddToRead) {
     if (!read) {
       EXPECT_THAT(read.error().message, StartsWith("f:"));
     } else if (read->plane) {
-      EXPECT_TRUE(std::isfinite(norm(read->plane->to_sheet(Vec3{1, 2, 3}))));
+      EXPECT_TRUE(std::isfinite(norm(read->plane->to_page(Vec3{1, 2, 3}))));
     }
   }
 }

@@ -56,13 +56,13 @@ void OpenDevice::set_profile(DeviceProfile profile) {
     plane_ = profile.plane.value_or(default_plane_);
   }
   is_mapped_ = plane_ != PlaneCalibration();
-  capabilities_ = plane_.to_sheet(limited_by(profile, device_.capabilities()));
+  capabilities_ = plane_.to_page(limited_by(profile, device_.capabilities()));
 }
 
 void OpenDevice::map(PenSample& sample) const noexcept {
   if (!is_mapped_) return;
-  sample.position = plane_.to_sheet(sample.position);
-  sample.velocity = plane_.turn_to_sheet(sample.velocity);
+  sample.position = plane_.to_page(sample.position);
+  sample.velocity = plane_.turn_to_page(sample.velocity);
 }
 
 tl::expected<PenSample, DeviceFault> OpenDevice::read(std::int64_t now_ns) noexcept {
@@ -70,7 +70,7 @@ tl::expected<PenSample, DeviceFault> OpenDevice::read(std::int64_t now_ns) noexc
   if (!sample) return sample;
   map(*sample);
   if (const std::optional<Vec3> axis = device_.pen_axis()) {
-    sample->tilt_deg = tilt_of_axis(plane_.turn_to_sheet(*axis));
+    sample->tilt_deg = tilt_of_axis(plane_.turn_to_page(*axis));
   }
   return sample;
 }
@@ -87,7 +87,7 @@ tl::expected<void, DeviceFault> OpenDevice::write(const Force& force) noexcept {
 
 std::optional<Force> OpenDevice::held_force() const noexcept {
   std::optional<Force> held = device_.held_force();
-  if (held && is_mapped_) held = plane_.turn_to_sheet(*held);
+  if (held && is_mapped_) held = plane_.turn_to_page(*held);
   return held;
 }
 

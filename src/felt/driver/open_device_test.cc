@@ -44,7 +44,7 @@ TEST(OpenDevice, MapsPlacesInAndForcesOut) {
 
 // The tilt of the pen is measured against the surface. So it changes with the tilt of the board,
 // even if the pen does not move.
-TEST(OpenDevice, ThePenTiltsAgainstTheSheetNotTheDevice) {
+TEST(OpenDevice, ThePenTiltsAgainstThePageNotTheDevice) {
   ScriptedDevice inner;
   OpenDevice device(inner, leaning());
   EXPECT_EQ(device.read(1)->tilt_deg, std::nullopt) << "no device, no tilt";
@@ -59,7 +59,7 @@ TEST(OpenDevice, ThePenTiltsAgainstTheSheetNotTheDevice) {
   EXPECT_EQ(device.read(5)->tilt_deg, 45.0);
 }
 
-TEST(OpenDevice, TheScaleOfTheSheetTurnsNoPen) {
+TEST(OpenDevice, TheScaleOfThePageTurnsNoPen) {
   ScriptedDevice inner;
   inner.axis = Vec3{1, 2, 4};
   const auto tilt = [&](double scale) {
@@ -134,7 +134,7 @@ TEST(OpenDevice, AProfileIsItsPlaneAndItsLimits) {
   const auto device = opened(arm, {});
   const PlaneCalibration usual = ScriptedDriver(arm).default_plane(arm->descriptor, {});
   EXPECT_EQ(device->plane(), usual);
-  EXPECT_EQ(device->capabilities(), usual.to_sheet(can));
+  EXPECT_EQ(device->capabilities(), usual.to_page(can));
   DeviceProfile profile;
   profile.plane = PlaneCalibration::from(leaning().rows(), {1, 2, 3}, 2.0);
   profile.stiffness_cap_n_per_m = 100;

@@ -36,10 +36,10 @@ PlaneCalibration fit_to_page(const PlaneCalibration& plane, const DrawingArea& a
   double wanted = scale.value_or(
       std::max(ratio(page.width(), area.width_mm), ratio(page.height(), area.height_mm)));
   if (!std::isfinite(wanted)) wanted = 1.0;
-  wanted = std::clamp(wanted, kSmallestSheetScale, kLargestSheetScale);
+  wanted = std::clamp(wanted, kMinPageScale, kMaxPageScale);
   const auto turned = PlaneCalibration::from(plane.rows(), {}, wanted);
   if (!turned) return plane;
-  const Vec3 middle = turned->to_sheet(area.middle_mm);
+  const Vec3 middle = turned->to_page(area.middle_mm);
   // Heights above the page are scaled like all other lengths.
   const Vec3 offset{0.5 * (page.x0 + page.x1) - middle.x, 0.5 * (page.y0 + page.y1) - middle.y,
                     plane.offset().z * wanted / plane.scale()};

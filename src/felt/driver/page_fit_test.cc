@@ -36,7 +36,7 @@ struct AnyPlane {
   std::mt19937 random;
 };
 
-TEST(PageFit, TheMiddleLiesOnTheMiddleOfThePageAndTheSheetStaysWhereItIs) {
+TEST(PageFit, TheMiddleLiesOnTheMiddleOfThePageAndThePlaneStaysWhereItIs) {
   for (std::uint32_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
     AnyPlane any(seed);
@@ -46,16 +46,16 @@ TEST(PageFit, TheMiddleLiesOnTheMiddleOfThePageAndTheSheetStaysWhereItIs) {
     const PlaneCalibration fit = fit_to_page(plane, area, kPage, wanted);
     EXPECT_EQ(fit.scale(), wanted);
     EXPECT_EQ(fit.rows(), plane.rows());
-    const Vec3 middle = fit.to_sheet(area.middle_mm);
+    const Vec3 middle = fit.to_page(area.middle_mm);
     EXPECT_NEAR(middle.x, 148.5, 1e-9);
     EXPECT_NEAR(middle.y, 105.0, 1e-9);
     // Points on the page stay on the page.
-    const Vec3 on_sheet = plane.to_device(Vec3{any.between(0, 300), any.between(0, 200), 0});
-    EXPECT_NEAR(fit.to_sheet(on_sheet).z, 0.0, 1e-9);
+    const Vec3 on_page = plane.to_device(Vec3{any.between(0, 300), any.between(0, 200), 0});
+    EXPECT_NEAR(fit.to_page(on_page).z, 0.0, 1e-9);
     // A distance that the hand moves is multiplied by the scale on the page.
     const Vec3 a = any.place(60), b = any.place(60);
-    EXPECT_NEAR(norm(fit.to_sheet(a) - fit.to_sheet(b)), wanted * norm(a - b), 1e-9);
-    EXPECT_NEAR(norm(fit.to_device(fit.to_sheet(a)) - a), 0.0, 1e-9);
+    EXPECT_NEAR(norm(fit.to_page(a) - fit.to_page(b)), wanted * norm(a - b), 1e-9);
+    EXPECT_NEAR(norm(fit.to_device(fit.to_page(a)) - a), 0.0, 1e-9);
   }
 }
 
@@ -98,7 +98,7 @@ TEST(PageFit, ReachIsWhatAStraightWayThroughTheMiddleHas) {
 }
 
 // Measures the relations in plane_calibration.h at the device, through OpenDevice.
-TEST(ScaledSheet, ForceStiffnessDampingAndWorkAreWhatTheHeaderSays) {
+TEST(ScaledPage, ForceStiffnessDampingAndWorkAreWhatTheHeaderSays) {
   for (std::uint32_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
     AnyPlane any(seed);
@@ -129,7 +129,7 @@ TEST(ScaledSheet, ForceStiffnessDampingAndWorkAreWhatTheHeaderSays) {
   }
 }
 
-TEST(ScaledSheet, NoCapOfTheDeviceIsExceededAtTheHand) {
+TEST(ScaledPage, NoCapOfTheDeviceIsExceededAtTheHand) {
   Capabilities touch;
   touch.max_force_n = 3.3;
   touch.continuous_force_n = 0.88;
@@ -141,7 +141,7 @@ TEST(ScaledSheet, NoCapOfTheDeviceIsExceededAtTheHand) {
   for (const double s : {0.5, 0.8, 1.0, 1.25, 2.0}) {
     SCOPED_TRACE(s);
     const auto plane = *PlaneCalibration::from({Vec3{1, 0, 0}, {0, -1, 0}, {0, 0, 1}}, {}, s);
-    const Capabilities mapped = plane.to_sheet(touch);
+    const Capabilities mapped = plane.to_page(touch);
     const SafetyLimits limits = limits_for(mapped);
     EXPECT_TRUE(is_sound(limits));
     EXPECT_EQ(limits.peak_force_n, plain.peak_force_n);
@@ -153,11 +153,11 @@ TEST(ScaledSheet, NoCapOfTheDeviceIsExceededAtTheHand) {
     EXPECT_LE(limits.cut_m_per_s / s, plain.cut_m_per_s + 1e-12);
     Capabilities soft = touch;
     soft.max_stiffness_n_per_m = 400;
-    EXPECT_NEAR(s * limits_for(plane.to_sheet(soft)).max_stiffness_n_per_m, 360.0, 1e-9);
+    EXPECT_NEAR(s * limits_for(plane.to_page(soft)).max_stiffness_n_per_m, 360.0, 1e-9);
   }
 }
 
-TEST(ScaledSheet, AScaleOutOfBoundsIsNoMap) {
+TEST(ScaledPage, AScaleOutOfBoundsIsNoMap) {
   const std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   for (const double odd : {0.0, -1.0, 0.49, 2.01, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_FALSE(PlaneCalibration::from(rows, {}, odd).has_value()) << odd;

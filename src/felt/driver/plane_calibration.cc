@@ -84,7 +84,7 @@ Result<void> check(std::span<const PlaneTouch> touches) {
                 "a plane needs three touches, and there are " + std::to_string(touches.size()));
   }
   for (const PlaneTouch& touch : touches) {
-    if (!is_near(touch.device_mm) || !is_near({touch.sheet_mm.x, touch.sheet_mm.y, 0.0})) {
+    if (!is_near(touch.device_mm) || !is_near({touch.page_mm.x, touch.page_mm.y, 0.0})) {
       return fail(ErrorCode::kInvalidArgument, "a touch is not at a place that can be");
     }
   }
@@ -106,12 +106,12 @@ struct Turn {
   double gain = 0.0;        // sum of products; a larger sum means a smaller residual
 };
 
-Turn best_turn(std::span<const PlaneTouch> touches, const Vec3& middle, Point sheet_middle,
+Turn best_turn(std::span<const PlaneTouch> touches, const Vec3& middle, Point page_middle,
                const Vec3& u, const Vec3& v) noexcept {
   double along = 0.0, across = 0.0;
   for (const PlaneTouch& touch : touches) {
     const Vec3 d = touch.device_mm - middle;
-    const Vec s = touch.sheet_mm - sheet_middle;
+    const Vec s = touch.page_mm - page_middle;
     const double x = dot(u, d), y = dot(v, d);
     along += x * s.x + y * s.y;
     across += x * s.y - y * s.x;
@@ -126,7 +126,7 @@ Turn best_turn(std::span<const PlaneTouch> touches, const Vec3& middle, Point sh
 std::optional<PlaneCalibration> PlaneCalibration::from(const std::array<Vec3, 3>& rows,
                                                        const Vec3& offset, double scale) {
   if (!is_near(offset)) return std::nullopt;
-  if (!(scale >= kSmallestSheetScale && scale <= kLargestSheetScale)) return std::nullopt;
+  if (!(scale >= kMinPageScale && scale <= kMaxPageScale)) return std::nullopt;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!is_near(rows[i]) || std::fabs(norm(rows[i]) - 1.0) > kRigid) return std::nullopt;
     if (std::fabs(dot(rows[i], rows[(i + 1) % 3])) > kRigid) return std::nullopt;
@@ -147,17 +147,17 @@ double PlaneCalibration::tilt_deg() const noexcept {
   return std::acos(cosine) * (180.0 / 3.14159265358979323846);
 }
 
-Capabilities PlaneCalibration::to_sheet(const Capabilities& device) const noexcept {
+Capabilities PlaneCalibration::to_page(const Capabilities& device) const noexcept {
   Capabilities mapped = device;
   mapped.max_stiffness_n_per_m /= scale_;
   mapped.max_damping_n_s_per_m /= scale_;
   mapped.position_step_mm *= scale_;
-  mapped.sheet_scale = scale_;
+  mapped.page_scale = scale_;
   const Vec3 &low = device.workspace_min, &high = device.workspace_max;
-  mapped.workspace_min = mapped.workspace_max = to_sheet(low);
+  mapped.workspace_min = mapped.workspace_max = to_page(low);
   for (int corner = 1; corner < 8; ++corner) {
-    const Vec3 p = to_sheet(Vec3{corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
-                                 corner & 4 ? high.z : low.z});
+    const Vec3 p = to_page(Vec3{corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
+                                corner & 4 ? high.z : low.z});
     Vec3 &least = mapped.workspace_min, &most = mapped.workspace_max;
     least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
     most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
@@ -180,12 +180,12 @@ Result<PlaneFit> fit_plane(std::span<const PlaneTouch> touches, Handedness devic
   if (Result<void> checked = check(touches); !checked) return tl::unexpected(checked.error());
   const double share = 1.0 / static_cast<double>(touches.size());
   Vec3 middle{};
-  Vec sheet{};
+  Vec page{};
   for (const PlaneTouch& touch : touches) {
     middle += share * touch.device_mm;
-    sheet = sheet + share * (touch.sheet_mm - Point{});
+    page = page + share * (touch.page_mm - Point{});
   }
-  const Point sheet_middle = Point{} + sheet;
+  const Point page_middle = Point{} + page;
   const Axes axes = spread_of(touches, middle);
   if (!(std::sqrt(std::max(0.0, axes.values[1])) >= kMinBesideMm)) {
     return fail(ErrorCode::kInvalidArgument,
@@ -193,8 +193,8 @@ Result<PlaneFit> fit_plane(std::span<const PlaneTouch> touches, Handedness devic
   }
   const Vec3 &u = axes.vectors[0], &v = axes.vectors[1];
   const Vec3 normal = cross(u, v);
-  const Turn plain = best_turn(touches, middle, sheet_middle, u, v);
-  const Turn mirrored = best_turn(touches, middle, sheet_middle, u, -v);
+  const Turn plain = best_turn(touches, middle, page_middle, u, v);
+  const Turn mirrored = best_turn(touches, middle, page_middle, u, -v);
   const bool flip = mirrored.gain > plain.gain;
   const Turn& turn = flip ? mirrored : plain;
   const Vec3 w = flip ? -v : v;
@@ -203,14 +203,14 @@ Result<PlaneFit> fit_plane(std::span<const PlaneTouch> touches, Handedness devic
   const std::array<Vec3, 3> rows{turn.a * u - turn.b * w, turn.b * u + turn.a * w,
                                  (flip ? -wanted : wanted) * normal};
   const PlaneCalibration turned = *PlaneCalibration::from(rows, {});
-  const Vec3 offset = Vec3{sheet_middle.x, sheet_middle.y, 0.0} - turned.to_sheet(middle);
+  const Vec3 offset = Vec3{page_middle.x, page_middle.y, 0.0} - turned.to_page(middle);
   const auto calibration = PlaneCalibration::from(rows, offset);
   if (!calibration) return fail(ErrorCode::kInvalidArgument, "the touches lie too far away");
   PlaneFit fit{*calibration};
   double sum = 0.0;
   for (const PlaneTouch& touch : touches) {
-    const Vec3 at = calibration->to_sheet(touch.device_mm);
-    const double off = norm(at - Vec3{touch.sheet_mm.x, touch.sheet_mm.y, 0.0});
+    const Vec3 at = calibration->to_page(touch.device_mm);
+    const double off = norm(at - Vec3{touch.page_mm.x, touch.page_mm.y, 0.0});
     sum += off * off;
     fit.worst_mm = std::max(fit.worst_mm, off);
   }

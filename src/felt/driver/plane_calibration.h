@@ -45,14 +45,14 @@ class PlaneCalibration {
                                               double scale = 1.0);
 
   /// Maps a position from the device's frame to the page's, mm.
-  [[nodiscard]] constexpr Vec3 to_sheet(const Vec3& device_mm) const noexcept {
-    return turn_to_sheet(device_mm) + offset_;
+  [[nodiscard]] constexpr Vec3 to_page(const Vec3& device_mm) const noexcept {
+    return turn_to_page(device_mm) + offset_;
   }
-  [[nodiscard]] constexpr Vec3 to_device(const Vec3& sheet_mm) const noexcept {
-    return turn_to_device(sheet_mm - offset_);
+  [[nodiscard]] constexpr Vec3 to_device(const Vec3& page_mm) const noexcept {
+    return turn_to_device(page_mm - offset_);
   }
   /// Maps a displacement or a velocity from the device's frame to the page's.
-  [[nodiscard]] constexpr Vec3 turn_to_sheet(const Vec3& v) const noexcept {
+  [[nodiscard]] constexpr Vec3 turn_to_page(const Vec3& v) const noexcept {
     return {scale_ * dot(rows_[0], v), scale_ * dot(rows_[1], v), scale_ * dot(rows_[2], v)};
   }
   [[nodiscard]] constexpr Vec3 turn_to_device(const Vec3& v) const noexcept {
@@ -64,14 +64,14 @@ class PlaneCalibration {
     const Vec3 v = f.x * rows_[0] + f.y * rows_[1] + f.z * rows_[2];
     return {v.x, v.y, v.z};
   }
-  [[nodiscard]] constexpr Force turn_to_sheet(const Force& f) const noexcept {
+  [[nodiscard]] constexpr Force turn_to_page(const Force& f) const noexcept {
     const Vec3 v{f.x, f.y, f.z};
     return {dot(v, rows_[0]), dot(v, rows_[1]), dot(v, rows_[2])};
   }
   /// Returns the device's capabilities in the frame of the surface: the bounding box of its
   /// workspace, its maximum stiffness and damping divided by the scale, and its resolution
   /// multiplied by the scale.
-  [[nodiscard]] Capabilities to_sheet(const Capabilities& device) const noexcept;
+  [[nodiscard]] Capabilities to_page(const Capabilities& device) const noexcept;
 
   /// Returns the axes of the surface in the device's frame, each of length 1.
   [[nodiscard]] constexpr const std::array<Vec3, 3>& rows() const noexcept { return rows_; }
@@ -96,7 +96,7 @@ class PlaneCalibration {
 /// A position that the pen touched in the device's frame, and its position on the page.
 struct PlaneTouch {
   Vec3 device_mm;
-  Point sheet_mm;
+  Point page_mm;
 };
 
 /// Handedness of a frame.

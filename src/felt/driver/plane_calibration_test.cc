@@ -45,13 +45,13 @@ TEST(PlaneCalibration, ThereAndBackIsTheSamePlaceAndPowerIsKept) {
     AnyMap any(seed);
     const PlaneCalibration map = any.map(seed % 2 == 0);
     const Vec3 p = any.place(500.0), v = any.place(400.0), f = any.place(3.0);
-    expect_near(map.to_device(map.to_sheet(p)), p, 1e-9);
-    expect_near(map.turn_to_device(map.turn_to_sheet(v)), v, 1e-9);
-    EXPECT_NEAR(norm(map.turn_to_sheet(v)), norm(v), 1e-9);
+    expect_near(map.to_device(map.to_page(p)), p, 1e-9);
+    expect_near(map.turn_to_device(map.turn_to_page(v)), v, 1e-9);
+    EXPECT_NEAR(norm(map.turn_to_page(v)), norm(v), 1e-9);
     // Work in the frame of the surface equals work in the frame of the device.
-    const Force sheet_force{f.x, f.y, f.z};
-    EXPECT_NEAR(work_mj(sheet_force, map.turn_to_sheet(v)),
-                work_mj(map.turn_to_device(sheet_force), v), 1e-9);
+    const Force page_force{f.x, f.y, f.z};
+    EXPECT_NEAR(work_mj(page_force, map.turn_to_page(v)),
+                work_mj(map.turn_to_device(page_force), v), 1e-9);
     EXPECT_EQ(map.mirrors(), seed % 2 == 0);
   }
 }
@@ -73,7 +73,7 @@ TEST(PlaneCalibration, FindsAnyPlaneFromTouchesThatAreExact) {
     EXPECT_LT(fit->worst_mm, 1e-6);
     for (int i = 0; i < 5; ++i) {
       const Vec3 p = any.place(200.0);
-      expect_near(fit->calibration.to_sheet(p), truth.to_sheet(p), 1e-5);
+      expect_near(fit->calibration.to_page(p), truth.to_page(p), 1e-5);
     }
   }
 }
@@ -99,7 +99,7 @@ TEST(PlaneCalibration, NoisyTouchesGiveTheirResidualAndAPlaneThatIsNoWorse) {
     EXPECT_LE(fit->rms_mm, fit->worst_mm + 1e-12);
     const Vec3 middle = truth.to_device(Vec3{75, 55, 0});
     worst_tilt_mm =
-        std::max(worst_tilt_mm, norm(fit->calibration.to_sheet(middle) - Vec3{75, 55, 0}));
+        std::max(worst_tilt_mm, norm(fit->calibration.to_page(middle) - Vec3{75, 55, 0}));
   }
   EXPECT_LT(worst_tilt_mm, 0.6);
 }
@@ -112,8 +112,8 @@ TEST(PlaneCalibration, ForcesPointTheRightWayOnEachAxis) {
   ASSERT_TRUE(fit.has_value());
   const PlaneCalibration& map = fit->calibration;
   EXPECT_TRUE(map.mirrors());
-  expect_near(map.to_sheet(Vec3{-60, 50, -20}), {0, 0, 0}, 1e-9);
-  expect_near(map.to_sheet(Vec3{60, -40, -15}), {120, 90, 5}, 1e-9);  // above the page: z > 0
+  expect_near(map.to_page(Vec3{-60, 50, -20}), {0, 0, 0}, 1e-9);
+  expect_near(map.to_page(Vec3{60, -40, -15}), {120, 90, 5}, 1e-9);  // above the page: z > 0
   const auto device = [&](const Force& f) {
     const Force g = map.turn_to_device(f);
     return Vec3{g.x, g.y, g.z};
@@ -169,10 +169,10 @@ TEST(PlaneCalibration, TheWorkspaceHoldsAllThatTheDeviceReaches) {
     SCOPED_TRACE(seed);
     AnyMap any(seed);
     const PlaneCalibration map = any.map(true);
-    const Capabilities mapped = map.to_sheet(device);
+    const Capabilities mapped = map.to_page(device);
     EXPECT_EQ(mapped.max_force_n, device.max_force_n);
     const Vec3 inside{any.between(-80, 80), any.between(-60, 60), any.between(-35, 35)};
-    const Vec3 p = map.to_sheet(inside);
+    const Vec3 p = map.to_page(inside);
     EXPECT_GE(p.x, mapped.workspace_min.x - 1e-9);
     EXPECT_LE(p.x, mapped.workspace_max.x + 1e-9);
     EXPECT_GE(p.z, mapped.workspace_min.z - 1e-9);

@@ -19,9 +19,9 @@ std::vector<std::string> texts_of_used(const Document& document, std::string_vie
   }
   std::vector<std::string> texts;
   for (const AnyMaterial& material : own) {
-    const bool is_sheet = std::holds_alternative<SurfaceMaterial>(material);
+    const bool is_surface = std::holds_alternative<SurfaceMaterial>(material);
     const std::string& id = id_of(material);
-    const bool is_used = is_sheet ? id == surface : media.contains(id);
+    const bool is_used = is_surface ? id == surface : media.contains(id);
     if (is_used && material_error(material).empty()) {
       add_material_text(texts, write_material(material));
     }

@@ -37,7 +37,7 @@ Medium my_pen(const std::string& id) {
 /// Returns a drawing with one stroke of that medium on that surface.
 Drawing drawing_of(const std::string& medium, const std::string& surface) {
   StrokeData data = testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
-  data.material = medium;
+  data.medium = medium;
   Drawing drawing = testing::drawing_of({Stroke::create(data).value()});
   drawing.has_page = true;
   drawing.page.surface = surface;
@@ -66,7 +66,7 @@ TEST(DrawingMaterials, ADrawingBringsWhatItUses) {
   EXPECT_EQ(back.find_medium("other-pen"), nullptr);
 }
 
-TEST(DrawingMaterials, TravelInEveryFormatThatHasASheet) {
+TEST(DrawingMaterials, TravelInEveryFormatThatHasAPage) {
   Drawing drawing = drawing_of("my-pen", "my-paper");
   drawing.materials = {write_material(my_paper()), write_material(my_pen("my-pen"))};
   for (const FileFormat format : {FileFormat::kFelt, FileFormat::kSvg, FileFormat::kInkml}) {
@@ -95,7 +95,7 @@ TEST(DrawingMaterials, ABadOneIsNamedAndTheDrawingOpens) {
   }
 }
 
-TEST(DrawingMaterials, TheGrainIsThatOfTheSheet) {
+TEST(DrawingMaterials, TheGrainIsThatOfTheSurface) {
   EXPECT_FALSE(grain_of(drawing_of("pencil", "")).value().is_smooth());  // paper
   EXPECT_TRUE(grain_of(drawing_of("pencil", "glass")).value().is_smooth());
   Drawing drawing = drawing_of("pencil", "my-paper");
@@ -122,7 +122,7 @@ TEST(DrawingMaterials, WhatIsKnownHereCountsWhereTheDrawingSaysNothing) {
 }
 
 // A picture of a part of the page, or of a drawing without a page size, names its surface.
-TEST(DrawingMaterials, TheSheetIsNamedWithoutAPage) {
+TEST(DrawingMaterials, TheSurfaceIsNamedWithoutAPage) {
   Drawing drawing = drawing_of("pencil", "wood");
   const auto expect_surface = [&](FileFormat format, const WriteOptions& options) {
     const std::string bytes = drawing_bytes(drawing, format, options).value();

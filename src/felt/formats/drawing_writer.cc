@@ -11,7 +11,7 @@
 #include "felt/io/picture/png.h"
 #include "felt/io/svg/svg_writer.h"
 #include "felt/io/xopp/xopp_writer.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/store/felt_file.h"
 
 namespace felt {
@@ -20,7 +20,7 @@ namespace {
 Result<std::string> png_bytes(const Drawing& drawing, const WriteOptions& options) {
   PageOptions options_of_page;
   options_of_page.dpi = options.dpi;
-  options_of_page.sheet = options.area.value_or(drawing.page.area());
+  options_of_page.area = options.area.value_or(drawing.page.area());
   options_of_page.paper = options.paper.value_or(drawing.page.paper);
   options_of_page.grain = options.grain;
   Result<PagePainter> page = PagePainter::create({}, options_of_page);
@@ -65,9 +65,9 @@ Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, File
       return line_parts(drawing);
     case FileFormat::kSvg:
       return svg_parts(drawing,
-                       {.sheet = options.area, .paper = paper, .grain = options.grain_print});
+                       {.area = options.area, .paper = paper, .grain = options.grain_print});
     case FileFormat::kPdf:
-      return pdf_parts(drawing, {.sheet = area, .paper = paper, .grain = options.grain_print});
+      return pdf_parts(drawing, {.area = area, .paper = paper, .grain = options.grain_print});
     case FileFormat::kPng:
       return whole([&drawing, options] { return png_bytes(drawing, options); });
     case FileFormat::kInkml:

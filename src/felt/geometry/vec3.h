@@ -51,7 +51,7 @@ inline double norm(const Vec3& a) noexcept {
   return std::sqrt(norm_squared(a));
 }
 /// Returns the point of the page straight below `a`.
-constexpr Point on_sheet(const Vec3& a) noexcept {
+constexpr Point on_page(const Vec3& a) noexcept {
   return {a.x, a.y};
 }
 /// Returns the component in the plane of the page.

@@ -7,9 +7,9 @@
 
 namespace felt {
 
-/// Bounds of Capabilities::sheet_scale.
-inline constexpr double kSmallestSheetScale = 0.5;
-inline constexpr double kLargestSheetScale = 2.0;
+/// Bounds of Capabilities::page_scale.
+inline constexpr double kMinPageScale = 0.5;
+inline constexpr double kMaxPageScale = 2.0;
 
 /// What a device can do, in the frame of the surface (R55). Trivially copyable, so that the haptic
 /// thread, the code that makes force models, and the limiter all read the same numbers. A mouse or
@@ -33,7 +33,7 @@ struct Capabilities {
   /// Millimetres on the page for one millimetre of the hand, 0.5..2 (PlaneCalibration::scale). The
   /// lengths, stiffness and damping in this struct are those on the page; forces are not scaled.
   /// limits_for() applies its bounds at the hand.
-  double sheet_scale = 1.0;
+  double page_scale = 1.0;
 
   /// Returns true if the device can output any force.
   [[nodiscard]] constexpr bool has_force() const noexcept {

@@ -87,7 +87,7 @@ CueInput cue_input_of(const PenSample& sample, const SurfaceMaterial& surface) n
   now.time_ns = sample.time_ns;
   now.touches = in_contact(sample);
   now.height_mm = finite_positive(sample.position.z);
-  now.place = on_sheet(sample.position);
+  now.place = on_page(sample.position);
   now.speed_mm_per_s = std::hypot(sample.velocity.x, sample.velocity.y);
   if (!now.touches) return now;
   now.push_n = sample.pressure

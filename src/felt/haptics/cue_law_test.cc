@@ -68,9 +68,9 @@ TEST(RubIntensity, IsNothingAtRestWithoutPushAndForNonsense) {
 
 RC_GTEST_PROP(RubIntensity, GrowsWithSpeedAndPushAndStaysWithinOne, ()) {
   const auto& tool = media()[*rc::gen::inRange<std::size_t>(0, media().size())];
-  const auto& sheet =
+  const auto& surface =
       surface_materials()[*rc::gen::inRange<std::size_t>(0, surface_materials().size())];
-  CueFeel feel = cue_feel_of(tool, sheet);
+  CueFeel feel = cue_feel_of(tool, surface);
   feel.wear = std::min(feel.wear, 0.5);  // greater wear may remove more than the push adds
   const double v = 0.1 * *rc::gen::inRange(0, 10000), f = 0.01 * *rc::gen::inRange(0, 500);
   const double more_v = v + 0.1 * *rc::gen::inRange(0, 1000);
@@ -86,9 +86,9 @@ RC_GTEST_PROP(RubIntensity, GrowsWithSpeedAndPushAndStaysWithinOne, ()) {
   RC_ASSERT(rub_intensity(feel, more_v, more_f) - i <= std::sqrt(dp / 75.0) + 1e-12);
 }
 
-TEST(CueFeel, FollowsToolAndSheet) {
-  const auto feel = [](std::string_view tool, std::string_view sheet) {
-    return cue_feel_of(*find_medium(tool), *find_surface(sheet));
+TEST(CueFeel, FollowsToolAndSurface) {
+  const auto feel = [](std::string_view tool, std::string_view surface) {
+    return cue_feel_of(*find_medium(tool), *find_surface(surface));
   };
   EXPECT_EQ(feel("pencil", "paper").waveform, CueWaveform::kPencil);
   EXPECT_EQ(feel("pencil", "glass").waveform, CueWaveform::kInk);
@@ -112,11 +112,11 @@ TEST(CueFeel, FollowsToolAndSheet) {
   EXPECT_EQ(cue_feel_of(mine, *find_surface("paper")).waveform, CueWaveform::kMarker);
 }
 
-TEST(CueFeel, HasTheReliefOfTheSheetAndTheMediumsShareOfIt) {
-  for (const SurfaceMaterial& sheet : surface_materials()) {
+TEST(CueFeel, HasTheReliefOfTheSurfaceAndTheMediumsShareOfIt) {
+  for (const SurfaceMaterial& surface : surface_materials()) {
     for (const Medium& tool : media()) {
-      const CueFeel feel = cue_feel_of(tool, sheet);
-      EXPECT_EQ(feel.relief, surface_grain(sheet)) << "the one of the hand (R47)";
+      const CueFeel feel = cue_feel_of(tool, surface);
+      EXPECT_EQ(feel.relief, surface_grain(surface)) << "the one of the hand (R47)";
       EXPECT_EQ(feel.grain, tool.grain);
       EXPECT_EQ(feel.wear, tool.wear);
     }
@@ -134,11 +134,11 @@ TEST(RubIntensity, AFirmPushWearsTheRoughnessButNotTheRubbing) {
               0.4 / feel.roughness, 1e-12);
 }
 
-RC_GTEST_PROP(HillSwell, IsBoundedContinuousAndTellsTheHillsOfTheSheet, ()) {
+RC_GTEST_PROP(HillSwell, IsBoundedContinuousAndTellsTheHillsOfTheSurface, ()) {
   const auto& tool = media()[*rc::gen::inRange<std::size_t>(0, media().size())];
-  const auto& sheet =
+  const auto& surface =
       surface_materials()[*rc::gen::inRange<std::size_t>(0, surface_materials().size())];
-  const CueFeel feel = cue_feel_of(tool, sheet);
+  const CueFeel feel = cue_feel_of(tool, surface);
   CueInput now{.touches = true};
   now.speed_mm_per_s = 0.1 * *rc::gen::inRange(0, 600);
   now.push_n = 0.01 * *rc::gen::inRange(0, 300);
@@ -152,11 +152,11 @@ RC_GTEST_PROP(HillSwell, IsBoundedContinuousAndTellsTheHillsOfTheSheet, ()) {
   }
   const double height = feel.relief->at(now.place).height_mm;
   RC_ASSERT((swell - 1.0) * height >= 0.0);
-  if (now.speed_mm_per_s / sheet.grain_mm >= kLostHillsPerS) RC_ASSERT(swell == 1.0);
+  if (now.speed_mm_per_s / surface.grain_mm >= kLostHillsPerS) RC_ASSERT(swell == 1.0);
   // A small change of position, speed or push changes the intensity only slightly.
   CueInput beside = now;
   beside.place.x += 0.001;
-  const double slope = feel.relief->max_slope() / (2e-3 * sheet.grain_um);
+  const double slope = feel.relief->max_slope() / (2e-3 * surface.grain_um);
   RC_ASSERT(std::abs(hill_swell(feel, beside) - swell) <= 0.6 * slope * 0.001 + 1e-9);
   CueInput faster = now;
   faster.speed_mm_per_s += 0.001;
@@ -182,9 +182,9 @@ TEST(HillSwell, OddNumbersAreNoHills) {
 // points as the felt relief. If the hills are too fine it does not swell, and it swells less if the
 // medium carries less of the relief.
 TEST(CueLaw, R47_CreepingOverHillsIsFeltHillByHill) {
-  const auto swells = [](const char* tool, const char* sheet) {
+  const auto swells = [](const char* tool, const char* surface) {
     Desk desk;
-    const CueFeel feel = cue_feel_of(*find_medium(tool), *find_surface(sheet));
+    const CueFeel feel = cue_feel_of(*find_medium(tool), *find_surface(surface));
     desk.law.set_feel(feel);
     double with = 0.0, of_cues = 0.0, of_hills = 0.0, mean = 0.0;
     int count = 0;
@@ -285,7 +285,7 @@ TEST(CueLaw, AHandThatTremblesAtRestIsSilent) {
   EXPECT_EQ(desk.said.size(), 1u) << "the touch";
 }
 
-TEST(CueLaw, ChatteringOnTheSheetTouchesOnce) {
+TEST(CueLaw, ChatteringOnTheSurfaceTouchesOnce) {
   for (const int period : {2, 3, 7, 16, 25, 40}) {
     Desk desk;
     for (int t = 0; t < 3000; ++t) {

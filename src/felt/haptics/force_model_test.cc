@@ -19,14 +19,14 @@ static_assert(ForceFunctor<Plane> && ForceFunctor<Friction> && ForceFunctor<Text
 static_assert(ForceFunctor<EditSpring> && ForceFunctor<SweepSpring> && ForceFunctor<PushSpring>);
 static_assert(ForceFunctor<SnapWells> && ForceFunctor<Tether> && ForceFunctor<Damping> &&
               ForceFunctor<Towed>);
-static_assert(ForceFunctor<Inertia> && ForceFunctor<SheetForce>);
+static_assert(ForceFunctor<Inertia> && ForceFunctor<SurfaceForce>);
 static_assert(ForceFunctor<ForceModel> == false, "a model is no brick: it would be 2 KiB in 2 KiB");
 static_assert(std::is_trivially_copyable_v<ForceModel>);
 
 /// A model of all bricks.
 auto all_bricks(const Capabilities& device = {}) {
   const SurfaceMaterial& paper = surface_materials()[0];
-  return Compose(make_sheet_force(paper, media()[0], device, surface_grain(paper)),
+  return Compose(make_surface_force(paper, media()[0], device, surface_grain(paper)),
                  EditSpring({-3, 1}), SweepSpring({.pen = {0, 1}, .normal = {0, 1}}),
                  SnapWells(Point{1, 1}), Tether::translation({2, 0}, 3),
                  Damping({.where = DampingWhere::kEverywhere}));
@@ -97,10 +97,10 @@ TEST(Compose, SlopesAddAndOrderIsThatOfWriting) {
   // The friction uses the push of the plane of the same tick.
   ForceMemory memory;
   memory.begin_tick(0.001);
-  const Compose sheet(Plane{}, Friction{});
-  sheet(rig::pen_at({0, 0, -2}), memory);
+  const Compose surface(Plane{}, Friction{});
+  surface(rig::pen_at({0, 0, -2}), memory);
   memory.begin_tick(0.001);
-  EXPECT_DOUBLE_EQ(sheet(rig::pen_at({5, 0, -2}, {}, 0.001), memory).x, -0.25);
+  EXPECT_DOUBLE_EQ(surface(rig::pen_at({5, 0, -2}, {}, 0.001), memory).x, -0.25);
   EXPECT_EQ(Compose<>().slopes(), Slopes{});
 }
 
@@ -118,9 +118,9 @@ TEST(Damping, BrakesWhereItShould) {
   EXPECT_EQ(air(rig::pen_at({0, 0, 5}, {100, 0, 50}), memory), (Force{-0.1, 0, -0.05}));
   EXPECT_EQ(air(rig::pen_at({0, 0, -5}, {100, 0, 50}), memory), Force{});
   EXPECT_NEAR(norm(air(rig::pen_at({0, 0, 5}, {900, 100, 50}), memory)), 0.3, 1e-12);
-  const Damping sheet({.damping_n_s_per_m = 1.0, .where = DampingWhere::kOnSheet});
-  EXPECT_EQ(sheet(rig::pen_at({0, 0, -5}, {100, 0, 50}), memory), (Force{-0.1, 0, 0}));
-  EXPECT_EQ(sheet(rig::pen_at({0, 0, 5}, {100, 0, 50}), memory), Force{});
+  const Damping surface({.damping_n_s_per_m = 1.0, .where = DampingWhere::kOnSurface});
+  EXPECT_EQ(surface(rig::pen_at({0, 0, -5}, {100, 0, 50}), memory), (Force{-0.1, 0, 0}));
+  EXPECT_EQ(surface(rig::pen_at({0, 0, 5}, {100, 0, 50}), memory), Force{});
 }
 
 }  // namespace

@@ -30,11 +30,11 @@ bool is_layer_name(std::string_view name) {
          name.find('\0') == std::string_view::npos && is_utf8(name);
 }
 
-void make_valid(SheetPage& page) {
-  const auto fits = [](double mm) { return mm >= SheetPage::kMinMm && mm <= SheetPage::kMaxMm; };
+void make_valid(Page& page) {
+  const auto fits = [](double mm) { return mm >= Page::kMinMm && mm <= Page::kMaxMm; };
   if (!fits(page.width_mm) || !fits(page.height_mm)) {
-    page.width_mm = SheetPage{}.width_mm;
-    page.height_mm = SheetPage{}.height_mm;
+    page.width_mm = Page{}.width_mm;
+    page.height_mm = Page{}.height_mm;
   }
   if (page.surface.size() > limits::kMaxNameBytes || !is_utf8(page.surface)) page.surface = "";
 }

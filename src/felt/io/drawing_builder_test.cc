@@ -44,7 +44,7 @@ TEST(DrawingBuilder, WhatNoDrawingCanHaveIsMadeToFit) {
   builder.add_layer({"\xff", false, false});
   builder.add_layer({std::string(5000, 'x')});
   builder.add_layer({std::string("a\0b", 3)});
-  builder.drawing().page = SheetPage{6000.0, 100.0, {1, 2, 3, 4}, "\xff"};
+  builder.drawing().page = Page{6000.0, 100.0, {1, 2, 3, 4}, "\xff"};
   const Drawing drawing = std::move(builder).build();
   const auto layers = drawing.document.layers();
   ASSERT_EQ(layers.size(), 4u);
@@ -52,7 +52,7 @@ TEST(DrawingBuilder, WhatNoDrawingCanHaveIsMadeToFit) {
   EXPECT_EQ(layers[1].state(), (LayerState{"Layer 2", false, false}));
   EXPECT_EQ(layers[2].name, "Layer 3");
   EXPECT_EQ(layers[3].name, "Layer 4");
-  EXPECT_EQ(drawing.page, (SheetPage{.paper = {1, 2, 3, 4}}));
+  EXPECT_EQ(drawing.page, (Page{.paper = {1, 2, 3, 4}}));
 }
 
 TEST(DrawingBuilder, ANameCannotUseUpTheNumbers) {

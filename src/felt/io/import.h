@@ -67,7 +67,7 @@ inline constexpr const char* kSolidMedium = "ink-pen";
 /// Returns `fit` with kSolidMedium as its medium, unless the caller has chosen a medium other than
 /// the default one.
 inline InkFitOptions solid_fit(InkFitOptions fit) {
-  if (fit.material == InkFitOptions{}.material) fit.material = kSolidMedium;
+  if (fit.medium == InkFitOptions{}.medium) fit.medium = kSolidMedium;
   return fit;
 }
 

@@ -146,7 +146,7 @@ Result<StrokeData> InkOfPoints::of_samples(std::span<const InkSample> samples,
   width.finish(curve.segment_count());
   StrokeData data = data_of(curve);
   data.widths.assign(width.knots().begin(), width.knots().end());
-  data.material = fit_.material;
+  data.medium = fit_.medium;
   return data;
 }
 
@@ -188,7 +188,7 @@ Result<StrokeData> InkOfPoints::of_line(std::span<const WidePoint> line) {
   if (Result<void> done = end_run(); !done) return tl::unexpected(done.error());
   const bool is_ring = line_.size() > 3 && line_.front().position == line_.back().position;
   Result<StrokeData> whole = std::move(pieces).finish(is_ring ? 4.0 * kDrawnLineToleranceMm : 0.0);
-  if (whole) whole->material = fit_.material;
+  if (whole) whole->material = fit_.medium;
   return whole;
 }
 

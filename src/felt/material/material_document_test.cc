@@ -49,7 +49,7 @@ std::string table_of(std::span<const Field> fields) {
 }
 
 TEST(MaterialDocument, HasEveryFigureWithItsRange) {
-  EXPECT_THAT(document(), HasSubstr(table_of(sheet_fields())));
+  EXPECT_THAT(document(), HasSubstr(table_of(surface_fields())));
   EXPECT_THAT(document(), HasSubstr(table_of(medium_fields())));
 }
 

@@ -42,8 +42,8 @@ constexpr MaterialField<Material> row(std::string_view id, std::string_view labe
 }
 
 template <auto... Path>
-constexpr SheetField sheet(std::string_view id, std::string_view label, std::string_view unit,
-                           double min, double max, std::string_view help) {
+constexpr SurfaceField surface(std::string_view id, std::string_view label, std::string_view unit,
+                               double min, double max, std::string_view help) {
   return row<SurfaceMaterial, Path...>(id, label, unit, Kind::kNumber, min, max, help);
 }
 
@@ -53,31 +53,34 @@ constexpr MediumField medium(std::string_view id, std::string_view label, std::s
   return row<Medium, Path...>(id, label, unit, Kind::kNumber, min, max, help);
 }
 
-using Sheet = SurfaceMaterial;
+using Surface = SurfaceMaterial;
 
-constexpr std::array<SheetField, 10> kSheetFields = {{
-    row<Sheet, &Sheet::color_rgb>("color", "Colour", "", Kind::kColor, 0, 0,
-                                  "Colour of the surface. A page with another colour keeps it."),
-    sheet<&Sheet::stiffness_n_per_m>("feel.stiffness_n_per_m", "Hardness", "N/m", 50, 2000,
-                                     "How hard the surface pushes back, if the device allows it."),
-    sheet<&Sheet::damping_n_s_per_m>("feel.damping_n_s_per_m", "Damping", "N s/m", 0, 10,
-                                     "How much of the pen's motion into the surface is damped."),
-    sheet<&Sheet::friction>("feel.friction", "Friction", "", 0, kMaxFriction,
-                            "Coefficient of friction of a pencil on this surface."),
-    row<Sheet, &Sheet::grain_character>("grain.character", "Character of the grain", "",
-                                        Kind::kChoice, 0, 0, "Shape of the relief.",
-                                        kGrainCharacters),
-    sheet<&Sheet::grain_um>("grain.height_um", "Height of the grain", "um", 0, 200,
-                            "Root mean square of the heights; 0 is smooth."),
-    sheet<&Sheet::grain_mm>("grain.wavelength_mm", "Width of the grain", "mm", 0.3, 20,
-                            "Grain wavelength. A custom relief spans 32 wavelengths."),
-    row<Sheet, &Sheet::grain_seed>("grain.seed", "Seed of the grain", "", Kind::kWhole, 0,
-                                   4294967295.0,
-                                   "Another number gives another relief of the same character."),
-    sheet<&Sheet::sound, &SurfaceSound::loudness>(
+constexpr std::array<SurfaceField, 10> kSurfaceFields = {{
+    row<Surface, &Surface::color_rgb>(
+        "color", "Colour", "", Kind::kColor, 0, 0,
+        "Colour of the surface. A page with another colour keeps it."),
+    surface<&Surface::stiffness_n_per_m>(
+        "feel.stiffness_n_per_m", "Hardness", "N/m", 50, 2000,
+        "How hard the surface pushes back, if the device allows it."),
+    surface<&Surface::damping_n_s_per_m>(
+        "feel.damping_n_s_per_m", "Damping", "N s/m", 0, 10,
+        "How much of the pen's motion into the surface is damped."),
+    surface<&Surface::friction>("feel.friction", "Friction", "", 0, kMaxFriction,
+                                "Coefficient of friction of a pencil on this surface."),
+    row<Surface, &Surface::grain_character>("grain.character", "Character of the grain", "",
+                                            Kind::kChoice, 0, 0, "Shape of the relief.",
+                                            kGrainCharacters),
+    surface<&Surface::grain_um>("grain.height_um", "Height of the grain", "um", 0, 200,
+                                "Root mean square of the heights; 0 is smooth."),
+    surface<&Surface::grain_mm>("grain.wavelength_mm", "Width of the grain", "mm", 0.3, 20,
+                                "Grain wavelength. A custom relief spans 32 wavelengths."),
+    row<Surface, &Surface::grain_seed>(
+        "grain.seed", "Seed of the grain", "", Kind::kWhole, 0, 4294967295.0,
+        "Another number gives another relief of the same character."),
+    surface<&Surface::sound, &SurfaceSound::loudness>(
         "sound.loudness", "Loudness", "", 0, 1, "How loud a pen is on this surface; 0 is silent."),
-    sheet<&Sheet::sound, &SurfaceSound::brightness>("sound.brightness", "Brightness of the sound",
-                                                    "", 0, 1, "From dull to bright."),
+    surface<&Surface::sound, &SurfaceSound::brightness>(
+        "sound.brightness", "Brightness of the sound", "", 0, 1, "From dull to bright."),
 }};
 
 constexpr std::array<MediumField, 29> kMediumFields = {{
@@ -184,7 +187,7 @@ std::string allowed_of(const Field& field) {
 
 }  // namespace
 
-std::string allowed_text(const SheetField& field) {
+std::string allowed_text(const SurfaceField& field) {
   return allowed_of(field);
 }
 
@@ -192,16 +195,16 @@ std::string allowed_text(const MediumField& field) {
   return allowed_of(field);
 }
 
-std::span<const SheetField> sheet_fields() noexcept {
-  return kSheetFields;
+std::span<const SurfaceField> surface_fields() noexcept {
+  return kSurfaceFields;
 }
 
 std::span<const MediumField> medium_fields() noexcept {
   return kMediumFields;
 }
 
-const SheetField* find_sheet_field(std::string_view id) noexcept {
-  return find(kSheetFields, id);
+const SurfaceField* find_surface_field(std::string_view id) noexcept {
+  return find(kSurfaceFields, id);
 }
 
 const MediumField* find_medium_field(std::string_view id) noexcept {

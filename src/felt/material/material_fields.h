@@ -45,20 +45,20 @@ struct MaterialField {
   [[nodiscard]] bool allows(double value) const noexcept;
 };
 
-using SheetField = MaterialField<SurfaceMaterial>;
+using SurfaceField = MaterialField<SurfaceMaterial>;
 using MediumField = MaterialField<Medium>;
 
 /// Returns all fields in the order of the text: first the fields without a table, then the others
 /// table by table.
-std::span<const SheetField> sheet_fields() noexcept;
+std::span<const SurfaceField> surface_fields() noexcept;
 std::span<const MediumField> medium_fields() noexcept;
 
 /// Returns the field with this id, or null.
-const SheetField* find_sheet_field(std::string_view id) noexcept;
+const SurfaceField* find_surface_field(std::string_view id) noexcept;
 const MediumField* find_medium_field(std::string_view id) noexcept;
 
 /// Returns the allowed values, for messages and documents: "0 to 200 um", "one of grain, rough".
-std::string allowed_text(const SheetField& field);
+std::string allowed_text(const SurfaceField& field);
 std::string allowed_text(const MediumField& field);
 
 /// The names of the values of HeightCharacter, in its order.

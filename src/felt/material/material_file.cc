@@ -10,17 +10,17 @@ bool is_material_id(std::string_view id) noexcept {
 }
 
 const std::string& id_of(const AnyMaterial& material) noexcept {
-  const auto* sheet = std::get_if<SurfaceMaterial>(&material);
-  return sheet ? sheet->id : std::get_if<Medium>(&material)->id;
+  const auto* surface = std::get_if<SurfaceMaterial>(&material);
+  return surface ? surface->id : std::get_if<Medium>(&material)->id;
 }
 
 const std::string& label_of(const AnyMaterial& material) noexcept {
-  const auto* sheet = std::get_if<SurfaceMaterial>(&material);
-  return sheet ? sheet->label : std::get_if<Medium>(&material)->label;
+  const auto* surface = std::get_if<SurfaceMaterial>(&material);
+  return surface ? surface->label : std::get_if<Medium>(&material)->label;
 }
 
 std::string_view kind_of(const AnyMaterial& material) noexcept {
-  return std::holds_alternative<SurfaceMaterial>(material) ? "sheet" : "medium";
+  return std::holds_alternative<SurfaceMaterial>(material) ? "surface" : "medium";
 }
 
 std::string label_of_id(std::string_view id) {
@@ -39,16 +39,16 @@ std::string material_key(const AnyMaterial& material) {
 }
 
 void put(Materials& materials, AnyMaterial material) {
-  if (auto* sheet = std::get_if<SurfaceMaterial>(&material)) materials.put(std::move(*sheet));
+  if (auto* surface = std::get_if<SurfaceMaterial>(&material)) materials.put(std::move(*surface));
   if (auto* medium = std::get_if<Medium>(&material)) materials.put(std::move(*medium));
 }
 
 std::vector<AnyMaterial> not_built_in(const Materials& materials) {
   const Materials& known = Materials::built_in();
   std::vector<AnyMaterial> own;
-  for (const SurfaceMaterial& sheet : materials.surfaces()) {
-    const SurfaceMaterial* same = known.find_surface(sheet.id);
-    if (!same || !(*same == sheet)) own.emplace_back(sheet);
+  for (const SurfaceMaterial& surface : materials.surfaces()) {
+    const SurfaceMaterial* same = known.find_surface(surface.id);
+    if (!same || !(*same == surface)) own.emplace_back(surface);
   }
   for (const Medium& medium : materials.media()) {
     const Medium* same = known.find_medium(medium.id);

@@ -59,12 +59,12 @@ bool is_material_id(std::string_view id) noexcept;
 
 const std::string& id_of(const AnyMaterial& material) noexcept;
 const std::string& label_of(const AnyMaterial& material) noexcept;
-/// Returns "sheet" or "medium".
+/// Returns "surface" or "medium".
 std::string_view kind_of(const AnyMaterial& material) noexcept;
 
 /// Returns the label for a material without a label: "My paper" for "my-paper".
 std::string label_of_id(std::string_view id);
-/// Returns the kind and id, which together identify a material: "sheet my-paper".
+/// Returns the kind and id, which together identify a material: "surface my-paper".
 std::string material_key(const AnyMaterial& material);
 
 /// Calls Materials::put with the surface or medium.

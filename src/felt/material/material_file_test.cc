@@ -26,7 +26,7 @@ std::string error_of(std::string_view text, const MaterialSource& source = kMine
   return material ? "none" : material.error().message;
 }
 
-std::string sheet_with(const std::string& lines) {
+std::string surface_with(const std::string& lines) {
   return "kind = \"sheet\"\nid = \"my-paper\"\n" + lines + "\n";
 }
 
@@ -34,7 +34,7 @@ std::string medium_with(const std::string& lines) {
   return "kind = \"medium\"\nid = \"my-pen\"\n" + lines + "\n";
 }
 
-SurfaceMaterial sheet_of(std::string_view text) {
+SurfaceMaterial surface_of(std::string_view text) {
   return std::get<SurfaceMaterial>(read_material(text).value());
 }
 
@@ -42,8 +42,8 @@ Medium medium_from(std::string_view text) {
   return std::get<Medium>(read_material(text).value());
 }
 
-TEST(MaterialFile, ReadsASheet) {
-  const SurfaceMaterial sheet = sheet_of(R"(# mine
+TEST(MaterialFile, ReadsASurface) {
+  const SurfaceMaterial surface = surface_of(R"(# mine
 kind = "sheet"
 id = "my-paper"
 label = "Bütten \"rau\""
@@ -68,7 +68,7 @@ brightness = 0
   wanted.grain_character = HeightCharacter::kWeave;
   wanted.grain_seed = 4294967295U;
   wanted.sound.brightness = 0.0;
-  EXPECT_EQ(sheet, wanted);
+  EXPECT_EQ(surface, wanted);
 }
 
 TEST(MaterialFile, ReadsAMedium) {
@@ -98,14 +98,14 @@ cut_heavy = -1.5e0
 }
 
 TEST(MaterialFile, SaysWhereWhichWhatAndWhatIsAllowed) {
-  EXPECT_EQ(error_of(sheet_with("\n\n\n[grain]\nheight_um = 900\nwavelength_mm = 1")),
+  EXPECT_EQ(error_of(surface_with("\n\n\n[grain]\nheight_um = 900\nwavelength_mm = 1")),
             "my-paper.toml:7: grain.height_um is 900, it must be 0 to 200 um");
-  EXPECT_EQ(error_of(sheet_with("color = \"red\"")),
+  EXPECT_EQ(error_of(surface_with("color = \"red\"")),
             "my-paper.toml:3: color is \"red\", it must be a colour like \"#1f2933\"");
-  EXPECT_EQ(error_of(sheet_with("grain.character = \"rouh\"")),
+  EXPECT_EQ(error_of(surface_with("grain.character = \"rouh\"")),
             "my-paper.toml:3: grain.character is \"rouh\", it must be one of grain, rough, weave, "
             "fibres, wood, picture");
-  EXPECT_EQ(error_of(sheet_with("grain.seed = 1.5")),
+  EXPECT_EQ(error_of(surface_with("grain.seed = 1.5")),
             "my-paper.toml:3: grain.seed is 1.5, it must be a whole number from 0 to 4294967295");
   EXPECT_EQ(error_of(medium_with("draws = 1")),
             "my-paper.toml:3: draws is 1, it must be true or false");
@@ -125,18 +125,18 @@ TEST(MaterialFile, RefusesWhatIsNoMaterial) {
   EXPECT_EQ(error_of("id = \"a\"\nkind = \"paper\""),
             "my-paper.toml:2: kind is \"paper\", it must be \"sheet\" or \"medium\"");
   EXPECT_THAT(error_of("kind = \"sheet\"\nkind = \"sheet\""), StartsWith("my-paper.toml:2: "));
-  EXPECT_THAT(error_of(sheet_with("a = = 3")), StartsWith("my-paper.toml:3: "));
+  EXPECT_THAT(error_of(surface_with("a = = 3")), StartsWith("my-paper.toml:3: "));
   for (const char* header : {"[= 1]", "[[= 1]]", " [ ~", "[", "[.a]", "[[", "[]"}) {
-    EXPECT_THAT(error_of(sheet_with(header)), StartsWith("my-paper.toml:3: ")) << header;
+    EXPECT_THAT(error_of(surface_with(header)), StartsWith("my-paper.toml:3: ")) << header;
   }
-  EXPECT_EQ(error_of(sheet_with("label = \"\xE5\"")), "my-paper.toml: is not UTF-8");
+  EXPECT_EQ(error_of(surface_with("label = \"\xE5\"")), "my-paper.toml: is not UTF-8");
   for (const char* stray :
        {"ä = 1", "feel.friction ä= 1", "label = \"a\" ä", "ä", "a = 7'7ɔ = 1"}) {
-    EXPECT_THAT(error_of(sheet_with(stray)), StartsWith("my-paper.toml:3: ")) << stray;
+    EXPECT_THAT(error_of(surface_with(stray)), StartsWith("my-paper.toml:3: ")) << stray;
   }
   for (const char* fine :
        {"label = \"ä\\\"ä\" # ä", "label = 'ä\"ä' # 'ä", "label = \"\"\"ä\"\"\""}) {
-    EXPECT_EQ(error_of(sheet_with(fine)), "none") << fine;
+    EXPECT_EQ(error_of(surface_with(fine)), "none") << fine;
   }
   for (const char* id : {"", "My", "a b", "a_b", "ä", "../a", "a.b"}) {
     EXPECT_THAT(error_of("kind = \"sheet\"\nid = \"" + std::string(id) + "\""),
@@ -146,31 +146,31 @@ TEST(MaterialFile, RefusesWhatIsNoMaterial) {
   EXPECT_EQ(error_of("kind = \"sheet\"\nid = \"" + std::string(64, 'a') + "\""), "none");
   EXPECT_THAT(error_of("kind = \"sheet\"\nid = \"" + std::string(65, 'a') + "\""),
               HasSubstr(":2: id is \"aaa"));
-  EXPECT_THAT(error_of(sheet_with("label = \"a\\nb\"")), HasSubstr("in one line"));
-  EXPECT_THAT(error_of(sheet_with("label = \"" + std::string(81, 'a') + "\"")), HasSubstr(":3:"));
+  EXPECT_THAT(error_of(surface_with("label = \"a\\nb\"")), HasSubstr("in one line"));
+  EXPECT_THAT(error_of(surface_with("label = \"" + std::string(81, 'a') + "\"")), HasSubstr(":3:"));
 }
 
 // Some editors write a byte order mark at the start of a file.
 TEST(MaterialFile, ReadsATextWithAByteOrderMark) {
   const std::string mark = "\xEF\xBB\xBF";
-  const std::string text = sheet_with("label = \"Bütten\"\ncolor = \"#d8d4cc\"");
-  EXPECT_EQ(sheet_of(mark + text), sheet_of(text));
-  EXPECT_EQ(error_of(mark + sheet_with("color = \"red\"")),
-            error_of(sheet_with("color = \"red\"")));
-  EXPECT_EQ(sheet_of(mark + mark + text), sheet_of(text));
+  const std::string text = surface_with("label = \"Bütten\"\ncolor = \"#d8d4cc\"");
+  EXPECT_EQ(surface_of(mark + text), surface_of(text));
+  EXPECT_EQ(error_of(mark + surface_with("color = \"red\"")),
+            error_of(surface_with("color = \"red\"")));
+  EXPECT_EQ(surface_of(mark + mark + text), surface_of(text));
 }
 
 TEST(MaterialFile, RefusesUnknownKeysAndSaysWhatThereIs) {
-  EXPECT_EQ(error_of(sheet_with("[grain]\nhight_um = 2")),
+  EXPECT_EQ(error_of(surface_with("[grain]\nhight_um = 2")),
             "my-paper.toml:4: grain.hight_um is unknown; [grain] of a sheet has picture, heights, "
             "character, height_um, wavelength_mm, seed");
-  EXPECT_EQ(error_of(sheet_with("friction = 1")),
+  EXPECT_EQ(error_of(surface_with("friction = 1")),
             "my-paper.toml:3: friction is unknown; a sheet has kind, id, label, [grain], color, "
             "[feel], [sound]");
-  EXPECT_THAT(error_of(sheet_with("[look]")), HasSubstr("look is unknown"));
-  EXPECT_THAT(error_of(sheet_with("feel = 3")), HasSubstr("feel is unknown; [feel] of a sheet"));
-  EXPECT_EQ(error_of(sheet_with("[feel]")), "none");
-  EXPECT_THAT(error_of(sheet_with("\"feel.friction\" = 0.2")),
+  EXPECT_THAT(error_of(surface_with("[look]")), HasSubstr("look is unknown"));
+  EXPECT_THAT(error_of(surface_with("feel = 3")), HasSubstr("feel is unknown; [feel] of a sheet"));
+  EXPECT_EQ(error_of(surface_with("[feel]")), "none");
+  EXPECT_THAT(error_of(surface_with("\"feel.friction\" = 0.2")),
               HasSubstr("\"feel.friction\" is unknown"));
   EXPECT_THAT(error_of(medium_with("[pairs]\n\"My sheet\" = 0.2")),
               HasSubstr(":4: pairs.My sheet"));
@@ -179,7 +179,7 @@ TEST(MaterialFile, RefusesUnknownKeysAndSaysWhatThereIs) {
 
 TEST(MaterialFile, RefusesDuplicates) {
   EXPECT_THAT(error_of(medium_with("[pairs]\nglass = 0.1\nglass = 0.1")), HasSubstr(":5: "));
-  EXPECT_THAT(error_of(sheet_with("[feel]\nfriction = 0.1\n[feel]\ndamping_n_s_per_m = 1")),
+  EXPECT_THAT(error_of(surface_with("[feel]\nfriction = 0.1\n[feel]\ndamping_n_s_per_m = 1")),
               HasSubstr(":5: "));
 }
 
@@ -189,32 +189,32 @@ TEST(MaterialFile, TellsAllThatIsWrongInItsOrder) {
   std::vector<std::string> places;
   for (const Error& error : problems) places.push_back(error.message.substr(13, 3));
   EXPECT_THAT(places, ElementsAre(":1:", ":3:", ":4:", ":5:"));
-  EXPECT_TRUE(material_problems(sheet_with("")).empty());
-  std::string many = sheet_with("");
+  EXPECT_TRUE(material_problems(surface_with("")).empty());
+  std::string many = surface_with("");
   for (int i = 0; i < 1000; ++i) many += "k" + std::to_string(i) + " = 1\n";
   EXPECT_EQ(material_problems(many).size(), 20u);
 }
 
 TEST(MaterialFile, IsBoundedInLengthAndDepth) {
-  std::string text = sheet_with("");
+  std::string text = surface_with("");
   text.resize(kMaxMaterialBytes, '\n');
   EXPECT_EQ(error_of(text), "none");
   EXPECT_EQ(error_of(text + "\n"), "my-paper.toml: is longer than 64 KiB");
-  EXPECT_EQ(error_of(sheet_with("# " + std::string(498, 'x'))), "none");
-  EXPECT_EQ(error_of(sheet_with("# " + std::string(499, 'x'))),
+  EXPECT_EQ(error_of(surface_with("# " + std::string(498, 'x'))), "none");
+  EXPECT_EQ(error_of(surface_with("# " + std::string(499, 'x'))),
             "my-paper.toml:3: is longer than 500 bytes");
   std::string deep;
   for (int i = 0; i < 240; ++i) deep += "a.";
-  EXPECT_THAT(error_of(sheet_with(deep + "a = 1")), HasSubstr("deeper"));
-  EXPECT_THAT(error_of(sheet_with("[" + deep + "a]\n" + deep + "b = 1")), HasSubstr("deeper"));
-  EXPECT_THAT(error_of(sheet_with("a = " + std::string(200, '[') + std::string(200, ']'))),
+  EXPECT_THAT(error_of(surface_with(deep + "a = 1")), HasSubstr("deeper"));
+  EXPECT_THAT(error_of(surface_with("[" + deep + "a]\n" + deep + "b = 1")), HasSubstr("deeper"));
+  EXPECT_THAT(error_of(surface_with("a = " + std::string(200, '[') + std::string(200, ']'))),
               StartsWith("my-paper.toml:3: "));
-  EXPECT_THAT(error_of(sheet_with("a = {b = {c = {d = {e = 1}}}}")), HasSubstr("deeper"));
+  EXPECT_THAT(error_of(surface_with("a = {b = {c = {d = {e = 1}}}}")), HasSubstr("deeper"));
 }
 
 TEST(MaterialFile, TakesNoNumberThatIsNone) {
   for (const char* number : {"nan", "inf", "-inf", "+nan", "1e999", "-1e-300"}) {
-    EXPECT_THAT(error_of(sheet_with("feel.friction = " + std::string(number))),
+    EXPECT_THAT(error_of(surface_with("feel.friction = " + std::string(number))),
                 StartsWith("my-paper.toml:3: "))
         << number;
   }
@@ -227,7 +227,7 @@ std::string text_with(const Material& material, std::string_view id, double valu
          if constexpr (std::is_same_v<Material, Medium>) {
            return medium_fields();
          } else {
-           return sheet_fields();
+           return surface_fields();
          }
        }()) {
     if (field.id == id) field.set(changed, value);
@@ -260,11 +260,11 @@ void check_ranges(const Material& any, std::span<const Field> fields) {
 }
 
 TEST(MaterialFile, KeepsEveryFigureInItsRange) {
-  SurfaceMaterial sheet = *find_surface("paper");
+  SurfaceMaterial surface = *find_surface("paper");
   Medium medium = *find_medium("pencil");
   medium.line.min_mm = 0.05;
   medium.line.max_mm = 20.0;
-  check_ranges(sheet, sheet_fields());
+  check_ranges(surface, surface_fields());
   check_ranges(medium, medium_fields());
 }
 
@@ -289,12 +289,12 @@ TEST(MaterialFile, WritesWhatItReads) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
-    SurfaceMaterial sheet{.id = "s-" + std::to_string(seed), .label = "\"\\ ü # ' = ["};
-    shuffle(sheet, sheet_fields(), random);
-    const std::string text = write_material(sheet);
+    SurfaceMaterial surface{.id = "s-" + std::to_string(seed), .label = "\"\\ ü # ' = ["};
+    shuffle(surface, surface_fields(), random);
+    const std::string text = write_material(surface);
     ASSERT_EQ(error_of(text), "none") << text;
-    EXPECT_EQ(sheet_of(text), sheet) << text;
-    EXPECT_EQ(write_material(sheet_of(text)), text);
+    EXPECT_EQ(surface_of(text), surface) << text;
+    EXPECT_EQ(write_material(surface_of(text)), text);
 
     Medium medium{.id = "m-" + std::to_string(seed), .label = "M"};
     shuffle(medium, medium_fields(), random);
@@ -323,8 +323,8 @@ TEST(MaterialFile, ReadsTheFormerKeys) {
 }
 
 TEST(MaterialFile, WritesEveryBuiltInMaterial) {
-  for (const SurfaceMaterial& sheet : surface_materials()) {
-    EXPECT_EQ(sheet_of(write_material(sheet)), sheet) << write_material(sheet);
+  for (const SurfaceMaterial& surface : surface_materials()) {
+    EXPECT_EQ(surface_of(write_material(surface)), surface) << write_material(surface);
   }
   for (const Medium& medium : media()) {
     EXPECT_EQ(medium_from(write_material(medium)), medium) << write_material(medium);
@@ -332,10 +332,10 @@ TEST(MaterialFile, WritesEveryBuiltInMaterial) {
 }
 
 TEST(MaterialFile, SaysWhatATextOfItWouldBeRefusedFor) {
-  SurfaceMaterial sheet = *find_surface("paper");
-  EXPECT_EQ(material_error(sheet), "");
-  sheet.friction = 3.0;
-  EXPECT_THAT(material_error(sheet), HasSubstr("feel.friction is 3, it must be 0 to 1.5"));
+  SurfaceMaterial surface = *find_surface("paper");
+  EXPECT_EQ(material_error(surface), "");
+  surface.friction = 3.0;
+  EXPECT_THAT(material_error(surface), HasSubstr("feel.friction is 3, it must be 0 to 1.5"));
   Medium medium = *find_medium("chalk");
   medium.label = "a\nb";
   EXPECT_THAT(material_error(medium), HasSubstr("label"));
@@ -357,14 +357,14 @@ HeightPicture hill(int width, int height) {
 }
 
 TEST(MaterialFile, KeepsAReliefOfOnesOwn) {
-  SurfaceMaterial sheet{.id = "mine", .label = "Mine", .grain_um = 20.0, .grain_mm = 1.25};
-  sheet.grain_character = HeightCharacter::kPicture;
-  sheet.picture = own_relief(hill(300, 200)).value();
-  const std::string text = write_material(sheet);
+  SurfaceMaterial surface{.id = "mine", .label = "Mine", .grain_um = 20.0, .grain_mm = 1.25};
+  surface.grain_character = HeightCharacter::kPicture;
+  surface.picture = own_relief(hill(300, 200)).value();
+  const std::string text = write_material(surface);
   EXPECT_LT(text.size(), kMaxMaterialBytes);
-  const SurfaceMaterial again = sheet_of(text);
-  EXPECT_EQ(again, sheet);
-  EXPECT_EQ(again.picture, sheet.picture) << "the same object";
+  const SurfaceMaterial again = surface_of(text);
+  EXPECT_EQ(again, surface);
+  EXPECT_EQ(again.picture, surface.picture) << "the same object";
   EXPECT_EQ(write_material(again), text);
 }
 
@@ -377,27 +377,27 @@ TEST(MaterialFile, ReadsAPictureBesideTheText) {
     return hill(64, 64);
   };
   const std::string text =
-      sheet_with("[grain]\npicture = \"hill.png\"\nheight_um = 5\nwavelength_mm = 1");
+      surface_with("[grain]\npicture = \"hill.png\"\nheight_um = 5\nwavelength_mm = 1");
   const auto material = read_material(text, source);
   ASSERT_TRUE(material) << material.error().message;
-  const auto& sheet = std::get<SurfaceMaterial>(*material);
+  const auto& surface = std::get<SurfaceMaterial>(*material);
   EXPECT_EQ(asked, "hill.png");
-  ASSERT_TRUE(sheet.picture);
-  EXPECT_EQ(sheet.grain_character, HeightCharacter::kPicture);
-  EXPECT_EQ(sheet_of(write_material(sheet)), sheet) << "and needs no file any more";
+  ASSERT_TRUE(surface.picture);
+  EXPECT_EQ(surface.grain_character, HeightCharacter::kPicture);
+  EXPECT_EQ(surface_of(write_material(surface)), surface) << "and needs no file any more";
 
-  EXPECT_EQ(error_of(sheet_with("grain.picture = \"no.png\""), source),
+  EXPECT_EQ(error_of(surface_with("grain.picture = \"no.png\""), source),
             "my-paper.toml:3: grain.picture: no.png: there is no such file");
   EXPECT_THAT(error_of(text), HasSubstr("no file is read here"));
   for (const char* away : {"../a.png", "/etc/passwd", "a\\\\b.png", "..", ""}) {
-    EXPECT_THAT(error_of(sheet_with("grain.picture = \"" + std::string(away) + "\""), source),
+    EXPECT_THAT(error_of(surface_with("grain.picture = \"" + std::string(away) + "\""), source),
                 HasSubstr("beside this file"))
         << away;
   }
-  EXPECT_THAT(error_of(sheet_with("grain.character = \"picture\""), source),
+  EXPECT_THAT(error_of(surface_with("grain.character = \"picture\""), source),
               HasSubstr("says which"));
-  EXPECT_THAT(error_of(sheet_with("grain.heights = \"AAAA\""), source), HasSubstr("128 x 128"));
-  EXPECT_THAT(error_of(sheet_with("grain.heights = \"*\""), source), HasSubstr("base64"));
+  EXPECT_THAT(error_of(surface_with("grain.heights = \"AAAA\""), source), HasSubstr("128 x 128"));
+  EXPECT_THAT(error_of(surface_with("grain.heights = \"*\""), source), HasSubstr("base64"));
 }
 
 TEST(OwnRelief, HasTheShapeOfThePicture) {

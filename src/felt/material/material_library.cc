@@ -186,7 +186,7 @@ Result<void> delete_material(const std::string& folder, const AnyMaterial& mater
 std::string own_id_error(std::string_view id) {
   const std::string name(id);
   if (!is_material_id(id)) return "\"" + name + "\" is not 1 to 64 of a-z, 0-9 and -";
-  const char* kind = find_surface(id) ? "sheet" : find_medium(id) ? "medium" : nullptr;
+  const char* kind = find_surface(id) ? "surface" : find_medium(id) ? "medium" : nullptr;
   if (!kind) return "";
   return name + " is the id of a " + kind + " that Feltline brings; give yours another, like my-" +
          name;

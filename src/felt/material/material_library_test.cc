@@ -54,7 +54,7 @@ MaterialLibrary load(std::vector<std::string> folders) {
   return load_materials(folders);
 }
 
-std::string sheet_text(const std::string& id, const std::string& friction = "0.3") {
+std::string surface_text(const std::string& id, const std::string& friction = "0.3") {
   return "kind = \"sheet\"\nid = \"" + id + "\"\n[feel]\nfriction = " + friction + "\n";
 }
 
@@ -65,17 +65,17 @@ std::vector<std::string> ids_of(const MaterialLibrary& library) {
 }
 
 TEST(BuiltInMaterials, EachTextIsAMaterial) {
-  std::size_t sheets = 0;
+  std::size_t surfaces = 0;
   for (const BuiltInText& built_in : built_in_texts()) {
     const Result<AnyMaterial> material =
         read_material(built_in.text, {.name = std::string(built_in.id), .load_picture = {}});
     ASSERT_TRUE(material) << material.error().message;
     EXPECT_EQ(id_of(*material), built_in.id);
     EXPECT_THAT(std::string(built_in.text), StartsWith("# A "));
-    sheets += std::holds_alternative<SurfaceMaterial>(*material) ? 1 : 0;
+    surfaces += std::holds_alternative<SurfaceMaterial>(*material) ? 1 : 0;
   }
-  EXPECT_EQ(sheets, surface_materials().size());
-  EXPECT_EQ(built_in_texts().size() - sheets, media().size());
+  EXPECT_EQ(surfaces, surface_materials().size());
+  EXPECT_EQ(built_in_texts().size() - surfaces, media().size());
   EXPECT_EQ(surface_materials().front().id, "paper");
   EXPECT_EQ(media().front().id, "pencil");
   EXPECT_FALSE(find_medium("eraser")->draws);
@@ -83,7 +83,7 @@ TEST(BuiltInMaterials, EachTextIsAMaterial) {
 
 TEST(BuiltInMaterials, AreAllFilesThatAreInstalled) {
   std::vector<std::string> files, texts;
-  for (const char* kind : {"sheets", "media"}) {
+  for (const char* kind : {"surfaces", "media"}) {
     for (const auto& entry : fs::directory_iterator("share/materials/" + std::string(kind))) {
       files.push_back(entry.path().stem().string());
     }
@@ -94,12 +94,12 @@ TEST(BuiltInMaterials, AreAllFilesThatAreInstalled) {
 
 TEST(MaterialLibrary, AddsAPersonsOwnToTheBuiltInOnes) {
   const Folder own("own"), shared("shared");
-  own.put("a.toml", sheet_text("my-paper"));
+  own.put("a.toml", surface_text("my-paper"));
   own.put("b.toml", "kind = \"medium\"\nid = \"my-pen\"\n");
   own.put("notes.txt", "no material");
   own.put(".hidden.toml", "no material");
-  shared.put("c.toml", sheet_text("my-paper", "0.9"));
-  shared.put("d.toml", sheet_text("their-paper"));
+  shared.put("c.toml", surface_text("my-paper", "0.9"));
+  shared.put("d.toml", surface_text("their-paper"));
   const MaterialLibrary library = load({own.path(), shared.path(), own.path() + "/none", ""});
   EXPECT_THAT(library.problems, ElementsAre());
   EXPECT_THAT(ids_of(library), ElementsAre("my-paper", "my-pen", "their-paper"));
@@ -111,11 +111,11 @@ TEST(MaterialLibrary, AddsAPersonsOwnToTheBuiltInOnes) {
 
 TEST(MaterialLibrary, NamesABadFileAndLoadsTheOthers) {
   const Folder own("bad");
-  own.put("a.toml", sheet_text("first", "7"));
-  own.put("b.toml", sheet_text("paper"));
-  own.put("c.toml", sheet_text("charcoal"));
-  own.put("d.toml", sheet_text("good"));
-  own.put("e.toml", sheet_text("good"));
+  own.put("a.toml", surface_text("first", "7"));
+  own.put("b.toml", surface_text("paper"));
+  own.put("c.toml", surface_text("charcoal"));
+  own.put("d.toml", surface_text("good"));
+  own.put("e.toml", surface_text("good"));
   own.put("f.toml", std::string(kMaxMaterialBytes + 1, '\n'));
   fs::create_directory(own.path() + "/g.toml");
   const MaterialLibrary library = load({own.path()});
@@ -136,9 +136,9 @@ TEST(MaterialLibrary, WaitsForNoPipe) {
   ASSERT_EQ(::mkfifo((own.path() + "/a.toml").c_str(), 0600), 0);
   ASSERT_EQ(::mkfifo((own.path() + "/pipe.png").c_str(), 0600), 0);
   fs::create_symlink("/dev/zero", own.path() + "/zero.png");
-  own.put("b.toml", sheet_text("of-pipe") + "[grain]\npicture = \"pipe.png\"\n");
-  own.put("c.toml", sheet_text("of-zero") + "[grain]\npicture = \"zero.png\"\n");
-  own.put("d.toml", sheet_text("good"));
+  own.put("b.toml", surface_text("of-pipe") + "[grain]\npicture = \"pipe.png\"\n");
+  own.put("c.toml", surface_text("of-zero") + "[grain]\npicture = \"zero.png\"\n");
+  own.put("d.toml", surface_text("good"));
   const std::vector<std::string> folders{own.path()};
   const MaterialLibrary library =
       load_materials(folders, [](const std::string& path) -> Result<HeightPicture> {
@@ -157,36 +157,36 @@ TEST(MaterialLibrary, WaitsForNoPipe) {
 TEST(MaterialLibrary, SavesOverTheFileOfThatIdAndDeletesIt) {
   const Folder own("save");
   const std::string below = own.path() + "/new/materials";
-  SurfaceMaterial sheet = *find_surface("felt");
-  sheet.id = "my-felt";
-  const Result<std::string> path = save_material(below, sheet);
+  SurfaceMaterial surface = *find_surface("felt");
+  surface.id = "my-felt";
+  const Result<std::string> path = save_material(below, surface);
   ASSERT_TRUE(path) << path.error().message;
   EXPECT_EQ(*path, below + "/my-felt.toml");
-  EXPECT_EQ(std::get<SurfaceMaterial>(read_material_file(*path).value()), sheet);
+  EXPECT_EQ(std::get<SurfaceMaterial>(read_material_file(*path).value()), surface);
 
-  own.put("other-name.toml", sheet_text("mine"));
+  own.put("other-name.toml", surface_text("mine"));
   own.put("bad.toml", "kind = 3");
-  sheet.id = "mine";
-  EXPECT_EQ(save_material(own.path(), sheet).value(), own.path() + "/other-name.toml");
-  EXPECT_EQ(own.text_of("other-name.toml"), write_material(sheet));
-  sheet.id = "bad";
-  EXPECT_THAT(save_material(own.path(), sheet).error().message, HasSubstr("bad.toml is another"));
+  surface.id = "mine";
+  EXPECT_EQ(save_material(own.path(), surface).value(), own.path() + "/other-name.toml");
+  EXPECT_EQ(own.text_of("other-name.toml"), write_material(surface));
+  surface.id = "bad";
+  EXPECT_THAT(save_material(own.path(), surface).error().message, HasSubstr("bad.toml is another"));
   EXPECT_EQ(own.text_of("bad.toml"), "kind = 3");
   EXPECT_EQ(own.files(), 3u) << "nothing half-written stays";
 
-  sheet.id = "mine";
-  EXPECT_EQ(material_path(own.path(), sheet), own.path() + "/other-name.toml");
-  EXPECT_TRUE(delete_material(own.path(), sheet));
+  surface.id = "mine";
+  EXPECT_EQ(material_path(own.path(), surface), own.path() + "/other-name.toml");
+  EXPECT_TRUE(delete_material(own.path(), surface));
   EXPECT_EQ(own.text_of("other-name.toml"), "");
-  EXPECT_EQ(material_path(own.path(), sheet), "");
-  EXPECT_THAT(delete_material(own.path(), sheet).error().message, HasSubstr("no sheet \"mine\""));
+  EXPECT_EQ(material_path(own.path(), surface), "");
+  EXPECT_THAT(delete_material(own.path(), surface).error().message, HasSubstr("no sheet \"mine\""));
   EXPECT_FALSE(delete_material(own.path(), *find_surface("paper")));
-  EXPECT_FALSE(delete_material("", sheet));
+  EXPECT_FALSE(delete_material("", surface));
 }
 
 TEST(MaterialLibrary, AFileOfTheOtherKindIsNeitherReplacedNorDeleted) {
   const Folder own("kinds");
-  own.put("mine.toml", sheet_text("mine"));
+  own.put("mine.toml", surface_text("mine"));
   Medium medium = *find_medium("chalk");
   medium.id = "mine";
   const Result<std::string> saved = save_material(own.path(), medium);
@@ -194,20 +194,20 @@ TEST(MaterialLibrary, AFileOfTheOtherKindIsNeitherReplacedNorDeleted) {
   EXPECT_THAT(saved.error().message, HasSubstr(own.path() + "/mine.toml is a sheet"));
   EXPECT_EQ(material_path(own.path(), medium), "");
   EXPECT_FALSE(delete_material(own.path(), medium));
-  EXPECT_EQ(own.text_of("mine.toml"), sheet_text("mine"));
+  EXPECT_EQ(own.text_of("mine.toml"), surface_text("mine"));
 }
 
 TEST(MaterialLibrary, SavesNothingThatItWouldNotRead) {
   const Folder own("refuse");
-  SurfaceMaterial sheet = *find_surface("felt");
-  EXPECT_THAT(save_material(own.path(), sheet).error().message, HasSubstr("like my-felt"));
-  sheet.id = "../felt";
-  EXPECT_FALSE(save_material(own.path(), sheet));
-  sheet.id = "mine";
-  sheet.friction = 2.0;
-  EXPECT_THAT(save_material(own.path(), sheet).error().message, HasSubstr("feel.friction is 2"));
-  sheet.friction = 0.2;
-  EXPECT_THAT(save_material("", sheet).error().message, HasSubstr("XDG_DATA_HOME"));
+  SurfaceMaterial surface = *find_surface("felt");
+  EXPECT_THAT(save_material(own.path(), surface).error().message, HasSubstr("like my-felt"));
+  surface.id = "../felt";
+  EXPECT_FALSE(save_material(own.path(), surface));
+  surface.id = "mine";
+  surface.friction = 2.0;
+  EXPECT_THAT(save_material(own.path(), surface).error().message, HasSubstr("feel.friction is 2"));
+  surface.friction = 0.2;
+  EXPECT_THAT(save_material("", surface).error().message, HasSubstr("XDG_DATA_HOME"));
   EXPECT_EQ(own.files(), 0u);
 }
 

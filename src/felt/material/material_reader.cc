@@ -19,6 +19,8 @@ constexpr std::size_t kShownChars = 40;
 /// Keys that were renamed, with their present names. Texts with the old names are still read.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kFormerKeys = {
     {{"line.lean_width", "line.tilt_width"}, {"line.lean_tone", "line.tilt_tone"}}};
+/// The kind of surfaces in older texts, which are still read.
+constexpr std::string_view kFormerSurfaceKind = "sheet";
 
 std::string shown(const TomlEntry& entry) {
   if (const auto* number = std::get_if<double>(&entry.value)) return number_text(*number);
@@ -92,13 +94,13 @@ class Reading {
   std::optional<AnyMaterial> material_of(const std::vector<TomlEntry>& entries) {
     const TomlEntry* kind = find(entries, "kind");
     if (!kind) {
-      say(1, "kind is missing; it is \"sheet\" or \"medium\"");
+      say(1, "kind is missing; it is \"surface\" or \"medium\"");
       return std::nullopt;
     }
     const auto* word = std::get_if<std::string>(&kind->value);
-    if (word && *word == "sheet") return sheet_of(entries);
+    if (word && (*word == "surface" || *word == kFormerSurfaceKind)) return surface_of(entries);
     if (word && *word == "medium") return medium_of(entries);
-    refuse(*kind, "\"sheet\" or \"medium\"");
+    refuse(*kind, "\"surface\" or \"medium\"");
     return std::nullopt;
   }
 
@@ -126,22 +128,22 @@ class Reading {
     say(entry.line, entry.key + " is " + shown(entry) + ", it must be " + allowed);
   }
 
-  SurfaceMaterial sheet_of(const std::vector<TomlEntry>& entries) {
-    SurfaceMaterial sheet;
+  SurfaceMaterial surface_of(const std::vector<TomlEntry>& entries) {
+    SurfaceMaterial surface;
     for (const TomlEntry& entry : entries) {
-      if (take_head(entry, sheet) || take_figure(entry, sheet_fields(), sheet)) continue;
+      if (take_head(entry, surface) || take_figure(entry, surface_fields(), surface)) continue;
       if (entry.key == "grain.heights") {
-        take_heights(entry, sheet);
+        take_heights(entry, surface);
       } else if (entry.key == "grain.picture") {
-        take_picture(entry, sheet);
+        take_picture(entry, surface);
       } else {
-        unknown(entry, "sheet", sheet_fields(),
+        unknown(entry, "surface", surface_fields(),
                 {"kind", "id", "label", "grain.picture", "grain.heights"});
       }
     }
-    finish(entries, sheet);
-    finish_grain(entries, sheet);
-    return sheet;
+    finish(entries, surface);
+    finish_grain(entries, surface);
+    return surface;
   }
 
   Medium medium_of(const std::vector<TomlEntry>& entries) {
@@ -203,23 +205,23 @@ class Reading {
     const std::string surface = entry.key.substr(std::string_view("pairs.").size());
     const auto* number = std::get_if<double>(&entry.value);
     if (!is_material_id(surface)) {
-      say(entry.line, entry.key + ": pairs are by the id of a sheet, 1 to 64 of a-z, 0-9 and -");
+      say(entry.line, entry.key + ": pairs are by the id of a surface, 1 to 64 of a-z, 0-9 and -");
     } else if (!number || !(*number >= 0.0 && *number <= kMaxFriction)) {
       refuse(entry, "0 to " + number_text(kMaxFriction));
     } else if (medium.pairs.size() == kMaxPairs) {
-      say(entry.line, "pairs has more than " + std::to_string(kMaxPairs) + " sheets");
+      say(entry.line, "pairs has more than " + std::to_string(kMaxPairs) + " surfaces");
     } else {
       medium.pairs.push_back({surface, *number});
     }
   }
 
-  void take_heights(const TomlEntry& entry, SurfaceMaterial& sheet) {
+  void take_heights(const TomlEntry& entry, SurfaceMaterial& surface) {
     const auto* text = std::get_if<std::string>(&entry.value);
     if (!text) return refuse(entry, "the heights of a relief as text");
-    keep(entry, own_relief(*text), sheet);
+    keep(entry, own_relief(*text), surface);
   }
 
-  void take_picture(const TomlEntry& entry, SurfaceMaterial& sheet) {
+  void take_picture(const TomlEntry& entry, SurfaceMaterial& surface) {
     const auto* file = std::get_if<std::string>(&entry.value);
     if (!file || file->empty()) return refuse(entry, "the name of a .png beside this file");
     // Accepts only a file name without a path, so that a text from another user cannot read
@@ -234,16 +236,16 @@ class Reading {
     }
     const Result<HeightPicture> picture = source_.load_picture(*file);
     if (!picture) return say(entry.line, "grain.picture: " + picture.error().message);
-    keep(entry, own_relief(*picture), sheet);
+    keep(entry, own_relief(*picture), surface);
   }
 
   void keep(const TomlEntry& entry, Result<std::shared_ptr<const HeightField>> relief,
-            SurfaceMaterial& sheet) {
+            SurfaceMaterial& surface) {
     if (!relief) return say(entry.line, entry.key + " " + relief.error().message);
-    if (sheet.picture) {
+    if (surface.picture) {
       return say(entry.line, "grain has both heights and a picture; it must be one of them");
     }
-    sheet.picture = *std::move(relief);
+    surface.picture = *std::move(relief);
   }
 
   template <class Field>
@@ -280,18 +282,18 @@ class Reading {
     if (material.label.empty()) material.label = label_of_id(material.id);
   }
 
-  void finish_grain(const std::vector<TomlEntry>& entries, SurfaceMaterial& sheet) {
+  void finish_grain(const std::vector<TomlEntry>& entries, SurfaceMaterial& surface) {
     const TomlEntry* character = find(entries, "grain.character");
-    if (sheet.picture && !character) sheet.grain_character = HeightCharacter::kPicture;
+    if (surface.picture && !character) surface.grain_character = HeightCharacter::kPicture;
     const bool names_one = find(entries, "grain.heights") || find(entries, "grain.picture");
-    if (character && !names_one && sheet.grain_character == HeightCharacter::kPicture) {
+    if (character && !names_one && surface.grain_character == HeightCharacter::kPicture) {
       say(character->line,
           "grain.character is \"picture\", and neither grain.picture nor grain.heights says which");
     }
     const TomlEntry* height = find(entries, "grain.height_um");
-    if (height && sheet.grain_um > 0.0 && !find(entries, "grain.wavelength_mm")) {
+    if (height && surface.grain_um > 0.0 && !find(entries, "grain.wavelength_mm")) {
       say(height->line, "grain.wavelength_mm is missing, it must be " +
-                            allowed_text(*find_sheet_field("grain.wavelength_mm")));
+                            allowed_text(*find_surface_field("grain.wavelength_mm")));
     }
   }
 

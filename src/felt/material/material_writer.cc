@@ -79,34 +79,30 @@ void append_figures(std::string& out, const Material& material, std::span<const 
   after(table);
 }
 
-std::string head(std::string_view kind, std::string_view about, const std::string& id,
-                 const std::string& label) {
-  return "# A " + std::string(kind) + " for Feltline: " + std::string(about) + "\nkind = \"" +
+std::string head(std::string_view kind, const std::string& id, const std::string& label) {
+  return "# A " + std::string(kind) + " for Feltline: how it feels, looks and sounds.\nkind = \"" +
          std::string(kind) + "\"\nid = " + toml_text(id) +
-         "  # what drawings and recordings say\nlabel = " + toml_text(label) + "\n";
+         "  # its name in drawings and recordings\nlabel = " + toml_text(label) + "\n";
 }
 
 }  // namespace
 
 std::string write_material(const SurfaceMaterial& surface) {
-  std::string out =
-      head("sheet", "what is drawn on, as the hand feels it and the eye and ear know it.",
-           surface.id, surface.label);
-  append_figures(out, surface, sheet_fields(), [&](std::string_view table) {
+  std::string out = head("surface", surface.id, surface.label);
+  append_figures(out, surface, surface_fields(), [&](std::string_view table) {
     if (table != "grain" || !surface.picture) return;
-    out += "# A relief of one's own: 128 x 128 heights.\nheights = \"\"\"\n" +
+    out += "# A custom relief: 128 x 128 heights.\nheights = \"\"\"\n" +
            own_relief_text(*surface.picture) + "\"\"\"\n";
   });
   return out;
 }
 
 std::string write_material(const Medium& medium) {
-  std::string out =
-      head("medium", "what is drawn with, as the hand feels it and the eye and ear know it.",
-           medium.id, medium.label);
+  std::string out = head("medium", medium.id, medium.label);
   append_figures(out, medium, medium_fields(), [&](std::string_view table) {
     if (table != "feel" || medium.pairs.empty()) return;
-    out += "\n[pairs]  # friction on a sheet, by its id: 0 to " + number_text(kMaxFriction) + "\n";
+    out +=
+        "\n[pairs]  # friction on a surface, by its id: 0 to " + number_text(kMaxFriction) + "\n";
     for (const PairFriction& pair : medium.pairs) {
       out += (is_material_id(pair.surface) ? pair.surface : toml_text(pair.surface)) + " = " +
              number_text(pair.coefficient) + "\n";

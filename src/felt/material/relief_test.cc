@@ -55,7 +55,7 @@ TEST(Relief, AnotherHeightAndWavelengthIsTheSameShapeInAnotherSize) {
   EXPECT_NEAR(larger.max_curvature_per_mm(), 2.0 / 9.0 * as_is.max_curvature_per_mm(), 1e-12);
 }
 
-TEST(Relief, APersonsOwnPictureTakesTheSizeThatTheSheetSays) {
+TEST(Relief, APersonsOwnPictureTakesTheSizeThatTheSurfaceSays) {
   SurfaceMaterial mine{.id = "mine", .label = "Mine", .grain_um = 5.0, .grain_mm = 1.5};
   mine.grain_character = HeightCharacter::kPicture;
   mine.picture = std::make_shared<const HeightField>(HeightFieldSpec{.wavelength_mm = 1.0});

@@ -79,7 +79,7 @@ struct Grain::State {
 
   struct Made {
     std::size_t medium = 0;
-    const ReliefLevel* sheet = nullptr;
+    const ReliefLevel* surface = nullptr;
     const ReliefLevel* crumb = nullptr;
     std::shared_ptr<const InkLook> look;
   };
@@ -113,7 +113,7 @@ double Grain::alpha(Point place, double tone, std::string_view material) const n
   const LookOf& of = state_->looks[state_->index_of(material)];
   const ReliefWeights weights = relief_weights(of.look);
   double r = 0.0;
-  if (weights.sheet > 0.0) r += weights.sheet * state_->depth * relief(place);
+  if (weights.surface > 0.0) r += weights.surface * state_->depth * relief(place);
   if (weights.crumb > 0.0) {
     const double crumb_mm = crumb_mm_of(of.look);
     r += weights.crumb * seen_relief(dust(), {place.x / crumb_mm, place.y / crumb_mm});
@@ -128,23 +128,23 @@ std::shared_ptr<const InkLook> Grain::look(std::string_view material, double px_
   if (is_solid(of.look)) return nullptr;
   const ReliefWeights weights = relief_weights(of.look);
   const double crumb_mm = crumb_mm_of(of.look);
-  const auto sheet = state_->field && weights.sheet > 0.0
-                         ? state_->texture.level(px_per_mm * state_->field->spec().wavelength_mm)
-                         : nullptr;
+  const auto surface = state_->field && weights.surface > 0.0
+                           ? state_->texture.level(px_per_mm * state_->field->spec().wavelength_mm)
+                           : nullptr;
   const auto crumb = weights.crumb > 0.0 ? dust_texture().level(px_per_mm * crumb_mm) : nullptr;
   const std::lock_guard lock(state_->mutex);
   for (const State::Made& m : state_->made) {
-    if (m.medium == medium && m.sheet == sheet.get() && m.crumb == crumb.get()) return m.look;
+    if (m.medium == medium && m.surface == surface.get() && m.crumb == crumb.get()) return m.look;
   }
   const auto made = std::make_shared<InkLook>(
       of.look, of.wear,
-      SeenRelief{state_->depth, sheet ? sheet->kept : 0.0, crumb ? crumb->kept : 0.0});
-  made->sheet = sheet;
+      SeenRelief{state_->depth, surface ? surface->kept : 0.0, crumb ? crumb->kept : 0.0});
+  made->surface = surface;
   made->crumb = crumb;
-  if (state_->field) made->sheet_tile_mm = state_->field->tile_mm();
+  if (state_->field) made->surface_tile_mm = state_->field->tile_mm();
   made->crumb_tile_mm = HeightField::kWavesPerTile * crumb_mm;
   if (state_->made.size() >= kMaxLooks) state_->made.clear();
-  state_->made.push_back({medium, sheet.get(), crumb.get(), made});
+  state_->made.push_back({medium, surface.get(), crumb.get(), made});
   return made;
 }
 

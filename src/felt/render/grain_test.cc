@@ -10,7 +10,7 @@
 
 #include "felt/base/hash.h"
 #include "felt/render/ink_look.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/render/pressure_map.h"
 #include "felt/render/raster.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -32,21 +32,21 @@ const HeightField& paper() {
 
 Stroke of_material(const Stroke& stroke, const char* material) {
   StrokeData data = stroke.data();
-  data.material = material;
+  data.medium = material;
   return Stroke::create(data).value();
 }
 
 /// Returns a line with tone 0 at its left end and 1 at its right end.
 Stroke swelling(const char* material) {
   StrokeData data = straight_stroke({10, 10}, {90, 10}, 5.0, 5.0).data();
-  data.material = material;
+  data.medium = material;
   data.widths.front() = {0.0, 5.0, 0.0};
   data.widths.back().tone = 1.0;
   return Stroke::create(data).value();
 }
 
 Image page_of(const Stroke& stroke, const Grain& grain) {
-  PageOptions options{.dpi = 200, .sheet = Rect{0, 0, 100, 20}};
+  PageOptions options{.dpi = 200, .area = Rect{0, 0, 100, 20}};
   options.grain = grain;
   return picture_of(stroke, options).value();
 }
@@ -54,7 +54,7 @@ Image page_of(const Stroke& stroke, const Grain& grain) {
 /// Returns the visible fraction of the ink of a wide, straight line of a tone.
 double seen_of(double tone, const char* material, const Grain& grain) {
   StrokeData data = straight_stroke({10, 10}, {90, 10}, 5.0, 5.0).data();
-  data.material = material;
+  data.medium = material;
   for (WidthKnot& knot : data.widths) knot.tone = tone;
   const Stroke line = Stroke::create(data).value();
   const Image smooth = page_of(line, Grain()), image = page_of(line, grain);
@@ -114,7 +114,7 @@ TEST(Grain, PlainIsSolidInkAndSoAreMediaWithoutALook) {
   const HeightField flat({.wavelength_mm = 1.0, .rms_um = 0.0});
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Stroke stroke = of_material(random_stroke(seed), "solid");
-    const PageOptions plain{.dpi = 120, .sheet = Rect{0, 0, 20, 20}};
+    const PageOptions plain{.dpi = 120, .area = Rect{0, 0, 20, 20}};
     const Image as_before = picture_of(stroke, plain).value();
     PageOptions other = plain;
     for (const HeightField* field : {&paper(), &flat, static_cast<const HeightField*>(nullptr)}) {
@@ -131,7 +131,7 @@ TEST(Grain, PlainIsSolidInkAndSoAreMediaWithoutALook) {
   }
 }
 
-TEST(Grain, OnASmoothSheetThePencilIsGreyByItsToneAndCharcoalHasCrumbs) {
+TEST(Grain, OnASmoothSurfaceThePencilIsGreyByItsToneAndCharcoalHasCrumbs) {
   const Grain glass(nullptr);
   EXPECT_TRUE(glass.is_smooth());
   EXPECT_FALSE(glass.is_plain());
@@ -176,7 +176,7 @@ TEST(Grain, FromAfarOneSeesTheMean) {
   const Grain grain(&rough);
   for (const char* material : {"pencil", "charcoal", "crayon"}) {
     const auto mean_at = [&](double dpi) {
-      PageOptions options{.dpi = dpi, .sheet = Rect{20, 8, 80, 12}};
+      PageOptions options{.dpi = dpi, .area = Rect{20, 8, 80, 12}};
       options.grain = grain;
       const Image image = picture_of(swelling(material), options).value();
       double sum = 0.0;
@@ -205,7 +205,7 @@ TEST(Grain, R47_ThePictureIsTheSameFromRunToRun) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       strokes.push_back(std::make_shared<const Stroke>(random_stroke(seed)));
     }
-    PageOptions options{.dpi = 150, .sheet = Rect{0, 0, 20, 20}};
+    PageOptions options{.dpi = 150, .area = Rect{0, 0, 20, 20}};
     options.grain = Grain(&paper());
     return render_page(strokes, options).value();
   };

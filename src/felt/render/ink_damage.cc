@@ -51,7 +51,7 @@ void add_ink(const Stroke& stroke, InkDamage& damage) {
 }
 
 void add_difference(const Stroke& before, const Stroke& after, InkDamage& damage) {
-  if (before.color() != after.color() || before.material() != after.material() ||
+  if (before.color() != after.color() || before.medium() != after.medium() ||
       before.closed() != after.closed()) {
     add_ink(before, damage);
     add_ink(after, damage);

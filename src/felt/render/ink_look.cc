@@ -91,11 +91,11 @@ InkLook::InkLook(const MediumLook& look, double wear, const SeenRelief& seen) {
   const auto of_256 = [](double weight) {
     return static_cast<int>(std::floor(256.0 * weight + 0.5));
   };
-  const double sheet_share = weights.sheet * seen.depth;
-  sheet_weight = of_256(sheet_share);
+  const double surface_share = weights.surface * seen.depth;
+  surface_weight = of_256(surface_share);
   crumb_weight = of_256(weights.crumb);
   hair_weight = of_256(weights.hairs);
-  const double blur = std::sqrt(sheet_share * sheet_share * (1.0 - seen.kept) +
+  const double blur = std::sqrt(surface_share * surface_share * (1.0 - seen.kept) +
                                 weights.crumb * weights.crumb * (1.0 - seen.crumb_kept));
   alphas.reserve(static_cast<std::size_t>(PressureMap::kRows) * kReliefs);
   constexpr int kMiddle = kReliefs / 2;
@@ -121,7 +121,7 @@ InkLook::InkLook(const MediumLook& look, double wear, const SeenRelief& seen) {
 }
 
 InkShade::InkShade(const InkLook& look, const View& view) : look_(&look) {
-  if (look.sheet) sheet_ = ReliefPlane(*look.sheet, look.sheet_tile_mm, view);
+  if (look.surface) surface_ = ReliefPlane(*look.surface, look.surface_tile_mm, view);
   if (look.crumb) crumb_ = ReliefPlane(*look.crumb, look.crumb_tile_mm, view);
 }
 
@@ -134,7 +134,7 @@ void InkShade::row(const PressureMap& pressure, int x, int y, int count,
     const std::int32_t* packed = pressure.row(y) + (x + from - pressure.area().x0);
     int reliefs[kPiece];
     std::fill_n(reliefs, pixels, 0);  // only as many as needed: most runs are short
-    if (!sheet_.is_flat()) sheet_.add_row(x + from, y, pixels, look.sheet_weight, reliefs);
+    if (!surface_.is_flat()) surface_.add_row(x + from, y, pixels, look.surface_weight, reliefs);
     if (!crumb_.is_flat()) crumb_.add_row(x + from, y, pixels, look.crumb_weight, reliefs);
     if (look.hair_weight > 0) add_hairs(look, packed, pixels, reliefs);
     shade(look, packed, reliefs, pixels, alphas + from);

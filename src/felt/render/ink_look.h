@@ -30,7 +30,7 @@ double ink_alpha(const MediumLook& look, double wear, double push, double relief
 /// Weights of relief, dust and hairs in r; their squares add up to 1. `all` is G of Grain's
 /// formula.
 struct ReliefWeights {
-  double sheet = 0.0, crumb = 0.0, hairs = 0.0;
+  double surface = 0.0, crumb = 0.0, hairs = 0.0;
   double all = 0.0;
 };
 ReliefWeights relief_weights(const MediumLook& look) noexcept;
@@ -44,13 +44,13 @@ struct InkLook {
   /// Alpha, indexed by push (a row of PressureMap), then by relief: step 128 is height 0, and 32
   /// steps are one RMS.
   std::vector<std::uint8_t> alphas;
-  std::array<std::uint16_t, 64> rim{};                      ///< factor of alpha in 1/256, by rho^2
-  std::array<std::int16_t, PressureMap::kAcross> hairs{};   ///< height by position, in 1/32 RMS
-  int sheet_weight = 0, crumb_weight = 0, hair_weight = 0;  ///< in 1/256
+  std::array<std::uint16_t, 64> rim{};                     ///< factor of alpha in 1/256, by rho^2
+  std::array<std::int16_t, PressureMap::kAcross> hairs{};  ///< height by position, in 1/32 RMS
+  int surface_weight = 0, crumb_weight = 0, hair_weight = 0;  ///< in 1/256
   bool has_rim = false;
   double edge = 0.0;
-  std::shared_ptr<const ReliefLevel> sheet, crumb;  ///< null if not visible
-  double sheet_tile_mm = 1.0, crumb_tile_mm = 1.0;
+  std::shared_ptr<const ReliefLevel> surface, crumb;  ///< null if not visible
+  double surface_tile_mm = 1.0, crumb_tile_mm = 1.0;
 };
 
 /// Shades the pixels of lines with a look in a view. Requires that `look` outlives it.
@@ -64,7 +64,7 @@ class InkShade {
 
  private:
   const InkLook* look_;
-  ReliefPlane sheet_, crumb_;
+  ReliefPlane surface_, crumb_;
 };
 
 }  // namespace felt

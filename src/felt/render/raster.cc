@@ -287,11 +287,11 @@ const InkLook* Rasterizer::look_of(const Stroke& stroke, const View& view, const
     s.looks_px_per_mm = view.px_per_mm;
   }
   const auto found = std::find_if(s.looks.begin(), s.looks.end(), [&](const auto& known) {
-    return known.first == stroke.material();
+    return known.first == stroke.medium();
   });
   if (found != s.looks.end()) return found->second.get();
   if (s.looks.size() >= State::kMaxLooks) s.looks.clear();
-  s.looks.emplace_back(stroke.material(), grain.look(stroke.material(), view.px_per_mm));
+  s.looks.emplace_back(stroke.medium(), grain.look(stroke.medium(), view.px_per_mm));
   return s.looks.back().second.get();
 }
 

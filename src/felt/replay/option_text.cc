@@ -29,7 +29,7 @@ Result<SetOption> option_event(const Session& session, const std::string& text) 
   if (!present) return tl::unexpected(present.error());
   const Result<OptionValue> value = value_like(*present, text.substr(equals + 1));
   if (!value) return fail(value.error().code, id + ": " + value.error().message);
-  return SetOption{id, *value};
+  return SetOption{session.current_option_id(id), *value};
 }
 
 }  // namespace felt

@@ -67,7 +67,7 @@ void append_stroke_in_progress(std::string& text, const Session& session) {
   StrokeData data = wet_stroke(overlay.ink);
   data.color = overlay.ink_color;
   if (std::string medium = drawing_medium(session); !medium.empty()) {
-    data.material = std::move(medium);
+    data.medium = std::move(medium);
   }
   // The last segment may still be too short.
   if (!check_invariants(data) && !data.joints.empty()) {

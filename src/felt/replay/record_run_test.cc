@@ -347,7 +347,7 @@ TEST(LiveLoopTest, LimitsCountThePlanesScaleAndThePersonsWishes) {
     ASSERT_TRUE(device.profile.plane);
     const PlaneCalibration plane = own_frame ? *device.profile.plane : PlaneCalibration();
     const Capabilities limited = limited_by(device.profile, driver.device().capabilities);
-    const SafetyLimits right = limits_for(plane.to_sheet(limited), 3.0);
+    const SafetyLimits right = limits_for(plane.to_page(limited), 3.0);
     auto loop = LiveLoop::start(device, {}, 3.0, {});
     ASSERT_TRUE(loop) << loop.error().message;
     const SafetyLimits& used = (*loop)->servo().options().limits;
@@ -357,8 +357,8 @@ TEST(LiveLoopTest, LimitsCountThePlanesScaleAndThePersonsWishes) {
     EXPECT_EQ(used.jump_mm_per_ms, right.jump_mm_per_ms) << own_frame;
     EXPECT_EQ(used.peak_force_n, right.peak_force_n) << own_frame;
     EXPECT_EQ((*loop)->device().capabilities().max_stiffness_n_per_m,
-              plane.to_sheet(limited).max_stiffness_n_per_m);
-    EXPECT_EQ((*loop)->device().capabilities().max_force_n, plane.to_sheet(limited).max_force_n);
+              plane.to_page(limited).max_stiffness_n_per_m);
+    EXPECT_EQ((*loop)->device().capabilities().max_force_n, plane.to_page(limited).max_force_n);
     EXPECT_TRUE((*loop)->stop());
   }
 }

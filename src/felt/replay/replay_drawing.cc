@@ -25,22 +25,22 @@ std::vector<std::pair<std::string, std::string>> options_of(const Drawing& drawi
                                                             const Materials& known) {
   std::vector<std::pair<std::string, std::string>> options;
   if (known.find_surface(drawing.page.surface)) {
-    options.emplace_back("sheet.material", drawing.page.surface);
+    options.emplace_back("surface.material", drawing.page.surface);
   }
-  if (drawing.color != Rgba{}) options.emplace_back("sheet.color", color_to_text(drawing.color));
+  if (drawing.color != Rgba{}) options.emplace_back("ink.color", color_to_text(drawing.color));
   return options;
 }
 
 Drawing drawing_after(Drawing drawing, const Session& session, Document document) {
   const Materials& known = session.materials();
-  const std::string& sheet = session.sheet().material().id;
+  const std::string& surface = session.surface().id;
   // An unknown id is kept unless the user selected a surface. The session replaced the unknown
   // surface by the first one, so any other surface means that the user selected it.
   const std::string& old = drawing.page.surface;
-  const bool stays = !old.empty() && !known.find_surface(old) && sheet == known.surfaces()[0].id;
-  if (!stays) drawing.page.surface = sheet;
+  const bool stays = !old.empty() && !known.find_surface(old) && surface == known.surfaces()[0].id;
+  if (!stays) drawing.page.surface = surface;
   drawing.document = std::move(document);
-  drawing.color = session.sheet().color();
+  drawing.color = session.ink_color();
   drawing.layer = session.layer();
   drawing.materials =
       texts_of_used(drawing.document, drawing.page.surface, known, media_of(drawing));

@@ -98,7 +98,7 @@ bool ReplayMachine::handle_turn() {
 
 HandScriptOptions ReplayMachine::hand_options() const {
   HandScriptOptions options = settings_.script;
-  set_surface(options, probe_.sheet().material(), probe_.device(),
+  set_surface(options, probe_.surface(), probe_.device(),
               probe_.materials().find_medium(drawing_medium(probe_)));
   return options;
 }
@@ -136,7 +136,7 @@ void ReplayMachine::add_aim(std::int64_t time_ns, const HandEvent& aim) {
   }
   const bool is_down = presses(aim) && draws(probe_);
   if (is_down && !hand_is_down_) meant_.push_back({time_ns, {}});
-  if (is_down) meant_.back().path.push_back(on_sheet(aim.target));
+  if (is_down) meant_.back().path.push_back(on_page(aim.target));
   hand_is_down_ = is_down;
 }
 
@@ -195,7 +195,7 @@ void ReplayMachine::handle_tick(const TickReport& report) {
     stats_.sent_sum_n += norm(report.sent);
   }
   if (!observer_.tick || !observed_) return;
-  const Pressing pressing(session_.sheet().material(), settings_.device.capabilities);
+  const Pressing pressing(session_.surface(), settings_.device.capabilities);
   const std::optional<double> pressure = pressing.of(report.sample);
   observed_ = observer_.tick({report, pressure, width_at(report, pressure)});
 }
@@ -213,7 +213,7 @@ std::optional<double> ReplayMachine::width_at(const TickReport& report,
     widths_ = WidthMap((medium ? drawn_with(*medium, ink) : ink).width_map);
   }
   return widths_
-      .push({on_sheet(report.sample.position), pressure, report.sample.time_ns,
+      .push({on_page(report.sample.position), pressure, report.sample.time_ns,
              report.sample.tilt_deg})
       .width_mm;
 }

@@ -55,8 +55,8 @@ std::pair<Point, Point> ends_of(const RecordedPath& path, const std::vector<Time
   };
   const auto first = std::find_if(path.begin(), path.end(), is_drawn);
   const auto last = std::find_if(path.rbegin(), path.rend(), is_drawn);
-  return {first != path.end() ? first->position : on_sheet(aims.front().target_mm),
-          last != path.rend() ? last->position : on_sheet(aims.back().target_mm)};
+  return {first != path.end() ? first->position : on_page(aims.front().target_mm),
+          last != path.rend() ? last->position : on_page(aims.back().target_mm)};
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(NullDevice, VelocityIsThatOfThePoseLowPassed) {
   EXPECT_NEAR(velocity.z, 0.0, 1.0);
 }
 
-TEST(NullDevice, StartsAboveTheSheetAndStaysWhereItWasAimed) {
+TEST(NullDevice, StartsAboveThePageAndStaysWhereItWasAimed) {
   NullDevice device;
   EXPECT_FALSE(in_contact(*device.read(0)));
   device.aim({1.0, 2.0, -0.5}, {}, 0);

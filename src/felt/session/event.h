@@ -140,7 +140,7 @@ struct UseDevice {
 };
 
 /// Adds a surface or medium, or replaces the one with the same id. If it is in use, it changes
-/// immediately. {"event":"material","text":"kind = \"sheet\"..."} The text defines it completely
+/// immediately. {"event":"material","text":"kind = \"surface\"..."} The text defines it completely
 /// (docs/formats/material.md).
 struct UseMaterial {
   std::string text;

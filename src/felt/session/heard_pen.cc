@@ -16,9 +16,9 @@ constexpr double kUsualPushN = 0.6;  // for a device without depth or pressure, 
 
 void HeardPen::look() {
   until_look_ = kLookSamples;
-  const SurfaceMaterial& sheet = session_->sheet().material();
-  pair_ = rubbing_pair(sheet, medium_in_hand(*session_));
-  const Pressing pressing(sheet, session_->device());
+  const SurfaceMaterial& surface = session_->surface();
+  pair_ = rubbing_pair(surface, medium_in_hand(*session_));
+  const Pressing pressing(surface, session_->device());
   stiffness_n_per_m_ = pressing.stiffness_n_per_m();
   most_n_ = pair_.firm_push_n = pressing.most_n();
 }

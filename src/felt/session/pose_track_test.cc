@@ -81,7 +81,7 @@ TEST(PoseTrack, HandsTiltToo) {
   EXPECT_TRUE(all[5].by_hand);
 }
 
-TEST(PoseTrack, ShortGapsAreStraightAlsoAcrossTheSheet) {
+TEST(PoseTrack, ShortGapsAreStraightAlsoAcrossThePage) {
   const auto all = poses({pen(0, {0, 0, 5}), pen(60, {6, 0, -1}), pen(61, {6, 0, 1})}, 0, 61);
   EXPECT_DOUBLE_EQ(all[30].position.z, 2.0);
   EXPECT_DOUBLE_EQ(all[30].position.x, 3.0);

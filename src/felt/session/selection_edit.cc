@@ -53,11 +53,11 @@ Result<Edit> restyle_edit(const Document& document, const Selection& selection,
     const StrokePtr stroke = document.find(id);
     if (!stroke) continue;
     const bool is_so =
-        (!color || stroke->color() == *color) && (medium.empty() || stroke->material() == medium);
+        (!color || stroke->color() == *color) && (medium.empty() || stroke->medium() == medium);
     if (is_so) continue;
     StrokeData data = stroke->data();
     if (color) data.color = *color;
-    if (!medium.empty()) data.material = medium;
+    if (!medium.empty()) data.medium = medium;
     Result<Stroke> changed = Stroke::create(std::move(data));
     if (!changed) return tl::unexpected(with_context(changed.error(), "restyle"));
     builder.replace(id, std::make_shared<const Stroke>(*std::move(changed)));

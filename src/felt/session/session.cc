@@ -12,7 +12,8 @@
 #include "felt/session/layer_edit.h"
 #include "felt/session/old_defaults.h"
 #include "felt/session/selection_edit.h"
-#include "felt/session/sheet_options.h"
+#include "felt/session/surface_options.h"
+#include "felt/stroke/color_text.h"
 #include "felt/tools/contact.h"
 #include "felt/tools/selection_view.h"
 
@@ -26,6 +27,18 @@ std::optional<double> clean_pressure(std::optional<double> pressure) {
 
 /// Splits an id at the dot: "pencil.snap" -> {"pencil", "snap"}. If the id has no dot, the second
 /// part is empty.
+constexpr std::string_view kSurface = "surface", kInkColor = "ink.color";
+
+/// Returns the colour of an option's value. Fails if the value is not the text of a colour.
+Result<Rgba> color_of(const OptionValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  const std::optional<Rgba> color = text ? color_from_text(*text) : std::nullopt;
+  if (color) return *color;
+  return fail(ErrorCode::kInvalidArgument,
+              "color: " + (text ? "\"" + *text + "\"" : "a number or switch") +
+                  " is not #rrggbb or #rrggbbaa");
+}
+
 std::pair<std::string_view, std::string_view> split_id(std::string_view id) {
   const std::size_t dot = id.find('.');
   if (dot == std::string_view::npos) return {id, {}};
@@ -86,7 +99,8 @@ struct Session::Parts {
   SelectionView selection_view;  // for tools that do not show the selection themselves
   VelocityFilter velocity;
   Contact contact;
-  SheetOptions sheet;
+  SurfaceOptions surface;
+  Rgba ink_color;
 };
 
 Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options)
@@ -102,7 +116,7 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
   const auto draws = [](const auto& tool) { return tool->info().kind == ToolKind::kDraws; };
   const auto first = std::find_if(tools_.begin(), tools_.end(), draws);
   if (first != tools_.end()) active_ = static_cast<std::size_t>(first - tools_.begin());
-  parts_->sheet.follow(options_.materials);
+  parts_->surface.follow(options_.materials);
   if (!highest_open_layer(document_)) {
     const Edit edit = add_layer_on_top(document_);
     FELT_CHECK(document_.apply(edit).has_value());
@@ -119,11 +133,19 @@ ForceModel Session::force() const {
   return tool().force(scene());
 }
 
-const SheetOptions& Session::sheet() const noexcept {
-  return parts_->sheet;
+const SurfaceMaterial& Session::surface() const noexcept {
+  return parts_->surface.material();
+}
+
+Rgba Session::ink_color() const noexcept {
+  return parts_->ink_color;
 }
 
 Result<void> Session::apply(const Event& event) {
+  if (const auto* option = std::get_if<SetOption>(&event.what)) {
+    std::string id = current_option_id(option->id);
+    if (id != option->id) return apply({event.time_ns, SetOption{std::move(id), option->value}});
+  }
   Result<void> done = std::visit(Apply{*this, event.time_ns}, event.what);
   // sample() itself records pen events, after cleaning them.
   if (done && !std::holds_alternative<PenEvent>(event.what)) record(event);
@@ -194,11 +216,17 @@ Result<void> Session::set_option(std::int64_t time_ns, const std::string& id,
   const auto in_context = [owner = std::string(owner)](const Error& error) {
     return tl::unexpected(with_context(error, owner));
   };
-  if (owner == "sheet") {
-    if (Result<void> done = parts_->sheet.set(name, value, options_.materials); !done) {
+  if (id == kInkColor) {
+    const Result<Rgba> color = color_of(value);
+    if (!color) return in_context(color.error());
+    parts_->ink_color = *color;
+    return {};
+  }
+  if (owner == kSurface) {
+    if (Result<void> done = parts_->surface.set(name, value, options_.materials); !done) {
       return in_context(done.error());
     }
-    if (name == "material") tell_material(time_ns, OpenChoice::kSheets, value);
+    if (name == "material") tell_material(time_ns, OpenChoice::kSurfaces, value);
     return {};
   }
   const Result<std::size_t> found = find_tool(owner);
@@ -237,7 +265,7 @@ Result<void> Session::use_material(const UseMaterial& event) {
   if (!material) return tl::unexpected(material.error());
   told_.push_back(material_key(*material));
   put(options_.materials, *std::move(material));
-  parts_->sheet.follow(options_.materials);
+  parts_->surface.follow(options_.materials);
   return {};
 }
 
@@ -245,8 +273,8 @@ void Session::tell_material(std::int64_t time_ns, OpenChoice kind, const OptionV
   const auto* id = std::get_if<std::string>(&value);
   if (!options_.on_event || !id || kind == OpenChoice::kNone) return;
   for (const AnyMaterial& own : not_built_in(options_.materials)) {
-    const bool is_sheet = std::holds_alternative<SurfaceMaterial>(own);
-    if (id_of(own) != *id || is_sheet != (kind == OpenChoice::kSheets)) continue;
+    const bool is_surface = std::holds_alternative<SurfaceMaterial>(own);
+    if (id_of(own) != *id || is_surface != (kind == OpenChoice::kSurfaces)) continue;
     if (std::find(told_.begin(), told_.end(), material_key(own)) != told_.end()) return;
     told_.push_back(material_key(own));
     record({time_ns, UseMaterial{write_material(own)}});
@@ -325,18 +353,45 @@ void Session::draw(Overlay& overlay) const {
   tool().draw(overlay);
 }
 
-Result<OptionValue> Session::option(std::string_view id) const {
+std::vector<std::string> Session::option_ids() const {
+  std::vector<std::string> ids;
+  const auto add = [&ids](std::string_view owner, std::span<const OptionSpec> table) {
+    for (const OptionSpec& row : table) {
+      ids.push_back(std::string(owner) + "." + std::string(row.id));
+    }
+  };
+  for (const auto& tool : tools_) add(tool->info().id, tool->info().options);
+  add(kSurface, SurfaceOptions::table());
+  ids.emplace_back(kInkColor);
+  return ids;
+}
+
+std::string Session::current_option_id(std::string_view id) const {
+  if (id == "sheet.material") return "surface.material";
+  if (id == "sheet.color") return std::string(kInkColor);
   const auto [owner, name] = split_id(id);
-  if (owner == "sheet") return parts_->sheet.get(name);
+  if (const Result<std::size_t> found = find_tool(owner)) {
+    for (const OptionSpec& row : tools_[*found]->info().options) {
+      if (!name.empty() && row.former_id == name)
+        return std::string(owner) + "." + std::string(row.id);
+    }
+  }
+  return std::string(id);
+}
+
+Result<OptionValue> Session::option(std::string_view any_id) const {
+  const std::string id = current_option_id(any_id);
+  const auto [owner, name] = split_id(id);
+  if (id == kInkColor) return OptionValue(color_to_text(parts_->ink_color));
+  if (owner == kSurface) return parts_->surface.get(name);
   const Result<std::size_t> found = find_tool(owner);
   if (!found) return tl::unexpected(found.error());
   return tools_[*found]->option(name);
 }
 
 Scene Session::scene() const {
-  return {
-      document_,       parts_->index,         selection_,        layer_, parts_->sheet.material(),
-      options_.device, parts_->sheet.color(), options_.materials};
+  return {document_, parts_->index,   selection_,  layer_,
+          surface(), options_.device, ink_color(), options_.materials};
 }
 
 const Tool* Session::first_tool(ToolKind kind) const noexcept {

@@ -12,8 +12,8 @@
 
 #include "felt/document/history.h"
 #include "felt/haptics/pen_sample.h"
+#include "felt/material/materials.h"
 #include "felt/session/event.h"
-#include "felt/session/sheet_options.h"
 #include "felt/stroke/stroke.h"
 #include "felt/tools/tool.h"
 
@@ -112,7 +112,9 @@ class Session {
   [[nodiscard]] const History& history() const noexcept { return history_; }
   /// Returns the known surfaces and media. A UseMaterial may invalidate references to them.
   [[nodiscard]] const Materials& materials() const noexcept { return options_.materials; }
-  [[nodiscard]] const SheetOptions& sheet() const noexcept;
+  [[nodiscard]] const SurfaceMaterial& surface() const noexcept;
+  /// Returns the colour of new ink (option "ink.color").
+  [[nodiscard]] Rgba ink_color() const noexcept;
   [[nodiscard]] std::span<const std::unique_ptr<Tool>> tools() const noexcept { return tools_; }
   [[nodiscard]] const Tool& tool() const noexcept { return *tools_[active_]; }
   /// Returns the first tool of this kind, or null.
@@ -120,7 +122,13 @@ class Session {
   [[nodiscard]] bool gesture_in_work() const noexcept {
     return gesture_is_open_ || preview_is_of_gesture_;
   }
-  /// Returns an option by "tool.option" or "sheet.option". Fails if it does not exist.
+  /// Returns the ids of all options: "TOOL.OPTION" of every tool, "surface.material" and
+  /// "ink.color".
+  [[nodiscard]] std::vector<std::string> option_ids() const;
+  /// Returns the present id of an option that was renamed, for example "surface.material" for
+  /// "sheet.material". Returns any other id unchanged.
+  [[nodiscard]] std::string current_option_id(std::string_view id) const;
+  /// Returns an option by its id, also by a former one. Fails if it does not exist.
   [[nodiscard]] Result<OptionValue> option(std::string_view id) const;
   /// Returns the number of edits applied to the document, including those of undo and redo.
   [[nodiscard]] std::uint64_t edit_count() const noexcept { return edits_; }

@@ -538,7 +538,7 @@ TEST(SessionCommands, RestyleIsOneStepOfAllThatIsSelected) {
   for (const std::uint64_t id : {1U, 2U}) {
     const Stroke& stroke = *desk.session.document().find({id});
     EXPECT_EQ(stroke.color(), (Rgba{0xb0, 0x20, 0x20, 255}));
-    EXPECT_EQ(stroke.material(), "chalk");
+    EXPECT_EQ(stroke.medium(), "chalk");
     EXPECT_EQ(stroke.data().points, before.find({id})->data().points);
     EXPECT_EQ(stroke.data().widths, before.find({id})->data().widths);
   }

@@ -7,7 +7,7 @@ namespace felt {
 const Medium& medium_in_hand(const Session& session) {
   const Materials& known = session.materials();
   if (session.tool().info().kind == ToolKind::kErases) return *known.find_medium("eraser");
-  const Result<OptionValue> option = session.tool().option("material");
+  const Result<OptionValue> option = session.tool().option("medium");
   const auto* id = option ? std::get_if<std::string>(&*option) : nullptr;
   const Medium* medium = id ? known.find_medium(*id) : nullptr;
   return medium ? *medium : known.media().front();
@@ -19,14 +19,14 @@ std::string drawing_option(const Session& session, std::string_view option) {
 }
 
 std::string drawing_medium(const Session& session) {
-  const Result<OptionValue> value = session.option(drawing_option(session, "material"));
+  const Result<OptionValue> value = session.option(drawing_option(session, "medium"));
   const auto* id = value ? std::get_if<std::string>(&*value) : nullptr;
   return id ? *id : std::string();
 }
 
 std::vector<SetOption> options_for_medium(const Session& session, const Medium& medium) {
   const MediumLine& line = medium.line;
-  return {{drawing_option(session, "material"), medium.id},
+  return {{drawing_option(session, "medium"), medium.id},
           {drawing_option(session, "min_width_mm"), line.min_mm},
           {drawing_option(session, "max_width_mm"), line.max_mm},
           {drawing_option(session, "gamma"), line.gamma}};

@@ -14,7 +14,7 @@ namespace felt {
 /// as long as the session's materials do not change.
 const Medium& medium_in_hand(const Session& session);
 
-/// Returns the full id of an option of the first tool that draws, for example "pencil.material" for
+/// Returns the full id of an option of the first tool that draws, for example "pencil.medium" for
 /// "material".
 std::string drawing_option(const Session& session, std::string_view option);
 /// Returns the id of the medium of new lines; "" if no tool draws.

@@ -323,15 +323,15 @@ TEST(Session, StartsWithADocument) {
   EXPECT_FALSE(desk.session.history().can_undo());
 }
 
-TEST(Session, SetsOptionsOfToolsAndOfTheSheet) {
+TEST(Session, SetsOptionsOfToolsAndOfTheSurface) {
   Desk desk;
   desk.must(SetOption{"pencil.width_mm", 2.0});
-  desk.must(SetOption{"sheet.color", std::string("#ff0000")});
-  desk.must(SetOption{"sheet.material", std::string("glass")});
+  desk.must(SetOption{"ink.color", std::string("#ff0000")});
+  desk.must(SetOption{"surface.material", std::string("glass")});
   EXPECT_EQ(desk.session.option("pencil.width_mm"), OptionValue(2.0));
-  EXPECT_EQ(desk.session.option("sheet.color"), OptionValue(std::string("#ff0000")));
-  EXPECT_EQ(desk.session.option("sheet.material"), OptionValue(std::string("glass")));
-  EXPECT_EQ(desk.session.sheet().material().id, "glass");
+  EXPECT_EQ(desk.session.option("ink.color"), OptionValue(std::string("#ff0000")));
+  EXPECT_EQ(desk.session.option("surface.material"), OptionValue(std::string("glass")));
+  EXPECT_EQ(desk.session.surface().id, "glass");
   desk.line(0, 0);
   EXPECT_EQ(visible_strokes(desk.session.document())[0]->width_mm(0), 2.0);
   EXPECT_EQ(visible_strokes(desk.session.document())[0]->color(), (Rgba{255, 0, 0, 255}));
@@ -340,12 +340,12 @@ TEST(Session, SetsOptionsOfToolsAndOfTheSheet) {
 TEST(Session, EveryMaterialCanBeChosen) {
   Desk desk;
   for (const SurfaceMaterial& material : surface_materials()) {
-    desk.must(SetOption{"sheet.material", std::string(material.id)});
-    EXPECT_EQ(desk.session.sheet().material(), material);
+    desk.must(SetOption{"surface.material", std::string(material.id)});
+    EXPECT_EQ(desk.session.surface(), material);
   }
 }
 
-std::string text_of_sheet(const std::string& id, const std::string& figures) {
+std::string text_of_surface(const std::string& id, const std::string& figures) {
   return "kind = \"sheet\"\nid = \"" + id + "\"\n[feel]\n" + figures + "\n";
 }
 
@@ -354,29 +354,29 @@ TEST(Session, IsToldOfMaterials) {
   SessionOptions options;
   options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
   Desk desk(std::move(options));
-  const SetOption choose{"sheet.material", std::string("my-paper")};
+  const SetOption choose{"surface.material", std::string("my-paper")};
   EXPECT_THAT(desk.tell(choose).error().message,
               HasSubstr("option 'material' cannot be 'my-paper': it is one of paper, rough-paper"));
-  desk.must(UseMaterial{text_of_sheet("my-paper", "friction = 0.4")});
+  desk.must(UseMaterial{text_of_surface("my-paper", "friction = 0.4")});
   desk.must(choose);
-  EXPECT_EQ(desk.session.sheet().material().friction, 0.4);
-  EXPECT_EQ(desk.session.option("sheet.material"), OptionValue(std::string("my-paper")));
+  EXPECT_EQ(desk.session.surface().friction, 0.4);
+  EXPECT_EQ(desk.session.option("surface.material"), OptionValue(std::string("my-paper")));
   // The material changes while it is in use.
-  desk.must(UseMaterial{text_of_sheet("my-paper", "friction = 0.7")});
-  EXPECT_EQ(desk.session.sheet().material().friction, 0.7);
+  desk.must(UseMaterial{text_of_surface("my-paper", "friction = 0.7")});
+  EXPECT_EQ(desk.session.surface().friction, 0.7);
   EXPECT_EQ(desk.session.materials().find_surface("my-paper")->friction, 0.7);
   EXPECT_EQ(recorded.size(), 3u);
 
-  EXPECT_EQ(desk.tell(UseMaterial{text_of_sheet("my-paper", "friction = 7")}).error().message,
+  EXPECT_EQ(desk.tell(UseMaterial{text_of_surface("my-paper", "friction = 7")}).error().message,
             "material:4: feel.friction is 7, it must be 0 to 1.5");
   EXPECT_FALSE(desk.tell(UseMaterial{"kind = \"sheet\"\nid = \"a\"\ngrain.picture = \"a.png\""}));
-  EXPECT_EQ(desk.session.sheet().material().friction, 0.7);
+  EXPECT_EQ(desk.session.surface().friction, 0.7);
   EXPECT_EQ(recorded.size(), 3u);
 }
 
-TEST(Session, FeelsAnotherFigureOfTheSameSheetFromThenOn) {
+TEST(Session, FeelsAnotherFigureOfTheSameSurfaceFromThenOn) {
   Session session(make_tools(), {.device = Capabilities{.max_force_n = 3.3}});
-  ASSERT_TRUE(session.apply({0, UseMaterial{text_of_sheet("paper", "stiffness_n_per_m = 500")}}));
+  ASSERT_TRUE(session.apply({0, UseMaterial{text_of_surface("paper", "stiffness_n_per_m = 500")}}));
   const auto push = [&session] {
     ForceModel model = session.force();
     ForceMemory memory;
@@ -385,7 +385,7 @@ TEST(Session, FeelsAnotherFigureOfTheSameSheetFromThenOn) {
     return std::pair(model.fade_id(), model(sample, memory).z);
   };
   const auto before = push();
-  ASSERT_TRUE(session.apply({0, UseMaterial{text_of_sheet("paper", "stiffness_n_per_m = 250")}}));
+  ASSERT_TRUE(session.apply({0, UseMaterial{text_of_surface("paper", "stiffness_n_per_m = 250")}}));
   const auto after = push();
   EXPECT_GT(before.second, 0.0);
   EXPECT_NEAR(after.second, 0.5 * before.second, 1e-9);
@@ -395,10 +395,10 @@ TEST(Session, FeelsAnotherFigureOfTheSameSheetFromThenOn) {
 
 TEST(Session, ARecordingHasTheMaterialsThatItNames) {
   const auto draw = [](Session& session) {
-    for (const Event& event : {Event{1, SetOption{"pencil.material", std::string("my-pen")}},
-                               Event{2, SetOption{"pencil.material", std::string("chalk")}},
-                               Event{3, SetOption{"pencil.material", std::string("my-pen")}},
-                               Event{4, SetOption{"sheet.material", std::string("my-paper")}}}) {
+    for (const Event& event : {Event{1, SetOption{"pencil.medium", std::string("my-pen")}},
+                               Event{2, SetOption{"pencil.medium", std::string("chalk")}},
+                               Event{3, SetOption{"pencil.medium", std::string("my-pen")}},
+                               Event{4, SetOption{"surface.material", std::string("my-paper")}}}) {
       ASSERT_TRUE(session.apply(event));
     }
   };
@@ -420,12 +420,12 @@ TEST(Session, ARecordingHasTheMaterialsThatItNames) {
   EXPECT_TRUE(std::holds_alternative<UseMaterial>(recorded[4].what));
 
   Session elsewhere(make_tools(), {});
-  EXPECT_FALSE(elsewhere.apply({0, SetOption{"pencil.material", std::string("my-pen")}}));
+  EXPECT_FALSE(elsewhere.apply({0, SetOption{"pencil.medium", std::string("my-pen")}}));
   for (const Event& event : recorded) {
     const Result<void> told = elsewhere.apply(event);
     ASSERT_TRUE(told) << told.error().message;
   }
-  EXPECT_EQ(elsewhere.sheet().material(), session.sheet().material());
+  EXPECT_EQ(elsewhere.surface(), session.surface());
   EXPECT_EQ(*elsewhere.materials().find_medium("my-pen"), pen);
   EXPECT_EQ(elsewhere.force().fade_id(), session.force().fade_id());
 }
@@ -433,7 +433,7 @@ TEST(Session, ARecordingHasTheMaterialsThatItNames) {
 TEST(Session, OnlyWhatDrawsIsTakenIntoThePencil) {
   Session session(make_tools(), {});
   for (const Medium& medium : media()) {
-    const Event event{0, SetOption{"pencil.material", medium.id}};
+    const Event event{0, SetOption{"pencil.medium", medium.id}};
     EXPECT_EQ(session.apply(event).has_value(), medium.draws) << medium.id;
   }
 }
@@ -448,11 +448,11 @@ TEST(Session, SaysWhatIsWrongAndChangesNothing) {
   EXPECT_THAT(desk.tell(SetOption{"brush.size", 1.0}).error().message, HasSubstr("no tool"));
   EXPECT_THAT(desk.tell(SetOption{"pencil", 1.0}).error().message, HasSubstr("pencil"));
   EXPECT_THAT(desk.tell(SetOption{"pencil.width_mm", 9.0}).error().message, HasSubstr("width_mm"));
-  EXPECT_THAT(desk.tell(SetOption{"sheet.color", 1.0}).error().message,
+  EXPECT_THAT(desk.tell(SetOption{"ink.color", 1.0}).error().message,
               HasSubstr("sheet: color: a number or switch is not #rrggbb"));
-  EXPECT_THAT(desk.tell(SetOption{"sheet.color", std::string("red")}).error().message,
+  EXPECT_THAT(desk.tell(SetOption{"ink.color", std::string("red")}).error().message,
               HasSubstr("sheet: color: \"red\" is not #rrggbb"));
-  EXPECT_THAT(desk.tell(SetOption{"sheet.material", std::string("mud")}).error().message,
+  EXPECT_THAT(desk.tell(SetOption{"surface.material", std::string("mud")}).error().message,
               HasSubstr("sheet: option 'material' cannot be 'mud'"));
   EXPECT_EQ(desk.tell(HandEvent{}).error().code, ErrorCode::kUnsupported);
   EXPECT_EQ(desk.tell(ImportEvent{"a"}).error().code, ErrorCode::kUnsupported);

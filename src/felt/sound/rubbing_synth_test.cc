@@ -150,11 +150,11 @@ TEST(RubbingSynth, MoreSpeedIsLouderAndBrighterOnEveryPairThatDoesNotSqueak) {
 }
 
 TEST(RubbingSynth, BrighterIsHigherAndLouderIsLouder) {
-  for (const bool of_sheet : {false, true}) {
+  for (const bool of_surface : {false, true}) {
     double last_hz = 0.0;
     for (const double bright : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       RubbingPair pair = pair_of("paper", "pencil");
-      (of_sheet ? pair.surface_brightness : pair.medium_brightness) = bright;
+      (of_surface ? pair.surface_brightness : pair.medium_brightness) = bright;
       const double hz = centroid_of(rubbed(pair, {}));
       EXPECT_GT(hz, 1.05 * last_hz) << bright;
       last_hz = hz;
@@ -168,21 +168,21 @@ TEST(RubbingSynth, BrighterIsHigherAndLouderIsLouder) {
 }
 
 // Surfaces and media differ in sound: in loudness and pitch together by at least 0.1 in log2.
-TEST(RubbingSynth, EverySheetAndEveryMediumHasItsOwnSound) {
+TEST(RubbingSynth, EverySurfaceAndEveryMediumHasItsOwnSound) {
   struct Heard {
     std::string name;
     double rms, hz;
   };
-  std::vector<Heard> sheets, pens;
+  std::vector<Heard> surfaces, pens;
   for (const SurfaceMaterial& surface : surface_materials()) {
     const auto sound = rubbed(rubbing_pair(surface, *find_medium("pencil")), {.seconds = 1.0});
-    sheets.push_back({surface.id, rms_of(sound), centroid_of(sound)});
+    surfaces.push_back({surface.id, rms_of(sound), centroid_of(sound)});
   }
   for (const Medium& medium : media()) {
     const auto sound = rubbed(rubbing_pair(*find_surface("paper"), medium), {.seconds = 1.0});
     pens.push_back({medium.id, rms_of(sound), centroid_of(sound)});
   }
-  for (const auto& all : {sheets, pens}) {
+  for (const auto& all : {surfaces, pens}) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         const double loud = std::fabs(std::log2(all[i].rms / all[j].rms));

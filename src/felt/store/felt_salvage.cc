@@ -10,7 +10,7 @@
 #include "felt/base/utf8.h"
 #include "felt/io/limits.h"
 #include "felt/io/xml/material_texts.h"
-#include "felt/store/felt_sheet.h"
+#include "felt/store/felt_page.h"
 #include "felt/store/felt_tables.h"
 #include "felt/store/material_table.h"
 #include "felt/store/page_scan.h"
@@ -121,9 +121,7 @@ class Findings {
     found.layer = {static_cast<std::uint64_t>(*whole(v[6]))};
     found.palette.name = *text(v[9]);
     found.palette.columns = static_cast<std::size_t>(*whole(v[10]));
-    const auto is_side = [](double mm) {
-      return mm >= SheetPage::kMinMm && mm <= SheetPage::kMaxMm;
-    };
+    const auto is_side = [](double mm) { return mm >= Page::kMinMm && mm <= Page::kMaxMm; };
     if (!is_side(found.page.width_mm) || !is_side(found.page.height_mm) || head ||
         found.page.surface.size() > kMaxLayerNameBytes || !is_utf8(found.page.surface)) {
       return true;
@@ -264,13 +262,13 @@ class Assembly {
     d.document.reserve_ids({stroke}, {static_cast<std::uint64_t>(found_.last_layer)});
     if (!d.document.layer(d.layer)) d.layer = {};
     for (auto& [id, color] : found_.colors) d.palette.colors.push_back(std::move(color));
-    if (!check_sheet(d)) {
+    if (!check_page(d)) {
       d.palette = {};
       out_.problems.emplace_back("The drawing's own colours are lost.");
     }
     for (auto& [id, text] : found_.materials) add_material_text(d.materials, text);
     d.view = found_.view;
-    if (!check_sheet(d)) d.view.reset();
+    if (!check_page(d)) d.view.reset();
     if (found_.others > 0) {
       out_.problems.emplace_back(
           "What else is in the file, recordings for example, was left behind.");

@@ -6,7 +6,7 @@
 #include "felt/base/utf8.h"
 #include "felt/store/byte_stream.h"
 #include "felt/store/crc32c.h"
-#include "felt/store/felt_sheet.h"
+#include "felt/store/felt_page.h"
 #include "felt/store/material_table.h"
 #include "felt/store/stroke_blob.h"
 
@@ -32,12 +32,12 @@ std::uint32_t checksum_of(const Drawing& d) {
     out.u64(layer.strokes.size());
     for (const StrokeId id : layer.strokes) out.u64(id.value);
   }
-  append_sheet_bytes(out, d);
+  append_page_bytes(out, d);
   return crc32c(bytes);
 }
 
 bool is_side(double mm) noexcept {
-  return mm >= SheetPage::kMinMm && mm <= SheetPage::kMaxMm;  // false for NaN
+  return mm >= Page::kMinMm && mm <= Page::kMaxMm;  // false for NaN
 }
 
 bool is_layer_name(std::string_view text) noexcept {
@@ -57,7 +57,7 @@ Result<void> check_drawing(const Drawing& d) {
   if (d.document.layers().size() > kMaxLayers) {
     return fail(ErrorCode::kLimitExceeded, "has more than 10000 layers");
   }
-  return check_sheet(d);
+  return check_page(d);
 }
 
 // --- Writing
@@ -233,7 +233,7 @@ Result<void> write_tables(Database& database, const Drawing& drawing, const Felt
       .and_then([&] { return write_drawing_row(database, drawing); })
       .and_then([&] { return write_layers(database, drawing.document); })
       .and_then([&] { return write_strokes(database, drawing.document); })
-      .and_then([&] { return write_sheet(database, drawing); })
+      .and_then([&] { return write_page(database, drawing); })
       .and_then([&] { return write_materials(database, drawing); });
 }
 
@@ -246,7 +246,7 @@ Result<Drawing> read_tables(const Database& database, const FeltSchema& schema) 
   Result<void> done = read_layers(database, drawing.document, edit)
                           .and_then([&] { return read_strokes(database, edit); })
                           .and_then([&] { return drawing.document.apply(edit); })
-                          .and_then([&] { return read_sheet(database, drawing); });
+                          .and_then([&] { return read_page(database, drawing); });
   if (done && schema.has_materials) done = read_materials(database, drawing);
   if (!done) return tl::unexpected(done.error());
   drawing.document.reserve_ids({head->last_stroke}, {head->last_layer});

@@ -253,8 +253,8 @@ void write_shape(std::string& bytes, const StrokeData& d) {
   out.u8(toned ? kToned : kPlain);
   out.u8(d.closed ? kClosed : 0);
   for (const std::uint8_t c : {d.color.r, d.color.g, d.color.b, d.color.a}) out.u8(c);
-  out.count(d.material.size());
-  bytes += d.material;
+  out.count(d.medium.size());
+  bytes += d.medium;
   out.count(d.points.size() / 3);
   out.count(d.widths.size());
   write_joints(out, d.joints);
@@ -285,8 +285,8 @@ Result<void> read_shape(ByteReader& in, bool toned, StrokeData& d) {
   for (std::uint8_t* c : {&d.color.r, &d.color.g, &d.color.b, &d.color.a}) *c = in.u8();
   const std::uint64_t name_bytes = in.count();
   if (name_bytes > kMaxMaterialNameBytes) return invalid_data("names no material");
-  d.material = std::string(in.bytes(name_bytes));
-  if (!in.ok() || !is_utf8(d.material)) return invalid_data("names no material");
+  d.medium = std::string(in.bytes(name_bytes));
+  if (!in.ok() || !is_utf8(d.medium)) return invalid_data("names no material");
   if (auto ok = read_sizes(in, d); !ok) return ok;
   const std::size_t segments = d.points.size() / 3;
   if (!read_joints(in, segments - (d.closed ? 0 : 1), d.joints)) {
@@ -309,10 +309,10 @@ Result<void> read_shape(ByteReader& in, bool toned, StrokeData& d) {
 Result<void> append_stroke_blob(std::string& out, const Stroke& stroke) {
   const StrokeData& d = stroke.data();
   if (d.points.size() > 3 * kMaxStrokeSegments + 1 || d.widths.size() > kMaxStrokeKnots ||
-      d.material.size() > kMaxMaterialNameBytes) {
+      d.medium.size() > kMaxMaterialNameBytes) {
     return fail(ErrorCode::kLimitExceeded, "the stroke is too large for a file");
   }
-  if (!is_utf8(d.material)) {
+  if (!is_utf8(d.medium)) {
     return fail(ErrorCode::kInvalidData, "the material's name is not UTF-8");
   }
   const std::size_t begin = out.size();

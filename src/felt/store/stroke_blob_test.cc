@@ -43,7 +43,7 @@ TEST(Crc32c, GivesTheValuesOfTheStandard) {
 TEST(StrokeBlob, EveryStrokeReadsBackToTheBit) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     StrokeData data = felt::testing::random_stroke(seed).data();
-    data.material = seed % 3 == 0 ? "pencil" : seed % 3 == 1 ? "" : "Füller\n\"2\"";
+    data.medium = seed % 3 == 0 ? "pencil" : seed % 3 == 1 ? "" : "Füller\n\"2\"";
     if (seed % 5 == 0) data.points[1].x = -0.0;
     Result<Stroke> stroke = Stroke::create(data);
     if (!stroke) continue;
@@ -107,7 +107,7 @@ TEST(StrokeBlob, LimitsAreKeptExactly) {
   StrokeData data = felt::testing::random_stroke(1).data();
   for (const std::size_t size :
        {kMaxMaterialNameBytes - 1, kMaxMaterialNameBytes, kMaxMaterialNameBytes + 1}) {
-    data.material = std::string(size, 'm');
+    data.medium = std::string(size, 'm');
     const Stroke stroke = Stroke::create(data).value();
     std::string bytes;
     EXPECT_EQ(append_stroke_blob(bytes, stroke).has_value(), size <= kMaxMaterialNameBytes);

@@ -67,7 +67,7 @@ struct StrokeData {
   bool closed = false;
   /// The breakpoints, with u strictly increasing from 0 to n (I6).
   std::vector<WidthKnot> widths;
-  std::string material = "pencil";
+  std::string medium = "pencil";
   Rgba color{};
 
   friend bool operator==(const StrokeData&, const StrokeData&) = default;
@@ -91,7 +91,7 @@ class Stroke {
   [[nodiscard]] JointKind joint(int i) const noexcept;
   [[nodiscard]] bool closed() const noexcept { return data_.closed; }
   [[nodiscard]] std::span<const WidthKnot> widths() const noexcept { return data_.widths; }
-  [[nodiscard]] const std::string& material() const noexcept { return data_.material; }
+  [[nodiscard]] const std::string& medium() const noexcept { return data_.medium; }
   [[nodiscard]] Rgba color() const noexcept { return data_.color; }
   /// Returns all data, to make a changed copy.
   [[nodiscard]] const StrokeData& data() const noexcept { return data_; }

@@ -12,7 +12,7 @@ StrokePtr stroke_with_tip(const Document& document, const std::optional<TipId>& 
 }
 
 bool look_alike(const Stroke& a, const Stroke& b) noexcept {
-  return a.material() == b.material() && a.color() == b.color();
+  return a.medium() == b.medium() && a.color() == b.color();
 }
 
 bool is_editable(const Document& document, LayerId layer) noexcept {

@@ -33,13 +33,13 @@ class FeelId {
 
   /// Adds all properties of a medium and a surface that affect forces, because materials may change
   /// while they keep their ids.
-  FeelId& with_sheet(const SurfaceMaterial& sheet, const Medium& medium) noexcept {
-    with(sheet.id).with(sheet.stiffness_n_per_m).with(sheet.damping_n_s_per_m);
-    with(sheet.grain_um).with(sheet.grain_mm).with(std::uint64_t{sheet.grain_seed});
-    with(static_cast<std::uint64_t>(sheet.grain_character));
+  FeelId& with_surface(const SurfaceMaterial& surface, const Medium& medium) noexcept {
+    with(surface.id).with(surface.stiffness_n_per_m).with(surface.damping_n_s_per_m);
+    with(surface.grain_um).with(surface.grain_mm).with(std::uint64_t{surface.grain_seed});
+    with(static_cast<std::uint64_t>(surface.grain_character));
     // Two numbers are enough to identify a user-defined relief.
-    if (sheet.picture) with(sheet.picture->max_slope()).with(sheet.picture->max_height_mm());
-    with(medium.id).with(friction_of(medium, sheet)).with(medium.bristle_n_per_m);
+    if (surface.picture) with(surface.picture->max_slope()).with(surface.picture->max_height_mm());
+    with(medium.id).with(friction_of(medium, surface)).with(medium.bristle_n_per_m);
     return with(medium.bristle_n_s_per_m).with(medium.grain).with(medium.wear);
   }
 

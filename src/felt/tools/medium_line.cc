@@ -17,7 +17,7 @@ bool says_it_all(const WidthMapOptions& widths) {
 
 InkFitOptions drawn_with(const Medium& medium, InkFitOptions ink) {
   const MediumLine& line = medium.line;
-  ink.material = medium.id;
+  ink.medium = medium.id;
   WidthMapOptions& widths = ink.width_map;
   widths.tilt_width = std::max(line.tilt_width, 1.0);
   ink.width.max_mm *= widths.tilt_width;

@@ -24,7 +24,7 @@ TEST(MediumLine, TheUsualRangeEvenlyLeavesTheToneToTheWidth) {
   const InkFitOptions ink = drawn_with(with_line({}), kPencilInk);
   EXPECT_EQ(ink.width_map, kPencilInk.width_map);
   EXPECT_EQ(ink.width.max_mm, kPencilInk.width.max_mm);
-  EXPECT_EQ(ink.material, "mine");
+  EXPECT_EQ(ink.medium, "mine");
   // This is correct, because the medium would have the same tone.
   WidthMapOptions own = ink.width_map;
   own.tone = ToneMapOptions{};

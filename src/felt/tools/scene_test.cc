@@ -9,11 +9,11 @@ namespace {
 // the user feels the surface.
 TEST(Scene, StrengthReachesEveryPairAndTheGrain) {
   for (const Medium& medium : media()) {
-    for (const SurfaceMaterial& sheet : surface_materials()) {
+    for (const SurfaceMaterial& surface : surface_materials()) {
       for (const double strength : {0.0, 0.4, 1.0}) {
         const Medium felt = felt_with(medium, strength, 0.5 * strength);
-        EXPECT_DOUBLE_EQ(friction_of(felt, sheet), strength * friction_of(medium, sheet))
-            << medium.id << " on " << sheet.id;
+        EXPECT_DOUBLE_EQ(friction_of(felt, surface), strength * friction_of(medium, surface))
+            << medium.id << " on " << surface.id;
         EXPECT_DOUBLE_EQ(felt.grain, 0.5 * strength * medium.grain);
       }
     }

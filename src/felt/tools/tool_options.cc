@@ -99,8 +99,8 @@ std::vector<std::string> choices_with(const OptionSpec& spec, const Materials& m
   const auto add = [&choices](const std::string& id) {
     if (std::find(choices.begin(), choices.end(), id) == choices.end()) choices.push_back(id);
   };
-  if (spec.open == OpenChoice::kSheets) {
-    for (const SurfaceMaterial& sheet : materials.surfaces()) add(sheet.id);
+  if (spec.open == OpenChoice::kSurfaces) {
+    for (const SurfaceMaterial& surface : materials.surfaces()) add(surface.id);
   }
   if (spec.open == OpenChoice::kMedia) {
     for (const Medium& medium : materials.media()) {

@@ -20,7 +20,7 @@ enum class OptionKind { kNumber, kSwitch, kChoice };
 /// Which materials a choice may name besides the listed ones. `choices` lists the built-in
 /// materials, and a session may have more (Session::materials). A tool without a session accepts
 /// any id.
-enum class OpenChoice { kNone, kSheets, kMedia };
+enum class OpenChoice { kNone, kSurfaces, kMedia };
 
 /// One row of a tool's option table, which is constexpr in the tool's folder. The desktop's panel,
 /// `--set pencil.snap_radius_mm=3`, `feltline tools` and the range tests are all generated from it.

@@ -6,7 +6,7 @@
 namespace felt {
 namespace {
 
-constexpr double kAboveSheetMm = 12.0;
+constexpr double kAbovePageMm = 12.0;
 constexpr double kCircleMm = 5.0;
 constexpr double kPressMm = 2.0;                // depth below the surface while drawing
 constexpr std::int64_t kReachNs = 500'000'000;  // time to reach the cable
@@ -38,7 +38,7 @@ SimulatedSubject::SimulatedSubject(Device& device, HandInput& hand, DeviceDescri
     : hand_(hand), descriptor_(std::move(descriptor)), plug_(device, options.watchdog_ns) {
   const Capabilities& can = device.capabilities();
   middle_ = 0.5 * (can.workspace_min + can.workspace_max);
-  middle_.z = kAboveSheetMm;
+  middle_.z = kAbovePageMm;
   before_tick(0);
 }
 

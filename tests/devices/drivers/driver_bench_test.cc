@@ -48,7 +48,7 @@ TEST_P(DriverBenchTest, TwoOfThemDoNotMeet) {
     EXPECT_TRUE(one->device()->write({}) && other->device()->write({}));
     a = *said, b = *said_by_other;
   }
-  EXPECT_GT(plane.to_sheet(b.position).x, plane.to_sheet(a.position).x + 5.0);
+  EXPECT_GT(plane.to_page(b.position).x, plane.to_page(a.position).x + 5.0);
 }
 
 TEST(DriverBenches, EachHasANameOfItsOwn) {

@@ -195,7 +195,7 @@ void FaultEpisode::begin_happening() {
       choose_other_tool();
       break;
     case Happening::kMaterial:
-      (void)session_->apply({now(), SetOption{"sheet.material", std::string("glass")}});
+      (void)session_->apply({now(), SetOption{"surface.material", std::string("glass")}});
       break;
     case Happening::kBadForce:
       servo_->publish(ForceModel(BadForce{fault_.amount}));

@@ -91,7 +91,7 @@ void FakeArm::move_to(std::int64_t now_ns) noexcept {
 
 int FakeArm::push(const std::array<double, 3>& force_n) noexcept {
   if (sense_.error == kErrorTimeout) return kErrorTimeout;
-  const Vec3 f = plane_.turn_to_sheet(Vec3{force_n[0], force_n[1], force_n[2]});
+  const Vec3 f = plane_.turn_to_page(Vec3{force_n[0], force_n[1], force_n[2]});
   const auto done = world_.device().write({f.x, f.y, f.z});
   if (done) return 0;
   return done.error() == DeviceFault::kForcesOff ? kTaken : vendor_error(done.error());

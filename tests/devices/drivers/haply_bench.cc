@@ -70,7 +70,7 @@ class HaplyBench final : public DriverBench {
   /// touches down deeper, and its line begins wider (0.30 mm). Commands are in micronewtons.
   [[nodiscard]] double tolerance_mm() const noexcept override { return 0.4; }
   [[nodiscard]] std::optional<Force> last_asked() const override {
-    return plane().turn_to_sheet(service_->newest_force());
+    return plane().turn_to_page(service_->newest_force());
   }
   [[nodiscard]] std::int64_t notice_ns() const noexcept override {
     return device_ ? device_->capabilities().period_ns : 1'000'000;

@@ -36,10 +36,10 @@ StylusPreset preset_of(const BoardModel& model) {
 // x to the left, y towards the user; the middle of the reach is in the middle of the preset's
 // workspace.
 PlaneCalibration plane_over(const StylusPreset& preset, const BoardModel& model) {
-  const Vec3 sheet = 0.5 * (preset.capabilities.workspace_min + preset.capabilities.workspace_max);
+  const Vec3 page = 0.5 * (preset.capabilities.workspace_min + preset.capabilities.workspace_max);
   const Vec3 reach = 0.5 * (model.reach_min + model.reach_max);
   return *PlaneCalibration::from({Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}},
-                                 {sheet.x + reach.x, sheet.y - reach.y, 0.0});
+                                 {page.x + reach.x, page.y - reach.y, 0.0});
 }
 
 class PantographBench final : public DriverBench {
@@ -98,7 +98,7 @@ class PantographBench final : public DriverBench {
     return board_->broken_rule();
   }
   [[nodiscard]] std::optional<Force> last_asked() const override {
-    return plane().turn_to_sheet(board_->newest_force());
+    return plane().turn_to_page(board_->newest_force());
   }
   /// Lines that are drawn, erased, widened and moved differ by 0.3 mm, because angles are a period
   /// old when they are read and come in counts of 0.02 to 0.04 mm. A line that is pulled

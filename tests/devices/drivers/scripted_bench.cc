@@ -39,7 +39,7 @@ class OtherSide {
   tl::expected<void, DeviceFault> push(const Force& force) noexcept {
     const double size = norm(force);
     largest_n_ = std::max(largest_n_, is_finite(force) ? size : HUGE_VAL);
-    const Vec3 turned = plane_.turn_to_sheet(Vec3{force.x, force.y, force.z});
+    const Vec3 turned = plane_.turn_to_page(Vec3{force.x, force.y, force.z});
     return world_.device().write({turned.x, turned.y, turned.z});
   }
   void let_go() noexcept { world_.device().stop(); }

@@ -17,13 +17,13 @@ constexpr int kTurnTicks = 4;       // the edit side runs at every fourth tick
 constexpr int kOptionTicks = 3000;  // between two changes of an option
 
 using Choice = std::pair<const char*, const char*>;
-constexpr std::array<Choice, 8> kChoices = {{{"pencil.material", "chalk"},
+constexpr std::array<Choice, 8> kChoices = {{{"pencil.medium", "chalk"},
                                              {"pencil.snap", "both"},
-                                             {"sheet.material", "blackboard"},
+                                             {"surface.material", "blackboard"},
                                              {"pencil.stabiliser", "inertia"},
-                                             {"pencil.material", "felt-tip"},
+                                             {"pencil.medium", "felt-tip"},
                                              {"pencil.stabiliser", "towed"},
-                                             {"sheet.material", "felt"},
+                                             {"surface.material", "felt"},
                                              {"pencil.snap", "off"}}};
 
 class DrawingSession final : public Session {

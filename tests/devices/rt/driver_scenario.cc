@@ -107,7 +107,7 @@ class DriverSession final : public Session {
     servo_ = std::make_unique<Servo>(
         *device_, ServoOptions{.period_ns = can.period_ns, .limits = limits_for(can)});
     // Adds an attracting well, because planar devices cannot render the surface.
-    servo_->publish(ForceModel(Compose(make_sheet_force(surface_materials()[0], media()[0], can),
+    servo_->publish(ForceModel(Compose(make_surface_force(surface_materials()[0], media()[0], can),
                                        SnapWells(Point{middle_.x, middle_.y}))));
     servo_->arm();
   }

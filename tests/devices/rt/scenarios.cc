@@ -89,7 +89,7 @@ class AllMaterials final : public Scribble {
     const auto turn = static_cast<std::size_t>(tick / 30);
     const SurfaceMaterial& surface = surfaces[turn % surfaces.size()];
     const Medium& tool = tools[(turn / surfaces.size()) % tools.size()];
-    publish(make_sheet_force(surface, tool, device(), surface_grain(surface)),
+    publish(make_surface_force(surface, tool, device(), surface_grain(surface)),
             static_cast<std::uint32_t>(turn + 1));
   }
 };
@@ -99,24 +99,24 @@ class AllMaterials final : public Scribble {
 class AllBricks final : public Scribble {
  private:
   void feel(int tick) override {
-    const auto sheet = make_sheet_force(surface_materials()[0], media()[0], device(),
-                                        surface_grain(surface_materials()[0]));
+    const auto surface = make_surface_force(surface_materials()[0], media()[0], device(),
+                                            surface_grain(surface_materials()[0]));
     const Point here{middle().x, middle().y};
     const std::array<Point, 3> targets{here, here + Vec{5.0, 0.0}, here + Vec{0.0, 9.0}};
     const auto id = static_cast<std::uint32_t>(tick / 7 + 1);
     switch (tick / 7 % 5) {
       case 0:
-        return publish(Compose(sheet, SnapWells(targets), Damping()), id);
+        return publish(Compose(surface, SnapWells(targets), Damping()), id);
       case 1:
-        return publish(Compose(sheet, EditSpring(here)), id);
+        return publish(Compose(surface, EditSpring(here)), id);
       case 2:
-        return publish(Compose(sheet, SweepSpring({.pen = here, .curve = here, .normal = {0, 1}}),
+        return publish(Compose(surface, SweepSpring({.pen = here, .curve = here, .normal = {0, 1}}),
                                PushSpring({.pen = here, .normal = {0, 1}, .displacement_mm = 3.0})),
                        id);
       case 3:
-        return publish(Compose(sheet, Towed()), id);
+        return publish(Compose(surface, Towed()), id);
       default:
-        return publish(Compose(sheet, Inertia(), Damping()), id);
+        return publish(Compose(surface, Inertia(), Damping()), id);
     }
   }
 };
@@ -129,7 +129,7 @@ class Paper : public Scribble {
  protected:
   void feel(int tick) override {
     if (tick != 0) return;
-    publish(make_sheet_force(surface_materials()[0], media()[0], device()), 1);
+    publish(make_surface_force(surface_materials()[0], media()[0], device()), 1);
   }
 };
 

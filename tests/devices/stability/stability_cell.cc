@@ -41,18 +41,18 @@ StylusPreset device_of(const StabilityCell& cell) {
 ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
   // Grain is tested at rest only: there it must add no force. It may be felt while the pen moves.
   const HeightField* grain = cell.trial == Trial::kRest ? surface_grain(*cell.surface) : nullptr;
-  const SheetForce sheet = make_sheet_force(*cell.surface, *cell.tool, device, grain);
+  const SurfaceForce surface = make_surface_force(*cell.surface, *cell.tool, device, grain);
   switch (cell.trial) {
     case Trial::kWell:
-      return ForceModel(Compose(sheet, SnapWells(kTrialPlace)));
+      return ForceModel(Compose(surface, SnapWells(kTrialPlace)));
     case Trial::kEdit:
-      return ForceModel(Compose(sheet, EditSpring(kTrialPlace)));
+      return ForceModel(Compose(surface, EditSpring(kTrialPlace)));
     case Trial::kRest:
     case Trial::kSlow:
     case Trial::kTap:
       break;
   }
-  return ForceModel(sheet);
+  return ForceModel(surface);
 }
 
 // Accumulates the measurements of a trial.

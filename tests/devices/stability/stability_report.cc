@@ -120,7 +120,7 @@ N between two steps of coarse sensors (touch, falcon), until both were made soft
 
 std::string stability_report(const std::vector<StabilityCell>& cells,
                              const std::vector<StabilityResult>& results) {
-  Table by_device, by_hand, by_loop, by_sheet;
+  Table by_device, by_hand, by_loop, by_surface;
   std::string failing;
   int count = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -129,7 +129,7 @@ std::string stability_report(const std::vector<StabilityCell>& cells,
     by_device.add(c.device->name, trial, results[i]);
     by_hand.add(c.hand != nullptr ? c.hand->name : "let go", trial, results[i]);
     by_loop.add(loop_of(c), trial, results[i]);
-    by_sheet.add(std::string(c.surface->id) + ", " + std::string(c.tool->id), trial, results[i]);
+    by_surface.add(std::string(c.surface->id) + ", " + std::string(c.tool->id), trial, results[i]);
     if (passes(results[i])) continue;
     ++count;
     failing += name_of(c) + ": " + fixed(results[i].high_frequency_n, 3) + " N, " +
@@ -139,7 +139,7 @@ std::string stability_report(const std::vector<StabilityCell>& cells,
   }
   std::string out = kIntroduction;
   out += by_device.text("device") + by_hand.text("hand") + by_loop.text("loop") +
-         by_sheet.text("surface, tool");
+         by_surface.text("surface, tool");
   out += "## What fails: " + std::to_string(count) + " of " + std::to_string(cells.size()) + "\n";
   out += kWhatFails;
   out += kListBegin;

@@ -31,8 +31,8 @@ TEST_P(StabilityMatrix, R12_FailsNowhereButWhereTheReportSays) {
   auto cells = representative_cells(all_cells());
   std::erase_if(cells, [](const StabilityCell& c) { return c.trial != GetParam(); });
   const std::size_t extremes = 5u * 3u * 3u * 2u * 2u;
-  const std::size_t sheets = surface_materials().size(), tools = media().size();
-  ASSERT_EQ(cells.size(), extremes + sheets * tools - 2u * 2u + 2u * (tools - 2u));
+  const std::size_t surfaces = surface_materials().size(), tools = media().size();
+  ASSERT_EQ(cells.size(), extremes + surfaces * tools - 2u * 2u + 2u * (tools - 2u));
   const auto results = run_cells(cells, 1);
   int clear = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -60,7 +60,7 @@ class LeaningDevice final : public Device {
     return device_.write(force);
   }
   void stop() noexcept override { device_.stop(); }
-  void aim(const Vec3& sheet_mm) noexcept { stylus_.aim(table_.to_device(sheet_mm), {}, 0); }
+  void aim(const Vec3& page_mm) noexcept { stylus_.aim(table_.to_device(page_mm), {}, 0); }
 
  private:
   SimulatedStylus stylus_;
@@ -243,7 +243,7 @@ TEST_P(DeviceSuite, R55_TheLoopKeepsToItsCapabilities) {
   const SurfaceMaterial& board = *find_surface("blackboard");
   const Point here = Point{20, 30} + subject_.shift;
   servo->publish(ForceModel(
-      Compose(make_sheet_force(board, media()[0], can), SnapWells(here), EditSpring(here))));
+      Compose(make_surface_force(board, media()[0], can), SnapWells(here), EditSpring(here))));
   servo->arm();
   VirtualClock clock(*servo);
   double most_n = 0.0, steepest = 0.0;
@@ -279,7 +279,7 @@ TEST_P(DeviceSuite, R49_FailingTakesTheForceAway) {
     const Capabilities& can = device.capabilities();
     const auto servo = std::make_unique<Servo>(
         device, ServoOptions{.period_ns = can.period_ns, .limits = limits_for(can)});
-    servo->publish(ForceModel(make_sheet_force(surface_materials()[0], media()[0], can)));
+    servo->publish(ForceModel(make_surface_force(surface_materials()[0], media()[0], can)));
     servo->arm();
     VirtualClock clock(*servo);
     while (clock.next_ns() < 2200 * kMs) {

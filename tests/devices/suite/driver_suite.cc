@@ -122,7 +122,7 @@ std::string check_pressing(const BenchMaker& make) {
   const Capabilities& can = rig.device.capabilities();
   if (can.actuated_axes < 3) return "";
   Servo servo(rig.device, {.period_ns = can.period_ns, .limits = limits_for(can)});
-  servo.publish(ForceModel(make_sheet_force(surface_materials()[0], media()[0], can)));
+  servo.publish(ForceModel(make_surface_force(surface_materials()[0], media()[0], can)));
   servo.arm();
   double least_push_n = 1e9;
   for (std::int64_t now_ns = 0; now_ns < 1500 * kMs; now_ns += can.period_ns) {

@@ -22,7 +22,7 @@ TEST_P(DriverSuite, R55_SamplesGoWhereTheHandGoes) {
 TEST_P(DriverSuite, R55_ForcesPushTheWayTheyShould) {
   EXPECT_EQ(check_force_signs(make_), "");
 }
-TEST_P(DriverSuite, R55_PressingIntoTheSheetIsPushedOut) {
+TEST_P(DriverSuite, R55_PressingIntoTheSurfaceIsPushedOut) {
   EXPECT_EQ(check_pressing(make_), "");
 }
 TEST_P(DriverSuite, R55_SaysWhatItIs) {

@@ -20,7 +20,7 @@ TEST(ShownPlane, OfAnotherUnitIsNotUsed) {
     device.profile.plane =
         PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, {900, 900, 70}, 1.0);
     ASSERT_TRUE(device.profile.plane);
-    const Vec3 shown = device.profile.plane->to_sheet(driver.device().capabilities).workspace_min;
+    const Vec3 shown = device.profile.plane->to_page(driver.device().capabilities).workspace_min;
     auto loop = LiveLoop::start(device, {0, 0, 297, 210}, 3.0, {});
     ASSERT_TRUE(loop) << loop.error().message;
     EXPECT_EQ((*loop)->device().capabilities().workspace_min == shown, same);

@@ -33,7 +33,7 @@ Broken check_change(const Document& before, const StrokeChange& change) {
   return std::nullopt;
 }
 
-bool is_of_the_sheet(std::string_view term) {
+bool is_of_the_surface(std::string_view term) {
   return term == "plane" || term == "friction" || term == "texture";
 }
 
@@ -127,13 +127,13 @@ ForceProbe::ForceProbe(const Capabilities& device) : device_(device) {
   memory_.material_cap_n_per_m = device.max_stiffness_n_per_m;
 }
 
-Force ForceProbe::beside_the_sheet(const ForceModel& model, const PenSample& sample) const {
+Force ForceProbe::beside_the_surface(const ForceModel& model, const PenSample& sample) const {
   ForceMemory memory = memory_;
   memory.begin_tick(memory_.dt_s);
   (void)model(sample, memory);
   Force sum;
   for (const ForceTerms::Term& term : memory.terms) {
-    if (!is_of_the_sheet(term.name)) sum += term.force;
+    if (!is_of_the_surface(term.name)) sum += term.force;
   }
   return sum;
 }
@@ -143,7 +143,7 @@ Broken ForceProbe::check(const ForceModel& model, const PenSample& sample, doubl
   if (Broken broken = check_claims(model.slopes(), may_exceed_budget)) return broken;
   PenSample still = sample;
   still.velocity = {};
-  const Force beside = beside_the_sheet(model, still);
+  const Force beside = beside_the_surface(model, still);
   const double lateral_n = std::hypot(beside.x, beside.y);
   largest_n_ = std::max(largest_n_, lateral_n);
   if (!(lateral_n <= limit_n + 1e-9)) {
@@ -167,11 +167,11 @@ Broken ForceProbe::check(const ForceModel& model, const PenSample& sample, doubl
 /// keeps the half in which the force changes more. If the force is continuous, the result
 /// approaches 0.
 double ForceProbe::jump_between(const ForceModel& model, PenSample a, PenSample b) const {
-  Force at_a = beside_the_sheet(model, a), at_b = beside_the_sheet(model, b);
+  Force at_a = beside_the_surface(model, a), at_b = beside_the_surface(model, b);
   for (int k = 0; k < 10 && norm(at_b - at_a) > 0.002; ++k) {
     PenSample middle = a;
     middle.position = 0.5 * (a.position + b.position);
-    const Force at_middle = beside_the_sheet(model, middle);
+    const Force at_middle = beside_the_surface(model, middle);
     const bool first_half = norm(at_middle - at_a) > norm(at_b - at_middle);
     (first_half ? b : a) = middle;
     (first_half ? at_b : at_a) = at_middle;
@@ -184,11 +184,11 @@ Broken ForceProbe::check_slope(const ForceModel& model, const PenSample& sample)
   // So far from the origin a double is too coarse to measure a slope over kStepMm.
   if (std::max(std::fabs(sample.position.x), std::fabs(sample.position.y)) > 1e5) return {};
   const double claimed_n_per_mm = 1e-3 * model.slopes().lateral_n_per_m;
-  const Force here = beside_the_sheet(model, sample);
+  const Force here = beside_the_surface(model, sample);
   for (const Vec d : {Vec{kStepMm, 0.0}, Vec{0.0, kStepMm}}) {
     PenSample moved = sample;
     moved.position = moved.position + Vec3{d.x, d.y, 0.0};
-    const Force change = beside_the_sheet(model, moved) - here;
+    const Force change = beside_the_surface(model, moved) - here;
     const double back_n_per_mm = -(change.x * d.x + change.y * d.y) / (kStepMm * kStepMm);
     if (back_n_per_mm > 1.02 * claimed_n_per_mm + 0.002) {
       return "pulls back by " + std::to_string(1e3 * back_n_per_mm) + " N/m and claims " +

@@ -40,7 +40,7 @@ class ForceProbe {
   [[nodiscard]] double take_largest_n() noexcept { return std::exchange(largest_n_, 0.0); }
 
  private:
-  [[nodiscard]] Force beside_the_sheet(const ForceModel& model, const PenSample& sample) const;
+  [[nodiscard]] Force beside_the_surface(const ForceModel& model, const PenSample& sample) const;
   [[nodiscard]] double jump_between(const ForceModel& model, PenSample a, PenSample b) const;
   Broken check_slope(const ForceModel& model, const PenSample& sample) const;
   Broken check_claims(const Slopes& slopes, bool may_exceed_budget) const;

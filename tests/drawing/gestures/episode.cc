@@ -212,7 +212,7 @@ void Episode::choose_options() {
   if (dice_.chance(0.5) && !tool.options.empty()) {
     for (int k = dice_.pick(1, 4); k > 0; --k) choose_option(tool.id, dice_.any(tool.options));
   }
-  if (dice_.chance(0.05)) choose_option("sheet", dice_.any(SheetOptions::table()));
+  if (dice_.chance(0.05)) choose_option("surface", dice_.any(SurfaceOptions::table()));
 }
 
 void Episode::choose_option(std::string_view owner, const OptionSpec& spec) {

@@ -225,7 +225,7 @@ class Teller {
   }
 
   void air(Point at, double z) { tell({at.x, at.y, z}, std::nullopt); }
-  void sheet(Point at) {
+  void page(Point at) {
     if (is_rough_) disturb(at);
     const double part = 1.0 - swing_ * 0.5 * (1.0 + std::sin(0.1 * ++count_));
     // The pen of a tablet stays on the surface and reports its pressure.
@@ -283,7 +283,7 @@ PenGesture random_gesture(Dice& dice, const Document& document, std::int64_t sta
   for (int k = dice.pick(0, 12); k > 0; --k) {
     teller.air(begin + 0.3 * static_cast<double>(k) * dice.direction(), 0.6 * k);
   }
-  for (const Point& p : way) teller.sheet(p);
+  for (const Point& p : way) teller.page(p);
   if (dice.chance(0.95)) {
     for (int k = dice.pick(1, 8); k > 0; --k) teller.air(way.back(), dice.chance(0.9) ? 6.0 : 0.2);
   }

@@ -16,7 +16,7 @@
 namespace felt::gestures {
 namespace {
 
-constexpr double kSheetMm = 120.0;
+constexpr double kPageMm = 120.0;
 constexpr std::size_t kMaxRealStrokes = 400;
 constexpr std::size_t kBatchBytes = std::size_t{1} << 20;
 
@@ -56,7 +56,7 @@ StrokeData of_points(std::vector<Point> points, bool closed, JointKind joint, do
 /// Returns a ring of 1, 2 or 4 segments.
 StrokeData ring(Dice& dice) {
   const double r = dice.over_decades(0.3, 30.0), w = dice.over_decades(kMinWidthMm, 4.0);
-  const Point c{dice.between(0.0, kSheetMm), dice.between(0.0, kSheetMm)};
+  const Point c{dice.between(0.0, kPageMm), dice.between(0.0, kPageMm)};
   const auto at = [&](double x, double y) { return c + r * Vec{x, y}; };
   switch (dice.pick(3)) {
     case 0:
@@ -78,7 +78,7 @@ StrokeData ring(Dice& dice) {
 StrokeData polygon(Dice& dice) {
   const int n = dice.pick(1, 12);
   const double step_mm = dice.over_decades(kMinSegmentMm, 40.0);
-  std::vector<Point> points{{dice.between(0.0, kSheetMm), dice.between(0.0, kSheetMm)}};
+  std::vector<Point> points{{dice.between(0.0, kPageMm), dice.between(0.0, kPageMm)}};
   for (int i = 0; i < n; ++i) {
     const Point a = points.back(), b = a + step_mm * dice.direction();
     points.insert(points.end(), {lerp(a, b, 1.0 / 3.0), lerp(a, b, 2.0 / 3.0), b});
@@ -90,7 +90,7 @@ StrokeData polygon(Dice& dice) {
 StrokeData chain(Dice& dice) {
   const int n = dice.pick(2, 40);
   const double length_mm = dice.over_decades(0.1, 5.0);
-  Point at{dice.between(0.0, kSheetMm), dice.between(0.0, kSheetMm)};
+  Point at{dice.between(0.0, kPageMm), dice.between(0.0, kPageMm)};
   double angle = dice.between(0.0, 6.0);
   std::vector<Point> points{at};
   for (int i = 0; i < n; ++i) {

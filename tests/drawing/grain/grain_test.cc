@@ -10,7 +10,7 @@
 #include "felt/base/hash.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/io/picture/png.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::grain_test {
@@ -84,7 +84,7 @@ TEST(Grain, R47_ThePngIsTheSameBytesWhoeverMadeTheField) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       strokes.push_back(std::make_shared<const Stroke>(testing::random_stroke(seed)));
     }
-    PageOptions page{.dpi = 150, .sheet = Rect{0, 0, 20, 20}};
+    PageOptions page{.dpi = 150, .area = Rect{0, 0, 20, 20}};
     page.grain = Grain(field);
     return encode_png(render_page(strokes, page).value(), page.dpi).value();
   };

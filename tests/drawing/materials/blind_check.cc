@@ -74,7 +74,7 @@ double distance_squared(const Known& known, std::size_t choice, const FeelFeatur
 
 }  // namespace
 
-std::vector<Choice> sheets_under(std::string_view tool) {
+std::vector<Choice> surfaces_under(std::string_view tool) {
   std::vector<Choice> choices;
   for (const SurfaceMaterial& surface : surface_materials()) {
     choices.push_back({surface.id, &surface, find_medium(tool)});
@@ -90,18 +90,20 @@ std::vector<Choice> media_on(std::string_view surface) {
   return choices;
 }
 
-std::vector<BlindCheck> blind_checks_of_sheets() {
-  return {{.name = "touch", .device = "touch", .choices = sheets_under("pencil")},
+std::vector<BlindCheck> blind_checks_of_surfaces() {
+  return {{.name = "touch", .device = "touch", .choices = surfaces_under("pencil")},
           {.name = "omega",
            .device = "omega",
            .period_ns = 250'000,
-           .choices = sheets_under("pencil")}};
+           .choices = surfaces_under("pencil")}};
 }
 
 std::vector<BlindCheck> blind_checks_of_media() {
-  return {
-      {.name = "touch", .device = "touch", .choices = media_on(kMediaSheet)},
-      {.name = "omega", .device = "omega", .period_ns = 250'000, .choices = media_on(kMediaSheet)}};
+  return {{.name = "touch", .device = "touch", .choices = media_on(kMediaSurface)},
+          {.name = "omega",
+           .device = "omega",
+           .period_ns = 250'000,
+           .choices = media_on(kMediaSurface)}};
 }
 
 double Confusion::accuracy() const {

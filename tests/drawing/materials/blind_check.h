@@ -17,7 +17,7 @@ struct Choice {
   const Medium* tool = nullptr;
 };
 /// Returns `tool` on each built-in surface. The surface gives the id.
-std::vector<Choice> sheets_under(std::string_view tool);
+std::vector<Choice> surfaces_under(std::string_view tool);
 /// Returns each built-in medium on `surface`. The medium gives the id.
 std::vector<Choice> media_on(std::string_view surface);
 
@@ -34,11 +34,11 @@ struct BlindCheck {
 };
 
 /// Returns the checks that docs/materials.md reports, each on an entry-level device and on a better
-/// one: the pencil on every surface, and every medium on kMediaSheet, because all media can be felt
-/// best on it.
-std::vector<BlindCheck> blind_checks_of_sheets();
+/// one: the pencil on every surface, and every medium on kMediaSurface, because all media can be
+/// felt best on it.
+std::vector<BlindCheck> blind_checks_of_surfaces();
 std::vector<BlindCheck> blind_checks_of_media();
-inline constexpr std::string_view kMediaSheet = "rough-paper";
+inline constexpr std::string_view kMediaSurface = "rough-paper";
 
 /// counts[i][j] is the number of strokes of choice i that were assigned to choice j.
 struct Confusion {

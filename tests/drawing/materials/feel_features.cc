@@ -20,7 +20,7 @@ double mean_of(const std::vector<Force>& forces, double Force::*axis) {
   return forces.empty() ? 0.0 : sum / static_cast<double>(forces.size());
 }
 
-double sheet_mean(const std::vector<Force>& forces) {
+double surface_mean(const std::vector<Force>& forces) {
   return std::hypot(mean_of(forces, &Force::x), mean_of(forces, &Force::y));
 }
 
@@ -103,7 +103,7 @@ FeelFeatures features_of(const StrokeForces& forces, double leg_mm) {
   FeelFeatures features;
   const double push =
       0.5 * (mean_of(forces.along_x, &Force::z) + mean_of(forces.along_y, &Force::z));
-  const double pull = 0.5 * (sheet_mean(forces.along_x) + sheet_mean(forces.along_y));
+  const double pull = 0.5 * (surface_mean(forces.along_x) + surface_mean(forces.along_y));
   features.jnd[0] = std::log(std::max(pull, 1e-3) / std::max(push, 1e-3)) / kForceJnd;
   // Hardness is the steepest growth of the normal force within 10 ms while the pen lands; the hand
   // always lands in the same way.

@@ -74,7 +74,7 @@ std::string percent(double share) {
   return number(100.0 * share, 0) + " %";
 }
 
-std::string sheets() {
+std::string surfaces() {
   std::string out =
       "| sheet | stiffness N/m | damping N s/m | friction (pencil) | relief rms um | wavelength mm "
       "|\n|---|---|---|---|---|---|\n";
@@ -204,9 +204,9 @@ std::string blindly(const std::vector<BlindCheck>& checks) {
 }  // namespace
 
 std::string materials_report() {
-  return kIntroduction + sheets() + "\n" + media_table() + kFigures + pairs() + kBlind +
-         "### Sheets, under the pencil\n" + blindly(blind_checks_of_sheets()) + "\n### Media, on " +
-         std::string(kMediaSheet) + "\n" + blindly(blind_checks_of_media());
+  return kIntroduction + surfaces() + "\n" + media_table() + kFigures + pairs() + kBlind +
+         "### Sheets, under the pencil\n" + blindly(blind_checks_of_surfaces()) +
+         "\n### Media, on " + std::string(kMediaSurface) + "\n" + blindly(blind_checks_of_media());
 }
 
 }  // namespace felt

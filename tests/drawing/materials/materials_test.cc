@@ -97,8 +97,8 @@ TEST(Materials, R47_TheReportCallsFeltWhatPeopleExpectToFeel) {
   const std::string report{std::istreambuf_iterator<char>(in), {}};
   const std::vector<std::string> felt = listed(report, "felt");
   for (const char* tool : {"pencil", "chalk"}) {
-    for (const char* sheet : {"rough-paper", "watercolour", "canvas", "blackboard", "wood"}) {
-      const std::string pair = name_of_pair(*find_medium(tool), *find_surface(sheet));
+    for (const char* surface : {"rough-paper", "watercolour", "canvas", "blackboard", "wood"}) {
+      const std::string pair = name_of_pair(*find_medium(tool), *find_surface(surface));
       EXPECT_NE(std::find(felt.begin(), felt.end(), pair), felt.end()) << pair;
     }
   }
@@ -139,7 +139,7 @@ TEST_P(BlindCheckOf, R48_AlikeAreThoseThatTheReportSaysAndNoOthers) {
 std::string name_of_check(const ::testing::TestParamInfo<BlindCheck>& info) {
   return info.param.name;
 }
-INSTANTIATE_TEST_SUITE_P(Sheets, BlindCheckOf, ::testing::ValuesIn(blind_checks_of_sheets()),
+INSTANTIATE_TEST_SUITE_P(Surfaces, BlindCheckOf, ::testing::ValuesIn(blind_checks_of_surfaces()),
                          name_of_check);
 INSTANTIATE_TEST_SUITE_P(Media, BlindCheckOf, ::testing::ValuesIn(blind_checks_of_media()),
                          name_of_check);

@@ -38,7 +38,7 @@ PairFigures claimed_figures(const StylusPreset& device, std::int64_t period_ns,
   Capabilities can = device.capabilities;
   can.period_ns = period_ns;
   const HeightField* grain = surface_grain(surface);
-  const Slopes slopes = make_sheet_force(surface, tool, can, grain).slopes();
+  const Slopes slopes = make_surface_force(surface, tool, can, grain).slopes();
   const double budget = stiffness_budget_n_per_m(can);
   PairFigures figures;
   figures.budget_share =

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 Drawing drawing() {
   DrawingBuilder d;
   d.drawing().has_page = true;
-  d.drawing().page = SheetPage{120.0, 90.0, {250, 248, 240, 255}};
+  d.drawing().page = Page{120.0, 90.0, {250, 248, 240, 255}};
   std::uint64_t seed = 500;
   for (const char* name : {"Back", "Front \"1\""}) {
     const std::size_t layer = d.add_layer({name, true, name[0] == 'B'});
@@ -70,7 +70,7 @@ TEST(SvgInkscape, WhatItMovedIsMoved) {
   const Stroke stroke = testing::random_stroke(7);
   Drawing one = testing::drawing_of({stroke});
   one.has_page = true;
-  one.page = SheetPage{120.0, 90.0};
+  one.page = Page{120.0, 90.0};
   const std::string text = saved_by_inkscape(one, "select-all:all;transform-translate:30,20;");
   const auto back = import_svg(text);
   ASSERT_TRUE(back) << back.error().message;

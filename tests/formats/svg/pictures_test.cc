@@ -14,7 +14,7 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/io/picture/png.h"
 #include "felt/io/svg/svg_import.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "tests/formats/svg/scene_picture.h"
 #include "tests/formats/svg/suite.h"
 #include "tests/support/scratch_path.h"
@@ -66,10 +66,9 @@ TEST(SvgPictures, OurFilesLookAsLibrsvgDrawsThem) {
 Image ink_picture(const std::string& name, int width_px) {
   const auto read = import_svg(read_file(name, std::size_t{1} << 20).value()).value();
   EXPECT_TRUE(read.drawing.has_page);
-  const Rect sheet = read.drawing.page.area();
-  return render_page(
-             visible_strokes(read.drawing.document),
-             {.dpi = width_px * 25.4 / sheet.width(), .sheet = sheet, .paper = {0, 0, 0, 0}})
+  const Rect area = read.drawing.page.area();
+  return render_page(visible_strokes(read.drawing.document),
+                     {.dpi = width_px * 25.4 / area.width(), .area = area, .paper = {0, 0, 0, 0}})
       .value();
 }
 

@@ -13,7 +13,7 @@
 #include "felt/io/drawing_builder.h"
 #include "felt/io/picture/png.h"
 #include "felt/io/xopp/xopp_writer.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::xournalpp_test {
@@ -30,7 +30,7 @@ bool has_xournalpp() {
 Drawing drawing() {
   DrawingBuilder builder;
   builder.drawing().has_page = true;
-  builder.drawing().page = SheetPage{60.0, 40.0};
+  builder.drawing().page = Page{60.0, 40.0};
   builder.add_layer({"below & <above>"});
   builder.add_layer({});
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -74,7 +74,7 @@ TEST(Xournalpp, DrawsWhatWeDraw) {
   Result<Image> theirs = xournalpp_picture(xopp_bytes(ink).value());
   ASSERT_TRUE(theirs) << theirs.error().message;
   Image ours = render_page(visible_strokes(ink.document),
-                           {.dpi = kDpi, .sheet = ink.page.area(), .paper = ink.page.paper})
+                           {.dpi = kDpi, .surface = ink.page.area(), .paper = ink.page.paper})
                    .value();
   ASSERT_NEAR(theirs->width(), ours.width(), 1);
   ASSERT_NEAR(theirs->height(), ours.height(), 1);

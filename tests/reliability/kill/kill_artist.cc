@@ -108,8 +108,8 @@ class Artist {
   [[nodiscard]] Drawing drawing() const {
     Drawing drawing;
     drawing.document = session_->document();
-    drawing.page.surface = session_->sheet().material().id;
-    drawing.color = session_->sheet().color();
+    drawing.page.surface = session_->surface().id;
+    drawing.color = session_->ink_color();
     drawing.layer = session_->layer();
     return drawing;
   }
@@ -218,7 +218,7 @@ std::vector<decltype(Event::what)> events_at(std::uint64_t seed, std::uint32_t s
     case 5:
       return {LayerEvent{LayerEvent::Do::kAdd, {}, "L"}};
     case 6:
-      return {SetOption{"sheet.color", any / 16 % 2 == 0 ? "#102030" : "#a03010"}};
+      return {SetOption{"ink.color", any / 16 % 2 == 0 ? "#102030" : "#a03010"}};
     default:
       return {};
   }

@@ -53,7 +53,7 @@ struct TestDesk {
   /// Adds one stroke of that medium, which may be unknown.
   void draw_with(const std::string& medium) {
     StrokeData data = felt::testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
-    data.material = medium;
+    data.medium = medium;
     studio.import(
         QStringLiteral("test"),
         std::vector{std::make_shared<const Stroke>(Stroke::create(std::move(data)).value())});

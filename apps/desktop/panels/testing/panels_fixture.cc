@@ -12,7 +12,7 @@ void draw_lines(Studio& studio, int count) {
     StrokeData data;
     data.points = {{10, 10.0 + i}, {20, 10.0 + i}, {30, 10.0 + i}, {40, 10.0 + i}};
     data.widths = {{0.0, 1.0}, {1.0, 1.0}};
-    data.color = studio.session().sheet().color();
+    data.color = studio.session().ink_color();
     Result<Stroke> stroke = Stroke::create(std::move(data));
     studio.import(QStringLiteral("lines"),
                   std::vector{std::make_shared<const Stroke>(*std::move(stroke))});

@@ -58,11 +58,11 @@ class AutosaveFixture {
   }
 
   [[nodiscard]] Drawing drawing() const {
-    SheetPage page;
-    page.surface = session->sheet().material().id;
+    Page page;
+    page.surface = session->surface().id;
     return {.document = session->document(),
             .page = page,
-            .color = session->sheet().color(),
+            .color = session->ink_color(),
             .layer = session->layer()};
   }
 

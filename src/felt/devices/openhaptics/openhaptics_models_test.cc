@@ -70,11 +70,10 @@ TEST(OpenHapticsModels, TheDefaultPlaneIsTheDeskAndEachAxisHasItsSign) {
   device.workspace_max = {80, 10, 50};
   const PlaneCalibration plane = openhaptics_plane(device);
   EXPECT_TRUE(plane.mirrors());
-  EXPECT_EQ(plane.to_sheet(Vec3{0, -50, 15}), (Vec3{0, 0, 0}));
-  EXPECT_EQ(plane.to_sheet(Vec3{1, -50, 15}), (Vec3{1, 0, 0}));  // right stays right
-  EXPECT_EQ(plane.to_sheet(Vec3{0, -50, 16}),
-            (Vec3{0, 1, 0}));  // towards the user is down the page
-  EXPECT_EQ(plane.to_sheet(Vec3{0, -49, 15}), (Vec3{0, 0, 1}));  // up stays up
+  EXPECT_EQ(plane.to_page(Vec3{0, -50, 15}), (Vec3{0, 0, 0}));
+  EXPECT_EQ(plane.to_page(Vec3{1, -50, 15}), (Vec3{1, 0, 0}));  // right stays right
+  EXPECT_EQ(plane.to_page(Vec3{0, -50, 16}), (Vec3{0, 1, 0}));  // towards the user is down the page
+  EXPECT_EQ(plane.to_page(Vec3{0, -49, 15}), (Vec3{0, 0, 1}));  // up stays up
   EXPECT_EQ(plane.turn_to_device(Force{1, 0, 0}), (Force{1, 0, 0}));
   EXPECT_EQ(plane.turn_to_device(Force{0, 1, 0}), (Force{0, 0, 1}));
   EXPECT_EQ(plane.turn_to_device(Force{0, 0, 1}), (Force{0, 1, 0}));  // up, away from the desk

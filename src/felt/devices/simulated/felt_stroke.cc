@@ -76,14 +76,14 @@ StrokeForces draw_stroke(const StrokePlan& plan) {
   const auto servo = std::make_unique<Servo>(
       stylus, ServoOptions{.period_ns = plan.period_ns, .limits = limits_for(can)});
   const HeightField* grain = plan.has_grain ? surface_grain(*plan.surface) : nullptr;
-  servo->publish(ForceModel(make_sheet_force(*plan.surface, *plan.tool, can, grain)));
+  servo->publish(ForceModel(make_surface_force(*plan.surface, *plan.tool, can, grain)));
   servo->arm();
 
   // The depth below the surface at which the hand must aim to press with this force: the springs of
   // the hand and the surface are in series.
-  const double sheet_n_per_m = plane_for(*plan.surface, can).stiffness_n_per_m;
+  const double surface_n_per_m = plane_for(*plan.surface, can).stiffness_n_per_m;
   const double depth_mm =
-      1e3 * plan.press_n * (1.0 / sheet_n_per_m + 1.0 / plan.hand->stiffness_n_per_m);
+      1e3 * plan.press_n * (1.0 / surface_n_per_m + 1.0 / plan.hand->stiffness_n_per_m);
   const double start_s = kLandedS + kStillS + std::max(plan.rest_s, 0.0);
   const double leg_s = plan.leg_mm / plan.speed_mm_per_s + 0.05;
   StrokeForces forces;

@@ -47,7 +47,7 @@ Drawn play(const std::vector<TimedAim>& script, const StylusPreset& device,
       drawn.strokes += lifted >= 3 ? 1 : 0;
       lifted = 0;
       if (aim.time_ns % 5'000'000 == 0) {
-        drawn.worst_mm = std::max(drawn.worst_mm, distance_to(lines, on_sheet(s.position)));
+        drawn.worst_mm = std::max(drawn.worst_mm, distance_to(lines, on_page(s.position)));
       }
     } else {
       ++lifted;

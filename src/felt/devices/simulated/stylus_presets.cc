@@ -50,7 +50,7 @@ Capabilities of_worst() noexcept {
   return device;
 }
 
-constexpr Vec3 kBigSheetMm{2000.0, 2000.0, 200.0};
+constexpr Vec3 kBigPageMm{2000.0, 2000.0, 200.0};
 
 const std::array<StylusPreset, 9>& presets() noexcept {
   static const std::array<StylusPreset, 9> kPresets{{
@@ -94,13 +94,13 @@ const std::array<StylusPreset, 9>& presets() noexcept {
        .label = "Mouse: no force, no pressure",
        .source = "no figures needed",
        .mechanics = {},
-       .capabilities = with_workspace(kBigSheetMm, {.sensed_axes = 2, .actuated_axes = 0})},
+       .capabilities = with_workspace(kBigPageMm, {.sensed_axes = 2, .actuated_axes = 0})},
       {.name = "tablet",
        .label = "Tablet: pressure, no force",
        .source = "no figures needed",
        .mechanics = {},
        .capabilities = with_workspace(
-           kBigSheetMm, {.sensed_axes = 2, .actuated_axes = 0, .senses_pressure = true})},
+           kBigPageMm, {.sensed_axes = 2, .actuated_axes = 0, .senses_pressure = true})},
   }};
   return kPresets;
 }

@@ -25,11 +25,11 @@ inline Drawing random_drawing(std::uint64_t seed) {
   const auto byte = [&random] { return static_cast<std::uint8_t>(random.pick(0, 255)); };
   Drawing& drawing = builder.drawing();
   drawing.has_page = true;
-  drawing.page = SheetPage{static_cast<double>(random.pick(10, 500)) + 0.25,
-                           static_cast<double>(random.pick(10, 5000)),
-                           {byte(), byte(), byte(), byte()}};
+  drawing.page = Page{static_cast<double>(random.pick(10, 500)) + 0.25,
+                      static_cast<double>(random.pick(10, 5000)),
+                      {byte(), byte(), byte(), byte()}};
   if (random.chance(0.5)) drawing.page.surface = "my-paper";
-  if (random.chance(0.5)) drawing.materials = {"kind = \"sheet\"\nid = \"my-paper\"\n"};
+  if (random.chance(0.5)) drawing.materials = {"kind = \"surface\"\nid = \"my-paper\"\n"};
   return std::move(builder).build();
 }
 

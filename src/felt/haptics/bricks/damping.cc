@@ -5,7 +5,7 @@ namespace felt {
 Force Damping::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   const bool touches = depth_mm(sample) > 0.0;
   const bool acts = options_.where == DampingWhere::kEverywhere ||
-                    (options_.where == DampingWhere::kOnSheet) == touches;
+                    (options_.where == DampingWhere::kOnSurface) == touches;
   Force force;
   if (acts) {
     const Vec3& v = sample.velocity;

@@ -7,7 +7,7 @@
 namespace felt {
 
 /// Where the pen must be for the damping to act.
-enum class DampingWhere { kInAir, kOnSheet, kEverywhere };
+enum class DampingWhere { kInAir, kOnSurface, kEverywhere };
 
 struct DampingOptions {
   double damping_n_s_per_m = 0.5;

@@ -55,7 +55,7 @@ PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& devic
   }
   if (period_s(device) < 0.0005) {
     plane.damping_n_s_per_m =
-        std::min(plane.damping_n_s_per_m, 2.0 / std::max(1.0, device.sheet_scale));
+        std::min(plane.damping_n_s_per_m, 2.0 / std::max(1.0, device.page_scale));
   }
   plane.damping_n_s_per_m = std::min(plane.damping_n_s_per_m, quiet.damping_n_s_per_m);
   return plane;
@@ -99,12 +99,12 @@ TextureOptions texture_for(const Medium& tool, const SurfaceMaterial& surface,
           .period_s = period_s(device)};
 }
 
-SheetForce make_sheet_force(const SurfaceMaterial& surface, const Medium& tool,
-                            const Capabilities& device, const HeightField* grain,
-                            TextureLaw law) noexcept {
-  return SheetForce(Plane(plane_for(surface, device)),
-                    Texture(grain, texture_for(tool, surface, device, law)),
-                    Friction(friction_for(tool, surface, device)));
+SurfaceForce make_surface_force(const SurfaceMaterial& surface, const Medium& tool,
+                                const Capabilities& device, const HeightField* grain,
+                                TextureLaw law) noexcept {
+  return SurfaceForce(Plane(plane_for(surface, device)),
+                      Texture(grain, texture_for(tool, surface, device, law)),
+                      Friction(friction_for(tool, surface, device)));
 }
 
 }  // namespace felt

@@ -12,8 +12,8 @@
 namespace felt {
 
 /// The forces of every drawing tool: the surface, its grain, and friction. Tools add other forces:
-/// Compose(make_sheet_force(...), SnapWells(...)).
-using SheetForce = Compose<Plane, Texture, Friction>;
+/// Compose(make_surface_force(...), SnapWells(...)).
+using SurfaceForce = Compose<Plane, Texture, Friction>;
 
 /// Returns the largest sum of slopes along one axis that a device can render, N/m (R56): 900 if at
 /// most 2 ms pass between reading a position and the end of its force. For a longer delay it is
@@ -70,8 +70,8 @@ TextureOptions texture_for(const Medium& tool, const SurfaceMaterial& surface,
 
 /// Returns the forces of a medium on a surface. `grain` is usually surface_grain(surface) and must
 /// outlive the haptic loop; if it is null, the surface is smooth.
-SheetForce make_sheet_force(const SurfaceMaterial& surface, const Medium& tool,
-                            const Capabilities& device, const HeightField* grain = nullptr,
-                            TextureLaw law = TextureLaw::kFriction) noexcept;
+SurfaceForce make_surface_force(const SurfaceMaterial& surface, const Medium& tool,
+                                const Capabilities& device, const HeightField* grain = nullptr,
+                                TextureLaw law = TextureLaw::kFriction) noexcept;
 
 }  // namespace felt

@@ -130,14 +130,15 @@ double worst_hf(const rig::Setup& setup, const Make& make) {
 TEST(DrawingFeel, R56_WithAllEffectsOnTheSumKeepsToTheBudgetAndIsCalm) {
   const SurfaceMaterial& paper = surface_materials()[0];
   const auto everything = [&](const rig::Setup& setup) {
-    return Compose(make_sheet_force(paper, media()[0], setup.capabilities(), surface_grain(paper),
-                                    TextureLaw::kGradient),
+    return Compose(make_surface_force(paper, media()[0], setup.capabilities(), surface_grain(paper),
+                                      TextureLaw::kGradient),
                    EditSpring({-3, 1}), SnapWells(Point{1, 1}), Tether::translation({1, 1}, 8),
                    Inertia());
   };
   const auto usual = [&](const rig::Setup& setup) {
-    return Compose(make_sheet_force(paper, media()[0], setup.capabilities(), surface_grain(paper)),
-                   EditSpring({-3, 1}), SnapWells(Point{1, 1}));
+    return Compose(
+        make_surface_force(paper, media()[0], setup.capabilities(), surface_grain(paper)),
+        EditSpring({-3, 1}), SnapWells(Point{1, 1}));
   };
   double worst = 0.0;
   for (const double period_s : {0.0002, 0.001}) {
@@ -158,7 +159,7 @@ TEST(DrawingFeel, R50_ASlowLoopIsCalmWithinItsBudget) {
     rig::for_each_grip(0.004, delay, [&](const rig::Setup& setup) {
       const auto calm_with = [&](const char* what, const auto& brick) {
         const double hf = worst_hf(setup, [&](const rig::Setup& s) {
-          return Compose(make_sheet_force(paper, media()[0], s.capabilities()), brick);
+          return Compose(make_surface_force(paper, media()[0], s.capabilities()), brick);
         });
         EXPECT_LT(hf, 0.03) << setup.name() << ", " << what;
       };

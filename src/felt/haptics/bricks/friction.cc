@@ -25,7 +25,7 @@ Force Friction::operator()(const PenSample& sample, ForceMemory& memory) const n
     memory.terms.add("friction", {});
     return {};
   }
-  const Point pen = on_sheet(sample.position);
+  const Point pen = on_page(sample.position);
   if (!memory.bristle_is_set) memory.bristle = pen;
   memory.bristle_is_set = true;
 

@@ -52,7 +52,7 @@ TEST(Friction, R13_SlidingSteadilyCostsMuFn) {
     for (const SurfaceMaterial& surface : surface_materials()) {
       for (const double period_s : {0.0002, 0.001, 0.004}) {  // R50
         const rig::Setup setup{.hand = rig::kHands[2], .period_s = period_s, .delay_ticks = 1};
-        const SheetForce feel = make_sheet_force(surface, tool, setup.capabilities());
+        const SurfaceForce feel = make_surface_force(surface, tool, setup.capabilities());
         rig::Bench bench(setup, ForceModel(feel), {0, 0, 0});
         const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
         const auto target = [&](double t) -> Vec3 { return {40 * t, -20 * t, aim}; };
@@ -204,7 +204,8 @@ TEST(Friction, R42_LeaningOnItForFourSecondsDoesNotCreep) {
 double worst_hf(const rig::Setup& setup, const Medium& tool) {
   double worst = 0.0;
   for (int scenario = 0; scenario < 3; ++scenario) {
-    const SheetForce feel = make_sheet_force(surface_materials()[0], tool, setup.capabilities());
+    const SurfaceForce feel =
+        make_surface_force(surface_materials()[0], tool, setup.capabilities());
     rig::Bench bench(setup, ForceModel(feel), {0, 0, 1});
     const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
     const auto target = [&](double time) -> Vec3 {

@@ -81,7 +81,7 @@ Force SnapWells::operator()(const PenSample& sample, ForceMemory& memory) const 
   Vec sum{};
   double damped = 0.0;
   for (std::size_t i = 0; i < count_; ++i) {
-    const Vec to_target = targets_[i] - on_sheet(sample.position);
+    const Vec to_target = targets_[i] - on_page(sample.position);
     const double distance = norm(to_target);
     if (distance > 1e-12) sum += (shape.force_at_n(distance) / distance) * to_target;
     damped = std::max(damped, shape.damped_share(distance));

@@ -150,14 +150,14 @@ TEST(SnapWells, TheDampingFadesWithTheRim) {
   EXPECT_EQ(damped(8.0), 0.0);
 }
 
-TEST(SnapWells, R43_AreCalmOnTheSheet) {
+TEST(SnapWells, R43_AreCalmOnTheSurface) {
   double worst = 0.0;
   for (const double period_s : {0.0002, 0.001}) {
     for (int delay = 0; delay <= 2; ++delay) {
       rig::for_each_grip(period_s, delay, [&](const rig::Setup& setup) {
         for (const double mm : {0.0, 12.0}) {
           const auto model =
-              Compose(make_sheet_force(surface_materials()[0], media()[0], setup.capabilities()),
+              Compose(make_surface_force(surface_materials()[0], media()[0], setup.capabilities()),
                       SnapWells(Point{1, 1}));
           rig::Bench bench(setup, ForceModel(model), {0, 0, 1});
           const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);

@@ -25,7 +25,7 @@ Force pull_back(const ForceLaw& law, Vec displacement_mm, double damping_n_s_per
 
 Force EditSpring::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   const Force force =
-      pull_back(options_.law, on_sheet(sample.position) - origin_, options_.damping_n_s_per_m,
+      pull_back(options_.law, on_page(sample.position) - origin_, options_.damping_n_s_per_m,
                 known_velocity(sample), memory.scale.lateral);
   memory.terms.add("edit", force);
   return force;
@@ -45,7 +45,7 @@ Force SweepSpring::operator()(const PenSample& sample, ForceMemory& memory) cons
   const double kept = std::exp(-age_s / time_constant_s_);
   const double counts = age_s > kBriefS ? time_constant_s_ / age_s * (1.0 - kept) : 1.0;
   const Vec before = curve_.pen - curve_.curve;
-  const Vec moved = on_sheet(sample.position) - curve_.pen;
+  const Vec moved = on_page(sample.position) - curve_.pen;
   Vec lag = kept * before + counts * moved, damped{};
   if (!curve_.is_end) {
     // The nearest point moves along the curve with the pen, so only motion across the curve counts.
@@ -66,7 +66,7 @@ Slopes SweepSpring::slopes() const noexcept {
 Force PushSpring::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   const ForceLaw law = options_.law.softened(memory.scale.lateral);
   const double per_mm = 1e-3 * law.max_slope_n_per_m();
-  const double into = -line_.gap_mm - dot(on_sheet(sample.position) - line_.pen, line_.normal);
+  const double into = -line_.gap_mm - dot(on_page(sample.position) - line_.pen, line_.normal);
   // The line yields at phi of its displacement. Below that force, and when the nib moves back, it
   // is a spring.
   const double yields_n = law.force_n(line_.displacement_mm + std::max(into, 0.0));

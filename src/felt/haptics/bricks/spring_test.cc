@@ -74,11 +74,11 @@ void expect_calm(const Make& make, double& worst) {
   }
 }
 
-SheetForce pencil_on_paper(const rig::Setup& setup) {
-  return make_sheet_force(surface_materials()[0], media()[0], setup.capabilities());
+SurfaceForce pencil_on_paper(const rig::Setup& setup) {
+  return make_surface_force(surface_materials()[0], media()[0], setup.capabilities());
 }
 
-TEST(EditSpring, R30_IsCalmOnTheSheet) {
+TEST(EditSpring, R30_IsCalmOnTheSurface) {
   double worst = 0.0;
   expect_calm(
       [](const rig::Setup& s) {
@@ -95,7 +95,7 @@ class GivingLine {
 
   /// Returns the curve to publish at this sample.
   CurveNear at(const PenSample& pen) {
-    const Point now = on_sheet(pen.position);
+    const Point now = on_page(pen.position);
     if (!is_set_) near_ = {.pen = now, .curve = {now.x, now.y}, .normal = {0, 1}};
     is_set_ = true;
     const double passed = 1e-9 * static_cast<double>(pen.time_ns - near_.time_ns);
@@ -143,15 +143,15 @@ TEST(SweepSpring, R29_IsTheLawOfTheDistanceToTheCurve) {
   EXPECT_NEAR(force.y, -0.8 * kEditLaw.force_n(5.0), 1e-12);
 }
 
-TEST(SweepSpring, R30_IsCalmOnTheSheet) {
+TEST(SweepSpring, R30_IsCalmOnTheSurface) {
   double worst = 0.0;
   for (const double period_s : {0.0002, 0.001}) {
     for (int delay = 0; delay <= 2; ++delay) {
       rig::for_each_grip(period_s, delay, [&](const rig::Setup& setup) {
-        const SheetForce sheet = pencil_on_paper(setup);
+        const SurfaceForce surface = pencil_on_paper(setup);
         GivingLine line;
         const auto model = [&](const PenSample& pen) {
-          return ForceModel(Compose(sheet, SweepSpring(line.at(pen))));
+          return ForceModel(Compose(surface, SweepSpring(line.at(pen))));
         };
         rig::Bench bench(setup, model(rig::pen_at({0, 0, 1})), {0, 0, 1});
         const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
@@ -285,7 +285,7 @@ TEST(Springs, R30_R56_ASmallerShareOfTheBudgetLeavesTheLevelOfTheLaw) {
   }
 }
 
-TEST(Springs, R30_GiveAHandOnTheSheetNoEnergy) {
+TEST(Springs, R30_GiveAHandOnTheSurfaceNoEnergy) {
   for (int delay = 0; delay <= 1; ++delay) {
     rig::for_each_grip(0.001, delay, [&](const rig::Setup& setup) {
       rig::Bench bench(setup, ForceModel(Compose(pencil_on_paper(setup), EditSpring({0, 0}))),

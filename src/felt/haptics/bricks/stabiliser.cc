@@ -13,7 +13,7 @@ bool nib_is_down(const PenSample& sample, Follower& nib) noexcept {
   if (!in_contact(sample)) {
     nib.is_set = false;
   } else if (!nib.is_set) {
-    nib = {.position = on_sheet(sample.position),
+    nib = {.position = on_page(sample.position),
            .velocity = in_plane(sample.velocity),
            .gesture = 0,
            .is_set = true};
@@ -34,7 +34,7 @@ Point towed_nib(const TowOptions& options, Point nib, Point pen, double dt_s) no
 Force Towed::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   Force force;
   if (nib_is_down(sample, memory.nib)) {
-    const Point pen = on_sheet(sample.position);
+    const Point pen = on_page(sample.position);
     memory.nib.position = towed_nib(options_, memory.nib.position, pen, memory.dt_s);
     const Vec rope = pen - memory.nib.position;
     const double length = norm(rope);
@@ -88,7 +88,7 @@ Vec move_mass(const InertiaOptions& options, Follower& mass, Point pen, Vec pen_
 Force Inertia::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   Force force;
   if (nib_is_down(sample, memory.nib)) {
-    const Vec pull = move_mass(options_, memory.nib, on_sheet(sample.position),
+    const Vec pull = move_mass(options_, memory.nib, on_page(sample.position),
                                in_plane(sample.velocity), memory.dt_s);
     force = -memory.scale.lateral * Force{pull.x, pull.y, 0.0};
   }

@@ -59,7 +59,7 @@ TEST(Towed, ARopeNeverPushes) {
     const Vec3 velocity{180 * std::cos(9 * t), 126 * std::cos(14 * t), 0};
     memory.begin_tick(0.001);
     const Force force = towed(rig::pen_at(pen, velocity), memory);
-    const Vec rope = on_sheet(pen) - memory.nib.position;
+    const Vec rope = on_page(pen) - memory.nib.position;
     ASSERT_LE(force.x * rope.x + force.y * rope.y, 1e-12);
   }
 }
@@ -122,17 +122,17 @@ TEST(Inertia, OnlyTakesEnergyOverAClosedCycle) {
   }
 }
 
-TEST(Stabilisers, AreCalmOnTheSheet) {
+TEST(Stabilisers, AreCalmOnTheSurface) {
   double worst = 0.0;
   for (const bool tow : {true, false}) {
     for (const double period_s : {0.0002, 0.001}) {
       for (int delay = 0; delay <= 2; ++delay) {
         rig::for_each_grip(period_s, delay, [&](const rig::Setup& setup) {
-          const SheetForce sheet =
-              make_sheet_force(surface_materials()[0], media()[0], setup.capabilities());
+          const SurfaceForce surface =
+              make_surface_force(surface_materials()[0], media()[0], setup.capabilities());
           rig::Bench bench(
               setup,
-              tow ? ForceModel(Compose(sheet, Towed())) : ForceModel(Compose(sheet, Inertia())),
+              tow ? ForceModel(Compose(surface, Towed())) : ForceModel(Compose(surface, Inertia())),
               {0, 0, 1});
           const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
           const auto target = [&](double time) -> Vec3 {

@@ -153,7 +153,7 @@ Force Tether::operator()(const PenSample& sample, ForceMemory& memory) const noe
   // can render such a spring only if it is softer than its share.
   const double share = memory.scale.lateral;
   const Tether softened = with_law(law_.softened(share * share));
-  const Point pen = on_sheet(sample.position);
+  const Point pen = on_page(sample.position);
   Vec pull{};
   switch (kind_) {
     case Kind::kNone:

@@ -246,7 +246,7 @@ TEST(Tether, ThePassiveTranslationReturnsWhatItTook) {
     };
     const Vec3 a = at(i);
     const Vec3 b = at(i + 1);
-    energy += 0.5 * work_mj(pull(tether, on_sheet(a)) + pull(tether, on_sheet(b)), b - a);
+    energy += 0.5 * work_mj(pull(tether, on_page(a)) + pull(tether, on_page(b)), b - a);
   }
   EXPECT_NEAR(energy, 0.0, 1e-3);
 }

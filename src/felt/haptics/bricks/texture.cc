@@ -61,7 +61,7 @@ Force Texture::operator()(const PenSample& sample, ForceMemory& memory) const no
   const double push = memory.normal_force_n;
   if (!(gain_ > 0.0) || !(push > 0.0)) return {};
   const double share = share_at(norm(in_plane(sample.velocity)), memory.period_s);
-  const HeightField::Sample grain = field_->at(on_sheet(sample.position));
+  const HeightField::Sample grain = field_->at(on_page(sample.position));
   const double counted = counted_push_n(push);
   if (law_ == TextureLaw::kFriction) {
     const double modulation = kDeepest * bounded(gain_ / kDeepest * grain.height_mm);

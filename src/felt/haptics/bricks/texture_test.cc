@@ -22,7 +22,7 @@ TEST(Texture, R48_TheLimitIsThatOfTheLoop) {
 }
 
 /// Returns the largest stiffness of a texture, from differences along a path of slow motion.
-double measured_stiffness(const SheetForce& feel, const PlaneOptions& plane, double push_n,
+double measured_stiffness(const SurfaceForce& feel, const PlaneOptions& plane, double push_n,
                           bool sliding) {
   const ForceModel model(feel);
   ForceMemory memory;
@@ -69,7 +69,8 @@ void keeps_every_preset_to_the_bound(double period_s) {
         EXPECT_LE(texture.stiffness_n_per_m(), limit * (1 + 1e-12)) << surface.id << tool.id;
         for (const double push_n : {0.3, 1.0, 2.5}) {
           const PlaneOptions plane = plane_for(surface, setup.capabilities());
-          const SheetForce feel = make_sheet_force(surface, tool, setup.capabilities(), grain, law);
+          const SurfaceForce feel =
+              make_surface_force(surface, tool, setup.capabilities(), grain, law);
           EXPECT_LE(measured_stiffness(feel, plane, push_n, law == TextureLaw::kFriction),
                     limit * 1.01)
               << surface.id << " " << tool.id << " T " << period_s << " push " << push_n;
@@ -117,8 +118,8 @@ TEST(Texture, R48_IsQuietAtRest) {
     for (const double period_s : {0.0002, 0.001}) {
       for (int delay = 0; delay <= 2; ++delay) {
         rig::for_each_grip(period_s, delay, [&](const rig::Setup& setup) {
-          const SheetForce feel =
-              make_sheet_force(paper, media()[0], setup.capabilities(), surface_grain(paper), law);
+          const SurfaceForce feel = make_surface_force(paper, media()[0], setup.capabilities(),
+                                                       surface_grain(paper), law);
           rig::Bench bench(setup, ForceModel(feel), {0.3, 0.2, 1});
           const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
           const auto target = [&](double time) -> Vec3 {
@@ -140,8 +141,8 @@ TEST(Texture, R48_IsQuietAtRest) {
 TEST(Texture, TheFrictionLawOnlyTakesEnergy) {
   // Slow circles within the grain show why the friction law is the default.
   const SurfaceMaterial& board = *find_surface("blackboard");
-  const SheetForce feel =
-      make_sheet_force(board, media()[0], rig::Setup{}.capabilities(), surface_grain(board));
+  const SurfaceForce feel =
+      make_surface_force(board, media()[0], rig::Setup{}.capabilities(), surface_grain(board));
   for (const double radius : {0.2, 0.7, 3.0}) {
     const ForceModel model(feel);
     ForceMemory memory;
@@ -163,7 +164,7 @@ TEST(Texture, CanBeFelt) {
   // When sliding over paper the friction varies by more than a tenth (Weber fraction 0.08-0.13).
   const SurfaceMaterial& paper = surface_materials()[0];
   const ForceModel model(
-      make_sheet_force(paper, media()[0], rig::Setup{}.capabilities(), surface_grain(paper)));
+      make_surface_force(paper, media()[0], rig::Setup{}.capabilities(), surface_grain(paper)));
   ForceMemory memory;
   double least = 1e9;
   double most = 0.0;

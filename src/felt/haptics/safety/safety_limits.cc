@@ -56,7 +56,7 @@ bool loop_is_sound(const SafetyLimits& l) noexcept {
 
 /// Converts bounds at the hand to bounds on the page. No bound becomes greater.
 void hold_at_the_hand(SafetyLimits& limits, double scale) noexcept {
-  if (!(scale >= kSmallestSheetScale && scale <= kLargestSheetScale)) {
+  if (!(scale >= kMinPageScale && scale <= kMaxPageScale)) {
     limits.peak_force_n = 0.0;
     return;
   }
@@ -92,7 +92,7 @@ SafetyLimits limits_for(const Capabilities& device, double user_limit_n) noexcep
   limits.max_stiffness_n_per_m = std::min(0.9 * finite_positive(device.max_stiffness_n_per_m), 1e6);
   limits.period_ns = std::clamp(device.period_ns, kShortestPeriodNs, kLongestPeriodNs);
   limits.delay_ticks = std::clamp(device.delay_ticks, 0, kMaxDelayTicks);
-  hold_at_the_hand(limits, device.sheet_scale);
+  hold_at_the_hand(limits, device.page_scale);
   return limits;
 }
 

@@ -65,7 +65,7 @@ bool is_sound(const SafetyLimits& limits) noexcept;
 /// (docs/design/limits.md#stiffness-budget, R55). `user_limit_n` is clamped to 0..3 N. NaN and
 /// negative numbers count as 0. A device that reports an invalid force or scale gets no force.
 ///
-/// With a scale s (Capabilities::sheet_scale) the hand feels s times the stiffness and damping on
+/// With a scale s (Capabilities::page_scale) the hand feels s times the stiffness and damping on
 /// the page, and moves at 1/s of the speed on the page (driver/plane_calibration.h). So that no
 /// bound is higher at the hand than it is with s = 1, budgets and brakes are divided by max(1, s),
 /// and speeds and jumps are multiplied by min(1, s).

@@ -112,7 +112,7 @@ TEST(SafetyLimits, WithAScaleNoBoundIsHigherAtTheHand) {
   const SafetyLimits plain = limits_for(device);
   for (double s : {0.5, 0.75, 1.0, 1.3, 2.0}) {
     SCOPED_TRACE(s);
-    device.sheet_scale = s;
+    device.page_scale = s;
     const SafetyLimits l = limits_for(device);
     EXPECT_TRUE(is_sound(l));
     EXPECT_EQ(l.peak_force_n, plain.peak_force_n);
@@ -128,7 +128,7 @@ TEST(SafetyLimits, WithAScaleNoBoundIsHigherAtTheHand) {
     EXPECT_LE(l.jump_mm_per_ms / s, plain.jump_mm_per_ms * e);
   }
   for (double odd : {kNan, kInf, -1.0, 0.0, 0.4, 2.1}) {
-    device.sheet_scale = odd;
+    device.page_scale = odd;
     EXPECT_EQ(limits_for(device).peak_force_n, 0.0) << odd;
   }
 }

@@ -307,9 +307,13 @@ constexpr std::array kDeviceFields = {
                }},
     EventField{"senses_pressure", false, parse_senses_pressure},
     EventField{"defaults", false, parse_defaults},
-    EventField{"sheet_scale", false,
+    EventField{"page_scale", false,
                [](Value& v, EventFields& e) {
-                 return parse_quantity<&Capabilities::sheet_scale>(v, "sheet_scale", e);
+                 return parse_quantity<&Capabilities::page_scale>(v, "page_scale", e);
+               }},
+    EventField{"sheet_scale", false,  // "page_scale" in older recordings
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::page_scale>(v, "sheet_scale", e);
                }},
 };
 

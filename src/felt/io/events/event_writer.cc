@@ -83,7 +83,7 @@ struct AddWhat {
     out.add_number("period_ms", static_cast<double>(can.period_ns) / 1e6);
     out.add_number("delay_ticks", can.delay_ticks);
     out.add_bool("senses_pressure", can.senses_pressure);
-    if (can.sheet_scale != 1.0) out.add_number("sheet_scale", can.sheet_scale);
+    if (can.page_scale != 1.0) out.add_number("page_scale", can.page_scale);
     if (e.defaults != 1) out.add_number("defaults", e.defaults);
   }
   void operator()(const UseMaterial& e) const {

@@ -127,7 +127,7 @@ UseDevice any_device() {
   can.period_ns = *rc::gen::inRange<std::int64_t>(1, 1'000'000'001);
   can.delay_ticks = *rc::gen::inRange(0, 8);
   can.senses_pressure = *rc::gen::arbitrary<bool>();
-  if (*rc::gen::arbitrary<bool>()) can.sheet_scale = 1.25;
+  if (*rc::gen::arbitrary<bool>()) can.page_scale = 1.25;
   return {can, *rc::gen::inRange(1, kOptionDefaults + 1)};
 }
 

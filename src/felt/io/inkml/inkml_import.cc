@@ -79,7 +79,7 @@ class InkmlReader {
     const std::string_view name = root.name();
     prefix_ = name.substr(0, name.size() - 3);
     felt_ = xml_prefix_of(root, inkml::kFeltNamespace);
-    if (!felt_.empty() && !inkml::read_sheet(root, felt_, builder_.drawing())) {
+    if (!felt_.empty() && !inkml::read_page(root, felt_, builder_.drawing())) {
       notice(root, "carries an invalid or too long material, which was left out");
     }
     find_traces(root);

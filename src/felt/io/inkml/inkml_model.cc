@@ -118,7 +118,7 @@ Result<void> append_model(std::string& out, std::string_view id, const Stroke& s
   const StrokeData& d = stroke.data();
   if (auto ok = check_range(d); !ok) return ok;
   if (auto ok = append_name(out, "id", id); !ok) return ok;
-  if (auto ok = append_name(out, "material", d.material); !ok) return ok;
+  if (auto ok = append_name(out, "material", d.medium); !ok) return ok;
   out += d.closed ? " felt:closed=\"true\"" : "";
   out += " felt:points=\"";
   for (const Point& p : d.points) {
@@ -161,10 +161,10 @@ std::optional<Result<NamedStroke>> read_model(const pugi::xml_node& node, const 
         "was changed by another program: its points were taken, not the curve beside them");
   }
   StrokeData d;
-  d.material = ours("material");
+  d.medium = ours("material");
   d.closed = ours("closed") == "true";
   d.color = color;
-  if (d.material.size() > limits::kMaxNameBytes || ours("id").size() > limits::kMaxNameBytes) {
+  if (d.medium.size() > limits::kMaxNameBytes || ours("id").size() > limits::kMaxNameBytes) {
     return invalid_data("has a name of more than 4096 bytes; its points were taken");
   }
   if (!read_points(ours("points"), d.points) || !read_joint_kinds(ours("joints"), d.joints) ||
@@ -185,7 +185,7 @@ std::optional<Result<NamedStroke>> read_model(const pugi::xml_node& node, const 
 
 namespace {
 
-std::string page_text(const SheetPage& page, Rgba paper) {
+std::string page_text(const Page& page, Rgba paper) {
   std::string text;
   append_shortest(text, page.width_mm);
   text += ' ';
@@ -194,8 +194,8 @@ std::string page_text(const SheetPage& page, Rgba paper) {
   return text;
 }
 
-std::optional<SheetPage> page_of_text(std::string_view text) {
-  SheetPage page;
+std::optional<Page> page_of_text(std::string_view text) {
+  Page page;
   const std::size_t space = text.rfind(' ');
   if (space == std::string_view::npos) return std::nullopt;
   const std::optional<Rgba> paper = color_from_text(text.substr(space + 1));
@@ -204,7 +204,7 @@ std::optional<SheetPage> page_of_text(std::string_view text) {
       numbers.next(page.height_mm) != Next::kNumber) {
     return std::nullopt;
   }
-  const auto fits = [](double v) { return v >= SheetPage::kMinMm && v <= SheetPage::kMaxMm; };
+  const auto fits = [](double v) { return v >= Page::kMinMm && v <= Page::kMaxMm; };
   if (!fits(page.width_mm) || !fits(page.height_mm)) return std::nullopt;
   page.paper = *paper;
   return page;
@@ -212,8 +212,8 @@ std::optional<SheetPage> page_of_text(std::string_view text) {
 
 }  // namespace
 
-Result<void> append_sheet(std::string& out, const Drawing& drawing,
-                          const std::optional<Rgba>& paper) {
+Result<void> append_page(std::string& out, const Drawing& drawing,
+                         const std::optional<Rgba>& paper) {
   if (drawing.has_page) {
     out += " felt:page=\"" + page_text(drawing.page, paper.value_or(drawing.page.paper)) + '"';
   }
@@ -228,13 +228,13 @@ Result<void> append_sheet(std::string& out, const Drawing& drawing,
   return {};
 }
 
-bool read_sheet(const pugi::xml_node& root, const std::string& prefix, Drawing& drawing) {
+bool read_page(const pugi::xml_node& root, const std::string& prefix, Drawing& drawing) {
   const auto ours = [&](const std::string& key) {
     return std::string_view(root.attribute((prefix + key).c_str()).value());
   };
-  const std::optional<SheetPage> page = page_of_text(ours("page"));
+  const std::optional<Page> page = page_of_text(ours("page"));
   drawing.has_page = page.has_value();
-  drawing.page = page.value_or(SheetPage{});
+  drawing.page = page.value_or(Page{});
   drawing.page.surface = ours("surface");
   bool all = true;
   for (std::size_t i = 1; i <= limits::kMaxMaterialTexts; ++i) {

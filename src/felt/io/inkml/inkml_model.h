@@ -44,10 +44,10 @@ std::optional<Result<NamedStroke>> read_model(const pugi::xml_node& node, const 
 /// Appends our attributes of the root element: the page, for example "297 210 #ffffffff", the
 /// surface, and the materials, if there are any. `paper` replaces the colour of the page. Fails if
 /// XML cannot hold a surface name or text.
-Result<void> append_sheet(std::string& out, const Drawing& drawing,
-                          const std::optional<Rgba>& paper);
-/// Reads the attributes that append_sheet() writes. Returns false if the text of a material was
+Result<void> append_page(std::string& out, const Drawing& drawing,
+                         const std::optional<Rgba>& paper);
+/// Reads the attributes that append_page() writes. Returns false if the text of a material was
 /// skipped because it is not valid.
-bool read_sheet(const pugi::xml_node& root, const std::string& prefix, Drawing& drawing);
+bool read_page(const pugi::xml_node& root, const std::string& prefix, Drawing& drawing);
 
 }  // namespace felt::inkml

@@ -39,7 +39,7 @@ class InkmlParts final : public DrawingParts {
     head_ += "\" xmlns:felt=\"";
     head_ += inkml::kFeltNamespace;
     head_ += '"';
-    if (auto ok = inkml::append_sheet(head_, drawing, paper); !ok) return ok;
+    if (auto ok = inkml::append_page(head_, drawing, paper); !ok) return ok;
     head_ += ">\n";
     add_definitions();
     return {};

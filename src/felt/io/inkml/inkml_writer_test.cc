@@ -121,7 +121,7 @@ TEST(InkmlWriter, WhatXmlCannotHoldIsAnErrorThatNamesIt) {
   const Stroke fine = testing::straight_stroke({0, 0}, {9, 0}, 1, 1);
   StrokeData data = fine.data();
   const auto of_medium = [&data](std::string medium) {
-    data.material = std::move(medium);
+    data.medium = std::move(medium);
     return ink_of(Stroke::create(data).value());
   };
   EXPECT_THAT(inkml_text(of_medium("a\x01")).error().message,

@@ -63,7 +63,7 @@ constexpr std::array kSketchFields = {
                 [](Value& v, SketchLine& s) { return json::parse_tones(v, s.tones.emplace()); }},
     SketchField{
         "material", false,
-        [](Value& v, SketchLine& s) { return json::parse_material(v, s.record.data.material); }},
+        [](Value& v, SketchLine& s) { return json::parse_material(v, s.record.data.medium); }},
     SketchField{"color", false,
                 [](Value& v, SketchLine& s) { return json::parse_color(v, s.record.data.color); }},
 };

@@ -320,7 +320,7 @@ TEST(NdjsonSketch, ReadsAWholeRecord) {
   EXPECT_EQ(data.joints, std::vector{JointKind::kCorner});
   EXPECT_EQ(data.widths, (std::vector<WidthKnot>{{0, 0.5}, {1.25, 1}, {2, 0.5}}));
   EXPECT_FALSE(data.closed);
-  EXPECT_EQ(data.material, "ink");
+  EXPECT_EQ(data.medium, "ink");
   EXPECT_EQ(data.color, (Rgba{255, 0, 0, 255}));
 }
 

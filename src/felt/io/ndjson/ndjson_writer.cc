@@ -77,9 +77,9 @@ void append_sketch_line(std::string& out, std::string_view id, const StrokeData&
                  [&out](const WidthKnot& knot) { append_number(out, knot.tone); });
   }
   static const StrokeData kDefault;
-  if (data.material != kDefault.material) {
+  if (data.medium != kDefault.medium) {
     out += R"(,"material":)";
-    append_json_string(out, data.material);
+    append_json_string(out, data.medium);
   }
   if (!(data.color == kDefault.color)) {
     out += R"(,"color":)";

@@ -87,7 +87,7 @@ TEST(NdjsonWriter, WritesTonesOnlyWhereTheyAreNotThoseOfTheWidths) {
 
 TEST(NdjsonWriter, WritesMaterialAndColorOnlyWhenTheyDiffer) {
   StrokeData data = one_segment();
-  data.material = "wet \"ink\"\n";
+  data.medium = "wet \"ink\"\n";
   data.color = {1, 2, 3, 4};
   std::string line;
   append_sketch_line(line, "s1", data);
@@ -168,7 +168,7 @@ RC_GTEST_PROP(NdjsonRoundTrip, SketchIsLossless, ()) {
       rc::gen::set(&WidthKnot::u, coordinates()), rc::gen::set(&WidthKnot::width_mm, coordinates()),
       rc::gen::set(&WidthKnot::tone, shares())));
   if (*rc::gen::arbitrary<bool>()) take_tone_of_width(data.widths);
-  data.material = *names();
+  data.medium = *names();
   data.color.r = *rc::gen::arbitrary<std::uint8_t>();
   data.color.a = *rc::gen::arbitrary<std::uint8_t>();
   const std::string id = *names();

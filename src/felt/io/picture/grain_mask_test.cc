@@ -17,7 +17,7 @@
 #include "felt/io/testing/test_drawings.h"
 #include "felt/material/materials.h"
 #include "felt/material/relief.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::grain_mask_test {
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 constexpr double kDpi = 101.6;  // 4 pixels per millimetre
-constexpr Rect kSheet{0.0, 0.0, 120.0, 90.0};
+constexpr Rect kArea{0.0, 0.0, 120.0, 90.0};
 
 Grain grain_of(std::string_view surface) {
   return Grain(surface_grain(*find_surface(surface)));
@@ -37,7 +37,7 @@ Stroke wavy(std::string material, double width_mm, Rgba color = {30, 40, 90, 255
   StrokeData data;
   data.points = {{10, 20}, {40, -5}, {70, 75}, {100, 40}};
   data.widths = {{0.0, 0.5 * width_mm}, {1.0, width_mm}};
-  data.material = std::move(material);
+  data.medium = std::move(material);
   data.color = color;
   return Stroke::create(std::move(data)).value();
 }
@@ -91,14 +91,14 @@ TEST(GrainMask, OutlineThroughItIsTheInkOnTheScreen) {
     for (const Medium& medium : media()) {
       SCOPED_TRACE(surface.id + ", " + medium.id);
       const Stroke stroke = wavy(medium.id, 4.0, {0, 0, 0, 255});
-      GrainMasks masks({grain, kDpi}, kSheet);
+      GrainMasks masks({grain, kDpi}, kArea);
       const std::optional<GrainMask> mask = masks.of(stroke).value();
       const View view = View::at_dpi(mask ? Point{mask->area.x0, mask->area.y0} : Point{}, kDpi);
       Image ours = Image::create(mask ? mask->width : 480, mask ? mask->height : 360).value();
       const Pixels pixels = ours.pixels();
       Rasterizer rasterizer;
       rasterizer.draw(stroke, view, pixels.rect(), grain, pixels);
-      const GrainMask whole{kSheet, 480, 360, std::vector<std::uint8_t>(480 * 360, 255)};
+      const GrainMask whole{kArea, 480, 360, std::vector<std::uint8_t>(480 * 360, 255)};
       const Image theirs = through(mask ? *mask : whole, stroke);
       masks_made += mask ? 1 : 0;
       int worst = 0;
@@ -113,8 +113,8 @@ TEST(GrainMask, OutlineThroughItIsTheInkOnTheScreen) {
   EXPECT_GE(masks_made, 12);
 }
 
-TEST(GrainMask, WhatLiesBesideTheSheetNeedsNone) {
-  GrainMasks masks({grain_of("rough-paper"), kDpi}, kSheet);
+TEST(GrainMask, WhatLiesBesideTheSurfaceNeedsNone) {
+  GrainMasks masks({grain_of("rough-paper"), kDpi}, kArea);
   StrokeData data = wavy("pencil", 3.0).data();
   for (Point& p : data.points) p.x += 500.0;
   EXPECT_FALSE(masks.of(Stroke::create(data).value()).value());
@@ -123,13 +123,13 @@ TEST(GrainMask, WhatLiesBesideTheSheetNeedsNone) {
   for (Point& p : data.points) p.x -= 1e9 + 400.0;  // half of the line is there
   const auto mask = masks.of(Stroke::create(data).value()).value();
   ASSERT_TRUE(mask);
-  EXPECT_LE(mask->area.x1, kSheet.x1 + 1.0);
+  EXPECT_LE(mask->area.x1, kArea.x1 + 1.0);
 }
 
 TEST(GrainMask, IsBounded) {
   const Stroke stroke = wavy("pencil", 3.0);
   for (const double dpi : {0.0, -1.0, 19.0, 1201.0, std::nan(""), 1e300}) {
-    EXPECT_EQ(GrainMasks({grain_of("paper"), dpi}, kSheet).of(stroke).error().code,
+    EXPECT_EQ(GrainMasks({grain_of("paper"), dpi}, kArea).of(stroke).error().code,
               ErrorCode::kInvalidArgument);
   }
   GrainMasks masks({grain_of("paper"), 1200.0}, {0, 0, 5000, 5000});
@@ -186,7 +186,7 @@ std::string unmasked(std::string svg) {
 
 // Grain never changes lines and outlines, and we read the same drawing with and without it.
 TEST(GrainMask, AnSvgIsTheSameBesideIt) {
-  const SvgOptions plain{.sheet = kSheet};
+  const SvgOptions plain{.area = kArea};
   SvgOptions grained = plain;
   grained.grain = GrainPrint{grain_of("rough-paper"), kDpi};
   const std::string without = svg_ink_text(all_media(), plain).value();
@@ -197,10 +197,10 @@ TEST(GrainMask, AnSvgIsTheSameBesideIt) {
 
   Drawing drawing = all_media();
   drawing.has_page = true;
-  drawing.page = SheetPage{.width_mm = 120.0, .height_mm = 90.0, .surface = "rough-paper"};
+  drawing.page = Page{.width_mm = 120.0, .height_mm = 90.0, .surface = "rough-paper"};
   drawing.materials = {"id = \"a\"\n", "<&\">"};
   SvgOptions whole = grained;
-  whole.sheet.reset();
+  whole.area.reset();
   const Imported back = import_svg(svg_text(drawing, whole).value()).value();
   EXPECT_TRUE(back.report.empty()) << notice_text(back.report.notices().front());
   EXPECT_EQ(back.drawing, drawing);
@@ -234,7 +234,7 @@ class GrainPicture : public ::testing::Test {
   [[nodiscard]] Image ours() const {
     PageOptions page;
     page.dpi = kDpi;
-    page.sheet = kSheet;
+    page.area = kArea;
     page.grain = print_.grain;
     return render_page(visible_strokes(drawing_.document), page).value();
   }
@@ -242,7 +242,7 @@ class GrainPicture : public ::testing::Test {
   [[nodiscard]] double solid_difference() const {
     return mean_difference(
         ours(),
-        render_page(visible_strokes(drawing_.document), {.dpi = kDpi, .sheet = kSheet}).value());
+        render_page(visible_strokes(drawing_.document), {.dpi = kDpi, .area = kArea}).value());
   }
 
   fs::path folder_;
@@ -254,8 +254,8 @@ TEST_F(GrainPicture, AnotherProgramShowsItFromSvg) {
   if (std::system("command -v rsvg-convert >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "rsvg-convert is not installed (package librsvg2-bin)";
   }
-  ASSERT_TRUE(write_file(path("a.svg"),
-                         svg_ink_text(drawing_, {.sheet = kSheet, .grain = print_}).value()));
+  ASSERT_TRUE(
+      write_file(path("a.svg"), svg_ink_text(drawing_, {.area = kArea, .grain = print_}).value()));
   ASSERT_EQ(
       std::system(("rsvg-convert -w 480 -h 360 -b white " + path("a.svg") + " -o " + path("a.png"))
                       .c_str()),
@@ -271,7 +271,7 @@ TEST_F(GrainPicture, AnotherProgramShowsItFromPdf) {
     GTEST_SKIP() << "pdftoppm is not installed (package poppler-utils)";
   }
   PdfOptions options;
-  options.sheet = kSheet;
+  options.area = kArea;
   const std::string plain = pdf_text(drawing_, options).value();
   options.grain = print_;
   const std::string grained = pdf_text(drawing_, options).value();

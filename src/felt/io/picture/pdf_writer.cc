@@ -341,7 +341,7 @@ class PdfParts final : public DrawingParts {
 }  // namespace
 
 Result<std::unique_ptr<DrawingParts>> pdf_parts(const Drawing& drawing, const PdfOptions& options) {
-  const Rect area = picture_area(ink_bounds(drawing.document), options.sheet, options.margin_mm);
+  const Rect area = picture_area(ink_bounds(drawing.document), options.area, options.margin_mm);
   if (auto ok = check(drawing.document, options, area); !ok) return tl::unexpected(ok.error());
   return std::make_unique<PdfParts>(drawing.document, options, area);
 }

@@ -15,7 +15,7 @@ namespace felt {
 /// Options for writing a PDF file.
 struct PdfOptions {
   /// The area that the page shows. If not set, the page shows all ink with a margin around it.
-  std::optional<Rect> sheet{};
+  std::optional<Rect> area{};
   double margin_mm = 5.0;
   /// Largest distance between the written outline of a stroke and the exact one. Rounding adds up
   /// to 0.0007 mm.

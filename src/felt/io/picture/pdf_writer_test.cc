@@ -11,7 +11,7 @@
 #include "felt/base/read_file.h"
 #include "felt/io/picture/png.h"
 #include "felt/io/testing/test_drawings.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::pdf_writer_test {
@@ -51,13 +51,13 @@ TEST(PdfWriter, TheTableFindsEveryObject) {
 }
 
 TEST(PdfWriter, ThePageHasItsTrueSize) {
-  const std::string pdf = pdf_text({}, {.sheet = Rect{0.0, 0.0, 210.0, 297.0}}).value();
+  const std::string pdf = pdf_text({}, {.area = Rect{0.0, 0.0, 210.0, 297.0}}).value();
   EXPECT_THAT(pdf, HasSubstr("/MediaBox [0 0 595.2756 841.8898 ]"));
 }
 
 TEST(PdfWriter, WhatCannotBeAPageIsAnError) {
-  EXPECT_FALSE(pdf_text({}, {.sheet = Rect{0.0, 0.0, 6000.0, 10.0}}));
-  EXPECT_FALSE(pdf_text({}, {.sheet = Rect{0.0, 0.0, 0.0, 10.0}}));
+  EXPECT_FALSE(pdf_text({}, {.area = Rect{0.0, 0.0, 6000.0, 10.0}}));
+  EXPECT_FALSE(pdf_text({}, {.area = Rect{0.0, 0.0, 0.0, 10.0}}));
   EXPECT_FALSE(pdf_text({}, {.tolerance_mm = 0.0}));
 }
 
@@ -69,20 +69,20 @@ TEST(PdfWriter, AnotherProgramSeesTheSameInk) {
   std::string folder = (fs::temp_directory_path() / "felt-pdf-XXXXXX").string();
   ASSERT_NE(::mkdtemp(folder.data()), nullptr);
   constexpr double kDpi = 150.0;
-  const Rect sheet{0.0, 0.0, 60.96, 60.96};  // 360 pixels
+  const Rect area{0.0, 0.0, 60.96, 60.96};  // 360 pixels
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const Drawing drawing = drawing_on_page(seed, 8);
     const std::string pdf = folder + "/a.pdf";
     const Rgba paper{255, 250, 240, 255};
-    ASSERT_TRUE(write_file(pdf, pdf_text(drawing, {.sheet = sheet, .paper = paper}).value()));
+    ASSERT_TRUE(write_file(pdf, pdf_text(drawing, {.area = area, .paper = paper}).value()));
     ASSERT_EQ(
         std::system(("pdftoppm -r 150 -png -singlefile " + pdf + " " + folder + "/a").c_str()), 0);
     Result<PngPicture> theirs =
         decode_png(read_file(folder + "/a.png", std::size_t{1} << 26).value());
     ASSERT_TRUE(theirs);
-    Image ours = render_page(visible_strokes(drawing.document),
-                             {.dpi = kDpi, .sheet = sheet, .paper = paper})
-                     .value();
+    Image ours =
+        render_page(visible_strokes(drawing.document), {.dpi = kDpi, .area = area, .paper = paper})
+            .value();
     ASSERT_EQ(theirs->image.width(), ours.width());
     ASSERT_EQ(theirs->image.height(), ours.height());
     double sum = 0.0;

@@ -325,9 +325,9 @@ Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stro
     if (auto ok = append_xml_attribute(names, id); !ok) return ok;
     names += '"';
   }
-  if (d.material != kSvgUsualMaterial) {
+  if (d.medium != kSvgUsualMaterial) {
     names += " felt:material=\"";
-    if (auto ok = append_xml_attribute(names, d.material); !ok) return ok;
+    if (auto ok = append_xml_attribute(names, d.medium); !ok) return ok;
     names += '"';
   }
   std::string picture;
@@ -361,7 +361,7 @@ Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stro
 
 namespace {
 
-std::string page_text(const SheetPage* page) {
+std::string page_text(const Page* page) {
   if (!page) return "none";
   std::string text;
   append_number(text, page->width_mm);
@@ -378,7 +378,7 @@ std::string page_text(const SheetPage* page) {
 
 }  // namespace
 
-Result<std::string> svg_model_text(const Drawing& drawing, const SheetPage* page) {
+Result<std::string> svg_model_text(const Drawing& drawing, const Page* page) {
   std::string out = "felt:page=\"" + page_text(page) + "\" ";
   const auto attribute = [&out](const std::string& name, std::string_view text) {
     out += "felt:" + name + "=\"";

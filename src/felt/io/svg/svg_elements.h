@@ -48,7 +48,7 @@ void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string
 /// Returns the attributes of the root element that describe a drawing, each followed by a space:
 /// the page ("297 210 #ffffffff", or "none" if `page` is null), and the drawing's surface and
 /// materials if it has any. Fails if XML cannot hold a surface name or text.
-Result<std::string> svg_model_text(const Drawing& drawing, const SheetPage* page);
+Result<std::string> svg_model_text(const Drawing& drawing, const Page* page);
 
 /// Begins a layer in Inkscape's form. `number` makes the id of its element unique. Fails, and
 /// appends nothing, if XML cannot hold the name.

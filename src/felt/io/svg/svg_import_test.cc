@@ -24,7 +24,7 @@ std::vector<Stroke> strokes_of_media(std::uint64_t seed, int count) {
   for (int i = 0; i < count; ++i) {
     StrokeData data =
         felt::testing::random_stroke(1000 * seed + static_cast<std::uint64_t>(i)).data();
-    if (i % 3 == 1) data.material = "Kohle \"weich\" <&>\n";
+    if (i % 3 == 1) data.medium = "Kohle \"weich\" <&>\n";
     strokes.push_back(Stroke::create(std::move(data)).value());
   }
   return strokes;
@@ -48,9 +48,9 @@ Drawing drawing_in_layers(std::uint64_t seed) {
   if (random() % 2 == 0) {
     const auto byte = [&] { return static_cast<std::uint8_t>(random() % 256); };
     drawing.has_page = true;
-    drawing.page = SheetPage{10.0 + static_cast<double>(random() % 100000) / 37.0,
-                             10.0 + static_cast<double>(random() % 100000) / 37.0,
-                             {byte(), byte(), byte(), byte()}};
+    drawing.page = Page{10.0 + static_cast<double>(random() % 100000) / 37.0,
+                        10.0 + static_cast<double>(random() % 100000) / 37.0,
+                        {byte(), byte(), byte(), byte()}};
   }
   if (random() % 2 == 0) drawing.page.surface = "B\xC3\xBCtten \"<&>\"";
   for (std::uint64_t i = 3 * (random() % 2); i > 0; --i) {
@@ -108,16 +108,16 @@ TEST(SvgImport, PlainSketchesComeBackEqual) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const std::vector<Stroke> strokes = strokes_of_media(seed, 1 + static_cast<int>(seed % 7));
     SvgOptions options;
-    if (seed % 2 == 0) options.sheet = Rect{0.0, 0.0, 297.0, 210.0};
+    if (seed % 2 == 0) options.page = Rect{0.0, 0.0, 297.0, 210.0};
     if (seed % 3 == 0) options.paper = Rgba{250, 240, 1, static_cast<std::uint8_t>(1 + seed)};
     const Imported back = imported(svg_of_strokes(strokes, options));
     ASSERT_EQ(back.drawing.document.layers().size(), 1U);
     EXPECT_EQ(testing::strokes_in(back.drawing.document), strokes) << "seed " << seed;
     EXPECT_EQ(back.drawing.document.layers()[0].name, "Ink");
     EXPECT_TRUE(back.report.empty()) << notice_lines(back);
-    if (!options.sheet) continue;
+    if (!options.page) continue;
     ASSERT_TRUE(back.drawing.has_page);
-    EXPECT_EQ(back.drawing.page.area(), *options.sheet);
+    EXPECT_EQ(back.drawing.page.area(), *options.page);
     const Rgba paper = options.paper.value_or(Rgba{0, 0, 0, 0});
     EXPECT_EQ(back.drawing.page.paper, paper) << "seed " << seed;
   }
@@ -215,7 +215,7 @@ TEST(SvgImport, OursIsMovedExactly) {
       const StrokeData& is = read[i].data();
       ASSERT_EQ(is.points.size(), was.points.size());
       EXPECT_EQ(is.joints, was.joints);
-      EXPECT_EQ(is.material, was.material);
+      EXPECT_EQ(is.medium, was.medium);
       for (std::size_t k = 0; k < was.points.size(); ++k) {
         EXPECT_LT(distance(is.points[k], apply(m, was.points[k])), 1e-12) << k;
       }
@@ -272,7 +272,7 @@ TEST(SvgImport, FilesOfVersion1ReadAsTheyDid) {
       {12.3, 6.9}};
   open.joints = {JointKind::kSmooth};
   open.widths = {{0, 0.5}, {0.3333333333333333, 1.2}, {2, 0.7071067811865476}};
-  open.material = "ink-pen";
+  open.medium = "ink-pen";
   open.color = {0x10, 0x20, 0x30, 0xff};
   ring.points = {{20, 5}, {22.5, 5.1}, {22.2, 9.3}, {20.1, 9.7}, {17.5, 9.9}, {17.1, 5.3}, {20, 5}};
   ring.joints = {JointKind::kCorner, JointKind::kCorner};

@@ -51,21 +51,21 @@ bool is_far(const Rect& r) {
            r.y1 <= kMaxCoordinateMm);
 }
 
-std::optional<SheetPage> page_of(double width_mm, double height_mm) {
-  const auto fits = [](double mm) { return mm >= SheetPage::kMinMm && mm <= SheetPage::kMaxMm; };
+std::optional<Page> page_of(double width_mm, double height_mm) {
+  const auto fits = [](double mm) { return mm >= Page::kMinMm && mm <= Page::kMaxMm; };
   if (!fits(width_mm) || !fits(height_mm)) return std::nullopt;
-  return SheetPage{width_mm, height_mm};
+  return Page{width_mm, height_mm};
 }
 
 /// "297 210 #rrggbbaa"
-std::optional<SheetPage> written_page(std::string_view text) {
+std::optional<Page> written_page(std::string_view text) {
   SvgScan scan(text);
   double width = 0.0, height = 0.0;
   if (!scan.number(width) || !scan.take(' ') || !scan.number(height) || !scan.take(' ')) {
     return std::nullopt;
   }
   const std::optional<Rgba> paper = color_from_text(scan.rest());
-  std::optional<SheetPage> page = page_of(width, height);
+  std::optional<Page> page = page_of(width, height);
   if (page && paper) page->paper = *paper;
   return paper ? page : std::nullopt;
 }
@@ -88,9 +88,9 @@ void SvgInk::root(const SvgRoot& root) {
     if (add_material_text(drawing.materials, text)) continue;
     notice(0, "svg", "carries an invalid or too long material, which was left out");
   }
-  const auto set_page = [&drawing](const std::optional<SheetPage>& page) {
+  const auto set_page = [&drawing](const std::optional<Page>& page) {
     drawing.has_page = page.has_value();
-    drawing.page = page.value_or(SheetPage{});
+    drawing.page = page.value_or(Page{});
   };
   if (root.is_ours && has_page_attribute_) {
     set_page(written_page(root.page));
@@ -166,9 +166,9 @@ bool SvgInk::add_wide(const SvgShape& shape) {
   }
   if (shape.variable_width->is_ours) {
     wide->data.color = shape.variable_width->color;
-    wide->data.material = svg_clean_name(wide->data.material);
+    wide->data.medium = svg_clean_name(wide->data.medium);
   } else {
-    wide->data.material = kSolidMedium;
+    wide->data.medium = kSolidMedium;
     wide->data.color = shape.fill ? shape.fill->color : shape.line->color;
     wide->id.clear();
   }
@@ -311,7 +311,7 @@ void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, doubl
   data.closed = line.closed;
   data.widths = std::move(widths.knots);
   data.color = color;
-  data.material = kSolidMedium;
+  data.medium = kSolidMedium;
   push(shape, std::move(data), {});
 }
 

@@ -22,7 +22,7 @@ constexpr const char* kRound = " stroke-linecap='round' stroke-linejoin='round' 
 struct ReadBack {
   std::vector<Stroke> strokes;
   std::string notices;
-  std::optional<SheetPage> page;
+  std::optional<Page> page;
   explicit ReadBack(const std::string& inside, const std::string& before = {},
                     const std::string& behind = {}) {
     Result<Imported> result =
@@ -86,16 +86,16 @@ TEST(SvgLosses, AColourThatIsNotReadBecomesBlackAndIsTold) {
 }
 
 TEST(SvgLosses, Variables) {
-  const std::string sheet =
+  const std::string area =
       "<style>:root{--ink:red;--w:4;--twice:var(--ink)} .b{--ink:blue}</style>";
   for (const char* red :
        {"var(--ink)", "var(--none, red)", "var(--none, var(--ink))", "var(--twice)"}) {
-    const ReadBack read(sheet + line(std::string("stroke='") + red + "'"));
+    const ReadBack read(area + line(std::string("stroke='") + red + "'"));
     ASSERT_EQ(read.strokes.size(), 1U) << red;
     EXPECT_EQ(read.strokes[0].color(), kRed) << red;
     EXPECT_THAT(read.notices, IsEmpty());
   }
-  const ReadBack inner(sheet + "<g class='b'>" + line("stroke='var(--ink)'") + "</g>" +
+  const ReadBack inner(area + "<g class='b'>" + line("stroke='var(--ink)'") + "</g>" +
                        line("stroke='var(--ink)' stroke-width='var(--w,5)'"));
   ASSERT_EQ(inner.strokes.size(), 2U);
   EXPECT_EQ(inner.strokes[0].color(), (Rgba{0, 0, 255, 255}));

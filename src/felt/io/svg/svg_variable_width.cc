@@ -317,7 +317,7 @@ void rejoin(StrokeData& d, std::vector<std::string>& notices) {
   notices.emplace_back("has parts shorter than 0.05 mm, which were joined to those beside them");
 }
 
-void move_to_sheet(StrokeData& d, const Affine& m, std::vector<std::string>& notices) {
+void move_to_page(StrokeData& d, const Affine& m, std::vector<std::string>& notices) {
   if (m == Affine{}) return;
   for (Point& p : d.points) p = apply(m, p);
   const double scale = std::sqrt(std::fabs(determinant(m)));
@@ -385,8 +385,8 @@ Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& t
     d = *std::move(power);
   }
   wide.id = a.id;
-  if (a.is_ours) d->material = a.material;
-  move_to_sheet(*d, to_mm, wide.notices);
+  if (a.is_ours) d->medium = a.medium;
+  move_to_page(*d, to_mm, wide.notices);
   wide.data = *std::move(d);
   raise_widths(wide.data, wide.notices);
   if (!has_tones) take_tone_of_width(wide.data.widths);

@@ -196,8 +196,8 @@ std::optional<SvgVariableWidth> SvgWalker::variable_width(const Element& e) cons
   v.id = document_.ours(e.node, "id");
   // Since version 2, the id of the stroke is that of the element, unless our own is given.
   if (v.id.data() == nullptr && !v.points.empty()) v.id = e.node.attribute("id").value();
-  v.material = document_.ours(e.node, "material");
-  if (v.material.data() == nullptr && !v.points.empty()) v.material = kSvgUsualMaterial;
+  v.medium = document_.ours(e.node, "material");
+  if (v.medium.data() == nullptr && !v.points.empty()) v.medium = kSvgUsualMaterial;
   v.closed = document_.ours(e.node, "closed");
   v.joints = document_.ours(e.node, "joints");
   SvgScan effects(document_.inkscape(e.node, "path-effect"));

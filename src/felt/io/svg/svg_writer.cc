@@ -90,8 +90,8 @@ class SvgParts final : public DrawingParts {
 }  // namespace
 
 Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const SvgOptions& options) {
-  std::optional<SheetPage> page;
-  if (drawing.has_page && !options.sheet) {
+  std::optional<Page> page;
+  if (drawing.has_page && !options.area) {
     page = drawing.page;
     page->paper = options.paper.value_or(page->paper);
   }
@@ -99,7 +99,7 @@ Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const Sv
   if (!model) return tl::unexpected(model.error());
   const Rect area = page ? page->area()
                          : picture_area(ink_bounds(drawing.document, LayerChoice::kAll),
-                                        options.sheet, options.margin_mm);
+                                        options.area, options.margin_mm);
   std::string head;
   append_svg_head(head, area, page ? page->paper : options.paper.value_or(kNoPaper), *model);
   return std::make_unique<SvgParts>(drawing.document, options, area, std::move(head),
@@ -113,7 +113,7 @@ Result<std::string> svg_text(const Drawing& drawing, const SvgOptions& options) 
 }
 
 Result<std::string> svg_ink_text(const Drawing& drawing, const SvgOptions& options) {
-  const Rect area = picture_area(ink_bounds(drawing.document, LayerChoice::kAll), options.sheet,
+  const Rect area = picture_area(ink_bounds(drawing.document, LayerChoice::kAll), options.area,
                                  options.margin_mm);
   std::string head;
   append_svg_head(head, area, options.paper.value_or(kNoPaper));

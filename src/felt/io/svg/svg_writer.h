@@ -17,7 +17,7 @@ namespace felt {
 struct SvgOptions {
   /// The area that the file shows. If set, the page is not written. If not set, the file shows the
   /// page, or, if the drawing has none, all ink with a margin around it.
-  std::optional<Rect> sheet{};
+  std::optional<Rect> area{};
   double margin_mm = 5.0;
   /// Largest distance between the written outline and the exact one. With the default, this
   /// distance stays within 0.01 mm even with the rounding of coordinates (R53). The stroke in our

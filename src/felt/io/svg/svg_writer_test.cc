@@ -17,7 +17,7 @@
 #include "felt/io/picture/png.h"
 #include "felt/io/svg/svg_elements.h"
 #include "felt/io/testing/test_drawings.h"
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/stroke/testing/ink_oracle.h"
 #include "felt/stroke/testing/random_stroke.h"
 #include "tests/support/scratch_path.h"
@@ -118,7 +118,7 @@ StrokeData model_of(const pugi::xml_node& path) {
   for (const char c : std::string(path.attribute("felt:joints").value())) {
     d.joints.push_back(c == 's' ? JointKind::kSmooth : JointKind::kCorner);
   }
-  d.material = path.attribute("felt:material").as_string("pencil");
+  d.medium = path.attribute("felt:material").as_string("pencil");
   const auto rgb = std::strtoul(path.attribute("fill").value() + 1, nullptr, 16);
   const double opacity = path.attribute("fill-opacity").as_double(1.0);
   d.color = {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
@@ -224,11 +224,11 @@ TEST(SvgWriter, PowerStrokeKnotsAreHalfWidths) {
 
 TEST(SvgWriter, StatesTheAreaInMillimetres) {
   const auto document = parsed(stream_text({testing::straight_stroke({10, 20}, {40, 20}, 1.0, 1.0)},
-                                           {.sheet = {}, .margin_mm = 2.0}));
+                                           {.area = {}, .margin_mm = 2.0}));
   const pugi::xml_node svg = document.child("svg");
   EXPECT_STREQ(svg.attribute("width").value(), "35mm");
   EXPECT_STREQ(svg.attribute("viewBox").value(), "7.5 17.5 35 5");
-  const SvgOptions a4{.sheet = Rect{0, 0, 210, 297}};
+  const SvgOptions a4{.area = Rect{0, 0, 210, 297}};
   EXPECT_STREQ(parsed(stream_text({}, a4)).child("svg").attribute("viewBox").value(),
                "0 0 210 297");
 }
@@ -293,7 +293,7 @@ TEST(SvgWriter, AnotherProgramShowsTheSamePicture) {
     GTEST_SKIP() << "rsvg-convert is not installed (package librsvg2-bin)";
   }
   const std::vector<Stroke> strokes = strokes_in_rows(40, 16);
-  const SvgOptions options{.sheet = Rect{-10, -10, 130, 130}};
+  const SvgOptions options{.area = Rect{-10, -10, 130, 130}};
   const std::string svg = scratch_path("svg-view.svg");
   const std::string png = svg + ".png";
   const Drawing drawing = testing::drawing_of(strokes);
@@ -305,8 +305,7 @@ TEST(SvgWriter, AnotherProgramShowsTheSamePicture) {
   bytes << in.rdbuf();
   const Image theirs = decode_png(bytes.str()).value().image;
   const Image ours =
-      render_page(visible_strokes(drawing.document), {.dpi = 254.0, .sheet = options.sheet})
-          .value();
+      render_page(visible_strokes(drawing.document), {.dpi = 254.0, .area = options.area}).value();
   ASSERT_EQ(theirs.width(), ours.width());
   ASSERT_EQ(theirs.height(), ours.height());
   const auto [worst, mean] = difference(theirs, ours);

@@ -17,8 +17,8 @@ inline Drawing random_layers(std::uint64_t seed) {
   Drawing& drawing = builder.drawing();
   if (random.chance(0.7)) {
     drawing.has_page = true;
-    drawing.page.width_mm = random.uniform(SheetPage::kMinMm, SheetPage::kMaxMm);
-    drawing.page.height_mm = random.uniform(SheetPage::kMinMm, SheetPage::kMaxMm);
+    drawing.page.width_mm = random.uniform(Page::kMinMm, Page::kMaxMm);
+    drawing.page.height_mm = random.uniform(Page::kMinMm, Page::kMaxMm);
     drawing.page.paper.a = static_cast<std::uint8_t>(random.pick(0, 255));
   }
   if (random.chance(0.5)) drawing.page.surface = "my <\"paper\"> & co";
@@ -35,7 +35,7 @@ inline Drawing random_layers(std::uint64_t seed) {
     const std::size_t layer = builder.add_layer(std::move(state));
     for (int k = random.pick(0, 5); k > 0; --k) {
       StrokeData data = random.make();
-      if (random.chance(0.2)) data.material = "chalk & co";
+      if (random.chance(0.2)) data.medium = "chalk & co";
       builder.add(layer, Stroke::create(std::move(data)).value(),
                   random.chance(0.1) ? "" : "s" + std::to_string(20 * i + k));
     }

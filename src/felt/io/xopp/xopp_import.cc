@@ -85,7 +85,7 @@ class XoppReader {
         notice(node, "is unknown and was left out");
       }
     }
-    finish_sheet(root);
+    finish_page(root);
     if (builder_.layer_count() == 0) builder_.add_layer({});
     return Imported{std::move(builder_).build(), std::move(report_)};
   }
@@ -287,22 +287,20 @@ class XoppReader {
     return i > last ? pieces_[last] : 0.5 * (pieces_[i - 1] + pieces_[i]);
   }
 
-  void finish_sheet(const pugi::xml_node& root) {
+  void finish_page(const pugi::xml_node& root) {
     if (page_number_ == 0) {
       notice(root, "has no page");
       return;
     }
-    SheetPage sheet;
-    const auto within = [](double v) {
-      return std::clamp(v, SheetPage::kMinMm, SheetPage::kMaxMm);
-    };
-    sheet.width_mm = within(width_mm_);
-    sheet.height_mm = within(bottom_mm_);
-    sheet.paper = paper_.value_or(kWhite);
-    if (width_mm_ > SheetPage::kMaxMm || bottom_mm_ > SheetPage::kMaxMm) {
+    Page page;
+    const auto within = [](double v) { return std::clamp(v, Page::kMinMm, Page::kMaxMm); };
+    page.width_mm = within(width_mm_);
+    page.height_mm = within(bottom_mm_);
+    page.paper = paper_.value_or(kWhite);
+    if (width_mm_ > Page::kMaxMm || bottom_mm_ > Page::kMaxMm) {
       notice(root, "is larger than a sheet can be (5000 mm); the rest lies beside it");
     }
-    builder_.drawing().page = sheet;
+    builder_.drawing().page = page;
     builder_.drawing().has_page = true;
   }
 

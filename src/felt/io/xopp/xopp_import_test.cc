@@ -235,8 +235,8 @@ TEST(XoppImport, RealFiles) {
 TEST(XoppImport, LinesAreSolidAndOfExactlyTheirColour) {
   const Stroke s = only_stroke(read(
       page("<stroke tool=\"pen\" color=\"#cc0000ff\" width=\"1.41\">72 144 360 144</stroke>\n")));
-  const Medium* medium = find_medium(s.material());
-  ASSERT_TRUE(medium) << s.material();
+  const Medium* medium = find_medium(s.medium());
+  ASSERT_TRUE(medium) << s.medium();
   EXPECT_EQ(medium->look.grain, 0.0);
   EXPECT_EQ(medium->look.opacity_light, 1.0);
   EXPECT_EQ(medium->look.opacity_heavy, 1.0);

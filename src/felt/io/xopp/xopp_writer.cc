@@ -121,7 +121,7 @@ class XoppParts final : public DrawingParts {
       if (color.a > 0) paper = color;
     } else {
       area = ink_bounds(document_, LayerChoice::kAll);
-      area = area.empty() ? SheetPage{}.area() : area.inflated(kXoppMarginMm);
+      area = area.empty() ? Page{}.area() : area.inflated(kXoppMarginMm);
     }
     corner_ = {area.x0, area.y0};
     head_ += "<page width=\"";

@@ -69,7 +69,7 @@ TEST(XoppWriter, ComesBackNearlyAsItWas) {
   }
 }
 
-TEST(XoppWriter, WithoutASheetThePageIsTheInkAndAMargin) {
+TEST(XoppWriter, WithoutAnAreaThePageIsTheInkAndAMargin) {
   Drawing drawing = one(testing::straight_stroke({-100, 50}, {0, 50}, 2, 2));
   drawing.has_page = false;
   const Imported back = import_xopp(xopp_bytes(drawing).value()).value();

@@ -47,7 +47,7 @@ class FakePencil : public Tool {
       return sample.position.z < 0.5 ? ToolResult{} : finish(scene);
     }
     if (waits_for_lift_) return {};
-    const Point at = on_sheet(sample.position);
+    const Point at = on_page(sample.position);
     if (points_.empty() || distance(points_.back(), at) > 0.1) points_.push_back(at);
     ToolResult result;
     if (points_.size() > 1) result.preview = edit(scene);

@@ -224,7 +224,7 @@ class Rewriter {
     const StrokeData& old = stroke.data();
     data_.points.push_back(old.points.front());
     data_.closed = old.closed;
-    data_.material = old.material;
+    data_.medium = old.medium;
     data_.color = old.color;
   }
 

@@ -91,7 +91,7 @@ Result<Stroke> sub_stroke(const Stroke& stroke, double u0, double u1) {
                   .joints = {},
                   .closed = false,
                   .widths = {},
-                  .material = stroke.material(),
+                  .medium = stroke.medium(),
                   .color = stroke.color()};
   for (int i = span.first; i <= span.last; ++i) {
     const Cubic c = part(stroke.segment(i % n), span.begin_t(i), span.end_t(i));

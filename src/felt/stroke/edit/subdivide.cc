@@ -42,7 +42,7 @@ class Subdivision {
   explicit Subdivision(const Stroke& stroke) : stroke_(stroke), profile_(stroke.widths()) {
     data_.points.push_back(stroke.data().points.front());
     data_.closed = stroke.closed();
-    data_.material = stroke.material();
+    data_.medium = stroke.medium();
     data_.color = stroke.color();
   }
 

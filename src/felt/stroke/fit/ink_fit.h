@@ -124,7 +124,7 @@ struct InkFitOptions {
   PenFilterOptions filter;
   WidthMapOptions width_map = kPenWidths;
   WidthFitOptions width;
-  std::string material = StrokeData{}.material;  ///< medium of the stroke
+  std::string medium = StrokeData{}.medium;  ///< medium of the stroke
 };
 
 /// A chain of joined cubics fitted to samples.

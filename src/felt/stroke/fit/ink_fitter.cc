@@ -198,7 +198,7 @@ StrokeData InkFitter::State::stroke_data() const {
   data.points = curve.points;
   data.joints = curve.joints;
   data.widths.assign(width.knots().begin(), width.knots().end());
-  data.material = options.material;
+  data.medium = options.medium;
   return data;
 }
 

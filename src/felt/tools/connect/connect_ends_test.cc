@@ -20,7 +20,7 @@ constexpr MeetingPlace kPlaces[] = {MeetingPlace::kAtTarget, MeetingPlace::kHalf
 Stroke with_look(const Stroke& stroke, Rgba color, std::string material = "pencil") {
   StrokeData data = stroke.data();
   data.color = color;
-  data.material = std::move(material);
+  data.medium = std::move(material);
   return Stroke::create(data).value();
 }
 
@@ -119,7 +119,7 @@ TEST(ConnectEnds, OtherLooksLayersAndKeptSeparateShareThePoint) {
       const Stroke &one = *desk.document.find(moved), &two = *desk.document.find(to);
       EXPECT_EQ(tip_point(one, kStart), tip_point(two, kEnd));
       EXPECT_EQ(one.color(), moved_stroke.color());
-      EXPECT_EQ(one.material(), moved_stroke.material());
+      EXPECT_EQ(one.medium(), moved_stroke.medium());
       if (place == MeetingPlace::kAtTarget) {
         EXPECT_EQ(two, b);
       }

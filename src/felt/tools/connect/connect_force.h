@@ -29,13 +29,13 @@ inline ForceModel make_connect_force(const ConnectSettings& settings, const Scen
                                      const ConnectFeel& feel) {
   const Medium material =
       felt_with(medium_of(scene, "pencil"), settings.strength, settings.strength);
-  const SheetForce sheet =
-      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
+  const SurfaceForce surface =
+      make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
   const WellShape shape = well_of(settings.snap, settings.strength);
   const SnapWells well = feel.well ? SnapWells(*feel.well, shape) : SnapWells();
 
   FeelId id("connect");
-  id.with_sheet(scene.surface, medium_of(scene, "pencil")).with(settings.strength);
+  id.with_surface(scene.surface, medium_of(scene, "pencil")).with(settings.strength);
   if (feel.well) {
     id.with("well").with(feel.well->x).with(feel.well->y).with(shape.radius_mm).with(shape.force_n);
   }
@@ -44,9 +44,9 @@ inline ForceModel make_connect_force(const ConnectSettings& settings, const Scen
     id.with("drag").with(feel.dragged_from->x).with(feel.dragged_from->y);
     EditOptions drag;
     drag.law.gain = kDragShare * settings.strength;
-    model = ForceModel(Compose(sheet, well, EditSpring(*feel.dragged_from, drag)));
+    model = ForceModel(Compose(surface, well, EditSpring(*feel.dragged_from, drag)));
   } else {
-    model = ForceModel(Compose(sheet, well));
+    model = ForceModel(Compose(surface, well));
   }
   model.set_fade_id(id.value());
   return model;

@@ -97,7 +97,7 @@ TEST(ConnectForce, NeverMoreThanOneNewtonNorSteeperThanThreeHundred) {
   }
 }
 
-TEST(ConnectForce, StrengthScalesAllButTheSheet) {
+TEST(ConnectForce, StrengthScalesAllButTheSurface) {
   Desk desk;
   ConnectSettings settings;
   settings.strength = 0.0;

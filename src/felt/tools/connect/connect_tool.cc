@@ -45,7 +45,7 @@ std::unique_ptr<Tool> make_connect() {
 ConnectTool::Drag::Drag(const Scene& scene, const TipHit& hit, const PenSample& pen)
     : tip(hit.id),
       from(hit.point),
-      pen_from(on_sheet(pen.position)),
+      pen_from(on_page(pen.position)),
       since_ns(pen.time_ns),
       place(scene.document, hit.id.stroke),
       lead(*place.before(), hit.id.tip),
@@ -60,7 +60,7 @@ void ConnectTool::take_options(const OptionValues& options) {
 }
 
 ToolResult ConnectTool::hover(const PenSample& sample, const Scene& scene) {
-  const Point pen = on_sheet(sample.position);
+  const Point pen = on_page(sample.position);
   near_ = sample.position.z < (near_ ? kFarMm : kNearMm);
   if (released_at_ && distance(*released_at_, pen) > settings_.snap.reach_mm) released_at_.reset();
   find(pen, scene);
@@ -89,7 +89,7 @@ std::optional<TipHit> ConnectTool::partner(const TipHit& tip, const Scene& scene
 
 ToolResult ConnectTool::begin(const PenSample& sample, const Scene& scene) {
   released_at_.reset();
-  find(on_sheet(sample.position), scene);
+  find(on_page(sample.position), scene);
   if (shown_.empty()) return {};
   drag_.emplace(scene, shown_.front(), sample);
   finder_.drag(drag_->tip);
@@ -104,7 +104,7 @@ ToolResult ConnectTool::move(const PenSample& sample, const Scene& scene) {
   // Computed in double, because the difference of two invalid times may overflow 64 bits.
   d.is_long = static_cast<double>(sample.time_ns) - static_cast<double>(d.since_ns) >
               static_cast<double>(kTapNs);
-  const Point at = d.from + (on_sheet(sample.position) - d.pen_from);
+  const Point at = d.from + (on_page(sample.position) - d.pen_from);
   d.is_pulled = d.is_pulled || distance(at, d.from) > kTapMm;
   finder_.update(at, settings_.snap, scene.document, scene.index);
   if (!d.is_pulled || at == d.at) return {.same_preview = true};

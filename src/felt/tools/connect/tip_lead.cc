@@ -78,7 +78,7 @@ Result<Stroke> prolonged(const Stroke& stroke, StrokeTip tip, const Cubic& piece
   data.points.assign(piece.p.begin(), piece.p.end());
   if (start) std::reverse(data.points.begin(), data.points.end());
   data.widths = {{0.0, ink.width_mm, ink.tone}, {1.0, ink.width_mm, ink.tone}};
-  data.material = stroke.material();
+  data.medium = stroke.medium();
   data.color = stroke.color();
   const Result<Stroke> more = Stroke::create(std::move(data));
   if (!more) return more;

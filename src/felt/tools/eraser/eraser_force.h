@@ -14,9 +14,9 @@ inline ForceModel make_eraser_force(const EraserSettings& settings, const Scene&
   const Medium material =
       felt_with(medium_of(scene, "eraser"), settings.strength, settings.strength);
   ForceModel model(
-      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface)));
+      make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface)));
   model.set_fade_id(FeelId("eraser")
-                        .with_sheet(scene.surface, medium_of(scene, "eraser"))
+                        .with_surface(scene.surface, medium_of(scene, "eraser"))
                         .with(settings.strength)
                         .value());
   return model;

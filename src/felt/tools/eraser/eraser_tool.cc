@@ -46,20 +46,20 @@ ToolResult EraserTool::preview(bool changed, const Scene& scene) const {
 }
 
 ToolResult EraserTool::hover(const PenSample& sample, const Scene& scene) {
-  pen_ = on_sheet(sample.position);
+  pen_ = on_page(sample.position);
   aim_.update(*pen_, sample.time_ns, mode_of(sample), settings_, scene);
   return {};
 }
 
 ToolResult EraserTool::begin(const PenSample& sample, const Scene& scene) {
-  pen_ = on_sheet(sample.position);
+  pen_ = on_page(sample.position);
   aim_.clear();
   erasing_.emplace(settings_, mode_of(sample));
   return preview(erasing_->begin(*pen_, sample.time_ns, scene), scene);
 }
 
 ToolResult EraserTool::move(const PenSample& sample, const Scene& scene) {
-  pen_ = on_sheet(sample.position);
+  pen_ = on_page(sample.position);
   return preview(erasing_->move(*pen_, sample.time_ns, scene), scene);
 }
 

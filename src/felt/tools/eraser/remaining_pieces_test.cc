@@ -40,7 +40,7 @@ TEST(RemainingPieces, R40_OneHoleMakesTwoStrokesThatKeepTheWidthAtTheCuts) {
   for (const auto& p : pieces) {
     EXPECT_EQ(p->joint(0), JointKind::kEnd);
     EXPECT_EQ(p->joint(p->segment_count()), JointKind::kEnd);
-    EXPECT_EQ(p->material(), line->material());
+    EXPECT_EQ(p->medium(), line->medium());
     EXPECT_EQ(p->color(), line->color());
   }
 }

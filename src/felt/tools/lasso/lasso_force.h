@@ -16,9 +16,9 @@ inline ForceModel make_lasso_force(const LassoSettings& settings, const Scene& s
   const Medium material = felt_with(medium_of(scene, "pencil"), kLassoGlide * settings.strength,
                                     kLassoGlide * settings.strength);
   ForceModel model(
-      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface)));
+      make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface)));
   model.set_fade_id(FeelId("lasso")
-                        .with_sheet(scene.surface, medium_of(scene, "pencil"))
+                        .with_surface(scene.surface, medium_of(scene, "pencil"))
                         .with(settings.strength)
                         .value());
   return model;

@@ -52,7 +52,7 @@ std::unique_ptr<Tool> make_lasso() {
 LassoTool::LassoTool() : GestureTool(kLassoInfo) {}
 
 ToolResult LassoTool::hover(const PenSample& sample, const Scene& scene) {
-  pen_ = on_sheet(sample.position);
+  pen_ = on_page(sample.position);
   const auto hit = scene.index.nearest(pen_, settings_.click_radius_mm);
   under_pen_ = hit ? scene.document.find(hit->stroke) : nullptr;
   selected_.look(scene.document, scene.selection);
@@ -60,7 +60,7 @@ ToolResult LassoTool::hover(const PenSample& sample, const Scene& scene) {
 }
 
 ToolResult LassoTool::begin(const PenSample& sample, const Scene& scene) {
-  pen_ = start_ = on_sheet(sample.position);
+  pen_ = start_ = on_page(sample.position);
   combine_ = combine_of(sample.buttons, settings_.combine);
   way_.begin(start_);
   preview_.begin();
@@ -69,7 +69,7 @@ ToolResult LassoTool::begin(const PenSample& sample, const Scene& scene) {
 }
 
 ToolResult LassoTool::move(const PenSample& sample, const Scene& scene) {
-  pen_ = on_sheet(sample.position);
+  pen_ = on_page(sample.position);
   way_.add(pen_);
   if (settings_.mode == LassoMode::kRectangle) {
     Rect box;

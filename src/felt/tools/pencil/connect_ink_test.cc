@@ -142,7 +142,7 @@ TEST(ConnectInk, InkOfAnotherLookStaysItself) {
     (color ? data.color.r : data.color.a) = 7;
     if (!color) {
       data.color = {};
-      data.material = "chalk";
+      data.medium = "chalk";
     }
     const StrokeId old = desk.add(Stroke::create(data).value());
     run(desk, straight_stroke({51, 1}, {90, 40}, 1, 1), {.start = TipId{old, kEnd}});

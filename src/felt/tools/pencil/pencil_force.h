@@ -41,15 +41,15 @@ class FeltInertia {
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
                                     const std::optional<SnapTarget>& target) {
   const Medium material =
-      felt_with(medium_of(scene, settings.material), settings.strength, settings.strength);
-  const SheetForce sheet =
-      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
+      felt_with(medium_of(scene, settings.medium), settings.strength, settings.strength);
+  const SurfaceForce surface =
+      make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
   const WellShape shape = well_of(settings.snap, settings.strength);
   const SnapWells well = target ? SnapWells(target->point, shape) : SnapWells();
 
   FeelId id("pencil");
-  id.with_sheet(scene.surface, medium_of(scene, settings.material)).with(settings.strength);
+  id.with_surface(scene.surface, medium_of(scene, settings.medium)).with(settings.strength);
   if (target) {
     id.with(target->tip.stroke.value).with(static_cast<std::uint64_t>(target->tip.tip));
     id.with(target->point.x).with(target->point.y).with(shape.radius_mm).with(shape.force_n);
@@ -57,19 +57,19 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
   ForceModel model;
   switch (settings.stabiliser.kind) {
     case StabiliserKind::kOff:
-      model = ForceModel(Compose(sheet, well));
+      model = ForceModel(Compose(surface, well));
       break;
     case StabiliserKind::kInertia:
       id.with("inertia").with(settings.stabiliser.mass_g);
       model = ForceModel(
-          Compose(sheet, well, FeltInertia(inertia_of(settings.stabiliser), settings.strength)));
+          Compose(surface, well, FeltInertia(inertia_of(settings.stabiliser), settings.strength)));
       break;
     case StabiliserKind::kTowed: {
       TowOptions tow = tow_of(settings.stabiliser);
       id.with("towed").with(tow.rope_mm);
       tow.law.gain *= settings.strength;
       tow.damping_n_s_per_m *= settings.strength;
-      model = ForceModel(Compose(sheet, well, Towed(tow)));
+      model = ForceModel(Compose(surface, well, Towed(tow)));
       break;
     }
   }

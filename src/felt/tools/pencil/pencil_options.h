@@ -14,7 +14,7 @@ namespace felt {
 
 /// The ids of the built-in media that draw, as in media(). A session may have user-defined media,
 /// too.
-inline constexpr std::array<std::string_view, 9> kPencilMaterials = {
+inline constexpr std::array<std::string_view, 9> kPencilMedia = {
     "pencil", "pencil-hard", "pencil-soft", "charcoal", "chalk",
     "crayon", "felt-tip",    "ink-pen",     "brush-pen"};
 inline constexpr std::array<std::string_view, 3> kStabilisers = {"off", "inertia", "towed"};
@@ -22,7 +22,7 @@ inline constexpr std::array<std::string_view, 3> kStabilisers = {"off", "inertia
 /// Rows of kPencilOptions.
 struct PencilOption {
   enum Row : std::size_t {
-    kMaterial,
+    kMedium,
     kMinWidth,
     kMaxWidth,
     kGamma,
@@ -44,14 +44,15 @@ struct PencilOption {
 };
 
 inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {{
-    {.id = "material",
+    {.id = "medium",
      .label = "Medium",
      .unit = "",
      .kind = OptionKind::kChoice,
      .fallback = 0,
-     .choices = kPencilMaterials,
-     .help = "The material of the pen: how it looks and how it slides.",
-     .open = OpenChoice::kMedia},
+     .choices = kPencilMedia,
+     .help = "The medium: how it looks and how it slides.",
+     .open = OpenChoice::kMedia,
+     .former_id = "material"},
     {.id = "min_width_mm",
      .label = "Thinnest line",
      .unit = "mm",
@@ -186,7 +187,7 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
 
 /// The options in the form that the tool uses.
 struct PencilSettings {
-  std::string material;
+  std::string medium;
   InkFitOptions ink;
   bool refine = true;
   SnapOptions snap;

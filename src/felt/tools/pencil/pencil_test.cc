@@ -56,13 +56,13 @@ double largest_gap(const Stroke& stroke, const std::vector<Point>& points) {
 TEST(Pencil, OneLineIsOneStrokeAndOneUndoStep) {
   Pencil p;
   p.desk.color = {10, 20, 30, 255};
-  p.choose("material", "crayon");
+  p.choose("medium", "crayon");
   const auto points = way({20, 20}, {80, 40});
   p.pen.line(points);
   EXPECT_EQ(p.pen.commits, 1);
   EXPECT_EQ(p.desk.history.undo_count(), 1u);
   EXPECT_EQ(p.desk.history.undo_label(), "Draw");
-  EXPECT_EQ(p.stroke().material(), "crayon");
+  EXPECT_EQ(p.stroke().medium(), "crayon");
   EXPECT_EQ(p.stroke().color(), (Rgba{10, 20, 30, 255}));
   EXPECT_LE(largest_gap(p.stroke(), points), 0.15 + 0.1);  // the check samples every 0.2 mm
   const StrokePtr drawn = p.desk.strokes()[0];
@@ -98,7 +98,7 @@ TEST(Pencil, R14_HarderIsBroaderUpToTheClamps) {
   EXPECT_EQ(last, 6.0);
 }
 
-TEST(Pencil, R14_TheSameForceDrawsTheSameWidthOnEverySheet) {
+TEST(Pencil, R14_TheSameForceDrawsTheSameWidthOnEverySurface) {
   for (const double force : {0.2, 0.5, 1.0, 1.7}) {
     std::vector<double> widths;
     for (const SurfaceMaterial& surface : surface_materials()) {
@@ -130,7 +130,7 @@ TEST(Pencil, R18_TabletPressureDecidesAndAMouseHasAConstant) {
   }
 }
 
-TEST(Pencil, ChatterOnTheSheetDoesNotBreakTheLine) {
+TEST(Pencil, ChatterOnTheSurfaceDoesNotBreakTheLine) {
   Pencil p;
   testing::RandomStroke random(3);
   p.pen.up({0, 0});
@@ -450,7 +450,7 @@ TEST(Pencil, TheFeelHasANewIdExactlyWhenItChanges) {
   p.pen.up({20, 20});
   EXPECT_EQ(id(), free);
   for (const auto& [option, value] :
-       std::vector<std::pair<const char*, OptionValue>>{{"material", std::string("chalk")},
+       std::vector<std::pair<const char*, OptionValue>>{{"medium", std::string("chalk")},
                                                         {"strength", 0.5},
                                                         {"stabiliser", std::string("inertia")},
                                                         {"stabiliser_mass_g", 70.0},
@@ -591,14 +591,14 @@ TEST(Pencil, EveryOptionDoesSomething) {
     for (const StrokePtr& s : p.desk.strokes()) {
       for (const Point c : s->data().points) hash.add_value(c);
       for (const WidthKnot& k : s->widths()) hash.add_value(k);
-      for (const char c : s->material()) hash.add_value(c);
+      for (const char c : s->medium()) hash.add_value(c);
     }
     return hash.value();
   };
   const auto plain = fingerprint({}, false);
   EXPECT_EQ(fingerprint({}, false), plain);
   using Options = std::vector<std::pair<const char*, OptionValue>>;
-  const std::vector<Options> changes = {{{"material", std::string("chalk")}},
+  const std::vector<Options> changes = {{{"medium", std::string("chalk")}},
                                         {{"min_width_mm", 0.5}},
                                         {{"max_width_mm", 3.0}},
                                         {{"gamma", 2.0}},

@@ -46,14 +46,14 @@ std::unique_ptr<Tool> make_pencil() {
 PencilTool::PencilTool() : GestureTool(kPencilInfo), settings_(pencil_settings(options())) {}
 
 ToolResult PencilTool::hover(const PenSample& sample, const Scene& scene) {
-  pen_point_ = on_sheet(sample.position);
+  pen_point_ = on_page(sample.position);
   near_ = sample.position.z < (near_ ? kFarMm : kNearMm);
   snap_.hover(pen_point_, sample.time_ns, near_, settings_.snap, scene);
   return {};
 }
 
 ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
-  pen_point_ = on_sheet(sample.position);
+  pen_point_ = on_page(sample.position);
   make_fitter(scene);
   fitter_->begin();
   wet_.begin(fitted_widths_);
@@ -66,14 +66,14 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
 
 /// Makes a new fitter only if the widths have changed, so that all lines use the same buffers.
 void PencilTool::make_fitter(const Scene& scene) {
-  const InkFitOptions ink = drawn_with(medium_of(scene, settings_.material), settings_.ink);
+  const InkFitOptions ink = drawn_with(medium_of(scene, settings_.medium), settings_.ink);
   if (fitter_ && fitted_widths_ == ink.width_map) return;
   fitter_ = std::make_unique<InkFitter>(ink);
   fitted_widths_ = ink.width_map;
 }
 
 ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
-  pen_point_ = on_sheet(sample.position);
+  pen_point_ = on_page(sample.position);
   const Pressing pressing(scene.surface, scene.device);
   pen_ = {pen_point_, pressing.of(sample), sample.time_ns, sample.tilt_deg};
   InkSample ink = pen_;
@@ -97,7 +97,7 @@ ToolResult PencilTool::end(const Scene& scene) {
   ToolResult result;
   if (const auto drawn = fitter_->stroke()) {
     StrokeData data = drawn->data();
-    data.material = settings_.material;
+    data.medium = settings_.medium;
     data.color = color_;
     // The stroke is still valid, because no invariant involves medium or colour.
     if (const auto ink = Stroke::create(std::move(data))) {

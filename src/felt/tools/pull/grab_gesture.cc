@@ -15,13 +15,13 @@ class GrabGesture final : public PullGesture {
               const GrabOptions& options, TouchOffset offset)
       : stroke_(scene.document, hit.stroke),
         pull_(stroke_.before(), hit.u, options),
-        start_(on_sheet(touch.position)),
+        start_(on_page(touch.position)),
         offset_(start_ - pull_.origin()),
         mode_(offset),
         shown_(stroke_.before()) {}
 
   std::optional<Edit> move(const PenSample& pen, const Scene& /*scene*/) override {
-    const Vec displacement = curve_displacement(on_sheet(pen.position) - start_, offset_, mode_);
+    const Vec displacement = curve_displacement(on_page(pen.position) - start_, offset_, mode_);
     if (displacement == displacement_) return std::nullopt;
     Result<Stroke> bent = pull_.at(displacement);
     if (!bent) return std::nullopt;  // keep the last valid shape

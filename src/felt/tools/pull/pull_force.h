@@ -19,30 +19,30 @@ inline ForceModel make_pull_force(const PullSettings& settings, const Scene& sce
                                   const PullFeel& feel) {
   const Medium material =
       felt_with(medium_of(scene, "pencil"), settings.strength, settings.strength);
-  const SheetForce sheet =
-      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
+  const SurfaceForce surface =
+      make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
   EditOptions edit;
   edit.law.gain = settings.strength;
 
   FeelId id("pull");
-  id.with_sheet(scene.surface, medium_of(scene, "pencil")).with(settings.strength);
+  id.with_surface(scene.surface, medium_of(scene, "pencil")).with(settings.strength);
   ForceModel model;
   switch (feel.kind) {
     case PullFeel::Kind::kNone:
-      model = ForceModel(sheet);
+      model = ForceModel(surface);
       break;
     case PullFeel::Kind::kSpring:
       id.with("spring").with(feel.origin.x).with(feel.origin.y);
-      model = ForceModel(Compose(sheet, EditSpring(feel.origin, edit)));
+      model = ForceModel(Compose(surface, EditSpring(feel.origin, edit)));
       break;
     case PullFeel::Kind::kSweep:
       id.with("sweep").with(settings.sweep.time_constant_s).with(std::uint64_t{feel.leaps});
-      model =
-          ForceModel(Compose(sheet, SweepSpring(feel.curve, edit, settings.sweep.time_constant_s)));
+      model = ForceModel(
+          Compose(surface, SweepSpring(feel.curve, edit, settings.sweep.time_constant_s)));
       break;
     case PullFeel::Kind::kPush:
       id.with("push");
-      model = ForceModel(Compose(sheet, PushSpring(feel.line, edit)));
+      model = ForceModel(Compose(surface, PushSpring(feel.line, edit)));
       break;
   }
   model.set_fade_id(id.value());

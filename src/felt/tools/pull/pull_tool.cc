@@ -56,7 +56,7 @@ BrushOptions PullTool::brush_for(const PenSample& sample) const {
 
 ToolResult PullTool::hover(const PenSample& sample, const Scene& scene) {
   hovers_ = true;
-  pen_ = on_sheet(sample.position);
+  pen_ = on_page(sample.position);
   const auto hit = settings_.mode == PullMode::kPush
                        ? std::nullopt
                        : scene.index.nearest(pen_, settings_.grab_radius_mm);
@@ -77,7 +77,7 @@ ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
     gesture_ = make_push(sample, scene, settings_.push);
     return move(sample, scene);
   }
-  const auto hit = scene.index.nearest(on_sheet(sample.position), settings_.grab_radius_mm);
+  const auto hit = scene.index.nearest(on_page(sample.position), settings_.grab_radius_mm);
   if (!hit) return {};
   const BrushOptions brush = brush_for(sample);
   switch (settings_.mode) {

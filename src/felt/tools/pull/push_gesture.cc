@@ -24,10 +24,10 @@ struct Pushed {
 class PushGesture final : public PullGesture {
  public:
   PushGesture(const PenSample& touch, const PushOptions& options)
-      : radius_mm_(options.radius_mm), last_(on_sheet(touch.position)) {}
+      : radius_mm_(options.radius_mm), last_(on_page(touch.position)) {}
 
   std::optional<Edit> move(const PenSample& pen, const Scene& scene) override {
-    const Point now = on_sheet(pen.position);
+    const Point now = on_page(pen.position);
     // If the pen lands exactly on a line, the direction from which it came is opposite to its
     // velocity.
     const Vec came_from = -normalized({pen.velocity.x, pen.velocity.y});

@@ -270,7 +270,7 @@ Result<Stroke> Strand::stroke() const {
                          .joints = joints_,
                          .closed = closed(),
                          .widths = widths_,
-                         .material = snapshot_->material(),
+                         .medium = snapshot_->medium(),
                          .color = snapshot_->color()});
 }
 

@@ -25,13 +25,13 @@ class SweepGesture final : public PullGesture {
         sweep_(stroke_.before(), hit.u),
         shown_(stroke_.before()),
         time_constant_ns_(1e9 * options.time_constant_s),
-        last_(on_sheet(touch.position)),
+        last_(on_page(touch.position)),
         last_ns_(touch.time_ns),
         stepped_(last_),
         stepped_ns_(touch.time_ns) {}
 
   std::optional<Edit> move(const PenSample& pen, const Scene& /*scene*/) override {
-    const Point now = on_sheet(pen.position);
+    const Point now = on_page(pen.position);
     // Computed in double, because the difference of two invalid times may overflow 64 bits.
     const double passed = static_cast<double>(pen.time_ns) - static_cast<double>(last_ns_);
     const SweepPull before = sweep_;

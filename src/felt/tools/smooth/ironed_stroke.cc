@@ -40,7 +40,7 @@ IronedStroke::IronedStroke(const Stroke& stroke, const ArcMap& map, const IronPl
       detail_(detail),
       profile_(stroke.widths()) {
   data_.closed = stroke.closed();
-  data_.material = stroke.material();
+  data_.medium = stroke.medium();
   data_.color = stroke.color();
 }
 

@@ -58,7 +58,7 @@ inline ForceModel make_smooth_force(const Scene& scene, double roughness_mm, dou
       Plane(plane_for(scene.surface, scene.device)), Texture(surface_grain(scene.surface), texture),
       RoughFeel(roughness_mm, friction.coefficient, strength), Friction(friction)));
   model.set_fade_id(FeelId("smooth")
-                        .with_sheet(scene.surface, medium_of(scene, "pencil"))
+                        .with_surface(scene.surface, medium_of(scene, "pencil"))
                         .with(strength)
                         .value());
   return model;

@@ -178,7 +178,7 @@ Desk grainless() {
   return desk;
 }
 
-TEST(SmoothForce, FrictionTellsTheRoughnessAndIsTheSheetsOnSmoothInk) {
+TEST(SmoothForce, FrictionTellsTheRoughnessAndIsTheSurfacesOnSmoothInk) {
   const Desk desk = grainless();
   for (const double push : {0.2, 0.5, 1.0, 2.0, 4.0}) {
     const double plain = friction_n(make_smooth_force(desk.scene(), 0.0, 1.0), push);

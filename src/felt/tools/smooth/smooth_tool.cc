@@ -56,7 +56,7 @@ void SmoothTool::take_options(const OptionValues& options) {
 }
 
 ToolResult SmoothTool::hover(const PenSample& sample, const Scene& scene) {
-  hold_.take(scene, on_sheet(sample.position));
+  hold_.take(scene, on_page(sample.position));
   return {};
 }
 
@@ -65,7 +65,7 @@ ToolResult SmoothTool::begin(const PenSample& sample, const Scene& scene) {
 }
 
 ToolResult SmoothTool::take(const PenSample& sample, const Scene& scene) {
-  if (!hold_.take(scene, on_sheet(sample.position))) return {};
+  if (!hold_.take(scene, on_page(sample.position))) return {};
   if (hold_.map().length_mm() > kLongestLineMm) return {};
   replacement_.emplace(scene.document, hold_.id());
   ironing_.emplace(*hold_.stroke(), hold_.map(), settings_.iron);
@@ -79,7 +79,7 @@ ToolResult SmoothTool::take(const PenSample& sample, const Scene& scene) {
 
 ToolResult SmoothTool::move(const PenSample& sample, const Scene& scene) {
   if (!ironing_) return take(sample, scene);
-  iron(sample, scene, hold_.follow(scene, on_sheet(sample.position)));
+  iron(sample, scene, hold_.follow(scene, on_page(sample.position)));
   // The expensive steps are spread over samples: filtering, then the preview, then the felt
   // roughness.
   if (std::exchange(is_caught_up_, false)) {

@@ -90,12 +90,12 @@ inline ForceModel make_transform_force(const Scene& scene, double strength,
                                        const TransformHold* hold) {
   const Medium material =
       felt_with(medium_of(scene, "pencil"), kTransformGlide * strength, kTransformGlide * strength);
-  const SheetForce sheet =
-      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
+  const SurfaceForce surface =
+      make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
   FeelId id("transform");
-  id.with_sheet(scene.surface, medium_of(scene, "pencil")).with(strength);
+  id.with_surface(scene.surface, medium_of(scene, "pencil")).with(strength);
   if (!hold || hold->anchors.empty()) {
-    ForceModel model(sheet);
+    ForceModel model(surface);
     model.set_fade_id(id.value());
     return model;
   }
@@ -107,7 +107,7 @@ inline ForceModel make_transform_force(const Scene& scene, double strength,
   id.with(std::uint64_t{hold->constrained ? 1U : 0U});
   const auto with_tether = [&](const Tether& tether) {
     const Tether held = tether.with_law(law).with_least_scale(hold->least_scale);
-    return ForceModel(Compose(sheet, hold->constrained ? held.constrained() : held));
+    return ForceModel(Compose(surface, hold->constrained ? held.constrained() : held));
   };
   ForceModel model;
   switch (hold->kind) {
@@ -125,8 +125,8 @@ inline ForceModel make_transform_force(const Scene& scene, double strength,
     case TransformKind::kStretch:
     case TransformKind::kStretchX:
     case TransformKind::kStretchY:
-      model = ForceModel(Compose(sheet, StretchTether(hold->kind, hold->centre, hold->grab,
-                                                      hold->anchors, law, hold->least_scale)));
+      model = ForceModel(Compose(surface, StretchTether(hold->kind, hold->centre, hold->grab,
+                                                        hold->anchors, law, hold->least_scale)));
       break;
   }
   model.set_fade_id(id.value());

@@ -59,7 +59,7 @@ class Hold {
   ForceModel model_;
 };
 
-TEST(TransformForce, R35_NoAnchorsNoTetherAndTheSheetAsItIs) {
+TEST(TransformForce, R35_NoAnchorsNoTetherAndTheSurfaceAsItIs) {
   const Desk desk;
   for (const TransformKind kind : kKinds) {
     Hold none(kind, {20, 15}, {});
@@ -155,7 +155,7 @@ TEST(TransformForce, R38_IsContinuousAndNeverStifferThan300) {
   }
 }
 
-TEST(TransformForce, StrengthScalesItAndZeroLeavesTheSheet) {
+TEST(TransformForce, StrengthScalesItAndZeroLeavesTheSurface) {
   for (const TransformKind kind : kKinds) {
     const Point grab{20, 15}, pen{35, 28};
     const Vec full = Hold(kind, grab, points_around(5, 30)).at(pen);

@@ -86,7 +86,7 @@ void TransformTool::follow_selection() {
 }
 
 ToolResult TransformTool::hover(const PenSample& sample, const Scene& scene) {
-  pen_ = on_sheet(sample.position);
+  pen_ = on_page(sample.position);
   selected_.look(scene.document, scene.selection);
   follow_selection();
   under_pen_ = nullptr;
@@ -95,7 +95,7 @@ ToolResult TransformTool::hover(const PenSample& sample, const Scene& scene) {
 }
 
 ToolResult TransformTool::begin(const PenSample& sample, const Scene& scene) {
-  pen_ = grab_ = on_sheet(sample.position);
+  pen_ = grab_ = on_page(sample.position);
   farthest_mm_ = 0.0;
   ++gesture_;
   doing_ = Doing::kNothing;
@@ -146,7 +146,7 @@ double TransformTool::width_factor() const {
 }
 
 ToolResult TransformTool::move(const PenSample& sample, const Scene&) {
-  pen_ = on_sheet(sample.position);
+  pen_ = on_page(sample.position);
   farthest_mm_ = std::max(farthest_mm_, distance(grab_, pen_));
   if (farthest_mm_ < kClickMm) return {.same_preview = true};
   if (doing_ == Doing::kCentre) {

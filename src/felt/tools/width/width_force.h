@@ -115,15 +115,15 @@ inline ForceModel make_width_force(const WidthSettings& settings, const Scene& s
   const double near = std::max(feel.stops.harder, feel.stops.lighter);
   const Medium material =
       felt_with(medium_of(scene, "pencil"), settings.strength * (1.0 + near), settings.strength);
-  const SheetForce sheet =
-      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
+  const SurfaceForce surface =
+      make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
   FeelId id("width");
-  id.with_sheet(scene.surface, medium_of(scene, "pencil")).with(settings.strength);
+  id.with_surface(scene.surface, medium_of(scene, "pencil")).with(settings.strength);
   ForceModel model;
   if (feel.origin_y_mm) {
     id.with("scale").with(*feel.origin_y_mm);
-    model = ForceModel(Compose(sheet, HeightSpring(*feel.origin_y_mm, settings.strength)));
+    model = ForceModel(Compose(surface, HeightSpring(*feel.origin_y_mm, settings.strength)));
   } else {
     // The force at which the width does not change: that of half pressure, or the minimum force if
     // the direction is fixed.
@@ -133,7 +133,7 @@ inline ForceModel make_width_force(const WidthSettings& settings, const Scene& s
         Pressing::kMinN + (by_pressure ? 0.5 * (pressing.most_n() - Pressing::kMinN) : 0.0);
     const double neutral_mm = 1e3 * neutral_n / std::max(pressing.stiffness_n_per_m(), 1.0);
     const double stiffness = settings.strength * width_stop_stiffness(scene.surface, scene.device);
-    model = ForceModel(Compose(sheet, WidthStop(feel.stops, neutral_mm, stiffness)));
+    model = ForceModel(Compose(surface, WidthStop(feel.stops, neutral_mm, stiffness)));
   }
   model.set_fade_id(id.value());
   return model;

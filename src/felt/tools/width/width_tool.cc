@@ -71,13 +71,13 @@ void WidthTool::take_options(const OptionValues& options) {
 }
 
 ToolResult WidthTool::hover(const PenSample& sample, const Scene& scene) {
-  pen_ = on_sheet(sample.position);
+  pen_ = on_page(sample.position);
   hold_.take(scene, pen_);
   return {};
 }
 
 ToolResult WidthTool::begin(const PenSample& sample, const Scene& scene) {
-  pen_ = on_sheet(sample.position);
+  pen_ = on_page(sample.position);
   return take(sample, scene);
 }
 
@@ -124,7 +124,7 @@ void WidthTool::find_lines(const Scene& scene) {
 }
 
 ToolResult WidthTool::move(const PenSample& sample, const Scene& scene) {
-  pen_ = on_sheet(sample.position);
+  pen_ = on_page(sample.position);
   if (!is_working()) return take(sample, scene);
   apply(sample, scene, hold_.follow(scene, pen_));
   const double waited = static_cast<double>(sample.time_ns) - static_cast<double>(preview_ns_);

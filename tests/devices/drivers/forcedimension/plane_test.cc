@@ -13,10 +13,10 @@ namespace {
 TEST(ForceDimensionPlane, RightIsYDownIsMinusZAndTheHandIsAtX) {
   const auto driver = make_forcedimension_driver();
   const PlaneCalibration plane = driver->default_plane({}, {});
-  EXPECT_EQ(plane.to_sheet(Vec3{}), Vec3{}) << "the middle of the arm's reach";
-  EXPECT_EQ(plane.turn_to_sheet(Vec3{0, 1, 0}), (Vec3{1, 0, 0}));
-  EXPECT_EQ(plane.turn_to_sheet(Vec3{0, 0, 1}), (Vec3{0, -1, 0}));
-  EXPECT_EQ(plane.turn_to_sheet(Vec3{1, 0, 0}), (Vec3{0, 0, 1}));
+  EXPECT_EQ(plane.to_page(Vec3{}), Vec3{}) << "the middle of the arm's reach";
+  EXPECT_EQ(plane.turn_to_page(Vec3{0, 1, 0}), (Vec3{1, 0, 0}));
+  EXPECT_EQ(plane.turn_to_page(Vec3{0, 0, 1}), (Vec3{0, -1, 0}));
+  EXPECT_EQ(plane.turn_to_page(Vec3{1, 0, 0}), (Vec3{0, 0, 1}));
   EXPECT_TRUE(plane.mirrors()) << "the device's axes are right-handed, the sheet's are not";
 }
 

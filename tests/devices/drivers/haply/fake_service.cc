@@ -322,7 +322,7 @@ void FakeService::take_waiting() {
 void FakeService::apply(const Force& force) {
   largest_n_ = std::max(largest_n_,
                         is_finite(force) ? norm(force) : std::numeric_limits<double>::infinity());
-  const Vec3 turned = plane_.turn_to_sheet(Vec3{force.x, force.y, force.z});
+  const Vec3 turned = plane_.turn_to_page(Vec3{force.x, force.y, force.z});
   const auto done = world_.device().write({turned.x, turned.y, turned.z});
   applied_ = done ? force : Force{};
   if (force == Force{}) world_.device().stop();  // a zero request releases the motors

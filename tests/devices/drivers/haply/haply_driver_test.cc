@@ -109,7 +109,7 @@ TEST(HaplyDriver, FindsAndOpens) {
 // plane that is used until the user has calibrated another.
 TEST(HaplyDriver, ForcesPointTheRightWayThroughTheUsualPlane) {
   const struct {
-    Force on_sheet, at_service;
+    Force on_page, at_service;
   } kAxes[] = {{{1, 0, 0}, {1, 0, 0}},   // right is right
                {{0, 1, 0}, {0, -1, 0}},  // down the page is towards the user
                {{0, 0, 1}, {0, 0, 1}}};  // out of the surface is up
@@ -122,12 +122,12 @@ TEST(HaplyDriver, ForcesPointTheRightWayThroughTheUsualPlane) {
     for (std::int64_t t = 0; t < 10 * kMs; t += kMs) {
       table.service.tick(t);
       ASSERT_TRUE(device.read(t).has_value());
-      ASSERT_TRUE(device.write(axis.on_sheet).has_value());
+      ASSERT_TRUE(device.write(axis.on_page).has_value());
     }
     EXPECT_EQ(table.service.asked(), axis.at_service);
-    EXPECT_EQ(device.held_force(), axis.on_sheet);
+    EXPECT_EQ(device.held_force(), axis.on_page);
     const Force& held = table.world.held_force();
-    EXPECT_GT(dot(held, axis.on_sheet), 0.9);
+    EXPECT_GT(dot(held, axis.on_page), 0.9);
   }
 }
 
@@ -628,7 +628,7 @@ TEST(HaplyDriver, AGripTellsHowItIsHeld) {
     for (int i = 0; i < 60; ++i) table.tick();
     const std::optional<Vec3> axis = table.device->pen_axis();
     ASSERT_TRUE(axis.has_value());
-    EXPECT_EQ(tilt_of_axis(desk().turn_to_sheet(*axis)), held_deg);
+    EXPECT_EQ(tilt_of_axis(desk().turn_to_page(*axis)), held_deg);
   }
 }
 

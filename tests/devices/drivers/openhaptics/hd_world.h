@@ -41,7 +41,7 @@ class HdWorld {
   }
   static int write(void* self, const double* f) {
     HdWorld& world = *static_cast<HdWorld*>(self);
-    const Vec3 force = world.plane_.turn_to_sheet(Vec3{f[0], f[1], f[2]});
+    const Vec3 force = world.plane_.turn_to_page(Vec3{f[0], f[1], f[2]});
     const auto done = world.device_.write({force.x, force.y, force.z});
     return done ? 0 : code(done.error());
   }
@@ -53,10 +53,9 @@ class HdWorld {
 
 /// Returns the vendor's axes above a desk, for a page on which the device reaches its `workspace`.
 /// The origin of the device is 60 mm above the middle of the desk.
-PlaneCalibration hd_plane(const Capabilities& in_the_sheet);
+PlaneCalibration hd_plane(const Capabilities& on_page);
 /// Returns the values that a device with these capabilities reports, in the vendor's units and
 /// axes.
-FakeHdModel hd_model(const Capabilities& in_the_sheet, const PlaneCalibration& plane,
-                     const char* type);
+FakeHdModel hd_model(const Capabilities& on_page, const PlaneCalibration& plane, const char* type);
 
 }  // namespace felt

@@ -218,9 +218,9 @@ TEST_F(OpenHaptics, EachTickIsOneFrameInTheMakersAxes) {
   ASSERT_TRUE(said && done);
   EXPECT_EQ(fake->frames(), 10U);
   EXPECT_EQ(said->time_ns, now_ns);
-  const Vec3 on_sheet = world.plane().to_sheet(said->position);
-  EXPECT_NEAR(on_sheet.x, 40.0, 1.0);
-  EXPECT_NEAR(on_sheet.z, 7.0, 1.0);
+  const Vec3 on_page = world.plane().to_page(said->position);
+  EXPECT_NEAR(on_page.x, 40.0, 1.0);
+  EXPECT_NEAR(on_page.z, 7.0, 1.0);
   EXPECT_GT(held().z, 0.49) << "up from the desk";
   EXPECT_EQ(device->status().reads, 10U - 10U % 16U) << "told now and then";
 }
@@ -231,7 +231,7 @@ TEST_F(OpenHaptics, TellsHowItsStylusIsHeld) {
     step(60);
     const std::optional<Vec3> axis = device->pen_axis();
     if (!axis) return {};
-    return tilt_of_axis(world.plane().turn_to_sheet(*axis));
+    return tilt_of_axis(world.plane().turn_to_page(*axis));
   };
   for (const double held_deg : {0.0, 32.5, 60.0, 90.0}) {
     stylus.aim({{40, 30, 7}, {}, 0, held_deg});

@@ -249,7 +249,7 @@ void FakeBoard::apply() {
   const bool is_number = std::isfinite(torques_[0]) && std::isfinite(torques_[1]);
   largest_n_ =
       std::max(largest_n_, is_number ? norm(force) : std::numeric_limits<double>::infinity());
-  const Vec3 turned = plane_.turn_to_sheet(Vec3{force.x, force.y, 0.0});
+  const Vec3 turned = plane_.turn_to_page(Vec3{force.x, force.y, 0.0});
   const bool went = world_.device().write({turned.x, turned.y, turned.z}).has_value();
   if (!went && !is_active(InjectedFault::kWriteError)) unplug();
 }

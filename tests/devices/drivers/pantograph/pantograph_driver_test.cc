@@ -131,11 +131,11 @@ TEST(PantographDriver, ForcesPointTheRightWayThroughTheUsualPlane) {
   EXPECT_TRUE(plane.mirrors());
   OpenDevice device(*table.device, plane);
   std::int64_t t = 0;
-  const auto held = [&](const Force& on_sheet) {
+  const auto held = [&](const Force& on_page) {
     for (int i = 0; i < 8; ++i, t += kMs) {
       table.board.tick(t);
       EXPECT_TRUE(device.read(t).has_value());
-      EXPECT_TRUE(device.write(on_sheet).has_value());
+      EXPECT_TRUE(device.write(on_page).has_value());
     }
     return table.world.held_force();
   };

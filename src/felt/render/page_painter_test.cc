@@ -1,4 +1,4 @@
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt::page_test {
+namespace felt::page_painter_test {
 namespace {
 
 std::vector<StrokePtr> one_line() {
@@ -14,7 +14,7 @@ std::vector<StrokePtr> one_line() {
 }
 
 TEST(Page, FitsTheInkWithItsMargin) {
-  const auto image = render_page(one_line(), {.dpi = 254.0, .sheet = {}, .margin_mm = 3.0});
+  const auto image = render_page(one_line(), {.dpi = 254.0, .area = {}, .margin_mm = 3.0});
   ASSERT_TRUE(image);
   EXPECT_EQ(image->width(), 380);  // 30 + 2 x 1 + 2 x 3 mm at 10 px/mm
   EXPECT_EQ(image->height(), 80);
@@ -24,8 +24,8 @@ TEST(Page, FitsTheInkWithItsMargin) {
   EXPECT_EQ(image->at(190, 31).r, 0);
 }
 
-TEST(Page, ShowsTheSheetItIsGiven) {
-  const auto image = render_page(one_line(), {.dpi = 25.4, .sheet = Rect{0, 0, 210, 297}});
+TEST(Page, ShowsTheSurfaceItIsGiven) {
+  const auto image = render_page(one_line(), {.dpi = 25.4, .area = Rect{0, 0, 210, 297}});
   ASSERT_TRUE(image);
   EXPECT_EQ(image->width(), 210);
   EXPECT_EQ(image->height(), 297);
@@ -33,7 +33,7 @@ TEST(Page, ShowsTheSheetItIsGiven) {
 }
 
 TEST(Page, PaperMayBeTransparent) {
-  const auto image = render_page(one_line(), {.dpi = 50.0, .sheet = {}, .paper = {0, 0, 0, 0}});
+  const auto image = render_page(one_line(), {.dpi = 50.0, .area = {}, .paper = {0, 0, 0, 0}});
   ASSERT_TRUE(image);
   EXPECT_EQ(image->at(0, 0), (Rgba{0, 0, 0, 0}));
 }
@@ -48,10 +48,10 @@ TEST(Page, RefusesNonsense) {
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(render_page(one_line(), {.dpi = 0.0}));
   EXPECT_FALSE(render_page(one_line(), {.dpi = inf}));
-  EXPECT_FALSE(render_page(one_line(), {.dpi = 300.0, .sheet = {}, .margin_mm = -1.0}));
-  EXPECT_FALSE(render_page(one_line(), {.dpi = 300.0, .sheet = Rect{}}));
-  EXPECT_FALSE(render_page(one_line(), {.dpi = 300.0, .sheet = Rect{0, 0, inf, 1}}));
-  EXPECT_FALSE(render_page(one_line(), {.dpi = 100'000.0, .sheet = Rect{0, 0, 1000, 1000}}));
+  EXPECT_FALSE(render_page(one_line(), {.dpi = 300.0, .area = {}, .margin_mm = -1.0}));
+  EXPECT_FALSE(render_page(one_line(), {.dpi = 300.0, .area = Rect{}}));
+  EXPECT_FALSE(render_page(one_line(), {.dpi = 300.0, .area = Rect{0, 0, inf, 1}}));
+  EXPECT_FALSE(render_page(one_line(), {.dpi = 100'000.0, .area = Rect{0, 0, 1000, 1000}}));
 }
 
 TEST(Page, TheSameSketchGivesTheSamePixels) {
@@ -63,4 +63,4 @@ TEST(Page, TheSameSketchGivesTheSamePixels) {
 }
 
 }  // namespace
-}  // namespace felt::page_test
+}  // namespace felt::page_painter_test

@@ -1,4 +1,4 @@
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 
 #include <cmath>
 
@@ -24,7 +24,7 @@ Rect ink_bounds(std::span<const StrokePtr> strokes) noexcept {
 }
 
 Rect page_area(const Rect& ink, const PageOptions& options) noexcept {
-  if (options.sheet) return *options.sheet;
+  if (options.area) return *options.area;
   return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(options.margin_mm);
 }
 

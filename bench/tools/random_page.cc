@@ -1,4 +1,4 @@
-#include "sheet.h"
+#include "random_page.h"
 
 #include <cmath>
 #include <utility>
@@ -8,13 +8,13 @@
 
 namespace felt::bench {
 
-Sheet::Sheet(int strokes) : side_mm_(8.0 * std::sqrt(strokes)) {
+Page::Page(int strokes) : side_mm_(8.0 * std::sqrt(strokes)) {
   EditBuilder builder(document_);
   for (int i = 0; i < strokes; ++i) builder.add({1}, scribble());
   FELT_CHECK(document_.apply(std::move(builder).build("Scribble")).has_value());
 }
 
-StrokePtr Sheet::scribble() {
+StrokePtr Page::scribble() {
   StrokeData data;
   Point at{uniform(0, side_mm_), uniform(0, side_mm_)};
   double angle = uniform(0, 6.28);

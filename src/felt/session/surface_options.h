@@ -4,18 +4,14 @@
 #include <string_view>
 
 #include "felt/material/materials.h"
-#include "felt/stroke/stroke.h"
 #include "felt/tools/tool_options.h"
 
 namespace felt {
 
-/// The options of the surface, which do not belong to a tool. In events they are called "sheet.ID":
-///   material   a SurfaceMaterial by id
-///   color      the colour of new ink: "#rgb", "#rrggbb" or "#rrggbbaa"
-class SheetOptions {
+/// The options of the surface, which do not belong to a tool. In events they are called
+/// "surface.ID": `material` is the id of a SurfaceMaterial.
+class SurfaceOptions {
  public:
-  /// Returns the table of these options. It does not contain the colour, because an OptionSpec
-  /// cannot describe the text form of a colour.
   static std::span<const OptionSpec> table();
 
   /// Sets an option. Fails if the option does not exist, if it does not accept the value, or if the
@@ -27,12 +23,10 @@ class SheetOptions {
   void follow(const Materials& known);
 
   [[nodiscard]] const SurfaceMaterial& material() const noexcept { return material_; }
-  [[nodiscard]] Rgba color() const noexcept { return color_; }
 
  private:
   OptionValues values_{table()};
   SurfaceMaterial material_ = surface_materials().front();
-  Rgba color_{};
 };
 
 }  // namespace felt

@@ -8,9 +8,9 @@
 namespace felt::bench {
 
 /// Random ink on a large square page. Its density hardly depends on the number of strokes.
-class Sheet {
+class Page {
  public:
-  explicit Sheet(int strokes);
+  explicit Page(int strokes);
 
   [[nodiscard]] Document take() { return std::move(document_); }
   /// Returns a random stroke of 8 to 12 smooth segments, a few mm long each.

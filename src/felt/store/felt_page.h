@@ -13,13 +13,13 @@ Rgba color_of(std::int64_t n) noexcept;
 bool is_color_number(std::int64_t n) noexcept;
 
 /// Writes the tables `palette` and `shown`, whose rows do not refer to other tables.
-Result<void> write_sheet(const Database& db, const Drawing& drawing);
+Result<void> write_page(const Database& db, const Drawing& drawing);
 /// Reads the tables `palette` and `shown`. The palette's name and columns are in the row of the
 /// table `drawing`.
-Result<void> read_sheet(const Database& db, Drawing& drawing);
+Result<void> read_page(const Database& db, Drawing& drawing);
 /// Checks that palette and view are within the limits of the format.
-Result<void> check_sheet(const Drawing& drawing);
+Result<void> check_page(const Drawing& drawing);
 /// Appends the part of palette and view that the drawing's checksum covers.
-void append_sheet_bytes(ByteWriter& out, const Drawing& drawing);
+void append_page_bytes(ByteWriter& out, const Drawing& drawing);
 
 }  // namespace felt

@@ -9,7 +9,7 @@ namespace felt {
 
 /// The page of a drawing: its size, colour and surface. Ink may lie outside the page. The page
 /// limits the printed and exported area, not the drawing.
-struct SheetPage {
+struct Page {
   static constexpr double kMinMm = 10.0;
   static constexpr double kMaxMm = 5000.0;
 
@@ -22,7 +22,7 @@ struct SheetPage {
   std::string surface{};
 
   [[nodiscard]] Rect area() const noexcept { return {0.0, 0.0, width_mm, height_mm}; }
-  friend bool operator==(const SheetPage&, const SheetPage&) noexcept = default;
+  friend bool operator==(const Page&, const Page&) noexcept = default;
 };
 
 }  // namespace felt

@@ -1,4 +1,4 @@
-#include "felt/store/felt_sheet.h"
+#include "felt/store/felt_page.h"
 
 #include <cmath>
 #include <limits>
@@ -77,7 +77,7 @@ bool is_color_number(std::int64_t n) noexcept {
   return n >= 0 && n <= std::numeric_limits<std::uint32_t>::max();
 }
 
-Result<void> write_sheet(const Database& db, const Drawing& drawing) {
+Result<void> write_page(const Database& db, const Drawing& drawing) {
   const auto color = db.prepare("INSERT INTO palette VALUES(?,?,?)");
   if (!color) return tl::unexpected(color.error());
   std::int64_t id = 0;
@@ -99,11 +99,11 @@ Result<void> write_sheet(const Database& db, const Drawing& drawing) {
   return row->step().map([](bool) {});
 }
 
-Result<void> read_sheet(const Database& db, Drawing& drawing) {
+Result<void> read_page(const Database& db, Drawing& drawing) {
   return read_palette(db, drawing.palette).and_then([&] { return read_view(db, drawing.view); });
 }
 
-Result<void> check_sheet(const Drawing& drawing) {
+Result<void> check_page(const Drawing& drawing) {
   const Palette& palette = drawing.palette;
   if (!is_palette_text(palette.name) || palette.columns > PaletteLimits::kMaxColumns) {
     return invalid_data("the palette has an invalid name or number of columns");
@@ -119,7 +119,7 @@ Result<void> check_sheet(const Drawing& drawing) {
   return {};
 }
 
-void append_sheet_bytes(ByteWriter& out, const Drawing& drawing) {
+void append_page_bytes(ByteWriter& out, const Drawing& drawing) {
   out.text(drawing.palette.name);
   out.u32(static_cast<std::uint32_t>(drawing.palette.columns));
   out.u32(static_cast<std::uint32_t>(drawing.palette.colors.size()));

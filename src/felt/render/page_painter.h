@@ -18,7 +18,7 @@ namespace felt {
 struct PageOptions {
   double dpi = 300.0;
   /// The part of the page to show. If not set, the picture shows all ink and a margin around it.
-  std::optional<Rect> sheet{};
+  std::optional<Rect> area{};
   double margin_mm = 5.0;
   Rgba paper{255, 255, 255, 255};  ///< alpha 0 gives a transparent picture
   Grain grain{};                   ///< the look of media on the surface; by default, solid ink

@@ -1,10 +1,10 @@
-#include "desktop/files/sheet_picture.h"
+#include "desktop/files/page_picture.h"
 
 #include <algorithm>
 #include <memory>
 #include <utility>
 
-#include "felt/render/page.h"
+#include "felt/render/page_painter.h"
 #include "felt/render/view.h"
 
 namespace felt::desktop {
@@ -18,18 +18,18 @@ QImage to_qimage(Image image) {
       kept);
 }
 
-QImage sheet_picture(std::span<const StrokePtr> strokes, const Rect& area, double px_per_mm,
-                     Rgba paper, const Grain& grain) {
+QImage page_picture(std::span<const StrokePtr> strokes, const Rect& area, double px_per_mm,
+                    Rgba paper, const Grain& grain) {
   Result<Image> image = render_page(
-      strokes, {.dpi = px_per_mm * kMmPerInch, .sheet = area, .paper = paper, .grain = grain});
+      strokes, {.dpi = px_per_mm * kMmPerInch, .area = area, .paper = paper, .grain = grain});
   return image ? to_qimage(*std::move(image)) : QImage();
 }
 
-QImage sheet_thumbnail(std::span<const StrokePtr> strokes, const Rect& area, QSize size, Rgba paper,
-                       const Grain& grain) {
+QImage page_thumbnail(std::span<const StrokePtr> strokes, const Rect& area, QSize size, Rgba paper,
+                      const Grain& grain) {
   if (!(area.width() > 0.0) || !(area.height() > 0.0)) return {};
   const double scale = std::min(size.width() / area.width(), size.height() / area.height());
-  return sheet_picture(strokes, area, scale, paper, grain);
+  return page_picture(strokes, area, scale, paper, grain);
 }
 
 }  // namespace felt::desktop
