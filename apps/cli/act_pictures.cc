@@ -65,22 +65,22 @@ ActPictures::ActPictures(std::string_view act) : tool_(act.substr(act.find('-') 
 void ActPictures::see(const Session& session, const PenSample& pen) {
   if (is_over_ || session.tool().info().id != tool_) return;
   if (!in_contact(pen)) {
-    is_over_ = in_work_.has_value();
+    is_over_ = in_progress_.has_value();
     return;
   }
   if (!before_) before_ = SessionView{session.document(), {}, std::nullopt};
-  in_work_ = view_of(session, on_page(pen.position));
+  in_progress_ = view_of(session, on_page(pen.position));
 }
 
 Result<Image> ActPictures::draw(const Session& after, int width_px) const {
-  if (!before_ || !in_work_) return fail(ErrorCode::kInvalidData, tool_ + " never touched");
-  std::array<SessionView, 3> views{*before_, *in_work_, view_of(after, std::nullopt)};
+  if (!before_ || !in_progress_) return fail(ErrorCode::kInvalidData, tool_ + " never touched");
+  std::array<SessionView, 3> views{*before_, *in_progress_, view_of(after, std::nullopt)};
   // If the document did not change, the act only changed the selection. The last panel then keeps
   // the overlay, which shows the selection.
   if (!(views[0].document == views[2].document)) views[2].overlay.clear();
   constexpr std::array kCaptions{"before", "in work", "after"};
   Rect box = difference(before_->document, views[2].document);
-  SessionView shown = *in_work_;
+  SessionView shown = *in_progress_;
   shown.document = {};
   box.extend(bounds_of(shown));
   PictureOptions picture;

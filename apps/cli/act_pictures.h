@@ -30,7 +30,7 @@ class ActPictures {
  private:
   std::string tool_;
   std::optional<SessionView> before_;
-  std::optional<SessionView> in_work_;
+  std::optional<SessionView> in_progress_;
   bool is_over_ = false;  // the first gesture is over
 };
 

@@ -83,7 +83,7 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
                    const PictureOptions& picture, Console& console) {
   Result<Imported> opened = input.read_drawing({.salvage = args.salvage});
   if (!opened) return console.error(input.name() + ": " + opened.error().message);
-  if (!tell_notices(input.name(), opened->report, console)) return;
+  if (!report_notices(input.name(), opened->report, console)) return;
   // A drawing written by Feltline may be empty. For other files, keeps an older output instead of
   // replacing it by an empty file.
   if (opened->drawing.document.stroke_count() == 0 && !opened->is_exact) {

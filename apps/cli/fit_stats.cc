@@ -70,11 +70,11 @@ StrokeMeter::StrokeMeter(const InkFitOptions& options)
     : fitter_(options), clock_cost_ns_(measure_clock_cost()) {}
 
 void StrokeMeter::measure_calls(std::span<const InkSample> samples, FitStats& stats) {
-  least_ns_.assign(samples.size(), std::numeric_limits<std::int64_t>::max());
+  min_ns_.assign(samples.size(), std::numeric_limits<std::int64_t>::max());
   std::int64_t allocations = 0;
   for (int i = 0; i < kRuns; ++i) run(samples, allocations);
   stats.allocations += allocations;
-  for (const std::int64_t ns : least_ns_) stats.calls.add(ns - clock_cost_ns_);
+  for (const std::int64_t ns : min_ns_) stats.calls.add(ns - clock_cost_ns_);
 }
 
 void StrokeMeter::run(std::span<const InkSample> samples, std::int64_t& allocations) {
@@ -83,7 +83,7 @@ void StrokeMeter::run(std::span<const InkSample> samples, std::int64_t& allocati
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const std::int64_t start = thread_cpu_ns();
     fitter_.push(samples[i]);
-    least_ns_[i] = std::min(least_ns_[i], thread_cpu_ns() - start);
+    min_ns_[i] = std::min(min_ns_[i], thread_cpu_ns() - start);
   }
   allocations = thread_allocations() - allocations_before;
   fitter_.end();

@@ -60,7 +60,7 @@ class StrokeMeter {
 
   InkFitter fitter_;
   std::int64_t clock_cost_ns_;
-  std::vector<std::int64_t> least_ns_;  // shortest time for each sample of one stroke
+  std::vector<std::int64_t> min_ns_;  // shortest time for each sample of one stroke
   std::vector<BvhSegment> segments_;
   SegmentBvh tree_;
 };

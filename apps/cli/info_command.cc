@@ -88,7 +88,7 @@ bool summarize_whole(const Input& input, Console& console, FileSummary& summary)
     console.error(input.name() + ": " + opened.error().message);
     return false;
   }
-  tell_notices(input.name(), opened->report, console);
+  report_notices(input.name(), opened->report, console);
   const Document& document = opened->drawing.document;
   for (const Layer& layer : document.layers()) {
     for (const StrokeId id : layer.strokes) summary.add(*document.find(id));

@@ -8,13 +8,13 @@ Result<HeightPicture> load_height_picture(const std::string& path) {
   return read_height_png(path);
 }
 
-MaterialLibrary own_materials() {
+MaterialLibrary user_materials() {
   return load_materials(material_folders(), load_height_picture);
 }
 
 const MaterialLibrary& known_materials(Console& console) {
   static const MaterialLibrary kLibrary = [&console] {
-    MaterialLibrary read = own_materials();
+    MaterialLibrary read = user_materials();
     for (const std::string& problem : read.problems) console.notice(problem);
     return read;
   }();

@@ -7,8 +7,8 @@ namespace felt::cli {
 
 /// Returns the known surfaces and media: the built-in ones, and those in the folders of
 /// material_folders().
-MaterialLibrary own_materials();
-/// Returns the result of own_materials(), which is only called on first use. Prints one notice for
+MaterialLibrary user_materials();
+/// Returns the result of user_materials(), which is only called on first use. Prints one notice for
 /// each invalid file.
 const MaterialLibrary& known_materials(Console& console);
 

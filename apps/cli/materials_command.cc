@@ -155,7 +155,7 @@ void check(const std::vector<std::string>& files, Console& console) {
     for (const Error& problem : problems) console.error(problem.message);
     if (!problems.empty()) continue;
     const Result<AnyMaterial> material = read_material(*text, source);
-    const std::string taken = own_id_error(id_of(*material));
+    const std::string taken = new_id_error(id_of(*material));
     const std::string note =
         taken.empty() ? "" : " (to read, but not as one of your own: " + taken + ")";
     print("{}: {} {}{}\n", source.name, kind_of(*material), id_of(*material), note);
@@ -169,7 +169,7 @@ struct NewArguments {
 };
 
 void make_new(const NewArguments& args, Console& console) {
-  if (const std::string wrong = own_id_error(args.id); !wrong.empty()) throw UsageError(wrong);
+  if (const std::string wrong = new_id_error(args.id); !wrong.empty()) throw UsageError(wrong);
   Result<AnyMaterial> material = find_any(args.from, console);
   if (!material) throw UsageError("--from: " + material.error().message);
   std::visit(

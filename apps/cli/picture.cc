@@ -184,8 +184,8 @@ Result<void> parse_surface(const std::string& text, PictureOptions& options) {
   if (!field) {
     return fail(ErrorCode::kInvalidData, "--surface: " + text + ": " + field.error().message);
   }
-  options.own_relief = std::make_shared<const HeightField>(*std::move(field));
-  options.relief = options.own_relief.get();
+  options.custom_relief = std::make_shared<const HeightField>(*std::move(field));
+  options.relief = options.custom_relief.get();
   options.grain = Grain(options.relief, options.materials);
   return {};
 }

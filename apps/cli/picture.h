@@ -29,10 +29,11 @@ struct PictureOptions {
   std::optional<Rect> area;
   bool fit = false;           ///< --page fit: shows all ink and a margin, even if a page exists
   std::optional<Rgba> paper;  ///< nullopt: white in a .png, transparent in an .svg
-  std::shared_ptr<const HeightField> own_relief{};  ///< a user-defined picture, used as the relief
-  const HeightField* relief = nullptr;              ///< of --surface; null if smooth
-  Grain grain;               ///< the relief shown in the ink; default: solid ink
-  bool has_surface = false;  ///< --surface was given and sets the relief
+  std::shared_ptr<const HeightField>
+      custom_relief{};                  ///< a user-defined picture, used as the relief
+  const HeightField* relief = nullptr;  ///< of --surface; null if smooth
+  Grain grain;                          ///< the relief shown in the ink; default: solid ink
+  bool has_surface = false;             ///< --surface was given and sets the relief
   bool wants_grain = false;  ///< --grain was given: grain is also shown in .svg and .pdf, and for
                              ///< the drawing's own surface
   double grain_dpi = 200.0;  ///< in an .svg or .pdf

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "felt/session/heard_pen.h"
+#include "felt/session/sound_input.h"
 #include "felt/sound/rubbing_player.h"
 #include "output.h"
 
@@ -67,7 +67,7 @@ class ReplaySound {
   Result<void> render(std::size_t samples);
 
   WavFile file_;
-  std::optional<HeardPen> pen_;
+  std::optional<SoundInput> pen_;
   RubbingPlayer sound_;
   std::array<float, 4096> block_{};
 };

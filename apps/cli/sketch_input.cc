@@ -53,7 +53,7 @@ bool for_each_piece(const Input& input, Format format, Console& console,
   return true;
 }
 
-bool tell_notices(const std::string& name, const ImportReport& report, Console& console) {
+bool report_notices(const std::string& name, const ImportReport& report, Console& console) {
   for (const ImportNotice& notice : report.notices()) {
     console.notice(name + ": " + notice_text(notice));
   }

@@ -18,6 +18,6 @@ bool for_each_piece(const Input& input, Format format, Console& console,
 
 /// Prints a notice for each kind of unsupported content in the file called `name`. Returns false if
 /// the console counts a notice as a failure.
-bool tell_notices(const std::string& name, const ImportReport& report, Console& console);
+bool report_notices(const std::string& name, const ImportReport& report, Console& console);
 
 }  // namespace felt::cli

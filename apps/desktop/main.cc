@@ -129,7 +129,7 @@ int run(const StartOptions& options) {
   if (options.measure_start && first) new StartWatch(first->canvas());
   const SignalWatch signals;
   QObject::connect(&signals, &SignalWatch::asked, &windows, [&windows] {
-    windows.let_go();
+    windows.release();
     QApplication::exit(0);  // also ends the event loops of dialogs
   });
   const int code = QApplication::exec();

@@ -133,8 +133,8 @@ void edit_rows(const std::string& title, Ink& ink, int count, const Table& table
   std::vector<double> add, pull, erase, back, first, sample;
   const auto run = [&](const Edits::One& one, std::vector<double>& times) {
     window.look(one.place);
-    times.push_back(window.time([&](InkTileStore& desk) { desk.apply(one.edit); }));
-    back.push_back(window.time([&](InkTileStore& desk) { desk.apply(one.edit.inverse()); }));
+    times.push_back(window.time([&](InkTileStore& fixture) { fixture.apply(one.edit); }));
+    back.push_back(window.time([&](InkTileStore& fixture) { fixture.apply(one.edit.inverse()); }));
   };
   for (int i = 0; i < count; ++i) {
     run(edits.add(), add);
@@ -151,10 +151,10 @@ void edit_rows(const std::string& title, Ink& ink, int count, const Table& table
       const StrokePtr after = Ink::pulled(*c.before, joint, {0.2 * k, 0.1 * k});
       if (!after) break;
       shown.changes[0].after = after;
-      const double us = window.time([&](InkTileStore& desk) { desk.show(shown); });
+      const double us = window.time([&](InkTileStore& fixture) { fixture.show(shown); });
       (k == 1 ? first : sample).push_back(us);
     }
-    window.time([](InkTileStore& desk) { desk.show(std::nullopt); });
+    window.time([](InkTileStore& fixture) { fixture.show(std::nullopt); });
   }
   table.times("edit: add", std::move(add));
   table.times("edit: pull", std::move(pull));
@@ -287,7 +287,7 @@ void media_rows(const Ink& ink, const CanvasView& at, const Table& table) {
   constexpr int kTurns = 15;
   table.heading("the same page, sheet over sheet, with the look of media");
   const HeightField* relief = surface_grain(*find_surface("rough-paper"));
-  double least_plain = std::numeric_limits<double>::infinity();
+  double min_plain = std::numeric_limits<double>::infinity();
   for (const Medium& medium : media()) {
     if (!medium.draws) continue;
     Materials materials = Materials::built_in();
@@ -300,10 +300,10 @@ void media_rows(const Ink& ink, const CanvasView& at, const Table& table) {
       plain = std::min(plain, cold_page_cpu_ms(ink, at, Grain()));
       with_grain = std::min(with_grain, cold_page_cpu_ms(ink, at, grain));
     }
-    least_plain = std::min(least_plain, plain);
+    min_plain = std::min(min_plain, plain);
     table.number(medium.id + ", of plain ink", with_grain / plain, "times");
   }
-  table.number("plain ink, CPU", least_plain, "ms");
+  table.number("plain ink, CPU", min_plain, "ms");
 }
 
 double memory_of_view(const Ink& ink) {

@@ -42,7 +42,7 @@ void in_window(desktop::MainWindow& window, F f) {
 
 }  // namespace
 
-void SampleWatch::hear(const Event& event) {
+void SampleWatch::receive(const Event& event) {
   const auto* pen = std::get_if<PenEvent>(&event.what);
   if (!pen) return;
   ++samples_;

@@ -20,7 +20,7 @@ class SampleWatch {
   static constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
   /// Handles one event. Called on the window's thread.
-  void hear(const Event& event);
+  void receive(const Event& event);
   /// Starts to wait for a sample to the right of `x_mm`.
   void arm(double x_mm);
   /// Returns the time stamp of that sample on the studio's clock, or 0 if it has not come yet.

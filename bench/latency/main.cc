@@ -121,7 +121,7 @@ int run(QApplication& app, const Wanted& wanted) {
   window.show();
   Studio& studio = window.studio();
   QObject::connect(&studio, &Studio::event_applied,
-                   [&samples](const Event& event) { samples.hear(event); });
+                   [&samples](const Event& event) { samples.receive(event); });
   studio.apply(SetOption{"pencil.snap", std::string("off")});
   std::printf("%s\n", describe(studio.loop().thread()->status()).c_str());
   bool measured = false;

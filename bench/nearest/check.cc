@@ -19,7 +19,7 @@ std::size_t check(std::size_t cases) {
     const std::size_t count = cases / kCaseKinds + (k < static_cast<int>(cases % kCaseKinds));
     std::size_t wrong_here = 0;
     double worst = 0.0;
-    int most_pieces = 0;
+    int max_pieces = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const NearestCase c = make_case(kind, random);
       int pieces_left = 1 << 20;
@@ -29,10 +29,10 @@ std::size_t check(std::size_t cases) {
       // nearest.h documents 1e-12 of the size, plus 1e-14 of the distance of a far query.
       if (!(excess <= 1e-12 * size + 2e-14 * truth)) ++wrong_here;
       worst = std::max(worst, excess);
-      most_pieces = std::max(most_pieces, (1 << 20) - pieces_left);
+      max_pieces = std::max(max_pieces, (1 << 20) - pieces_left);
     }
     wrong += wrong_here;
-    std::printf("%4d %11zu %8zu %11.3g %13d\n", k, count, wrong_here, worst, most_pieces);
+    std::printf("%4d %11zu %8zu %11.3g %13d\n", k, count, wrong_here, worst, max_pieces);
     std::fflush(stdout);
   }
   std::printf("%zu wrong of %zu\n", wrong, cases);

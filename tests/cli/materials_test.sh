@@ -163,6 +163,13 @@ run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" convert on.felt -o on.svg
 has on.svg 'felt:surface="my-paper"'
 has on.svg "id = &quot;faint&quot;"
 run 0 "$feltline" replay in.ndjson --surface wood --forces wood.csv --set pencil.snap=off
+# The former names of the flag and of the options.
+run 0 "$feltline" replay in.ndjson --sheet wood --forces former.csv --set pencil.snap=off
+same former.csv wood.csv
+run 0 "$feltline" replay in.ndjson --set sheet.material=wood --forces former.csv --set pencil.snap=off
+same former.csv wood.csv
+run 0 "$feltline" replay in.ndjson -o former.ndjson --set pencil.material=chalk
+has former.ndjson '"material":"chalk"'
 run 0 "$feltline" replay in.ndjson -o wood.felt --surface wood
 run 0 "$feltline" replay in.ndjson --on wood.felt --forces on.csv --set pencil.snap=off
 same on.csv wood.csv

@@ -152,14 +152,14 @@ TEST_F(DesktopTablet, AThousandEventsAreAThousandPlaces) {
   std::jthread saver([&] {
     while (!done) saves += write_drawing(path, drawing).has_value() ? 1 : 0;
   });
-  std::vector<Point> told;
+  std::vector<Point> reported;
   std::vector<QPointF> places;
   for (int i = 0; i < 1000; ++i) {
     const double t = i / 1000.0;
-    told.push_back({30.0 + 140.0 * t, 110.0 + 25.0 * std::sin(20.0 * t)});
-    places.push_back(px(told.back()));
+    reported.push_back({30.0 + 140.0 * t, 110.0 + 25.0 * std::sin(20.0 * t)});
+    places.push_back(px(reported.back()));
   }
-  point(told.front(), 0.0);
+  point(reported.front(), 0.0);
   std::jthread tablet([&] {
     auto next = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -170,7 +170,7 @@ TEST_F(DesktopTablet, AThousandEventsAreAThousandPlaces) {
   });
   EXPECT_TRUE(QTest::qWaitFor([&] { return done.load(); }, kMaxMs));
   QTest::qWait(50);
-  point(told.back(), 0.0);
+  point(reported.back(), 0.0);
   EXPECT_TRUE(QTest::qWaitFor([this] { return !in_contact(studio().pen().sample); }, kMaxMs));
   QTest::qWait(250);
   saver.join();
@@ -179,7 +179,7 @@ TEST_F(DesktopTablet, AThousandEventsAreAThousandPlaces) {
   recording_->flush();
   const auto poses = poses_of(recording_path_);
   ASSERT_TRUE(poses.has_value()) << poses.error().message;
-  EXPECT_EQ(count_places(*poses, told), told.size());
+  EXPECT_EQ(count_places(*poses, reported), reported.size());
   EXPECT_EQ(replay(), text_of(studio().session().document()));
 }
 

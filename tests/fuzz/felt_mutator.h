@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "felt/document/testing/random_document.h"
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_file.h"
 #include "felt/store/felt_recording.h"

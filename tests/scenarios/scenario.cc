@@ -189,7 +189,7 @@ Result<ScenarioResult> play_scenario_on(Device& device, HandInput& hand,
   return result;
 }
 
-Result<Document> tell_session(const std::vector<Event>& events, const std::string& device) {
+Result<Document> report_session(const std::vector<Event>& events, const std::string& device) {
   const Result<const StylusPreset*> preset = find_device(device);
   if (!preset) return tl::unexpected(preset.error());
   Session session(make_tools(), {.device = (*preset)->capabilities});

@@ -37,7 +37,7 @@ Result<ScenarioResult> play_scenario(const std::vector<Event>& events,
 
 /// Applies the events of a recording to a session directly, without device and loop. Returns its
 /// document.
-Result<Document> tell_session(const std::vector<Event>& events, const std::string& device);
+Result<Document> report_session(const std::vector<Event>& events, const std::string& device);
 
 /// Returns the visible strokes as an .ndjson file.
 std::string text_of(const Document& document);

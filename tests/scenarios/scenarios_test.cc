@@ -48,9 +48,9 @@ TEST(Scenarios, ARecordingThatIsWrittenAndReadGivesTheSameSketch) {
     const Result<std::vector<Event>> events =
         read_events(scenario.name, read_text(played.recording));
     ASSERT_TRUE(events) << events.error().message;
-    const Result<Document> told = tell_session(*events, scenario.device);
-    ASSERT_TRUE(told) << told.error().message;
-    EXPECT_EQ(text_of(*told), played.sketch_text) << scenario.name;
+    const Result<Document> reported = report_session(*events, scenario.device);
+    ASSERT_TRUE(reported) << reported.error().message;
+    EXPECT_EQ(text_of(*reported), played.sketch_text) << scenario.name;
     // Plays the recording through the haptic loop: the recorded poses move the simulated pen.
     const Result<ScenarioResult> replayed = play_scenario(*events, {.device = scenario.device});
     ASSERT_TRUE(replayed) << replayed.error().message;

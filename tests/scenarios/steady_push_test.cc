@@ -38,8 +38,8 @@ struct Pressed {
 
 /// The range of line widths while a hand presses with a constant force for 60 s after the landing.
 struct Widths {
-  double least_mm = 1e9, most_mm = 0.0;
-  double least_sent_n = 1e9;
+  double min_mm = 1e9, max_mm = 0.0;
+  double min_sent_n = 1e9;
 };
 Widths widths_of(const StylusPreset& preset, double push_n, double circle_mm) {
   Pressed pen(preset);
@@ -64,9 +64,9 @@ Widths widths_of(const StylusPreset& preset, double push_n, double circle_mm) {
     pressed += (pressing.of(tick.sample).value_or(0.0) - pressed) * tick.dt_s / 0.020;
     if (t_s < 2.0) continue;
     const double width = width_of_pressure({}, pressed);
-    widths.least_mm = std::min(widths.least_mm, width);
-    widths.most_mm = std::max(widths.most_mm, width);
-    widths.least_sent_n = std::min(widths.least_sent_n, tick.sent.z);
+    widths.min_mm = std::min(widths.min_mm, width);
+    widths.max_mm = std::max(widths.max_mm, width);
+    widths.min_sent_n = std::min(widths.min_sent_n, tick.sent.z);
   }
   return widths;
 }
@@ -76,11 +76,11 @@ TEST(SteadyPush, R14_DrawsTheSameWidthHoweverWarmTheMotorsAre) {
     if (!preset.capabilities.has_force()) continue;
     for (const double push_n : {0.3, 0.65, 0.98}) {
       const Widths widths = widths_of(preset, push_n, 0.0);
-      EXPECT_LE(widths.most_mm - widths.least_mm, 0.05)
-          << preset.name << ", " << push_n << " N: " << widths.least_mm << " to " << widths.most_mm
+      EXPECT_LE(widths.max_mm - widths.min_mm, 0.05)
+          << preset.name << ", " << push_n << " N: " << widths.min_mm << " to " << widths.max_mm
           << " mm";
       if (push_n > 0.9) {
-        EXPECT_GT(widths.least_sent_n, 0.4) << preset.name << ": it is held";
+        EXPECT_GT(widths.min_sent_n, 0.4) << preset.name << ": it is held";
       }
     }
   }
@@ -92,8 +92,8 @@ TEST(SteadyPush, R14_FullWidthCanBeHeldWhileDrawing) {
   // The friction of the device reduces the force of the hand. The remaining force is slightly more
   // than full width needs.
   const Widths widths = widths_of(touch, full_n + 0.35, 15.0);
-  EXPECT_NEAR(widths.most_mm, WidthMapOptions{}.max_mm, 1e-9);
-  EXPECT_GT(widths.least_mm, WidthMapOptions{}.max_mm - 0.05);
+  EXPECT_NEAR(widths.max_mm, WidthMapOptions{}.max_mm, 1e-9);
+  EXPECT_GT(widths.min_mm, WidthMapOptions{}.max_mm - 0.05);
 }
 
 TEST(SlowLoop, R30_R56_APullIsHeldByTheWholeLawAt250Hz) {

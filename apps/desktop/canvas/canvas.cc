@@ -288,7 +288,7 @@ void Canvas::on_edit(const Edit& edit) {
 void Canvas::let_dry() {
   if (!shown_->wet.is_drying()) return;
   if (ink_.is_up_to_date()) {
-    update(shown_->wet.let_go());
+    update(shown_->wet.release());
   } else {
     QTimer::singleShot(kDryMs, this, &Canvas::let_dry);
   }

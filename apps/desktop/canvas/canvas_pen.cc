@@ -153,7 +153,7 @@ QString Canvas::view_text() const {
 
 bool Canvas::shows_first_minute() const {
   const Session& session = studio_.session();
-  return session.document().stroke_count() == 0 && !session.gesture_in_work() &&
+  return session.document().stroke_count() == 0 && !session.gesture_in_progress() &&
          shown_->overlay.ink.empty() && !shown_->wet.is_drying();
 }
 

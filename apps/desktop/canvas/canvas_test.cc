@@ -11,7 +11,7 @@
 #include <random>
 
 #include "desktop/canvas/canvas_setting_keys.h"
-#include "desktop/canvas/testing/canvas_sitting.h"
+#include "desktop/canvas/testing/canvas_fixture.h"
 #include "desktop/engine/settings.h"
 #include "felt/material/materials.h"
 
@@ -55,11 +55,11 @@ class Dice {
   std::mt19937 engine_;
 };
 
-void draw_something(Sitting& sitting) {
+void draw_something(Fixture& fixture) {
   std::vector<Point> wave;
   for (int i = 0; i <= 40; ++i) wave.push_back({30.0 + 5 * i, 70 + 30 * std::sin(0.3 * i)});
-  sitting.draw(wave, 0.6);
-  sitting.draw({{60, 150}, {140, 120}, {200, 160}}, 0.4);
+  fixture.draw(wave, 0.6);
+  fixture.draw({{60, 150}, {140, 120}, {200, 160}}, 0.4);
 }
 
 /// For any tool and any action, a repaint of only the changed part gives the same picture as a
@@ -70,39 +70,39 @@ TEST(Canvas, PaintingWhatChangedIsPaintingEverything) {
   Settings::the().set(QString::fromLatin1(canvas_keys::kForceArrow), true);
   for (unsigned seed = 1; seed <= 3; ++seed) {
     Dice dice(seed);
-    Sitting sitting({520, 380},
+    Fixture fixture({520, 380},
                     seed == 2 ? QStringLiteral("simulated:touch") : QStringLiteral("tablet"));
-    draw_something(sitting);
+    draw_something(fixture);
     if (seed == 3) {  // new ink lies below other ink
-      const LayerId low = sitting.studio.session().layer();
-      sitting.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}});
-      draw_something(sitting);
-      sitting.studio.apply(LayerEvent{LayerEvent::Do::kUse, low});
+      const LayerId low = fixture.studio.session().layer();
+      fixture.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}});
+      draw_something(fixture);
+      fixture.studio.apply(LayerEvent{LayerEvent::Do::kUse, low});
     }
     for (const char* tool : tools) {
-      sitting.tool(tool);
+      fixture.tool(tool);
       for (int gesture = 0; gesture < 2; ++gesture) {
-        sitting.go(dice.place(), false);
+        fixture.go(dice.place(), false);
         const auto buttons = static_cast<std::uint32_t>(dice.below(3));
         const bool down = gesture == 1 || dice.below(2) == 0;
         for (int leg = 0; leg < 2; ++leg) {
-          sitting.go(dice.place(), down, dice.between(0.2, 1.0), buttons);
-          const Apart off = apart(sitting.seen(), sitting.anew());
+          fixture.go(dice.place(), down, dice.between(0.2, 1.0), buttons);
+          const Apart off = apart(fixture.seen(), fixture.anew());
           ASSERT_LE(off.most, 2) << "seed " << seed << ", " << tool << ", at " << off.where.x()
                                  << "," << off.where.y();
         }
-        sitting.lift();
+        fixture.lift();
       }
     }
   }
 }
 
 TEST(Canvas, RepaintsLittleWhileInkFlows) {
-  Sitting sitting;
-  sitting.go({50, 50}, false);
-  sitting.touch(0.5);
-  sitting.go({150, 120}, true, 0.5);
-  sitting.settle();
+  Fixture fixture;
+  fixture.go({50, 50}, false);
+  fixture.touch(0.5);
+  fixture.go({150, 120}, true, 0.5);
+  fixture.settle();
   struct Meter : QObject {
     int pixels = 0;
     bool eventFilter(QObject*, QEvent* event) override {
@@ -113,32 +113,32 @@ TEST(Canvas, RepaintsLittleWhileInkFlows) {
       return false;
     }
   } meter;
-  sitting.canvas.installEventFilter(&meter);
+  fixture.canvas.installEventFilter(&meter);
   for (int i = 0; i < 20; ++i) {
     meter.pixels = 0;
-    sitting.move(sitting.at + Vec{1.0, 0.3}, true, 0.5);
-    sitting.settle();
+    fixture.move(fixture.at + Vec{1.0, 0.3}, true, 0.5);
+    fixture.settle();
     EXPECT_GT(meter.pixels, 0);
     EXPECT_LT(meter.pixels, 640 * 480 / 7);
   }
 }
 
 /// Returns the difference between the line while it is drawn and the line in the document.
-Apart jump_at_pen_up(Sitting& sitting, const std::vector<Point>& way) {
-  sitting.canvas.set_pen_visible(false);
-  sitting.go(way.front(), false);
-  sitting.touch(0.3);
+Apart jump_at_pen_up(Fixture& fixture, const std::vector<Point>& way) {
+  fixture.canvas.set_pen_visible(false);
+  fixture.go(way.front(), false);
+  fixture.touch(0.3);
   double pressure = 0.3;
-  for (const Point& p : way) sitting.go(p, true, pressure = 1.1 - pressure);
-  sitting.canvas.flush();
-  const QImage wet = sitting.anew();
+  for (const Point& p : way) fixture.go(p, true, pressure = 1.1 - pressure);
+  fixture.canvas.flush();
+  const QImage wet = fixture.anew();
   // Gives the pen time to stop, because its last moments draw no ink.
-  sitting.studio.apply(SelectTool{"eraser"});
-  EXPECT_EQ(sitting.studio.session().document().stroke_count(), 1u);
-  const QImage dry = sitting.anew();
+  fixture.studio.apply(SelectTool{"eraser"});
+  EXPECT_EQ(fixture.studio.session().document().stroke_count(), 1u);
+  const QImage dry = fixture.anew();
   // Compared in pixels of the widget, because the final width fit makes differences that are too
   // small to see.
-  const QSize seen = sitting.canvas.size();
+  const QSize seen = fixture.canvas.size();
   const auto as_seen = [&](const QImage& image) {
     return image.scaled(seen, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   };
@@ -161,67 +161,67 @@ TEST(Canvas, WetInkIsTheInkThatDries) {
     loops.push_back({40.0 + 1.4 * i + 18 * std::cos(0.25 * i), 100 + 40 * std::sin(0.25 * i)});
   }
   for (const char* color : {"#20242c", "#c0402080"}) {
-    Sitting sitting;
-    sitting.option("ink.color", std::string(color));
-    sitting.option("pencil.max_width_mm", 4.0);
-    sitting.option("pencil.snap", std::string("off"));
-    sitting.option("pencil.refine", false);
+    Fixture fixture;
+    fixture.option("ink.color", std::string(color));
+    fixture.option("pencil.max_width_mm", 4.0);
+    fixture.option("pencil.snap", std::string("off"));
+    fixture.option("pencil.refine", false);
     if (color[1] == 'c') {
-      CanvasView view = sitting.canvas.view();
+      CanvasView view = fixture.canvas.view();
       view.turn(33, {200, 200});
       view.mirror();
-      sitting.canvas.set_view(view);
+      fixture.canvas.set_view(view);
     }
-    const QImage empty = sitting.anew();
-    const Apart off = jump_at_pen_up(sitting, loops);
-    const double dpr = sitting.canvas.devicePixelRatioF();
-    const int inked = qRound(apart(empty, sitting.anew()).many / (dpr * dpr));
+    const QImage empty = fixture.anew();
+    const Apart off = jump_at_pen_up(fixture, loops);
+    const double dpr = fixture.canvas.devicePixelRatioF();
+    const int inked = qRound(apart(empty, fixture.anew()).many / (dpr * dpr));
     EXPECT_GT(inked, 2000);  // a line was drawn that can be compared
     EXPECT_LE(off.many, inked / 200)
         << color << ": " << off.most << " at " << off.where.x() << "," << off.where.y();
   }
 }
 
-void draw_evenly(Sitting& sitting, double width_mm) {
+void draw_evenly(Fixture& fixture, double width_mm) {
   for (const char* width : {"pencil.min_width_mm", "pencil.max_width_mm"}) {
-    sitting.option(width, width_mm);
+    fixture.option(width, width_mm);
   }
-  sitting.option("pencil.snap", std::string("off"));
-  sitting.option("pencil.refine", false);
+  fixture.option("pencil.snap", std::string("off"));
+  fixture.option("pencil.refine", false);
 }
 
 /// Expects that wet ink does not jump when it enters the document. For a line of constant width,
 /// only the end is fitted again; the rest stays the same, pixel for pixel, at any scale of the
 /// screen. At most `most` pixels may change. Returns the picture with the wet line.
-QImage expect_no_jump(Sitting& sitting, const std::vector<Point>& way, int most = 0) {
-  sitting.canvas.set_pen_visible(false);
-  const std::size_t before = sitting.studio.session().document().stroke_count();
-  const QImage without = sitting.anew();
-  sitting.go(way.front(), false);
-  sitting.touch(0.5);
-  for (const Point& p : way) sitting.go(p, true, 0.5);
-  sitting.canvas.flush();
-  QImage all = sitting.anew();
-  sitting.studio.apply(SelectTool{"eraser"});
-  EXPECT_EQ(sitting.studio.session().document().stroke_count(), before + 1);
+QImage expect_no_jump(Fixture& fixture, const std::vector<Point>& way, int most = 0) {
+  fixture.canvas.set_pen_visible(false);
+  const std::size_t before = fixture.studio.session().document().stroke_count();
+  const QImage without = fixture.anew();
+  fixture.go(way.front(), false);
+  fixture.touch(0.5);
+  for (const Point& p : way) fixture.go(p, true, 0.5);
+  fixture.canvas.flush();
+  QImage all = fixture.anew();
+  fixture.studio.apply(SelectTool{"eraser"});
+  EXPECT_EQ(fixture.studio.session().document().stroke_count(), before + 1);
   // Checks the very next frame, and the frame with all tiles.
   for (int frame = 0; frame < 2; ++frame) {
     QImage wet = all;
-    QImage dry = frame == 0 ? sitting.canvas.grab().toImage().convertToFormat(QImage::Format_RGB32)
-                            : sitting.anew();
+    QImage dry = frame == 0 ? fixture.canvas.grab().toImage().convertToFormat(QImage::Format_RGB32)
+                            : fixture.anew();
     for (QImage* image : {&wet, &dry}) {  // clears the end of the line
-      image->setDevicePixelRatio(sitting.canvas.devicePixelRatioF());
+      image->setDevicePixelRatio(fixture.canvas.devicePixelRatioF());
       QPainter painter(image);
       painter.setBrush(Qt::black);
-      const double reach = 30.0 * sitting.canvas.view().px_per_mm();
-      painter.drawEllipse(sitting.canvas.view().to_px(way.back()), reach, reach);
+      const double reach = 30.0 * fixture.canvas.view().px_per_mm();
+      painter.drawEllipse(fixture.canvas.view().to_px(way.back()), reach, reach);
     }
     EXPECT_GT(apart(without, dry).many, 2000);
     const Apart off = apart(wet, dry);
     EXPECT_LE(off.many, most) << "frame " << frame << ", " << off.most << " at " << off.where.x()
                               << "," << off.where.y();
   }
-  sitting.tool("pencil");
+  fixture.tool("pencil");
   return all;
 }
 
@@ -231,9 +231,9 @@ TEST(Canvas, WetInkOfOneWidthDriesWhereItIs) {
   for (int i = 0; i <= 120; ++i) {
     loops.push_back({40.0 + 1.4 * i + 18 * std::cos(0.25 * i), 100 + 40 * std::sin(0.25 * i)});
   }
-  Sitting sitting;
-  draw_evenly(sitting, 2.0);
-  expect_no_jump(sitting, loops);
+  Fixture fixture;
+  draw_evenly(fixture, 2.0);
+  expect_no_jump(fixture, loops);
 }
 
 /// Tests rough paper and glass: wet and dry ink have the same grain at the same points.
@@ -246,15 +246,15 @@ TEST(Canvas, R47_WetInkOfEveryMediumDriesAsItLooks) {
   for (const Medium& medium : media()) {
     if (!medium.draws) continue;
     SCOPED_TRACE(medium.id);
-    Sitting sitting;
-    draw_evenly(sitting, 5.0);
-    sitting.option("surface.material",
+    Fixture fixture;
+    draw_evenly(fixture, 5.0);
+    fixture.option("surface.material",
                    std::string(medium.look.rim > 0.0 ? "glass" : "rough-paper"));
-    sitting.option("ink.color", std::string("#20242c"));
-    sitting.option("pencil.medium", medium.id);
+    fixture.option("ink.color", std::string("#20242c"));
+    fixture.option("pencil.medium", medium.id);
     // Hairs are as thin as pixels. Where a line crosses itself, either pass may be visible, in 250
     // of 20,000 pixels.
-    expect_no_jump(sitting, loops, medium.look.streaks > 0.0 ? 250 : 0);
+    expect_no_jump(fixture, loops, medium.look.streaks > 0.0 ? 250 : 0);
   }
   Settings::the().set(canvas_keys::kGrain, canvas_keys::kGrainDefault);
 }
@@ -262,61 +262,61 @@ TEST(Canvas, R47_WetInkOfEveryMediumDriesAsItLooks) {
 /// Ink in a layer is shown below the ink of the layers above it from its first sample on.
 TEST(Canvas, WetInkLiesBelowTheLayersAboveIt) {
   const SolidInk solid;
-  Sitting sitting;
-  draw_evenly(sitting, 12.0);
-  const LayerId low = sitting.studio.session().layer();
-  sitting.option("ink.color", std::string("#209040ff"));
-  sitting.draw({{30, 60}, {250, 60}});
-  sitting.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}});
-  const LayerId high = sitting.studio.session().layer();
-  sitting.option("ink.color", std::string("#c02020ff"));
-  sitting.draw({{100, 30}, {100, 180}});
-  sitting.option("ink.color", std::string("#2040c080"));
-  sitting.draw({{150, 30}, {150, 180}});
-  sitting.option("ink.color", std::string("#202020ff"));
+  Fixture fixture;
+  draw_evenly(fixture, 12.0);
+  const LayerId low = fixture.studio.session().layer();
+  fixture.option("ink.color", std::string("#209040ff"));
+  fixture.draw({{30, 60}, {250, 60}});
+  fixture.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}});
+  const LayerId high = fixture.studio.session().layer();
+  fixture.option("ink.color", std::string("#c02020ff"));
+  fixture.draw({{100, 30}, {100, 180}});
+  fixture.option("ink.color", std::string("#2040c080"));
+  fixture.draw({{150, 30}, {150, 180}});
+  fixture.option("ink.color", std::string("#202020ff"));
   const auto color_at = [&](const QImage& seen, Point place) {
-    const double dpr = sitting.canvas.devicePixelRatioF();
-    return seen.pixelColor((sitting.canvas.view().to_px(place) * dpr).toPoint());
+    const double dpr = fixture.canvas.devicePixelRatioF();
+    return seen.pixelColor((fixture.canvas.view().to_px(place) * dpr).toPoint());
   };
-  sitting.studio.apply(LayerEvent{LayerEvent::Do::kUse, low});
-  const QImage below = expect_no_jump(sitting, {{40, 100}, {180, 100}, {260, 150}});
+  fixture.studio.apply(LayerEvent{LayerEvent::Do::kUse, low});
+  const QImage below = expect_no_jump(fixture, {{40, 100}, {180, 100}, {260, 150}});
   EXPECT_EQ(color_at(below, {100, 100}), QColor("#c02020"));
   EXPECT_EQ(color_at(below, {80, 100}), QColor("#202020"));
   EXPECT_NEAR(color_at(below, {150, 100}).blue(), 0.5 * (0xc0 + 0x20), 2);
   // Ink that is hidden, removed or below new ink does not cover it.
-  sitting.studio.apply(LayerEvent{LayerEvent::Do::kHide, high});
-  const QImage alone = expect_no_jump(sitting, {{40, 120}, {180, 120}, {260, 170}});
+  fixture.studio.apply(LayerEvent{LayerEvent::Do::kHide, high});
+  const QImage alone = expect_no_jump(fixture, {{40, 120}, {180, 120}, {260, 170}});
   EXPECT_EQ(color_at(alone, {100, 120}), QColor("#202020"));
-  sitting.studio.apply(LayerEvent{LayerEvent::Do::kShow, high});
-  const QImage again = expect_no_jump(sitting, {{40, 140}, {180, 140}, {260, 190}});
+  fixture.studio.apply(LayerEvent{LayerEvent::Do::kShow, high});
+  const QImage again = expect_no_jump(fixture, {{40, 140}, {180, 140}, {260, 190}});
   EXPECT_EQ(color_at(again, {100, 140}), QColor("#c02020"));
-  CanvasView view = sitting.canvas.view();
+  CanvasView view = fixture.canvas.view();
   view.turn(20, {200, 200});
   view.zoom(1.1, {200, 200});
-  sitting.canvas.set_view(view);
-  const QImage turned = expect_no_jump(sitting, {{40, 80}, {180, 80}, {260, 130}});
+  fixture.canvas.set_view(view);
+  const QImage turned = expect_no_jump(fixture, {{40, 80}, {180, 80}, {260, 130}});
   EXPECT_EQ(color_at(turned, {100, 80}), QColor("#c02020"));
-  sitting.studio.apply(LayerEvent{LayerEvent::Do::kUse, high});
+  fixture.studio.apply(LayerEvent{LayerEvent::Do::kUse, high});
   // At pen-up, the whole straight part after the corner is fitted again. It is short enough here
   // to lie within the end that is not compared.
-  const QImage over = expect_no_jump(sitting, {{40, 160}, {235, 160}, {255, 172}});
+  const QImage over = expect_no_jump(fixture, {{40, 160}, {235, 160}, {255, 172}});
   EXPECT_EQ(color_at(over, {100, 160}), QColor("#202020"));
 }
 
 TEST(Canvas, WetInkWithAlphaCoversEachPlaceOnce) {
   const SolidInk solid;
-  Sitting sitting;
-  sitting.canvas.set_pen_visible(false);
-  sitting.option("ink.color", std::string("#00000080"));
-  sitting.option("pencil.snap", std::string("off"));
-  sitting.option("pencil.min_width_mm", 5.0);
-  sitting.option("pencil.max_width_mm", 6.0);
-  sitting.go({60, 60}, false);
-  sitting.touch(0.5);
+  Fixture fixture;
+  fixture.canvas.set_pen_visible(false);
+  fixture.option("ink.color", std::string("#00000080"));
+  fixture.option("pencil.snap", std::string("off"));
+  fixture.option("pencil.min_width_mm", 5.0);
+  fixture.option("pencil.max_width_mm", 6.0);
+  fixture.go({60, 60}, false);
+  fixture.touch(0.5);
   for (const Point p : {Point{160, 60}, {160, 120}, {100, 120}, {100, 30}}) {
-    sitting.go(p, true, 0.5);
+    fixture.go(p, true, 0.5);
   }
-  const QImage seen = sitting.seen();
+  const QImage seen = fixture.seen();
   int darkest = 255;
   for (int y = 0; y < seen.height(); ++y) {
     for (int x = 0; x < seen.width(); ++x) darkest = std::min(darkest, qGray(seen.pixel(x, y)));
@@ -325,85 +325,85 @@ TEST(Canvas, WetInkWithAlphaCoversEachPlaceOnce) {
 }
 
 TEST(Canvas, TellsTheEmptyPageWhatToDoUntilThereIsInk) {
-  Sitting sitting;
-  sitting.canvas.set_pen_visible(false);
-  const QImage empty = sitting.seen();
-  EXPECT_TRUE(sitting.canvas.accessibleDescription().contains(QStringLiteral("Draw")));
-  sitting.go({50, 50}, false);
-  sitting.touch(0.5);
-  sitting.go({60, 50}, true, 0.5);
-  const int dpr = qRound(sitting.canvas.devicePixelRatioF());
+  Fixture fixture;
+  fixture.canvas.set_pen_visible(false);
+  const QImage empty = fixture.seen();
+  EXPECT_TRUE(fixture.canvas.accessibleDescription().contains(QStringLiteral("Draw")));
+  fixture.go({50, 50}, false);
+  fixture.touch(0.5);
+  fixture.go({60, 50}, true, 0.5);
+  const int dpr = qRound(fixture.canvas.devicePixelRatioF());
   const QRect middle(200 * dpr, 180 * dpr, 240 * dpr, 120 * dpr);
-  const QImage drawing = sitting.seen();
+  const QImage drawing = fixture.seen();
   EXPECT_GT(apart(empty.copy(middle), drawing.copy(middle)).many, 200);
-  sitting.lift();
-  EXPECT_EQ(apart(drawing.copy(middle), sitting.seen().copy(middle)).most, 0);
-  EXPECT_FALSE(sitting.canvas.accessibleDescription().contains(QStringLiteral("Draw")));
-  sitting.studio.open(Document{}, sitting.studio.page());
-  EXPECT_EQ(apart(empty, sitting.seen()).most, 0);
+  fixture.lift();
+  EXPECT_EQ(apart(drawing.copy(middle), fixture.seen().copy(middle)).most, 0);
+  EXPECT_FALSE(fixture.canvas.accessibleDescription().contains(QStringLiteral("Draw")));
+  fixture.studio.open(Document{}, fixture.studio.page());
+  EXPECT_EQ(apart(empty, fixture.seen()).most, 0);
 }
 
 TEST(Canvas, SaysWhetherPressureIsSeen) {
-  Sitting sitting;
-  EXPECT_TRUE(sitting.canvas.accessibleDescription().contains(QStringLiteral("No pressure")));
-  sitting.canvas.set_tablet_in_hand(true);
-  sitting.draw({{50, 50}, {60, 60}}, 0.5);
-  sitting.studio.apply(UndoEvent{});
-  EXPECT_FALSE(sitting.canvas.accessibleDescription().contains(QStringLiteral("No pressure")));
-  sitting.canvas.set_pen_status(QStringLiteral("as the pens say"));
-  EXPECT_TRUE(sitting.canvas.accessibleDescription().contains(QStringLiteral("as the pens say")));
+  Fixture fixture;
+  EXPECT_TRUE(fixture.canvas.accessibleDescription().contains(QStringLiteral("No pressure")));
+  fixture.canvas.set_tablet_in_hand(true);
+  fixture.draw({{50, 50}, {60, 60}}, 0.5);
+  fixture.studio.apply(UndoEvent{});
+  EXPECT_FALSE(fixture.canvas.accessibleDescription().contains(QStringLiteral("No pressure")));
+  fixture.canvas.set_pen_status(QStringLiteral("as the pens say"));
+  EXPECT_TRUE(fixture.canvas.accessibleDescription().contains(QStringLiteral("as the pens say")));
 }
 
 TEST(Canvas, HasAHintForEveryTool) {
-  Sitting sitting;
-  QSignalSpy told(&sitting.canvas, &Canvas::hint_changed);
+  Fixture fixture;
+  QSignalSpy reported(&fixture.canvas, &Canvas::hint_changed);
   QStringList hints;
-  for (const auto& tool : sitting.studio.session().tools()) {
-    sitting.tool(std::string(tool->info().id));
-    const QString hint = sitting.canvas.hint();
+  for (const auto& tool : fixture.studio.session().tools()) {
+    fixture.tool(std::string(tool->info().id));
+    const QString hint = fixture.canvas.hint();
     EXPECT_FALSE(hint.isEmpty());
     EXPECT_FALSE(hints.contains(hint)) << hint.toStdString();
     EXPECT_NE(hint.toStdString(), tool->info().help) << "is in the table";
     hints << hint;
   }
-  EXPECT_GE(told.count(), hints.size() - 1);
-  sitting.tool("eraser");
-  EXPECT_TRUE(sitting.canvas.hint().contains(QStringLiteral("Shift: up to the crossings")));
-  EXPECT_TRUE(sitting.canvas.hint().contains(QStringLiteral("Ctrl: whole lines")));
+  EXPECT_GE(reported.count(), hints.size() - 1);
+  fixture.tool("eraser");
+  EXPECT_TRUE(fixture.canvas.hint().contains(QStringLiteral("Shift: up to the crossings")));
+  EXPECT_TRUE(fixture.canvas.hint().contains(QStringLiteral("Ctrl: whole lines")));
 }
 
 TEST(Canvas, KeepsThePageFittedUntilTheViewIsChanged) {
-  Sitting sitting({400, 300});
+  Fixture fixture({400, 300});
   const auto shows_page = [&] {
-    const CanvasView& view = sitting.canvas.view();
+    const CanvasView& view = fixture.canvas.view();
     return view.visible_mm().contains({0, 0}) && view.visible_mm().contains({297, 210});
   };
   EXPECT_TRUE(shows_page());
-  sitting.canvas.resize(1200, 900);
-  sitting.settle();
+  fixture.canvas.resize(1200, 900);
+  fixture.settle();
   EXPECT_TRUE(shows_page());
-  EXPECT_GT(sitting.canvas.view().px_per_mm(), 3.0);
-  sitting.canvas.set_zoom(2.0);
-  EXPECT_NEAR(sitting.canvas.zoom(), 2.0, 1e-9);
-  sitting.canvas.resize(600, 500);
-  sitting.settle();
-  EXPECT_NEAR(sitting.canvas.zoom(), 2.0, 1e-9);
-  EXPECT_EQ(sitting.canvas.view_text(), QStringLiteral("200 %"));
-  sitting.canvas.fit_page();
+  EXPECT_GT(fixture.canvas.view().px_per_mm(), 3.0);
+  fixture.canvas.set_zoom(2.0);
+  EXPECT_NEAR(fixture.canvas.zoom(), 2.0, 1e-9);
+  fixture.canvas.resize(600, 500);
+  fixture.settle();
+  EXPECT_NEAR(fixture.canvas.zoom(), 2.0, 1e-9);
+  EXPECT_EQ(fixture.canvas.view_text(), QStringLiteral("200 %"));
+  fixture.canvas.fit_page();
   EXPECT_TRUE(shows_page());
 }
 
 TEST(Canvas, ViewChangesAreNoStepOfUndo) {
-  Sitting sitting;
-  draw_something(sitting);
-  const std::uint64_t edits = sitting.studio.session().edit_count();
-  CanvasView view = sitting.canvas.view();
+  Fixture fixture;
+  draw_something(fixture);
+  const std::uint64_t edits = fixture.studio.session().edit_count();
+  CanvasView view = fixture.canvas.view();
   view.mirror();
   view.turn(30, {10, 10});
-  sitting.canvas.set_view(view);
-  sitting.canvas.fit_ink();
-  EXPECT_EQ(sitting.studio.session().edit_count(), edits);
-  EXPECT_TRUE(sitting.canvas.view_text().contains(QStringLiteral("mirrored")));
+  fixture.canvas.set_view(view);
+  fixture.canvas.fit_ink();
+  EXPECT_EQ(fixture.studio.session().edit_count(), edits);
+  EXPECT_TRUE(fixture.canvas.view_text().contains(QStringLiteral("mirrored")));
 }
 
 /// If forces move the stylus, the nib is shown between the hand and the stylus.
@@ -412,18 +412,18 @@ TEST(Canvas, ShowsTheNibThatForcesHoldBackUnlessSwitchedOff) {
   Settings::the().set(QString::fromLatin1(canvas_keys::kForceArrow), false);
   const auto hand_and_nib_part = [&](bool on) {
     Settings::the().set(key, on);
-    Sitting sitting({640, 480}, QStringLiteral("simulated:touch"));
-    sitting.draw({{60, 100}, {200, 100}}, 0.6);
-    sitting.tool("pull");
-    sitting.go({120, 100}, false);
-    sitting.touch(0.6);
-    sitting.go({120, 130}, true, 0.6);
-    const Point stylus{sitting.studio.pen().sample.position.x,
-                       sitting.studio.pen().sample.position.y};
-    EXPECT_GT(distance(stylus, sitting.studio.pen().hand), 0.5);
-    const QImage with = sitting.anew();
-    sitting.canvas.set_pen_visible(false);
-    const QImage without = sitting.anew();
+    Fixture fixture({640, 480}, QStringLiteral("simulated:touch"));
+    fixture.draw({{60, 100}, {200, 100}}, 0.6);
+    fixture.tool("pull");
+    fixture.go({120, 100}, false);
+    fixture.touch(0.6);
+    fixture.go({120, 130}, true, 0.6);
+    const Point stylus{fixture.studio.pen().sample.position.x,
+                       fixture.studio.pen().sample.position.y};
+    EXPECT_GT(distance(stylus, fixture.studio.pen().hand), 0.5);
+    const QImage with = fixture.anew();
+    fixture.canvas.set_pen_visible(false);
+    const QImage without = fixture.anew();
     QRect part;
     for (int y = 0; y < with.height(); ++y) {
       for (int x = 0; x < with.width(); ++x) {
@@ -441,22 +441,22 @@ TEST(Canvas, ShowsTheNibThatForcesHoldBackUnlessSwitchedOff) {
 
 TEST(Canvas, ForceArrowIsThereWhereForcesAreAndCanBeSwitchedOff) {
   const QString key = QString::fromLatin1(canvas_keys::kForceArrow);
-  Sitting sitting;
-  sitting.draw({{60, 100}, {200, 100}}, 0.6);
-  sitting.tool("pull");
-  sitting.go({120, 100}, false);
-  sitting.touch(0.6);
-  sitting.go({120, 130}, true, 0.6);
-  ASSERT_GT(std::abs(sitting.studio.pen().asked.y), 0.1);
+  Fixture fixture;
+  fixture.draw({{60, 100}, {200, 100}}, 0.6);
+  fixture.tool("pull");
+  fixture.go({120, 100}, false);
+  fixture.touch(0.6);
+  fixture.go({120, 130}, true, 0.6);
+  ASSERT_GT(std::abs(fixture.studio.pen().asked.y), 0.1);
   Settings::the().set(key, true);
-  const QImage on = sitting.anew();
+  const QImage on = fixture.anew();
   Settings::the().set(key, false);
-  EXPECT_GT(apart(on, sitting.anew()).many, 20);
+  EXPECT_GT(apart(on, fixture.anew()).many, 20);
   Settings::the().set(key, true);
-  EXPECT_EQ(apart(on, sitting.anew()).most, 0);
-  sitting.studio.loop().set_forces(false);
-  sitting.move(sitting.at, true, 0.6);
-  EXPECT_GT(apart(on, sitting.anew()).many, 20);
+  EXPECT_EQ(apart(on, fixture.anew()).most, 0);
+  fixture.studio.loop().set_forces(false);
+  fixture.move(fixture.at, true, 0.6);
+  EXPECT_GT(apart(on, fixture.anew()).many, 20);
 }
 
 double thread_cpu_us() {
@@ -468,20 +468,20 @@ double thread_cpu_us() {
 /// Measures and prints the cost of a sample on a large screen, for a line of many metres that
 /// crosses itself again and again. Expects no limit, because a busy machine is slow.
 TEST(Canvas, CostOfASampleOfALongLine) {
-  Sitting sitting({1920, 1080});
-  sitting.option("pencil.max_width_mm", 3.0);
-  sitting.go({60, 60}, false);
-  sitting.touch(0.5);
+  Fixture fixture({1920, 1080});
+  fixture.option("pencil.max_width_mm", 3.0);
+  fixture.go({60, 60}, false);
+  fixture.touch(0.5);
   std::vector<double> early, late;
   constexpr int kSamples = 800;
   for (int i = 0; i < kSamples; ++i) {
     const double a = 0.1 * i;
     const Point at{148 + (40 + 0.04 * i) * std::cos(a), 105 + (30 + 0.04 * i) * std::sin(1.03 * a)};
-    sitting.studio.point({sitting.studio.now_ns(), at, true, 0.3 + 0.2 * std::sin(0.3 * a)});
-    sitting.studio.advance(7'000'000);
+    fixture.studio.point({fixture.studio.now_ns(), at, true, 0.3 + 0.2 * std::sin(0.3 * a)});
+    fixture.studio.advance(7'000'000);
     QCoreApplication::processEvents();
     const double begin_us = thread_cpu_us();
-    sitting.studio.advance(1'000'000);
+    fixture.studio.advance(1'000'000);
     QCoreApplication::processEvents();
     const double us = thread_cpu_us() - begin_us;
     if (i >= 100 && i < 300) early.push_back(us);
@@ -496,34 +496,34 @@ TEST(Canvas, CostOfASampleOfALongLine) {
         "  a sample and its paint, 1920 x 1080, %s in the line: CPU p50 %.0f us, p99 %.0f us\n",
         name, share(all, 0.5), share(all, 0.99));
   }
-  EXPECT_GT(sitting.studio.pen().sample.time_ns, kSamples * 8'000'000LL);
-  EXPECT_TRUE(sitting.studio.session().gesture_in_work());
+  EXPECT_GT(fixture.studio.pen().sample.time_ns, kSamples * 8'000'000LL);
+  EXPECT_TRUE(fixture.studio.session().gesture_in_progress());
 }
 
 TEST(Canvas, AnotherSizeIsShownAtThePointer) {
-  Sitting desk;
-  desk.go({100, 100}, false);
-  const QImage before = desk.anew();
-  desk.option("pencil.max_width_mm", 12.0);
-  desk.canvas.flush();
-  const QImage ring = desk.anew();
+  Fixture fixture;
+  fixture.go({100, 100}, false);
+  const QImage before = fixture.anew();
+  fixture.option("pencil.max_width_mm", 12.0);
+  fixture.canvas.flush();
+  const QImage ring = fixture.anew();
   EXPECT_NE(ring, before);
   // The point is at the edge of a line that was drawn with the mouse.
   const double radius_mm = 0.5 * (0.3 + 0.5 * (12.0 - 0.3));
-  const QPoint edge = desk.canvas.view().to_px({100 + radius_mm, 100}).toPoint();
+  const QPoint edge = fixture.canvas.view().to_px({100 + radius_mm, 100}).toPoint();
   int other = 0;
   for (int dx = -3; dx <= 3; ++dx) {
     const QPoint at = edge + QPoint(dx, 0);
     other += ring.pixel(at) != before.pixel(at) ? 1 : 0;
   }
   EXPECT_GT(other, 0);
-  EXPECT_TRUE(desk.canvas.hint().contains(QStringLiteral("Draw")));
-  desk.canvas.set_right_button(QStringLiteral("Erase while held"));
-  EXPECT_TRUE(desk.canvas.hint().contains(QStringLiteral("Erase while held")));
-  desk.tool("pull");
-  const QString pulls = desk.canvas.hint();
-  desk.option("pull.mode", std::string("push"));
-  EXPECT_NE(desk.canvas.hint(), pulls) << "each mode says what it does";
+  EXPECT_TRUE(fixture.canvas.hint().contains(QStringLiteral("Draw")));
+  fixture.canvas.set_right_button(QStringLiteral("Erase while held"));
+  EXPECT_TRUE(fixture.canvas.hint().contains(QStringLiteral("Erase while held")));
+  fixture.tool("pull");
+  const QString pulls = fixture.canvas.hint();
+  fixture.option("pull.mode", std::string("push"));
+  EXPECT_NE(fixture.canvas.hint(), pulls) << "each mode says what it does";
 }
 
 }  // namespace

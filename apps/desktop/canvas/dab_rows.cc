@@ -51,12 +51,12 @@ void DabRows::clear() {
   pieces_.clear();
 }
 
-void DabRows::add(const Overlay::InkSegment& segment, double least_px) {
+void DabRows::add(const Overlay::InkSegment& segment, double min_px) {
   Cubic c;
   for (std::size_t k = 0; k < 4; ++k) c.p[k] = view_.to_px(segment.curve.p[k]);
   const double half = 0.5 * view_.px_per_mm();
-  const double r0 = std::max(half * std::max(segment.start_width_mm, kMinWidthMm), 0.5 * least_px);
-  const double r1 = std::max(half * std::max(segment.end_width_mm, kMinWidthMm), 0.5 * least_px);
+  const double r0 = std::max(half * std::max(segment.start_width_mm, kMinWidthMm), 0.5 * min_px);
+  const double r1 = std::max(half * std::max(segment.end_width_mm, kMinWidthMm), 0.5 * min_px);
   Piece piece;
   piece.begins_row =
       pieces_.empty() || pieces_.back().box.empty() || distance(dabs_.back().center, c.p[0]) > 1e-3;

@@ -47,8 +47,8 @@ class DabRows {
   void set_view(const DeviceView& view) { view_ = view; }
   void clear();
   /// Appends the segment to the last row if it starts at the end of that row; otherwise begins a
-  /// new row. Widths below `least_px` (device pixels) are drawn as `least_px`.
-  void add(const Overlay::InkSegment& segment, double least_px = 0.0);
+  /// new row. Widths below `min_px` (device pixels) are drawn as `min_px`.
+  void add(const Overlay::InkSegment& segment, double min_px = 0.0);
   [[nodiscard]] std::size_t size() const noexcept { return pieces_.size(); }
   /// Keeps the first `n` segments and removes the others.
   void keep(std::size_t n);

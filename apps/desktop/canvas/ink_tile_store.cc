@@ -211,7 +211,7 @@ InkTileStore::Choice InkTileStore::choose() const {
   if (const auto missing = nearest(plane, seen_, false)) return as(*missing, Need::kMissing);
   if (const auto over = choose_over()) return as(*over, Need::kMissing);
   const std::size_t ring = TilePicture::kBytes * 4;
-  if (bytes_ + ring < most_bytes_ && !seen_.empty()) {
+  if (bytes_ + ring < max_bytes_ && !seen_.empty()) {
     if (const auto near = nearest(plane, seen_.inflated(kTileSide), false)) {
       return as(*near, Need::kAround);
     }
@@ -293,7 +293,7 @@ void InkTileStore::work(std::uint64_t order, const std::function<bool()>& should
 
 /// Drops the tiles that were unused for the longest time until the others fit the memory limit.
 void InkTileStore::drop_old(std::vector<TileNews>& news) {
-  while (bytes_ > most_bytes_) {
+  while (bytes_ > max_bytes_) {
     Plane* in = nullptr;
     std::map<TilePlace, Tile>::iterator oldest;
     const TileRange seen = TileRange::of(seen_);

@@ -18,10 +18,9 @@ class InkTileStore {
   /// The urgency of the next piece of work.
   enum class Need { kRepair, kMissing, kAround, kNone };
 
-  /// `most_bytes` is the approximate memory limit of all tiles. Tiles of the view are kept even if
+  /// `max_bytes` is the approximate memory limit of all tiles. Tiles of the view are kept even if
   /// they need more memory.
-  explicit InkTileStore(std::size_t most_bytes = std::size_t{256} << 20U)
-      : most_bytes_(most_bytes) {}
+  explicit InkTileStore(std::size_t max_bytes = std::size_t{256} << 20U) : max_bytes_(max_bytes) {}
 
   void open(const Document& document);
   void apply(const Edit& edit);
@@ -84,7 +83,7 @@ class InkTileStore {
   void drop_old(std::vector<TileNews>& news);
   void drop_splits();
 
-  std::size_t most_bytes_;
+  std::size_t max_bytes_;
   std::size_t bytes_ = 0;
   std::uint64_t uses_ = 0;
   std::unique_ptr<InkScene> scene_ = std::make_unique<InkScene>();

@@ -224,10 +224,10 @@ TEST(InkView, AStrokeIsSeenAsSoonAsItIsThere) {
     const Edit draw = std::move(one).build("Draw");
     ASSERT_TRUE(document.apply(draw));
     QRect changed;
-    const auto told = QObject::connect(&ink, &InkView::changed,
-                                       [&changed](const QRect& part) { changed |= part; });
+    const auto reported = QObject::connect(&ink, &InkView::changed,
+                                           [&changed](const QRect& part) { changed |= part; });
     ink.apply(draw);
-    QObject::disconnect(told);
+    QObject::disconnect(reported);
     const QPoint middle = ink.transform().map(QPointF(15, y)).toPoint();
     EXPECT_TRUE(changed.contains(middle));
     EXPECT_EQ(painted(ink, 1.0).pixelColor(middle), QColor(Qt::black)) << "round " << round;

@@ -5,7 +5,7 @@
 #include <QMap>
 
 #include "desktop/canvas/canvas_setting_keys.h"
-#include "desktop/canvas/testing/canvas_sitting.h"
+#include "desktop/canvas/testing/canvas_fixture.h"
 #include "desktop/engine/settings.h"
 
 namespace felt::desktop::view_actions_test {
@@ -13,16 +13,16 @@ namespace {
 
 class ViewActions : public ::testing::Test {
  protected:
-  void SetUp() override { add_view_actions(actions, sitting.canvas); }
+  void SetUp() override { add_view_actions(actions, fixture.canvas); }
   void run(const char* name) {
     QAction* action = actions.find(QString::fromLatin1(name));
     ASSERT_NE(action, nullptr) << name;
     action->trigger();
   }
-  [[nodiscard]] const CanvasView& view() const { return sitting.canvas.view(); }
+  [[nodiscard]] const CanvasView& view() const { return fixture.canvas.view(); }
 
-  Sitting sitting;
-  Actions actions{&sitting.canvas};
+  Fixture fixture;
+  Actions actions{&fixture.canvas};
 };
 
 TEST_F(ViewActions, AreAllInWordsAndNoKeyIsTakenTwice) {
@@ -50,11 +50,11 @@ TEST_F(ViewActions, AreAllInWordsAndNoKeyIsTakenTwice) {
 
 TEST_F(ViewActions, ZoomTurnMirrorAndBack) {
   run("view.zoom_100");
-  EXPECT_NEAR(sitting.canvas.zoom(), 1.0, 1e-9);
+  EXPECT_NEAR(fixture.canvas.zoom(), 1.0, 1e-9);
   run("view.zoom_in");
-  EXPECT_GT(sitting.canvas.zoom(), 1.0);
+  EXPECT_GT(fixture.canvas.zoom(), 1.0);
   run("view.zoom_out");
-  EXPECT_NEAR(sitting.canvas.zoom(), 1.0, 1e-9);
+  EXPECT_NEAR(fixture.canvas.zoom(), 1.0, 1e-9);
   run("view.rotate_right");
   EXPECT_NEAR(view().angle_deg(), 15.0, 1e-9);
   run("view.rotate_left");
@@ -82,16 +82,16 @@ TEST_F(ViewActions, ScrollShowsWhatLiesThere) {
 }
 
 TEST_F(ViewActions, FitShowsTheSelectionAndTheInk) {
-  sitting.draw({{10, 10}, {30, 20}}, 0.5);
-  sitting.draw({{200, 150}, {210, 160}}, 0.5);
+  fixture.draw({{10, 10}, {30, 20}}, 0.5);
+  fixture.draw({{200, 150}, {210, 160}}, 0.5);
   run("view.fit_ink");
   EXPECT_TRUE(view().visible_mm().contains({10, 10}));
   EXPECT_TRUE(view().visible_mm().contains({210, 160}));
   const double scale = view().px_per_mm();
   run("view.fit_selection");  // the selection is empty
   EXPECT_TRUE(view().visible_mm().contains({297, 210}));
-  sitting.tool("lasso");
-  sitting.draw({{195, 145}, {215, 145}, {215, 165}, {195, 165}}, 0.5);
+  fixture.tool("lasso");
+  fixture.draw({{195, 145}, {215, 145}, {215, 165}, {195, 165}}, 0.5);
   run("view.fit_selection");
   EXPECT_GT(view().px_per_mm(), 2.0 * scale);
   EXPECT_TRUE(view().visible_mm().contains({205, 155}));

@@ -163,7 +163,7 @@ void WetInkView::dry() {
   wet_.dabs.set_view(view_);
 }
 
-QRect WetInkView::let_go() {
+QRect WetInkView::release() {
   Rect box;
   for (const Row& row : std::exchange(drying_, {})) box.extend(row.dabs.bounds());
   return view_.part_of(box);

@@ -58,11 +58,11 @@ class WetInkView {
   /// Shows the ink of `overlay`. Returns the part of the widget that changed. Does not compare
   /// stable segments, so that the cost does not depend on the length of the stroke.
   QRegion update(const Overlay& overlay);
-  /// Marks the wet ink as drying. Call it when the document contains the stroke. let_go() removes
+  /// Marks the wet ink as drying. Call it when the document contains the stroke. release() removes
   /// the drying ink and returns the part of the widget that it covered.
   void dry();
   [[nodiscard]] bool is_drying() const noexcept { return !drying_.empty(); }
-  QRect let_go();
+  QRect release();
   [[nodiscard]] bool is_empty() const noexcept { return wet_.segments.empty(); }
   /// Returns the width of the wet ink at the pen, in mm.
   [[nodiscard]] double width_mm() const noexcept;

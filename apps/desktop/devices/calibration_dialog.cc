@@ -146,7 +146,7 @@ std::uint32_t CalibrationDialog::read() {
 
 void CalibrationDialog::look() {
   if ((read() & 1u) != 0) take();
-  tell();
+  report();
   draw();
 }
 
@@ -194,10 +194,10 @@ void CalibrationDialog::start_again() {
   found_.reset();
   words_->setText(tr("Hold the tip of the pen on the upper left corner of your drawing area."));
   draw();
-  tell();
+  report();
 }
 
-void CalibrationDialog::tell() {
+void CalibrationDialog::report() {
   const bool could_take = take_->isEnabled();
   take_->setEnabled(place_.has_value() && corners_.size() < kCorners);
   again_->setEnabled(!corners_.empty());

@@ -47,7 +47,7 @@ class CalibrationDialog : public QDialog {
   /// Reads the pen's position. Returns the buttons that were pressed since the last call.
   std::uint32_t read();
   void look();
-  void tell();
+  void report();
   void draw();
   [[nodiscard]] QPointF in_picture(const Vec3& device_mm) const;
 

@@ -74,8 +74,8 @@ class BenchDriver final : public Driver {
   bool was_opened_ = false;
 };
 
-struct Sitting {
-  Sitting(std::string_view name, std::vector<FaultWindow> faults)
+struct Fixture {
+  Fixture(std::string_view name, std::vector<FaultWindow> faults)
       : bench(make_driver_bench(name, std::move(faults))) {
     id = QString::fromStdString(bench->device()->descriptor().id);
     DeviceProfile profile;
@@ -94,14 +94,14 @@ struct Sitting {
     middle = 0.5 * (can.workspace_min + can.workspace_max);
     look();
   }
-  ~Sitting() {
+  ~Fixture() {
     delete care;
     studio.reset();
     QFile::remove(profile_path(id));
     Settings::the().reset(QString::fromLatin1(kPenDeviceKey));
   }
-  Sitting(const Sitting&) = delete;
-  Sitting& operator=(const Sitting&) = delete;
+  Fixture(const Fixture&) = delete;
+  Fixture& operator=(const Fixture&) = delete;
 
   void look() {
     for (int i = 0; i < 2; ++i) {
@@ -139,7 +139,7 @@ struct Sitting {
 class Benches : public ::testing::TestWithParam<std::string_view> {};
 
 TEST_P(Benches, UnpluggedMidLineTheInkIsKeptAndItComesBackWithoutForce) {
-  Sitting at(GetParam(), {{InjectedFault::kUnplugged, 2000 * kMs, 3500 * kMs, 1.0}});
+  Fixture at(GetParam(), {{InjectedFault::kUnplugged, 2000 * kMs, 3500 * kMs, 1.0}});
   at.hand = at.middle;
   ASSERT_TRUE(at.care->use(at.id, nullptr));
   EXPECT_FALSE(at.studio->loop().forces_are_on());
@@ -147,7 +147,7 @@ TEST_P(Benches, UnpluggedMidLineTheInkIsKeptAndItComesBackWithoutForce) {
   at.move_to(-20, 0, 10, 700);
   at.move_to(-20, 0, -6, 700);
   ASSERT_EQ(at.studio->loop().device().info().id, at.id) << at.said();
-  EXPECT_TRUE(at.studio->session().gesture_in_work());
+  EXPECT_TRUE(at.studio->session().gesture_in_progress());
   const std::size_t before = at.strokes();  // a light arm bounces when it lands, and draws a dot
   at.move_to(10, 10, -6, 900);
   EXPECT_EQ(at.studio->loop().device().info().id, QStringLiteral("tablet"));
@@ -174,7 +174,7 @@ TEST_P(Benches, UnpluggedMidLineTheInkIsKeptAndItComesBackWithoutForce) {
 
 TEST_P(Benches, ForcesThatItSwitchesOffEndNoLine) {
   for (const InjectedFault fault : {InjectedFault::kForcesOff, InjectedFault::kWarmMotors}) {
-    Sitting at(GetParam(), {{fault, 2000 * kMs, 2600 * kMs, 1.0}});
+    Fixture at(GetParam(), {{fault, 2000 * kMs, 2600 * kMs, 1.0}});
     if (!at.bench->shows(fault)) continue;
     SCOPED_TRACE(name_of(fault));
     at.hand = at.middle;
@@ -184,7 +184,7 @@ TEST_P(Benches, ForcesThatItSwitchesOffEndNoLine) {
     at.move_to(-20, 0, -6, 700);
     at.move_to(10, 10, -6, 900);
     EXPECT_EQ(at.studio->loop().device().info().id, at.id);
-    EXPECT_TRUE(at.studio->session().gesture_in_work());
+    EXPECT_TRUE(at.studio->session().gesture_in_progress());
     EXPECT_EQ(at.studio->loop().tick().safety.state, SafetyState::kLatched)
         << "until a person says so";
     EXPECT_NE(at.said().find(fault == InjectedFault::kForcesOff ? "has switched its forces off"

@@ -36,11 +36,11 @@ DeviceCare::DeviceCare(Studio& studio, DeviceNotice& notice, QWidget* window)
   connect(&patience_, &QTimer::timeout, this, [this] {
     const DeviceStatus status = studio_.loop().device_status();
     if (!status.fault) return;
-    if (status.reads == reads_) return let_go(*status.fault, status);
+    if (status.reads == reads_) return release(*status.fault, status);
     say_no_force(*status.fault, status);
   });
   // Queued, because the signal may be emitted while painting, when a device must not be replaced.
-  connect(&studio_.loop(), &HapticLoop::device_status_changed, this, &DeviceCare::hear,
+  connect(&studio_.loop(), &HapticLoop::device_status_changed, this, &DeviceCare::receive,
           Qt::QueuedConnection);
   connect(&studio_.loop(), &HapticLoop::device_changed, this, [this] {
     patience_.stop();
@@ -73,9 +73,9 @@ bool DeviceCare::use(const QString& id, QWidget* parent) {
 }
 
 /// Handles the present status, because the status in the signal may be outdated.
-void DeviceCare::hear() {
+void DeviceCare::receive() {
   const DeviceStatus status = studio_.loop().device_status();
-  if (status.fault && ends_reading(*status.fault)) return let_go(*status.fault, status);
+  if (status.fault && ends_reading(*status.fault)) return release(*status.fault, status);
   if (status.fault && !takes_no_force(*status.fault)) {
     if (patience_.isActive()) return;
     reads_ = status.reads;
@@ -100,7 +100,7 @@ void DeviceCare::say_notice(const DeviceStatus& status) {
       std::move(buttons), false);
 }
 
-void DeviceCare::let_go(DeviceFault fault, const DeviceStatus& status) {
+void DeviceCare::release(DeviceFault fault, const DeviceStatus& status) {
   const PenDeviceInfo info = studio_.loop().device().info();
   if (studio_.loop().device().hand()) return;  // a simulated device cannot be plugged in again
   const DeviceWords words = words_for(fault, info.label, status, false);
@@ -156,7 +156,7 @@ void DeviceCare::look() {
 }
 
 bool DeviceCare::is_calm() const {
-  return !studio_.session().gesture_in_work() && !in_contact(studio_.pen().sample) &&
+  return !studio_.session().gesture_in_progress() && !in_contact(studio_.pen().sample) &&
          QGuiApplication::mouseButtons() == Qt::NoButton && !QApplication::activeModalWidget();
 }
 

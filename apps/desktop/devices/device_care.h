@@ -49,8 +49,8 @@ class DeviceCare : public QObject {
   void waiting_changed();
 
  private:
-  void hear();
-  void let_go(DeviceFault fault, const DeviceStatus& status);
+  void receive();
+  void release(DeviceFault fault, const DeviceStatus& status);
   void say_no_force(DeviceFault fault, const DeviceStatus& status);
   void say_notice(const DeviceStatus& status);
   void wait_for(const QString& id);

@@ -36,8 +36,8 @@ std::vector<std::unique_ptr<Driver>> drivers_of(const std::shared_ptr<ScriptedAr
 
 /// A fixture: a window's studio with a device that the test connects and disconnects, in virtual
 /// time.
-struct Desk {
-  Desk() {
+struct Fixture {
+  Fixture() {
     QFile::remove(profile_path(kArm));
     Settings::the().reset(QString::fromLatin1(kPenDeviceKey));
     // The device's frame is that of the page, so the pen is at the positions that the test sets.
@@ -47,7 +47,7 @@ struct Desk {
     EXPECT_TRUE(keep_profile(profile).has_value());
     look();
   }
-  ~Desk() {
+  ~Fixture() {
     QFile::remove(profile_path(kArm));
     Settings::the().reset(QString::fromLatin1(kPenDeviceKey));
   }
@@ -118,77 +118,77 @@ StrokeData newest_stroke(const Session& session) {
 }
 
 TEST(DeviceCare, APersonDrawsUnplugsMidLineAndDrawsOn) {
-  Desk desk;
-  desk.pen_at(30, 30, 20);
-  ASSERT_TRUE(desk.care->use(kArm, nullptr));
-  EXPECT_EQ(desk.device(), "scripted:1");
-  EXPECT_FALSE(desk.studio.loop().forces_are_on());
-  EXPECT_EQ(desk.said(), "Scripted arm is in use. Its forces are off until you switch them on.");
-  desk.notice->press(0);
-  EXPECT_TRUE(desk.studio.loop().forces_are_on());
-  desk.go_on(1000);
-  desk.draw_to(60, 50);
-  ASSERT_TRUE(desk.studio.session().gesture_in_work());
-  EXPECT_GT(norm(desk.arm->sent), 0.0);
-  desk.arm->vendor_words = "HD_COMM_ERROR: no answer from the arm";
-  desk.arm->is_plugged_in = false;
-  desk.go_on(40);
+  Fixture fixture;
+  fixture.pen_at(30, 30, 20);
+  ASSERT_TRUE(fixture.care->use(kArm, nullptr));
+  EXPECT_EQ(fixture.device(), "scripted:1");
+  EXPECT_FALSE(fixture.studio.loop().forces_are_on());
+  EXPECT_EQ(fixture.said(), "Scripted arm is in use. Its forces are off until you switch them on.");
+  fixture.notice->press(0);
+  EXPECT_TRUE(fixture.studio.loop().forces_are_on());
+  fixture.go_on(1000);
+  fixture.draw_to(60, 50);
+  ASSERT_TRUE(fixture.studio.session().gesture_in_progress());
+  EXPECT_GT(norm(fixture.arm->sent), 0.0);
+  fixture.arm->vendor_words = "HD_COMM_ERROR: no answer from the arm";
+  fixture.arm->is_plugged_in = false;
+  fixture.go_on(40);
   // The drawn part is a stroke, forces are off, and the mouse can draw.
-  EXPECT_EQ(desk.strokes(), 1u);
-  EXPECT_EQ(desk.device(), "tablet");
-  EXPECT_EQ(desk.arm->sent, Force{});
-  EXPECT_EQ(desk.arm->closed, 1);
-  EXPECT_EQ(desk.care->waits_for(), kArm);
-  EXPECT_NE(desk.said().find("Scripted arm is no longer connected."), std::string::npos);
-  EXPECT_EQ(desk.notice->message().details.toStdString(),
+  EXPECT_EQ(fixture.strokes(), 1u);
+  EXPECT_EQ(fixture.device(), "tablet");
+  EXPECT_EQ(fixture.arm->sent, Force{});
+  EXPECT_EQ(fixture.arm->closed, 1);
+  EXPECT_EQ(fixture.care->waits_for(), kArm);
+  EXPECT_NE(fixture.said().find("Scripted arm is no longer connected."), std::string::npos);
+  EXPECT_EQ(fixture.notice->message().details.toStdString(),
             "HD_COMM_ERROR: no answer from the arm (7)");
-  const auto point = [&desk](double x, bool touches) {
-    desk.studio.point({desk.studio.now_ns(), {x, 80}, touches, 0.5});
-    desk.studio.advance(20 * kMs);
+  const auto point = [&fixture](double x, bool touches) {
+    fixture.studio.point({fixture.studio.now_ns(), {x, 80}, touches, 0.5});
+    fixture.studio.advance(20 * kMs);
   };
   point(20, false);
   for (double x = 20; x < 60; x += 5) point(x, true);
   point(60, false);
-  desk.go_on(100);
-  EXPECT_EQ(desk.strokes(), 2u);
+  fixture.go_on(100);
+  EXPECT_EQ(fixture.strokes(), 2u);
   // When the device is plugged in again, it is used as soon as the pen is lifted, without forces.
-  desk.arm->is_plugged_in = true;
-  desk.pen_at(120, 20, 20);  // away from the end of the first line, which it would otherwise
-                             // continue
-  desk.look();
-  desk.calm();
-  EXPECT_EQ(desk.device(), "scripted:1");
-  EXPECT_FALSE(desk.studio.loop().forces_are_on());
-  EXPECT_TRUE(desk.care->waits_for().isEmpty());
-  desk.go_on(500);
-  EXPECT_EQ(desk.arm->sent, Force{});
-  desk.draw_to(150, 40);
-  desk.lift();
-  EXPECT_EQ(desk.strokes(), 3u);
-  EXPECT_EQ(desk.arm->sent, Force{}) << "nobody has switched them on";
-  desk.draw_to(160, 60);
-  desk.studio.loop().set_forces(true);
-  desk.arm->largest_n = 0.0;
-  desk.draw_to(170, 70);
-  EXPECT_EQ(desk.arm->largest_n, 0.0) << "a pen that presses feels nothing until it is lifted";
+  fixture.arm->is_plugged_in = true;
+  fixture.pen_at(120, 20, 20);  // away from the end of the first line, which it would otherwise
+                                // continue
+  fixture.look();
+  fixture.calm();
+  EXPECT_EQ(fixture.device(), "scripted:1");
+  EXPECT_FALSE(fixture.studio.loop().forces_are_on());
+  EXPECT_TRUE(fixture.care->waits_for().isEmpty());
+  fixture.go_on(500);
+  EXPECT_EQ(fixture.arm->sent, Force{});
+  fixture.draw_to(150, 40);
+  fixture.lift();
+  EXPECT_EQ(fixture.strokes(), 3u);
+  EXPECT_EQ(fixture.arm->sent, Force{}) << "nobody has switched them on";
+  fixture.draw_to(160, 60);
+  fixture.studio.loop().set_forces(true);
+  fixture.arm->largest_n = 0.0;
+  fixture.draw_to(170, 70);
+  EXPECT_EQ(fixture.arm->largest_n, 0.0) << "a pen that presses feels nothing until it is lifted";
 }
 
 TEST(DeviceCare, InkUpToTheFaultIsKeptByteForByte) {
   const auto drawn = [](bool unplugs) {
-    Desk desk;
-    desk.pen_at(30, 30, 20);
-    EXPECT_TRUE(desk.care->use(kArm, nullptr));
-    desk.go_on(500);
-    desk.draw_to(60, 50);
-    desk.draw_to(40, 70);
+    Fixture fixture;
+    fixture.pen_at(30, 30, 20);
+    EXPECT_TRUE(fixture.care->use(kArm, nullptr));
+    fixture.go_on(500);
+    fixture.draw_to(60, 50);
+    fixture.draw_to(40, 70);
     if (unplugs) {
-      desk.arm->is_plugged_in = false;
-      desk.go_on(40);
+      fixture.arm->is_plugged_in = false;
+      fixture.go_on(40);
     } else {
-      desk.studio.finish_gesture();
+      fixture.studio.finish_gesture();
     }
-    EXPECT_EQ(desk.strokes(), 1u);
-    return newest_stroke(desk.studio.session());
+    EXPECT_EQ(fixture.strokes(), 1u);
+    return newest_stroke(fixture.studio.session());
   };
   const StrokeData whole = drawn(false);
   EXPECT_GT(whole.points.size(), 3u);
@@ -196,142 +196,143 @@ TEST(DeviceCare, InkUpToTheFaultIsKeptByteForByte) {
 }
 
 TEST(DeviceCare, NothingIsChangedWhileAPersonDraws) {
-  Desk desk;
-  ASSERT_TRUE(desk.care->use(kArm, nullptr));
-  desk.arm->is_plugged_in = false;
-  desk.go_on(40);
-  ASSERT_EQ(desk.device(), "tablet");
+  Fixture fixture;
+  ASSERT_TRUE(fixture.care->use(kArm, nullptr));
+  fixture.arm->is_plugged_in = false;
+  fixture.go_on(40);
+  ASSERT_EQ(fixture.device(), "tablet");
   for (int i = 0; i < 10; ++i) {
-    desk.studio.point({desk.studio.now_ns(), {20.0 + 3 * i, 80}, true, 0.5});
-    desk.studio.advance(20 * kMs);
+    fixture.studio.point({fixture.studio.now_ns(), {20.0 + 3 * i, 80}, true, 0.5});
+    fixture.studio.advance(20 * kMs);
   }
-  ASSERT_TRUE(desk.studio.session().gesture_in_work());
-  desk.arm->is_plugged_in = true;
-  desk.look();
-  desk.calm();
-  EXPECT_EQ(desk.device(), "tablet");
-  desk.studio.point({desk.studio.now_ns(), {50, 80}, false, 0.0});
-  desk.go_on(100);
-  desk.calm();
-  EXPECT_EQ(desk.device(), "scripted:1");
-  EXPECT_EQ(desk.strokes(), 1u);
+  ASSERT_TRUE(fixture.studio.session().gesture_in_progress());
+  fixture.arm->is_plugged_in = true;
+  fixture.look();
+  fixture.calm();
+  EXPECT_EQ(fixture.device(), "tablet");
+  fixture.studio.point({fixture.studio.now_ns(), {50, 80}, false, 0.0});
+  fixture.go_on(100);
+  fixture.calm();
+  EXPECT_EQ(fixture.device(), "scripted:1");
+  EXPECT_EQ(fixture.strokes(), 1u);
 }
 
 TEST(DeviceCare, ForcesThatTheDeviceSwitchesOffDoNotEndTheDrawing) {
   for (const DeviceFault fault : {DeviceFault::kForcesOff, DeviceFault::kOverheated}) {
-    Desk desk;
-    FeelPanel panel(desk.studio);
-    desk.pen_at(30, 30, 20);
-    ASSERT_TRUE(desk.care->use(kArm, nullptr));
-    desk.notice->press(0);
-    desk.go_on(1000);
-    desk.draw_to(60, 50);
-    desk.arm->write_fault = fault;
-    desk.arm->vendor_words = "HD_FORCE_ERROR";
-    desk.go_on(40);
-    EXPECT_EQ(desk.device(), "scripted:1");
-    EXPECT_TRUE(desk.studio.session().gesture_in_work()) << "the line goes on";
-    EXPECT_EQ(desk.studio.loop().tick().safety.state, SafetyState::kLatched);
+    Fixture fixture;
+    FeelPanel panel(fixture.studio);
+    fixture.pen_at(30, 30, 20);
+    ASSERT_TRUE(fixture.care->use(kArm, nullptr));
+    fixture.notice->press(0);
+    fixture.go_on(1000);
+    fixture.draw_to(60, 50);
+    fixture.arm->write_fault = fault;
+    fixture.arm->vendor_words = "HD_FORCE_ERROR";
+    fixture.go_on(40);
+    EXPECT_EQ(fixture.device(), "scripted:1");
+    EXPECT_TRUE(fixture.studio.session().gesture_in_progress()) << "the line goes on";
+    EXPECT_EQ(fixture.studio.loop().tick().safety.state, SafetyState::kLatched);
     const bool is_off = fault == DeviceFault::kForcesOff;
-    EXPECT_NE(desk.said().find(is_off ? "has switched its forces off" : "are too warm"),
+    EXPECT_NE(fixture.said().find(is_off ? "has switched its forces off" : "are too warm"),
               std::string::npos)
-        << desk.said();
+        << fixture.said();
     QString text;
     for (const auto* label : panel.findChildren<QLabel*>()) text += label->text();
     EXPECT_TRUE(text.contains(is_off ? QStringLiteral("Switch the forces on at the device")
                                      : QStringLiteral("rest for a few minutes")))
         << text.toStdString();
-    desk.draw_to(80, 50);
-    desk.lift();
-    EXPECT_EQ(desk.strokes(), 1u);
+    fixture.draw_to(80, 50);
+    fixture.lift();
+    EXPECT_EQ(fixture.strokes(), 1u);
     // The device works again, and the user confirms.
-    desk.arm->write_fault.reset();
-    desk.notice->press(0);
-    desk.go_on(1000);
-    EXPECT_EQ(desk.studio.loop().tick().safety.state, SafetyState::kActive);
+    fixture.arm->write_fault.reset();
+    fixture.notice->press(0);
+    fixture.go_on(1000);
+    EXPECT_EQ(fixture.studio.loop().tick().safety.state, SafetyState::kActive);
   }
 }
 
 TEST(DeviceCare, ShowsTheNoticesOfTheDevice) {
-  Desk desk;
-  desk.arm->notice = "It has no watchdog.";
-  desk.pen_at(30, 30, 20);
-  ASSERT_TRUE(desk.care->use(kArm, nullptr));
-  EXPECT_NE(desk.said().find("is in use"), std::string::npos) << desk.said();
-  EXPECT_EQ(desk.notice->message().details.toStdString(), desk.arm->notice);
-  desk.go_on(100);
-  EXPECT_NE(desk.said().find("is in use"), std::string::npos) << "shown already: " << desk.said();
-  desk.arm->notice = "The service's events have stopped.";
-  desk.go_on(100);
-  EXPECT_NE(desk.said().find(desk.arm->notice), std::string::npos) << desk.said();
-  EXPECT_FALSE(desk.notice->message().is_fault);
-  ASSERT_EQ(desk.notice->message().buttons.size(), 1u) << "forces are still off";
-  desk.notice->press(0);
-  EXPECT_TRUE(desk.studio.loop().forces_are_on());
-  desk.go_on(1000);
-  EXPECT_FALSE(desk.notice->isVisibleTo(&desk.window)) << "each notice is shown once";
+  Fixture fixture;
+  fixture.arm->notice = "It has no watchdog.";
+  fixture.pen_at(30, 30, 20);
+  ASSERT_TRUE(fixture.care->use(kArm, nullptr));
+  EXPECT_NE(fixture.said().find("is in use"), std::string::npos) << fixture.said();
+  EXPECT_EQ(fixture.notice->message().details.toStdString(), fixture.arm->notice);
+  fixture.go_on(100);
+  EXPECT_NE(fixture.said().find("is in use"), std::string::npos)
+      << "shown already: " << fixture.said();
+  fixture.arm->notice = "The service's events have stopped.";
+  fixture.go_on(100);
+  EXPECT_NE(fixture.said().find(fixture.arm->notice), std::string::npos) << fixture.said();
+  EXPECT_FALSE(fixture.notice->message().is_fault);
+  ASSERT_EQ(fixture.notice->message().buttons.size(), 1u) << "forces are still off";
+  fixture.notice->press(0);
+  EXPECT_TRUE(fixture.studio.loop().forces_are_on());
+  fixture.go_on(1000);
+  EXPECT_FALSE(fixture.notice->isVisibleTo(&fixture.window)) << "each notice is shown once";
 }
 
 /// Lets the arm work again and expects that only the button of the notice opens it.
-void expect_opened_by_its_button_only(Desk& desk) {
-  desk.arm->read_fault.reset();
-  desk.look();
-  desk.calm();
-  EXPECT_EQ(desk.device(), "tablet");
-  ASSERT_EQ(desk.notice->message().buttons.size(), 1u);
-  desk.notice->press(0);
-  EXPECT_EQ(desk.device(), "scripted:1");
+void expect_opened_by_its_button_only(Fixture& fixture) {
+  fixture.arm->read_fault.reset();
+  fixture.look();
+  fixture.calm();
+  EXPECT_EQ(fixture.device(), "tablet");
+  ASSERT_EQ(fixture.notice->message().buttons.size(), 1u);
+  fixture.notice->press(0);
+  EXPECT_EQ(fixture.device(), "scripted:1");
 }
 
 TEST(DeviceCare, AFaultThatPassesIsWaitedOutAndOneThatStaysLetsGo) {
-  Desk desk;
-  desk.pen_at(30, 30, 20);
-  ASSERT_TRUE(desk.care->use(kArm, nullptr));
-  desk.arm->read_fault = DeviceFault::kBadData;
-  desk.go_on(40);
-  EXPECT_EQ(desk.device(), "scripted:1");
-  desk.arm->read_fault.reset();
-  desk.go_on(40);
+  Fixture fixture;
+  fixture.pen_at(30, 30, 20);
+  ASSERT_TRUE(fixture.care->use(kArm, nullptr));
+  fixture.arm->read_fault = DeviceFault::kBadData;
+  fixture.go_on(40);
+  EXPECT_EQ(fixture.device(), "scripted:1");
+  fixture.arm->read_fault.reset();
+  fixture.go_on(40);
   QTest::qWait(DeviceCare::kPatienceMs + 100);
-  EXPECT_EQ(desk.device(), "scripted:1");
-  desk.arm->read_fault = DeviceFault::kBadData;
-  desk.go_on(40);
+  EXPECT_EQ(fixture.device(), "scripted:1");
+  fixture.arm->read_fault = DeviceFault::kBadData;
+  fixture.go_on(40);
   QTest::qWait(DeviceCare::kPatienceMs + 100);
-  EXPECT_EQ(desk.device(), "tablet");
+  EXPECT_EQ(fixture.device(), "tablet");
   // The device is still plugged in: only the user can try again.
-  expect_opened_by_its_button_only(desk);
+  expect_opened_by_its_button_only(fixture);
 }
 
 TEST(DeviceCare, ADeviceThatCannotBeLookedForIsOpenedByAPersonOnly) {
-  Desk desk;
-  desk.arm->descriptor.is_connected = false;
-  desk.look();
-  ASSERT_TRUE(desk.care->use(kArm, nullptr));
-  desk.arm->read_fault = DeviceFault::kDisconnected;
-  desk.go_on(40);
-  ASSERT_EQ(desk.device(), "tablet");
-  expect_opened_by_its_button_only(desk);
+  Fixture fixture;
+  fixture.arm->descriptor.is_connected = false;
+  fixture.look();
+  ASSERT_TRUE(fixture.care->use(kArm, nullptr));
+  fixture.arm->read_fault = DeviceFault::kDisconnected;
+  fixture.go_on(40);
+  ASSERT_EQ(fixture.device(), "tablet");
+  expect_opened_by_its_button_only(fixture);
 }
 
 TEST(DeviceCare, OneThatFailsAgainAtOnceIsNotOpenedForEver) {
-  Desk desk;
-  ASSERT_TRUE(desk.care->use(kArm, nullptr));
-  desk.arm->read_fault = DeviceFault::kDisconnected;
-  desk.go_on(40);
-  desk.look();
-  desk.calm();
-  ASSERT_EQ(desk.device(), "scripted:1") << "it is still listed: one try by itself";
-  desk.go_on(40);
-  ASSERT_EQ(desk.device(), "tablet");
-  desk.look();
-  desk.calm();
-  EXPECT_EQ(desk.device(), "tablet");
-  EXPECT_EQ(desk.arm->opened, 2);
-  EXPECT_EQ(desk.notice->message().buttons.size(), 1u);
+  Fixture fixture;
+  ASSERT_TRUE(fixture.care->use(kArm, nullptr));
+  fixture.arm->read_fault = DeviceFault::kDisconnected;
+  fixture.go_on(40);
+  fixture.look();
+  fixture.calm();
+  ASSERT_EQ(fixture.device(), "scripted:1") << "it is still listed: one try by itself";
+  fixture.go_on(40);
+  ASSERT_EQ(fixture.device(), "tablet");
+  fixture.look();
+  fixture.calm();
+  EXPECT_EQ(fixture.device(), "tablet");
+  EXPECT_EQ(fixture.arm->opened, 2);
+  EXPECT_EQ(fixture.notice->message().buttons.size(), 1u);
 }
 
 TEST(DeviceCare, TheChosenOneIsUsedWhenItComes) {
-  Desk first;  // sets the profile
+  Fixture first;  // sets the profile
   Settings::the().set(QString::fromLatin1(kPenDeviceKey), kArm);
   Studio studio(by_hand());
   QMainWindow window;
@@ -349,45 +350,45 @@ TEST(DeviceCare, TheChosenOneIsUsedWhenItComes) {
 }
 
 TEST(DeviceCare, AnArmThatMovesByItselfNeedsAYes) {
-  Desk desk;
-  desk.arm->homing = Homing::kByItself;
+  Fixture fixture;
+  fixture.arm->homing = Homing::kByItself;
   answer_next("Not now");
-  EXPECT_FALSE(desk.care->use(kArm, nullptr));
-  EXPECT_EQ(desk.arm->homed, 0);
-  EXPECT_EQ(desk.device(), "tablet");
-  EXPECT_EQ(desk.arm->closed, 1) << "nothing stays open";
+  EXPECT_FALSE(fixture.care->use(kArm, nullptr));
+  EXPECT_EQ(fixture.arm->homed, 0);
+  EXPECT_EQ(fixture.device(), "tablet");
+  EXPECT_EQ(fixture.arm->closed, 1) << "nothing stays open";
   answer_next("Let it move");
-  EXPECT_TRUE(desk.care->use(kArm, nullptr));
-  EXPECT_EQ(desk.arm->homed, 1);
-  EXPECT_EQ(desk.device(), "scripted:1");
+  EXPECT_TRUE(fixture.care->use(kArm, nullptr));
+  EXPECT_EQ(fixture.arm->homed, 1);
+  EXPECT_EQ(fixture.device(), "scripted:1");
   // When the device is unplugged and plugged in again, it needs homing again, by a button and
   // never automatically.
-  desk.arm->is_plugged_in = false;
-  desk.go_on(40);
-  desk.look();
-  desk.arm->homing = Homing::kByItself;
-  desk.arm->is_plugged_in = true;
-  desk.look();
-  desk.calm();
-  EXPECT_EQ(desk.device(), "tablet");
-  EXPECT_EQ(desk.arm->homed, 1);
-  EXPECT_NE(desk.said().find("must find its home"), std::string::npos) << desk.said();
+  fixture.arm->is_plugged_in = false;
+  fixture.go_on(40);
+  fixture.look();
+  fixture.arm->homing = Homing::kByItself;
+  fixture.arm->is_plugged_in = true;
+  fixture.look();
+  fixture.calm();
+  EXPECT_EQ(fixture.device(), "tablet");
+  EXPECT_EQ(fixture.arm->homed, 1);
+  EXPECT_NE(fixture.said().find("must find its home"), std::string::npos) << fixture.said();
   answer_next("Let it move");
-  desk.notice->press(0);
-  EXPECT_EQ(desk.device(), "scripted:1");
+  fixture.notice->press(0);
+  EXPECT_EQ(fixture.device(), "scripted:1");
 }
 
 TEST(HomingDialog, EnterNeverMovesAnArmAndAFailureIsToldAndCanBeTriedAgain) {
-  Desk desk;
-  desk.arm->homing = Homing::kByItself;
-  desk.arm->home_is_found = false;
+  Fixture fixture;
+  fixture.arm->homing = Homing::kByItself;
+  fixture.arm->home_is_found = false;
   const auto pen = open_pen_device(kArm);
   ASSERT_TRUE(pen.has_value());
   HomingDialog dialog(**pen);
   dialog.show();
   QTest::keyClick(&dialog, Qt::Key_Return);
   EXPECT_EQ(dialog.result(), QDialog::Rejected);
-  EXPECT_EQ(desk.arm->homed, 0);
+  EXPECT_EQ(fixture.arm->homed, 0);
   dialog.show();
   dialog.begin();
   EXPECT_TRUE(dialog.is_under_way());
@@ -398,7 +399,7 @@ TEST(HomingDialog, EnterNeverMovesAnArmAndAFailureIsToldAndCanBeTriedAgain) {
   for (const auto* label : dialog.findChildren<QLabel*>()) text += label->text();
   EXPECT_TRUE(text.contains(QStringLiteral("axis 2 is blocked"))) << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("brass hole")));
-  desk.arm->home_is_found = true;
+  fixture.arm->home_is_found = true;
   dialog.begin();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isVisible(); }));
   EXPECT_EQ(dialog.result(), QDialog::Accepted);
@@ -406,27 +407,27 @@ TEST(HomingDialog, EnterNeverMovesAnArmAndAFailureIsToldAndCanBeTriedAgain) {
 
 TEST(HomingDialog, AHandThatHoldsItPressesEnter) {
   for (const Homing homing : {Homing::kInkwell, Homing::kRestPose}) {
-    Desk desk;
-    desk.arm->homing = homing;
+    Fixture fixture;
+    fixture.arm->homing = homing;
     const auto pen = open_pen_device(kArm);
     HomingDialog dialog(**pen);
     dialog.show();
     QTest::keyClick(&dialog, Qt::Key_Return);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isVisible(); }));
     EXPECT_EQ(dialog.result(), QDialog::Accepted);
-    EXPECT_EQ(desk.arm->homed, 1);
+    EXPECT_EQ(fixture.arm->homed, 1);
     EXPECT_TRUE(HomingDialog::bring_home(**pen, nullptr)) << "it is at home: nothing is asked";
   }
 }
 
 TEST(DoctorDialog, SaysWhatIsMissingAndWhatToDoAndCopiesIt) {
-  Desk desk;
-  desk.arm->findings = {{FindingLevel::kProblem,
-                         "The library <libHD> was not found.",
-                         "libHD.so: cannot open shared object file",
-                         {"Install the maker's software.", "Start Feltline again."},
-                         {}},
-                        {FindingLevel::kOk, "The port may be used.", {}, {}, {}}};
+  Fixture fixture;
+  fixture.arm->findings = {{FindingLevel::kProblem,
+                            "The library <libHD> was not found.",
+                            "libHD.so: cannot open shared object file",
+                            {"Install the maker's software.", "Start Feltline again."},
+                            {}},
+                           {FindingLevel::kOk, "The port may be used.", {}, {}, {}}};
   DoctorDialog dialog;
   EXPECT_TRUE(dialog.is_looking());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.is_looking(); }));
@@ -445,10 +446,10 @@ TEST(DoctorDialog, SaysWhatIsMissingAndWhatToDoAndCopiesIt) {
 }
 
 TEST(DevicePage, RowsSayHowRealDevicesAre) {
-  Desk desk;
-  DevicePage page(desk.studio, desk.care);
+  Fixture fixture;
+  DevicePage page(fixture.studio, fixture.care);
   page.show();
-  desk.look();
+  fixture.look();
   const auto row = [&page](int i) {
     return page.findChild<QListWidget*>()->item(i)->text().toStdString();
   };
@@ -457,17 +458,17 @@ TEST(DevicePage, RowsSayHowRealDevicesAre) {
   ASSERT_TRUE(page.choose(kArm));
   page.use();
   EXPECT_EQ(row(0), "Scripted arm\nIn use, forces off");
-  desk.studio.loop().set_forces(true);
+  fixture.studio.loop().set_forces(true);
   page.refresh();
   EXPECT_EQ(row(0), "Scripted arm\nIn use");
-  desk.arm->is_plugged_in = false;
-  desk.go_on(40);
-  desk.look();
+  fixture.arm->is_plugged_in = false;
+  fixture.go_on(40);
+  fixture.look();
   EXPECT_EQ(row(0), "Scripted arm\nNot connected; used again once it is");
-  desk.arm->is_plugged_in = true;
+  fixture.arm->is_plugged_in = true;
   QFile::remove(profile_path(kArm));
-  desk.care->use(QStringLiteral("simulated:touch"), nullptr);
-  desk.look();
+  fixture.care->use(QStringLiteral("simulated:touch"), nullptr);
+  fixture.look();
   EXPECT_EQ(row(0), "Scripted arm\nConnected; its drawing plane is not set yet");
   QFile file(profile_path(kArm));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
@@ -477,15 +478,15 @@ TEST(DevicePage, RowsSayHowRealDevicesAre) {
   EXPECT_EQ(row(0), "Scripted arm\nConnected; its settings cannot be read");
   ASSERT_TRUE(page.choose(kArm));
   page.use();
-  EXPECT_EQ(desk.device(), "simulated:touch");
-  EXPECT_NE(desk.notice->message().details.toStdString().find("hand: is neither"),
+  EXPECT_EQ(fixture.device(), "simulated:touch");
+  EXPECT_NE(fixture.notice->message().details.toStdString().find("hand: is neither"),
             std::string::npos);
 }
 
 TEST(DevicePage, EachHandHasItsPlane) {
-  Desk desk;
-  ASSERT_TRUE(desk.care->use(kArm, nullptr));
-  DevicePage page(desk.studio, desk.care);
+  Fixture fixture;
+  ASSERT_TRUE(fixture.care->use(kArm, nullptr));
+  DevicePage page(fixture.studio, fixture.care);
   page.show();
   auto* settings = page.findChild<DeviceSettings*>();
   const auto choose_hand = [settings](int index) {
@@ -498,24 +499,24 @@ TEST(DevicePage, EachHandHasItsPlane) {
   DeviceProfile profile = profile_of(kArm).value();
   profile.plane = right;
   ASSERT_TRUE(keep_profile(profile).has_value());
-  desk.studio.loop().set_profile(profile);
-  desk.studio.loop().set_forces(true);
+  fixture.studio.loop().set_profile(profile);
+  fixture.studio.loop().set_forces(true);
   choose_hand(1);
-  EXPECT_FALSE(desk.studio.loop().forces_are_on()) << "the sheet is somewhere else now";
+  EXPECT_FALSE(fixture.studio.loop().forces_are_on()) << "the sheet is somewhere else now";
   EXPECT_TRUE(profile_of(kArm)->left_handed);
   EXPECT_FALSE(plane_of(kArm).has_value()) << "nobody has shown it for this hand";
-  EXPECT_NE(desk.studio.loop().device().device().plane(), *right);
+  EXPECT_NE(fixture.studio.loop().device().device().plane(), *right);
   settings->fit();
   const auto left = plane_of(kArm);
   ASSERT_TRUE(left.has_value());
   EXPECT_NE(left, right);
-  EXPECT_EQ(desk.studio.loop().device().device().plane(), *left);
+  EXPECT_EQ(fixture.studio.loop().device().device().plane(), *left);
   choose_hand(0);
   EXPECT_EQ(plane_of(kArm), right);
-  EXPECT_EQ(desk.studio.loop().device().device().plane(), *right);
+  EXPECT_EQ(fixture.studio.loop().device().device().plane(), *right);
   choose_hand(1);
-  EXPECT_EQ(desk.studio.loop().device().device().plane(), *left);
-  EXPECT_EQ(desk.arm->opened, 1) << "the device itself has nothing to do with it";
+  EXPECT_EQ(fixture.studio.loop().device().device().plane(), *left);
+  EXPECT_EQ(fixture.arm->opened, 1) << "the device itself has nothing to do with it";
 }
 
 }  // namespace

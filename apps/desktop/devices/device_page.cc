@@ -91,7 +91,7 @@ DevicePage::DevicePage(Studio& studio, DeviceCare* care, QWidget* parent)
           [this] { chosen() == QLatin1String(kHelpRow) ? help() : use(); });
   connect(use_, &QPushButton::clicked, this, &DevicePage::use);
   connect(&studio_.loop(), &HapticLoop::device_changed, this, &DevicePage::refresh);
-  connect(&studio_.loop(), &HapticLoop::device_status_changed, this, &DevicePage::tell_rows);
+  connect(&studio_.loop(), &HapticLoop::device_status_changed, this, &DevicePage::report_rows);
   if (care_) connect(care_, &DeviceCare::waiting_changed, this, &DevicePage::refresh);
   if (DriverWatch* watch = DriverWatch::the()) {
     connect(watch, &DriverWatch::changed, this, &DevicePage::refresh);
@@ -155,10 +155,10 @@ void DevicePage::refresh() {
     add_row(row);
   }
   add_help();
-  tell_rows();
+  report_rows();
   list_cues();
   choose(row_of(kept) ? kept : studio_.loop().device().info().id);
-  tell();
+  report();
 }
 
 void DevicePage::add_row(const Row& row) {
@@ -204,7 +204,7 @@ QString DevicePage::state_of(const Row& row, int* sign) const {
                                     : tr("Connected; its drawing plane is not set yet"));
 }
 
-void DevicePage::tell_rows() {
+void DevicePage::report_rows() {
   for (int i = 0; i < list_->count(); ++i) {
     QListWidgetItem* item = list_->item(i);
     const QString id = item->data(Qt::UserRole).toString();
@@ -248,7 +248,7 @@ void DevicePage::hideEvent(QHideEvent* event) {
 }
 
 void DevicePage::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) tell_rows();
+  if (event->type() == QEvent::PaletteChange) report_rows();
   QWidget::changeEvent(event);
 }
 
@@ -269,7 +269,7 @@ bool DevicePage::choose(const QString& id) {
 void DevicePage::take_row() {
   const Row* row = row_of(chosen());
   if (row && !row->is_real) use();
-  tell();
+  report();
 }
 
 void DevicePage::use() {
@@ -285,8 +285,8 @@ void DevicePage::use() {
   // selects the row of the device in use.
   const Row* now = row_of(id);
   if (now && !now->is_real) choose(studio_.loop().device().info().id);
-  tell_rows();
-  tell();
+  report_rows();
+  report();
 }
 
 void DevicePage::help() {
@@ -294,7 +294,7 @@ void DevicePage::help() {
   choose(studio_.loop().device().info().id);
 }
 
-void DevicePage::tell() {
+void DevicePage::report() {
   const PenDeviceInfo& now = studio_.loop().device().info();
   const Row* row = row_of(chosen());
   const bool in_use = row && row->info.id == now.id;
@@ -324,7 +324,7 @@ void DevicePage::tell() {
   general_->setVisible(!is_real);
   limit_->setEnabled(studio_.loop().device().device().capabilities().has_force());
   settings_->setVisible(is_real && in_use);
-  if (is_real && in_use) settings_->tell();
+  if (is_real && in_use) settings_->report();
   pad_->setVisible(!is_real);
   pad_->use(is_led ? now.id : QString(), studio_.loop().strength(), studio_.loop().force_limit());
 }
@@ -349,7 +349,7 @@ void DevicePage::list_cues() {
 void DevicePage::set_limit(double newton) {
   studio_.loop().set_force_limit(newton);
   Settings::the().set(QString::fromLatin1(feel_keys::kForceLimit), studio_.loop().force_limit());
-  tell();
+  report();
 }
 
 }  // namespace felt::desktop

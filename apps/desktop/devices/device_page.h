@@ -52,8 +52,8 @@ class DevicePage : public QWidget {
   };
   void make_form();
   void take_row();
-  void tell();
-  void tell_rows();
+  void report();
+  void report_rows();
   void set_limit(double newton);
   void list_cues();
   [[nodiscard]] const Row* row_of(const QString& id) const;

@@ -118,10 +118,10 @@ TEST(PenDevices, WhatIsKeptAndCannotBeReadIsToldInTheStatusLineAndNothingOpens) 
             std::string::npos)
       << opened.error().message;
   Studio studio(by_hand());
-  QString told;
-  QObject::connect(&studio, &Studio::refused, &studio, [&](const QString& why) { told = why; });
+  QString reported;
+  QObject::connect(&studio, &Studio::refused, &studio, [&](const QString& why) { reported = why; });
   EXPECT_FALSE(studio.use_device(driver.id));
-  EXPECT_TRUE(told.contains(QStringLiteral("fake+1.conf:2")));
+  EXPECT_TRUE(reported.contains(QStringLiteral("fake+1.conf:2")));
 }
 
 TEST(PenDevices, APersonsNameAndLimitsAreTheDevices) {
@@ -157,8 +157,9 @@ TEST(PenDevices, AFaultThatNeedsAPersonIsToldWithWhatToDoAndForcesStayOff) {
   Actions actions(&window);
   add_feel_actions(actions, studio, &window);
   FeelPanel panel(studio);
-  QStringList told;
-  QObject::connect(&studio, &Studio::refused, &window, [&](const QString& why) { told << why; });
+  QStringList reported;
+  QObject::connect(&studio, &Studio::refused, &window,
+                   [&](const QString& why) { reported << why; });
   ASSERT_TRUE(studio.use_device(driver.id));
   actions.find(QStringLiteral("feel.forces"))->trigger();
   studio.advance(1'000'000'000);
@@ -169,8 +170,8 @@ TEST(PenDevices, AFaultThatNeedsAPersonIsToldWithWhatToDoAndForcesStayOff) {
   EXPECT_FALSE(studio.loop().forces_are_on());
   EXPECT_EQ(actions.find(QStringLiteral("feel.forces"))->text().remove(QLatin1Char('&')),
             QStringLiteral("Switch forces on"));
-  ASSERT_EQ(told.size(), 1);
-  EXPECT_TRUE(told.front().contains(QStringLiteral("Check the cable")));
+  ASSERT_EQ(reported.size(), 1);
+  EXPECT_TRUE(reported.front().contains(QStringLiteral("Check the cable")));
   QString text;
   for (const auto* label : panel.findChildren<QLabel*>()) text += label->text();
   EXPECT_TRUE(text.contains(QStringLiteral("Check the cable"))) << text.toStdString();

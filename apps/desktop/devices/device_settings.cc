@@ -116,12 +116,12 @@ std::optional<DeviceProfile> DeviceSettings::profile() {
 void DeviceSettings::keep(const DeviceProfile& profile) {
   if (const Result<void> kept = keep_profile(profile); !kept) {
     Q_EMIT studio_.refused(QString::fromStdString(kept.error().message));
-    return tell();
+    return report();
   }
   studio_.loop().set_profile(profile);
 }
 
-void DeviceSettings::tell() {
+void DeviceSettings::report() {
   const PenDeviceInfo& info = studio_.loop().device().info();
   const Result<DeviceProfile> kept = profile_of(info.id);
   const DeviceProfile profile = kept.value_or(DeviceProfile{});
@@ -145,10 +145,10 @@ void DeviceSettings::tell() {
                        static_cast<QWidget*>(calibrate_), size_}) {
     form_->setRowVisible(row, info.has_own_frame);
   }
-  tell_plane(profile);
+  report_plane(profile);
 }
 
-void DeviceSettings::tell_plane(const DeviceProfile& profile) {
+void DeviceSettings::report_plane(const DeviceProfile& profile) {
   const PlaneCalibration plane = studio_.loop().device().device().plane();
   if (!profile.plane) {
     plane_->setText(tr("Not set yet: the usual position of such a device is assumed."));

@@ -25,7 +25,7 @@ class DeviceSettings : public QWidget {
   explicit DeviceSettings(Studio& studio, QWidget* parent = nullptr);
 
   /// Shows the profile of the device in use.
-  void tell();
+  void report();
   /// Centres the drawing area on the page, with a scale at which the device reaches the whole
   /// page.
   void fit();
@@ -40,7 +40,7 @@ class DeviceSettings : public QWidget {
   void set_stiffest(int n_per_m);
   void set_scale(std::optional<double> scale);
   void calibrate();
-  void tell_plane(const DeviceProfile& profile);
+  void report_plane(const DeviceProfile& profile);
 
   Studio& studio_;
   QFormLayout* form_;

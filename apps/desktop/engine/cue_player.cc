@@ -71,7 +71,7 @@ void remove_cue_driver(int number) {
 CuePlayer::CuePlayer(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
   connect(&studio_.loop(), &HapticLoop::ticked, this, &CuePlayer::take);
   connect(&studio_, &Studio::edited, this, [this] { watch_.edited(); });
-  connect(&studio_, &Studio::refused, this, [this] { law_.tell(CueEvent::kRefused); });
+  connect(&studio_, &Studio::refused, this, [this] { law_.report(CueEvent::kRefused); });
   connect(&studio_.loop(), &HapticLoop::device_changed, this, &CuePlayer::fall_silent);
   idle_.setSingleShot(true);
   idle_.setInterval(kIdleMs);
@@ -179,7 +179,7 @@ void CuePlayer::take(const TickReport& tick) {
   if (now_ns - last_look_ns_ >= kLookNs || now_ns < last_look_ns_) {
     last_look_ns_ = now_ns;
     law_.set_feel(feel());
-    if (const auto event = watch_.look(studio_.session(), tick.sample)) law_.tell(*event);
+    if (const auto event = watch_.look(studio_.session(), tick.sample)) law_.report(*event);
   }
   CueInput input = cue_input_of(tick.sample, studio_.session().surface());
   input.time_ns = now_ns;

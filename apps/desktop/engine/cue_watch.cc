@@ -28,7 +28,7 @@ std::optional<CueEvent> CueWatch::look(const Session& session, const PenSample& 
                                   // kFoundMm
   const Point at{pen.position.x, pen.position.y};
   session.draw(overlay_);
-  const bool is_down = session.gesture_in_work();
+  const bool is_down = session.gesture_in_progress();
   const bool was_down = std::exchange(is_down_, is_down);
   // A tool that erases or selects may touch empty paper without an error cue.
   const bool takes = session.tool().info().kind == ToolKind::kEdits;

@@ -60,7 +60,7 @@ struct DriverWatch::Looking {
   }
   /// Calls `answer` with the watch on the main thread, unless the result is no longer needed.
   template <class Answer>
-  void tell(Answer answer) {
+  void report(Answer answer) {
     const std::lock_guard lock(mutex);
     if (watch == nullptr) return;
     QMetaObject::invokeMethod(
@@ -148,7 +148,7 @@ void DriverWatch::look() {
     looking->ask_all([&found](Slot& slot) {
       for (DeviceDescriptor& device : slot.driver->find()) found.push_back(std::move(device));
     });
-    looking->tell(
+    looking->report(
         [found = std::move(found)](DriverWatch& watch) mutable { watch.take(std::move(found)); });
   });
 }
@@ -206,8 +206,8 @@ void DriverWatch::diagnose(QObject* asker,
         looking->ask_all([&all](Slot& slot) {
           all.push_back({text_of(slot.driver->label()), slot.driver->diagnose(this_system())});
         });
-        looking->tell([asker = std::move(asker), answer = std::move(answer),
-                       all = std::move(all)](DriverWatch&) mutable {
+        looking->report([asker = std::move(asker), answer = std::move(answer),
+                         all = std::move(all)](DriverWatch&) mutable {
           if (asker) answer(std::move(all));
         });
       });

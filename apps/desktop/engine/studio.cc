@@ -190,7 +190,7 @@ bool Studio::apply(decltype(Event::what) what) {
 void Studio::finish_gesture() {
   process();
   // The gesture is ended by an event, so that a recording contains it.
-  if (session_->gesture_in_work()) apply(loop_.used_device());
+  if (session_->gesture_in_progress()) apply(loop_.used_device());
 }
 
 bool Studio::import(const QString& path, std::span<const StrokePtr> strokes) {
@@ -294,8 +294,8 @@ bool Studio::drain() {
 
 HapticLoop::PenActivity Studio::pen_activity() const {
   if (in_contact(pen_.sample)) return HapticLoop::PenActivity::kContact;
-  return session_->gesture_in_work() ? HapticLoop::PenActivity::kGesture
-                                     : HapticLoop::PenActivity::kNone;
+  return session_->gesture_in_progress() ? HapticLoop::PenActivity::kGesture
+                                         : HapticLoop::PenActivity::kNone;
 }
 
 /// Emits the signals for what changed. Their slots may call any function of the studio.

@@ -37,8 +37,8 @@ std::vector<StrokePtr> line_of(const std::string& medium) {
 }
 
 /// Collects and counts what a studio emits.
-struct Ear {
-  explicit Ear(Studio& studio) {
+struct Listener {
+  explicit Listener(Studio& studio) {
     QObject::connect(&studio, &Studio::refused,
                      [this](const QString& why) { refused.push_back(why); });
     QObject::connect(&studio, &Studio::materials_changed, [this] { ++changes; });
@@ -137,7 +137,7 @@ TEST(StudioMaterials, ThePaperFollowsTheColourThatItsSurfaceIsGiven) {
 
 TEST(StudioMaterials, StrokesBringTheMediaThatTheyAreOf) {
   Studio studio({.live = false});
-  Ear ear(studio);
+  Listener listener(studio);
   Medium unused = soft_chalk(0.4);
   unused.id = "unused";
   const Texts texts{write_material(slate(0.5)), "nonsense", write_material(unused),
@@ -148,11 +148,11 @@ TEST(StudioMaterials, StrokesBringTheMediaThatTheyAreOf) {
   EXPECT_NE(studio.materials().find_medium("soft-chalk"), nullptr) << "it may be chosen";
   EXPECT_EQ(studio.materials().find_medium("unused"), nullptr);
   EXPECT_EQ(studio.materials().find_surface("slate"), nullptr);
-  EXPECT_EQ(ear.changes, 1);
+  EXPECT_EQ(listener.changes, 1);
   EXPECT_FALSE(studio.is_modified()) << "the strokes are what changes the drawing";
   EXPECT_TRUE(studio.add_media(texts, line_of("soft-chalk")).empty());
-  EXPECT_EQ(ear.changes, 1) << "it is known";
-  EXPECT_TRUE(ear.refused.isEmpty());
+  EXPECT_EQ(listener.changes, 1) << "it is known";
+  EXPECT_TRUE(listener.refused.isEmpty());
 }
 
 TEST(StudioMaterials, AMediumThatIsAnotherOneHereStaysAndIsNamed) {
@@ -202,12 +202,12 @@ TEST(StudioMaterials, OptionsMayNameWhatTheNextDrawingBrings) {
 TEST(StudioMaterials, ASurfaceThatGoesWithItsDrawingIsTold) {
   Studio studio({.live = false});
   studio.open(Document{}, page_of("slate"), Texts{write_material(slate(0.5))});
-  Ear ear(studio);
+  Listener listener(studio);
   studio.open(Document{}, page_of("slate"), Texts{write_material(slate(0.7))});
-  EXPECT_EQ(ear.options, QStringList(QStringLiteral("surface.material")));
+  EXPECT_EQ(listener.options, QStringList(QStringLiteral("surface.material")));
   studio.open(Document{}, Page{});
   EXPECT_EQ(studio.session().surface().id, "paper");
-  EXPECT_EQ(ear.options.size(), 2);
+  EXPECT_EQ(listener.options.size(), 2);
   EXPECT_FALSE(studio.is_modified());
 }
 
@@ -215,16 +215,16 @@ TEST(StudioMaterials, ADrawingWithOtherFiguresThanAPersonsOwnSaysSo) {
   Materials known = Materials::built_in();
   known.put(slate(0.5));
   Studio studio({.live = false, .materials = known});
-  Ear ear(studio);
+  Listener listener(studio);
   studio.open(Document{}, page_of("slate"), Texts{write_material(slate(0.5))});
-  EXPECT_TRUE(ear.refused.isEmpty()) << "it is the same";
+  EXPECT_TRUE(listener.refused.isEmpty()) << "it is the same";
   studio.open(Document{}, page_of("slate"), Texts{write_material(slate(0.7))});
   EXPECT_EQ(studio.session().surface(), slate(0.7));
-  ASSERT_EQ(ear.refused.size(), 1);
-  EXPECT_TRUE(ear.refused[0].contains(QStringLiteral("Slate")));
+  ASSERT_EQ(listener.refused.size(), 1);
+  EXPECT_TRUE(listener.refused[0].contains(QStringLiteral("Slate")));
   studio.open(Document{}, page_of("slate"));
   EXPECT_EQ(studio.session().surface(), slate(0.5)) << "nothing is lost of one's own";
-  EXPECT_EQ(ear.refused.size(), 1);
+  EXPECT_EQ(listener.refused.size(), 1);
 }
 
 }  // namespace

@@ -32,12 +32,12 @@ namespace felt::desktop::studio_test {
 namespace {
 
 /// A studio on a virtual clock that keeps everything that its session receives.
-struct Desk {
+struct Fixture {
   std::vector<Event> events;
   std::vector<std::size_t> begins;  // index of the first event of each session
   Studio studio;
 
-  explicit Desk(const QString& device = QStringLiteral("tablet")) : studio(options(device)) {}
+  explicit Fixture(const QString& device = QStringLiteral("tablet")) : studio(options(device)) {}
 
   StudioOptions options(const QString& device) {
     StudioOptions options;
@@ -91,15 +91,15 @@ std::string as_recorded(std::span<const Event> events, Document start = {}) {
     EXPECT_TRUE(done.has_value()) << done.error().message;
   }
   EXPECT_TRUE(session.finish().has_value());
-  return Desk::text_of(session.document());
+  return Fixture::text_of(session.document());
 }
 
-void do_something(Desk& desk, std::mt19937& random) {
+void do_something(Fixture& fixture, std::mt19937& random) {
   const auto any = [&random](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
   static constexpr const char* kTools[] = {"pencil", "pull", "eraser", "smooth", "lasso", "width"};
-  Studio& studio = desk.studio;
+  Studio& studio = fixture.studio;
   switch (random() % 9) {
     case 0:
       studio.apply(SelectTool{kTools[random() % std::size(kTools)]});
@@ -124,7 +124,7 @@ void do_something(Desk& desk, std::mt19937& random) {
       studio.apply(DuplicateEvent{});
       break;
     default:
-      desk.draw({any(10, 90), any(10, 90)}, {any(10, 90), any(10, 90)}, any(0.1, 1.0));
+      fixture.draw({any(10, 90), any(10, 90)}, {any(10, 90), any(10, 90)}, any(0.1, 1.0));
   }
 }
 
@@ -132,96 +132,96 @@ void do_something(Desk& desk, std::mt19937& random) {
 TEST(Studio, ARecordingAloneGivesTheDrawing) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     std::mt19937 random(seed);
-    Desk desk(seed % 2 == 0 ? QStringLiteral("tablet") : QStringLiteral("simulated:touch"));
-    desk.wait(700);
-    for (int i = 0; i < 12; ++i) do_something(desk, random);
-    desk.point({5, 5}, 0.0);
-    desk.wait(1000);
-    EXPECT_EQ(as_recorded(desk.events), desk.drawing()) << "seed " << seed;
+    Fixture fixture(seed % 2 == 0 ? QStringLiteral("tablet") : QStringLiteral("simulated:touch"));
+    fixture.wait(700);
+    for (int i = 0; i < 12; ++i) do_something(fixture, random);
+    fixture.point({5, 5}, 0.0);
+    fixture.wait(1000);
+    EXPECT_EQ(as_recorded(fixture.events), fixture.drawing()) << "seed " << seed;
   }
 }
 
 TEST(Studio, EventsAreToldInOrderOfTime) {
   std::mt19937 random(3);
-  Desk desk;
-  for (int i = 0; i < 20; ++i) do_something(desk, random);
-  ASSERT_FALSE(desk.events.empty());
-  EXPECT_TRUE(std::holds_alternative<UseDevice>(desk.events.front().what));
-  for (std::size_t i = 1; i < desk.events.size(); ++i) {
-    ASSERT_GE(desk.events[i].time_ns, desk.events[i - 1].time_ns) << i;
+  Fixture fixture;
+  for (int i = 0; i < 20; ++i) do_something(fixture, random);
+  ASSERT_FALSE(fixture.events.empty());
+  EXPECT_TRUE(std::holds_alternative<UseDevice>(fixture.events.front().what));
+  for (std::size_t i = 1; i < fixture.events.size(); ++i) {
+    ASSERT_GE(fixture.events[i].time_ns, fixture.events[i - 1].time_ns) << i;
   }
 }
 
 // Opening another drawing keeps tool and options, and the recording contains them.
 TEST(Studio, OpenKeepsToolAndOptions) {
-  Desk desk;
-  desk.studio.apply(SelectTool{"eraser"});
-  desk.studio.apply(SetOption{"pencil.max_width_mm", 4.5});
-  desk.studio.apply(SetOption{"surface.material", std::string("felt")});
-  desk.draw({10, 10}, {60, 20});
-  desk.studio.open(Document{}, Page{});
-  EXPECT_EQ(desk.studio.session().tool().info().id, "eraser");
-  EXPECT_EQ(desk.studio.session().option("pencil.max_width_mm").value(), OptionValue(4.5));
-  EXPECT_FALSE(desk.studio.is_modified());
-  EXPECT_EQ(desk.studio.session().document().stroke_count(), 0u);
-  desk.studio.apply(SelectTool{"pencil"});
-  desk.draw({10, 30}, {70, 40});
-  EXPECT_TRUE(desk.studio.is_modified());
-  ASSERT_EQ(desk.begins.size(), 2u);
-  const auto second = std::span<const Event>(desk.events).subspan(desk.begins[1]);
-  EXPECT_EQ(as_recorded(second), desk.drawing());
+  Fixture fixture;
+  fixture.studio.apply(SelectTool{"eraser"});
+  fixture.studio.apply(SetOption{"pencil.max_width_mm", 4.5});
+  fixture.studio.apply(SetOption{"surface.material", std::string("felt")});
+  fixture.draw({10, 10}, {60, 20});
+  fixture.studio.open(Document{}, Page{});
+  EXPECT_EQ(fixture.studio.session().tool().info().id, "eraser");
+  EXPECT_EQ(fixture.studio.session().option("pencil.max_width_mm").value(), OptionValue(4.5));
+  EXPECT_FALSE(fixture.studio.is_modified());
+  EXPECT_EQ(fixture.studio.session().document().stroke_count(), 0u);
+  fixture.studio.apply(SelectTool{"pencil"});
+  fixture.draw({10, 30}, {70, 40});
+  EXPECT_TRUE(fixture.studio.is_modified());
+  ASSERT_EQ(fixture.begins.size(), 2u);
+  const auto second = std::span<const Event>(fixture.events).subspan(fixture.begins[1]);
+  EXPECT_EQ(as_recorded(second), fixture.drawing());
 }
 
 TEST(Studio, BorrowingNests) {
-  Desk desk;
-  const auto tool = [&desk] { return std::string(desk.studio.session().tool().info().id); };
+  Fixture fixture;
+  const auto tool = [&fixture] { return std::string(fixture.studio.session().tool().info().id); };
   int changes = 0;
-  QObject::connect(&desk.studio, &Studio::tool_changed, [&changes] { ++changes; });
-  desk.studio.borrow_tool(QStringLiteral("eraser"));
+  QObject::connect(&fixture.studio, &Studio::tool_changed, [&changes] { ++changes; });
+  fixture.studio.borrow_tool(QStringLiteral("eraser"));
   EXPECT_EQ(tool(), "eraser");
-  EXPECT_TRUE(desk.studio.is_borrowing());
-  desk.studio.borrow_tool(QStringLiteral("pull"));
+  EXPECT_TRUE(fixture.studio.is_borrowing());
+  fixture.studio.borrow_tool(QStringLiteral("pull"));
   EXPECT_EQ(tool(), "eraser") << "it counts, no more";
-  desk.studio.give_back_tool();
+  fixture.studio.give_back_tool();
   EXPECT_EQ(tool(), "eraser");
-  desk.studio.give_back_tool();
+  fixture.studio.give_back_tool();
   EXPECT_EQ(tool(), "pencil");
   EXPECT_EQ(changes, 2);
-  desk.studio.give_back_tool();
+  fixture.studio.give_back_tool();
   EXPECT_EQ(tool(), "pencil");
-  desk.studio.borrow_tool(QStringLiteral("no such tool"));
-  EXPECT_FALSE(desk.studio.is_borrowing());
+  fixture.studio.borrow_tool(QStringLiteral("no such tool"));
+  EXPECT_FALSE(fixture.studio.is_borrowing());
   EXPECT_EQ(tool(), "pencil");
 }
 
 // The session's time continues when the device changes, and earlier ink stays.
 TEST(Studio, TimeGoesOnWhenTheDeviceChanges) {
-  Desk desk;
-  desk.draw({10, 10}, {60, 20});
+  Fixture fixture;
+  fixture.draw({10, 10}, {60, 20});
   double y = 20.0;
   for (const char* id : {"simulated:touch", "tablet", "simulated:premium"}) {
-    ASSERT_TRUE(desk.studio.use_device(QString::fromLatin1(id))) << id;
-    desk.wait(700);
+    ASSERT_TRUE(fixture.studio.use_device(QString::fromLatin1(id))) << id;
+    fixture.wait(700);
     y += 20.0;
-    desk.draw({10, y}, {60, y + 8.0});
+    fixture.draw({10, y}, {60, y + 8.0});
   }
-  for (std::size_t i = 1; i < desk.events.size(); ++i) {
-    ASSERT_GE(desk.events[i].time_ns, desk.events[i - 1].time_ns) << i;
+  for (std::size_t i = 1; i < fixture.events.size(); ++i) {
+    ASSERT_GE(fixture.events[i].time_ns, fixture.events[i - 1].time_ns) << i;
   }
-  EXPECT_GE(desk.studio.session().document().stroke_count(), 4u);
-  EXPECT_EQ(as_recorded(desk.events), desk.drawing());
+  EXPECT_GE(fixture.studio.session().document().stroke_count(), 4u);
+  EXPECT_EQ(as_recorded(fixture.events), fixture.drawing());
 }
 
 // Between two publications, force models extrapolate by the age of the data that the tool used.
 TEST(Studio, R30_TheLoopOfADeviceThatComesLaterKnowsTheSessionsTime) {
-  Desk desk;
-  desk.wait(10'000);
-  ASSERT_TRUE(desk.studio.use_device(QStringLiteral("simulated:touch")));
+  Fixture fixture;
+  fixture.wait(10'000);
+  ASSERT_TRUE(fixture.studio.use_device(QStringLiteral("simulated:touch")));
   std::int64_t last_ns = 0;
-  QObject::connect(&desk.studio, &Studio::sampled,
+  QObject::connect(&fixture.studio, &Studio::sampled,
                    [&](const PenSample& sample) { last_ns = sample.time_ns; });
-  desk.wait(50);
-  Servo& servo = desk.studio.loop().servo();
+  fixture.wait(50);
+  Servo& servo = fixture.studio.loop().servo();
   EXPECT_GE(servo.session_offset_ns(), 10'000 * kMs);
   EXPECT_EQ(servo.latest().sample.time_ns + servo.session_offset_ns(), last_ns);
 }
@@ -240,45 +240,45 @@ TEST(Studio, R30_TheLastSamplesOfALoopAreNotAheadOfTime) {
 }
 
 TEST(Studio, R14_TheSessionAndItsRecordingKnowTheForceLimit) {
-  Desk desk(QStringLiteral("simulated:touch"));
-  const Capabilities touch = desk.studio.session().device();
-  desk.studio.loop().set_force_limit(0.3);
-  EXPECT_EQ(desk.studio.session().device(), with_force_limit(touch, 0.3));
-  const auto* told = std::get_if<UseDevice>(&desk.events.back().what);
-  ASSERT_NE(told, nullptr);
-  EXPECT_EQ(told->capabilities.advised_force_n, 0.3);
-  ASSERT_TRUE(desk.studio.use_device(QStringLiteral("simulated:touch")));
-  EXPECT_EQ(desk.studio.session().device().advised_force_n, 0.3) << "kept for the next device";
-  desk.studio.loop().set_force_limit(3.0);
-  EXPECT_EQ(desk.studio.session().device(), touch);
+  Fixture fixture(QStringLiteral("simulated:touch"));
+  const Capabilities touch = fixture.studio.session().device();
+  fixture.studio.loop().set_force_limit(0.3);
+  EXPECT_EQ(fixture.studio.session().device(), with_force_limit(touch, 0.3));
+  const auto* reported = std::get_if<UseDevice>(&fixture.events.back().what);
+  ASSERT_NE(reported, nullptr);
+  EXPECT_EQ(reported->capabilities.advised_force_n, 0.3);
+  ASSERT_TRUE(fixture.studio.use_device(QStringLiteral("simulated:touch")));
+  EXPECT_EQ(fixture.studio.session().device().advised_force_n, 0.3) << "kept for the next device";
+  fixture.studio.loop().set_force_limit(3.0);
+  EXPECT_EQ(fixture.studio.session().device(), touch);
 }
 
 // While the window is busy, the loop fills its queue, which has space for samples of 16 s.
 TEST(Studio, SixteenSecondsWithoutATurnLoseNothing) {
-  Desk desk;
-  desk.point({10, 10}, 0.5);
-  const auto samples = [&desk] {
+  Fixture fixture;
+  fixture.point({10, 10}, 0.5);
+  const auto samples = [&fixture] {
     std::size_t count = 0;
-    for (const Event& event : desk.events) count += std::holds_alternative<PenEvent>(event.what);
+    for (const Event& event : fixture.events) count += std::holds_alternative<PenEvent>(event.what);
     return count;
   };
-  desk.wait(50);
+  fixture.wait(50);
   const std::size_t before = samples();
-  std::int64_t tick_ns = desk.studio.now_ns();
-  for (int i = 0; i < 16'000; ++i) desk.studio.loop().servo().step(tick_ns += kMs);
-  desk.studio.process();
+  std::int64_t tick_ns = fixture.studio.now_ns();
+  for (int i = 0; i < 16'000; ++i) fixture.studio.loop().servo().step(tick_ns += kMs);
+  fixture.studio.process();
   EXPECT_EQ(samples() - before, 16'000u);
-  EXPECT_EQ(desk.studio.loop().servo().for_edit().dropped(), 0u);
+  EXPECT_EQ(fixture.studio.loop().servo().for_edit().dropped(), 0u);
 }
 
 TEST(Studio, AdvanceIsDeterministic) {
   std::vector<std::string> drawings;
   for (int run = 0; run < 2; ++run) {
     std::mt19937 random(11);
-    Desk desk(QStringLiteral("simulated:touch"));
-    for (int i = 0; i < 10; ++i) do_something(desk, random);
-    std::string text = desk.drawing();
-    for (const Event& event : desk.events) append_event_line(text, event);
+    Fixture fixture(QStringLiteral("simulated:touch"));
+    for (int i = 0; i < 10; ++i) do_something(fixture, random);
+    std::string text = fixture.drawing();
+    for (const Event& event : fixture.events) append_event_line(text, event);
     drawings.push_back(std::move(text));
   }
   EXPECT_EQ(drawings[0], drawings[1]);
@@ -417,10 +417,10 @@ TEST(Studio, TheSurfaceOfADrawingIsPartOfIt) {
 // A page names its surface. If it names none, the surface that the user chose stays.
 TEST(Studio, ThePageKnowsItsSurface) {
   Studio studio({.live = false});
-  const auto felt_on = [&studio] { return studio.session().surface().id; };
-  std::vector<QString> told, refused;
+  const auto surface_id = [&studio] { return studio.session().surface().id; };
+  std::vector<QString> reported, refused;
   QObject::connect(&studio, &Studio::option_changed,
-                   [&told](const QString& id) { told.push_back(id); });
+                   [&reported](const QString& id) { reported.push_back(id); });
   QObject::connect(&studio, &Studio::refused,
                    [&refused](const QString& w) { refused.push_back(w); });
   EXPECT_EQ(studio.page().surface, "");
@@ -429,20 +429,20 @@ TEST(Studio, ThePageKnowsItsSurface) {
 
   Page page;
   studio.open(Document{}, page);  // as a file that was written before surfaces existed
-  EXPECT_EQ(felt_on(), "felt");
+  EXPECT_EQ(surface_id(), "felt");
   EXPECT_EQ(studio.page().surface, "");
 
-  told.clear();
+  reported.clear();
   page.surface = "glass";
   studio.open(Document{}, page);
-  EXPECT_EQ(felt_on(), "glass");
-  EXPECT_EQ(told, std::vector<QString>{QStringLiteral("surface.material")});
+  EXPECT_EQ(surface_id(), "glass");
+  EXPECT_EQ(reported, std::vector<QString>{QStringLiteral("surface.material")});
   EXPECT_FALSE(studio.is_modified());
   EXPECT_TRUE(refused.empty());
 
   page.surface = "moon dust";
   studio.open(Document{}, page);
-  EXPECT_EQ(felt_on(), "glass");
+  EXPECT_EQ(surface_id(), "glass");
   EXPECT_EQ(studio.page().surface, "moon dust");  // saved unchanged
   EXPECT_FALSE(studio.is_modified());
   ASSERT_EQ(refused.size(), 1U);
@@ -450,7 +450,7 @@ TEST(Studio, ThePageKnowsItsSurface) {
 
   page.surface = "wood";
   studio.set_page(page);
-  EXPECT_EQ(felt_on(), "wood");
+  EXPECT_EQ(surface_id(), "wood");
   EXPECT_TRUE(studio.is_modified());
 }
 
@@ -460,20 +460,20 @@ TEST(Studio, KnowsAPersonsOwnMaterials) {
   known.put(slate(0.5));
   std::vector<Event> events;
   Studio studio({.live = false, .connect_early = keep_events(events), .materials = known});
-  const auto told = [&events] {
+  const auto reported = [&events] {
     return std::count_if(events.begin(), events.end(), [](const Event& event) {
       return std::holds_alternative<UseMaterial>(event.what);
     });
   };
-  EXPECT_EQ(told(), 0) << "nobody uses it yet";
+  EXPECT_EQ(reported(), 0) << "nobody uses it yet";
   ASSERT_TRUE(studio.apply(SetOption{"surface.material", std::string("slate")}));
   EXPECT_EQ(studio.session().surface(), slate(0.5));
-  EXPECT_EQ(told(), 1) << "a recording has what it needs";
+  EXPECT_EQ(reported(), 1) << "a recording has what it needs";
   known.put(slate(0.7));
   studio.set_user_materials(known);
   studio.set_user_materials(known);
   EXPECT_EQ(studio.session().surface().friction, 0.7);
-  EXPECT_EQ(told(), 2);
+  EXPECT_EQ(reported(), 2);
   studio.open(Document{}, Page{});
   EXPECT_EQ(studio.session().surface(), slate(0.7));
 }
@@ -497,24 +497,24 @@ TEST(Studio, ADrawingBringsItsMaterialsAlongAndTakesThemAwayAgain) {
 }
 
 TEST(Studio, UndoingEverythingIsNoChange) {
-  Desk desk;
-  desk.draw({20, 20}, {60, 60});
-  EXPECT_TRUE(desk.studio.is_modified());
-  desk.studio.apply(UndoEvent{});
-  EXPECT_FALSE(desk.studio.is_modified());
-  desk.studio.apply(RedoEvent{});
-  EXPECT_TRUE(desk.studio.is_modified());
-  desk.studio.set_modified(false);  // saved
-  desk.studio.apply(UndoEvent{});
-  EXPECT_TRUE(desk.studio.is_modified()) << "the file has more";
-  desk.studio.apply(RedoEvent{});
-  EXPECT_FALSE(desk.studio.is_modified());
-  Page page = desk.studio.page();
+  Fixture fixture;
+  fixture.draw({20, 20}, {60, 60});
+  EXPECT_TRUE(fixture.studio.is_modified());
+  fixture.studio.apply(UndoEvent{});
+  EXPECT_FALSE(fixture.studio.is_modified());
+  fixture.studio.apply(RedoEvent{});
+  EXPECT_TRUE(fixture.studio.is_modified());
+  fixture.studio.set_modified(false);  // saved
+  fixture.studio.apply(UndoEvent{});
+  EXPECT_TRUE(fixture.studio.is_modified()) << "the file has more";
+  fixture.studio.apply(RedoEvent{});
+  EXPECT_FALSE(fixture.studio.is_modified());
+  Page page = fixture.studio.page();
   page.width_mm += 10;
-  desk.studio.set_page(page);
-  desk.studio.apply(UndoEvent{});
-  desk.studio.apply(RedoEvent{});
-  EXPECT_TRUE(desk.studio.is_modified()) << "the page is no step of the history";
+  fixture.studio.set_page(page);
+  fixture.studio.apply(UndoEvent{});
+  fixture.studio.apply(RedoEvent{});
+  EXPECT_TRUE(fixture.studio.is_modified()) << "the page is no step of the history";
 }
 
 TEST(Studio, BeginsWithASmoothThinLineInTheColourOfItsMedium) {
@@ -538,17 +538,17 @@ TEST(Studio, BeginsWithASmoothThinLineInTheColourOfItsMedium) {
 /// force limit of the device and any stiffness of the surface.
 TEST(Studio, R18_APressureDrawsTheSameWidthOnEveryDeviceAndSurface) {
   const auto width_mm = [](const char* device, const char* surface, double pressure) {
-    Desk desk(QString::fromLatin1(device));
-    desk.studio.apply(SetOption{"surface.material", std::string(surface)});
-    desk.wait(1500);  // time until forces are on
-    desk.draw({40, 40}, {90, 50}, pressure);
-    const auto strokes = visible_strokes(desk.studio.session().document());
+    Fixture fixture(QString::fromLatin1(device));
+    fixture.studio.apply(SetOption{"surface.material", std::string(surface)});
+    fixture.wait(1500);  // time until forces are on
+    fixture.draw({40, 40}, {90, 50}, pressure);
+    const auto strokes = visible_strokes(fixture.studio.session().document());
     if (strokes.size() != 1) return 0.0;
     return strokes[0]->width_mm(0.5 * strokes[0]->segment_count());
   };
-  const Desk desk;
-  const auto option = [&desk](const char* id) {
-    return std::get<double>(desk.studio.session().option(id).value());
+  const Fixture fixture;
+  const auto option = [&fixture](const char* id) {
+    return std::get<double>(fixture.studio.session().option(id).value());
   };
   const double range_mm = option("pencil.max_width_mm") - option("pencil.min_width_mm");
   for (const double pressure : {0.3, 0.6, 0.9}) {
@@ -595,20 +595,20 @@ TEST(Studio, WithoutMotorsTheLoopSleepsUntilTheNextEvent) {
 }
 
 TEST(Studio, DrawingEndsTheSelectionThatAPasteMade) {
-  Desk desk;
-  desk.draw({20, 20}, {60, 20});
-  desk.studio.apply(SelectStrokes{});
-  desk.studio.apply(DuplicateEvent{});  // the copy is selected, as after a paste or an import
-  ASSERT_FALSE(desk.studio.session().selection().empty());
-  desk.studio.apply(SelectTool{"lasso"});
-  desk.studio.apply(SelectTool{"pencil"});
-  ASSERT_FALSE(desk.studio.session().selection().empty()) << "a tool alone changes nothing";
-  desk.draw({20, 80}, {60, 80});
-  EXPECT_TRUE(desk.studio.session().selection().empty());
-  const std::string before = desk.drawing();
-  desk.studio.apply(RestyleEvent{.color = "#b02020"});
-  EXPECT_EQ(desk.drawing(), before) << "a colour for the next line is only that";
-  EXPECT_EQ(as_recorded(desk.events), desk.drawing());
+  Fixture fixture;
+  fixture.draw({20, 20}, {60, 20});
+  fixture.studio.apply(SelectStrokes{});
+  fixture.studio.apply(DuplicateEvent{});  // the copy is selected, as after a paste or an import
+  ASSERT_FALSE(fixture.studio.session().selection().empty());
+  fixture.studio.apply(SelectTool{"lasso"});
+  fixture.studio.apply(SelectTool{"pencil"});
+  ASSERT_FALSE(fixture.studio.session().selection().empty()) << "a tool alone changes nothing";
+  fixture.draw({20, 80}, {60, 80});
+  EXPECT_TRUE(fixture.studio.session().selection().empty());
+  const std::string before = fixture.drawing();
+  fixture.studio.apply(RestyleEvent{.color = "#b02020"});
+  EXPECT_EQ(fixture.drawing(), before) << "a colour for the next line is only that";
+  EXPECT_EQ(as_recorded(fixture.events), fixture.drawing());
 }
 
 TEST(KeptOptions, ChoicesForAFewGesturesAreNotKept) {
@@ -661,6 +661,30 @@ TEST(KeptOptions, AnotherStartBeginsWithThem) {
                          "eraser.mode", "ink.color", "pencil.gamma", "pull.mode"}) {
     settings.reset(QStringLiteral("options/") + QString::fromLatin1(id));
   }
+}
+
+TEST(KeptOptions, AreReadByTheirFormerIds) {
+  Settings& settings = Settings::the();
+  settings.set(QStringLiteral("options/pencil.material"), QStringLiteral("charcoal"));
+  settings.set(QStringLiteral("options/sheet.color"), QStringLiteral("#b02020"));
+  Studio studio({.live = false});
+  const KeptOptions kept(studio);
+  EXPECT_EQ(studio.session().option("pencil.medium"), OptionValue(std::string("charcoal")));
+  EXPECT_EQ(studio.session().ink_color(), (Rgba{0xb0, 0x20, 0x20, 255}));
+  settings.reset(QStringLiteral("options/pencil.material"));
+  settings.reset(QStringLiteral("options/sheet.color"));
+}
+
+TEST(Studio, AFormerOptionIdIsReportedByItsPresentId) {
+  Studio studio({.live = false});
+  std::vector<QString> changed;
+  QObject::connect(&studio, &Studio::option_changed, &studio,
+                   [&changed](const QString& id) { changed.push_back(id); });
+  studio.apply(SetOption{"pencil.material", std::string("chalk")});
+  studio.apply(SetOption{"sheet.material", std::string("wood")});
+  EXPECT_EQ(changed, (std::vector<QString>{QStringLiteral("pencil.medium"),
+                                           QStringLiteral("surface.material")}));
+  EXPECT_EQ(studio.page().surface, "wood");
 }
 
 }  // namespace

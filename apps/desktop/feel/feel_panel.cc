@@ -41,7 +41,7 @@ FeelPanel::FeelPanel(Studio& studio, QWidget* parent)
   words_->setWordWrap(true);
   connect(forces_, &QPushButton::clicked, this, [this] {
     studio_.loop().set_forces(!studio_.loop().forces_are_on());
-    tell_forces();
+    report_forces();
   });
   auto* rows = new QVBoxLayout(this);
   rows->addWidget(forces_);
@@ -49,26 +49,26 @@ FeelPanel::FeelPanel(Studio& studio, QWidget* parent)
   rows->addWidget(make_strength());
   rows->addWidget(make_materials());
   rows->addStretch(1);
-  connect(&studio_.loop(), &HapticLoop::forces_changed, this, &FeelPanel::tell_forces);
-  connect(&studio_.loop(), &HapticLoop::device_changed, this, &FeelPanel::tell_forces);
-  connect(&studio_.loop(), &HapticLoop::device_status_changed, this, &FeelPanel::tell_forces);
-  connect(&studio_.loop(), &HapticLoop::strength_changed, this, &FeelPanel::tell_strength);
+  connect(&studio_.loop(), &HapticLoop::forces_changed, this, &FeelPanel::report_forces);
+  connect(&studio_.loop(), &HapticLoop::device_changed, this, &FeelPanel::report_forces);
+  connect(&studio_.loop(), &HapticLoop::device_status_changed, this, &FeelPanel::report_forces);
+  connect(&studio_.loop(), &HapticLoop::strength_changed, this, &FeelPanel::report_strength);
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
-    if (id == QLatin1String("surface.material")) tell_material();
+    if (id == QLatin1String("surface.material")) report_material();
   });
   const auto follow_materials = [this] {
     fill_materials();
-    tell_material();
+    report_material();
     make_reliefs();
   };
   connect(&studio_, &Studio::materials_changed, this, follow_materials);
   connect(&studio_, &Studio::opened, this, follow_materials);
   connect(&studio_.loop(), &HapticLoop::ticked, this, [this](const TickReport& tick) {
-    if (tick.safety.state != told_state_) tell_forces();
+    if (tick.safety.state != reported_state_) report_forces();
   });
-  tell_forces();
-  tell_strength();
-  tell_material();
+  report_forces();
+  report_strength();
+  report_material();
   make_reliefs();
 }
 
@@ -164,9 +164,9 @@ QAbstractButton* FeelPanel::button_of(const std::string& id) const {
   return at == ids_.end() ? nullptr : materials_->button(static_cast<int>(at - ids_.begin()));
 }
 
-void FeelPanel::tell_forces() {
+void FeelPanel::report_forces() {
   SafetyReport safety = studio_.loop().tick().safety;
-  told_state_ = safety.state;
+  reported_state_ = safety.state;
   // Forces were switched on, but no tick has arrived since then. The panel must not show "off"
   // while a force may begin at any moment.
   if (studio_.loop().forces_are_on() && safety.state == SafetyState::kOff) {
@@ -191,14 +191,14 @@ void FeelPanel::tell_forces() {
   forces_->setAccessibleDescription(words_->text());
 }
 
-void FeelPanel::tell_strength() {
+void FeelPanel::report_strength() {
   const int percent = qRound(100.0 * studio_.loop().strength());
   const QSignalBlocker quiet_slider(slider_), quiet_percent(percent_);
   slider_->setValue(percent);
   percent_->setValue(percent);
 }
 
-void FeelPanel::tell_material() {
+void FeelPanel::report_material() {
   const SurfaceMaterial& chosen = studio_.session().surface();
   if (QAbstractButton* button = button_of(chosen.id)) button->setChecked(true);
   material_->setText(material_words(chosen));
@@ -216,7 +216,7 @@ void FeelPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && materials_ &&
       !materials_->button(0)->icon().isNull()) {
     draw_swatches();
-    tell_forces();
+    report_forces();
   }
   QWidget::changeEvent(event);
 }

@@ -34,9 +34,9 @@ class FeelPanel : public QWidget {
   QWidget* make_materials();
   void fill_materials();
   void make_reliefs();
-  void tell_forces();
-  void tell_strength();
-  void tell_material();
+  void report_forces();
+  void report_strength();
+  void report_material();
   void draw_swatches();
   [[nodiscard]] QAbstractButton* button_of(const std::string& id) const;
 
@@ -49,7 +49,7 @@ class FeelPanel : public QWidget {
   QGridLayout* grid_ = nullptr;
   std::vector<std::string> ids_;  // parallel to the buttons of materials_
   QLabel* material_ = nullptr;
-  SafetyState told_state_ = SafetyState::kOff;
+  SafetyState reported_state_ = SafetyState::kOff;
   QThreadPool maker_;  // makes the pictures of the reliefs; the last member, so that its work ends
                        // before the other members are destroyed
 };

@@ -125,6 +125,14 @@ TEST(FeelPanel, AMaterialIsChosenByButtonActionOrEventAndAllAgree) {
   forget_settings();
 }
 
+TEST(FeelPanel, AShortcutThatWasStoredUnderTheFormerNameOfItsActionStillWorks) {
+  Settings::the().set(QStringLiteral("shortcuts/feel.sheet_glass"), QStringLiteral("Ctrl+Alt+7"));
+  const Window window;
+  EXPECT_EQ(window.actions.find(QStringLiteral("feel.surface_glass"))->shortcut(),
+            QKeySequence(QStringLiteral("Ctrl+Alt+7")));
+  Settings::the().reset(QStringLiteral("shortcuts/feel.sheet_glass"));
+}
+
 TEST(FeelPanel, ASurfaceIsSeenInItsColourAlsoAtTheNextStart) {
   forget_settings();
   const Rgba green{0x34, 0x46, 0x3e, 255};

@@ -113,11 +113,11 @@ ForcePanel::ForcePanel(Studio& studio, QWidget* parent)
   frame_.setInterval(kFrameMs);
   connect(&frame_, &QTimer::timeout, graph_, qOverload<>(&QWidget::update));
   words_.setInterval(kWordsMs);
-  connect(&words_, &QTimer::timeout, this, &ForcePanel::tell);
+  connect(&words_, &QTimer::timeout, this, &ForcePanel::report);
   connect(&studio_.loop(), &HapticLoop::ticked, this, &ForcePanel::take);
   connect(&studio_.loop(), &HapticLoop::device_changed, this, &ForcePanel::use_device);
   connect(&studio_.loop(), &HapticLoop::started, this, &ForcePanel::show_bounds);
-  connect(&studio_.loop(), &HapticLoop::forces_changed, this, &ForcePanel::tell);
+  connect(&studio_.loop(), &HapticLoop::forces_changed, this, &ForcePanel::report);
   use_device();
 }
 
@@ -139,7 +139,7 @@ void ForcePanel::use_device() {
   table_->setRowCount(0);
   show_bounds();
   graph_->set_shows_sent(has_motors_);
-  tell();
+  report();
 }
 
 void ForcePanel::show_bounds() {
@@ -156,14 +156,14 @@ void ForcePanel::show_bounds() {
   graph_->set_bounds(std::move(bounds));
 }
 
-void ForcePanel::tell() {
-  tell_state();
+void ForcePanel::report() {
+  report_state();
   if (!isVisible()) return;
-  if (!pause_->isChecked()) tell_table();
-  tell_loop();
+  if (!pause_->isChecked()) report_table();
+  report_loop();
 }
 
-void ForcePanel::tell_table() {
+void ForcePanel::report_table() {
   int row = 0;
   for (std::size_t track = 0; track < history_.tracks(); ++track) {
     if (track == ForceHistory::kSent && !has_motors_) continue;
@@ -189,14 +189,14 @@ void ForcePanel::tell_table() {
   }
   // The state is announced to screen readers only rarely, because they would otherwise read
   // nothing else.
-  if (++told_tables_ % kTablesToTell != 1) return;
+  if (++reported_tables_ % kTablesToTell != 1) return;
   graph_->setAccessibleDescription(
       tr("Requested: %L1 N, recently at most %L2 N. The table lists each force.")
           .arg(static_cast<double>(history_.now(ForceHistory::kAsked)), 0, 'f', 1)
           .arg(static_cast<double>(history_.most(ForceHistory::kAsked)), 0, 'f', 1));
 }
 
-void ForcePanel::tell_state() {
+void ForcePanel::report_state() {
   const SafetyReport& safety = studio_.loop().tick().safety;
   const SafetyWords words = words_for(safety, has_motors_, studio_.loop().forces_are_on(),
                                       studio_.loop().device_status().last_fault);
@@ -214,7 +214,7 @@ void ForcePanel::tell_state() {
   detail_->setVisible(!detail.isEmpty());
 }
 
-void ForcePanel::tell_loop() {
+void ForcePanel::report_loop() {
   QStringList lines;
   RealtimeThread* loop = studio_.loop().thread();
   const LoopStats& stats = loop ? loop->stats() : studio_.loop().servo().stats();
@@ -242,7 +242,7 @@ void ForcePanel::resizeEvent(QResizeEvent* event) {
 
 void ForcePanel::showEvent(QShowEvent* event) {
   words_.start();
-  tell();
+  report();
   QWidget::showEvent(event);
 }
 
@@ -256,7 +256,7 @@ void ForcePanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) {
     state_->clear();  // its icons have the colours of the old palette
     table_->setRowCount(0);
-    tell();
+    report();
   }
   QWidget::changeEvent(event);
 }

@@ -38,10 +38,10 @@ class ForcePanel : public QWidget {
   void take(const TickReport& tick);
   void use_device();
   void show_bounds();
-  void tell();
-  void tell_table();
-  void tell_state();
-  void tell_loop();
+  void report();
+  void report_table();
+  void report_state();
+  void report_loop();
 
   Studio& studio_;
   ForceHistory history_;
@@ -57,7 +57,7 @@ class ForcePanel : public QWidget {
   QTimer frame_;  // single-shot timer for the next repaint
   QTimer words_;
   bool has_motors_ = false;
-  int told_tables_ = 0;
+  int reported_tables_ = 0;
 };
 
 }  // namespace felt::desktop

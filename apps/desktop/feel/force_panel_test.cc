@@ -32,18 +32,18 @@ TEST(ForceHistory, KeepsThePeakOfEachBinAndForgetsInTime) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto history = std::make_unique<ForceHistory>();
-    std::vector<std::pair<std::int64_t, double>> told;
+    std::vector<std::pair<std::int64_t, double>> reported;
     std::int64_t now = 0;
     for (int i = 0; i < 3000; ++i) {
       now += 1 + static_cast<std::int64_t>(random() % (i % 500 == 0 ? 9000 * kMs : 5 * kMs));
       const double force = 1e-3 * static_cast<double>(random() % 3000);
-      told.emplace_back(now, force);
+      reported.emplace_back(now, force);
       history->add(tick_at(now, force));
     }
     const std::int64_t newest = now / ForceHistory::kBinNs;
     std::vector<double> expected(ForceHistory::kBins, -1.0);
     double most = 0.0;
-    for (const auto& [time, force] : told) {
+    for (const auto& [time, force] : reported) {
       const std::int64_t age = newest - time / ForceHistory::kBinNs;
       if (age >= static_cast<std::int64_t>(ForceHistory::kBins)) continue;
       double& bin = expected[ForceHistory::kBins - 1 - static_cast<std::size_t>(age)];

@@ -17,9 +17,9 @@ PenFeed::PenFeed(Studio& studio, RubbedFeed& feed)
 void PenFeed::take(const PenSample& sample) {
   // If the queue is full, no sound device reads it, and lost samples do not matter.
   static_cast<void>(feed_.samples.push(pen_.sample(sample)));
-  if (pen_.pair() == told_) return;
-  told_ = pen_.pair();
-  feed_.pair.publish(told_);
+  if (pen_.pair() == reported_) return;
+  reported_ = pen_.pair();
+  feed_.pair.publish(reported_);
 }
 
 RubbedSamples::RubbedSamples(RubbedFeed& feed, bool is_float) : feed_(feed), is_float_(is_float) {

@@ -7,7 +7,7 @@
 #include "desktop/engine/studio.h"
 #include "felt/rt/latest_value.h"
 #include "felt/rt/spsc_ring.h"
-#include "felt/session/heard_pen.h"
+#include "felt/session/sound_input.h"
 #include "felt/sound/rubbing_player.h"
 
 namespace felt::desktop {
@@ -33,8 +33,8 @@ class PenFeed : public QObject {
 
   Studio& studio_;
   RubbedFeed& feed_;
-  HeardPen pen_;
-  RubbingPair told_;
+  SoundInput pen_;
+  RubbingPair reported_;
 };
 
 /// The source from which a sound device reads: endless samples on request, 48 kHz, one channel.

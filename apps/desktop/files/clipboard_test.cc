@@ -7,7 +7,7 @@
 #include <QGuiApplication>
 #include <QImage>
 
-#include "desktop/files/testing/test_desk.h"
+#include "desktop/files/testing/studio_fixture.h"
 #include "felt/io/testing/test_drawings.h"
 
 namespace felt::desktop::clipboard_test {
@@ -16,9 +16,9 @@ namespace {
 using felt::testing::strokes_in;
 
 TEST(Clipboard, StrokesComeBackExactlyByBothRoutes) {
-  TestDesk desk;
-  desk.draw(1, 5);
-  const Drawing drawing{.document = desk.document()};
+  StudioFixture fixture;
+  fixture.draw(1, 5);
+  const Drawing drawing{.document = fixture.document()};
   const auto own = strokes_mime(drawing);
   EXPECT_TRUE(own->hasImage());
   EXPECT_EQ(drawing_of(*own).value().drawing.document, drawing.document);
@@ -45,13 +45,13 @@ TEST(Clipboard, DrawingsOfOtherProgramsArePastedByTypeAndAsText) {
     EXPECT_FALSE(pasted->report.empty());
   }
   EXPECT_EQ(drawing_of(prose).value().drawing.document.stroke_count(), 0u);
-  TestDesk desk;
-  QSignalSpy taken(desk.files, &FileActions::taken);
+  StudioFixture fixture;
+  QSignalSpy taken(fixture.files, &FileActions::taken);
   auto* copy = new QMimeData;
   copy->setText(QString::fromUtf8(svg));
   QGuiApplication::clipboard()->setMimeData(copy);
-  desk.actions.find(QStringLiteral("edit.paste"))->trigger();
-  EXPECT_EQ(desk.document().stroke_count(), 1u);
+  fixture.actions.find(QStringLiteral("edit.paste"))->trigger();
+  EXPECT_EQ(fixture.document().stroke_count(), 1u);
   ASSERT_EQ(taken.count(), 1);
 }
 
@@ -64,47 +64,48 @@ TEST(Clipboard, TheLargestDrawingStillGivesAPicture) {
 }
 
 TEST(Clipboard, CopyAndPasteIsOneStepBesideTheFirst) {
-  TestDesk desk;
-  desk.draw(1, 2);
-  const std::vector<Stroke> before = strokes_in(desk.document());
-  desk.actions.find(QStringLiteral("edit.copy"))->trigger();
-  desk.actions.find(QStringLiteral("edit.paste"))->trigger();
-  const std::vector<Stroke> after = strokes_in(desk.document());
+  StudioFixture fixture;
+  fixture.draw(1, 2);
+  const std::vector<Stroke> before = strokes_in(fixture.document());
+  fixture.actions.find(QStringLiteral("edit.copy"))->trigger();
+  fixture.actions.find(QStringLiteral("edit.paste"))->trigger();
+  const std::vector<Stroke> after = strokes_in(fixture.document());
   ASSERT_EQ(after.size(), 4u);
   EXPECT_EQ(after[2].data().points[0].x, before[0].data().points[0].x + 5.0);
-  desk.actions.find(QStringLiteral("edit.paste"))->trigger();
-  EXPECT_EQ(strokes_in(desk.document())[4].data().points[0].y, before[0].data().points[0].y + 10.0);
-  EXPECT_TRUE(desk.studio.apply(UndoEvent{}));
-  EXPECT_TRUE(desk.studio.apply(UndoEvent{}));
-  EXPECT_EQ(strokes_in(desk.document()), before);
+  fixture.actions.find(QStringLiteral("edit.paste"))->trigger();
+  EXPECT_EQ(strokes_in(fixture.document())[4].data().points[0].y,
+            before[0].data().points[0].y + 10.0);
+  EXPECT_TRUE(fixture.studio.apply(UndoEvent{}));
+  EXPECT_TRUE(fixture.studio.apply(UndoEvent{}));
+  EXPECT_EQ(strokes_in(fixture.document()), before);
 }
 
 TEST(Clipboard, CutTakesWhatIsSelectedAndPasteGivesItBack) {
-  TestDesk desk;
-  desk.draw(1, 2);
-  const std::vector<Stroke> before = strokes_in(desk.document());
-  desk.studio.apply(SelectStrokes{SelectStrokes::What::kNone});
-  EXPECT_FALSE(desk.actions.find(QStringLiteral("edit.cut"))->isEnabled());
-  desk.studio.apply(SelectStrokes{SelectStrokes::What::kAll});
-  EXPECT_TRUE(desk.actions.find(QStringLiteral("edit.cut"))->isEnabled());
-  desk.actions.find(QStringLiteral("edit.cut"))->trigger();
-  EXPECT_EQ(desk.document().stroke_count(), 0u);
-  desk.actions.find(QStringLiteral("edit.paste"))->trigger();
-  EXPECT_EQ(strokes_in(desk.document()), before);
+  StudioFixture fixture;
+  fixture.draw(1, 2);
+  const std::vector<Stroke> before = strokes_in(fixture.document());
+  fixture.studio.apply(SelectStrokes{SelectStrokes::What::kNone});
+  EXPECT_FALSE(fixture.actions.find(QStringLiteral("edit.cut"))->isEnabled());
+  fixture.studio.apply(SelectStrokes{SelectStrokes::What::kAll});
+  EXPECT_TRUE(fixture.actions.find(QStringLiteral("edit.cut"))->isEnabled());
+  fixture.actions.find(QStringLiteral("edit.cut"))->trigger();
+  EXPECT_EQ(fixture.document().stroke_count(), 0u);
+  fixture.actions.find(QStringLiteral("edit.paste"))->trigger();
+  EXPECT_EQ(strokes_in(fixture.document()), before);
 }
 
-void trigger(TestDesk& desk, const char* action) {
-  desk.actions.find(QString::fromLatin1(action))->trigger();
+void trigger(StudioFixture& fixture, const char* action) {
+  fixture.actions.find(QString::fromLatin1(action))->trigger();
 }
 
 TEST(Clipboard, MediaGoAlongWithTheStrokes) {
   const std::vector<std::string> chalk{write_material(soft_chalk(0.4))};
-  TestDesk desk;
-  desk.studio.apply(UseMaterial{chalk[0]});
-  desk.draw_with("soft-chalk");
+  StudioFixture fixture;
+  fixture.studio.apply(UseMaterial{chalk[0]});
+  fixture.draw_with("soft-chalk");
   for (const char* copy : {"edit.copy", "edit.copy_as_svg"}) {
-    trigger(desk, copy);
-    TestDesk other;
+    trigger(fixture, copy);
+    StudioFixture other;
     QSignalSpy taken(other.files, &FileActions::taken);
     trigger(other, "edit.paste");
     EXPECT_EQ(other.document().stroke_count(), 1u) << copy;
@@ -113,10 +114,10 @@ TEST(Clipboard, MediaGoAlongWithTheStrokes) {
     EXPECT_TRUE(qvariant_cast<felt::ImportReport>(taken.at(0).at(1)).empty()) << copy;
   }
   // A medium that has other figures here stays, and the user is informed.
-  TestDesk other;
+  StudioFixture other;
   other.studio.apply(UseMaterial{write_material(soft_chalk(0.6))});
   QSignalSpy taken(other.files, &FileActions::taken);
-  trigger(desk, "edit.copy");
+  trigger(fixture, "edit.copy");
   trigger(other, "edit.paste");
   EXPECT_EQ(other.texts(), std::vector<std::string>{write_material(soft_chalk(0.6))});
   ASSERT_EQ(taken.count(), 1);
@@ -124,9 +125,9 @@ TEST(Clipboard, MediaGoAlongWithTheStrokes) {
 }
 
 TEST(Clipboard, TextsOfMaterialsThatNobodyVouchesFor) {
-  TestDesk desk;
-  desk.draw_with("soft-chalk");  // this medium is unknown
-  const Drawing drawing{.document = desk.document()};
+  StudioFixture fixture;
+  fixture.draw_with("soft-chalk");  // this medium is unknown
+  const Drawing drawing{.document = fixture.document()};
   EXPECT_FALSE(strokes_mime(drawing)->hasFormat(QString::fromLatin1(kMaterialsMime)));
   const auto pasted = [&drawing](const QByteArray& materials) {
     QMimeData data;
@@ -152,7 +153,7 @@ TEST(Clipboard, TextsOfMaterialsThatNobodyVouchesFor) {
   Drawing odd = drawing;
   odd.materials = {"hello", "kind = \"medium\"\nid = \"soft-chalk\"\nmu = 1e9"};
   QGuiApplication::clipboard()->setMimeData(strokes_mime(odd).release());
-  TestDesk other;
+  StudioFixture other;
   trigger(other, "edit.paste");
   EXPECT_EQ(other.document().stroke_count(), 1u);
   EXPECT_EQ(other.studio.materials().find_medium("soft-chalk"), nullptr);

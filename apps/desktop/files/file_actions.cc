@@ -56,7 +56,7 @@ bool is_own_file(const Imported& opened, const QString& path) {
 
 /// Returns the materials for the drawing's file and its autosave. They include the medium of the
 /// tool, because the program may crash during the first stroke with this medium.
-std::vector<std::string> own_materials(const Session& session, const Drawing& drawing) {
+std::vector<std::string> user_materials(const Session& session, const Drawing& drawing) {
   const std::vector<std::string> also{drawing_medium(session)};
   return texts_of_used(drawing.document, drawing.page.surface, session.materials(), also);
 }
@@ -76,7 +76,7 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
   new OutputActions(*this, studio, actions, window);
   connect(recent_menu_, &QMenu::aboutToShow, this, &FileActions::fill_recent_menu);
   fill_recent_menu();
-  connect(&studio, &Studio::opened, this, &FileActions::hear_opened);
+  connect(&studio, &Studio::opened, this, &FileActions::receive_opened);
   if (studio.loop().thread()) {
     start_autosave(recovery_roots());
     offer_once();
@@ -131,11 +131,11 @@ Drawing FileActions::drawing() const {
   drawing.document = session.document();
   drawing.page = studio_.page();
   if (drawing.page.surface.empty()) drawing.page.surface = session.surface().id;
-  drawing.materials = own_materials(session, drawing);
+  drawing.materials = user_materials(session, drawing);
   drawing.color = session.ink_color();
   drawing.layer = session.layer();
   drawing.extras = extras_;
-  if (looks_.tell) looks_.tell(drawing);
+  if (looks_.report) looks_.report(drawing);
   return drawing;
 }
 
@@ -150,7 +150,7 @@ void FileActions::start_new() {
   if (has_page_of_file_) fresh.page.paper = usual_paper(studio_.session().surface());
   fresh.color = studio_.session().ink_color();
   // Surface and medium stay, even if they came only with the previous drawing.
-  fresh.materials = own_materials(studio_.session(), fresh);
+  fresh.materials = user_materials(studio_.session(), fresh);
   show(std::move(fresh), {}, {});
 }
 
@@ -243,7 +243,7 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
 }
 
 /// Handles a drawing without a file that other code opened, such as an example.
-void FileActions::hear_opened() {
+void FileActions::receive_opened() {
   if (is_showing_) return;
   extras_ = {};
   name_.clear();

@@ -27,7 +27,7 @@ namespace felt::desktop {
 
 /// Functions for the parts of a drawing that FileActions does not own, palette and view.
 struct DrawingLooks {
-  std::function<void(Drawing&)> tell = {};        ///< adds palette and view to a drawing
+  std::function<void(Drawing&)> report = {};      ///< adds palette and view to a drawing
   std::function<void(const Drawing&)> show = {};  ///< shows palette and view of a drawing
 };
 
@@ -123,7 +123,7 @@ class FileActions : public QObject {
   void end_save(const QString& path, const ChangeMark& mark, const Result<void>& done);
   Result<Imported> read(const QString& path);
   void show(Drawing drawing, const QString& path, const QString& name);
-  void hear_opened();
+  void receive_opened();
   void set_path(const QString& path);
   void remember(const QString& path);
   void fill_recent_menu();

@@ -20,14 +20,14 @@ void FileWorker::start(Work work) {
   {
     const std::lock_guard lock(mutex_);
     waiting_.push_back(std::move(work));
-    ++in_work_;
+    ++in_progress_;
   }
   wake_.notify_one();
 }
 
 bool FileWorker::is_busy() const {
   const std::lock_guard lock(mutex_);
-  return in_work_ > 0;
+  return in_progress_ > 0;
 }
 
 void FileWorker::wait() {
@@ -66,7 +66,7 @@ void FileWorker::deliver() {
     bool is_idle = false;
     {
       const std::lock_guard lock(mutex_);
-      is_idle = --in_work_ == 0;
+      is_idle = --in_progress_ == 0;
     }
     if (is_idle) Q_EMIT idle();
   }

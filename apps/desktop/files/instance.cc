@@ -60,14 +60,14 @@ bool Instance::hand_over(const QStringList& files) {
   start.tryLock(kWaitMs);
   QStringList paths;
   for (const QString& file : files) paths.push_back(QFileInfo(file).absoluteFilePath());
-  if (tell_first(paths)) return true;
+  if (report_first(paths)) return true;
   // If no process answers, the socket was left behind by a dead process.
   QLocalServer::removeServer(name_);
   server_.listen(name_);
   return false;
 }
 
-bool Instance::tell_first(const QStringList& files) const {
+bool Instance::report_first(const QStringList& files) const {
   QLocalSocket socket;
   socket.connectToServer(name_);
   if (!socket.waitForConnected(kWaitMs)) return false;

@@ -36,7 +36,7 @@ class Instance : public QObject {
   void wanted(const QStringList& files);
 
  private:
-  bool tell_first(const QStringList& files) const;
+  bool report_first(const QStringList& files) const;
   void take(QLocalSocket* socket);
 
   QString name_;

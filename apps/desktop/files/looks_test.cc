@@ -9,7 +9,7 @@
 #include "desktop/files/export_dialog.h"
 #include "desktop/files/page_dialog.h"
 #include "desktop/files/recovery_dialog.h"
-#include "desktop/files/testing/test_desk.h"
+#include "desktop/files/testing/studio_fixture.h"
 
 namespace felt::desktop::looks_test {
 namespace {
@@ -43,15 +43,15 @@ void check_names(const QDialog& dialog) {
 }
 
 /// Returns three offers: with a file, without a file, and damaged.
-std::vector<RecoveryOffer> offers_like(TestDesk& desk) {
+std::vector<RecoveryOffer> offers_like(StudioFixture& fixture) {
   std::vector<RecoveryOffer> offers;
   const QDateTime now = QDateTime::currentDateTime();
   for (const char* name : {"Harbour.felt", "", "A much longer name of a drawing.felt"}) {
     const std::string folder =
-        desk.at(("store" + std::to_string(offers.size())).c_str()).toStdString();
+        fixture.at(("store" + std::to_string(offers.size())).c_str()).toStdString();
     EXPECT_TRUE(make_private_folder(folder));
     RecoveryOffer offer{{folder, FolderLock::take(folder).value(), 0}, {}, {}};
-    offer.recovered.drawing = desk.files->drawing();
+    offer.recovered.drawing = fixture.files->drawing();
     offer.recovered.name = name;
     offer.recovered.changed_at_s = now.toSecsSinceEpoch();
     if (*name != 0) offer.recovered.path = "/home/" + offer.recovered.name;
@@ -63,16 +63,16 @@ std::vector<RecoveryOffer> offers_like(TestDesk& desk) {
 }
 
 TEST(Looks, EveryControlOfEveryDialogHasAName) {
-  TestDesk desk;
-  desk.draw(1, 12);
+  StudioFixture fixture;
+  fixture.draw(1, 12);
   const QString folder = qEnvironmentVariable("FELT_LOOK");
   const QPalette light = QApplication::palette();
   if (!folder.isEmpty()) QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   for (const bool is_dark : {false, true}) {
     QApplication::setPalette(is_dark ? dark() : light);
-    ExportDialog export_dialog(desk.files->drawing(), nullptr);
-    PageDialog page_dialog(desk.studio.page(), nullptr);
-    std::vector<RecoveryOffer> offers = offers_like(desk);
+    ExportDialog export_dialog(fixture.files->drawing(), nullptr);
+    PageDialog page_dialog(fixture.studio.page(), nullptr);
+    std::vector<RecoveryOffer> offers = offers_like(fixture);
     RecoveryDialog recovery_dialog(std::move(offers), nullptr);
     for (QDialog* dialog :
          {static_cast<QDialog*>(&export_dialog), static_cast<QDialog*>(&page_dialog),

@@ -158,11 +158,11 @@ void OutputActions::ask_export() {
 void OutputActions::export_to(const QString& path, const ExportOptions& options) {
   files_.worker().start([this, path, options, drawing = files_.drawing()]() -> FileWorker::Answer {
     const Result<void> done = export_drawing(path, drawing, options);
-    return [this, path, done] { tell_exported(path, done); };
+    return [this, path, done] { report_exported(path, done); };
   });
 }
 
-void OutputActions::tell_exported(const QString& path, const Result<void>& done) {
+void OutputActions::report_exported(const QString& path, const Result<void>& done) {
   const QString name = QFileInfo(path).fileName();
   if (done) {
     Q_EMIT studio_.refused(tr("“%1” was exported.").arg(name));

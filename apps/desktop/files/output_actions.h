@@ -41,7 +41,7 @@ class OutputActions : public QObject {
   void exported(const QString& path, bool done);
 
  private:
-  void tell_exported(const QString& path, const Result<void>& done);
+  void report_exported(const QString& path, const Result<void>& done);
   void ask_export();
   void ask_page();
   void print();

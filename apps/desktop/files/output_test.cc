@@ -16,7 +16,7 @@
 #include "desktop/files/output_actions.h"
 #include "desktop/files/page_dialog.h"
 #include "desktop/files/page_picture.h"
-#include "desktop/files/testing/test_desk.h"
+#include "desktop/files/testing/studio_fixture.h"
 #include "felt/base/read_file.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
@@ -25,29 +25,29 @@ namespace felt::desktop::output_test {
 namespace {
 
 TEST(Export, EveryFormatIsWritten) {
-  TestDesk desk;
-  desk.draw(1, 4);
-  const Drawing drawing = desk.files->drawing();
-  ASSERT_TRUE(export_drawing(desk.at("a.svg"), drawing, {.format = FileFormat::kSvg}));
-  EXPECT_EQ(read_drawing(desk.at("a.svg")).value().document.stroke_count(), 4u);
-  ASSERT_TRUE(export_drawing(desk.at("a.pdf"), drawing, {.format = FileFormat::kPdf}));
-  EXPECT_EQ(read_file(desk.at("a.pdf").toStdString(), 1 << 24).value().substr(0, 8), "%PDF-1.4");
+  StudioFixture fixture;
+  fixture.draw(1, 4);
+  const Drawing drawing = fixture.files->drawing();
+  ASSERT_TRUE(export_drawing(fixture.at("a.svg"), drawing, {.format = FileFormat::kSvg}));
+  EXPECT_EQ(read_drawing(fixture.at("a.svg")).value().document.stroke_count(), 4u);
+  ASSERT_TRUE(export_drawing(fixture.at("a.pdf"), drawing, {.format = FileFormat::kPdf}));
+  EXPECT_EQ(read_file(fixture.at("a.pdf").toStdString(), 1 << 24).value().substr(0, 8), "%PDF-1.4");
   ASSERT_TRUE(
-      export_drawing(desk.at("a.png"), drawing, {.format = FileFormat::kPng, .dpi = 254.0}));
-  EXPECT_EQ(QImageReader(desk.at("a.png")).size(), QSize(2970, 2100));
+      export_drawing(fixture.at("a.png"), drawing, {.format = FileFormat::kPng, .dpi = 254.0}));
+  EXPECT_EQ(QImageReader(fixture.at("a.png")).size(), QSize(2970, 2100));
   ASSERT_TRUE(export_drawing(
-      desk.at("b.png"), drawing,
+      fixture.at("b.png"), drawing,
       {.format = FileFormat::kPng, .dpi = 254.0, .background = false, .ink_only = true}));
-  const QImage ink(desk.at("b.png"));
+  const QImage ink(fixture.at("b.png"));
   EXPECT_LT(ink.width(), 2970);
   EXPECT_EQ(ink.pixelColor(0, 0).alpha(), 0);
-  EXPECT_FALSE(export_drawing(desk.at("no/a.pdf"), drawing, {.format = FileFormat::kPdf}));
+  EXPECT_FALSE(export_drawing(fixture.at("no/a.pdf"), drawing, {.format = FileFormat::kPdf}));
 }
 
 TEST(Export, TheDialogSaysWhatComesOut) {
-  TestDesk desk;
-  desk.draw(1, 4);
-  ExportDialog dialog(desk.files->drawing(), nullptr);
+  StudioFixture fixture;
+  fixture.draw(1, 4);
+  ExportDialog dialog(fixture.files->drawing(), nullptr);
   const auto combos = dialog.findChildren<QComboBox*>();
   const auto shows = [&dialog](const QString& text) {
     for (const QLabel* label : dialog.findChildren<QLabel*>()) {
@@ -101,10 +101,10 @@ TEST(PageSetup, PresetsAndOrientationAgreeWithTheSides) {
 }
 
 TEST(Print, ThePageIsPaintedAtItsTrueSize) {
-  TestDesk desk;
-  desk.draw(3, 6);
-  desk.studio.set_page({60.0, 40.0, {255, 255, 255, 255}});
-  const Drawing drawing = desk.files->drawing();
+  StudioFixture fixture;
+  fixture.draw(3, 6);
+  fixture.studio.set_page({60.0, 40.0, {255, 255, 255, 255}});
+  const Drawing drawing = fixture.files->drawing();
   constexpr double kDpi = 254.0;  // ten pixels per mm
   QImage painted(600, 400, QImage::Format_RGBA8888_Premultiplied);
   painted.fill(Qt::white);
@@ -125,14 +125,14 @@ TEST(Print, ThePageIsPaintedAtItsTrueSize) {
 
 // The option "Grain of the surface" applies to print and to every format that is a picture.
 TEST(Export, GrainIsThatOfTheSurface) {
-  TestDesk desk;
-  desk.studio.apply(SetOption{"surface.material", std::string("rough-paper")});
-  desk.draw(3, 6);
-  desk.studio.set_page({60.0, 40.0, {255, 255, 255, 255}, "rough-paper"});
-  const Drawing drawing = desk.files->drawing();
+  StudioFixture fixture;
+  fixture.studio.apply(SetOption{"surface.material", std::string("rough-paper")});
+  fixture.draw(3, 6);
+  fixture.studio.set_page({60.0, 40.0, {255, 255, 255, 255}, "rough-paper"});
+  const Drawing drawing = fixture.files->drawing();
   EXPECT_EQ(drawing.page.surface, "rough-paper");
   const auto bytes = [&](FileFormat format, bool grain) {
-    const QString path = desk.at("x");
+    const QString path = fixture.at("x");
     EXPECT_TRUE(export_drawing(path, drawing, {.format = format, .dpi = 100.0, .grain = grain}));
     return read_file(path.toStdString(), 1 << 24).value();
   };

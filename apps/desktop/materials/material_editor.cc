@@ -41,7 +41,7 @@ QScrollArea* scrolling(QWidget* content, const QString& name, QWidget* parent) {
 
 }  // namespace
 
-MaterialEditor::MaterialEditor(Studio& studio, MaterialDesk& desk, QWidget* parent)
+MaterialEditor::MaterialEditor(Studio& studio, MaterialEditorModel& desk, QWidget* parent)
     : QWidget(parent, Qt::Window),
       studio_(studio),
       desk_(desk),
@@ -52,7 +52,7 @@ MaterialEditor::MaterialEditor(Studio& studio, MaterialDesk& desk, QWidget* pare
       fields_(new MaterialFieldsView(this)),
       pairs_(new PairTable(this)),
       preview_(new StrokePreview(this)),
-      plot_(new FeltPlot(this)),
+      plot_(new ForcePlot(this)),
       sign_(new StabilitySign(this)),
       graph_(new ForceGraph(history_, this)),
       notice_(new QLabel(this)),
@@ -85,7 +85,7 @@ MaterialEditor::MaterialEditor(Studio& studio, MaterialDesk& desk, QWidget* pare
 }
 
 void MaterialEditor::watch() {
-  connect(list_, &MaterialList::chosen, &desk_, &MaterialDesk::select);
+  connect(list_, &MaterialList::chosen, &desk_, &MaterialEditorModel::select);
   connect(fields_, &MaterialFieldsView::chosen, this,
           [this](const QString& field, double value, quint64 run) {
             const bool needs_picture = field == QLatin1String("grain.character") &&
@@ -100,11 +100,11 @@ void MaterialEditor::watch() {
           });
   for (auto* number : findChildren<QLineEdit*>()) number->installEventFilter(this);
   for (auto* number : findChildren<QAbstractSpinBox*>()) number->installEventFilter(this);
-  connect(pairs_, &PairTable::chosen, &desk_, &MaterialDesk::set_pair);
-  connect(&desk_, &MaterialDesk::selected, this, &MaterialEditor::follow_desk);
-  connect(&desk_, &MaterialDesk::changed, this, &MaterialEditor::follow_desk);
-  connect(&desk_, &MaterialDesk::failed, this, [this](const QString& why) { tell(why); });
-  connect(&desk_.own(), &OwnMaterials::changed, this, &MaterialEditor::follow_list);
+  connect(pairs_, &PairTable::chosen, &desk_, &MaterialEditorModel::set_pair);
+  connect(&desk_, &MaterialEditorModel::selected, this, &MaterialEditor::follow_desk);
+  connect(&desk_, &MaterialEditorModel::changed, this, &MaterialEditor::follow_desk);
+  connect(&desk_, &MaterialEditorModel::failed, this, [this](const QString& why) { report(why); });
+  connect(&desk_.own(), &UserMaterials::changed, this, &MaterialEditor::follow_list);
   connect(&desk_.steps(), &QUndoStack::indexChanged, this, &MaterialEditor::tell_names);
   connect(&studio_, &Studio::materials_changed, this, &MaterialEditor::follow_list);
   connect(&studio_, &Studio::option_changed, this, &MaterialEditor::ask_probe);
@@ -115,7 +115,7 @@ void MaterialEditor::watch() {
   connect(&studio_.loop(), &HapticLoop::strength_changed, this, &MaterialEditor::ask_probe);
   connect(&studio_, &Studio::opened, this, &MaterialEditor::follow_list);
   connect(&studio_.loop(), &HapticLoop::ticked, this, &MaterialEditor::take_tick);
-  connect(&probe_, &FeltProbe::figured, this, [this](const FeltFigures& figures) {
+  connect(&probe_, &ForceProbe::figured, this, [this](const ProbeFigures& figures) {
     plot_->show_figures(figures);
     sign_->show_words(stability_words(wish(), figures, studio_.loop().device().info().label));
   });
@@ -245,7 +245,7 @@ void MaterialEditor::tell_names() {
   action("delete")->setToolTip(desk_.is_own() && !kept.isEmpty()
                                    ? kept
                                    : tr("Deletes the material and its file; undo restores both"));
-  tell_slots();
+  report_slots();
 }
 
 QString MaterialEditor::state_words() const {
@@ -257,7 +257,7 @@ QString MaterialEditor::state_words() const {
                                   : tr("Comes with this drawing. Changing it makes your own copy.");
 }
 
-void MaterialEditor::tell_slots() {
+void MaterialEditor::report_slots() {
   const QChar slot = QLatin1Char(desk_.slot());
   const QChar other = QLatin1Char(desk_.slot() == 'A' ? 'B' : 'A');
   QAction* flip = action("flip");
@@ -268,8 +268,8 @@ void MaterialEditor::tell_slots() {
   action("copy_to_other")->setEnabled(desk_.is_own() && !desk_.slots_are_alike());
 }
 
-FeltWish MaterialEditor::wish() const {
-  FeltWish wish;
+ProbeRequest MaterialEditor::wish() const {
+  ProbeRequest wish;
   wish.surface = studio_.session().surface();
   const Medium* in_hand = studio_.materials().find_medium(drawing_medium(studio_.session()));
   wish.medium = in_hand ? *in_hand : media().front();
@@ -283,7 +283,7 @@ FeltWish MaterialEditor::wish() const {
 
 void MaterialEditor::ask_probe() {
   if (!isVisible()) return;
-  const FeltWish wanted = wish();
+  const ProbeRequest wanted = wish();
   probe_.ask(wanted);
   preview_->show_medium(wanted.medium, wanted.surface);
 }
@@ -293,11 +293,11 @@ void MaterialEditor::take_tick(const TickReport& tick) {
   if (isVisible() && !frame_.isActive()) frame_.start();
 }
 
-void MaterialEditor::tell(const Result<void>& done, const QString& success) {
-  tell(done ? success : QString::fromStdString(done.error().message));
+void MaterialEditor::report(const Result<void>& done, const QString& success) {
+  report(done ? success : QString::fromStdString(done.error().message));
 }
 
-void MaterialEditor::tell(const QString& words) {
+void MaterialEditor::report(const QString& words) {
   notice_->setText(words);
   notice_->setVisible(!words.isEmpty());
 }

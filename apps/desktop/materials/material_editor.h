@@ -10,9 +10,9 @@
 
 #include "desktop/feel/force_graph.h"
 #include "desktop/feel/force_history.h"
-#include "desktop/materials/felt_plot.h"
-#include "desktop/materials/felt_probe.h"
-#include "desktop/materials/material_desk.h"
+#include "desktop/materials/force_plot.h"
+#include "desktop/materials/force_probe.h"
+#include "desktop/materials/material_editor_model.h"
 #include "desktop/materials/material_fields_view.h"
 #include "desktop/materials/material_list.h"
 #include "desktop/materials/pair_table.h"
@@ -30,13 +30,13 @@ class MaterialEditor : public QWidget {
 
  public:
   /// Makes a separate window above `parent`. `studio` and `desk` must outlive it.
-  MaterialEditor(Studio& studio, MaterialDesk& desk, QWidget* parent);
+  MaterialEditor(Studio& studio, MaterialEditorModel& desk, QWidget* parent);
 
   [[nodiscard]] MaterialList& list() noexcept { return *list_; }
   [[nodiscard]] MaterialFieldsView& fields() noexcept { return *fields_; }
   [[nodiscard]] StabilitySign& stability() noexcept { return *sign_; }
   [[nodiscard]] StrokePreview& preview() noexcept { return *preview_; }
-  [[nodiscard]] FeltProbe& probe() noexcept { return probe_; }
+  [[nodiscard]] ForceProbe& probe() noexcept { return probe_; }
   /// Returns the action of "undo", "redo", "revert", "flip", "copy_to_other", "save", "save_as",
   /// "rename", "delete", "import" or "export"; null for any other name.
   [[nodiscard]] QAction* action(const char* name) const;
@@ -61,14 +61,14 @@ class MaterialEditor : public QWidget {
   void follow_list();
   void follow_desk();
   void tell_names();
-  void tell_slots();
+  void report_slots();
   [[nodiscard]] QString state_words() const;
   void fill_presets();
   void ask_probe();
   void take_tick(const TickReport& tick);
-  [[nodiscard]] FeltWish wish() const;
-  void tell(const Result<void>& done, const QString& success);
-  void tell(const QString& words);
+  [[nodiscard]] ProbeRequest wish() const;
+  void report(const Result<void>& done, const QString& success);
+  void report(const QString& words);
   void ask_relief();
   void ask_save_as();
   void ask_rename();
@@ -77,7 +77,7 @@ class MaterialEditor : public QWidget {
   void draw_icons();
 
   Studio& studio_;
-  MaterialDesk& desk_;
+  MaterialEditorModel& desk_;
   QList<QAction*> actions_;
   MaterialList* list_;
   QLabel* name_;
@@ -86,14 +86,14 @@ class MaterialEditor : public QWidget {
   MaterialFieldsView* fields_;
   PairTable* pairs_;
   StrokePreview* preview_;
-  FeltPlot* plot_;
+  ForcePlot* plot_;
   StabilitySign* sign_;
   ForceHistory history_;
   ForceGraph* graph_;
   QLabel* notice_;
   QSplitter* parts_;
   QTimer frame_;
-  FeltProbe probe_;
+  ForceProbe probe_;
 };
 
 }  // namespace felt::desktop

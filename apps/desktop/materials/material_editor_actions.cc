@@ -60,7 +60,8 @@ void MaterialEditor::make_actions() {
              tr("Copies these values to the other material"), {}, "",
              [this] { desk_.copy_to_other(); });
   add_action("save", tr("Save"), tr("Save to your own file"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
-             "save", [this] { tell(desk_.save(), tr("%1 was saved.").arg(name_of(desk_.now()))); });
+             "save",
+             [this] { report(desk_.save(), tr("%1 was saved.").arg(name_of(desk_.now()))); });
   add_action("save_as", tr("Save as\u2026"), tr("Save under another name, as your own"),
              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}, "save", [this] { ask_save_as(); });
   add_action("rename", tr("Rename\u2026"), tr("Changes the name"), {QKeySequence(Qt::Key_F2)},
@@ -68,7 +69,7 @@ void MaterialEditor::make_actions() {
   add_action("delete", tr("Delete"), tr("Deletes the material and its file; undo restores both"),
              {}, "delete", [this] {
                const QString name = name_of(desk_.now());
-               tell(desk_.remove(), tr("%1 was deleted. Undo restores it.").arg(name));
+               report(desk_.remove(), tr("%1 was deleted. Undo restores it.").arg(name));
              });
   add_action("import", tr("Import\u2026"), tr("Add a material from a file"), {}, "import",
              [this] { ask_import(); });
@@ -121,8 +122,8 @@ void MaterialEditor::ask_relief() {
       QFileDialog::getOpenFileName(this, tr("Relief from a picture"), {}, tr("Pictures (*.png)"));
   if (path.isEmpty()) return;
   const Result<HeightPicture> picture = read_height_png(path.toStdString());
-  if (!picture) return tell(qstring(picture.error().message));
-  tell(desk_.take_relief(*picture), {});
+  if (!picture) return report(qstring(picture.error().message));
+  report(desk_.take_relief(*picture), {});
 }
 
 void MaterialEditor::ask_save_as() {
@@ -130,7 +131,7 @@ void MaterialEditor::ask_save_as() {
   const QString name = QInputDialog::getText(this, tr("Save as"), tr("Name:"), QLineEdit::Normal,
                                              name_of(desk_.now()), &ok);
   if (!ok || name.trimmed().isEmpty()) return;
-  tell(desk_.save_as(name), tr("%1 was saved.").arg(name));
+  report(desk_.save_as(name), tr("%1 was saved.").arg(name));
 }
 
 void MaterialEditor::ask_rename() {
@@ -145,14 +146,14 @@ void MaterialEditor::ask_import() {
   const QString path =
       QFileDialog::getOpenFileName(this, tr("Import"), {}, tr("Materials (*.toml)"));
   if (path.isEmpty()) return;
-  tell(desk_.import_file(path), tr("It is yours now, but not saved yet."));
+  report(desk_.import_file(path), tr("It is yours now, but not saved yet."));
 }
 
 void MaterialEditor::ask_export() {
   const QString path = QFileDialog::getSaveFileName(
       this, tr("Export"), qstring(desk_.key().id + ".toml"), tr("Materials (*.toml)"));
   if (path.isEmpty()) return;
-  tell(desk_.export_file(path), tr("%1 was exported.").arg(path));
+  report(desk_.export_file(path), tr("%1 was exported.").arg(path));
 }
 
 /// Handles undo keys in a number field. They undo a step of the editor, because typed numbers have

@@ -25,7 +25,7 @@ struct Shown {
     editor.activateWindow();
     static_cast<void>(QTest::qWaitForWindowActive(&editor));
   }
-  [[nodiscard]] SurfaceMaterial surface() const { return std::get<SurfaceMaterial>(desk.now()); }
+  [[nodiscard]] SurfaceMaterial surface() const { return std::get<SurfaceMaterial>(fixture.now()); }
   QDoubleSpinBox* spin(const char* field) {
     return editor.fields().row(field)->findChild<QDoubleSpinBox*>();
   }
@@ -33,10 +33,10 @@ struct Shown {
 
   Clean clean;
   QTemporaryDir home;
-  OwnMaterials own{{home.path().toStdString()}};
+  UserMaterials own{{home.path().toStdString()}};
   Studio studio;
-  MaterialDesk desk{studio, own};
-  MaterialEditor editor{studio, desk, nullptr};
+  MaterialEditorModel fixture{studio, own};
+  MaterialEditor editor{studio, fixture, nullptr};
 };
 
 TEST(MaterialEditor, EveryFieldOfTheTablesHasARowThatShowsItsValue) {
@@ -49,7 +49,7 @@ TEST(MaterialEditor, EveryFieldOfTheTablesHasARowThatShowsItsValue) {
       EXPECT_NEAR(spin->value(), factor * field.get(shown.surface()), 0.051 * factor) << field.id;
     }
   }
-  shown.desk.select({false, "pencil"});
+  shown.fixture.select({false, "pencil"});
   for (const MediumField& field : medium_fields()) {
     ASSERT_NE(shown.editor.fields().row(field.id), nullptr) << field.id;
   }
@@ -68,31 +68,32 @@ TEST(MaterialEditor, EverySliderSetsWhatAFileMayHave) {
       }
       EXPECT_EQ(value_of(field), field.max) << field.id;
     }
-    EXPECT_EQ(material_error(shown.desk.now()), "");
+    EXPECT_EQ(material_error(shown.fixture.now()), "");
   };
   try_all(surface_fields(), [&](const SurfaceField& field) { return field.get(shown.surface()); });
-  shown.desk.select({false, "pencil"});
-  try_all(medium_fields(),
-          [&](const MediumField& field) { return field.get(std::get<Medium>(shown.desk.now())); });
+  shown.fixture.select({false, "pencil"});
+  try_all(medium_fields(), [&](const MediumField& field) {
+    return field.get(std::get<Medium>(shown.fixture.now()));
+  });
 }
 
 TEST(MaterialEditor, ANumberThatIsTypedIsFelt) {
   Shown shown;
   shown.spin("feel.stiffness_n_per_m")->setValue(800.0);
-  shown.desk.tell_now();
+  shown.fixture.report_now();
   EXPECT_EQ(shown.studio.session().surface().stiffness_n_per_m, 800.0);
-  EXPECT_TRUE(shown.desk.is_own());
+  EXPECT_TRUE(shown.fixture.is_own());
 }
 
 TEST(MaterialEditor, ADragOfASliderIsOneStepThatKeysUndo) {
   Shown shown;
-  shown.desk.set("feel.friction", 0.4);
+  shown.fixture.set("feel.friction", 0.4);
   QSlider* slider = shown.slider("feel.stiffness_n_per_m");
   slider->setSliderDown(true);
   for (int place = 500; place < 900; place += 7) slider->setValue(place);
   slider->setSliderDown(false);
   EXPECT_NE(shown.surface().stiffness_n_per_m, 500.0);
-  EXPECT_EQ(shown.desk.steps().count(), 2);
+  EXPECT_EQ(shown.fixture.steps().count(), 2);
   // The keys also work with the focus in a number field.
   QLineEdit* edit = shown.spin("feel.friction")->findChild<QLineEdit*>();
   edit->setFocus();
@@ -105,12 +106,12 @@ TEST(MaterialEditor, ADragOfASliderIsOneStepThatKeysUndo) {
 
 TEST(MaterialEditor, TheKeyBFlipsAndTheLabelSaysWhich) {
   Shown shown;
-  shown.desk.set("feel.friction", 0.4);
+  shown.fixture.set("feel.friction", 0.4);
   shown.editor.list().setFocus();
   QAction* flip = shown.editor.action("flip");
   EXPECT_TRUE(flip->text().contains(u'A'));
   QTest::keyClick(&shown.editor.list(), Qt::Key_B);
-  EXPECT_EQ(shown.desk.slot(), 'B');
+  EXPECT_EQ(shown.fixture.slot(), 'B');
   EXPECT_TRUE(flip->text().contains(u'B'));
   EXPECT_EQ(shown.studio.session().surface().friction, find_surface("paper")->friction);
 }
@@ -121,18 +122,18 @@ TEST(MaterialEditor, TheListTakesWhatIsChosenInHand) {
   EXPECT_EQ(keys.size(), surface_materials().size() + media().size() - 1) << "no eraser";
   Q_EMIT shown.editor.list().chosen({true, "canvas"});
   EXPECT_EQ(shown.studio.session().surface().id, "canvas");
-  EXPECT_EQ(shown.desk.key().id, "canvas");
+  EXPECT_EQ(shown.fixture.key().id, "canvas");
 }
 
 TEST(MaterialEditor, R56_TheSignTurnsRedForASurfaceThatTheDeviceCannotMake) {
   Shown shown;
-  QSignalSpy figured(&shown.editor.probe(), &FeltProbe::figured);
-  shown.desk.set("feel.stiffness_n_per_m", 2000.0);
+  QSignalSpy figured(&shown.editor.probe(), &ForceProbe::figured);
+  shown.fixture.set("feel.stiffness_n_per_m", 2000.0);
   while (shown.editor.probe().is_busy()) ASSERT_TRUE(figured.wait(8000));
   EXPECT_EQ(shown.editor.stability().level(), StabilityLevel::kNotGiven);
   // A Touch renders harder surfaces softer, so that they remain distinguishable (R13):
   // plane_for().
-  shown.desk.set("feel.stiffness_n_per_m", 150.0);
+  shown.fixture.set("feel.stiffness_n_per_m", 150.0);
   while (shown.editor.probe().is_busy()) ASSERT_TRUE(figured.wait(8000));
   EXPECT_EQ(shown.editor.stability().level(), StabilityLevel::kGiven);
 }
@@ -140,17 +141,17 @@ TEST(MaterialEditor, R56_TheSignTurnsRedForASurfaceThatTheDeviceCannotMake) {
 TEST(MaterialEditor, ThePictureFollows) {
   Shown shown;
   QSignalSpy drawn(&shown.editor.preview(), &StrokePreview::drawn);
-  shown.desk.select({false, "charcoal"});
+  shown.fixture.select({false, "charcoal"});
   ASSERT_TRUE(drawn.wait(8000));
   const QImage before = shown.editor.preview().picture();
-  shown.desk.set("line.max_mm", 2.0);
+  shown.fixture.set("line.max_mm", 2.0);
   ASSERT_TRUE(drawn.wait(8000));
   EXPECT_NE(shown.editor.preview().picture(), before);
 }
 
 TEST(MaterialEditor, TheSeedIsForReliefsThatAreGrownNotForAPicture) {
   Shown shown;
-  shown.desk.select({true, "rough-paper"});
+  shown.fixture.select({true, "rough-paper"});
   const auto controls = shown.editor.fields().row("grain.seed")->findChildren<QToolButton*>();
   ASSERT_EQ(controls.size(), 1) << "the key that throws another";
   const auto can_be_set = [&] {
@@ -159,18 +160,18 @@ TEST(MaterialEditor, TheSeedIsForReliefsThatAreGrownNotForAPicture) {
   EXPECT_TRUE(can_be_set());
   HeightPicture steps{.width = 64, .height = 64, .heights = {}, .width_mm = 0.0};
   for (int i = 0; i < 64 * 64; ++i) steps.heights.push_back(static_cast<float>(i / 64 / 8 % 2));
-  ASSERT_TRUE(shown.desk.take_relief(steps));
+  ASSERT_TRUE(shown.fixture.take_relief(steps));
   EXPECT_FALSE(shown.spin("grain.seed")->isEnabled());
   EXPECT_FALSE(controls.first()->isEnabled());
-  shown.desk.set("grain.character", 0.0);
+  shown.fixture.set("grain.character", 0.0);
   EXPECT_TRUE(can_be_set());
-  shown.desk.steps().undo();
+  shown.fixture.steps().undo();
   EXPECT_FALSE(can_be_set());
 }
 
 TEST(MaterialEditor, SaysWhatCouldNotBeWritten) {
   Shown shown;
-  shown.desk.set("feel.friction", 0.4);
+  shown.fixture.set("feel.friction", 0.4);
   QFile::remove(shown.home.path());
   shown.home.remove();
   QFile in_the_way(shown.home.path());
@@ -178,13 +179,13 @@ TEST(MaterialEditor, SaysWhatCouldNotBeWritten) {
   shown.editor.action("save")->trigger();
   EXPECT_TRUE(shown.editor.notice().contains(shown.home.path()))
       << shown.editor.notice().toStdString();
-  EXPECT_TRUE(shown.desk.is_changed());
+  EXPECT_TRUE(shown.fixture.is_changed());
   in_the_way.remove();
 }
 
 TEST(MaterialEditor, ADeletionThatFailsSaysOnlyThat) {
   Shown shown;
-  ASSERT_TRUE(shown.desk.save_as(QStringLiteral("Mine")));
+  ASSERT_TRUE(shown.fixture.save_as(QStringLiteral("Mine")));
   QFile file(shown.home.filePath(QStringLiteral("mine.toml")));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
   file.write("kind = \"sheet\"\nid = \"mine\"\n");  // written by another program
@@ -195,7 +196,7 @@ TEST(MaterialEditor, ADeletionThatFailsSaysOnlyThat) {
   EXPECT_TRUE(shown.editor.notice().contains(file.fileName()))
       << shown.editor.notice().toStdString();
   EXPECT_FALSE(shown.editor.notice().contains(QStringLiteral("Undo")));
-  EXPECT_TRUE(shown.desk.is_own());
+  EXPECT_TRUE(shown.fixture.is_own());
   ASSERT_TRUE(file.remove());
   remove->trigger();
   EXPECT_TRUE(shown.editor.notice().contains(QStringLiteral("Undo")))
@@ -212,20 +213,20 @@ TEST(MaterialEditor, WhatIsForAllUsersCannotBeDeletedAndSaysWhy) {
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write(QByteArray::fromStdString(write_material(slate)));
   file.close();
-  OwnMaterials own({home.path().toStdString(), all_users.path().toStdString()});
+  UserMaterials own({home.path().toStdString(), all_users.path().toStdString()});
   Studio studio({.device = QStringLiteral("simulated:touch"), .live = false});
-  MaterialDesk desk(studio, own);
-  MaterialEditor editor(studio, desk, nullptr);
+  MaterialEditorModel fixture(studio, own);
+  MaterialEditor editor(studio, fixture, nullptr);
   QAction* remove = editor.action("delete");
-  desk.select({true, "slate"});
-  EXPECT_TRUE(desk.is_own());
+  fixture.select({true, "slate"});
+  EXPECT_TRUE(fixture.is_own());
   EXPECT_FALSE(remove->isEnabled());
   EXPECT_TRUE(remove->toolTip().contains(file.fileName())) << remove->toolTip().toStdString();
-  desk.set("feel.friction", 0.4);
-  ASSERT_TRUE(desk.save());
+  fixture.set("feel.friction", 0.4);
+  ASSERT_TRUE(fixture.save());
   EXPECT_TRUE(remove->isEnabled()) << "the person's now";
   EXPECT_FALSE(remove->toolTip().contains(file.fileName()));
-  desk.select({true, "paper"});
+  fixture.select({true, "paper"});
   EXPECT_FALSE(remove->isEnabled());
 }
 

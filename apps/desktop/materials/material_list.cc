@@ -4,7 +4,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "desktop/materials/material_desk.h"
+#include "desktop/materials/material_editor_model.h"
 
 namespace felt::desktop {
 namespace {
@@ -29,11 +29,11 @@ MaterialList::MaterialList(QWidget* parent) : QTreeWidget(parent) {
   });
 }
 
-void MaterialList::show_materials(const Materials& known, const MaterialDesk& desk) {
+void MaterialList::show_materials(const Materials& known, const MaterialEditorModel& desk) {
   std::vector<Row> rows;
   const auto add = [&](const AnyMaterial& material) {
     const MaterialKey key = key_of(material);
-    const OwnMaterials::Entry* entry = desk.own_of(key);
+    const UserMaterials::Entry* entry = desk.own_of(key);
     rows.push_back({key, name_of(entry ? entry->now : material),
                     words_of(entry ? entry->now : material), !is_built_in(key),
                     entry && entry->is_changed()});

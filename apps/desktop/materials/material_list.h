@@ -7,7 +7,7 @@
 
 namespace felt::desktop {
 
-class MaterialDesk;
+class MaterialEditorModel;
 
 /// Lists surfaces and media, built-in and user-defined, in four groups. Unsaved user-defined
 /// materials have a dot and are described as unsaved. Emits `chosen` when the user chooses a
@@ -20,7 +20,7 @@ class MaterialList : public QTreeWidget {
 
   /// Shows these materials. `desk` tells which of them are user-defined, and whether they are
   /// saved.
-  void show_materials(const Materials& known, const MaterialDesk& desk);
+  void show_materials(const Materials& known, const MaterialEditorModel& desk);
   void show_chosen(const MaterialKey& key);
   /// Returns the keys of the rows, from top to bottom.
   [[nodiscard]] std::vector<MaterialKey> keys() const;

@@ -17,7 +17,7 @@
 namespace felt::desktop::media_picker_test {
 namespace {
 
-struct Desk {
+struct Fixture {
   std::vector<Event> events;
   Studio studio{{.device = QStringLiteral("simulated:touch"),
                  .live = false,
@@ -33,39 +33,39 @@ double number(const Studio& studio, const char* id) {
 }
 
 TEST(MediaPicker, OffersEveryMediumThatDrawsAndNoEraser) {
-  Desk desk;
-  ASSERT_GE(desk.picker.ids().size(), 9u);
+  Fixture fixture;
+  ASSERT_GE(fixture.picker.ids().size(), 9u);
   for (const Medium& medium : media()) {
-    QAbstractButton* button = desk.picker.button(medium.id);
+    QAbstractButton* button = fixture.picker.button(medium.id);
     ASSERT_EQ(button != nullptr, medium.draws) << medium.id;
     if (!button) continue;
     EXPECT_FALSE(button->text().isEmpty());
     EXPECT_FALSE(button->toolTip().isEmpty());
     EXPECT_TRUE(button->focusPolicy() & Qt::TabFocus);
   }
-  EXPECT_TRUE(desk.picker.button("pencil")->isChecked());
-  EXPECT_TRUE(nameless_controls(desk.picker).isEmpty());
+  EXPECT_TRUE(fixture.picker.button("pencil")->isChecked());
+  EXPECT_TRUE(nameless_controls(fixture.picker).isEmpty());
 }
 
 TEST(MediaPicker, AClickTakesAMediumWithItsOwnWidthsAsEvents) {
-  Desk desk;
+  Fixture fixture;
   for (const Medium& medium : media()) {
     if (!medium.draws) continue;
-    desk.studio.apply(SetOption{"pencil.gamma", OptionValue(4.0)});
-    desk.picker.button(medium.id)->click();
-    EXPECT_EQ(drawing_medium(desk.studio.session()), medium.id);
-    EXPECT_EQ(number(desk.studio, "pencil.min_width_mm"), medium.line.min_mm) << medium.id;
-    EXPECT_EQ(number(desk.studio, "pencil.max_width_mm"), medium.line.max_mm) << medium.id;
-    EXPECT_EQ(number(desk.studio, "pencil.gamma"), medium.line.gamma) << medium.id;
+    fixture.studio.apply(SetOption{"pencil.gamma", OptionValue(4.0)});
+    fixture.picker.button(medium.id)->click();
+    EXPECT_EQ(drawing_medium(fixture.studio.session()), medium.id);
+    EXPECT_EQ(number(fixture.studio, "pencil.min_width_mm"), medium.line.min_mm) << medium.id;
+    EXPECT_EQ(number(fixture.studio, "pencil.max_width_mm"), medium.line.max_mm) << medium.id;
+    EXPECT_EQ(number(fixture.studio, "pencil.gamma"), medium.line.gamma) << medium.id;
   }
   // The events give the same result in another session.
   Session other(make_tools(), {});
-  for (const Event& event : desk.events) {
+  for (const Event& event : fixture.events) {
     if (!std::holds_alternative<SetOption>(event.what)) continue;
     ASSERT_TRUE(other.apply(event));
   }
   for (const char* id : {"pencil.medium", "pencil.min_width_mm", "pencil.max_width_mm"}) {
-    EXPECT_EQ(other.option(id).value(), desk.studio.session().option(id).value()) << id;
+    EXPECT_EQ(other.option(id).value(), fixture.studio.session().option(id).value()) << id;
   }
 }
 
@@ -74,67 +74,67 @@ std::string ink(const Studio& studio) {
 }
 
 TEST(MediaPicker, NewInkIsOfTheUsualColourUnlessAPersonChoseAnother) {
-  Desk desk;
-  ASSERT_EQ(ink(desk.studio), "#000000");
-  ASSERT_TRUE(take_medium(desk.studio, "pencil"));
-  EXPECT_EQ(ink(desk.studio), "#000000") << "it was in hand already";
-  ASSERT_TRUE(take_medium(desk.studio, "chalk"));
-  EXPECT_EQ(ink(desk.studio), "#f4f1e6");
-  ASSERT_TRUE(take_medium(desk.studio, "crayon"));
-  EXPECT_EQ(ink(desk.studio), "#c0402f");
+  Fixture fixture;
+  ASSERT_EQ(ink(fixture.studio), "#000000");
+  ASSERT_TRUE(take_medium(fixture.studio, "pencil"));
+  EXPECT_EQ(ink(fixture.studio), "#000000") << "it was in hand already";
+  ASSERT_TRUE(take_medium(fixture.studio, "chalk"));
+  EXPECT_EQ(ink(fixture.studio), "#f4f1e6");
+  ASSERT_TRUE(take_medium(fixture.studio, "crayon"));
+  EXPECT_EQ(ink(fixture.studio), "#c0402f");
   // A transparent version of a colour counts as the same colour.
-  desk.studio.apply(SetOption{"ink.color", std::string("#c0402f80")});
-  ASSERT_TRUE(take_medium(desk.studio, "pencil"));
-  EXPECT_EQ(ink(desk.studio), "#33353b80");
-  desk.studio.apply(SetOption{"ink.color", std::string("#20a040")});
+  fixture.studio.apply(SetOption{"ink.color", std::string("#c0402f80")});
+  ASSERT_TRUE(take_medium(fixture.studio, "pencil"));
+  EXPECT_EQ(ink(fixture.studio), "#33353b80");
+  fixture.studio.apply(SetOption{"ink.color", std::string("#20a040")});
   for (const char* medium : {"chalk", "felt-tip", "pencil"}) {
-    ASSERT_TRUE(take_medium(desk.studio, medium));
-    EXPECT_EQ(ink(desk.studio), "#20a040") << medium;
+    ASSERT_TRUE(take_medium(fixture.studio, medium));
+    EXPECT_EQ(ink(fixture.studio), "#20a040") << medium;
   }
-  EXPECT_FALSE(desk.studio.is_modified()) << "nothing is drawn yet";
+  EXPECT_FALSE(fixture.studio.is_modified()) << "nothing is drawn yet";
 }
 
 TEST(MediaPicker, FollowsWhatOthersChoose) {
-  Desk desk;
-  desk.studio.apply(SetOption{"pencil.medium", OptionValue(std::string("chalk"))});
-  EXPECT_TRUE(desk.picker.button("chalk")->isChecked());
-  EXPECT_FALSE(desk.picker.button("pencil")->isChecked());
+  Fixture fixture;
+  fixture.studio.apply(SetOption{"pencil.medium", OptionValue(std::string("chalk"))});
+  EXPECT_TRUE(fixture.picker.button("chalk")->isChecked());
+  EXPECT_FALSE(fixture.picker.button("pencil")->isChecked());
 }
 
 TEST(MediaPicker, KeysTakeAMedium) {
-  Desk desk;
-  desk.window.resize(300, 400);
-  desk.picker.resize(300, 400);
-  desk.window.show();
-  desk.window.activateWindow();
-  static_cast<void>(QTest::qWaitForWindowActive(&desk.window));
-  QAbstractButton* first = desk.picker.button("pencil");
+  Fixture fixture;
+  fixture.window.resize(300, 400);
+  fixture.picker.resize(300, 400);
+  fixture.window.show();
+  fixture.window.activateWindow();
+  static_cast<void>(QTest::qWaitForWindowActive(&fixture.window));
+  QAbstractButton* first = fixture.picker.button("pencil");
   first->setFocus();
   QTest::keyClick(first, Qt::Key_Right);
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
-  EXPECT_NE(drawing_medium(desk.studio.session()), "pencil");
+  EXPECT_NE(drawing_medium(fixture.studio.session()), "pencil");
 }
 
 TEST(MediaPicker, PicturesComeByThemselvesAndAreOthersOnAnotherSurface) {
-  Desk desk;
-  QSignalSpy changed(&desk.pictures, &MediaPictures::changed);
+  Fixture fixture;
+  QSignalSpy changed(&fixture.pictures, &MediaPictures::changed);
   ASSERT_TRUE(changed.wait(8000));
-  const QImage on_paper = desk.pictures.of("chalk"), pencil = desk.pictures.of("pencil");
+  const QImage on_paper = fixture.pictures.of("chalk"), pencil = fixture.pictures.of("pencil");
   ASSERT_FALSE(on_paper.isNull());
   EXPECT_NE(on_paper, pencil);
-  EXPECT_FALSE(desk.picker.button("chalk")->icon().isNull());
-  desk.studio.apply(SetOption{"surface.material", OptionValue(std::string("canvas"))});
+  EXPECT_FALSE(fixture.picker.button("chalk")->icon().isNull());
+  fixture.studio.apply(SetOption{"surface.material", OptionValue(std::string("canvas"))});
   ASSERT_TRUE(changed.wait(8000));
-  EXPECT_NE(desk.pictures.of("chalk"), on_paper);
+  EXPECT_NE(fixture.pictures.of("chalk"), on_paper);
 }
 
 TEST(MediaPicker, AsManySideBySideAsThereIsRoomFor) {
-  Desk desk;
-  EXPECT_GT(desk.picker.height_for(160), desk.picker.height_for(600));
-  desk.picker.resize(160, 10);
-  EXPECT_EQ(desk.picker.height(), desk.picker.height_for(160));
-  for (const std::string& id : desk.picker.ids()) {
-    EXPECT_TRUE(desk.picker.rect().contains(desk.picker.button(id)->geometry())) << id;
+  Fixture fixture;
+  EXPECT_GT(fixture.picker.height_for(160), fixture.picker.height_for(600));
+  fixture.picker.resize(160, 10);
+  EXPECT_EQ(fixture.picker.height(), fixture.picker.height_for(160));
+  for (const std::string& id : fixture.picker.ids()) {
+    EXPECT_TRUE(fixture.picker.rect().contains(fixture.picker.button(id)->geometry())) << id;
   }
 }
 

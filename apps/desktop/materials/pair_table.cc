@@ -96,7 +96,7 @@ PairTable::PairTable(QWidget* parent)
     const double typed = std::clamp(item->data(Qt::EditRole).toDouble(), 0.0, kMaxFriction);
     Q_EMIT chosen(surface_of(item->row()), rounded(typed));
   });
-  connect(table_, &QTableWidget::itemSelectionChanged, this, &PairTable::tell_button);
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &PairTable::report_button);
   connect(rule_, &QToolButton::clicked, this, [this] {
     if (table_->currentRow() >= 0) Q_EMIT chosen(surface_of(table_->currentRow()), std::nullopt);
   });
@@ -106,7 +106,7 @@ std::string PairTable::surface_of(int row) const {
   return table_->item(row, kSurface)->data(kPairIdRole).toString().toStdString();
 }
 
-void PairTable::tell_button() {
+void PairTable::report_button() {
   const QTableWidgetItem* item = table_->item(table_->currentRow(), kFriction);
   rule_->setEnabled(item && item->data(kOwnRole).toBool());
 }
@@ -138,7 +138,7 @@ void PairTable::show_pairs(const Medium& medium, const Materials& known) {
   for (int i = 0; i < row; ++i) height += table_->rowHeight(i);
   table_->setFixedHeight(height);
   table_->viewport()->update();
-  tell_button();
+  report_button();
 }
 
 }  // namespace felt::desktop

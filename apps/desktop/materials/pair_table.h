@@ -25,7 +25,7 @@ class PairTable : public QWidget {
   void chosen(const std::string& surface, std::optional<double> friction);
 
  private:
-  void tell_button();
+  void report_button();
   [[nodiscard]] std::string surface_of(int row) const;
 
   QTableWidget* table_;

@@ -12,7 +12,7 @@
 namespace felt::desktop::pair_table_test {
 namespace {
 
-struct Told {
+struct Reported {
   std::string surface;
   std::optional<double> friction;
 };
@@ -26,7 +26,7 @@ struct ShownTable {
     table.show_pairs(medium, Materials::built_in());
     QObject::connect(&table, &PairTable::chosen,
                      [this](const std::string& surface, std::optional<double> friction) {
-                       told.push_back({surface, friction});
+                       reported.push_back({surface, friction});
                      });
   }
   [[nodiscard]] QModelIndex number(int row) const { return cells->model()->index(row, 1); }
@@ -45,7 +45,7 @@ struct ShownTable {
   }
 
   Medium medium = *find_medium("chalk");
-  std::vector<Told> told;
+  std::vector<Reported> reported;
   PairTable table;
   QTableWidget* cells = table.findChild<QTableWidget*>();
 };
@@ -60,7 +60,7 @@ TEST(PairTable, LookingAtANumberMakesNoPair) {
                 0.00051);
     shown.leave(*spin, row);
   }
-  EXPECT_TRUE(shown.told.empty());
+  EXPECT_TRUE(shown.reported.empty());
 }
 
 TEST(PairTable, ANumberHasThreeDigits) {
@@ -74,10 +74,10 @@ TEST(PairTable, ANumberHasThreeDigits) {
   EXPECT_FALSE(spin->accessibleName().isEmpty());
   spin->setValue(0.123);
   shown.leave(*spin, 1);
-  ASSERT_EQ(shown.told.size(), 1u);
-  EXPECT_EQ(shown.told[0].surface, surface_materials()[1].id);
-  ASSERT_TRUE(shown.told[0].friction);
-  EXPECT_DOUBLE_EQ(*shown.told[0].friction, 0.123);
+  ASSERT_EQ(shown.reported.size(), 1u);
+  EXPECT_EQ(shown.reported[0].surface, surface_materials()[1].id);
+  ASSERT_TRUE(shown.reported[0].friction);
+  EXPECT_DOUBLE_EQ(*shown.reported[0].friction, 0.123);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ StabilityLevel level_of_share(double share) {
   return share >= kHalf ? StabilityLevel::kLess : StabilityLevel::kNotGiven;
 }
 
-StabilityLevel level_of_rest(const FeltFigures& figures) {
+StabilityLevel level_of_rest(const ProbeFigures& figures) {
   if (!figures.is_sound || figures.rest_n >= kFeltN) return StabilityLevel::kNotGiven;
   return figures.rest_n >= kCleanN ? StabilityLevel::kLess : StabilityLevel::kGiven;
 }
@@ -51,7 +51,7 @@ QString state_of(StabilityLevel level, bool trembles) {
              : text(QT_TRANSLATE_NOOP("Stability", "Too much for this device"));
 }
 
-void tell_rest(const FeltFigures& figures, QStringList& detail) {
+void report_rest(const ProbeFigures& figures, QStringList& detail) {
   if (!figures.is_sound) {
     detail << text(QT_TRANSLATE_NOOP("Stability", "The safety chain would switch forces off."));
   }
@@ -64,7 +64,7 @@ void tell_rest(const FeltFigures& figures, QStringList& detail) {
 
 }  // namespace
 
-StabilityWords stability_words(const FeltWish& wish, const FeltFigures& figures,
+StabilityWords stability_words(const ProbeRequest& wish, const ProbeFigures& figures,
                                const QString& device_label) {
   StabilityWords words;
   if (!wish.device.has_force()) {
@@ -93,7 +93,7 @@ StabilityWords stability_words(const FeltWish& wish, const FeltFigures& figures,
                .arg(height(figures.grain_share * wish.surface.grain_um),
                     height(wish.surface.grain_um));
   }
-  tell_rest(figures, words.detail);
+  report_rest(figures, words.detail);
   return words;
 }
 

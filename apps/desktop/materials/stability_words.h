@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "desktop/materials/felt_probe.h"
+#include "desktop/materials/force_probe.h"
 
 namespace felt::desktop {
 
@@ -23,7 +23,7 @@ struct StabilityWords {
 };
 
 /// Describes the stability. An example of `device_label` is "3D Systems Touch".
-StabilityWords stability_words(const FeltWish& wish, const FeltFigures& figures,
+StabilityWords stability_words(const ProbeRequest& wish, const ProbeFigures& figures,
                                const QString& device_label);
 
 }  // namespace felt::desktop

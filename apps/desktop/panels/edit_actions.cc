@@ -21,24 +21,24 @@ class UndoTexts : public QObject {
     connect(&studio, &Studio::shown, this, [this] { follow(); });
     connect(&studio, &Studio::edited, this, [this] { follow(); });
     connect(&studio, &Studio::opened, this, [this] {
-      told_ = {};
+      reported_ = {};
       follow();
     });
     follow();
   }
 
  private:
-  struct Told {
+  struct Reported {
     std::uint64_t edits = ~std::uint64_t{0};
     bool gesture = false;
-    friend bool operator==(const Told&, const Told&) = default;
+    friend bool operator==(const Reported&, const Reported&) = default;
   };
 
   void follow() {
     const Session& session = studio_.session();
-    const Told now{session.edit_count(), session.gesture_in_work()};
-    if (now == told_) return;
-    told_ = now;
+    const Reported now{session.edit_count(), session.gesture_in_progress()};
+    if (now == reported_) return;
+    reported_ = now;
     const History& history = session.history();
     // During a gesture, undo cancels the gesture and nothing else.
     undo_->setEnabled(history.can_undo() || now.gesture);
@@ -55,7 +55,7 @@ class UndoTexts : public QObject {
   QAction* undo_;
   QAction* redo_;
   Studio& studio_;
-  Told told_;
+  Reported reported_;
 };
 
 void add_history(Actions& actions, Studio& studio) {
@@ -80,7 +80,7 @@ void add_history(Actions& actions, Studio& studio) {
                       "EditActions", "Cancels the current gesture, or clears the selection.")),
                   [&studio] {
                     const Session& session = studio.session();
-                    if (session.gesture_in_work() || session.selection().empty()) {
+                    if (session.gesture_in_progress() || session.selection().empty()) {
                       studio.apply(CancelEvent{});
                     } else {
                       studio.apply(SelectStrokes{SelectStrokes::What::kNone});

@@ -18,13 +18,13 @@ void add_order(Actions& actions, LayersPanel& panel) {
       .add(QStringLiteral("layer.add"), layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Add layer")),
            {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N)},
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Adds a layer above the current one.")),
-           [&panel] { panel.tell(Do::kAdd); })
+           [&panel] { panel.report(Do::kAdd); })
       ->setIcon(icon_of("layer-add"));
   actions
       .add(QStringLiteral("layer.remove"),
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Remo&ve layer")), {},
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Removes the layer and its lines.")),
-           [&panel] { panel.tell(Do::kRemove); })
+           [&panel] { panel.report(Do::kRemove); })
       ->setIcon(icon_of("layer-remove"));
   actions
       .add(QStringLiteral("layer.rename"),
@@ -38,14 +38,14 @@ void add_order(Actions& actions, LayersPanel& panel) {
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Raise layer")),
            {QKeySequence(Qt::CTRL | Qt::Key_PageUp)},
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Moves the layer up by one.")),
-           [&panel] { panel.tell(Do::kRaise); })
+           [&panel] { panel.report(Do::kRaise); })
       ->setIcon(icon_of("raise"));
   actions
       .add(QStringLiteral("layer.lower"),
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Lower layer")),
            {QKeySequence(Qt::CTRL | Qt::Key_PageDown)},
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Moves the layer down by one.")),
-           [&panel] { panel.tell(Do::kLower); })
+           [&panel] { panel.report(Do::kLower); })
       ->setIcon(icon_of("lower"));
 }
 

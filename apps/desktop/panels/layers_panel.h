@@ -25,7 +25,7 @@ class LayersPanel : public QWidget {
   [[nodiscard]] LayerId chosen() const;
   void choose(LayerId layer);
   /// Applies an event to the highlighted layer.
-  void tell(LayerEvent::Do what);
+  void report(LayerEvent::Do what);
   /// Shows or hides the layer `id`, or the highlighted layer if `id` is empty. toggle_locked()
   /// locks or unlocks it.
   void toggle_visible(LayerId id = {});
@@ -49,7 +49,7 @@ class LayersPanel : public QWidget {
   void follow_chosen();
   void use_chosen();
   void use_clicked();
-  void tell(LayerEvent::Do what, LayerId id);
+  void report(LayerEvent::Do what, LayerId id);
 
   Studio& studio_;
   LayersModel* model_;

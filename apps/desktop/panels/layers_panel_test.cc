@@ -18,12 +18,12 @@ using testing::layer_names;
 using testing::still;
 
 /// A fixture: three layers, from the top "c*", "b", "Ink", in a visible panel.
-struct LayerDesk {
+struct LayerFixture {
   Studio studio{still()};
   LayersPanel panel{studio};
   QListView* list = panel.findChild<QListView*>();
 
-  LayerDesk() {
+  LayerFixture() {
     studio.apply(LayerEvent{Do::kAdd, {}, "b"});
     studio.apply(LayerEvent{Do::kAdd, {}, "c"});
     panel.resize(240, 260);
@@ -46,87 +46,88 @@ struct LayerDesk {
 };
 
 TEST(LayersPanel, AClickUsesALayerEyeAndLockAreAtItsEnds) {
-  LayerDesk desk;
-  EXPECT_EQ(layer_names(desk.studio), "c* b Ink");
-  desk.click(desk.row(2).center());
-  EXPECT_EQ(layer_names(desk.studio), "c b Ink*");
-  desk.click(LayerDelegate::eye_of(desk.row(1)).center());
-  EXPECT_FALSE(desk.layer(2)->visible);
-  EXPECT_EQ(layer_names(desk.studio), "c b Ink*") << "an eye does not use the layer";
-  desk.click(desk.row(1).center());
-  EXPECT_EQ(layer_names(desk.studio), "c b Ink*") << "nor can a hidden one be used";
-  EXPECT_EQ(desk.panel.chosen(), LayerId{1}) << "the one that is drawn on stays chosen";
-  desk.click(LayerDelegate::eye_of(desk.row(1)).center());
-  EXPECT_TRUE(desk.layer(2)->visible);
-  desk.click(LayerDelegate::lock_of(desk.row(2)).center());
-  EXPECT_TRUE(desk.layer(1)->locked);
-  EXPECT_EQ(layer_names(desk.studio), "c* b Ink") << "the session uses the highest open one";
+  LayerFixture fixture;
+  EXPECT_EQ(layer_names(fixture.studio), "c* b Ink");
+  fixture.click(fixture.row(2).center());
+  EXPECT_EQ(layer_names(fixture.studio), "c b Ink*");
+  fixture.click(LayerDelegate::eye_of(fixture.row(1)).center());
+  EXPECT_FALSE(fixture.layer(2)->visible);
+  EXPECT_EQ(layer_names(fixture.studio), "c b Ink*") << "an eye does not use the layer";
+  fixture.click(fixture.row(1).center());
+  EXPECT_EQ(layer_names(fixture.studio), "c b Ink*") << "nor can a hidden one be used";
+  EXPECT_EQ(fixture.panel.chosen(), LayerId{1}) << "the one that is drawn on stays chosen";
+  fixture.click(LayerDelegate::eye_of(fixture.row(1)).center());
+  EXPECT_TRUE(fixture.layer(2)->visible);
+  fixture.click(LayerDelegate::lock_of(fixture.row(2)).center());
+  EXPECT_TRUE(fixture.layer(1)->locked);
+  EXPECT_EQ(layer_names(fixture.studio), "c* b Ink") << "the session uses the highest open one";
 }
 
 TEST(LayersPanel, SaysItAllToAScreenReader) {
-  LayerDesk desk;
-  desk.studio.apply(LayerEvent{Do::kHide, {2}});
-  desk.studio.apply(LayerEvent{Do::kLock, {1}});
-  EXPECT_EQ(desk.spoken(0), QStringLiteral("c, visible, unlocked, current"));
-  EXPECT_EQ(desk.spoken(1), QStringLiteral("b, hidden, unlocked"));
-  EXPECT_EQ(desk.spoken(2), QStringLiteral("Ink, visible, locked"));
-  EXPECT_EQ(testing::nameless(desk.panel), std::vector<std::string>{});
+  LayerFixture fixture;
+  fixture.studio.apply(LayerEvent{Do::kHide, {2}});
+  fixture.studio.apply(LayerEvent{Do::kLock, {1}});
+  EXPECT_EQ(fixture.spoken(0), QStringLiteral("c, visible, unlocked, current"));
+  EXPECT_EQ(fixture.spoken(1), QStringLiteral("b, hidden, unlocked"));
+  EXPECT_EQ(fixture.spoken(2), QStringLiteral("Ink, visible, locked"));
+  EXPECT_EQ(testing::nameless(fixture.panel), std::vector<std::string>{});
 }
 
 TEST(LayersPanel, ButtonsAddRaiseLowerAndRemove) {
-  LayerDesk desk;
-  desk.press("lower");
-  EXPECT_EQ(layer_names(desk.studio), "b c* Ink");
-  desk.press("lower");
-  EXPECT_EQ(layer_names(desk.studio), "b Ink c*");
-  EXPECT_FALSE(desk.panel.findChild<QToolButton*>(QStringLiteral("lower"))->isEnabled());
-  desk.press("raise");
-  EXPECT_EQ(layer_names(desk.studio), "b c* Ink");
-  desk.press("layer-add");
-  EXPECT_EQ(layer_names(desk.studio), "b Layer 4* c Ink");
-  EXPECT_EQ(desk.panel.chosen(), LayerId{4});
-  desk.press("delete");
-  EXPECT_EQ(layer_names(desk.studio), "b* c Ink");
-  desk.studio.apply(UndoEvent{});
-  EXPECT_EQ(desk.list->model()->rowCount(), 4);
+  LayerFixture fixture;
+  fixture.press("lower");
+  EXPECT_EQ(layer_names(fixture.studio), "b c* Ink");
+  fixture.press("lower");
+  EXPECT_EQ(layer_names(fixture.studio), "b Ink c*");
+  EXPECT_FALSE(fixture.panel.findChild<QToolButton*>(QStringLiteral("lower"))->isEnabled());
+  fixture.press("raise");
+  EXPECT_EQ(layer_names(fixture.studio), "b c* Ink");
+  fixture.press("layer-add");
+  EXPECT_EQ(layer_names(fixture.studio), "b Layer 4* c Ink");
+  EXPECT_EQ(fixture.panel.chosen(), LayerId{4});
+  fixture.press("delete");
+  EXPECT_EQ(layer_names(fixture.studio), "b* c Ink");
+  fixture.studio.apply(UndoEvent{});
+  EXPECT_EQ(fixture.list->model()->rowCount(), 4);
 }
 
 TEST(LayersPanel, KeysChooseShowAndUse) {
-  LayerDesk desk;
-  desk.list->setFocus();
-  QTest::keyClick(desk.list, Qt::Key_Down);
-  QTest::keyClick(desk.list, Qt::Key_Down);
-  EXPECT_EQ(desk.panel.chosen(), LayerId{1});
-  EXPECT_EQ(layer_names(desk.studio), "c* b Ink") << "walking through the list uses nothing";
-  QTest::keyClick(desk.list, Qt::Key_Space);
-  EXPECT_FALSE(desk.layer(1)->visible);
-  EXPECT_EQ(desk.panel.chosen(), LayerId{1});
-  QTest::keyClick(desk.list, Qt::Key_Space);
-  QTest::keyClick(desk.list, Qt::Key_Return);
-  EXPECT_EQ(layer_names(desk.studio), "c b Ink*");
+  LayerFixture fixture;
+  fixture.list->setFocus();
+  QTest::keyClick(fixture.list, Qt::Key_Down);
+  QTest::keyClick(fixture.list, Qt::Key_Down);
+  EXPECT_EQ(fixture.panel.chosen(), LayerId{1});
+  EXPECT_EQ(layer_names(fixture.studio), "c* b Ink") << "walking through the list uses nothing";
+  QTest::keyClick(fixture.list, Qt::Key_Space);
+  EXPECT_FALSE(fixture.layer(1)->visible);
+  EXPECT_EQ(fixture.panel.chosen(), LayerId{1});
+  QTest::keyClick(fixture.list, Qt::Key_Space);
+  QTest::keyClick(fixture.list, Qt::Key_Return);
+  EXPECT_EQ(layer_names(fixture.studio), "c b Ink*");
 }
 
 TEST(LayersPanel, RenamesInPlaceAsOneStep) {
-  LayerDesk desk;
-  const std::size_t steps = desk.studio.session().history().undo_count();
-  desk.panel.rename();
-  auto* field = desk.list->findChild<QLineEdit*>();
+  LayerFixture fixture;
+  const std::size_t steps = fixture.studio.session().history().undo_count();
+  fixture.panel.rename();
+  auto* field = fixture.list->findChild<QLineEdit*>();
   ASSERT_NE(field, nullptr);
   field->selectAll();
   QTest::keyClicks(field, QStringLiteral("Faces"));
   QTest::keyClick(field, Qt::Key_Return);
   QCoreApplication::processEvents();
-  EXPECT_EQ(layer_names(desk.studio), "Faces* b Ink");
-  EXPECT_EQ(desk.studio.session().history().undo_count(), steps + 1);
-  EXPECT_FALSE(desk.list->model()->setData(desk.list->model()->index(0, 0), QStringLiteral("  ")))
+  EXPECT_EQ(layer_names(fixture.studio), "Faces* b Ink");
+  EXPECT_EQ(fixture.studio.session().history().undo_count(), steps + 1);
+  EXPECT_FALSE(
+      fixture.list->model()->setData(fixture.list->model()->index(0, 0), QStringLiteral("  ")))
       << "a layer has a name";
 }
 
 TEST(LayersPanel, ADragOverManyPlacesIsOneStep) {
   std::mt19937 random(5);
-  LayerDesk desk;
-  desk.studio.apply(LayerEvent{Do::kAdd, {}, "d"});
-  QAbstractItemModel* model = desk.list->model();
+  LayerFixture fixture;
+  fixture.studio.apply(LayerEvent{Do::kAdd, {}, "d"});
+  QAbstractItemModel* model = fixture.list->model();
   for (int i = 0; i < 200; ++i) {
     SCOPED_TRACE(i);
     const int count = model->rowCount();
@@ -136,10 +137,10 @@ TEST(LayersPanel, ADragOverManyPlacesIsOneStep) {
     const QString moved = wanted[std::size_t(from)];
     wanted.insert(wanted.begin() + before, moved);
     wanted.erase(wanted.begin() + from + (before <= from ? 1 : 0));
-    const std::size_t steps = desk.studio.session().history().undo_count();
+    const std::size_t steps = fixture.studio.session().history().undo_count();
     const bool done = model->moveRow({}, from, {}, before);
     EXPECT_EQ(done, before != from && before != from + 1);
-    EXPECT_EQ(desk.studio.session().history().undo_count(), steps + (done ? 1 : 0));
+    EXPECT_EQ(fixture.studio.session().history().undo_count(), steps + (done ? 1 : 0));
     for (int row = 0; row < count; ++row) {
       EXPECT_EQ(model->index(row, 0).data().toString(), wanted[std::size_t(row)]);
     }
@@ -147,62 +148,63 @@ TEST(LayersPanel, ADragOverManyPlacesIsOneStep) {
 }
 
 TEST(LayersPanel, IsReadAnewOnlyWhenALayerChanges) {
-  LayerDesk desk;
-  QSignalSpy resets(desk.list->model(), &QAbstractItemModel::modelReset);
-  testing::draw_lines(desk.studio, 20);
-  desk.studio.apply(UndoEvent{});
+  LayerFixture fixture;
+  QSignalSpy resets(fixture.list->model(), &QAbstractItemModel::modelReset);
+  testing::draw_lines(fixture.studio, 20);
+  fixture.studio.apply(UndoEvent{});
   EXPECT_EQ(resets.count(), 0);
-  desk.studio.apply(LayerEvent{Do::kHide, {2}});
+  fixture.studio.apply(LayerEvent{Do::kHide, {2}});
   EXPECT_EQ(resets.count(), 1);
-  desk.studio.open(Document{}, Page{});
-  EXPECT_EQ(desk.list->model()->rowCount(), 1);
+  fixture.studio.open(Document{}, Page{});
+  EXPECT_EQ(fixture.list->model()->rowCount(), 1);
 }
 
 TEST(LayerActions, ActOnTheChosenLayerAndFollowIt) {
-  LayerDesk desk;
+  LayerFixture fixture;
   QWidget window;
   Actions actions(&window);
-  add_layer_actions(actions, desk.studio, desk.panel);
+  add_layer_actions(actions, fixture.studio, fixture.panel);
   const auto find = [&actions](const char* name) {
     return actions.find(QString::fromLatin1(name));
   };
   EXPECT_FALSE(find("layer.raise")->isEnabled()) << "it is the topmost";
   find("layer.lower")->trigger();
-  EXPECT_EQ(layer_names(desk.studio), "b c* Ink");
+  EXPECT_EQ(layer_names(fixture.studio), "b c* Ink");
   EXPECT_TRUE(find("layer.raise")->isEnabled());
   find("layer.use_below")->trigger();
-  EXPECT_EQ(layer_names(desk.studio), "b c Ink*");
+  EXPECT_EQ(layer_names(fixture.studio), "b c Ink*");
   find("layer.use_below")->trigger();
-  EXPECT_EQ(layer_names(desk.studio), "b c Ink*");
-  desk.studio.apply(LayerEvent{Do::kLock, {3}});
+  EXPECT_EQ(layer_names(fixture.studio), "b c Ink*");
+  fixture.studio.apply(LayerEvent{Do::kLock, {3}});
   find("layer.use_above")->trigger();
-  EXPECT_EQ(layer_names(desk.studio), "b* c Ink") << "a locked one is passed over";
-  desk.panel.choose({3});
+  EXPECT_EQ(layer_names(fixture.studio), "b* c Ink") << "a locked one is passed over";
+  fixture.panel.choose({3});
   EXPECT_TRUE(find("layer.lock")->isChecked());
   find("layer.lock")->trigger();
-  EXPECT_FALSE(desk.layer(3)->locked);
+  EXPECT_FALSE(fixture.layer(3)->locked);
   find("layer.show")->trigger();
-  EXPECT_FALSE(desk.layer(3)->visible);
-  desk.studio.apply(UndoEvent{});
+  EXPECT_FALSE(fixture.layer(3)->visible);
+  fixture.studio.apply(UndoEvent{});
   EXPECT_TRUE(find("layer.show")->isChecked()) << "undo shows in the action";
   find("layer.add")->trigger();
   find("layer.remove")->trigger();
-  EXPECT_EQ(desk.list->model()->rowCount(), 3);
+  EXPECT_EQ(fixture.list->model()->rowCount(), 3);
 }
 
 TEST(LayersPanel, TheHighlightStaysOnTheLayerThatIsDrawnOn) {
-  LayerDesk desk;
-  QSignalSpy said(&desk.studio, &Studio::refused);
-  desk.click(LayerDelegate::eye_of(desk.row(1)).center());
-  EXPECT_FALSE(desk.layer(2)->visible);
-  EXPECT_EQ(desk.panel.chosen(), LayerId{3});
-  desk.click(desk.row(1).center());
-  EXPECT_EQ(desk.panel.chosen(), LayerId{3}) << "a hidden layer is not the one that the bin takes";
+  LayerFixture fixture;
+  QSignalSpy said(&fixture.studio, &Studio::refused);
+  fixture.click(LayerDelegate::eye_of(fixture.row(1)).center());
+  EXPECT_FALSE(fixture.layer(2)->visible);
+  EXPECT_EQ(fixture.panel.chosen(), LayerId{3});
+  fixture.click(fixture.row(1).center());
+  EXPECT_EQ(fixture.panel.chosen(), LayerId{3})
+      << "a hidden layer is not the one that the bin takes";
   EXPECT_EQ(said.count(), 1);
-  desk.click(LayerDelegate::eye_of(desk.row(2)).center());
+  fixture.click(LayerDelegate::eye_of(fixture.row(2)).center());
   said.clear();
-  desk.click(LayerDelegate::lock_of(desk.row(0)).center());
-  EXPECT_EQ(desk.list->model()->rowCount(), 4);
+  fixture.click(LayerDelegate::lock_of(fixture.row(0)).center());
+  EXPECT_EQ(fixture.list->model()->rowCount(), 4);
   EXPECT_EQ(said.count(), 1) << "a layer came by itself";
 }
 

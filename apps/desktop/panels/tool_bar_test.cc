@@ -24,12 +24,12 @@ QString size_option(const Studio& studio) {
 }
 
 /// A fixture: a window with the actions of this folder.
-struct ToolDesk {
+struct ToolBarFixture {
   Studio studio{still()};
   QWidget window;
   Actions actions{&window};
 
-  ToolDesk() {
+  ToolBarFixture() {
     add_tool_actions(actions, studio);
     add_edit_actions(actions, studio);
     window.show();
@@ -46,26 +46,26 @@ struct ToolDesk {
 };
 
 TEST(ToolActions, KeysTakeTheToolsOfTheTables) {
-  ToolDesk desk;
+  ToolBarFixture fixture;
   std::set<QString> keys;
-  for (const auto& tool : desk.studio.session().tools()) {
+  for (const auto& tool : fixture.studio.session().tools()) {
     const ToolInfo& info = tool->info();
     const QString name = QStringLiteral("tool.") + QString::fromStdString(std::string(info.id));
-    const QAction* action = desk.actions.find(name);
+    const QAction* action = fixture.actions.find(name);
     ASSERT_NE(action, nullptr) << info.id;
     EXPECT_FALSE(action->icon().isNull());
     if (info.shortcut == 0) continue;
     EXPECT_TRUE(keys.insert(action->shortcut().toString()).second);
-    QTest::keyClick(&desk.window, info.shortcut);
-    EXPECT_EQ(desk.tool(), info.id);
+    QTest::keyClick(&fixture.window, info.shortcut);
+    EXPECT_EQ(fixture.tool(), info.id);
     EXPECT_TRUE(action->isChecked());
   }
 }
 
 TEST(ToolActions, NoTwoActionsHaveTheSameKeys) {
-  ToolDesk desk;
+  ToolBarFixture fixture;
   std::set<QString> keys;
-  for (const QAction* action : desk.actions.all()) {
+  for (const QAction* action : fixture.actions.all()) {
     for (const QKeySequence& key : action->shortcuts()) {
       EXPECT_TRUE(keys.insert(key.toString()).second) << key.toString().toStdString();
     }
@@ -73,50 +73,50 @@ TEST(ToolActions, NoTwoActionsHaveTheSameKeys) {
 }
 
 TEST(ToolActions, SizesClimbAndFallWithinTheRangeOfEveryTool) {
-  ToolDesk desk;
-  for (const auto& tool : desk.studio.session().tools()) {
+  ToolBarFixture fixture;
+  for (const auto& tool : fixture.studio.session().tools()) {
     const ToolInfo& info = tool->info();
     SCOPED_TRACE(info.id);
-    desk.studio.apply(SelectTool{std::string(info.id)});
-    const QString option = size_option(desk.studio);
+    fixture.studio.apply(SelectTool{std::string(info.id)});
+    const QString option = size_option(fixture.studio);
     if (info.kind == ToolKind::kDraws || option.isEmpty()) continue;  // TheSizeOfThePencil...
     const std::string id = std::string(info.id) + "." + option.toStdString();
-    const double start = desk.number(id);
-    QTest::keyClick(&desk.window, Qt::Key_BracketRight);
-    const double larger = desk.number(id);
+    const double start = fixture.number(id);
+    QTest::keyClick(&fixture.window, Qt::Key_BracketRight);
+    const double larger = fixture.number(id);
     EXPECT_GT(larger, start);
     EXPECT_LT(larger, 1.6 * start);
-    QTest::keyClick(&desk.window, Qt::Key_BracketLeft);
-    EXPECT_NEAR(desk.number(id), start, 0.2 * start);
-    for (int i = 0; i < 60; ++i) desk.find("tool.size_up")->trigger();
-    const double most = desk.number(id);
-    for (int i = 0; i < 99; ++i) desk.find("tool.size_down")->trigger();
-    EXPECT_LT(desk.number(id), start);
+    QTest::keyClick(&fixture.window, Qt::Key_BracketLeft);
+    EXPECT_NEAR(fixture.number(id), start, 0.2 * start);
+    for (int i = 0; i < 60; ++i) fixture.find("tool.size_up")->trigger();
+    const double most = fixture.number(id);
+    for (int i = 0; i < 99; ++i) fixture.find("tool.size_down")->trigger();
+    EXPECT_LT(fixture.number(id), start);
     const auto* row =
         std::find_if(info.options.data(), info.options.data() + info.options.size(),
                      [&](const OptionSpec& spec) { return spec.id == option.toStdString(); });
     EXPECT_EQ(most, row->max);
-    EXPECT_EQ(desk.number(id), row->min);
+    EXPECT_EQ(fixture.number(id), row->min);
   }
 }
 
 // The thinnest line never becomes wider than the widest. The keys work up to the end of the range,
 // which a message reports.
 TEST(ToolActions, TheSizeOfThePencilIsTheLineOfAMouse) {
-  ToolDesk desk;
-  const auto size = [&desk] { return desk.studio.session().tool().size().value(); };
-  const double thin = desk.number("pencil.min_width_mm"),
-               broad = desk.number("pencil.max_width_mm");
-  EXPECT_NEAR(size().mm, thin + (broad - thin) * desk.number("pencil.mouse_pressure"), 1e-12);
-  set_tool_size(desk.studio, 2.0);
+  ToolBarFixture fixture;
+  const auto size = [&fixture] { return fixture.studio.session().tool().size().value(); };
+  const double thin = fixture.number("pencil.min_width_mm"),
+               broad = fixture.number("pencil.max_width_mm");
+  EXPECT_NEAR(size().mm, thin + (broad - thin) * fixture.number("pencil.mouse_pressure"), 1e-12);
+  set_tool_size(fixture.studio, 2.0);
   EXPECT_NEAR(size().mm, 2.0, 1e-9);
-  EXPECT_NEAR(desk.number("pencil.max_width_mm") / desk.number("pencil.min_width_mm"), broad / thin,
-              1e-9);
-  QSignalSpy said(&desk.studio, &Studio::refused);
+  EXPECT_NEAR(fixture.number("pencil.max_width_mm") / fixture.number("pencil.min_width_mm"),
+              broad / thin, 1e-9);
+  QSignalSpy said(&fixture.studio, &Studio::refused);
   double before = size().mm;
   for (int i = 0; i < 99 && said.isEmpty(); ++i) {
-    desk.find("tool.size_down")->trigger();
-    EXPECT_LE(desk.number("pencil.min_width_mm"), desk.number("pencil.max_width_mm"));
+    fixture.find("tool.size_down")->trigger();
+    EXPECT_LE(fixture.number("pencil.min_width_mm"), fixture.number("pencil.max_width_mm"));
     if (said.isEmpty()) {
       EXPECT_LT(size().mm, before);
     }
@@ -124,56 +124,56 @@ TEST(ToolActions, TheSizeOfThePencilIsTheLineOfAMouse) {
   }
   EXPECT_NEAR(size().mm, size().min_mm, 1e-9);
   EXPECT_EQ(said.count(), 1);
-  for (int i = 0; i < 99 && said.count() == 1; ++i) desk.find("tool.size_up")->trigger();
+  for (int i = 0; i < 99 && said.count() == 1; ++i) fixture.find("tool.size_up")->trigger();
   EXPECT_NEAR(size().mm, size().max_mm, 1e-9);
   EXPECT_EQ(said.count(), 2);
 }
 
 // The options panel and a custom medium allow widths above the range of the keys.
 TEST(ToolActions, AKeyThatMakesItLargerNeverMakesItSmaller) {
-  ToolDesk desk;
-  desk.studio.apply(SetOption{"pencil.max_width_mm", 50.0});
-  desk.studio.apply(SetOption{"pencil.mouse_pressure", 1.0});
-  const double before = desk.studio.session().tool().size()->mm;
+  ToolBarFixture fixture;
+  fixture.studio.apply(SetOption{"pencil.max_width_mm", 50.0});
+  fixture.studio.apply(SetOption{"pencil.mouse_pressure", 1.0});
+  const double before = fixture.studio.session().tool().size()->mm;
   ASSERT_NEAR(before, 50.0, 1e-9);
-  QSignalSpy said(&desk.studio, &Studio::refused);
-  desk.find("tool.size_up")->trigger();
-  EXPECT_NEAR(desk.studio.session().tool().size()->mm, before, 1e-9);
+  QSignalSpy said(&fixture.studio, &Studio::refused);
+  fixture.find("tool.size_up")->trigger();
+  EXPECT_NEAR(fixture.studio.session().tool().size()->mm, before, 1e-9);
   EXPECT_EQ(said.count(), 1);
-  desk.find("tool.size_down")->trigger();
-  EXPECT_LT(desk.studio.session().tool().size()->mm, before);
+  fixture.find("tool.size_down")->trigger();
+  EXPECT_LT(fixture.studio.session().tool().size()->mm, before);
 }
 
 TEST(ToolActions, SizeIsThatOfTheModeInHand) {
-  ToolDesk desk;
-  desk.studio.apply(SelectTool{"pull"});
-  EXPECT_EQ(size_option(desk.studio), QStringLiteral("radius_mm"));
-  desk.studio.apply(SetOption{"pull.mode", std::string("push")});
-  EXPECT_EQ(size_option(desk.studio), QStringLiteral("nib_radius_mm"));
+  ToolBarFixture fixture;
+  fixture.studio.apply(SelectTool{"pull"});
+  EXPECT_EQ(size_option(fixture.studio), QStringLiteral("radius_mm"));
+  fixture.studio.apply(SetOption{"pull.mode", std::string("push")});
+  EXPECT_EQ(size_option(fixture.studio), QStringLiteral("nib_radius_mm"));
 }
 
 TEST(ToolActions, StrengthGoesInTenthsFromNoneToAll) {
-  ToolDesk desk;
-  EXPECT_EQ(desk.number("pencil.strength"), 1.0);
-  desk.find("tool.strength_up")->trigger();
-  EXPECT_EQ(desk.number("pencil.strength"), 1.0);
-  QTest::keyClick(&desk.window, Qt::Key_BracketLeft, Qt::ShiftModifier);
-  EXPECT_NEAR(desk.number("pencil.strength"), 0.9, 1e-12);
-  for (int i = 0; i < 20; ++i) desk.find("tool.strength_down")->trigger();
-  EXPECT_EQ(desk.number("pencil.strength"), 0.0);
+  ToolBarFixture fixture;
+  EXPECT_EQ(fixture.number("pencil.strength"), 1.0);
+  fixture.find("tool.strength_up")->trigger();
+  EXPECT_EQ(fixture.number("pencil.strength"), 1.0);
+  QTest::keyClick(&fixture.window, Qt::Key_BracketLeft, Qt::ShiftModifier);
+  EXPECT_NEAR(fixture.number("pencil.strength"), 0.9, 1e-12);
+  for (int i = 0; i < 20; ++i) fixture.find("tool.strength_down")->trigger();
+  EXPECT_EQ(fixture.number("pencil.strength"), 0.0);
 }
 
 TEST(ToolBar, AClickTakesTheToolAndTheBarFollowsKeys) {
-  ToolDesk desk;
-  ToolBar bar(desk.studio, desk.actions);
+  ToolBarFixture fixture;
+  ToolBar bar(fixture.studio, fixture.actions);
   bar.show();
-  for (const auto& tool : desk.studio.session().tools()) {
+  for (const auto& tool : fixture.studio.session().tools()) {
     const QString name =
         QStringLiteral("tool.") + QString::fromStdString(std::string(tool->info().id));
-    auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(desk.actions.find(name)));
+    auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(fixture.actions.find(name)));
     ASSERT_NE(button, nullptr);
     QTest::mouseClick(button, Qt::LeftButton);
-    EXPECT_EQ(desk.tool(), tool->info().id);
+    EXPECT_EQ(fixture.tool(), tool->info().id);
     int pressed = 0;
     for (auto* one : bar.findChildren<QToolButton*>()) pressed += one->isChecked() ? 1 : 0;
     EXPECT_EQ(pressed, 1);
@@ -183,57 +183,57 @@ TEST(ToolBar, AClickTakesTheToolAndTheBarFollowsKeys) {
 }
 
 TEST(ToolBar, ShowsABorrowedToolAndTheOneThatComesBack) {
-  ToolDesk desk;
-  ToolBar bar(desk.studio, desk.actions);
-  const QWidget* pencil = bar.widgetForAction(desk.find("tool.pencil"));
-  const QWidget* eraser = bar.widgetForAction(desk.find("tool.eraser"));
-  desk.studio.borrow_tool(QStringLiteral("eraser"));
-  EXPECT_TRUE(desk.find("tool.eraser")->isChecked());
+  ToolBarFixture fixture;
+  ToolBar bar(fixture.studio, fixture.actions);
+  const QWidget* pencil = bar.widgetForAction(fixture.find("tool.pencil"));
+  const QWidget* eraser = bar.widgetForAction(fixture.find("tool.eraser"));
+  fixture.studio.borrow_tool(QStringLiteral("eraser"));
+  EXPECT_TRUE(fixture.find("tool.eraser")->isChecked());
   EXPECT_TRUE(eraser->font().italic());
   EXPECT_TRUE(pencil->font().underline());
-  desk.studio.give_back_tool();
-  EXPECT_TRUE(desk.find("tool.pencil")->isChecked());
+  fixture.studio.give_back_tool();
+  EXPECT_TRUE(fixture.find("tool.pencil")->isChecked());
   EXPECT_FALSE(eraser->font().italic() || pencil->font().underline());
 }
 
 TEST(EditActions, NameTheStepAndDoItByKeys) {
-  ToolDesk desk;
-  EXPECT_FALSE(desk.find("edit.undo")->isEnabled());
-  testing::draw_lines(desk.studio, 2);
-  desk.studio.apply(LayerEvent{});
-  EXPECT_EQ(desk.find("edit.undo")->text(), QStringLiteral("&Undo Add layer"));
-  QTest::keyClick(&desk.window, Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(desk.find("edit.undo")->text(), QStringLiteral("&Undo Import"));
-  EXPECT_EQ(desk.find("edit.redo")->text(), QStringLiteral("&Redo Add layer"));
-  QTest::keyClick(&desk.window, Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(desk.studio.session().document().stroke_count(), 1U);
-  QTest::keyClick(&desk.window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(desk.studio.session().document().stroke_count(), 2U);
-  QTest::keyClick(&desk.window, Qt::Key_Y, Qt::ControlModifier);
-  EXPECT_EQ(desk.studio.session().document().layers().size(), 2U);
-  EXPECT_FALSE(desk.find("edit.redo")->isEnabled());
-  desk.studio.open(Document{}, Page{});
-  EXPECT_FALSE(desk.find("edit.undo")->isEnabled());
+  ToolBarFixture fixture;
+  EXPECT_FALSE(fixture.find("edit.undo")->isEnabled());
+  testing::draw_lines(fixture.studio, 2);
+  fixture.studio.apply(LayerEvent{});
+  EXPECT_EQ(fixture.find("edit.undo")->text(), QStringLiteral("&Undo Add layer"));
+  QTest::keyClick(&fixture.window, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(fixture.find("edit.undo")->text(), QStringLiteral("&Undo Import"));
+  EXPECT_EQ(fixture.find("edit.redo")->text(), QStringLiteral("&Redo Add layer"));
+  QTest::keyClick(&fixture.window, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(fixture.studio.session().document().stroke_count(), 1U);
+  QTest::keyClick(&fixture.window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(fixture.studio.session().document().stroke_count(), 2U);
+  QTest::keyClick(&fixture.window, Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(fixture.studio.session().document().layers().size(), 2U);
+  EXPECT_FALSE(fixture.find("edit.redo")->isEnabled());
+  fixture.studio.open(Document{}, Page{});
+  EXPECT_FALSE(fixture.find("edit.undo")->isEnabled());
 }
 
 TEST(EditActions, SelectDeleteAndDuplicateByKeys) {
-  ToolDesk desk;
-  testing::draw_lines(desk.studio, 3);
-  desk.studio.apply(SelectStrokes{SelectStrokes::What::kNone});
-  EXPECT_FALSE(desk.find("edit.delete")->isEnabled());
-  QTest::keyClick(&desk.window, Qt::Key_A, Qt::ControlModifier);
-  EXPECT_EQ(desk.studio.session().selection().strokes().size(), 3U);
-  EXPECT_TRUE(desk.find("edit.delete")->isEnabled());
-  QTest::keyClick(&desk.window, Qt::Key_D, Qt::ControlModifier);
-  EXPECT_EQ(desk.studio.session().document().stroke_count(), 6U);
-  QTest::keyClick(&desk.window, Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(desk.studio.session().selection().strokes().size(), 3U);
-  QTest::keyClick(&desk.window, Qt::Key_Delete);
-  EXPECT_EQ(desk.studio.session().document().stroke_count(), 3U);
-  QTest::keyClick(&desk.window, Qt::Key_A, Qt::ControlModifier);
-  QTest::keyClick(&desk.window, Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_TRUE(desk.studio.session().selection().empty());
-  EXPECT_FALSE(desk.find("edit.delete")->isEnabled());
+  ToolBarFixture fixture;
+  testing::draw_lines(fixture.studio, 3);
+  fixture.studio.apply(SelectStrokes{SelectStrokes::What::kNone});
+  EXPECT_FALSE(fixture.find("edit.delete")->isEnabled());
+  QTest::keyClick(&fixture.window, Qt::Key_A, Qt::ControlModifier);
+  EXPECT_EQ(fixture.studio.session().selection().strokes().size(), 3U);
+  EXPECT_TRUE(fixture.find("edit.delete")->isEnabled());
+  QTest::keyClick(&fixture.window, Qt::Key_D, Qt::ControlModifier);
+  EXPECT_EQ(fixture.studio.session().document().stroke_count(), 6U);
+  QTest::keyClick(&fixture.window, Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(fixture.studio.session().selection().strokes().size(), 3U);
+  QTest::keyClick(&fixture.window, Qt::Key_Delete);
+  EXPECT_EQ(fixture.studio.session().document().stroke_count(), 3U);
+  QTest::keyClick(&fixture.window, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClick(&fixture.window, Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(fixture.studio.session().selection().empty());
+  EXPECT_FALSE(fixture.find("edit.delete")->isEnabled());
 }
 
 }  // namespace

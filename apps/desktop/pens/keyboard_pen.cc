@@ -76,11 +76,11 @@ bool KeyboardPen::press(const QKeyEvent& event) {
 
 void KeyboardPen::release(const QKeyEvent& event) {
   if (event.isAutoRepeat()) return;
-  if (held_ != 0 && event.key() == held_) let_go();
+  if (held_ != 0 && event.key() == held_) release_all();
   if (event.key() == key_) key_ = repeats_ = 0;
 }
 
-void KeyboardPen::let_go() {
+void KeyboardPen::release_all() {
   if (std::exchange(held_, 0) == 0) return;
   canvas_.studio().loop().device().device().set_pen_down(false);
   Q_EMIT said(tr("The pen is up"));

@@ -37,7 +37,7 @@ class KeyboardPen : public QObject {
   /// Handles a released key. The next press of this key starts with small steps.
   void release(const QKeyEvent& event);
   /// Treats all keys as released, because their release events will not arrive.
-  void let_go();
+  void release_all();
   /// Must be called when the mouse or a pen moves the hand. The keys then move the hand only after
   /// an arrow key is pressed again.
   void stop_leading() noexcept { is_leading_ = false; }

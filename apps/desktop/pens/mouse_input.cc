@@ -69,7 +69,7 @@ void MouseInput::take(const QMouseEvent& event) {
   if (!right) hand_.release(std::exchange(right_held_, ButtonRole::kNone));
 }
 
-void MouseInput::let_go() {
+void MouseInput::release_all() {
   if (std::exchange(dragging_, Qt::NoButton) != Qt::NoButton) drag_.end();
   hand_.release(std::exchange(right_held_, ButtonRole::kNone));
 }

@@ -31,7 +31,7 @@ class MouseInput : public QObject {
   /// Handles a touchpad gesture. Returns false if it is not one of the gestures above.
   bool take(const QNativeGestureEvent& event);
   /// Treats all buttons as released, because the window is no longer active.
-  void let_go();
+  void release_all();
 
  private:
   [[nodiscard]] bool drags(const QMouseEvent& event);

@@ -83,12 +83,12 @@ bool PenInput::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::FocusOut:
     case QEvent::WindowDeactivate:
     case QEvent::Hide:
-      let_go();
+      release_all();
       return false;
     case QEvent::Leave:
       // Qt does not send this event while a button is held. If the pen is still down, its release
       // was lost.
-      if (hand_.is_down(PenHand::Source::kMouse)) let_go();
+      if (hand_.is_down(PenHand::Source::kMouse)) release_all();
       canvas_.set_pen_visible(hand_.is_down());
       return false;
     case QEvent::Enter:
@@ -221,11 +221,11 @@ void PenInput::offer_drag(Qt::KeyboardModifiers keys) {
 }
 
 /// Ends every press, drag and borrowed tool, because no release events will arrive.
-void PenInput::let_go() {
+void PenInput::release_all() {
   hand_.lift();
-  tablet_.let_go();
-  mouse_.let_go();
-  keys_.let_go();
+  tablet_.release_all();
+  mouse_.release_all();
+  keys_.release_all();
   keys_.stop_leading();
   hand_.release_all();
   hand_.set_keys(Qt::NoModifier);

@@ -37,7 +37,7 @@ class PenInput : public QObject {
   bool release_key(QKeyEvent& event);
   void use_modifiers(Qt::KeyboardModifiers held);
   void offer_drag(Qt::KeyboardModifiers keys);
-  void let_go();
+  void release_all();
   void come(QPointF px);
   void take_focus();
   void load_settings();

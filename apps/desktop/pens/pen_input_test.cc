@@ -158,20 +158,20 @@ TEST_F(PenInputTest, ATabletDraws) {
 // one sample.
 TEST_F(PenInputTest, EveryPlaceIsASample) {
   hover({100, 100});
-  std::vector<Point> told;
+  std::vector<Point> reported;
   tablet(QEvent::TabletPress, {100, 100}, 0.5, Qt::LeftButton, Qt::LeftButton);
   for (int i = 0; i < 1000; ++i) {
     const QPointF at(100 + 0.4 * i, 200 + 80 * std::sin(0.02 * i));
     tablet(QEvent::TabletMove, at, 0.4 + 0.0004 * i, Qt::LeftButton);
-    told.push_back(canvas_.view().to_mm(at));
+    reported.push_back(canvas_.view().to_mm(at));
     if (i % 7 == 6) wait(7);
   }
   wait(100);
   release({500, 200});
   auto at = samples_.begin();
-  for (std::size_t i = 0; i < told.size(); ++i) {
+  for (std::size_t i = 0; i < reported.size(); ++i) {
     at = std::find_if(at, samples_.end(), [&](const PenEvent& pen) {
-      return pen.position.x == told[i].x && pen.position.y == told[i].y;
+      return pen.position.x == reported[i].x && pen.position.y == reported[i].y;
     });
     ASSERT_NE(at, samples_.end()) << "place " << i;
     EXPECT_NEAR(at->pressure.value_or(0.0), 0.4 + 0.0004 * static_cast<double>(i), 1e-9);

@@ -98,10 +98,10 @@ TEST(PensPage, TheTestAreaShowsWhatTheMouseDoes) {
   auto* area = page.findChild<PenTestArea*>();
   ASSERT_NE(area, nullptr);
   const QImage before = area->grab().toImage();
-  int told = 0;
+  int reported = 0;
   double last = 0.0;
   QObject::connect(area, &PenTestArea::pressed, [&](std::optional<double>, double curved) {
-    ++told;
+    ++reported;
     last = curved;
   });
   QTest::mousePress(area, Qt::LeftButton, {}, QPoint(20, 20));
@@ -113,7 +113,7 @@ TEST(PensPage, TheTestAreaShowsWhatTheMouseDoes) {
   EXPECT_EQ(last, 0.5);
   QTest::mouseRelease(area, Qt::LeftButton, {}, QPoint(120, 25));
   EXPECT_EQ(last, 0.0);
-  EXPECT_GT(told, 10);
+  EXPECT_GT(reported, 10);
   EXPECT_NE(area->grab().toImage(), before);
 }
 

@@ -107,10 +107,10 @@ void TabletInput::use_button(std::size_t which, bool down, QPointF px) {
 void TabletInput::leave() {
   if (hand_.is_down(PenHand::Source::kTablet)) hand_.lift();
   use_end(false);
-  let_go();
+  release_all();
 }
 
-void TabletInput::let_go() {
+void TabletInput::release_all() {
   use_buttons(Qt::NoButton, {});
   if (std::exchange(drags_, false)) drag_.end();
 }

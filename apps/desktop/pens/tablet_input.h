@@ -30,7 +30,7 @@ class TabletInput : public QObject {
   void leave();
   /// Treats all side buttons as released and ends a drag of the view. Called when the window is no
   /// longer active.
-  void let_go();
+  void release_all();
   /// Returns true if the pen is over the tablet, or was there a moment ago. A touch then counts as
   /// a palm.
   [[nodiscard]] bool is_near() const;

@@ -70,7 +70,7 @@ CanvasView canvas_view(const Viewport& stored, const CanvasView& present) {
 }
 
 DrawingLooks looks_of(Canvas& canvas, ColorsPanel& colors) {
-  return {.tell =
+  return {.report =
               [&](Drawing& drawing) {
                 drawing.view = stored_view(canvas.view());
                 drawing.palette = colors.shown_palette();
@@ -97,7 +97,7 @@ QWidget* scrolled(QWidget* panel, const QString& name) {
 }
 
 StudioOptions with_own_materials(StudioOptions options) {
-  options.materials = OwnMaterials::the().known();
+  options.materials = UserMaterials::the().known();
   return options;
 }
 
@@ -109,7 +109,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
       canvas_(new Canvas(*studio_, this)),
       actions_(new Actions(this)),
       files_(new FileActions(*studio_, *actions_, this)),
-      materials_(new MaterialDesk(*studio_, OwnMaterials::the(), this)),
+      materials_(new MaterialEditorModel(*studio_, UserMaterials::the(), this)),
       media_pictures_(new MediaPictures(*studio_, this)) {
   setObjectName(QStringLiteral("main"));
   new KeptOptions(*studio_, this);
@@ -164,7 +164,7 @@ QWidget* MainWindow::canvas_with_notices() {
   column->addWidget(canvas_, 1);
   connect(files_, &FileActions::taken, notices, &NoticeBar::show_report);
   connect(files_, &FileActions::drawing_changed, notices, &NoticeBar::forget_report);
-  if (const QStringList wrong = OwnMaterials::the().take_problems(); !wrong.isEmpty()) {
+  if (const QStringList wrong = UserMaterials::the().take_problems(); !wrong.isEmpty()) {
     notices->show_words(tr("Some of your materials could not be read:") + QLatin1Char('\n') +
                         wrong.join(QLatin1Char('\n')));
   }

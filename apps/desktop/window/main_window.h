@@ -10,8 +10,8 @@
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
 #include "desktop/files/file_actions.h"
-#include "desktop/materials/material_desk.h"
 #include "desktop/materials/material_editor.h"
+#include "desktop/materials/material_editor_model.h"
 #include "desktop/materials/media_pictures.h"
 
 namespace felt::desktop {
@@ -31,7 +31,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Actions& actions() noexcept { return *actions_; }
   [[nodiscard]] FileActions& files() noexcept { return *files_; }
   [[nodiscard]] DeviceCare& care() noexcept { return *care_; }
-  [[nodiscard]] MaterialDesk& materials() noexcept { return *materials_; }
+  [[nodiscard]] MaterialEditorModel& materials() noexcept { return *materials_; }
   [[nodiscard]] const MediaPictures& media_pictures() const noexcept { return *media_pictures_; }
   /// Returns the window in which surfaces and media are edited; makes it on the first call.
   MaterialEditor& material_editor();
@@ -72,7 +72,7 @@ class MainWindow : public QMainWindow {
   Canvas* canvas_;
   Actions* actions_;
   FileActions* files_;
-  MaterialDesk* materials_;
+  MaterialEditorModel* materials_;
   MediaPictures* media_pictures_;
   DeviceNotice* device_notice_ = nullptr;
   DeviceCare* care_ = nullptr;

@@ -138,10 +138,10 @@ TEST(MainWindow, WhatAPersonMakesIsInEveryListAtOnce) {
   Medium graphite = *find_medium("pencil");
   graphite.id = "graphite";
   graphite.label = "Graphite";
-  OwnMaterials::the().put(slate);
-  OwnMaterials::the().put(graphite);
+  UserMaterials::the().put(slate);
+  UserMaterials::the().put(graphite);
   const auto lists = [](MainWindow& window) {
-    window.materials().tell_now();
+    window.materials().report_now();
     int found = 0;
     for (const char* name : {"top_surfaces", "top_media"}) {
       auto* box = window.findChild<QComboBox*>(QString::fromLatin1(name));
@@ -165,8 +165,8 @@ TEST(MainWindow, WhatAPersonMakesIsInEveryListAtOnce) {
   Q_EMIT surfaces->activated(row);
   EXPECT_EQ(one.studio().session().surface().id, "slate");
   one.studio().apply(SetOption{"surface.material", OptionValue(std::string("paper"))});
-  OwnMaterials::the().revert({true, "slate"});
-  OwnMaterials::the().revert({false, "graphite"});
+  UserMaterials::the().revert({true, "slate"});
+  UserMaterials::the().revert({false, "graphite"});
   EXPECT_EQ(lists(one), 0);
 }
 
@@ -324,7 +324,7 @@ TEST(Windows, ASignalEndsThemWithoutForceAndKeepsWhatWasDrawn) {
   QSignalSpy asked(&signals, &SignalWatch::asked);
   ASSERT_EQ(std::raise(SIGTERM), 0);
   ASSERT_TRUE(asked.count() == 1 || asked.wait(5000));
-  windows.let_go();
+  windows.release();
   const QString folder = window->files().autosave()->folder();
   EXPECT_FALSE(window->studio().loop().forces_are_on());
   windows.end();  // closes the windows without asking the user

@@ -11,7 +11,7 @@
 namespace felt::desktop {
 namespace {
 
-std::atomic<int> ear{-1};  // the end of the pipe to which the handler writes
+std::atomic<int> listener{-1};  // the end of the pipe to which the handler writes
 static_assert(std::atomic<int>::is_always_lock_free);
 
 void set(void (*handler)(int)) {
@@ -24,7 +24,7 @@ void set(void (*handler)(int)) {
 
 extern "C" void note_signal(int signal) {
   const int kept_errno = errno;
-  const int fd = ear.exchange(-1);
+  const int fd = listener.exchange(-1);
   if (fd < 0 || write(fd, "!", 1) != 1) {  // the second signal, or the pipe failed
     std::signal(signal, SIG_DFL);
     std::raise(signal);
@@ -42,14 +42,14 @@ SignalWatch::SignalWatch(QObject* parent) : QObject(parent) {
     notifier_->setEnabled(false);
     Q_EMIT asked();
   });
-  ear = pipe_[1];
+  listener = pipe_[1];
   set(note_signal);
 }
 
 SignalWatch::~SignalWatch() {
   if (!notifier_) return;
   set(SIG_DFL);
-  ear = -1;
+  listener = -1;
   notifier_.reset();  // before its file descriptor is closed
   for (const int fd : pipe_) close(fd);
 }

@@ -82,7 +82,7 @@ void ToolKeys::borrow(const QString& tool, bool always) {
 }
 
 void ToolKeys::note_use() {
-  const bool is_down = in_contact(studio_.pen().sample) || studio_.session().gesture_in_work();
+  const bool is_down = in_contact(studio_.pen().sample) || studio_.session().gesture_in_progress();
   if (held_.key && is_down) held_.is_used = true;
   if (!owed_.isEmpty() && !is_down) give_back();
 }

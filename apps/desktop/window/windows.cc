@@ -60,7 +60,7 @@ MainWindow* Windows::open_file(const QString& path) {
   return window;
 }
 
-void Windows::let_go() {
+void Windows::release() {
   for (MainWindow* window : windows_) window->studio().loop().set_forces(false);
   for (MainWindow* window : windows_) {
     if (StudioAutosave* autosave = window->files().autosave()) autosave->flush();
@@ -68,7 +68,7 @@ void Windows::let_go() {
 }
 
 void Windows::end() {
-  let_go();
+  release();
   for (MainWindow* window : QList<MainWindow*>(windows_)) {
     window->keep_layout();
     delete window;  // closes its device without force; keeps its autosave if it is needed

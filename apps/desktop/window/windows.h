@@ -27,8 +27,8 @@ class Windows : public QObject {
   /// Prepares the end of the program without asking the user. Switches forces off immediately and
   /// autosaves all drawings. When the function returns, they are on the disk; the next start offers
   /// those with unsaved changes.
-  void let_go();
-  /// Calls let_go() and closes all windows. Must not be called from within a dialog.
+  void release();
+  /// Calls release() and closes all windows. Must not be called from within a dialog.
   void end();
   /// Returns the path of the drawing that was last open, if the next start should open it again and
   /// the file exists; otherwise "".

@@ -87,7 +87,7 @@ void Autosave::session_began(const Session& session, Drawing drawing, std::strin
 }
 
 void Autosave::event_applied(const Session& session, const Event& event) {
-  AutosaveMessage message{.event = event, .gesture_in_progress = session.gesture_in_work()};
+  AutosaveMessage message{.event = event, .gesture_in_progress = session.gesture_in_progress()};
   if (!std::holds_alternative<PenEvent>(event.what)) {
     add_layer_in_use(session, message);
   } else if (!message.gesture_in_progress && session.selection_count() != selection_count_ &&

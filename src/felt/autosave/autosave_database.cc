@@ -12,7 +12,7 @@
 #include "felt/autosave/autosave_rows.h"
 #include "felt/autosave/edit_blob.h"
 #include "felt/base/check.h"
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 #include "felt/store/database.h"
 
 namespace felt {

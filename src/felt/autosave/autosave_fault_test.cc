@@ -40,59 +40,59 @@ class AutosaveFault : public ::testing::Test {
 /// samples keep arriving. Afterwards all of them are saved: 12 s at 1 kHz.
 TEST_F(AutosaveFault, AStalledDiskHoldsNobodyUp) {
   AutosaveOptions how = options();
-  AutosaveFixture desk({.roots = {folder_.at("unused")}});
+  AutosaveFixture fixture({.roots = {folder_.at("unused")}});
   Autosave autosave(how);
-  desk.listener = &autosave;
-  desk.listener->session_began(*desk.session, desk.drawing(), "n", "", false);
-  autosave.attach(*desk.ring, AutosaveFixture::kOffsetNs);
-  desk.steps(20);
+  fixture.listener = &autosave;
+  fixture.listener->session_began(*fixture.session, fixture.drawing(), "n", "", false);
+  autosave.attach(*fixture.ring, AutosaveFixture::kOffsetNs);
+  fixture.steps(20);
   autosave.flush();
   {
     const std::unique_lock disk(FaultyVfs::the().stall);
     const int before = FaultyVfs::the().calls;
-    desk.draw(1);
+    fixture.draw(1);
     while (FaultyVfs::the().calls == before) std::this_thread::yield();
-    desk.steps(12'000);
-    desk.apply(UndoEvent{});
+    fixture.steps(12'000);
+    fixture.apply(UndoEvent{});
     autosave.post({.modified = true});
     autosave.post({.name = "other", .path = ""});
     EXPECT_EQ(FaultyVfs::the().calls, before + 1) << "it waits for its first write";
   }
-  EXPECT_EQ(desk.ring->dropped(), 0u);
-  desk.steps(17);
+  EXPECT_EQ(fixture.ring->dropped(), 0u);
+  fixture.steps(17);
   autosave.flush();
   const Result<Recovered> recovered = recover_autosave(autosave.status().folder);
   ASSERT_TRUE(recovered);
   EXPECT_EQ(recovered->name, "other");
   EXPECT_EQ(autosave.status().state, AutosaveStatus::State::kWorking);
-  EXPECT_TRUE(recovered->drawing.document == desk.ended());
+  EXPECT_TRUE(recovered->drawing.document == fixture.ended());
   EXPECT_GT(recovered->drawing.document.stroke_count(), 190u);
 }
 
 /// If a disk stalls while the edit thread hangs, the samples of the loop are not lost either.
 TEST_F(AutosaveFault, AStalledDiskAndAHungEditThreadLoseNothing) {
-  AutosaveFixture desk({.roots = {folder_.at("unused")}});
+  AutosaveFixture fixture({.roots = {folder_.at("unused")}});
   Autosave autosave(options());
-  desk.listener = &autosave;
-  desk.listener->session_began(*desk.session, desk.drawing(), "n", "", false);
-  autosave.attach(*desk.ring, AutosaveFixture::kOffsetNs);
-  desk.steps(20);
+  fixture.listener = &autosave;
+  fixture.listener->session_began(*fixture.session, fixture.drawing(), "n", "", false);
+  autosave.attach(*fixture.ring, AutosaveFixture::kOffsetNs);
+  fixture.steps(20);
   autosave.flush();
-  desk.hangs = true;
+  fixture.hangs = true;
   {
     const std::unique_lock disk(FaultyVfs::the().stall);
-    desk.steps(10'000);
+    fixture.steps(10'000);
   }
-  EXPECT_EQ(desk.ring->dropped(), 0u);
+  EXPECT_EQ(fixture.ring->dropped(), 0u);
   autosave.flush();
   const Result<Recovered> recovered = recover_autosave(autosave.status().folder);
   ASSERT_TRUE(recovered);
   for (int i = 20; i < 10'020; ++i) {
     PenSample late = AutosaveFixture::sample(i);
     late.time_ns += AutosaveFixture::kOffsetNs;
-    ASSERT_TRUE(desk.session->sample(late));
+    ASSERT_TRUE(fixture.session->sample(late));
   }
-  EXPECT_TRUE(recovered->drawing.document == desk.ended());
+  EXPECT_TRUE(recovered->drawing.document == fixture.ended());
 }
 
 /// Each call of a kind fails once. After that the database is never used again, another one
@@ -117,20 +117,20 @@ TEST_F(AutosaveFault, WhateverFailsIsNeverTriedAgainInTheSameFile) {
           if (call == kind) ++seen;
           return seen == nth ? code : SQLITE_OK;
         };
-        AutosaveFixture desk(how);
+        AutosaveFixture fixture(how);
         for (int i = 0; i < 150; ++i) {
-          desk.step();
-          if (i % 5 == 0) desk.autosave->process();
-          if (i % 40 == 20) desk.draw(static_cast<std::uint64_t>(i));
+          fixture.step();
+          if (i % 5 == 0) fixture.autosave->process();
+          if (i % 40 == 20) fixture.draw(static_cast<std::uint64_t>(i));
         }
-        desk.autosave->process();
+        fixture.autosave->process();
         any = seen >= nth;
         EXPECT_EQ(after, 0) << "the first place was used after its failure";
-        EXPECT_EQ(desk.autosave->status().state,
+        EXPECT_EQ(fixture.autosave->status().state,
                   any ? AutosaveStatus::State::kElsewhere : AutosaveStatus::State::kWorking);
-        const Recovered recovered = desk.crashed();
+        const Recovered recovered = fixture.crashed();
         EXPECT_TRUE(recovered.problems.empty());
-        EXPECT_TRUE(recovered.drawing.document == desk.ended()) << "call " << nth;
+        EXPECT_TRUE(recovered.drawing.document == fixture.ended()) << "call " << nth;
       }
     }
   }
@@ -146,19 +146,19 @@ TEST_F(AutosaveFault, AStoreThatFailedHoldsItsLastCommit) {
     FaultyVfs::the().judge = [&](DiskCall call, const std::string&) {
       return call == DiskCall::kWrite && ++writes >= nth ? SQLITE_FULL : SQLITE_OK;
     };
-    AutosaveFixture desk(how);
-    desk.autosave->process();
-    std::vector<Document> states{desk.session->document()};
-    std::string store = desk.autosave->status().folder;
+    AutosaveFixture fixture(how);
+    fixture.autosave->process();
+    std::vector<Document> states{fixture.session->document()};
+    std::string store = fixture.autosave->status().folder;
     for (std::uint64_t i = 0; i < 20; ++i) {
-      desk.draw(i);
-      desk.autosave->process();
-      if (desk.autosave->status().state != AutosaveStatus::State::kWorking) break;
-      store = desk.autosave->status().folder;
-      states.push_back(desk.session->document());
+      fixture.draw(i);
+      fixture.autosave->process();
+      if (fixture.autosave->status().state != AutosaveStatus::State::kWorking) break;
+      store = fixture.autosave->status().folder;
+      states.push_back(fixture.session->document());
     }
     if (store.empty()) continue;
-    EXPECT_EQ(desk.autosave->status().state, AutosaveStatus::State::kFailing);
+    EXPECT_EQ(fixture.autosave->status().state, AutosaveStatus::State::kFailing);
     const Result<Recovered> recovered = recover_autosave(store);
     ASSERT_TRUE(recovered) << recovered.error().message;
     EXPECT_TRUE(recovered->drawing.document == states.back());
@@ -169,29 +169,29 @@ TEST_F(AutosaveFault, AStoreThatFailedHoldsItsLastCommit) {
 TEST_F(AutosaveFault, AFullDiskIsSaidAndFoundMended) {
   AutosaveOptions how = options();
   how.retry = how.retry_first = std::chrono::milliseconds(0);
-  std::vector<AutosaveStatus> told;
-  how.on_status = [&told](const AutosaveStatus& status) { told.push_back(status); };
+  std::vector<AutosaveStatus> reported;
+  how.on_status = [&reported](const AutosaveStatus& status) { reported.push_back(status); };
   bool is_full = false;
   FaultyVfs::the().judge = [&](DiskCall call, const std::string&) {
     return is_full && call == DiskCall::kWrite ? SQLITE_FULL : SQLITE_OK;
   };
-  AutosaveFixture desk(how);
-  desk.draw(1);
-  desk.autosave->process();
-  EXPECT_TRUE(told.empty());
+  AutosaveFixture fixture(how);
+  fixture.draw(1);
+  fixture.autosave->process();
+  EXPECT_TRUE(reported.empty());
   is_full = true;
-  desk.draw(2);
-  desk.autosave->process();
-  desk.steps(70);
-  desk.autosave->process();
-  ASSERT_FALSE(told.empty());
-  EXPECT_EQ(told.back().state, AutosaveStatus::State::kFailing);
-  EXPECT_NE(told.back().why.find("full"), std::string::npos) << told.back().why;
+  fixture.draw(2);
+  fixture.autosave->process();
+  fixture.steps(70);
+  fixture.autosave->process();
+  ASSERT_FALSE(reported.empty());
+  EXPECT_EQ(reported.back().state, AutosaveStatus::State::kFailing);
+  EXPECT_NE(reported.back().why.find("full"), std::string::npos) << reported.back().why;
   is_full = false;
-  desk.steps(30);
-  desk.autosave->process();
-  EXPECT_EQ(told.back().state, AutosaveStatus::State::kWorking);
-  EXPECT_TRUE(desk.crashed().drawing.document == desk.ended());
+  fixture.steps(30);
+  fixture.autosave->process();
+  EXPECT_EQ(reported.back().state, AutosaveStatus::State::kWorking);
+  EXPECT_TRUE(fixture.crashed().drawing.document == fixture.ended());
 }
 
 /// The disk has space for a new folder but not for a copy of the drawing. Failed attempts leave no
@@ -206,9 +206,9 @@ TEST_F(AutosaveFault, RepeatedFailuresDoNotFillTheDisk) {
   FaultyVfs::the().judge = [&](DiskCall call, const std::string&) {
     return is_full && call == DiskCall::kWrite && ++writes % 40 == 0 ? SQLITE_FULL : SQLITE_OK;
   };
-  AutosaveFixture desk(how);
-  for (std::uint64_t i = 0; i < 40; ++i) desk.draw(i);
-  desk.autosave->process();
+  AutosaveFixture fixture(how);
+  for (std::uint64_t i = 0; i < 40; ++i) fixture.draw(i);
+  fixture.autosave->process();
   const auto databases = [&] {
     std::size_t count = 0;
     for (const char* root : {"first", "second"}) {
@@ -222,16 +222,16 @@ TEST_F(AutosaveFault, RepeatedFailuresDoNotFillTheDisk) {
   is_full = true;
   std::size_t most = 0;
   for (std::uint64_t i = 0; i < 60; ++i) {
-    desk.draw(40 + i);
-    desk.autosave->process();
+    fixture.draw(40 + i);
+    fixture.autosave->process();
     most = std::max(most, databases());
   }
   EXPECT_LE(most, 2u) << "the last complete one, and the one being written";
   is_full = false;
-  desk.draw(1000);
-  desk.autosave->process();
+  fixture.draw(1000);
+  fixture.autosave->process();
   EXPECT_EQ(databases(), 1u);
-  EXPECT_TRUE(desk.crashed().drawing.document == desk.ended());
+  EXPECT_TRUE(fixture.crashed().drawing.document == fixture.ended());
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/stroke_blob.h"
 

@@ -17,18 +17,18 @@ using testing::TestFolder;
 TEST(Autosave, WhateverWasDrawnIsThereAtAnyStep) {
   for (int steps = 1; steps < 320; steps += 1 + steps % 7) {
     const TestFolder folder;
-    AutosaveFixture desk({.roots = {folder.path}});
-    desk.autosave->process();
+    AutosaveFixture fixture({.roots = {folder.path}});
+    fixture.autosave->process();
     for (int i = 0; i < steps; ++i) {
-      desk.step();
-      if (i % 5 == 2) desk.autosave->process();
-      if (i % 60 == 57 && i % 240 > 180) desk.apply(UndoEvent{});
-      if (i % 60 == 58 && i % 120 > 60) desk.apply(LayerEvent{LayerEvent::Do::kAdd, {}, "L"});
+      fixture.step();
+      if (i % 5 == 2) fixture.autosave->process();
+      if (i % 60 == 57 && i % 240 > 180) fixture.apply(UndoEvent{});
+      if (i % 60 == 58 && i % 120 > 60) fixture.apply(LayerEvent{LayerEvent::Do::kAdd, {}, "L"});
     }
-    desk.autosave->process();
-    const Recovered recovered = desk.crashed();
+    fixture.autosave->process();
+    const Recovered recovered = fixture.crashed();
     EXPECT_TRUE(recovered.problems.empty()) << recovered.problems.front();
-    EXPECT_TRUE(recovered.drawing.document == desk.ended()) << steps << " steps";
+    EXPECT_TRUE(recovered.drawing.document == fixture.ended()) << steps << " steps";
   }
 }
 
@@ -37,18 +37,18 @@ TEST(Autosave, EveryToolsGestureIsThere) {
   for (const char* tool : {"pull", "smooth", "width", "eraser", "lasso", "transform", "connect"}) {
     for (const int steps : {20, 35, 52, 90}) {
       const TestFolder folder;
-      AutosaveFixture desk({.roots = {folder.path}});
-      desk.draw(7, 12);
-      desk.apply(SelectStrokes{});
-      desk.apply(SelectTool{tool});
-      desk.apply(SetOption{"ink.color", "#2040a0"});
+      AutosaveFixture fixture({.roots = {folder.path}});
+      fixture.draw(7, 12);
+      fixture.apply(SelectStrokes{});
+      fixture.apply(SelectTool{tool});
+      fixture.apply(SetOption{"ink.color", "#2040a0"});
       for (int i = 0; i < steps; ++i) {
-        desk.step();
-        if (i % 5 == 2) desk.autosave->process();
+        fixture.step();
+        if (i % 5 == 2) fixture.autosave->process();
       }
-      desk.autosave->process();
-      const Recovered recovered = desk.crashed();
-      EXPECT_TRUE(recovered.drawing.document == desk.ended()) << tool << ' ' << steps;
+      fixture.autosave->process();
+      const Recovered recovered = fixture.crashed();
+      EXPECT_TRUE(recovered.drawing.document == fixture.ended()) << tool << ' ' << steps;
       EXPECT_EQ(recovered.drawing.color, (Rgba{0x20, 0x40, 0xa0, 255}));
     }
   }
@@ -57,29 +57,29 @@ TEST(Autosave, EveryToolsGestureIsThere) {
 /// The edit thread hangs at every point of a gesture, and the user continues to draw.
 TEST(Autosave, AHungEditThreadCostsNoInk) {
   for (const char* tool : {"pencil", "pull", "eraser", "transform"}) {
-    for (int told = 40; told <= 125; told += 5) {
+    for (int reported = 40; reported <= 125; reported += 5) {
       for (const int more : {1, 20, 64, 130}) {
         const TestFolder folder;
-        AutosaveFixture desk({.roots = {folder.path}});
-        desk.draw(7, 12);
-        desk.apply(SelectStrokes{});
-        desk.apply(SelectTool{tool});
-        desk.steps(told);
-        desk.autosave->process();
-        desk.hangs = true;
+        AutosaveFixture fixture({.roots = {folder.path}});
+        fixture.draw(7, 12);
+        fixture.apply(SelectStrokes{});
+        fixture.apply(SelectTool{tool});
+        fixture.steps(reported);
+        fixture.autosave->process();
+        fixture.hangs = true;
         for (int i = 0; i < more; ++i) {
-          desk.step();
-          if (i % 5 == 0) desk.autosave->process();
+          fixture.step();
+          if (i % 5 == 0) fixture.autosave->process();
         }
-        desk.autosave->process();
-        const Recovered recovered = desk.crashed();
+        fixture.autosave->process();
+        const Recovered recovered = fixture.crashed();
         for (int i = 0; i < more; ++i) {
-          PenSample late = AutosaveFixture::sample(told + i);
+          PenSample late = AutosaveFixture::sample(reported + i);
           late.time_ns += AutosaveFixture::kOffsetNs;
-          ASSERT_TRUE(desk.session->sample(late));
+          ASSERT_TRUE(fixture.session->sample(late));
         }
-        EXPECT_TRUE(recovered.drawing.document == desk.ended())
-            << tool << ": told " << told << ", then " << more;
+        EXPECT_TRUE(recovered.drawing.document == fixture.ended())
+            << tool << ": told " << reported << ", then " << more;
       }
     }
   }
@@ -91,12 +91,12 @@ TEST(LiveInk, KeepsHowThePenTilts) {
   for (const std::optional<double> tilt : {std::optional<double>(), std::optional(32.5)}) {
     LiveInk live;
     live.clear();
-    std::vector<PenSample> told;
+    std::vector<PenSample> reported;
     for (int i = 0; i < 20; ++i) {
       const double z = i < 5 ? 3.0 : -0.3;
-      told.push_back({i * 1'000'000, {0.1 * i, 5.0, z}, {}, {}, 0});
-      if (i > 8) told.back().tilt_deg = tilt;
-      live.add_loop_sample(told.back());
+      reported.push_back({i * 1'000'000, {0.1 * i, 5.0, z}, {}, {}, 0});
+      if (i > 8) reported.back().tilt_deg = tilt;
+      live.add_loop_sample(reported.back());
     }
     LiveStretch stretch;
     for (const LiveChunk& chunk : live.take_changes().chunks) {
@@ -107,7 +107,7 @@ TEST(LiveInk, KeepsHowThePenTilts) {
       LiveStretch damaged;
       EXPECT_FALSE(read_live_chunk(chunk.kind, chunk.bytes + "x", damaged));
     }
-    EXPECT_EQ(stretch.overhang, told);
+    EXPECT_EQ(stretch.overhang, reported);
   }
 }
 
@@ -115,26 +115,27 @@ TEST(LiveInk, KeepsHowThePenTilts) {
 /// not a gesture, neither in the session nor after recovery.
 TEST(Autosave, TheRestOfALineIsNoOtherGesture) {
   for (const char* tool : {"eraser", "pull", "pencil"}) {
-    for (const int told : {22, 30, 49, 52, 60}) {
+    for (const int reported : {22, 30, 49, 52, 60}) {
       for (const bool hangs : {false, true}) {
         const TestFolder folder;
-        AutosaveFixture desk({.roots = {folder.path}});
-        desk.draw(7, 12);
-        desk.apply(SelectTool{"smooth"});
-        desk.steps(20);
-        desk.apply(SelectTool{tool});
-        desk.steps(told - 20);
-        desk.autosave->process();
-        desk.hangs = hangs;
-        desk.steps(70);
-        desk.autosave->process();
-        const Recovered recovered = desk.crashed();
+        AutosaveFixture fixture({.roots = {folder.path}});
+        fixture.draw(7, 12);
+        fixture.apply(SelectTool{"smooth"});
+        fixture.steps(20);
+        fixture.apply(SelectTool{tool});
+        fixture.steps(reported - 20);
+        fixture.autosave->process();
+        fixture.hangs = hangs;
+        fixture.steps(70);
+        fixture.autosave->process();
+        const Recovered recovered = fixture.crashed();
         for (int i = 0; hangs && i < 70; ++i) {
-          PenSample late = AutosaveFixture::sample(told + i);
+          PenSample late = AutosaveFixture::sample(reported + i);
           late.time_ns += AutosaveFixture::kOffsetNs;
-          ASSERT_TRUE(desk.session->sample(late));
+          ASSERT_TRUE(fixture.session->sample(late));
         }
-        EXPECT_TRUE(recovered.drawing.document == desk.ended()) << tool << ' ' << told << hangs;
+        EXPECT_TRUE(recovered.drawing.document == fixture.ended())
+            << tool << ' ' << reported << hangs;
       }
     }
   }
@@ -143,60 +144,60 @@ TEST(Autosave, TheRestOfALineIsNoOtherGesture) {
 /// The edit thread resumes after it hung. Its late events are samples that the autosave already has
 /// from the haptic loop.
 TEST(Autosave, WhatIsToldLateIsNoInkTwice) {
-  for (int told = 44; told <= 120; told += 4) {
+  for (int reported = 44; reported <= 120; reported += 4) {
     const TestFolder folder;
-    AutosaveFixture desk({.roots = {folder.path}});
-    desk.steps(told);
-    desk.hangs = true;
+    AutosaveFixture fixture({.roots = {folder.path}});
+    fixture.steps(reported);
+    fixture.hangs = true;
     for (int i = 0; i < 90; ++i) {
-      desk.step();
-      if (i % 5 == 0) desk.autosave->process();
+      fixture.step();
+      if (i % 5 == 0) fixture.autosave->process();
     }
-    desk.hangs = false;
+    fixture.hangs = false;
     for (int i = 0; i < 90; ++i) {
-      PenSample late = AutosaveFixture::sample(told + i);
+      PenSample late = AutosaveFixture::sample(reported + i);
       late.time_ns += AutosaveFixture::kOffsetNs;
-      ASSERT_TRUE(desk.session->sample(late));
-      if (i % 17 == 3) desk.autosave->process();
+      ASSERT_TRUE(fixture.session->sample(late));
+      if (i % 17 == 3) fixture.autosave->process();
     }
-    desk.steps(13);
-    desk.autosave->process();
-    EXPECT_TRUE(desk.crashed().drawing.document == desk.ended()) << told;
+    fixture.steps(13);
+    fixture.autosave->process();
+    EXPECT_TRUE(fixture.crashed().drawing.document == fixture.ended()) << reported;
   }
 }
 
 TEST(Autosave, ANewBaseTakesTheOldOnesPlaceAndLosesNothing) {
   const TestFolder folder;
-  AutosaveFixture desk({.roots = {folder.path}, .max_log_bytes = 6'000});
-  desk.draw(1, 3000);
+  AutosaveFixture fixture({.roots = {folder.path}, .max_log_bytes = 6'000});
+  fixture.draw(1, 3000);
   for (std::uint64_t i = 2; i < 60; ++i) {
-    desk.draw(i, 2);
-    desk.autosave->process();
+    fixture.draw(i, 2);
+    fixture.autosave->process();
     if (i % 9 == 0) {
-      const Recovered recovered = desk.crashed();
+      const Recovered recovered = fixture.crashed();
       EXPECT_TRUE(recovered.problems.empty());
-      EXPECT_TRUE(recovered.drawing.document == desk.session->document()) << i;
+      EXPECT_TRUE(recovered.drawing.document == fixture.session->document()) << i;
       EXPECT_LT(recovered.edits, 30u);
     }
   }
-  EXPECT_EQ(desk.ring->dropped(), 0u);
+  EXPECT_EQ(fixture.ring->dropped(), 0u);
 }
 
 TEST(Autosave, WhatIsSavedLeavesNothingAndWhatIsNotStays) {
   const TestFolder folder;
   {
-    AutosaveFixture desk({.roots = {folder.path}});
-    desk.draw(1);
-    desk.autosave->process();
+    AutosaveFixture fixture({.roots = {folder.path}});
+    fixture.draw(1);
+    fixture.autosave->process();
     EXPECT_TRUE(find_abandoned_autosaves({folder.path}).empty()) << "its owner lives";
-    desk.autosave->post({.name = "a.felt", .path = "/a.felt"});
-    desk.autosave->post({.modified = false});
+    fixture.autosave->post({.name = "a.felt", .path = "/a.felt"});
+    fixture.autosave->post({.modified = false});
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path));
   {
-    AutosaveFixture desk({.roots = {folder.path}});
-    desk.draw(1, 3);
-    desk.autosave->post({.name = "b.felt", .path = "/b.felt"});
+    AutosaveFixture fixture({.roots = {folder.path}});
+    fixture.draw(1, 3);
+    fixture.autosave->post({.name = "b.felt", .path = "/b.felt"});
   }
   std::vector<AbandonedAutosave> left = find_abandoned_autosaves({folder.path});
   ASSERT_EQ(left.size(), 1u);
@@ -212,43 +213,43 @@ TEST(Autosave, WhatIsSavedLeavesNothingAndWhatIsNotStays) {
 
 TEST(Autosave, AnotherDrawingBeginsAnotherStore) {
   const TestFolder folder;
-  AutosaveFixture desk({.roots = {folder.path}});
-  desk.draw(1, 5);
-  desk.autosave->process();
-  const std::string first = desk.autosave->status().folder;
-  desk.listener->session_began(*desk.session, desk.drawing(), "next", "", false);
-  desk.draw(2);
-  desk.autosave->process();
-  EXPECT_NE(desk.autosave->status().folder, first);
+  AutosaveFixture fixture({.roots = {folder.path}});
+  fixture.draw(1, 5);
+  fixture.autosave->process();
+  const std::string first = fixture.autosave->status().folder;
+  fixture.listener->session_began(*fixture.session, fixture.drawing(), "next", "", false);
+  fixture.draw(2);
+  fixture.autosave->process();
+  EXPECT_NE(fixture.autosave->status().folder, first);
   EXPECT_FALSE(std::filesystem::exists(first));
-  EXPECT_TRUE(desk.crashed().drawing.document == desk.session->document());
+  EXPECT_TRUE(fixture.crashed().drawing.document == fixture.session->document());
 }
 
 TEST(Autosave, APlaceThatFailsIsLeftForTheNext) {
   const TestFolder folder;
   const std::string no_folder = folder.at("file");
   std::fclose(std::fopen(no_folder.c_str(), "w"));
-  std::vector<AutosaveStatus> told;
+  std::vector<AutosaveStatus> reported;
   AutosaveOptions options{.roots = {no_folder, folder.at("second")}};
-  options.on_status = [&told](const AutosaveStatus& status) { told.push_back(status); };
+  options.on_status = [&reported](const AutosaveStatus& status) { reported.push_back(status); };
   options.retry_first = std::chrono::milliseconds(0);
-  AutosaveFixture desk(options);
-  desk.draw(1);
-  desk.autosave->process();
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0].state, AutosaveStatus::State::kElsewhere);
-  EXPECT_NE(told[0].why.find(no_folder), std::string::npos) << told[0].why;
-  desk.draw(2);
-  desk.autosave->process();
-  EXPECT_TRUE(desk.crashed().drawing.document == desk.session->document());
-  EXPECT_EQ(told.size(), 1u);
+  AutosaveFixture fixture(options);
+  fixture.draw(1);
+  fixture.autosave->process();
+  ASSERT_EQ(reported.size(), 1u);
+  EXPECT_EQ(reported[0].state, AutosaveStatus::State::kElsewhere);
+  EXPECT_NE(reported[0].why.find(no_folder), std::string::npos) << reported[0].why;
+  fixture.draw(2);
+  fixture.autosave->process();
+  EXPECT_TRUE(fixture.crashed().drawing.document == fixture.session->document());
+  EXPECT_EQ(reported.size(), 1u);
   // The first folder works again.
   std::filesystem::remove(no_folder);
-  desk.draw(3);
-  desk.autosave->process();
-  ASSERT_EQ(told.size(), 2u);
-  EXPECT_EQ(told[1].state, AutosaveStatus::State::kWorking);
-  EXPECT_TRUE(desk.crashed().drawing.document == desk.session->document());
+  fixture.draw(3);
+  fixture.autosave->process();
+  ASSERT_EQ(reported.size(), 2u);
+  EXPECT_EQ(reported[1].state, AutosaveStatus::State::kWorking);
+  EXPECT_TRUE(fixture.crashed().drawing.document == fixture.session->document());
   EXPECT_TRUE(std::filesystem::is_empty(folder.at("second")));
 }
 
@@ -258,34 +259,34 @@ TEST(Autosave, WhereNoPlaceWorksItTriesAgain) {
   std::fclose(std::fopen(no_folder.c_str(), "w"));
   AutosaveOptions options{.roots = {no_folder}};
   options.retry = std::chrono::milliseconds(0);
-  AutosaveFixture desk(options);
-  desk.draw(1);
-  desk.autosave->process();
-  EXPECT_EQ(desk.autosave->status().state, AutosaveStatus::State::kFailing);
-  desk.draw(2);
-  desk.autosave->process();
+  AutosaveFixture fixture(options);
+  fixture.draw(1);
+  fixture.autosave->process();
+  EXPECT_EQ(fixture.autosave->status().state, AutosaveStatus::State::kFailing);
+  fixture.draw(2);
+  fixture.autosave->process();
   std::filesystem::remove(no_folder);
-  desk.steps(30);
-  desk.autosave->process();
-  EXPECT_EQ(desk.autosave->status().state, AutosaveStatus::State::kWorking);
-  EXPECT_TRUE(desk.crashed().drawing.document == desk.ended());
+  fixture.steps(30);
+  fixture.autosave->process();
+  EXPECT_EQ(fixture.autosave->status().state, AutosaveStatus::State::kWorking);
+  EXPECT_TRUE(fixture.crashed().drawing.document == fixture.ended());
 }
 
 TEST(Autosave, AThreadCommitsByItself) {
   const TestFolder folder;
   Document document;
   {
-    AutosaveFixture desk({.roots = {folder.at("unused")}});
+    AutosaveFixture fixture({.roots = {folder.at("unused")}});
     Autosave autosave({.roots = {folder.at("used")}});
-    autosave.session_began(*desk.session, desk.drawing(), "n", "", true);
-    desk.listener = &autosave;
-    desk.draw(4, 2);
+    autosave.session_began(*fixture.session, fixture.drawing(), "n", "", true);
+    fixture.listener = &autosave;
+    fixture.draw(4, 2);
     autosave.flush();
-    document = desk.session->document();
+    document = fixture.session->document();
     const Result<Recovered> recovered = recover_autosave(autosave.status().folder);
     ASSERT_TRUE(recovered);
     EXPECT_TRUE(recovered->drawing.document == document);
-    desk.listener = nullptr;
+    fixture.listener = nullptr;
   }
   EXPECT_EQ(find_abandoned_autosaves({folder.at("used")}).size(), 1u);
 }

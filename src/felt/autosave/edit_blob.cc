@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 #include "felt/store/stroke_blob.h"
 
 namespace felt {

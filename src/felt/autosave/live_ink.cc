@@ -7,7 +7,7 @@
 
 #include "felt/io/events/event_writer.h"
 #include "felt/material/material_file.h"
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 
 namespace felt {
 namespace {

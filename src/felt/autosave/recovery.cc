@@ -18,7 +18,7 @@
 #include "felt/autosave/live_ink.h"
 #include "felt/io/events/event_reader.h"
 #include "felt/session/session.h"
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 #include "felt/tools/tool.h"
 
 namespace felt {
@@ -286,10 +286,10 @@ class Assembly {
     options.document = std::move(out_.drawing.document);
     options.selection = std::move(stretch.selection);
     Session session(make_tools(), std::move(options));
-    std::int64_t told_ns = INT64_MIN;
+    std::int64_t reported_ns = INT64_MIN;
     ScriptSink sink;
     sink.event = [&](const Event& event) {
-      told_ns = std::max(told_ns, event.time_ns);
+      reported_ns = std::max(reported_ns, event.time_ns);
       Result<void> done = session.apply(event);
       // The last edit may have removed the active layer before the new active layer was saved. The
       // session then uses the highest layer, as the original session did.
@@ -302,12 +302,12 @@ class Assembly {
               done.error().message);
     }
     for (const PenSample& sample : stretch.overhang) {
-      if (sample.time_ns <= told_ns) continue;
-      told_ns = sample.time_ns;
+      if (sample.time_ns <= reported_ns) continue;
+      reported_ns = sample.time_ns;
       if (!session.sample(sample)) break;
     }
     static_cast<void>(session.finish());
-    out_.last_sample_ns = told_ns;
+    out_.last_sample_ns = reported_ns;
     out_.has_changes = out_.has_changes || session.edit_count() > 0;
     out_.drawing.document = session.document();
   }

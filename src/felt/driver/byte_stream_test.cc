@@ -77,9 +77,9 @@ TEST(TcpStream, SendsAndReceivesAndSaysWhenTheOtherSideLeft) {
   ASSERT_TRUE(stream.has_value()) << stream.error().message;
   const int other = listener.accept_one();
   ASSERT_TRUE((*stream)->send(bytes_of("ping"), kLongNs).has_value());
-  std::array<char, 8> heard{};
-  ASSERT_EQ(::recv(other, heard.data(), 4, MSG_WAITALL), 4);
-  EXPECT_EQ(std::string_view(heard.data(), 4), "ping");
+  std::array<char, 8> received{};
+  ASSERT_EQ(::recv(other, received.data(), 4, MSG_WAITALL), 4);
+  EXPECT_EQ(std::string_view(received.data(), 4), "ping");
   ASSERT_EQ(::send(other, "pong!", 5, 0), 5);
   EXPECT_EQ(receive_text(**stream, 5), "pong!");
   std::array<std::byte, 4> room{};
@@ -154,9 +154,9 @@ TEST(SerialStream, BytesAreRaw) {
   ASSERT_TRUE(port.has_value()) << port.error().message;
   constexpr std::string_view kOdd("\x03\r\n\x11\x13\x04\xff\0\x1a", 9);
   ASSERT_TRUE((*port)->send(bytes_of(kOdd), kLongNs).has_value());
-  std::array<char, 16> heard{};
-  ASSERT_EQ(::read(pty.board(), heard.data(), heard.size()), 9);
-  EXPECT_EQ(std::string_view(heard.data(), 9), kOdd);
+  std::array<char, 16> received{};
+  ASSERT_EQ(::read(pty.board(), received.data(), received.size()), 9);
+  EXPECT_EQ(std::string_view(received.data(), 9), kOdd);
   ASSERT_EQ(::write(pty.board(), kOdd.data(), kOdd.size()), 9);
   EXPECT_EQ(receive_text(**port, 9), kOdd);
 }
@@ -202,14 +202,14 @@ TEST(SerialStream, AGuardSpeaksAfterASilence) {
   ASSERT_TRUE(port.has_value());
   ASSERT_TRUE((*port)->keep_guard(bytes_of("farewell"), 20'000'000));
   ASSERT_TRUE((*port)->send(bytes_of("hello "), kLongNs).has_value());
-  std::string heard;
+  std::string received;
   std::array<char, 16> room{};
-  while (heard.size() < 14) {
+  while (received.size() < 14) {
     const ssize_t count = ::read(pty.board(), room.data(), room.size());
     if (count <= 0) break;
-    heard.append(room.data(), static_cast<std::size_t>(count));
+    received.append(room.data(), static_cast<std::size_t>(count));
   }
-  EXPECT_EQ(heard, "hello farewell");
+  EXPECT_EQ(received, "hello farewell");
 }
 
 TEST(SerialStream, WhatIsNoPortSaysSo) {

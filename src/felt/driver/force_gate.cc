@@ -19,8 +19,8 @@ double sane(double value) noexcept {
 
 double most_for(const Capabilities& device) noexcept {
   if (!device.has_force()) return 0.0;
-  const double most_n = kShareOfNominal * sane(device.max_force_n);
-  return device.advised_force_n == 0.0 ? most_n : std::min(most_n, sane(device.advised_force_n));
+  const double max_n = kShareOfNominal * sane(device.max_force_n);
+  return device.advised_force_n == 0.0 ? max_n : std::min(max_n, sane(device.advised_force_n));
 }
 
 // Returns the longest time for which the force may rise in one call, ms. It is the same as in the
@@ -33,9 +33,9 @@ double longest_credit_for(const Capabilities& device) noexcept {
 // Returns limits that allow the full rated RMS force over any 10 s; the safety chain allows only 80
 // % of it. The limit falls ten times as steeply with the motor temperature as that of the chain, so
 // that the chain's limit is the lower one at every temperature.
-SafetyLimits motor_limits(const Capabilities& device, double most_n) noexcept {
+SafetyLimits motor_limits(const Capabilities& device, double max_n) noexcept {
   SafetyLimits limits;
-  limits.peak_force_n = most_n;
+  limits.peak_force_n = max_n;
   limits.continuous_force_n = sane(device.continuous_force_n);
   limits.rms_fade_s = kFadeS;
   return limits;
@@ -44,9 +44,9 @@ SafetyLimits motor_limits(const Capabilities& device, double most_n) noexcept {
 }  // namespace
 
 ForceGate::ForceGate(const Capabilities& device) noexcept
-    : most_n_(most_for(device)),
+    : max_n_(most_for(device)),
       longest_credit_ms_(longest_credit_for(device)),
-      motors_(motor_limits(device, most_n_)) {}
+      motors_(motor_limits(device, max_n_)) {}
 
 // Updates the motor model with the last force and the time for which it was held. Returns the part
 // of that time during which the force may rise, ms.
@@ -70,7 +70,7 @@ Force ForceGate::shortened(const Force& asked) const noexcept {
   if (part_n == 0.0) return {};
   const Force direction{asked.x / part_n, asked.y / part_n, asked.z / part_n};
   const double length = norm(direction);
-  const double allowed_n = std::min(most_n_, motors_.allowed_n());
+  const double allowed_n = std::min(max_n_, motors_.allowed_n());
   if (part_n * length <= allowed_n) return asked;
   // Uses slightly less than the limit, so that rounding cannot exceed it.
   return (allowed_n * (1.0 - 1e-14) / length) * direction;

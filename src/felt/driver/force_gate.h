@@ -48,18 +48,18 @@ class ForceGate {
   /// that `force` is not larger.
   void sent_less(const Force& force) noexcept { held_ = force; }
   /// Records that the device holds no force, because it was stopped or has stopped by itself.
-  void let_go() noexcept { held_ = {}; }
+  void release() noexcept { held_ = {}; }
 
   /// Returns the force that was last sent to the device.
   [[nodiscard]] const Force& held() const noexcept { return held_; }
   /// Returns the largest force that pass() allows, N: min(advised, 0.9 of the nominal maximum).
-  [[nodiscard]] double most_n() const noexcept { return most_n_; }
+  [[nodiscard]] double max_n() const noexcept { return max_n_; }
 
  private:
   [[nodiscard]] double credit_ms(std::int64_t now_ns) noexcept;
   [[nodiscard]] Force shortened(const Force& asked) const noexcept;
 
-  double most_n_;
+  double max_n_;
   double longest_credit_ms_;
   MotorGuard motors_;
   Force held_;

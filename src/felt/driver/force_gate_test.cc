@@ -43,14 +43,14 @@ RC_GTEST_PROP(ForceGate, NothingEverComesOutLongerThanAllowed, ()) {
   const DeviceModel& model = any_model();
   const Capabilities& device = model.capabilities;
   ForceGate gate(device);
-  RC_ASSERT(gate.most_n() > 0.0);
-  RC_ASSERT(gate.most_n() <= 0.9 * device.max_force_n);
-  RC_ASSERT(gate.most_n() <= device.advised_force_n);
+  RC_ASSERT(gate.max_n() > 0.0);
+  RC_ASSERT(gate.max_n() <= 0.9 * device.max_force_n);
+  RC_ASSERT(gate.max_n() <= device.advised_force_n);
   for (int i = 0; i < 20; ++i) {
     const Force asked{any_double(), any_double(), any_double()};
     const ForceGate::Passed passed = gate.pass(asked, *rc::gen::arbitrary<std::int64_t>());
     RC_ASSERT(is_finite(passed.force));
-    RC_ASSERT(norm(passed.force) <= gate.most_n());
+    RC_ASSERT(norm(passed.force) <= gate.max_n());
     RC_ASSERT(passed.was_finite == is_finite(asked));
   }
 }
@@ -71,7 +71,7 @@ RC_GTEST_PROP(ForceGate, TheDirectionIsKept, ()) {
 
 RC_GTEST_PROP(ForceGate, WhatIsAllowedPassesToTheBit, ()) {
   ForceGate gate(any_model().capabilities);
-  const auto part = [&] { return 1e-6 * gate.most_n() * *rc::gen::inRange(-577'000, 577'000); };
+  const auto part = [&] { return 1e-6 * gate.max_n() * *rc::gen::inRange(-577'000, 577'000); };
   const Force asked{part(), part(), part()};
   const ForceGate::Passed passed = pass_long(gate, asked);
   RC_ASSERT(passed.force == asked);
@@ -114,7 +114,7 @@ TEST(ForceGate, ADeviceThatSaysNonsenseGetsNoForce) {
 }
 
 TEST(ForceGate, WithoutAdviceNineTenthsOfTheNominalForce) {
-  EXPECT_DOUBLE_EQ(ForceGate({.max_force_n = 5.0}).most_n(), 4.5);
+  EXPECT_DOUBLE_EQ(ForceGate({.max_force_n = 5.0}).max_n(), 4.5);
 }
 
 TEST(ForceGate, RmsOverAnyTenSecondsIsWithinTheRating) {
@@ -153,7 +153,7 @@ TEST(ForceGate, NeverBindsBeforeTheChainsMotorGuard) {
     const SafetyLimits limits = limits_for(model.capabilities);
     MotorGuard chain(limits);
     ForceGate gate(model.capabilities);
-    ASSERT_GE(gate.most_n(), limits.peak_force_n) << model.id;
+    ASSERT_GE(gate.max_n(), limits.peak_force_n) << model.id;
     double wish = 0.0, last = 0.0, step_ms = 0.0;
     std::int64_t now_ns = 0;
     for (int i = 0; i < 120'000; ++i) {
@@ -174,12 +174,12 @@ TEST(ForceGate, NeverBindsBeforeTheChainsMotorGuard) {
 TEST(ForceGate, WhatWasLetGoHeatsNoMotor) {
   Capabilities device = find_device_model("touch")->capabilities;
   ForceGate held(device);
-  ForceGate let_go(device);
+  ForceGate release(device);
   pass_long(held, {2.5, 0, 0});
-  pass_long(let_go, {2.5, 0, 0});
-  let_go.let_go();
+  pass_long(release, {2.5, 0, 0});
+  release.release();
   EXPECT_LT(norm(pass_long(held, {2.5, 0, 0}, 60'000 * kMs).force), 0.901);
-  EXPECT_NEAR(norm(pass_long(let_go, {2.5, 0, 0}, 60'000 * kMs).force), 2.5, 1e-9);
+  EXPECT_NEAR(norm(pass_long(release, {2.5, 0, 0}, 60'000 * kMs).force), 2.5, 1e-9);
 }
 
 // docs/safety.md, "rise". It holds for any requested force and any rate of calls.
@@ -205,7 +205,7 @@ TEST(ForceGate, FallingIsFreeTurningIsNot) {
   EXPECT_EQ(gate.pass({0, 0, 0.5}, 100 * kMs).force, (Force{0, 0, 0.5}));
   pass_long(gate, {0, 0, 2}, 101 * kMs);
   EXPECT_NEAR(gate.pass({0, 0, -2}, 201 * kMs).force.z, -0.3, 1e-8) << "a reversal begins at zero";
-  gate.let_go();
+  gate.release();
   EXPECT_EQ(gate.held(), Force{});
   EXPECT_NEAR(gate.pass({0, 2, 0}, 202 * kMs).force.y, 0.3, 1e-8);
 }

@@ -103,10 +103,10 @@ TEST(OpenDevice, WhatWasBetweenTwoTicksIsMappedToo) {
   OpenDevice device(inner, map);
   EXPECT_FALSE(device.between().has_value());
   inner.waits = PenSample{3, map.to_device(Vec3{7, 8, 9}), {}, 0.5, 1};
-  const std::optional<PenSample> told = device.between();
-  ASSERT_TRUE(told.has_value());
-  EXPECT_EQ(told->time_ns, 3);
-  EXPECT_NEAR(norm(told->position - Vec3{7, 8, 9}), 0.0, 1e-12);
+  const std::optional<PenSample> reported = device.between();
+  ASSERT_TRUE(reported.has_value());
+  EXPECT_EQ(reported->time_ns, 3);
+  EXPECT_NEAR(norm(reported->position - Vec3{7, 8, 9}), 0.0, 1e-12);
   EXPECT_FALSE(device.between().has_value());
 }
 

@@ -55,17 +55,17 @@ class Port {
     return PortGuard::start(port_, std::as_bytes(std::span(kWords)), patience_ns);
   }
   // Returns the next bytes that the board receives, as many as kWords has.
-  std::string hear() const {
-    std::string heard;
-    while (heard.size() < kWords.size()) {
+  std::string receive() const {
+    std::string received;
+    while (received.size() < kWords.size()) {
       pollfd waits{.fd = board_, .events = POLLIN, .revents = 0};
       if (poll(&waits, 1, kLongMs) <= 0) break;
       std::array<char, 64> room{};
-      const ssize_t count = ::read(board_, room.data(), kWords.size() - heard.size());
+      const ssize_t count = ::read(board_, room.data(), kWords.size() - received.size());
       if (count <= 0) break;
-      heard.append(room.data(), static_cast<std::size_t>(count));
+      received.append(room.data(), static_cast<std::size_t>(count));
     }
-    return heard;
+    return received;
   }
   [[nodiscard]] bool is_quiet() const {
     pollfd waits{.fd = board_, .events = POLLIN, .revents = 0};
@@ -84,7 +84,7 @@ TEST(PortGuard, SpeaksWhenItIsEnded) {
   guard->beat();
   EXPECT_TRUE(port.is_quiet());
   guard.reset();
-  EXPECT_EQ(port.hear(), kWords);
+  EXPECT_EQ(port.receive(), kWords);
   EXPECT_TRUE(port.is_quiet()) << "once";
 }
 
@@ -94,7 +94,7 @@ TEST(PortGuard, SpeaksOnceForEachSilenceAfterABeat) {
   ASSERT_NE(guard, nullptr);
   for (int i = 0; i < 3; ++i) {
     guard->beat();
-    EXPECT_EQ(port.hear(), kWords) << i;
+    EXPECT_EQ(port.receive(), kWords) << i;
     usleep(60'000);
     EXPECT_TRUE(port.is_quiet()) << i;
   }
@@ -140,14 +140,14 @@ TEST(PortGuard, SpeaksForAProgramThatWasKilled) {
   const Program program(port, kNeverNs);
   EXPECT_TRUE(port.is_quiet());
   program.signal(SIGKILL);
-  EXPECT_EQ(port.hear(), kWords);
+  EXPECT_EQ(port.receive(), kWords);
 }
 
 TEST(PortGuard, SpeaksForAProgramThatWasStopped) {
   const Port port;
   const Program program(port, 50 * kMs);
   program.signal(SIGSTOP);
-  EXPECT_EQ(port.hear(), kWords);
+  EXPECT_EQ(port.receive(), kWords);
 }
 
 // The guard must close all other files. Otherwise it would keep another port's connection open.
@@ -178,7 +178,7 @@ TEST(PortGuard, StartsFromAProgramWithThreads) {
     ASSERT_NE(guard, nullptr);
     guard->beat();
     guard.reset();
-    EXPECT_EQ(port.hear(), kWords);
+    EXPECT_EQ(port.receive(), kWords);
   }
   is_over = true;
   other.join();

@@ -70,14 +70,14 @@ class Circle {
 /// y, and the range of the length of that vector.
 struct Waves {
   int count;
-  int most_x, most_y;
+  int max_x, max_y;
   double least, most;
 };
 
 void add_waves(Tile& tile, const Circle& circle, Random& random, const Waves& waves) {
   for (int wave = 0; wave < waves.count;) {
-    const int kx = random.below(2 * waves.most_x + 1) - waves.most_x;
-    const int ky = random.below(waves.most_y + 1);
+    const int kx = random.below(2 * waves.max_x + 1) - waves.max_x;
+    const int ky = random.below(waves.max_y + 1);
     const int phase = random.below(kSide);
     const double k_squared = kx * kx + ky * ky;
     if (k_squared < waves.least * waves.least || k_squared > waves.most * waves.most) continue;

@@ -124,10 +124,10 @@ Closest closest_of_chords(const Cubic& a, const Cubic& b) noexcept {
 
 class Search {
  public:
-  Search(const Cubic& f, const Cubic& g, int most_pairs) noexcept
+  Search(const Cubic& f, const Cubic& g, int max_pairs) noexcept
       : f_(f),
         g_(g),
-        most_pairs_(most_pairs),
+        max_pairs_(max_pairs),
         meet_mm_(kMeetMm + 1e-13 * std::max(largest_coordinate(f), largest_coordinate(g))) {}
 
   Crossings run() noexcept {
@@ -137,7 +137,7 @@ class Search {
     }
     if (!begin_with_overlap()) push({Piece{f_}, Piece{g_}});
     while (count_ > 0 && result_.complete) {
-      if (result_.pairs >= most_pairs_) {
+      if (result_.pairs >= max_pairs_) {
         result_.complete = false;
         break;
       }
@@ -375,7 +375,7 @@ class Search {
 
   const Cubic& f_;
   const Cubic& g_;
-  int most_pairs_;
+  int max_pairs_;
   double meet_mm_;
   Crossings result_;
   std::array<Pair, kStack> stack_;  // written before it is read
@@ -386,9 +386,9 @@ class Search {
 
 }  // namespace
 
-Crossings intersections(const Cubic& first, const Cubic& second, int most_pairs) noexcept {
+Crossings intersections(const Cubic& first, const Cubic& second, int max_pairs) noexcept {
   if (!is_finite(first) || !is_finite(second)) return {};
-  return Search(first, second, most_pairs).run();
+  return Search(first, second, max_pairs).run();
 }
 
 std::optional<Crossing> self_intersection(const Cubic& c) noexcept {

@@ -70,7 +70,7 @@ inline constexpr int kIntersectPairs = 4096;
 /// merged into one result. No recursion, no allocation. Returns no points if a coordinate is not
 /// finite.
 Crossings intersections(const Cubic& first, const Cubic& second,
-                        int most_pairs = kIntersectPairs) noexcept;
+                        int max_pairs = kIntersectPairs) noexcept;
 
 /// Returns the point where a cubic crosses itself (at most one), with t1 < t2. Uses a closed form:
 /// the equation (f(t2) - f(t1)) / (t2 - t1) = 0 is linear in p and p^2 - q, where p = t1 + t2 and q

@@ -58,7 +58,7 @@ struct Distance {
 // Returns the largest number of sign changes that the six differences can have. Bit k of `minus` or
 // `plus` is set if difference k is certainly negative or positive; if neither bit is set, the
 // difference may have either sign.
-int most_sign_changes(unsigned minus, unsigned plus) noexcept {
+int max_sign_changes(unsigned minus, unsigned plus) noexcept {
   if ((minus | plus) == 63U) return std::popcount((minus ^ (minus >> 1U)) & 31U);
   constexpr int kImpossible = -8;
   int ends_minus = (plus & 1U) != 0U ? kImpossible : 0;
@@ -72,14 +72,14 @@ int most_sign_changes(unsigned minus, unsigned plus) noexcept {
   return std::max(ends_minus, ends_plus);
 }
 
-int most_sign_changes(const Distance& d, double noise) noexcept {
+int max_sign_changes(const Distance& d, double noise) noexcept {
   unsigned minus = 0, plus = 0;
   for (unsigned k = 0; k < 6; ++k) {
     const double difference = d.c[k + 1] - d.c[k];
     minus |= static_cast<unsigned>(difference < -noise) << k;
     plus |= static_cast<unsigned>(difference > noise) << k;
   }
-  return most_sign_changes(minus, plus);
+  return max_sign_changes(minus, plus);
 }
 
 // A parameter on a piece, and the squared distance there.
@@ -185,7 +185,7 @@ class NearestSearch {
     const double noise = 4.0 * kEpsilon * d.size;
     if (d.lower >= limit_ * (1.0 - 64.0 * kEpsilon) + noise) return true;
     // If the piece is large compared with the distance, noise could hide a nearer point.
-    const int changes = most_sign_changes(d, d.size > 16.0 * limit_ ? 2.0 * noise : 0.0);
+    const int changes = max_sign_changes(d, d.size > 16.0 * limit_ ? 2.0 * noise : 0.0);
     if (changes > 1) return false;
     const auto& a = piece.a;
     if (dot(a[0], a[1] - a[0]) < 0.0 && dot(a[3], a[3] - a[2]) > 0.0) {

@@ -111,15 +111,15 @@ double hill_swell(const CueFeel& feel, const CueInput& now) noexcept {
   const double hills_per_s =
       finite_positive(now.speed_mm_per_s) / feel.relief->spec().wavelength_mm;
   const double x =
-      std::clamp((kLostHillsPerS - hills_per_s) / (kLostHillsPerS - kToldHillsPerS), 0.0, 1.0);
-  const double told = kMaxTold * x * x * (3.0 - 2.0 * x);
+      std::clamp((kLostHillsPerS - hills_per_s) / (kLostHillsPerS - kReportedHillsPerS), 0.0, 1.0);
+  const double reported = kMaxTold * x * x * (3.0 - 2.0 * x);
   const double share = std::min(finite_positive(feel.grain), 1.0) *
                        relief_left(feel.wear, finite_positive(now.push_n) / kFullPushN);
   const double height = 1e3 * feel.relief->at(now.place).height_mm / feel.relief->spec().rms_um;
-  return 1.0 + told * share * std::clamp(height / kHighest, -1.0, 1.0);
+  return 1.0 + reported * share * std::clamp(height / kHighest, -1.0, 1.0);
 }
 
-void CueLaw::tell(CueEvent event) noexcept {
+void CueLaw::report(CueEvent event) noexcept {
   want(waveform_of(event));
 }
 

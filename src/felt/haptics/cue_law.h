@@ -74,7 +74,7 @@ double rub_intensity(const CueFeel& feel, double speed_mm_per_s, double push_n) 
 /// `told` falls from 0.6 to 0 between the two rates. The result is 0.4 to 1.6, continuous, and 1
 /// without a relief.
 double hill_swell(const CueFeel& feel, const CueInput& now) noexcept;
-inline constexpr double kToldHillsPerS = 3.0;
+inline constexpr double kReportedHillsPerS = 3.0;
 inline constexpr double kLostHillsPerS = 7.0;
 
 /// Events that only the edit thread can report.
@@ -124,7 +124,7 @@ class CueLaw {
   void set_feel(const CueFeel& feel) noexcept { feel_ = feel; }
   /// Requests the cue of an event. One of the next steps sends it, unless a more important one
   /// replaces it.
-  void tell(CueEvent event) noexcept;
+  void report(CueEvent event) noexcept;
   /// Returns the cue to play now. Usually returns nullopt, which means that the current cue
   /// continues.
   std::optional<Cue> step(const CueInput& now) noexcept;

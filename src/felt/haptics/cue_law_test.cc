@@ -26,12 +26,12 @@ struct Said {
 };
 
 /// A CueLaw with its input, which records the cues.
-struct Desk {
+struct Fixture {
   CueLaw law;
   std::vector<Said> said;
   std::int64_t now_ns = 0;
 
-  Desk() { law.set_feel(pencil_on_paper()); }
+  Fixture() { law.set_feel(pencil_on_paper()); }
   void step(CueInput input, std::int64_t after_ns = kMs) {
     input.time_ns = now_ns += after_ns;
     if (const auto cue = law.step(input)) said.push_back({now_ns, *cue});
@@ -183,19 +183,19 @@ TEST(HillSwell, OddNumbersAreNoHills) {
 // medium carries less of the relief.
 TEST(CueLaw, R47_CreepingOverHillsIsFeltHillByHill) {
   const auto swells = [](const char* tool, const char* surface) {
-    Desk desk;
+    Fixture fixture;
     const CueFeel feel = cue_feel_of(*find_medium(tool), *find_surface(surface));
-    desk.law.set_feel(feel);
+    fixture.law.set_feel(feel);
     double with = 0.0, of_cues = 0.0, of_hills = 0.0, mean = 0.0;
     int count = 0;
     CueInput input{.touches = true, .speed_mm_per_s = 8.0, .push_n = 0.8};
     std::vector<std::pair<double, double>> pairs;  // intensity of the playing cue, height
     for (int ms = 0; ms < 10'000; ++ms) {
       input.place.x = 0.008 * ms;
-      desk.step(input);
-      if (ms < 500 || desk.said.back().cue.waveform != feel.waveform) continue;
+      fixture.step(input);
+      if (ms < 500 || fixture.said.back().cue.waveform != feel.waveform) continue;
       const double height = feel.relief == nullptr ? 0.0 : feel.relief->at(input.place).height_mm;
-      pairs.emplace_back(desk.said.back().cue.intensity, height);
+      pairs.emplace_back(fixture.said.back().cue.intensity, height);
       mean += pairs.back().first;
       ++count;
     }
@@ -219,14 +219,14 @@ TEST(CueLaw, R47_CreepingOverHillsIsFeltHillByHill) {
 }
 
 TEST(CueLaw, R47_AHillUnderAPenThatRestsIsSilent) {
-  Desk desk;
-  desk.law.set_feel(cue_feel_of(*find_medium("chalk"), *find_surface("canvas")));
+  Fixture fixture;
+  fixture.law.set_feel(cue_feel_of(*find_medium("chalk"), *find_surface("canvas")));
   CueInput input = kRest;
   for (int place = 0; place < 100; ++place) {
     input.place = {0.37 * place, 0.11 * place};
-    desk.run(30, input);
+    fixture.run(30, input);
   }
-  EXPECT_EQ(desk.said.size(), 1u) << "the touch";
+  EXPECT_EQ(fixture.said.size(), 1u) << "the touch";
 }
 
 TEST(CueInput, ComesFromPressureOrDepth) {
@@ -248,120 +248,120 @@ TEST(CueInput, ComesFromPressureOrDepth) {
 }
 
 TEST(CueLaw, AStrokeIsATouchAHumAndALift) {
-  Desk desk;
-  desk.run(100, kAir);
-  EXPECT_TRUE(desk.said.empty()) << "silent above the sheet, however fast";
-  desk.run(1000, kStroke);
-  desk.run(100, kAir);
-  ASSERT_GE(desk.said.size(), 4u);
-  EXPECT_EQ(desk.said.front().cue.waveform, CueWaveform::kPress);
-  EXPECT_EQ(desk.said.front().time_ns, 101 * kMs);
-  EXPECT_EQ(desk.said[1].cue.waveform, CueWaveform::kPencil);
-  EXPECT_GE(desk.said[1].time_ns - desk.said[0].time_ns, CueLaw::kSingleNs);
-  EXPECT_EQ(desk.said.back().cue.waveform, CueWaveform::kRelease);
-  EXPECT_EQ(desk.count(CueWaveform::kPress), 1);
-  EXPECT_EQ(desk.count(CueWaveform::kRelease), 1);
+  Fixture fixture;
+  fixture.run(100, kAir);
+  EXPECT_TRUE(fixture.said.empty()) << "silent above the sheet, however fast";
+  fixture.run(1000, kStroke);
+  fixture.run(100, kAir);
+  ASSERT_GE(fixture.said.size(), 4u);
+  EXPECT_EQ(fixture.said.front().cue.waveform, CueWaveform::kPress);
+  EXPECT_EQ(fixture.said.front().time_ns, 101 * kMs);
+  EXPECT_EQ(fixture.said[1].cue.waveform, CueWaveform::kPencil);
+  EXPECT_GE(fixture.said[1].time_ns - fixture.said[0].time_ns, CueLaw::kSingleNs);
+  EXPECT_EQ(fixture.said.back().cue.waveform, CueWaveform::kRelease);
+  EXPECT_EQ(fixture.count(CueWaveform::kPress), 1);
+  EXPECT_EQ(fixture.count(CueWaveform::kRelease), 1);
   // A steady stroke is sent again at most five times a second.
-  EXPECT_EQ(desk.count(CueWaveform::kPencil), 5);
-  EXPECT_NEAR(desk.said[1].cue.intensity, rub_intensity(pencil_on_paper(), 120, 1), 0.02);
+  EXPECT_EQ(fixture.count(CueWaveform::kPencil), 5);
+  EXPECT_NEAR(fixture.said[1].cue.intensity, rub_intensity(pencil_on_paper(), 120, 1), 0.02);
 }
 
 TEST(CueLaw, APenAtRestFallsSilentWithinATenthOfASecond) {
-  Desk desk;
-  desk.run(500, kStroke);
-  const std::int64_t rest_ns = desk.now_ns;
-  desk.run(1000, kRest);
-  ASSERT_EQ(desk.said.back().cue, Cue{});
-  EXPECT_LE(desk.said.back().time_ns - rest_ns, 100 * kMs);
+  Fixture fixture;
+  fixture.run(500, kStroke);
+  const std::int64_t rest_ns = fixture.now_ns;
+  fixture.run(1000, kRest);
+  ASSERT_EQ(fixture.said.back().cue, Cue{});
+  EXPECT_LE(fixture.said.back().time_ns - rest_ns, 100 * kMs);
 }
 
 TEST(CueLaw, AHandThatTremblesAtRestIsSilent) {
-  Desk desk;
+  Fixture fixture;
   for (int t = 0; t < 5000; ++t) {
     CueInput input = kRest;
     input.speed_mm_per_s = 2.0 + 0.4 * std::sin(0.05 * t);
-    desk.step(input);
+    fixture.step(input);
   }
-  EXPECT_EQ(desk.said.size(), 1u) << "the touch";
+  EXPECT_EQ(fixture.said.size(), 1u) << "the touch";
 }
 
 TEST(CueLaw, ChatteringOnTheSurfaceTouchesOnce) {
   for (const int period : {2, 3, 7, 16, 25, 40}) {
-    Desk desk;
+    Fixture fixture;
     for (int t = 0; t < 3000; ++t) {
       CueInput input = kStroke;
       input.touches = t % period < (period + 1) / 2;
       input.height_mm = input.touches ? 0.0 : 0.2;
-      desk.step(input);
+      fixture.step(input);
     }
-    EXPECT_EQ(desk.count(CueWaveform::kPress), 1) << "period " << period;
-    EXPECT_EQ(desk.count(CueWaveform::kRelease), 0) << "period " << period;
-    EXPECT_LE(desk.said.size(), 40u) << "period " << period;
+    EXPECT_EQ(fixture.count(CueWaveform::kPress), 1) << "period " << period;
+    EXPECT_EQ(fixture.count(CueWaveform::kRelease), 0) << "period " << period;
+    EXPECT_LE(fixture.said.size(), 40u) << "period " << period;
   }
 }
 
 TEST(CueLaw, IntensityAroundTheThresholdDoesNotChatter) {
-  Desk desk;
+  Fixture fixture;
   for (int t = 0; t < 4000; ++t) {
     CueInput input = kStroke;
     input.push_n = t % 60 < 30 ? 0.016 : 0.010;  // around the threshold at which humming starts
-    desk.step(input);
+    fixture.step(input);
   }
-  EXPECT_EQ(desk.count(CueWaveform::kNone), 0);
-  EXPECT_LE(desk.said.size(), 1u + 20u + 4u);
+  EXPECT_EQ(fixture.count(CueWaveform::kNone), 0);
+  EXPECT_LE(fixture.said.size(), 1u + 20u + 4u);
 }
 
 TEST(CueLaw, TheMoreImportantEventIsSaidAndNoneLate) {
-  Desk desk;
-  desk.run(300, kStroke);
-  desk.law.tell(CueEvent::kSnapped);
-  desk.law.tell(CueEvent::kTook);
-  desk.run(200, kAir);  // lifted at the same moment, which is less important
-  EXPECT_EQ(desk.count(CueWaveform::kSuccess), 1);
-  EXPECT_EQ(desk.count(CueWaveform::kClick), 0);
-  EXPECT_EQ(desk.count(CueWaveform::kRelease), 0);
+  Fixture fixture;
+  fixture.run(300, kStroke);
+  fixture.law.report(CueEvent::kSnapped);
+  fixture.law.report(CueEvent::kTook);
+  fixture.run(200, kAir);  // lifted at the same moment, which is less important
+  EXPECT_EQ(fixture.count(CueWaveform::kSuccess), 1);
+  EXPECT_EQ(fixture.count(CueWaveform::kClick), 0);
+  EXPECT_EQ(fixture.count(CueWaveform::kRelease), 0);
   // The event is 200 ms older than the next step, so it is dropped.
-  desk.law.tell(CueEvent::kRefused);
-  desk.step(kAir, 200 * kMs);
-  EXPECT_EQ(desk.count(CueWaveform::kError), 0);
-  desk.law.tell(CueEvent::kRefused);
-  desk.step(kAir);
-  EXPECT_EQ(desk.count(CueWaveform::kError), 1);
-  desk.law.tell(CueEvent::kRefused);
-  desk.run(150, kAir);
-  EXPECT_EQ(desk.count(CueWaveform::kError), 1) << "the same one at once again";
+  fixture.law.report(CueEvent::kRefused);
+  fixture.step(kAir, 200 * kMs);
+  EXPECT_EQ(fixture.count(CueWaveform::kError), 0);
+  fixture.law.report(CueEvent::kRefused);
+  fixture.step(kAir);
+  EXPECT_EQ(fixture.count(CueWaveform::kError), 1);
+  fixture.law.report(CueEvent::kRefused);
+  fixture.run(150, kAir);
+  EXPECT_EQ(fixture.count(CueWaveform::kError), 1) << "the same one at once again";
 }
 
 TEST(CueLaw, ATimeThatRunsBackIsNoTime) {
-  Desk desk;
-  desk.run(200, kStroke);
-  const std::size_t before = desk.said.size();
+  Fixture fixture;
+  fixture.run(200, kStroke);
+  const std::size_t before = fixture.said.size();
   CueInput input = kStroke;
   for (const std::int64_t t : {INT64_MAX, INT64_MIN, std::int64_t{0}, INT64_MIN, INT64_MAX}) {
     input.time_ns = t;
-    const auto cue = desk.law.step(input);
+    const auto cue = fixture.law.step(input);
     if (cue) {
       EXPECT_LE(cue->intensity, 1.0);
     }
   }
-  EXPECT_LE(desk.said.size(), before + 5);
+  EXPECT_LE(fixture.said.size(), before + 5);
 }
 
 TEST(CueLaw, ResetPlaysNothingAndKeepsTheFeel) {
-  Desk desk;
-  desk.law.set_feel(cue_feel_of(*find_medium("eraser"), *find_surface("paper")));
-  desk.run(300, kStroke);
-  desk.law.reset();
-  desk.said.clear();
-  desk.run(300, kStroke);
-  ASSERT_GE(desk.said.size(), 2u);
-  EXPECT_EQ(desk.said[0].cue.waveform, CueWaveform::kPress);
-  EXPECT_EQ(desk.said[1].cue.waveform, CueWaveform::kEraser);
+  Fixture fixture;
+  fixture.law.set_feel(cue_feel_of(*find_medium("eraser"), *find_surface("paper")));
+  fixture.run(300, kStroke);
+  fixture.law.reset();
+  fixture.said.clear();
+  fixture.run(300, kStroke);
+  ASSERT_GE(fixture.said.size(), 2u);
+  EXPECT_EQ(fixture.said[0].cue.waveform, CueWaveform::kPress);
+  EXPECT_EQ(fixture.said[1].cue.waveform, CueWaveform::kEraser);
 }
 
 /// The test uses any input at any rate.
 RC_GTEST_PROP(CueLaw, IsBoundedInRateAndIntensityAndDeterministic, ()) {
-  Desk desk, again;
+  Fixture fixture, again;
   const int steps = *rc::gen::inRange(50, 600);
   for (int i = 0; i < steps; ++i) {
     CueInput input;
@@ -371,20 +371,20 @@ RC_GTEST_PROP(CueLaw, IsBoundedInRateAndIntensityAndDeterministic, ()) {
     input.push_n = *rc::gen::element(0.0, 0.01, 0.5, 3.0, 1e300, std::nan(""));
     const std::int64_t after_ns = *rc::gen::inRange(0, 40) * kMs / 2;
     const int event = *rc::gen::inRange(0, 24);
-    for (Desk* d : {&desk, &again}) {
-      if (event < 4) d->law.tell(static_cast<CueEvent>(event));
+    for (Fixture* d : {&fixture, &again}) {
+      if (event < 4) d->law.report(static_cast<CueEvent>(event));
       d->step(input, after_ns);
     }
   }
-  RC_ASSERT(desk.said.size() == again.said.size());
+  RC_ASSERT(fixture.said.size() == again.said.size());
   std::array<std::int64_t, 16> last{};
   last.fill(-1'000'000'000);
-  for (std::size_t i = 0; i < desk.said.size(); ++i) {
-    const auto& [time_ns, cue] = desk.said[i];
+  for (std::size_t i = 0; i < fixture.said.size(); ++i) {
+    const auto& [time_ns, cue] = fixture.said[i];
     RC_ASSERT(cue == again.said[i].cue);
     RC_ASSERT(cue.intensity >= 0.0);
     RC_ASSERT(cue.intensity <= 1.0);
-    if (i > 0) RC_ASSERT(time_ns - desk.said[i - 1].time_ns >= CueLaw::kMinApartNs);
+    if (i > 0) RC_ASSERT(time_ns - fixture.said[i - 1].time_ns >= CueLaw::kMinApartNs);
     if (cue.waveform == CueWaveform::kNone || is_continuous(cue.waveform)) continue;
     std::int64_t& same = last[static_cast<std::size_t>(cue.waveform)];
     RC_ASSERT(time_ns - same >= CueLaw::kSameApartNs);
@@ -396,11 +396,11 @@ RC_GTEST_PROP(CueLaw, IsBoundedInRateAndIntensityAndDeterministic, ()) {
 TEST(CueLaw, FeelsTheSameAtAnyRate) {
   std::vector<double> levels;
   for (const int step_ms : {1, 4, 16}) {
-    Desk desk;
-    desk.run(800, kStroke, step_ms);
-    ASSERT_FALSE(desk.said.empty());
-    levels.push_back(desk.said.back().cue.intensity);
-    EXPECT_GE(desk.count(CueWaveform::kPencil), 3);
+    Fixture fixture;
+    fixture.run(800, kStroke, step_ms);
+    ASSERT_FALSE(fixture.said.empty());
+    levels.push_back(fixture.said.back().cue.intensity);
+    EXPECT_GE(fixture.count(CueWaveform::kPencil), 3);
   }
   EXPECT_NEAR(levels[0], levels[1], 0.01);
   EXPECT_NEAR(levels[0], levels[2], 0.01);

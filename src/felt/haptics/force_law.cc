@@ -6,7 +6,7 @@
 namespace felt {
 
 double ForceLaw::level_n(double distance_mm) const noexcept {
-  return least_n + (most_n - least_n) * (distance_mm / (distance_mm + spread_mm));
+  return min_n + (max_n - min_n) * (distance_mm / (distance_mm + spread_mm));
 }
 
 double ForceLaw::force_n(double distance_mm) const noexcept {
@@ -19,14 +19,14 @@ double ForceLaw::potential_mj(double distance_mm) const noexcept {
   // The spring and the level l(d) meet at the distance d with c d = a + b d/(d + D), a quadratic
   // equation in d.
   const double c = 1e-3 * cap_n_per_m;
-  const double p = c * spread_mm - most_n;
-  const double meet_mm = (-p + std::sqrt(p * p + 4.0 * c * least_n * spread_mm)) / (2.0 * c);
+  const double p = c * spread_mm - max_n;
+  const double meet_mm = (-p + std::sqrt(p * p + 4.0 * c * min_n * spread_mm)) / (2.0 * c);
   const double sprung_mm = std::min(distance_mm, meet_mm);
   double energy = 0.5 * c * sprung_mm * sprung_mm;
   if (distance_mm > meet_mm) {
-    energy += most_n * (distance_mm - meet_mm) -
-              (most_n - least_n) * spread_mm *
-                  std::log((distance_mm + spread_mm) / (meet_mm + spread_mm));
+    energy +=
+        max_n * (distance_mm - meet_mm) -
+        (max_n - min_n) * spread_mm * std::log((distance_mm + spread_mm) / (meet_mm + spread_mm));
   }
   return gain * energy;
 }

@@ -16,9 +16,9 @@ namespace felt {
 struct ForceLaw {
   double spread_mm = 10.0;     ///< D: 10 for edits, 40 for transforms
   double cap_n_per_m = 300.0;  ///< Kcap, which is also the largest slope
-  double least_n = 0.2;
-  double most_n = 1.0;  ///< l approaches this force and never reaches it
-  double gain = 1.0;    ///< 0..1: the strength that the user set for a tool
+  double min_n = 0.2;
+  double max_n = 1.0;  ///< l approaches this force and never reaches it
+  double gain = 1.0;   ///< 0..1: the strength that the user set for a tool
 
   /// Returns phi(d) in N; 0 if d <= 0.
   [[nodiscard]] double force_n(double distance_mm) const noexcept;

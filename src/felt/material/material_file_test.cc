@@ -9,8 +9,8 @@
 #include <set>
 #include <string>
 
+#include "felt/material/custom_relief.h"
 #include "felt/material/material_fields.h"
-#include "felt/material/own_relief.h"
 
 namespace felt::material_file_test {
 namespace {
@@ -322,6 +322,14 @@ TEST(MaterialFile, ReadsTheFormerKeys) {
               HasSubstr("line.lean_tone is unknown"));
 }
 
+TEST(MaterialFile, ReadsTheFormerKindOfASurface) {
+  const std::string text = write_material(*find_surface("wood"));
+  std::string old = text;
+  old.replace(old.find("kind = \"surface\""), 16, "kind = \"sheet\"");
+  ASSERT_NE(old, text);
+  EXPECT_EQ(surface_of(old), surface_of(text));
+}
+
 TEST(MaterialFile, WritesEveryBuiltInMaterial) {
   for (const SurfaceMaterial& surface : surface_materials()) {
     EXPECT_EQ(surface_of(write_material(surface)), surface) << write_material(surface);
@@ -359,7 +367,7 @@ HeightPicture hill(int width, int height) {
 TEST(MaterialFile, KeepsAReliefOfOnesOwn) {
   SurfaceMaterial surface{.id = "mine", .label = "Mine", .grain_um = 20.0, .grain_mm = 1.25};
   surface.grain_character = HeightCharacter::kPicture;
-  surface.picture = own_relief(hill(300, 200)).value();
+  surface.picture = custom_relief(hill(300, 200)).value();
   const std::string text = write_material(surface);
   EXPECT_LT(text.size(), kMaxMaterialBytes);
   const SurfaceMaterial again = surface_of(text);
@@ -402,7 +410,7 @@ TEST(MaterialFile, ReadsAPictureBesideTheText) {
 
 TEST(OwnRelief, HasTheShapeOfThePicture) {
   for (const int side : {3, 100, 128, 1000}) {
-    const auto relief = own_relief(hill(side, side)).value();
+    const auto relief = custom_relief(hill(side, side)).value();
     const HeightField whole = height_field_of(hill(side, side)).value();
     double alike = 0.0, ours = 0.0, theirs = 0.0;
     for (int i = 0; i < 4096; ++i) {
@@ -414,15 +422,15 @@ TEST(OwnRelief, HasTheShapeOfThePicture) {
     }
     EXPECT_GT(alike / std::sqrt(ours * theirs), side < 128 ? 0.97 : 0.99) << side;
   }
-  EXPECT_FALSE(own_relief(HeightPicture{.width = 2, .height = 2, .heights = {0, 0, 0, 0}}));
-  EXPECT_FALSE(own_relief(HeightPicture{.width = 2, .height = 2, .heights = {0, 1}}));
+  EXPECT_FALSE(custom_relief(HeightPicture{.width = 2, .height = 2, .heights = {0, 0, 0, 0}}));
+  EXPECT_FALSE(custom_relief(HeightPicture{.width = 2, .height = 2, .heights = {0, 1}}));
 }
 
 TEST(OwnRelief, OfAnotherMakeIsLookedAt) {
   const HeightField field = height_field_of(hill(128, 128)).value();
-  const std::string text = own_relief_text(field);
-  const auto relief = own_relief(text).value();
-  EXPECT_EQ(own_relief_text(*relief), text);
+  const std::string text = custom_relief_text(field);
+  const auto relief = custom_relief(text).value();
+  EXPECT_EQ(custom_relief_text(*relief), text);
 }
 
 TEST(Materials, NamesWhatTheBuiltInOnesDoNotHave) {

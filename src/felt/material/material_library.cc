@@ -60,7 +60,7 @@ void add_folder(const std::string& folder, const LoadPicture& load_picture,
       continue;
     }
     const std::string id = id_of(*material);
-    if (const std::string taken = own_id_error(id); !taken.empty()) {
+    if (const std::string taken = new_id_error(id); !taken.empty()) {
       library.problems.push_back(path + ": " + taken);
     } else if (!here.insert(id).second) {
       library.problems.push_back(path + ": another file of this folder has the id " + id);
@@ -93,8 +93,9 @@ std::vector<std::string> material_folders() {
     if (!home.empty()) own = home + "/.local/share";
   }
   std::vector<std::string> folders = {own.empty() ? "" : own + kBelow};
-  const char* told = std::getenv("XDG_DATA_DIRS");
-  std::string_view dirs = told != nullptr && *told != '\0' ? told : "/usr/local/share:/usr/share";
+  const char* reported = std::getenv("XDG_DATA_DIRS");
+  std::string_view dirs =
+      reported != nullptr && *reported != '\0' ? reported : "/usr/local/share:/usr/share";
   while (!dirs.empty()) {
     const std::size_t end = std::min(dirs.find(':'), dirs.size());
     std::string folder(dirs.substr(0, end));
@@ -145,7 +146,7 @@ Result<std::string> save_material(const std::string& folder, const AnyMaterial& 
                 "set to a folder");
   }
   if (const std::string wrong = material_error(material); !wrong.empty()) return refuse(wrong);
-  if (const std::string taken = own_id_error(id); !taken.empty()) return refuse(taken);
+  if (const std::string taken = new_id_error(id); !taken.empty()) return refuse(taken);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return fail(ErrorCode::kIo, folder + ": cannot be made: " + error.message());
@@ -183,7 +184,7 @@ Result<void> delete_material(const std::string& folder, const AnyMaterial& mater
   return fail(ErrorCode::kIo, path + ": cannot be deleted: " + error.message());
 }
 
-std::string own_id_error(std::string_view id) {
+std::string new_id_error(std::string_view id) {
   const std::string name(id);
   if (!is_material_id(id)) return "\"" + name + "\" is not 1 to 64 of a-z, 0-9 and -";
   const char* kind = find_surface(id) ? "surface" : find_medium(id) ? "medium" : nullptr;

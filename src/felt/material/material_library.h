@@ -68,7 +68,7 @@ Result<std::string> save_material(const std::string& folder, const AnyMaterial& 
 Result<void> delete_material(const std::string& folder, const AnyMaterial& material);
 
 /// Returns "" if a user-defined material may have this id; otherwise the reason why not.
-std::string own_id_error(std::string_view id);
+std::string new_id_error(std::string_view id);
 
 /// The text of a built-in material, with comments that name the sources of its values.
 struct BuiltInText {

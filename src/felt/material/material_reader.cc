@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "felt/base/utf8.h"
+#include "felt/material/custom_relief.h"
 #include "felt/material/material_fields.h"
 #include "felt/material/material_file.h"
 #include "felt/material/number_text.h"
-#include "felt/material/own_relief.h"
 #include "felt/material/toml_entries.h"
 
 namespace felt {
@@ -218,7 +218,7 @@ class Reading {
   void take_heights(const TomlEntry& entry, SurfaceMaterial& surface) {
     const auto* text = std::get_if<std::string>(&entry.value);
     if (!text) return refuse(entry, "the heights of a relief as text");
-    keep(entry, own_relief(*text), surface);
+    keep(entry, custom_relief(*text), surface);
   }
 
   void take_picture(const TomlEntry& entry, SurfaceMaterial& surface) {
@@ -236,7 +236,7 @@ class Reading {
     }
     const Result<HeightPicture> picture = source_.load_picture(*file);
     if (!picture) return say(entry.line, "grain.picture: " + picture.error().message);
-    keep(entry, own_relief(*picture), surface);
+    keep(entry, custom_relief(*picture), surface);
   }
 
   void keep(const TomlEntry& entry, Result<std::shared_ptr<const HeightField>> relief,

@@ -1,9 +1,9 @@
 #include <array>
 
+#include "felt/material/custom_relief.h"
 #include "felt/material/material_fields.h"
 #include "felt/material/material_file.h"
 #include "felt/material/number_text.h"
-#include "felt/material/own_relief.h"
 
 namespace felt {
 namespace {
@@ -92,7 +92,7 @@ std::string write_material(const SurfaceMaterial& surface) {
   append_figures(out, surface, surface_fields(), [&](std::string_view table) {
     if (table != "grain" || !surface.picture) return;
     out += "# A custom relief: 128 x 128 heights.\nheights = \"\"\"\n" +
-           own_relief_text(*surface.picture) + "\"\"\"\n";
+           custom_relief_text(*surface.picture) + "\"\"\"\n";
   });
   return out;
 }

@@ -130,7 +130,7 @@ RecordCopy::RecordCopy(const std::string& output, Clock::duration every)
 
 void RecordCopy::keep(const Session& session) {
   const Clock::time_point now = Clock::now();
-  const bool is_drawing = session.gesture_in_work();
+  const bool is_drawing = session.gesture_in_progress();
   if ((!is_changed_ && !is_drawing) || now < next_) return;
   if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
     return;

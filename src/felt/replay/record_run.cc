@@ -62,7 +62,7 @@ Result<void> RecordRun::begin() {
   if (last_ns_ == 0) offset_ns_ = 0;
   notice(describe(loop_->thread().status()));
   const UseDevice device{with_force_limit(loop_->device().capabilities(), options_.force_limit_n)};
-  if (Result<void> told = session_.apply({last_ns_, device}); !told) return told;
+  if (Result<void> reported = session_.apply({last_ns_, device}); !reported) return reported;
   loop_->servo().set_session_offset(offset_ns_);
   loop_->servo().publish(session_.force());
   if (wants_forces_) loop_->servo().arm();
@@ -123,7 +123,7 @@ Result<void> RecordRun::turn() {
   servo.heartbeat(loop_->thread().now_ns());
   for (PenSample sample; servo.for_edit().pop(sample);) {
     sample.time_ns = last_ns_ = std::max(last_ns_, sample.time_ns + offset_ns_);
-    if (Result<void> told = session_.sample(sample); !told) return told;
+    if (Result<void> reported = session_.sample(sample); !reported) return reported;
   }
   servo.publish(session_.force());
   const TickReport& report = servo.latest();

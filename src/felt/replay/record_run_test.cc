@@ -79,17 +79,17 @@ TEST(RecordRunTest, DrawsGoesOnAfterTheDeviceWasGoneAndKeepsTheInk) {
 
 TEST(RecordRunTest, R14_TheSessionKnowsTheForceLimit) {
   ZigzagWorld world;
-  double told_n = 0.0;
+  double reported_n = 0.0;
   RecordOptions options;
   options.force_limit_n = 0.3;
   draw(
       world,
       [&](const Session& session) {
-        told_n = session.device().advised_force_n;
+        reported_n = session.device().advised_force_n;
         return session.document().stroke_count() >= 1;
       },
       false, options);
-  EXPECT_EQ(told_n, 0.3);
+  EXPECT_EQ(reported_n, 0.3);
 }
 
 TEST(RecordRunTest, APortThatIsNotFreeYetIsTriedAgain) {
@@ -309,7 +309,7 @@ TEST(RecordCopyTest, IsNotWrittenBeforeThereIsInk) {
   RecordCopy copy(scratch_path("no_ink"), std::chrono::seconds(0));
   Session session(make_tools(), {});
   draw_arc(session, 0, 6);
-  ASSERT_TRUE(session.gesture_in_work());
+  ASSERT_TRUE(session.gesture_in_progress());
   copy.note_edit();
   copy.keep(session);
   copy.wait();

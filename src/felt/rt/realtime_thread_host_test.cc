@@ -25,7 +25,7 @@ class FakeHost final : public LoopHost {
     stop_ = false;
     thread_ = std::thread([this, tick, context] {
       while (!stop_) {
-        if (calls < most_calls) {
+        if (calls < max_calls) {
           ++calls;
           tick(context);
         }
@@ -44,7 +44,7 @@ class FakeHost final : public LoopHost {
   bool refuses = false;
   int starts = 0;
   std::atomic<int> calls = 0;
-  std::atomic<int> most_calls = 1'000'000'000;
+  std::atomic<int> max_calls = 1'000'000'000;
 
  private:
   std::thread thread_;
@@ -165,7 +165,7 @@ TEST_F(HostedLoop, ARefusalComesInTheMakersWords) {
 }
 
 TEST_F(HostedLoop, AHostThatNeverCallsIsAnError) {
-  host.most_calls = 0;
+  host.max_calls = 0;
   RealtimeOptions options;
   options.host_patience_ns = 20'000'000;
   RealtimeThread loop(*servo, options, &host);
@@ -183,7 +183,7 @@ TEST_F(HostedLoop, AHostThatCallsNoMoreIsToldAndStopsWithoutForceAllTheSame) {
   RealtimeThread loop(*servo, options, &host);
   ASSERT_TRUE(loop.start().has_value());
   press_until_there_is_force(loop);
-  host.most_calls = 0;
+  host.max_calls = 0;
   wait_until([&] { return loop.status().is_silent; });
   EXPECT_THAT(describe(loop.status()), HasSubstr("stands still"));
   EXPECT_TRUE(loop.stop());

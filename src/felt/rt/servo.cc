@@ -50,10 +50,10 @@ void Servo::take_orders() noexcept {
   // called since the last tick.
   if (disarm_asked_.exchange(false, std::memory_order_acquire)) chain_.disarm();
   if (arm_asked_.exchange(false, std::memory_order_acquire)) chain_.arm();
-  const std::int64_t heard_ns = heartbeat_ns_.load(std::memory_order_acquire);
-  if (heard_ns != heard_ns_) {
-    heard_ns_ = heard_ns;
-    chain_.heartbeat(heard_ns);
+  const std::int64_t received_ns = heartbeat_ns_.load(std::memory_order_acquire);
+  if (received_ns != received_ns_) {
+    received_ns_ = received_ns;
+    chain_.heartbeat(received_ns);
   }
 }
 

@@ -149,7 +149,7 @@ class Servo {
   ForceMemory outgoing_memory_;
   double fade_ = 1.0;         // weight of current_
   bool model_waits_ = false;  // models_.get() has not been applied yet
-  std::int64_t heard_ns_ = kNever;
+  std::int64_t received_ns_ = kNever;
   std::int64_t last_tick_ns_ = kNever;
   TickReport report_;
   LoopStats stats_;

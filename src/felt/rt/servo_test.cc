@@ -425,15 +425,15 @@ TEST(Servo, R50_FadesTakeTheirTimeAtEveryPeriod) {
 }
 
 TEST(Servo, AtFullStrengthNothingIsChanged) {
-  Loop plain, told;
-  told.servo->set_strength(1.0);
-  told.servo->set_strength(std::nan(""));
-  for (Loop* loop : {&plain, &told}) {
+  Loop plain, reported;
+  reported.servo->set_strength(1.0);
+  reported.servo->set_strength(std::nan(""));
+  for (Loop* loop : {&plain, &reported}) {
     loop->servo->publish(model_of(Constant{{0.1, -0.07, 1.0 / 3.0}, {}}));
     loop->servo->arm();
   }
   for (int i = 0; i < 1000; ++i) {
-    const TickReport &a = plain.run(1), &b = told.run(1);
+    const TickReport &a = plain.run(1), &b = reported.run(1);
     ASSERT_EQ(a.asked, (Force{0.1, -0.07, 1.0 / 3.0}));
     ASSERT_EQ(a.sent, b.sent);
     ASSERT_EQ(b.strength, 1.0);

@@ -202,14 +202,14 @@ class Player::Run {
     report_.largest_sent_n = std::max(report_.largest_sent_n, norm(tick.sent));
     if (!tick.sample_ok) ++report_.unread;
     PenSample sample;
-    bool told = false;
+    bool reported = false;
     while (servo_->for_edit().pop(sample)) {
       samples_.push_back(sample);
-      told = true;
+      reported = true;
     }
     // The loop does not pass on samples that it rejected. If the script moves the pen, a rejected
     // sample is used, too, because the script defines its position.
-    if (!told && !device_.by_hand()) samples_.push_back(tick.sample);
+    if (!reported && !device_.by_hand()) samples_.push_back(tick.sample);
     pen_is_down_ = in_contact(tick.sample);
     if (options_.on_tick) options_.on_tick(tick);
   }
@@ -221,14 +221,14 @@ class Player::Run {
     Result<void> done;
     for (const PenSample& sample : samples_) {
       while (const Event* event = others_.next_before(sample.time_ns)) {
-        if (done = tell(*event); !done) return done;
+        if (done = report(*event); !done) return done;
       }
       if (done = session_.sample(sample); !done) return done;
     }
     report_.samples += samples_.size();
     samples_.clear();
     while (const Event* event = others_.next_until(now_ns)) {
-      if (done = tell(*event); !done) return done;
+      if (done = report(*event); !done) return done;
     }
     publish(now_ns);
     return {};
@@ -239,7 +239,7 @@ class Player::Run {
     servo_->publish(session_.force());
   }
 
-  Result<void> tell(const Event& event) {
+  Result<void> report(const Event& event) {
     const auto* import = std::get_if<ImportEvent>(&event.what);
     Result<void> done = import ? this->import(event.time_ns, *import) : session_.apply(event);
     if (done) return {};

@@ -152,14 +152,14 @@ Result<void> Session::apply(const Event& event) {
   return done;
 }
 
-Result<void> Session::sample(const PenSample& told) {
-  if (!is_pen_position(told.position)) {
+Result<void> Session::sample(const PenSample& reported) {
+  if (!is_pen_position(reported.position)) {
     ++dropped_;
     return {};
   }
-  PenSample sample = told;
-  sample.pressure = clean_pressure(told.pressure);
-  sample.tilt_deg = checked_tilt(told.tilt_deg);
+  PenSample sample = reported;
+  sample.pressure = clean_pressure(reported.pressure);
+  sample.tilt_deg = checked_tilt(reported.tilt_deg);
   const double dt_s = static_cast<double>(sample.time_ns - last_sample_ns_) * 1e-9;
   sample.velocity = parts_->velocity.update(sample.position, dt_s);
   last_sample_ns_ = sample.time_ns;
@@ -226,7 +226,7 @@ Result<void> Session::set_option(std::int64_t time_ns, const std::string& id,
     if (Result<void> done = parts_->surface.set(name, value, options_.materials); !done) {
       return in_context(done.error());
     }
-    if (name == "material") tell_material(time_ns, OpenChoice::kSurfaces, value);
+    if (name == "material") report_material(time_ns, OpenChoice::kSurfaces, value);
     return {};
   }
   const Result<std::size_t> found = find_tool(owner);
@@ -241,7 +241,7 @@ Result<void> Session::set_option(std::int64_t time_ns, const std::string& id,
     }
   }
   if (Result<void> done = tool.set_option(name, value); !done) return in_context(done.error());
-  tell_material(time_ns, open, value);
+  report_material(time_ns, open, value);
   return {};
 }
 
@@ -263,20 +263,20 @@ Result<void> Session::use_defaults(int version) {
 Result<void> Session::use_material(const UseMaterial& event) {
   Result<AnyMaterial> material = read_material(event.text);
   if (!material) return tl::unexpected(material.error());
-  told_.push_back(material_key(*material));
+  reported_.push_back(material_key(*material));
   put(options_.materials, *std::move(material));
   parts_->surface.follow(options_.materials);
   return {};
 }
 
-void Session::tell_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value) {
+void Session::report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value) {
   const auto* id = std::get_if<std::string>(&value);
   if (!options_.on_event || !id || kind == OpenChoice::kNone) return;
   for (const AnyMaterial& own : not_built_in(options_.materials)) {
     const bool is_surface = std::holds_alternative<SurfaceMaterial>(own);
     if (id_of(own) != *id || is_surface != (kind == OpenChoice::kSurfaces)) continue;
-    if (std::find(told_.begin(), told_.end(), material_key(own)) != told_.end()) return;
-    told_.push_back(material_key(own));
+    if (std::find(reported_.begin(), reported_.end(), material_key(own)) != reported_.end()) return;
+    reported_.push_back(material_key(own));
     record({time_ns, UseMaterial{write_material(own)}});
   }
 }

@@ -119,7 +119,7 @@ class Session {
   [[nodiscard]] const Tool& tool() const noexcept { return *tools_[active_]; }
   /// Returns the first tool of this kind, or null.
   [[nodiscard]] const Tool* first_tool(ToolKind kind) const noexcept;
-  [[nodiscard]] bool gesture_in_work() const noexcept {
+  [[nodiscard]] bool gesture_in_progress() const noexcept {
     return gesture_is_open_ || preview_is_of_gesture_;
   }
   /// Returns the ids of all options: "TOOL.OPTION" of every tool, "surface.material" and
@@ -150,7 +150,7 @@ class Session {
   Result<void> use_defaults(int version);
   Result<void> use_material(const UseMaterial& event);
   /// If an option names a material that is not built in, records the material first, once.
-  void tell_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value);
+  void report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value);
   Result<void> undo();
   Result<void> redo();
   /// Prepares for a change of the document by a command, while no gesture is in progress. If the
@@ -187,7 +187,7 @@ class Session {
   bool pen_is_down_ = false;
   // The pen has touched the surface, and the gesture has no result yet.
   bool gesture_is_open_ = false;
-  std::vector<std::string> told_;  // kinds and ids of recorded materials
+  std::vector<std::string> reported_;  // kinds and ids of recorded materials
   int option_defaults_ = kOptionDefaults;
   std::uint64_t dropped_ = 0;
   std::uint64_t edits_ = 0;

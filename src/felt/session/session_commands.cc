@@ -9,7 +9,7 @@
 namespace felt {
 
 Result<void> Session::undo() {
-  if (gesture_in_work()) {
+  if (gesture_in_progress()) {
     cancel();
     return {};
   }
@@ -22,7 +22,7 @@ Result<void> Session::undo() {
 }
 
 Result<void> Session::redo() {
-  if (gesture_in_work()) return {};
+  if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
   if (!history_.can_redo()) return {};
   const Result<Edit> redone = history_.redo(document_);
@@ -38,20 +38,20 @@ Result<void> Session::settle() {
 }
 
 Result<void> Session::select_strokes(SelectStrokes::What what) {
-  if (gesture_in_work()) return {};
+  if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
   set_selection(selected(document_, selection_, what));
   return {};
 }
 
 Result<void> Session::delete_selected() {
-  if (gesture_in_work()) return {};
+  if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
   return commit(delete_edit(document_, selection_));
 }
 
 Result<void> Session::duplicate_selected() {
-  if (gesture_in_work()) return {};
+  if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
   Result<Edit> edit = duplicate_edit(document_, selection_);
   if (!edit) return tl::unexpected(with_context(edit.error(), "duplicate"));
@@ -73,7 +73,7 @@ Result<void> Session::restyle_selected(const RestyleEvent& event) {
     return fail(ErrorCode::kNotFound,
                 "restyle: medium: there is no medium \"" + event.medium + "\" that draws");
   }
-  if (gesture_in_work()) return {};
+  if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
   Result<Edit> edit = restyle_edit(document_, selection_, color, event.medium);
   if (!edit) return tl::unexpected(edit.error());
@@ -81,7 +81,7 @@ Result<void> Session::restyle_selected(const RestyleEvent& event) {
 }
 
 Result<void> Session::change_layer(const LayerEvent& event) {
-  if (gesture_in_work()) return {};
+  if (gesture_in_progress()) return {};
   // Reports an error before anything changes. The call of settle() below does not change layers.
   if (Result<Edit> edit = layer_edit(document_, event, layer_); !edit) {
     return tl::unexpected(edit.error());

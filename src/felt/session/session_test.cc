@@ -20,8 +20,8 @@ using ::testing::HasSubstr;
 constexpr std::int64_t kTickNs = 1'000'000;
 
 /// A session with a pen.
-struct Desk {
-  explicit Desk(SessionOptions options = {}) : session(fake_tools(), std::move(options)) {}
+struct Fixture {
+  explicit Fixture(SessionOptions options = {}) : session(fake_tools(), std::move(options)) {}
 
   void pen(double x, double y, double z) {
     const Result<void> done = session.apply({now_ns, PenEvent{{x, y, z}, {}, 0}});
@@ -40,12 +40,12 @@ struct Desk {
     lift(x + 10, y);
   }
   template <class What>
-  Result<void> tell(What what) {
+  Result<void> apply(What what) {
     return session.apply({now_ns, std::move(what)});
   }
   template <class What>
   void must(What what) {
-    const Result<void> done = tell(std::move(what));
+    const Result<void> done = apply(std::move(what));
     ASSERT_TRUE(done) << done.error().message;
   }
   [[nodiscard]] std::size_t strokes() const { return session.document().stroke_count(); }
@@ -55,195 +55,195 @@ struct Desk {
 };
 
 TEST(Session, StartsWithThePencil) {
-  EXPECT_EQ(Desk().session.tool().info().id, "pencil");
+  EXPECT_EQ(Fixture().session.tool().info().id, "pencil");
 }
 
 /// Uses the real tools. The pen must be lifted before the chosen tool may begin a gesture.
 TEST(Session, AToolChosenWithThePenDownWaitsForTheLift) {
-  Desk desk;
-  desk.session = Session(make_tools(), {});
-  desk.put_down(0, 0);
-  desk.pen(5, 0, -1);
-  desk.must(SelectTool{"eraser"});
-  desk.must(SelectTool{"pencil"});
-  EXPECT_EQ(desk.strokes(), 1U) << "the line that was being drawn stays";
-  desk.pen(10, 0, -1);
-  desk.pen(15, 0, 0.2);  // not lifted yet
-  desk.pen(20, 0, -1);
-  desk.lift(20, 0);
-  EXPECT_EQ(desk.strokes(), 1U);
+  Fixture fixture;
+  fixture.session = Session(make_tools(), {});
+  fixture.put_down(0, 0);
+  fixture.pen(5, 0, -1);
+  fixture.must(SelectTool{"eraser"});
+  fixture.must(SelectTool{"pencil"});
+  EXPECT_EQ(fixture.strokes(), 1U) << "the line that was being drawn stays";
+  fixture.pen(10, 0, -1);
+  fixture.pen(15, 0, 0.2);  // not lifted yet
+  fixture.pen(20, 0, -1);
+  fixture.lift(20, 0);
+  EXPECT_EQ(fixture.strokes(), 1U);
   // The pen is just above the surface, then down again. The pencil has discarded its earlier state.
-  desk.pen(30, 0, 0.2);
-  desk.pen(30, 0, -1);
-  desk.pen(40, 0, -1);
-  desk.lift(40, 0);
-  EXPECT_EQ(desk.strokes(), 2U);
+  fixture.pen(30, 0, 0.2);
+  fixture.pen(30, 0, -1);
+  fixture.pen(40, 0, -1);
+  fixture.lift(40, 0);
+  EXPECT_EQ(fixture.strokes(), 2U);
 }
 
 TEST(Session, AGestureIsOneStepOfUndo) {
-  Desk desk;
-  desk.line(0, 0);
-  desk.line(0, 10);
-  EXPECT_EQ(desk.strokes(), 2U);
-  EXPECT_EQ(desk.session.history().undo_count(), 2U);
-  const Document both = desk.session.document();
-  desk.must(UndoEvent{});
-  EXPECT_EQ(desk.strokes(), 1U);
-  desk.must(RedoEvent{});
-  EXPECT_EQ(desk.session.document(), both);
-  desk.must(UndoEvent{});
-  desk.must(UndoEvent{});
-  EXPECT_EQ(desk.strokes(), 0U);
+  Fixture fixture;
+  fixture.line(0, 0);
+  fixture.line(0, 10);
+  EXPECT_EQ(fixture.strokes(), 2U);
+  EXPECT_EQ(fixture.session.history().undo_count(), 2U);
+  const Document both = fixture.session.document();
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(fixture.strokes(), 1U);
+  fixture.must(RedoEvent{});
+  EXPECT_EQ(fixture.session.document(), both);
+  fixture.must(UndoEvent{});
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(fixture.strokes(), 0U);
 }
 
 TEST(Session, NothingToUndoOrRedoIsNoError) {
-  Desk desk;
-  desk.must(UndoEvent{});
-  desk.must(RedoEvent{});
-  EXPECT_EQ(desk.strokes(), 0U);
+  Fixture fixture;
+  fixture.must(UndoEvent{});
+  fixture.must(RedoEvent{});
+  EXPECT_EQ(fixture.strokes(), 0U);
 }
 
 TEST(Session, ShowsAPreviewUntilTheRelease) {
-  Desk desk;
-  desk.put_down(0, 0);
-  desk.pen(5, 0, -1);
-  EXPECT_TRUE(desk.session.gesture_in_work());
-  ASSERT_TRUE(desk.session.preview());
-  EXPECT_EQ(desk.session.preview()->changes.size(), 1U);
-  EXPECT_EQ(desk.strokes(), 0U);
+  Fixture fixture;
+  fixture.put_down(0, 0);
+  fixture.pen(5, 0, -1);
+  EXPECT_TRUE(fixture.session.gesture_in_progress());
+  ASSERT_TRUE(fixture.session.preview());
+  EXPECT_EQ(fixture.session.preview()->changes.size(), 1U);
+  EXPECT_EQ(fixture.strokes(), 0U);
   Overlay overlay;
-  desk.session.draw(overlay);
+  fixture.session.draw(overlay);
   EXPECT_EQ(overlay.rings.size(), 2U);
-  desk.lift(5, 0);
-  EXPECT_FALSE(desk.session.preview());
-  EXPECT_FALSE(desk.session.gesture_in_work());
-  desk.session.draw(overlay);
+  fixture.lift(5, 0);
+  EXPECT_FALSE(fixture.session.preview());
+  EXPECT_FALSE(fixture.session.gesture_in_progress());
+  fixture.session.draw(overlay);
   EXPECT_TRUE(overlay.rings.empty());
-  EXPECT_EQ(desk.strokes(), 1U);
+  EXPECT_EQ(fixture.strokes(), 1U);
 }
 
 TEST(Session, UndoInAGestureTakesBackOnlyThat) {
-  Desk desk;
-  desk.line(0, 0);
-  desk.put_down(0, 10);
-  desk.pen(5, 10, -1);
-  desk.must(UndoEvent{});
-  EXPECT_EQ(desk.strokes(), 1U);
-  EXPECT_FALSE(desk.session.preview());
-  desk.pen(10, 10, -1);  // still down: draws nothing until it is lifted
-  desk.lift(10, 10);
-  EXPECT_EQ(desk.strokes(), 1U);
-  desk.line(0, 20);
-  EXPECT_EQ(desk.strokes(), 2U);
+  Fixture fixture;
+  fixture.line(0, 0);
+  fixture.put_down(0, 10);
+  fixture.pen(5, 10, -1);
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(fixture.strokes(), 1U);
+  EXPECT_FALSE(fixture.session.preview());
+  fixture.pen(10, 10, -1);  // still down: draws nothing until it is lifted
+  fixture.lift(10, 10);
+  EXPECT_EQ(fixture.strokes(), 1U);
+  fixture.line(0, 20);
+  EXPECT_EQ(fixture.strokes(), 2U);
 }
 
 TEST(Session, UndoAtTheFirstTouchTakesBackOnlyThat) {
-  Desk desk;
-  desk.line(0, 0);
-  desk.put_down(0, 10);  // no preview yet
-  desk.must(UndoEvent{});
-  EXPECT_EQ(desk.strokes(), 1U);
+  Fixture fixture;
+  fixture.line(0, 0);
+  fixture.put_down(0, 10);  // no preview yet
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(fixture.strokes(), 1U);
 }
 
 TEST(Session, UndoRightAfterTheLiftTakesBackTheLineThatWaits) {
-  Desk desk;
-  desk.line(0, 0);
-  desk.put_down(0, 10);
-  desk.pen(5, 10, -1);
-  desk.pen(5, 10, 0.1);  // the tool still expects a bounce
-  desk.must(UndoEvent{});
-  EXPECT_EQ(desk.strokes(), 1U);
-  EXPECT_TRUE(desk.session.history().can_redo());
-  desk.lift(5, 10);
-  EXPECT_EQ(desk.strokes(), 1U);
-  desk.must(RedoEvent{});
-  EXPECT_EQ(desk.strokes(), 2U);
+  Fixture fixture;
+  fixture.line(0, 0);
+  fixture.put_down(0, 10);
+  fixture.pen(5, 10, -1);
+  fixture.pen(5, 10, 0.1);  // the tool still expects a bounce
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(fixture.strokes(), 1U);
+  EXPECT_TRUE(fixture.session.history().can_redo());
+  fixture.lift(5, 10);
+  EXPECT_EQ(fixture.strokes(), 1U);
+  fixture.must(RedoEvent{});
+  EXPECT_EQ(fixture.strokes(), 2U);
 }
 
 TEST(Session, RedoInAGestureDoesNothing) {
-  Desk desk;
-  desk.line(0, 0);
-  desk.must(UndoEvent{});
-  desk.put_down(0, 10);
-  desk.must(RedoEvent{});
-  EXPECT_EQ(desk.strokes(), 0U);
-  desk.pen(5, 10, -1);
-  desk.lift(5, 10);
-  EXPECT_EQ(desk.strokes(), 1U);
-  EXPECT_FALSE(desk.session.history().can_redo());
+  Fixture fixture;
+  fixture.line(0, 0);
+  fixture.must(UndoEvent{});
+  fixture.put_down(0, 10);
+  fixture.must(RedoEvent{});
+  EXPECT_EQ(fixture.strokes(), 0U);
+  fixture.pen(5, 10, -1);
+  fixture.lift(5, 10);
+  EXPECT_EQ(fixture.strokes(), 1U);
+  EXPECT_FALSE(fixture.session.history().can_redo());
 }
 
 TEST(Session, UndoWhileThePenIsStillDownAfterTheOutcome) {
-  Desk desk;
-  desk.line(0, 0);
-  desk.line(0, 10);
-  desk.must(SelectTool{"eraser"});
-  desk.put_down(0, 0);
-  EXPECT_EQ(desk.strokes(), 1U);
-  desk.must(UndoEvent{});
-  EXPECT_EQ(desk.strokes(), 2U);
-  desk.pen(1, 1, -1);  // does not erase again
-  EXPECT_EQ(desk.strokes(), 2U);
+  Fixture fixture;
+  fixture.line(0, 0);
+  fixture.line(0, 10);
+  fixture.must(SelectTool{"eraser"});
+  fixture.put_down(0, 0);
+  EXPECT_EQ(fixture.strokes(), 1U);
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(fixture.strokes(), 2U);
+  fixture.pen(1, 1, -1);  // does not erase again
+  EXPECT_EQ(fixture.strokes(), 2U);
 }
 
 TEST(Session, CancelMeansItNeverWas) {
-  Desk desk;
-  desk.put_down(0, 0);
-  desk.pen(5, 0, -1);
-  desk.must(CancelEvent{});
-  EXPECT_FALSE(desk.session.preview());
-  desk.pen(10, 0, -1);
-  desk.lift(10, 0);
-  EXPECT_EQ(desk.strokes(), 0U);
-  EXPECT_FALSE(desk.session.history().can_undo());
+  Fixture fixture;
+  fixture.put_down(0, 0);
+  fixture.pen(5, 0, -1);
+  fixture.must(CancelEvent{});
+  EXPECT_FALSE(fixture.session.preview());
+  fixture.pen(10, 0, -1);
+  fixture.lift(10, 0);
+  EXPECT_EQ(fixture.strokes(), 0U);
+  EXPECT_FALSE(fixture.session.history().can_undo());
 }
 
 TEST(Session, WhatComesAfterAToolWasChosenInAGestureDoesNotEndTheWaitForTheLift) {
-  Desk desk;
-  desk.line(0, 10);
-  desk.must(SelectTool{"eraser"});
-  desk.must(SelectTool{"pencil"});
-  desk.put_down(0, 0);
-  desk.pen(5, 0, -1);
-  desk.must(SelectTool{"eraser"});
-  EXPECT_EQ(desk.strokes(), 2U);
-  desk.must(SelectStrokes{SelectStrokes::What::kAll});
-  desk.must(UndoEvent{});
-  EXPECT_EQ(desk.strokes(), 1U);
-  desk.pen(6, 0, -1);
-  EXPECT_EQ(desk.strokes(), 1U) << "the pen is still down";
-  desk.lift(6, 0);
-  desk.put_down(6, 0);
-  EXPECT_EQ(desk.strokes(), 0U);
+  Fixture fixture;
+  fixture.line(0, 10);
+  fixture.must(SelectTool{"eraser"});
+  fixture.must(SelectTool{"pencil"});
+  fixture.put_down(0, 0);
+  fixture.pen(5, 0, -1);
+  fixture.must(SelectTool{"eraser"});
+  EXPECT_EQ(fixture.strokes(), 2U);
+  fixture.must(SelectStrokes{SelectStrokes::What::kAll});
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(fixture.strokes(), 1U);
+  fixture.pen(6, 0, -1);
+  EXPECT_EQ(fixture.strokes(), 1U) << "the pen is still down";
+  fixture.lift(6, 0);
+  fixture.put_down(6, 0);
+  EXPECT_EQ(fixture.strokes(), 0U);
 }
 
 TEST(Session, AToolChosenInAGestureKeepsTheInkAndWaitsForALift) {
-  Desk desk;
-  desk.put_down(0, 0);
-  desk.pen(5, 0, -1);
-  desk.must(SelectTool{"eraser"});
-  EXPECT_EQ(desk.strokes(), 1U);
-  EXPECT_FALSE(desk.session.gesture_in_work());
-  desk.pen(6, 0, -1);  // would erase it
-  EXPECT_EQ(desk.strokes(), 1U);
-  desk.lift(6, 0);
-  desk.put_down(6, 0);
-  EXPECT_EQ(desk.strokes(), 0U);
+  Fixture fixture;
+  fixture.put_down(0, 0);
+  fixture.pen(5, 0, -1);
+  fixture.must(SelectTool{"eraser"});
+  EXPECT_EQ(fixture.strokes(), 1U);
+  EXPECT_FALSE(fixture.session.gesture_in_progress());
+  fixture.pen(6, 0, -1);  // would erase it
+  EXPECT_EQ(fixture.strokes(), 1U);
+  fixture.lift(6, 0);
+  fixture.put_down(6, 0);
+  EXPECT_EQ(fixture.strokes(), 0U);
 }
 
 TEST(Session, AToolChosenInTheAirBeginsAtOnce) {
-  Desk desk;
-  desk.line(0, 0);
-  desk.must(SelectTool{"eraser"});
-  desk.pen(0, 0, -1);
-  EXPECT_EQ(desk.strokes(), 0U);
-  desk.must(SelectTool{"pencil"});  // waits for a lift
-  desk.must(SelectTool{"pencil"});  // the same tool: no effect
-  EXPECT_EQ(desk.session.tool().info().id, "pencil");
+  Fixture fixture;
+  fixture.line(0, 0);
+  fixture.must(SelectTool{"eraser"});
+  fixture.pen(0, 0, -1);
+  EXPECT_EQ(fixture.strokes(), 0U);
+  fixture.must(SelectTool{"pencil"});  // waits for a lift
+  fixture.must(SelectTool{"pencil"});  // the same tool: no effect
+  EXPECT_EQ(fixture.session.tool().info().id, "pencil");
 }
 
 TEST(Session, FinishEndsAGestureAsALiftWould) {
-  Desk lifted, finished;
+  Fixture lifted, finished;
   lifted.line(0, 0);
   finished.put_down(0, 0);
   finished.pen(5, 0, -1);
@@ -255,22 +255,22 @@ TEST(Session, FinishEndsAGestureAsALiftWould) {
 }
 
 TEST(Session, ImportAddsOneStepOnTopAndKeepsTheInkInWork) {
-  Desk source;
+  Fixture source;
   source.line(0, 0);
   source.line(0, 10);
-  Desk desk;
-  desk.put_down(0, 20);
-  desk.pen(5, 20, -1);
-  ASSERT_TRUE(
-      desk.session.import(desk.now_ns, {"a.ndjson"}, visible_strokes(source.session.document())));
-  EXPECT_EQ(desk.strokes(), 3U);
-  EXPECT_EQ(visible_strokes(desk.session.document())[1],
+  Fixture fixture;
+  fixture.put_down(0, 20);
+  fixture.pen(5, 20, -1);
+  ASSERT_TRUE(fixture.session.import(fixture.now_ns, {"a.ndjson"},
+                                     visible_strokes(source.session.document())));
+  EXPECT_EQ(fixture.strokes(), 3U);
+  EXPECT_EQ(visible_strokes(fixture.session.document())[1],
             visible_strokes(source.session.document())[0]);
-  EXPECT_EQ(desk.session.history().undo_count(), 2U);
-  desk.pen(8, 20, -1);
-  desk.lift(8, 20);
-  desk.must(UndoEvent{});
-  EXPECT_EQ(desk.strokes(), 1U) << "a dot is no line to this tool, so the import was undone";
+  EXPECT_EQ(fixture.session.history().undo_count(), 2U);
+  fixture.pen(8, 20, -1);
+  fixture.lift(8, 20);
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(fixture.strokes(), 1U) << "a dot is no line to this tool, so the import was undone";
 }
 
 // Recordings leave out options that have their default.
@@ -297,16 +297,16 @@ TEST(Session, ARecordingWithOlderDefaultsGetsThem) {
 }
 
 TEST(Session, NamesStrokesSoThatTheyKeepTheirNames) {
-  Desk desk;
-  desk.line(0, 0);
-  desk.line(0, 10);
-  desk.line(0, 20);
-  const Document before = desk.session.document();
+  Fixture fixture;
+  fixture.line(0, 0);
+  fixture.line(0, 10);
+  fixture.line(0, 20);
+  const Document before = fixture.session.document();
   EXPECT_EQ(stroke_name(before.layers()[0].strokes[0]), "s1");
   EXPECT_EQ(stroke_name(before.layers()[0].strokes[2]), "s3");
-  desk.must(UndoEvent{});
-  desk.line(0, 30);
-  const Document after = desk.session.document();
+  fixture.must(UndoEvent{});
+  fixture.line(0, 30);
+  const Document after = fixture.session.document();
   ASSERT_EQ(after.stroke_count(), 3U);
   EXPECT_EQ(visible_strokes(after)[1], visible_strokes(before)[1]);
   EXPECT_EQ(stroke_name(after.layers()[0].strokes[2]), "s4")
@@ -314,34 +314,58 @@ TEST(Session, NamesStrokesSoThatTheyKeepTheirNames) {
 }
 
 TEST(Session, StartsWithADocument) {
-  Desk source;
+  Fixture source;
   source.line(0, 0);
   SessionOptions options;
   options.document = document_of(visible_strokes(source.session.document()));
-  Desk desk(std::move(options));
-  EXPECT_EQ(desk.session.document(), source.session.document());
-  EXPECT_FALSE(desk.session.history().can_undo());
+  Fixture fixture(std::move(options));
+  EXPECT_EQ(fixture.session.document(), source.session.document());
+  EXPECT_FALSE(fixture.session.history().can_undo());
 }
 
 TEST(Session, SetsOptionsOfToolsAndOfTheSurface) {
-  Desk desk;
-  desk.must(SetOption{"pencil.width_mm", 2.0});
-  desk.must(SetOption{"ink.color", std::string("#ff0000")});
-  desk.must(SetOption{"surface.material", std::string("glass")});
-  EXPECT_EQ(desk.session.option("pencil.width_mm"), OptionValue(2.0));
-  EXPECT_EQ(desk.session.option("ink.color"), OptionValue(std::string("#ff0000")));
-  EXPECT_EQ(desk.session.option("surface.material"), OptionValue(std::string("glass")));
-  EXPECT_EQ(desk.session.surface().id, "glass");
-  desk.line(0, 0);
-  EXPECT_EQ(visible_strokes(desk.session.document())[0]->width_mm(0), 2.0);
-  EXPECT_EQ(visible_strokes(desk.session.document())[0]->color(), (Rgba{255, 0, 0, 255}));
+  Fixture fixture;
+  fixture.must(SetOption{"pencil.width_mm", 2.0});
+  fixture.must(SetOption{"ink.color", std::string("#ff0000")});
+  fixture.must(SetOption{"surface.material", std::string("glass")});
+  EXPECT_EQ(fixture.session.option("pencil.width_mm"), OptionValue(2.0));
+  EXPECT_EQ(fixture.session.option("ink.color"), OptionValue(std::string("#ff0000")));
+  EXPECT_EQ(fixture.session.option("surface.material"), OptionValue(std::string("glass")));
+  EXPECT_EQ(fixture.session.surface().id, "glass");
+  fixture.line(0, 0);
+  EXPECT_EQ(visible_strokes(fixture.session.document())[0]->width_mm(0), 2.0);
+  EXPECT_EQ(visible_strokes(fixture.session.document())[0]->color(), (Rgba{255, 0, 0, 255}));
+}
+
+TEST(Session, FormerOptionIdsSetTheSameOptionsAndAreRecordedByTheirPresentIds) {
+  std::vector<Event> recorded;
+  SessionOptions options;
+  options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
+  Fixture fixture(std::move(options));
+  fixture.must(SetOption{"sheet.material", std::string("glass")});
+  fixture.must(SetOption{"sheet.color", std::string("#ff0000")});
+  EXPECT_EQ(fixture.session.surface().id, "glass");
+  EXPECT_EQ(fixture.session.ink_color(), (Rgba{255, 0, 0, 255}));
+  EXPECT_EQ(fixture.session.option("sheet.color"), fixture.session.option("ink.color"));
+  EXPECT_EQ(recorded, (std::vector<Event>{{0, SetOption{"surface.material", std::string("glass")}},
+                                          {0, SetOption{"ink.color", std::string("#ff0000")}}}));
+}
+
+TEST(Session, EveryListedOptionCanBeReadAndSet) {
+  Fixture fixture;
+  for (const std::string& id : fixture.session.option_ids()) {
+    const Result<OptionValue> value = fixture.session.option(id);
+    ASSERT_TRUE(value) << id;
+    fixture.must(SetOption{id, *value});
+    EXPECT_EQ(fixture.session.current_option_id(id), id);
+  }
 }
 
 TEST(Session, EveryMaterialCanBeChosen) {
-  Desk desk;
+  Fixture fixture;
   for (const SurfaceMaterial& material : surface_materials()) {
-    desk.must(SetOption{"surface.material", std::string(material.id)});
-    EXPECT_EQ(desk.session.surface(), material);
+    fixture.must(SetOption{"surface.material", std::string(material.id)});
+    EXPECT_EQ(fixture.session.surface(), material);
   }
 }
 
@@ -353,24 +377,25 @@ TEST(Session, IsToldOfMaterials) {
   std::vector<Event> recorded;
   SessionOptions options;
   options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
-  Desk desk(std::move(options));
+  Fixture fixture(std::move(options));
   const SetOption choose{"surface.material", std::string("my-paper")};
-  EXPECT_THAT(desk.tell(choose).error().message,
+  EXPECT_THAT(fixture.apply(choose).error().message,
               HasSubstr("option 'material' cannot be 'my-paper': it is one of paper, rough-paper"));
-  desk.must(UseMaterial{text_of_surface("my-paper", "friction = 0.4")});
-  desk.must(choose);
-  EXPECT_EQ(desk.session.surface().friction, 0.4);
-  EXPECT_EQ(desk.session.option("surface.material"), OptionValue(std::string("my-paper")));
+  fixture.must(UseMaterial{text_of_surface("my-paper", "friction = 0.4")});
+  fixture.must(choose);
+  EXPECT_EQ(fixture.session.surface().friction, 0.4);
+  EXPECT_EQ(fixture.session.option("surface.material"), OptionValue(std::string("my-paper")));
   // The material changes while it is in use.
-  desk.must(UseMaterial{text_of_surface("my-paper", "friction = 0.7")});
-  EXPECT_EQ(desk.session.surface().friction, 0.7);
-  EXPECT_EQ(desk.session.materials().find_surface("my-paper")->friction, 0.7);
+  fixture.must(UseMaterial{text_of_surface("my-paper", "friction = 0.7")});
+  EXPECT_EQ(fixture.session.surface().friction, 0.7);
+  EXPECT_EQ(fixture.session.materials().find_surface("my-paper")->friction, 0.7);
   EXPECT_EQ(recorded.size(), 3u);
 
-  EXPECT_EQ(desk.tell(UseMaterial{text_of_surface("my-paper", "friction = 7")}).error().message,
+  EXPECT_EQ(fixture.apply(UseMaterial{text_of_surface("my-paper", "friction = 7")}).error().message,
             "material:4: feel.friction is 7, it must be 0 to 1.5");
-  EXPECT_FALSE(desk.tell(UseMaterial{"kind = \"sheet\"\nid = \"a\"\ngrain.picture = \"a.png\""}));
-  EXPECT_EQ(desk.session.surface().friction, 0.7);
+  EXPECT_FALSE(
+      fixture.apply(UseMaterial{"kind = \"sheet\"\nid = \"a\"\ngrain.picture = \"a.png\""}));
+  EXPECT_EQ(fixture.session.surface().friction, 0.7);
   EXPECT_EQ(recorded.size(), 3u);
 }
 
@@ -422,8 +447,8 @@ TEST(Session, ARecordingHasTheMaterialsThatItNames) {
   Session elsewhere(make_tools(), {});
   EXPECT_FALSE(elsewhere.apply({0, SetOption{"pencil.medium", std::string("my-pen")}}));
   for (const Event& event : recorded) {
-    const Result<void> told = elsewhere.apply(event);
-    ASSERT_TRUE(told) << told.error().message;
+    const Result<void> reported = elsewhere.apply(event);
+    ASSERT_TRUE(reported) << reported.error().message;
   }
   EXPECT_EQ(elsewhere.surface(), session.surface());
   EXPECT_EQ(*elsewhere.materials().find_medium("my-pen"), pen);
@@ -442,44 +467,45 @@ TEST(Session, SaysWhatIsWrongAndChangesNothing) {
   std::vector<Event> recorded;
   SessionOptions options;
   options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
-  Desk desk(std::move(options));
-  EXPECT_EQ(desk.tell(SelectTool{"brush"}).error().message,
+  Fixture fixture(std::move(options));
+  EXPECT_EQ(fixture.apply(SelectTool{"brush"}).error().message,
             "no tool \"brush\"; there are eraser, pencil");
-  EXPECT_THAT(desk.tell(SetOption{"brush.size", 1.0}).error().message, HasSubstr("no tool"));
-  EXPECT_THAT(desk.tell(SetOption{"pencil", 1.0}).error().message, HasSubstr("pencil"));
-  EXPECT_THAT(desk.tell(SetOption{"pencil.width_mm", 9.0}).error().message, HasSubstr("width_mm"));
-  EXPECT_THAT(desk.tell(SetOption{"ink.color", 1.0}).error().message,
+  EXPECT_THAT(fixture.apply(SetOption{"brush.size", 1.0}).error().message, HasSubstr("no tool"));
+  EXPECT_THAT(fixture.apply(SetOption{"pencil", 1.0}).error().message, HasSubstr("pencil"));
+  EXPECT_THAT(fixture.apply(SetOption{"pencil.width_mm", 9.0}).error().message,
+              HasSubstr("width_mm"));
+  EXPECT_THAT(fixture.apply(SetOption{"ink.color", 1.0}).error().message,
               HasSubstr("sheet: color: a number or switch is not #rrggbb"));
-  EXPECT_THAT(desk.tell(SetOption{"ink.color", std::string("red")}).error().message,
+  EXPECT_THAT(fixture.apply(SetOption{"ink.color", std::string("red")}).error().message,
               HasSubstr("sheet: color: \"red\" is not #rrggbb"));
-  EXPECT_THAT(desk.tell(SetOption{"surface.material", std::string("mud")}).error().message,
+  EXPECT_THAT(fixture.apply(SetOption{"surface.material", std::string("mud")}).error().message,
               HasSubstr("sheet: option 'material' cannot be 'mud'"));
-  EXPECT_EQ(desk.tell(HandEvent{}).error().code, ErrorCode::kUnsupported);
-  EXPECT_EQ(desk.tell(ImportEvent{"a"}).error().code, ErrorCode::kUnsupported);
-  EXPECT_EQ(desk.session.option("pencil.width_mm"), OptionValue(1.0));
-  EXPECT_FALSE(desk.session.option("pencil.nothing"));
+  EXPECT_EQ(fixture.apply(HandEvent{}).error().code, ErrorCode::kUnsupported);
+  EXPECT_EQ(fixture.apply(ImportEvent{"a"}).error().code, ErrorCode::kUnsupported);
+  EXPECT_EQ(fixture.session.option("pencil.width_mm"), OptionValue(1.0));
+  EXPECT_FALSE(fixture.session.option("pencil.nothing"));
   EXPECT_TRUE(recorded.empty());
 }
 
 TEST(Session, DropsSamplesThatNoDeviceCanMean) {
-  Desk desk;
-  desk.put_down(0, 0);
-  desk.pen(std::numeric_limits<double>::quiet_NaN(), 0, -1);
-  desk.pen(0, std::numeric_limits<double>::infinity(), -1);
-  desk.pen(0, 0, -2e9);
-  desk.pen(5, 0, -1);
-  desk.lift(5, 0);
-  EXPECT_EQ(desk.session.dropped_samples(), 3U);
-  EXPECT_EQ(visible_strokes(desk.session.document())[0]->segment_count(), 1);
+  Fixture fixture;
+  fixture.put_down(0, 0);
+  fixture.pen(std::numeric_limits<double>::quiet_NaN(), 0, -1);
+  fixture.pen(0, std::numeric_limits<double>::infinity(), -1);
+  fixture.pen(0, 0, -2e9);
+  fixture.pen(5, 0, -1);
+  fixture.lift(5, 0);
+  EXPECT_EQ(fixture.session.dropped_samples(), 3U);
+  EXPECT_EQ(visible_strokes(fixture.session.document())[0]->segment_count(), 1);
 }
 
 TEST(Session, TiltsAreHeldToWhatAPenCanDo) {
   std::vector<Event> recorded;
   SessionOptions options;
   options.on_event = [&](const Event& event) { recorded.push_back(event); };
-  Desk desk(std::move(options));
-  const auto tilt = [&](std::optional<double> told) {
-    desk.must(PenEvent{{0, 0, 5}, {}, 0, told});
+  Fixture fixture(std::move(options));
+  const auto tilt = [&](std::optional<double> reported) {
+    fixture.must(PenEvent{{0, 0, 5}, {}, 0, reported});
     return std::get<PenEvent>(recorded.back().what).tilt_deg;
   };
   EXPECT_EQ(tilt({}), std::nullopt);
@@ -487,7 +513,7 @@ TEST(Session, TiltsAreHeldToWhatAPenCanDo) {
   EXPECT_EQ(tilt(-1.0), 0.0);
   EXPECT_EQ(tilt(std::numeric_limits<double>::infinity()), 90.0);
   EXPECT_EQ(tilt(std::numeric_limits<double>::quiet_NaN()), std::nullopt);
-  EXPECT_EQ(desk.session.dropped_samples(), 0U) << "the place is as good as ever";
+  EXPECT_EQ(fixture.session.dropped_samples(), 0U) << "the place is as good as ever";
 }
 
 TEST(Session, TellsEveryEditSoThatACopyFollows) {
@@ -496,53 +522,53 @@ TEST(Session, TellsEveryEditSoThatACopyFollows) {
   SessionOptions options;
   options.on_edit = [&copy](const Edit& edit) { ASSERT_TRUE(copy.apply(edit)); };
   options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
-  Desk desk(std::move(options));
+  Fixture fixture(std::move(options));
   std::mt19937 random(7);
   for (int i = 0; i < 300; ++i) {
     const unsigned what = random() % 8;
-    if (what < 4) desk.line(static_cast<double>(random() % 100), static_cast<double>(i));
-    if (what == 4) desk.must(UndoEvent{});
-    if (what == 5) desk.must(RedoEvent{});
-    if (what == 6) desk.must(SelectTool{random() % 4 ? "pencil" : "eraser"});
-    if (what == 7) desk.pen(static_cast<double>(random() % 100), 0, random() % 2 ? -1 : 1);
-    ASSERT_TRUE(copy == desk.session.document()) << "step " << i;
+    if (what < 4) fixture.line(static_cast<double>(random() % 100), static_cast<double>(i));
+    if (what == 4) fixture.must(UndoEvent{});
+    if (what == 5) fixture.must(RedoEvent{});
+    if (what == 6) fixture.must(SelectTool{random() % 4 ? "pencil" : "eraser"});
+    if (what == 7) fixture.pen(static_cast<double>(random() % 100), 0, random() % 2 ? -1 : 1);
+    ASSERT_TRUE(copy == fixture.session.document()) << "step " << i;
   }
-  EXPECT_GT(desk.session.edit_count(), 100U);
+  EXPECT_GT(fixture.session.edit_count(), 100U);
 
   // If another session gets the recorded events, it reaches the same state.
-  Desk again;
+  Fixture again;
   for (const Event& event : recorded) ASSERT_TRUE(again.session.apply(event));
-  EXPECT_TRUE(again.session.document() == desk.session.document());
+  EXPECT_TRUE(again.session.document() == fixture.session.document());
 }
 
 TEST(Session, R52_RandomGesturesUndoToTheStartAndRedoToTheEnd) {
-  Desk desk;
+  Fixture fixture;
   std::mt19937 random(52);
-  std::vector<Document> steps = {desk.session.document()};
+  std::vector<Document> steps = {fixture.session.document()};
   while (steps.size() <= 1000) {
-    desk.must(SelectTool{random() % 4 ? "pencil" : "eraser"});
-    desk.line(static_cast<double>(random() % 100), static_cast<double>(random() % 100));
-    if (desk.session.history().undo_count() == steps.size()) {
-      steps.push_back(desk.session.document());
+    fixture.must(SelectTool{random() % 4 ? "pencil" : "eraser"});
+    fixture.line(static_cast<double>(random() % 100), static_cast<double>(random() % 100));
+    if (fixture.session.history().undo_count() == steps.size()) {
+      steps.push_back(fixture.session.document());
     }
   }
   for (std::size_t i = steps.size() - 1; i-- > 0;) {
-    desk.must(UndoEvent{});
-    ASSERT_EQ(desk.session.document(), steps[i]) << "back to step " << i;
+    fixture.must(UndoEvent{});
+    ASSERT_EQ(fixture.session.document(), steps[i]) << "back to step " << i;
   }
   for (std::size_t i = 1; i < steps.size(); ++i) {
-    desk.must(RedoEvent{});
-    ASSERT_EQ(desk.session.document(), steps[i]) << "again to step " << i;
+    fixture.must(RedoEvent{});
+    ASSERT_EQ(fixture.session.document(), steps[i]) << "again to step " << i;
   }
 }
 
 TEST(Session, TheForceIsThatOfTheTool) {
-  Desk desk;
+  Fixture fixture;
   ForceMemory memory;
   const PenSample pressing{0, {0, 0, -1}, {}, {}, 0};
-  EXPECT_DOUBLE_EQ(desk.session.force()(pressing, memory).z, 0.3);
-  desk.must(SetOption{"pencil.hard", true});
-  EXPECT_DOUBLE_EQ(desk.session.force()(pressing, memory).z, 0.6);
+  EXPECT_DOUBLE_EQ(fixture.session.force()(pressing, memory).z, 0.3);
+  fixture.must(SetOption{"pencil.hard", true});
+  EXPECT_DOUBLE_EQ(fixture.session.force()(pressing, memory).z, 0.6);
 }
 
 }  // namespace

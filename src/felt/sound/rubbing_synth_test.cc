@@ -169,11 +169,11 @@ TEST(RubbingSynth, BrighterIsHigherAndLouderIsLouder) {
 
 // Surfaces and media differ in sound: in loudness and pitch together by at least 0.1 in log2.
 TEST(RubbingSynth, EverySurfaceAndEveryMediumHasItsOwnSound) {
-  struct Heard {
+  struct Received {
     std::string name;
     double rms, hz;
   };
-  std::vector<Heard> surfaces, pens;
+  std::vector<Received> surfaces, pens;
   for (const SurfaceMaterial& surface : surface_materials()) {
     const auto sound = rubbed(rubbing_pair(surface, *find_medium("pencil")), {.seconds = 1.0});
     surfaces.push_back({surface.id, rms_of(sound), centroid_of(sound)});

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 #include "felt/store/felt_extras.h"
 
 namespace felt {

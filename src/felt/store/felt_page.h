@@ -1,7 +1,7 @@
 #pragma once
 
 #include "felt/base/result.h"
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 #include "felt/store/database.h"
 #include "felt/store/felt_file.h"
 

@@ -79,15 +79,15 @@ FeltRecording FeltRecorder::take() {
 }
 
 Result<void> play_recording(const FeltRecording& recording,
-                            const std::function<Result<void>(const Event&)>& tell) {
+                            const std::function<Result<void>(const Event&)>& report) {
   auto event = recording.events.begin();
   for (std::size_t i = 0; i <= recording.samples.size(); ++i) {
     for (; event != recording.events.end() && event->before_sample == i; ++event) {
-      if (auto ok = tell(event->event); !ok) return ok;
+      if (auto ok = report(event->event); !ok) return ok;
     }
     if (i == recording.samples.size()) break;
     const RecordedSample& sample = recording.samples[i];
-    if (auto ok = tell({sample.time_ns, sample.pen}); !ok) return ok;
+    if (auto ok = report({sample.time_ns, sample.pen}); !ok) return ok;
   }
   return {};
 }

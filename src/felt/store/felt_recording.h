@@ -83,7 +83,7 @@ class FeltRecorder {
 /// Calls `tell` for every event of a recording, in order, with samples as pen events. Stops at the
 /// first error of `tell` and returns it.
 Result<void> play_recording(const FeltRecording& recording,
-                            const std::function<Result<void>(const Event&)>& tell);
+                            const std::function<Result<void>(const Event&)>& report);
 
 /// Summary of a recording, available without reading its samples.
 struct RecordingInfo {

@@ -204,13 +204,13 @@ TEST(FeltSalvage, SaysWhatIsMissing) {
 /// If all cells refer to the same large row, the work is still bounded by the size of the file.
 TEST(FeltSalvage, IsBoundedWhateverThePagesSay) {
   std::string bytes(std::size_t{1} << 20, '\x0d');
-  std::size_t told = 0;
+  std::size_t reported = 0;
   scan_rows(bytes, [&](const ScannedRow& row) {
     for (const ScannedRow::Value& value : row.values) {
-      if (const auto* text = std::get_if<ScannedRow::Bytes>(&value)) told += text->value.size();
+      if (const auto* text = std::get_if<ScannedRow::Bytes>(&value)) reported += text->value.size();
     }
   });
-  EXPECT_LT(told, std::size_t{8} << 20);
+  EXPECT_LT(reported, std::size_t{8} << 20);
 }
 
 }  // namespace

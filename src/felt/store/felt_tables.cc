@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "felt/base/utf8.h"
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_page.h"
 #include "felt/store/material_table.h"

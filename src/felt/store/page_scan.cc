@@ -100,16 +100,16 @@ class Scan {
     budget_ = kMinBudget + 2 * bytes.size();
   }
 
-  void rows(const std::function<void(ScannedRow)>& tell) {
+  void rows(const std::function<void(ScannedRow)>& report) {
     for (std::size_t begin = 0; begin < file_.size() && budget_ > 0; begin += page_) {
       const std::string_view page = file_.substr(begin, page_);
-      leaf(page, begin == 0 ? kDatabaseHeaderBytes : 0, tell);
+      leaf(page, begin == 0 ? kDatabaseHeaderBytes : 0, report);
     }
   }
 
  private:
   void leaf(std::string_view page, std::size_t header,
-            const std::function<void(ScannedRow)>& tell) {
+            const std::function<void(ScannedRow)>& report) {
     const Bytes bytes(page);
     if (bytes.at(header) != kLeafOfRows) return;
     const auto most = (page.size() - std::min(page.size(), header + kLeafHeaderBytes)) / 2;
@@ -117,7 +117,7 @@ class Scan {
     for (std::size_t i = 0; i < cells && budget_ > 0; ++i) {
       const auto at = static_cast<std::size_t>(bytes.number(header + kLeafHeaderBytes + 2 * i, 2));
       ScannedRow row;
-      if (cell(page, at, row)) tell(std::move(row));
+      if (cell(page, at, row)) report(std::move(row));
     }
   }
 
@@ -166,8 +166,8 @@ class Scan {
 
 }  // namespace
 
-void scan_rows(std::string_view bytes, const std::function<void(ScannedRow)>& tell) {
-  Scan(bytes).rows(tell);
+void scan_rows(std::string_view bytes, const std::function<void(ScannedRow)>& report) {
+  Scan(bytes).rows(report);
 }
 
 }  // namespace felt

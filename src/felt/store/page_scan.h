@@ -27,6 +27,6 @@ struct ScannedRow {
 /// table. Needs only the leaf pages, not the interior pages that lead to them. Used for files that
 /// SQLite refuses. Nothing in these files is trusted, and the work and memory of the scan are
 /// bounded. Skips rows of more than 64 columns. Format: sqlite.org/fileformat2.html.
-void scan_rows(std::string_view bytes, const std::function<void(ScannedRow)>& tell);
+void scan_rows(std::string_view bytes, const std::function<void(ScannedRow)>& report);
 
 }  // namespace felt

@@ -10,7 +10,7 @@
 #include "felt/base/utf8.h"
 #include "felt/io/events/event_reader.h"
 #include "felt/io/events/event_writer.h"
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_extras.h"
 #include "felt/store/felt_file.h"

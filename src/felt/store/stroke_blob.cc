@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "felt/base/utf8.h"
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
 #include "felt/stroke/width_profile.h"
 

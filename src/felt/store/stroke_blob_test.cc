@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
 #include "felt/stroke/testing/random_stroke.h"
 

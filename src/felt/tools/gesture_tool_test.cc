@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "felt/document/edit_builder.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::gesture_tool_test {
 namespace {
@@ -20,9 +20,9 @@ constexpr ToolInfo kInfo{.id = "told", .label = "Told", .help = "Tells.", .optio
 
 /// Records the calls of the virtual functions as text: h for hover, b for begin, m for move, e for
 /// end, d for drop, and the value of an option for take_options.
-class Told final : public GestureTool {
+class Reported final : public GestureTool {
  public:
-  Told() : GestureTool(kInfo) {}
+  Reported() : GestureTool(kInfo) {}
   [[nodiscard]] ForceModel force(const Scene&) const override { return {}; }
   void draw(Overlay&) const override {}
   std::string said;
@@ -48,9 +48,9 @@ class Told final : public GestureTool {
 };
 
 struct Table {
-  Told tool;
-  testing::Desk desk;
-  testing::Pen pen{tool, desk};
+  Reported tool;
+  testing::Fixture fixture;
+  testing::Pen pen{tool, fixture};
 };
 
 TEST(GestureTool, FromTouchToLiftIsOneGesture) {
@@ -86,7 +86,7 @@ TEST(GestureTool, CancelWaitsForTheLift) {
 TEST(GestureTool, FinishEndsAsIfLiftedAndThenWaits) {
   Table t;
   t.pen.along({{0, 0}, {1, 0}});
-  t.tool.finish(t.desk.scene());
+  t.tool.finish(t.fixture.scene());
   t.pen.down({2, 0});
   EXPECT_EQ(t.tool.said, "bme");
 }
@@ -119,10 +119,10 @@ class Replaces final : public GestureTool {
 TEST(GestureTool, StrokesThatCameOutAsTheyWereAreNoChange) {
   const auto line = [](double x) { return testing::straight_stroke({0, 0}, {x, 0}, 1, 1); };
   for (const bool same : {true, false}) {
-    testing::Desk desk;
-    desk.add(line(10.0));
+    testing::Fixture fixture;
+    fixture.add(line(10.0));
     Replaces tool(same ? nullptr : std::make_shared<const Stroke>(line(20.0)));
-    testing::Pen pen(tool, desk);
+    testing::Pen pen(tool, fixture);
     pen.line({{0, 0}, {1, 0}});
     EXPECT_EQ(pen.commits, same ? 0 : 1);
   }

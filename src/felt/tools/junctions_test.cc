@@ -2,23 +2,24 @@
 
 #include <gtest/gtest.h>
 
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::junctions_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::straight_stroke;
 
 TEST(Junctions, R33_AreSharedEndsAndEndsOnOtherLines) {
-  Desk desk;
-  const StrokeId line = desk.add(straight_stroke({0, 0}, {40, 0}, 1, 1));
-  const StrokeId next = desk.add(straight_stroke({40, 0}, {60, 30}, 1, 1));
-  const StrokeId post = desk.add(straight_stroke({10, -20}, {10, 0}, 1, 1));
-  const StrokeId crossing = desk.add(straight_stroke({30, -9}, {30, 9}, 1, 1));
-  const StrokeId base = desk.add(straight_stroke({0, -5}, {0, 5}, 1, 1));
-  desk.add(straight_stroke({20, 0.03}, {20, 9}, 1, 1));  // near, but does not touch
-  const auto found = junctions_of(desk.document, desk.index, line, *desk.document.find(line));
+  Fixture fixture;
+  const StrokeId line = fixture.add(straight_stroke({0, 0}, {40, 0}, 1, 1));
+  const StrokeId next = fixture.add(straight_stroke({40, 0}, {60, 30}, 1, 1));
+  const StrokeId post = fixture.add(straight_stroke({10, -20}, {10, 0}, 1, 1));
+  const StrokeId crossing = fixture.add(straight_stroke({30, -9}, {30, 9}, 1, 1));
+  const StrokeId base = fixture.add(straight_stroke({0, -5}, {0, 5}, 1, 1));
+  fixture.add(straight_stroke({20, 0.03}, {20, 9}, 1, 1));  // near, but does not touch
+  const auto found =
+      junctions_of(fixture.document, fixture.index, line, *fixture.document.find(line));
   ASSERT_EQ(found.size(), 3u) << "a crossing shares no end: " << crossing.value;
   EXPECT_EQ(found[0].other, next);
   EXPECT_EQ(found[0].u, 1.0);
@@ -33,14 +34,15 @@ TEST(Junctions, R33_AreSharedEndsAndEndsOnOtherLines) {
 
 TEST(Junctions, HiddenLayersDoNotCountAndLockedOnesAreNotEditable) {
   for (const bool visible : {false, true}) {
-    Desk desk;
-    desk.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Other"}, 0, 1}}});
-    const StrokeId line = desk.add(straight_stroke({0, 0}, {40, 0}, 1, 1));
-    desk.layer = LayerId{2};
-    desk.add(straight_stroke({40, 0}, {60, 30}, 1, 1));
-    desk.apply(
+    Fixture fixture;
+    fixture.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Other"}, 0, 1}}});
+    const StrokeId line = fixture.add(straight_stroke({0, 0}, {40, 0}, 1, 1));
+    fixture.layer = LayerId{2};
+    fixture.add(straight_stroke({40, 0}, {60, 30}, 1, 1));
+    fixture.apply(
         {"State", {}, {{{2}, LayerState{"Other"}, LayerState{"Other", visible, true}, 1, 1}}});
-    const auto found = junctions_of(desk.document, desk.index, line, *desk.document.find(line));
+    const auto found =
+        junctions_of(fixture.document, fixture.index, line, *fixture.document.find(line));
     ASSERT_EQ(found.size(), visible ? 1u : 0u);
     if (visible) {
       EXPECT_FALSE(found[0].editable);

@@ -8,11 +8,11 @@
 namespace felt {
 Pressing::Pressing(const SurfaceMaterial& surface, const Capabilities& device) noexcept
     : stiffness_n_per_m_(plane_for(surface, device).stiffness_n_per_m),
-      most_n_(firm_push_n(device)),
+      max_n_(firm_push_n(device)),
       senses_depth_(device.sensed_axes >= 3) {}
 
 double Pressing::of_force(double spring_n) const noexcept {
-  return std::clamp((spring_n - kMinN) / (most_n_ - kMinN), 0.0, 1.0);
+  return std::clamp((spring_n - kMinN) / (max_n_ - kMinN), 0.0, 1.0);
 }
 
 std::optional<double> Pressing::of(const PenSample& sample) const noexcept {

@@ -26,7 +26,7 @@ class Pressing {
   [[nodiscard]] double stiffness_n_per_m() const noexcept { return stiffness_n_per_m_; }
   /// Returns F1, the force at which a line has its full width, N. The device can exert this force
   /// continuously (firm_push_n).
-  [[nodiscard]] double most_n() const noexcept { return most_n_; }
+  [[nodiscard]] double max_n() const noexcept { return max_n_; }
   /// Returns the pressure for a spring force in N.
   [[nodiscard]] double of_force(double spring_n) const noexcept;
   /// Returns the pressure of a sample, or nullopt if the device senses neither pressure nor depth.
@@ -34,7 +34,7 @@ class Pressing {
 
  private:
   double stiffness_n_per_m_;
-  double most_n_;
+  double max_n_;
   bool senses_depth_;
 };
 

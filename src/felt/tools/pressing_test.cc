@@ -65,18 +65,18 @@ TEST(Pressing, R14_TheStiffnessIsTheOneThatTheDeviceRenders) {
 }
 
 TEST(Pressing, R14_FullWidthIsWhatTheMotorsHoldForEver) {
-  EXPECT_EQ(Pressing(paper(), {.continuous_force_n = 0.0}).most_n(), 2.0);
-  EXPECT_EQ(Pressing(paper(), {.continuous_force_n = 8.0}).most_n(), 2.0);
+  EXPECT_EQ(Pressing(paper(), {.continuous_force_n = 0.0}).max_n(), 2.0);
+  EXPECT_EQ(Pressing(paper(), {.continuous_force_n = 8.0}).max_n(), 2.0);
   const Capabilities touch{.max_force_n = 3.3, .continuous_force_n = 0.88};
   MotorGuard motors(limits_for(touch));
   for (int i = 0; i < 120'000; ++i) motors.heat(motors.allowed_n(), 0.001);
-  const double slides_n = Pressing(paper(), touch).most_n() * std::hypot(1.0, 0.6);
+  const double slides_n = Pressing(paper(), touch).max_n() * std::hypot(1.0, 0.6);
   EXPECT_NEAR(slides_n, motors.allowed_n(), 0.01);
   // F1 also does not exceed the force that the device can render.
-  EXPECT_LE(Pressing(paper(), {.max_force_n = 1.0}).most_n(), 0.9);
+  EXPECT_LE(Pressing(paper(), {.max_force_n = 1.0}).max_n(), 0.9);
   // Even a weak device has a usable range.
   const Pressing weak(paper(), {.continuous_force_n = 1e-6});
-  EXPECT_GT(weak.most_n(), 0.1);
+  EXPECT_GT(weak.max_n(), 0.1);
   EXPECT_EQ(weak.of_force(0.1), 0.0);
   EXPECT_EQ(weak.of_force(1.0), 1.0);
 }
@@ -88,13 +88,13 @@ TEST(Pressing, R14_FullWidthIsWithinTheUsersForceLimit) {
   for (const double limit_n : {0.25, 0.3, 0.4}) {
     const Capabilities limited = with_force_limit(touch, limit_n);
     const Pressing pressing(paper(), limited);
-    EXPECT_LE(pressing.most_n() * std::hypot(1.0, 0.6), limit_n + 1e-12);
+    EXPECT_LE(pressing.max_n() * std::hypot(1.0, 0.6), limit_n + 1e-12);
     EXPECT_EQ(pressing.of_force(limits_for(touch, limit_n).peak_force_n), 1.0);
-    EXPECT_GT(pressing.most_n(), Pressing::kMinN);
+    EXPECT_GT(pressing.max_n(), Pressing::kMinN);
     EXPECT_EQ(pressing.stiffness_n_per_m(), Pressing(paper(), touch).stiffness_n_per_m());
   }
-  EXPECT_EQ(Pressing(paper(), with_force_limit(touch, 3.0)).most_n(),
-            Pressing(paper(), touch).most_n());
+  EXPECT_EQ(Pressing(paper(), with_force_limit(touch, 3.0)).max_n(),
+            Pressing(paper(), touch).max_n());
 }
 
 TEST(Pressing, R18_ADeviceThatSensesPressureSaysIt) {

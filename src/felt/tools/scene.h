@@ -34,7 +34,7 @@ inline const Medium& medium_of(const Scene& scene, std::string_view id) noexcept
 /// Returns the medium with its friction (on every surface) and its grain multiplied by these
 /// factors. Tools use it to apply their `strength` option. Tools that leave no ink also use it to
 /// reduce friction.
-inline Medium felt_with(Medium medium, double friction, double grain) {
+inline Medium scaled_medium(Medium medium, double friction, double grain) {
   medium.friction *= friction;
   medium.grain *= grain;
   for (PairFriction& pair : medium.pairs) pair.coefficient *= friction;

@@ -11,7 +11,7 @@ TEST(Scene, StrengthReachesEveryPairAndTheGrain) {
   for (const Medium& medium : media()) {
     for (const SurfaceMaterial& surface : surface_materials()) {
       for (const double strength : {0.0, 0.4, 1.0}) {
-        const Medium felt = felt_with(medium, strength, 0.5 * strength);
+        const Medium felt = scaled_medium(medium, strength, 0.5 * strength);
         EXPECT_DOUBLE_EQ(friction_of(felt, surface), strength * friction_of(medium, surface))
             << medium.id << " on " << surface.id;
         EXPECT_DOUBLE_EQ(felt.grain, 0.5 * strength * medium.grain);

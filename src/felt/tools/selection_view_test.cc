@@ -2,80 +2,80 @@
 
 #include <gtest/gtest.h>
 
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::selection_view_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::random_stroke;
 using testing::straight_stroke;
 
 TEST(SelectionView, IsUpToDateAfterOneLookAtAFewStrokes) {
-  Desk desk;
+  Fixture fixture;
   SelectionView view;
   for (std::uint64_t i = 0; i < 8; ++i) {
-    const StrokeId id = desk.add(random_stroke(i));
-    desk.selection.set_whole(id, desk.document.find(id)->data().points.size());
-    view.look(desk.document, desk.selection);
+    const StrokeId id = fixture.add(random_stroke(i));
+    fixture.selection.set_whole(id, fixture.document.find(id)->data().points.size());
+    view.look(fixture.document, fixture.selection);
     EXPECT_EQ(view.stroke_count(), i + 1);
-    EXPECT_EQ(view.box(), desk.selection.bounds(desk.document));
+    EXPECT_EQ(view.box(), fixture.selection.bounds(fixture.document));
   }
-  desk.selection.clear();
-  view.look(desk.document, desk.selection);
+  fixture.selection.clear();
+  view.look(fixture.document, fixture.selection);
   EXPECT_TRUE(view.empty());
   EXPECT_TRUE(view.box().empty());
 }
 
 TEST(SelectionView, GetsRoundALargeSelectionBitByBit) {
-  Desk desk;
+  Fixture fixture;
   for (std::uint64_t i = 0; i < 1500; ++i) {
     const double x = static_cast<double>(i);
-    const StrokeId id = desk.add(straight_stroke({x, 0}, {x, 10}, 1, 1));
-    desk.selection.set_whole(id, 4);
+    const StrokeId id = fixture.add(straight_stroke({x, 0}, {x, 10}, 1, 1));
+    fixture.selection.set_whole(id, 4);
   }
   SelectionView view;
   std::size_t looks = 0;
   while (view.empty()) {
-    view.look(desk.document, desk.selection);
+    view.look(fixture.document, fixture.selection);
     ++looks;
   }
   EXPECT_EQ(looks, 1500 * 4 / SelectionView::kPointsPerLook);
-  EXPECT_EQ(view.box(), desk.selection.bounds(desk.document));
+  EXPECT_EQ(view.box(), fixture.selection.bounds(fixture.document));
   EXPECT_EQ(view.stroke_count(), 1500u);
   Overlay overlay;
   view.draw(overlay);
   EXPECT_EQ(overlay.spans.size(), 1500u);
   SelectionView other;
-  other.look_at_all(desk.document, desk.selection);
+  other.look_at_all(fixture.document, fixture.selection);
   EXPECT_EQ(other.fingerprint(), view.fingerprint());
 }
 
 TEST(SelectionView, TellsOneSelectionFromAnother) {
-  Desk desk;
-  const StrokeId id = desk.add(straight_stroke({0, 0}, {9, 0}, 1, 1));
+  Fixture fixture;
+  const StrokeId id = fixture.add(straight_stroke({0, 0}, {9, 0}, 1, 1));
   SelectionView view;
-  desk.selection.set(id, {1, 0, 0, 1});
-  view.look(desk.document, desk.selection);
+  fixture.selection.set(id, {1, 0, 0, 1});
+  view.look(fixture.document, fixture.selection);
   const std::uint64_t before = view.fingerprint();
   EXPECT_EQ(view.partial_count(), 1u);
-  view.look(desk.document, desk.selection);
+  view.look(fixture.document, fixture.selection);
   EXPECT_EQ(view.fingerprint(), before);
-  desk.selection.set(id, {1, 1, 0, 1});
-  view.look(desk.document, desk.selection);
+  fixture.selection.set(id, {1, 1, 0, 1});
+  view.look(fixture.document, fixture.selection);
   EXPECT_NE(view.fingerprint(), before);
 }
 
 TEST(SelectionView, MarksWhatGoesAndWhatBends) {
-  Desk desk;
+  Fixture fixture;
   StrokeData d = straight_stroke({0, 0}, {9, 0}, 1, 1).data();
   d.points.insert(d.points.end(), {{12, 0}, {15, 0}, {18, 0}, {21, 3}, {24, 3}, {27, 0}});
   d.joints.assign(2, JointKind::kCorner);
   d.widths.back().u = 3.0;
-  const StrokeId id = desk.add(Stroke::create(std::move(d)).value());
-  desk.selection.set(id, {1, 1, 1, 1, 0, 0, 0, 0, 0, 0});
+  const StrokeId id = fixture.add(Stroke::create(std::move(d)).value());
+  fixture.selection.set(id, {1, 1, 1, 1, 0, 0, 0, 0, 0, 0});
   SelectionView view;
-  view.look(desk.document, desk.selection);
+  view.look(fixture.document, fixture.selection);
   Overlay overlay;
   view.draw(overlay);
   ASSERT_EQ(overlay.spans.size(), 2u);
@@ -84,28 +84,28 @@ TEST(SelectionView, MarksWhatGoesAndWhatBends) {
 }
 
 TEST(SelectionView, LeavesLockedLayersOut) {
-  Desk desk;
-  const StrokeId id = desk.add(straight_stroke({0, 0}, {9, 0}, 1, 1));
-  desk.selection.set_whole(id, 4);
-  const Layer layer = desk.document.layers()[0];
+  Fixture fixture;
+  const StrokeId id = fixture.add(straight_stroke({0, 0}, {9, 0}, 1, 1));
+  fixture.selection.set_whole(id, 4);
+  const Layer layer = fixture.document.layers()[0];
   LayerState locked = layer.state();
   locked.locked = true;
-  desk.apply({"Lock", {}, {{layer.id, layer.state(), locked, 0, 0}}});
-  EXPECT_FALSE(is_editable(desk.document, id));
+  fixture.apply({"Lock", {}, {{layer.id, layer.state(), locked, 0, 0}}});
+  EXPECT_FALSE(is_editable(fixture.document, id));
   SelectionView view;
-  view.look(desk.document, desk.selection);
+  view.look(fixture.document, fixture.selection);
   EXPECT_TRUE(view.empty());
 }
 
 TEST(SelectionView, AFrameGoesRoundMoreThanItMarks) {
-  Desk desk;
+  Fixture fixture;
   for (std::size_t i = 0; i < SelectionView::kMaxSpans + 1; ++i) {
     const double x = static_cast<double>(i);
-    const StrokeId id = desk.add(straight_stroke({x, 0}, {x, 10}, 1, 1));
-    desk.selection.set_whole(id, 4);
+    const StrokeId id = fixture.add(straight_stroke({x, 0}, {x, 10}, 1, 1));
+    fixture.selection.set_whole(id, 4);
   }
   SelectionView view;
-  view.look_at_all(desk.document, desk.selection);
+  view.look_at_all(fixture.document, fixture.selection);
   Overlay overlay;
   view.draw(overlay);
   EXPECT_EQ(overlay.spans.size(), SelectionView::kMaxSpans);

@@ -4,68 +4,69 @@
 
 #include <cmath>
 
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::snapping_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::straight_stroke;
 using testing::operator+;
 
 const SnapOptions kDefault;
 
 TEST(SnapFinder, FindsTheNearestEndWithinReach) {
-  Desk desk;
-  const StrokeId id = desk.add(straight_stroke({0, 0}, {100, 0}, 1, 1));
+  Fixture fixture;
+  const StrokeId id = fixture.add(straight_stroke({0, 0}, {100, 0}, 1, 1));
   SnapFinder finder;
-  EXPECT_FALSE(finder.update({0, 8.01}, kDefault, desk.document, desk.index));
-  const auto target = finder.update({3, 4}, kDefault, desk.document, desk.index);
+  EXPECT_FALSE(finder.update({0, 8.01}, kDefault, fixture.document, fixture.index));
+  const auto target = finder.update({3, 4}, kDefault, fixture.document, fixture.index);
   ASSERT_TRUE(target);
   EXPECT_EQ(target->tip, (TipId{id, StrokeTip::kStart}));
   EXPECT_EQ(target->point, (Point{0, 0}));
-  EXPECT_FALSE(finder.update({50, 0}, kDefault, desk.document, desk.index));
-  EXPECT_EQ(finder.update({99, 0}, kDefault, desk.document, desk.index)->point, (Point{100, 0}));
-  EXPECT_FALSE(finder.update({99, 0}, {.mode = SnapMode::kOff}, desk.document, desk.index));
+  EXPECT_FALSE(finder.update({50, 0}, kDefault, fixture.document, fixture.index));
+  EXPECT_EQ(finder.update({99, 0}, kDefault, fixture.document, fixture.index)->point,
+            (Point{100, 0}));
+  EXPECT_FALSE(finder.update({99, 0}, {.mode = SnapMode::kOff}, fixture.document, fixture.index));
 }
 
 TEST(SnapFinder, R43_KeepsItsTargetUntilAnotherIsNearerByOneMillimetre) {
-  Desk desk;
-  desk.add(straight_stroke({0, 0}, {0, 50}, 1, 1));
-  desk.add(straight_stroke({6, 0}, {6, 50}, 1, 1));
+  Fixture fixture;
+  fixture.add(straight_stroke({0, 0}, {0, 50}, 1, 1));
+  fixture.add(straight_stroke({6, 0}, {6, 50}, 1, 1));
   SnapFinder finder;
-  finder.update({2, 0}, kDefault, desk.document, desk.index);
+  finder.update({2, 0}, kDefault, fixture.document, fixture.index);
   int changes = 0;
   Point last = finder.target()->point;
   // The middle is at x = 3; a pen that trembles around it keeps its target.
   for (int k = 0; k < 1000; ++k) {
-    finder.update({3 + 0.49 * std::sin(k), 0}, kDefault, desk.document, desk.index);
+    finder.update({3 + 0.49 * std::sin(k), 0}, kDefault, fixture.document, fixture.index);
     changes += finder.target()->point != last ? 1 : 0;
     last = finder.target()->point;
   }
   EXPECT_EQ(changes, 0);
-  finder.update({3.49, 0}, kDefault, desk.document, desk.index);
+  finder.update({3.49, 0}, kDefault, fixture.document, fixture.index);
   EXPECT_EQ(finder.target()->point.x, 0);
-  finder.update({3.51, 0}, kDefault, desk.document, desk.index);
+  finder.update({3.51, 0}, kDefault, fixture.document, fixture.index);
   EXPECT_EQ(finder.target()->point.x, 6);
-  finder.update({2.51, 0}, kDefault, desk.document, desk.index);
+  finder.update({2.51, 0}, kDefault, fixture.document, fixture.index);
   EXPECT_EQ(finder.target()->point.x, 6);
-  finder.update({2.49, 0}, kDefault, desk.document, desk.index);
+  finder.update({2.49, 0}, kDefault, fixture.document, fixture.index);
   EXPECT_EQ(finder.target()->point.x, 0);
 }
 
 TEST(SnapFinder, LetsGoOfATargetBeyondReachOrGone) {
-  Desk desk;
-  desk.add(straight_stroke({0, 0}, {0, 50}, 1, 1));
-  desk.add(straight_stroke({15.8, 0}, {15.8, 50}, 1, 1));
+  Fixture fixture;
+  fixture.add(straight_stroke({0, 0}, {0, 50}, 1, 1));
+  fixture.add(straight_stroke({15.8, 0}, {15.8, 50}, 1, 1));
   SnapFinder finder;
-  finder.update({7, 0}, kDefault, desk.document, desk.index);
+  finder.update({7, 0}, kDefault, fixture.document, fixture.index);
   ASSERT_TRUE(finder.target());
   // The end is 8.1 mm from the first target and 7.7 mm from the second, so the first no longer
   // attracts.
-  EXPECT_EQ(finder.update({8.1, 0}, kDefault, desk.document, desk.index)->point.x, 15.8);
-  desk.undo();
-  EXPECT_FALSE(finder.update({8.1, 0}, kDefault, desk.document, desk.index));
+  EXPECT_EQ(finder.update({8.1, 0}, kDefault, fixture.document, fixture.index)->point.x, 15.8);
+  fixture.undo();
+  EXPECT_FALSE(finder.update({8.1, 0}, kDefault, fixture.document, fixture.index));
 }
 
 TEST(WellOf, R43_IsZeroAtBothEndsAndContinuous) {

@@ -196,12 +196,12 @@ CheckOutcome check_step(CheckContext& context) {
     (*trial)->pass(kStepS + 0.05);
     // Starts at the tick after the force was sent to the device.
     std::size_t at = 0;
-    bool told = false;
+    bool reported = false;
     for (const ProbeTick& tick : (*trial)->ticks()) {
-      if (told && at < curve.size()) {
+      if (reported && at < curve.size()) {
         curve[at++].add(sign * (component(tick.sample.position, *axis) - from));
       }
-      told = told || norm(tick.force) > 0.5 * kTestForceN;
+      reported = reported || norm(tick.force) > 0.5 * kTestForceN;
     }
     (*trial)->push({});
     (*trial)->pass(0.4);

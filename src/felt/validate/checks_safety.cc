@@ -27,7 +27,7 @@ constexpr const char* kHoldStill =
 
 /// The largest force that was sent, and the largest rise of the force between two ticks.
 struct Sent {
-  double most_n = 0.0;
+  double max_n = 0.0;
   double rise_n = 0.0;
 };
 
@@ -35,7 +35,7 @@ Sent sent_in(const std::vector<ProbeTick>& ticks) {
   Sent sent;
   Force last{};
   for (const ProbeTick& tick : ticks) {
-    sent.most_n = std::max(sent.most_n, norm(tick.force));
+    sent.max_n = std::max(sent.max_n, norm(tick.force));
     if (norm(tick.force) > norm(last)) sent.rise_n = std::max(sent.rise_n, norm(tick.force - last));
     last = tick.force;
   }
@@ -99,18 +99,18 @@ CheckOutcome check_limits(CheckContext& context) {
   (*trial)->step({0.0, 0.0, 0.1});
   (*trial)->pass(0.2);
   if (!(*trial)->trouble().empty()) return broken(**trial);
-  const double after_nonsense = sent_in((*trial)->ticks()).most_n;
+  const double after_nonsense = sent_in((*trial)->ticks()).max_n;
   const ServoOptions& options = (*trial)->servo().options();
   const double period_ms = 1e-6 * static_cast<double>(options.period_ns);
-  const std::string measured = "asked for 3 N: " + figure(sent.most_n, 2) + " N came, rising by " +
+  const std::string measured = "asked for 3 N: " + figure(sent.max_n, 2) + " N came, rising by " +
                                figure(sent.rise_n / period_ms, 2) +
                                " N/ms; asked for NaN: " + figure(after_nonsense, 2) + " N";
-  const double most_rise = kCreditedPeriods * period_ms * options.limits.rise_n_per_ms;
-  if (sent.most_n > kTestForceN + kEpsilonN || sent.rise_n > most_rise + kEpsilonN ||
+  const double max_rise = kCreditedPeriods * period_ms * options.limits.rise_n_per_ms;
+  if (sent.max_n > kTestForceN + kEpsilonN || sent.rise_n > max_rise + kEpsilonN ||
       after_nonsense > kEpsilonN) {
     return failed(measured, "a limit of force was broken: do not draw with it, and tell us");
   }
-  if (sent.most_n <= kEpsilonN) {
+  if (sent.max_n <= kEpsilonN) {
     return not_possible("the safety chain let no force through: the loop was late", measured);
   }
   return passed(measured);
@@ -127,7 +127,7 @@ CheckOutcome check_engaging(CheckContext& context) {
   (*trial)->pass(0.1);
   (*trial)->servo().arm();
   (*trial)->pass(0.5);
-  const double kick = sent_in((*trial)->ticks()).most_n;
+  const double kick = sent_in((*trial)->ticks()).max_n;
   (*trial)->step({});
   (*trial)->pass(0.05);
   (*trial)->forget();
@@ -139,8 +139,8 @@ CheckOutcome check_engaging(CheckContext& context) {
   const double period_ms = 1e-6 * static_cast<double>(options.period_ns);
   const std::string measured = figure(kick, 2) + " N at the start while it asked for 3 N, then " +
                                figure(sent.rise_n / period_ms, 3) + " N/ms at most";
-  const double most_rise = kCreditedPeriods * period_ms * options.limits.engage_rise_n_per_ms;
-  if (kick > kEpsilonN || sent.rise_n > most_rise + kEpsilonN) {
+  const double max_rise = kCreditedPeriods * period_ms * options.limits.engage_rise_n_per_ms;
+  if (kick > kEpsilonN || sent.rise_n > max_rise + kEpsilonN) {
     return failed(measured, "forces begin with a kick: do not draw with it, and tell us");
   }
   return passed(measured);

@@ -161,13 +161,14 @@ void FaultEpisode::turn() {
   turn_ns_ = script_ns_ + kTurnNs;
   PenSample sample;
   while (servo_->for_edit().pop(sample)) {
-    if (in_contact(sample) && tells_the_truth()) believed_.push_back(sample);
-    if (const Result<void> told = session_->sample(sample); !told) broken(told.error().message);
+    if (in_contact(sample) && is_truthful()) believed_.push_back(sample);
+    if (const Result<void> reported = session_->sample(sample); !reported)
+      broken(reported.error().message);
   }
   while (servo_->for_autosave().pop(sample)) {
   }
-  if (device_->unread() == DeviceFault::kDisconnected && !is_told_) {
-    is_told_ = true;
+  if (device_->unread() == DeviceFault::kDisconnected && !is_reported_) {
+    is_reported_ = true;
     if (const Result<void> done = session_->finish(); !done) broken(done.error().message);
   }
   servo_->heartbeat(now());

@@ -76,7 +76,7 @@ class FaultEpisode {
   [[nodiscard]] std::optional<std::int64_t> zero_within_ns() const;
   [[nodiscard]] bool is_hard() const noexcept;
   [[nodiscard]] bool acts_after_its_watchdog() const noexcept;
-  [[nodiscard]] bool tells_the_truth() const noexcept;
+  [[nodiscard]] bool is_truthful() const noexcept;
 
   FaultCase fault_;
   std::unique_ptr<DriverBench> bench_;
@@ -94,9 +94,9 @@ class FaultEpisode {
   std::int64_t turn_ns_ = 0;
   std::int64_t ends_ns_ = 0, lift_ns_ = 0, arm_ns_ = 0;
   Phase phase_ = Phase::kBefore;
-  bool is_repeat_ = false;  // the second call of a double tick
-  bool is_told_ = false;    // the session has been notified that the device is gone
-  bool was_tried_ = false;  // a reconnect was tried while the device was still unplugged
+  bool is_repeat_ = false;    // the second call of a double tick
+  bool is_reported_ = false;  // the session has been notified that the device is gone
+  bool was_tried_ = false;    // a reconnect was tried while the device was still unplugged
   Random random_;
 
   // State of the rules.

@@ -133,7 +133,7 @@ bool FaultEpisode::is_hard() const noexcept {
 }
 
 /// Returns true if the samples report the real position of the pen and must become ink.
-bool FaultEpisode::tells_the_truth() const noexcept {
+bool FaultEpisode::is_truthful() const noexcept {
   if (phase_ == Phase::kBefore) return true;
   if (fault_.happening == Happening::kOtherTool || fault_.happening == Happening::kUndo) {
     return phase_ == Phase::kAgain && fault_.happening == Happening::kUndo;
@@ -290,8 +290,8 @@ void FaultEpisode::check_end() {
   if (const Result<void> done = session_->finish(); !done) return broken(done.error().message);
   if (!bench_->broken_rule().empty()) broken(std::string(bench_->broken_rule()));
   if (bench_->device() == nullptr) return broken("nothing is open at the end");
-  const double most_n = ForceGate(bench_->device()->capabilities()).most_n();
-  if (!(bench_->largest_asked_n() <= most_n + 1e-6)) {
+  const double max_n = ForceGate(bench_->device()->capabilities()).max_n();
+  if (!(bench_->largest_asked_n() <= max_n + 1e-6)) {
     broken("asked for " + newtons(bench_->largest_asked_n()));
   }
   if (norm(bench_->world().held_force()) > kNoForceN) broken("a force is held after the end");

@@ -25,7 +25,7 @@ class FakeArm final : public fake_dhd::Port {
   [[nodiscard]] std::int64_t now_ns() const noexcept override { return now_ns_; }
   [[nodiscard]] const Sense& sense() const noexcept override { return sense_; }
   int push(const std::array<double, 3>& force_n) noexcept override;
-  void let_go() noexcept override { world_.device().stop(); }
+  void release() noexcept override { world_.device().stop(); }
 
  private:
   FakeWorld world_;

@@ -32,7 +32,7 @@ class Sequence {
     const auto shown = make({});
     std::erase_if(faults, [&shown](const FaultWindow& w) { return !shown->shows(w.fault); });
     bench_ = make(std::move(faults));
-    most_n_ = ForceGate(bench_->device()->capabilities()).most_n();
+    max_n_ = ForceGate(bench_->device()->capabilities()).max_n();
     kind_ = random_.bits() % 6;
     step_ = any_way(random_.between(0.0, 50.0));
   }
@@ -58,7 +58,7 @@ class Sequence {
                                          4e38, 5e-324, -1e-310, -0.0};
     switch (kind_) {
       case 0:
-        return any_way(random_.between(0.0, 2.0 * most_n_));
+        return any_way(random_.between(0.0, 2.0 * max_n_));
       case 1:
         return step_;
       case 2:
@@ -153,9 +153,9 @@ class Sequence {
   void look(const char* when) {
     const Force held = bench_->world().held_force();
     if (!is_finite(held)) verdict_.broken = "a force that is no number is held";
-    if (!(bench_->largest_asked_n() <= most_n_ + 1e-6)) {
+    if (!(bench_->largest_asked_n() <= max_n_ + 1e-6)) {
       verdict_.broken = "asked for " + std::to_string(bench_->largest_asked_n()) + " N, allowed " +
-                        std::to_string(most_n_);
+                        std::to_string(max_n_);
     }
     if (!bench_->broken_rule().empty()) verdict_.broken = std::string(bench_->broken_rule());
     if (!verdict_.broken.empty() && *when != '\0') verdict_.broken += std::string(" ") + when;
@@ -164,7 +164,7 @@ class Sequence {
 
   Random random_;
   std::unique_ptr<DriverBench> bench_;
-  double most_n_ = 0.0;
+  double max_n_ = 0.0;
   std::uint64_t kind_ = 0;
   Force step_;
   std::int64_t now_ns_ = 0;

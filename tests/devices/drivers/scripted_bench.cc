@@ -42,7 +42,7 @@ class OtherSide {
     const Vec3 turned = plane_.turn_to_page(Vec3{force.x, force.y, force.z});
     return world_.device().write({turned.x, turned.y, turned.z});
   }
-  void let_go() noexcept { world_.device().stop(); }
+  void release() noexcept { world_.device().stop(); }
   void forbid() noexcept { rule_ = "a forbidden call"; }
 
   [[nodiscard]] double largest_n() const noexcept { return largest_n_; }
@@ -62,7 +62,7 @@ class ScriptedDriverDevice final : public DriverDevice {
  public:
   ScriptedDriverDevice(OtherSide& side, DeviceDescriptor descriptor, BadDriver bad, int opened)
       : side_(side), descriptor_(std::move(descriptor)), bad_(bad), opened_(opened) {}
-  ~ScriptedDriverDevice() override { side_.let_go(); }
+  ~ScriptedDriverDevice() override { side_.release(); }
 
   [[nodiscard]] std::string_view name() const noexcept override { return "scripted"; }
   [[nodiscard]] const Capabilities& capabilities() const noexcept override {
@@ -88,8 +88,8 @@ class ScriptedDriverDevice final : public DriverDevice {
     // If the same sample returns again and again, the device no longer answers.
     if (sample->time_ns != answered_ns_) {
       answered_ns_ = sample->time_ns;
-      heard_ns_ = now_ns;
-    } else if (now_ns - heard_ns_ > kPatienceNs) {
+      received_ns_ = now_ns;
+    } else if (now_ns - received_ns_ > kPatienceNs) {
       return failed(DeviceFault::kOther);
     }
     sample->time_ns = now_ns;
@@ -126,7 +126,7 @@ class ScriptedDriverDevice final : public DriverDevice {
 
   void stop() noexcept override {
     if (bad_ == BadDriver::kHangsOn && status_.fault) return;
-    side_.let_go();
+    side_.release();
   }
 
  private:
@@ -176,7 +176,7 @@ class ScriptedDriverDevice final : public DriverDevice {
   int opened_;
   DeviceStatus status_;
   bool is_gone_ = false;
-  std::int64_t answered_ns_ = -1, heard_ns_ = 0;
+  std::int64_t answered_ns_ = -1, received_ns_ = 0;
   std::uint64_t reads_ = 0;
   PenSample last_;
   std::unique_ptr<int> word_;

@@ -77,7 +77,7 @@ class DriverSession final : public Session {
   [[nodiscard]] int warm_up_ticks() const override {
     return static_cast<int>(kWarmUpNs / servo_->options().period_ns);
   }
-  [[nodiscard]] int least_ticks() const override {
+  [[nodiscard]] int min_ticks() const override {
     return static_cast<int>(ends_ns_ / servo_->options().period_ns);
   }
   void edit(int tick, std::int64_t now_ns) override {

@@ -38,7 +38,7 @@ struct Ran {
 Ran run_ticks(Session& session, int ticks_wanted) {
   const std::int64_t period_ns = session.servo().options().period_ns;
   const int warm_up = session.warm_up_ticks();
-  const int ticks = std::max(ticks_wanted, session.least_ticks() - warm_up);
+  const int ticks = std::max(ticks_wanted, session.min_ticks() - warm_up);
   Ran ran{.ticks = ticks};
   for (int tick = 0; tick < warm_up + ticks; ++tick) {
     const std::int64_t now_ns = tick * period_ns;

@@ -27,7 +27,7 @@ class Session {
   /// its memory and code causes page faults. (A real loop locks its memory.)
   [[nodiscard]] virtual int warm_up_ticks() const { return 200; }
   /// Returns the number of ticks, warm-up included, that the session needs to show everything.
-  [[nodiscard]] virtual int least_ticks() const { return 0; }
+  [[nodiscard]] virtual int min_ticks() const { return 0; }
 };
 
 /// One line of the list in scenarios.cc: the name of a session and a function that creates it.

@@ -118,7 +118,7 @@ void SafetyOracle::take_orders(const TickInput& in, SafetyState before) {
     }
     has_beat_ = true;
     beat_ns_ = *in.heartbeat_ns;
-    is_heard_ = true;
+    is_audible_ = true;
     quiet_s_ = 0.0;
   }
 }
@@ -131,8 +131,8 @@ void SafetyOracle::take_time(std::int64_t now_ns) {
   has_time_ = true;
   last_ns_ = now_ns;
   clock_s_ += std::max(dt_s_, 0.0);
-  silence_s_ = is_heard_ ? 0.0 : silence_s_ + std::max(dt_s_, 0.0);
-  is_heard_ = false;
+  silence_s_ = is_audible_ ? 0.0 : silence_s_ + std::max(dt_s_, 0.0);
+  is_audible_ = false;
   if (std::abs(dt_s_) > kVeryLateS) has_place_ = held_ = false;
 }
 
@@ -181,16 +181,16 @@ const char* SafetyOracle::check_jump(const TickInput& in, const TickOutput& out)
   }
   const Vec3& p = in.sample.position;
   const double tick_s = std::clamp(dt_s_, 0.0002, 0.005);
-  const bool says_nothing_new = has_place_ && !held_ && in.sample.time_ns == told_ns_ &&
-                                in.sample.velocity == told_velocity_ && p == place_;
-  told_ns_ = in.sample.time_ns;
-  told_velocity_ = in.sample.velocity;
+  const bool says_nothing_new = has_place_ && !held_ && in.sample.time_ns == reported_ns_ &&
+                                in.sample.velocity == reported_velocity_ && p == place_;
+  reported_ns_ = in.sample.time_ns;
+  reported_velocity_ = in.sample.velocity;
   if (says_nothing_new) {
-    unheard_s_ += tick_s;
+    silent_s_ += tick_s;
     return nullptr;
   }
-  const double reach = kReachMmPerS * std::min(unheard_s_ + tick_s, 0.025);
-  unheard_s_ = 0.0;
+  const double reach = kReachMmPerS * std::min(silent_s_ + tick_s, 0.025);
+  silent_s_ = 0.0;
   const double way =
       has_place_ ? length(Vec3{p.x - place_.x, p.y - place_.y, p.z - place_.z}) : 0.0;
   if (way <= reach) {

@@ -52,9 +52,9 @@ class SafetyOracle {
 
   bool has_place_ = false;
   Vec3 place_;
-  std::int64_t told_ns_ = 0;  // time stamp of the last sample
-  Vec3 told_velocity_;        // velocity of the last sample
-  double unheard_s_ = 0.0;    // time since the last new sample
+  std::int64_t reported_ns_ = 0;  // time stamp of the last sample
+  Vec3 reported_velocity_;        // velocity of the last sample
+  double silent_s_ = 0.0;         // time since the last new sample
   bool held_ = false;
   double held_s_ = 0.0;
   Vec3 before_;  // position of the tick before
@@ -69,7 +69,7 @@ class SafetyOracle {
   std::deque<double> soft_at_s_;
 
   bool has_beat_ = false;
-  bool is_heard_ = false;  // a heartbeat came at this tick
+  bool is_audible_ = false;  // a heartbeat came at this tick
   std::int64_t beat_ns_ = 0;
   double silence_s_ = 0.0;
   double quiet_fastest_ = 0.0;  // largest speed since the silence became certain, m/s

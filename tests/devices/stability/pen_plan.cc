@@ -70,11 +70,11 @@ Side side_of(Trial trial, double t_s) noexcept {
 
 TrialTimes times_of(Trial trial, bool lets_go) noexcept {
   if (lets_go) {
-    const double let_go_s = trial == Trial::kTap ? 0.9 : 2.0;
+    const double release_s = trial == Trial::kTap ? 0.9 : 2.0;
     return {.measure_from_s = 3.5,
             .measure_until_s = 4.5,
             .energy_from_s = trial == Trial::kWell ? kMoveS : 0.0,
-            .let_go_s = let_go_s,
+            .release_s = release_s,
             .end_s = 4.5};
   }
   TrialTimes times;

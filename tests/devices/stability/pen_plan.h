@@ -14,7 +14,7 @@ struct TrialTimes {
   double measure_from_s = 0.0;  ///< start of the measurement of the high-frequency force
   double measure_until_s = 0.0;
   double energy_from_s = 0.0;  ///< start of the energy measurement: after the pen is in the well
-  double let_go_s = 0.0;       ///< when the hand releases the pen; only if `lets_go`
+  double release_s = 0.0;      ///< when the hand releases the pen; only if `lets_go`
   double end_s = 0.0;
 };
 /// Returns the times of a trial. `lets_go`: the hand releases the pen during the trial.

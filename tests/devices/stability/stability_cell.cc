@@ -203,7 +203,7 @@ StabilityResult run_trial(const StabilityCell& cell) {
   while (1e-9 * static_cast<double>(clock.next_ns()) < times.end_s) {
     const double t_s = 1e-9 * static_cast<double>(clock.next_ns());
     stylus.aim(knowing.aim_at(t_s), {}, 0);
-    if (lets_go && holds && t_s >= times.let_go_s) {
+    if (lets_go && holds && t_s >= times.release_s) {
       stylus.hold(std::nullopt);
       holds = false;
     }

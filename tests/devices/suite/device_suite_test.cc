@@ -246,27 +246,27 @@ TEST_P(DeviceSuite, R55_TheLoopKeepsToItsCapabilities) {
       Compose(make_surface_force(board, media()[0], can), SnapWells(here), EditSpring(here))));
   servo->arm();
   VirtualClock clock(*servo);
-  double most_n = 0.0, steepest = 0.0;
+  double max_n = 0.0, steepest = 0.0;
   while (clock.next_ns() < 2500 * kMs) {
     subject_.feed(clock.next_ns());
     const TickReport& tick = clock.tick();
     EXPECT_EQ(tick.safety.hard_faults, 0u);
-    most_n = std::max(most_n, norm(tick.sent));
+    max_n = std::max(max_n, norm(tick.sent));
     const double depth = depth_mm(tick.sample);
     if (depth > 0.2 && std::fabs(tick.sample.velocity.z) < 0.5 && tick.terms.size() > 0) {
       steepest = std::max(steepest, 1e3 * tick.terms[0].force.z / depth);
     }
   }
-  EXPECT_LE(most_n, std::min(3.0, 0.9 * can.max_force_n) + 1e-9);
+  EXPECT_LE(max_n, std::min(3.0, 0.9 * can.max_force_n) + 1e-9);
   // A planar device cannot render the surface, and its depth only says whether the pen touches.
   if (can.max_stiffness_n_per_m > 0.0 && can.actuated_axes > 2) {
     EXPECT_LE(steepest, 0.9 * can.max_stiffness_n_per_m * 1.05 + 5.0);
   }
   if (can.has_force() && GetParam() != "replay") {
-    EXPECT_GT(most_n, 0.05) << "it did push";
+    EXPECT_GT(max_n, 0.05) << "it did push";
   }
   if (!can.has_force()) {
-    EXPECT_EQ(most_n, 0.0);
+    EXPECT_EQ(max_n, 0.0);
   }
 }
 

@@ -124,7 +124,7 @@ std::string check_pressing(const BenchMaker& make) {
   Servo servo(rig.device, {.period_ns = can.period_ns, .limits = limits_for(can)});
   servo.publish(ForceModel(make_surface_force(surface_materials()[0], media()[0], can)));
   servo.arm();
-  double least_push_n = 1e9;
+  double min_push_n = 1e9;
   for (std::int64_t now_ns = 0; now_ns < 1500 * kMs; now_ns += can.period_ns) {
     rig.aim = rig.middle;
     rig.aim.z = now_ns < 700 * kMs ? 5.0 : -3.0;
@@ -132,11 +132,11 @@ std::string check_pressing(const BenchMaker& make) {
     servo.heartbeat(now_ns);
     (void)servo.step(now_ns);
     if (now_ns > 1300 * kMs) {
-      least_push_n = std::min(least_push_n, rig.bench->world().held_force().z);
+      min_push_n = std::min(min_push_n, rig.bench->world().held_force().z);
     }
   }
   servo.stop();
-  if (!(least_push_n > 0.1)) return words("pressing is answered, N,", 2, least_push_n, 0.1);
+  if (!(min_push_n > 0.1)) return words("pressing is answered, N,", 2, min_push_n, 0.1);
   return std::string(rig.bench->broken_rule());
 }
 

@@ -13,7 +13,7 @@ TEST(ShownPlane, OfAnotherUnitIsNotUsed) {
   world.gone_after_reads = 1 << 30;
   ZigzagDriver driver(world);
   driver.give_own_frame();
-  driver.tell_serial_once_open("THIS-1");
+  driver.report_serial_once_open("THIS-1");
   for (const bool same : {false, true}) {
     RealDevice device{&driver, driver.device(), {.device_id = "zigzag:1"}};
     device.profile.serial = same ? "THIS-1" : "OTHER-42";

@@ -9,12 +9,12 @@
 #include "felt/geometry/polyline.h"
 #include "felt/render/raster.h"
 #include "felt/tools/eraser/eraser_tool.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::erased_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::Pen;
 using testing::straight_stroke;
 using testing::way;
@@ -25,14 +25,14 @@ constexpr double kPixelMm = 1.0 / kPxPerMm;
 /// If the centre of a pixel is at least this far inside an edge, the whole pixel is inside.
 constexpr double kEdgeMm = 0.75 * kPixelMm;
 
-Image picture_of(const Desk& desk, const Rect& area) {
+Image picture_of(const Fixture& fixture, const Rect& area) {
   Image image = Image::create(static_cast<int>(std::ceil((area.x1 - area.x0) * kPxPerMm)),
                               static_cast<int>(std::ceil((area.y1 - area.y0) * kPxPerMm)))
                     .value();
   Rasterizer rasterizer;
   const View view{{area.x0, area.y0}, kPxPerMm};
   const Pixels pixels = image.pixels();
-  for (const StrokePtr& s : desk.strokes()) rasterizer.draw(*s, view, pixels.rect(), pixels);
+  for (const StrokePtr& s : fixture.strokes()) rasterizer.draw(*s, view, pixels.rect(), pixels);
   return image;
 }
 
@@ -53,7 +53,7 @@ struct Case {
 };
 
 Damage erase(const Case& c) {
-  Desk desk;
+  Fixture fixture;
   EraserTool tool;
   EXPECT_TRUE(tool.set_option("radius_mm", c.radius_mm));
   if (!c.include_width) {
@@ -62,18 +62,18 @@ Damage erase(const Case& c) {
   Rect area;
   for (const Stroke& s : c.strokes) {
     area.extend(s.bounds());
-    desk.add(s);
+    fixture.add(s);
   }
   area = area.inflated(1.0);
-  const Image before = picture_of(desk, area);
-  Pen pen(tool, desk);
+  const Image before = picture_of(fixture, area);
+  Pen pen(tool, fixture);
   std::vector<Point> path;
   for (std::size_t k = 0; k + 1 < c.corners.size(); ++k) {
     path = path + way(c.corners[k], c.corners[k + 1], 1.0);
   }
   pen.line(path);
-  const Image after = picture_of(desk, area);
-  Damage damage{.strokes = desk.strokes().size()};
+  const Image after = picture_of(fixture, area);
+  Damage damage{.strokes = fixture.strokes().size()};
   constexpr double kPixelArea = kPixelMm * kPixelMm;
   for (int y = 0; y < before.height(); ++y) {
     for (int x = 0; x < before.width(); ++x) {

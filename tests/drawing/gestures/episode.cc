@@ -158,10 +158,10 @@ void Episode::take(const PenSample& sample) {
   if (dice_.chance(kChecked)) check_state(sample);
 }
 
-void Episode::check_state(const PenSample& told) {
+void Episode::check_state(const PenSample& reported) {
   if (session_.preview()) break_rule(check_edit(session_.document(), *session_.preview()));
   break_rule(check_selection(session_.document(), session_.selection()));
-  PenSample sample = told;
+  PenSample sample = reported;
   if (sample.pressure && !(*sample.pressure >= 0.0)) sample.pressure.reset();
   const double dt_s = 1e-9 * static_cast<double>(sample.time_ns - velocity_ns_);
   sample.velocity = velocity_.update(sample.position, dt_s);
@@ -270,7 +270,7 @@ void Episode::undo_and_redo() {
     }
     ++totals_.undone;
   }
-  if (dice_.chance(0.3) && session_.history().can_undo() && !session_.gesture_in_work()) {
+  if (dice_.chance(0.3) && session_.history().can_undo() && !session_.gesture_in_progress()) {
     const Document before = session_.document();
     command(UndoEvent{});
     command(RedoEvent{});

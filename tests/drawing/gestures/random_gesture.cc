@@ -210,9 +210,9 @@ constexpr std::array kKinds{
 };
 
 /// Converts a path into pen samples.
-class Teller {
+class Reporter {
  public:
-  Teller(Dice& dice, std::int64_t now_ns) : dice_(dice), now_ns_(now_ns) {
+  Reporter(Dice& dice, std::int64_t now_ns) : dice_(dice), now_ns_(now_ns) {
     constexpr std::array<std::int64_t, 6> kPeriods{1'000'000, 1'000'000, 1'000'000,
                                                    200'000,   4'000'000, 7'500'000};
     period_ns_ = dice.any(kPeriods);
@@ -224,7 +224,7 @@ class Teller {
     changes_buttons_ = dice.chance(0.1);
   }
 
-  void air(Point at, double z) { tell({at.x, at.y, z}, std::nullopt); }
+  void air(Point at, double z) { report({at.x, at.y, z}, std::nullopt); }
   void page(Point at) {
     if (is_rough_) disturb(at);
     const double part = 1.0 - swing_ * 0.5 * (1.0 + std::sin(0.1 * ++count_));
@@ -232,12 +232,12 @@ class Teller {
     const bool by_pressure = pressure_ && dice_.chance(0.5);
     std::optional<double> pressure = pressure_;
     if (pressure) *pressure *= part;
-    tell({at.x, at.y, by_pressure && *pressure > 0.0 ? 0.0 : -depth_mm_ * part}, pressure);
+    report({at.x, at.y, by_pressure && *pressure > 0.0 ? 0.0 : -depth_mm_ * part}, pressure);
   }
   std::vector<PenSample> take() { return std::move(samples_); }
 
  private:
-  void tell(const Vec3& at, std::optional<double> pressure) {
+  void report(const Vec3& at, std::optional<double> pressure) {
     const bool stands_still = is_rough_ && dice_.chance(0.05);
     if (!stands_still) now_ns_ += period_ns_;
     PenSample sample;
@@ -254,9 +254,9 @@ class Teller {
     if (dice_.chance(0.05)) {
       for (int k = dice_.pick(1, 8); k > 0; --k) air(at, dice_.between(0.0, 0.45));  // a bounce
     }
-    if (dice_.chance(0.05)) tell({at.x, std::numeric_limits<double>::quiet_NaN(), -1.0}, {});
+    if (dice_.chance(0.05)) report({at.x, std::numeric_limits<double>::quiet_NaN(), -1.0}, {});
     if (dice_.chance(0.02)) now_ns_ += 300'000'000;
-    if (dice_.chance(0.02)) tell({at.x, at.y, -1.0}, std::numeric_limits<double>::quiet_NaN());
+    if (dice_.chance(0.02)) report({at.x, at.y, -1.0}, std::numeric_limits<double>::quiet_NaN());
   }
 
   Dice& dice_;
@@ -278,16 +278,17 @@ PenGesture random_gesture(Dice& dice, const Document& document, std::int64_t sta
   Way way = kind.make(dice, target);
   // The script format has this limit; the session drops samples beyond it.
   for (Point& p : way) p = {std::clamp(p.x, -1e9, 1e9), std::clamp(p.y, -1e9, 1e9)};
-  Teller teller(dice, start_ns);
+  Reporter reporter(dice, start_ns);
   const Point begin = way.front();
   for (int k = dice.pick(0, 12); k > 0; --k) {
-    teller.air(begin + 0.3 * static_cast<double>(k) * dice.direction(), 0.6 * k);
+    reporter.air(begin + 0.3 * static_cast<double>(k) * dice.direction(), 0.6 * k);
   }
-  for (const Point& p : way) teller.page(p);
+  for (const Point& p : way) reporter.page(p);
   if (dice.chance(0.95)) {
-    for (int k = dice.pick(1, 8); k > 0; --k) teller.air(way.back(), dice.chance(0.9) ? 6.0 : 0.2);
+    for (int k = dice.pick(1, 8); k > 0; --k)
+      reporter.air(way.back(), dice.chance(0.9) ? 6.0 : 0.2);
   }
-  return {kind.name, teller.take()};
+  return {kind.name, reporter.take()};
 }
 
 }  // namespace felt::gestures

@@ -21,7 +21,7 @@ struct Felt {
   Force force;
   double friction_factor;
 };
-Felt felt_at(const Texture& texture, Point place) {
+Felt force_at(const Texture& texture, Point place) {
   ForceMemory memory;
   memory.begin_tick(0.001);
   memory.normal_force_n = 0.5;
@@ -48,7 +48,7 @@ TEST(Grain, R47_OneHeightMapForEyeAndHand) {
     // The ratio of force to slope is measured at one point. At all others, the slope that the
     // renderer uses must predict the force with this ratio.
     const Point first{3.21, 4.56};
-    const double per_slope = felt_at(slopes, first).force.x / eye.at(first).slope.x;
+    const double per_slope = force_at(slopes, first).force.x / eye.at(first).slope.x;
     ASSERT_LT(per_slope, 0.0);
     // Friction is bounded and so not proportional to the height. But of two points, the one that
     // the renderer draws higher must have more friction.
@@ -58,10 +58,10 @@ TEST(Grain, R47_OneHeightMapForEyeAndHand) {
       for (int x = 0; x < 100; ++x) {
         const Point p{0.173 * x - 5, 0.219 * y + 7};
         const HeightField::Sample seen = eye.at(p), known = field->at(p);
-        const Force force = felt_at(slopes, p).force;
+        const Force force = force_at(slopes, p).force;
         ASSERT_NEAR(force.x, per_slope * seen.slope.x, 1e-12);
         ASSERT_NEAR(force.y, per_slope * seen.slope.y, 1e-12);
-        const double factor = felt_at(heights, p).friction_factor;
+        const double factor = force_at(heights, p).friction_factor;
         ASSERT_EQ(factor > 1.0, seen.height_mm > 0.0);
         seen_and_felt.emplace_back(seen.height_mm, factor);
         by_hand.add_value(known.height_mm);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "felt/devices/simulated/felt_stroke.h"
+#include "felt/devices/simulated/stroke_forces.h"
 #include "felt/material/materials.h"
 
 namespace felt {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "felt/devices/simulated/felt_stroke.h"
+#include "felt/devices/simulated/stroke_forces.h"
 
 namespace felt {
 

@@ -105,7 +105,7 @@ std::string media_table() {
 
 // Extreme values of a pair over all devices and loop rates.
 struct Worst {
-  std::array<double, kBandSpeeds.size()> least_n{}, most_n{};
+  std::array<double, kBandSpeeds.size()> min_n{}, max_n{};
   bool has_texture = false;
 };
 
@@ -113,13 +113,13 @@ void add(Worst& worst, const PairFigures& figures, bool is_first) {
   worst.has_texture = figures.texture_n_per_m > 0.0;
   for (std::size_t i = 0; i < kBandSpeeds.size(); ++i) {
     const double band = figures.band_n[i];
-    worst.least_n[i] = is_first ? band : std::min(worst.least_n[i], band);
-    worst.most_n[i] = std::max(worst.most_n[i], band);
+    worst.min_n[i] = is_first ? band : std::min(worst.min_n[i], band);
+    worst.max_n[i] = std::max(worst.max_n[i], band);
   }
 }
 
 bool is_felt(const Worst& worst) {
-  return std::all_of(worst.least_n.begin(), worst.least_n.end(),
+  return std::all_of(worst.min_n.begin(), worst.min_n.end(),
                      [](double n) { return n >= kFeltForceN; });
 }
 
@@ -129,11 +129,11 @@ std::string entry(const Worst& worst, double mu) {
   out += ';';
   for (std::size_t i = 0; i < kBandSpeeds.size(); ++i) {
     // Rounds down, so that a figure below the bound is not printed as the bound.
-    const std::string text = number(std::floor(100.0 * worst.least_n[i]) / 100.0, 2);
-    if (worst.least_n[i] >= kFeltForceN) {
+    const std::string text = number(std::floor(100.0 * worst.min_n[i]) / 100.0, 2);
+    if (worst.min_n[i] >= kFeltForceN) {
       out += " **" + text + "**";
     } else {
-      out += " " + text + (worst.most_n[i] >= kFeltForceN ? "+" : "");
+      out += " " + text + (worst.max_n[i] >= kFeltForceN ? "+" : "");
     }
   }
   return out;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/devices/simulated/felt_stroke.h"
+#include "felt/devices/simulated/stroke_forces.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "tests/devices/stability/stability_cell.h"
 #include "tests/drawing/materials/feel_features.h"

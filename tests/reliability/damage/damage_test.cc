@@ -249,7 +249,7 @@ TEST(DamagedFelt, ANameThatLeadsNowhereIsNotReplaced) {
 /// The recovery must never crash, and must never return a part of the drawing without a problem.
 TEST_F(DamagedStore, GivesAllOrSaysWhatIsMissing) {
   const std::string wal = read_file(database_ + "-wal", kMaxBytes).value();
-  int damages = 0, whole = 0, told = 0, refused = 0;
+  int damages = 0, whole = 0, reported = 0, refused = 0;
   const auto look = [&](const Damage& damage) {
     ++damages;
     const auto recovered = recover_autosave(folder_);
@@ -260,7 +260,7 @@ TEST_F(DamagedStore, GivesAllOrSaysWhatIsMissing) {
     }
     const bool is_whole = recovered->drawing == drawing_;
     whole += is_whole;
-    told += !recovered->problems.empty();
+    reported += !recovered->problems.empty();
     EXPECT_TRUE(is_whole || !recovered->problems.empty()) << damage.name << ": lost without a word";
   };
   int number = 0;
@@ -269,8 +269,8 @@ TEST_F(DamagedStore, GivesAllOrSaysWhatIsMissing) {
     ASSERT_TRUE(write_file(database_ + "-wal", damage.bytes));
     look(damage);
   });
-  std::printf("%d damages of the journal: %d whole, %d told of, %d refused\n", damages, whole, told,
-              refused);
+  std::printf("%d damages of the journal: %d whole, %d told of, %d refused\n", damages, whole,
+              reported, refused);
 }
 
 // --- bombs --------------------------------------------------------------------------------------

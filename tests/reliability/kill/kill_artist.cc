@@ -137,15 +137,15 @@ class Artist {
   void turn() {
     PenSample sample;
     while (servo_->for_edit().pop(sample)) {
-      if (told_ == picture_.hangs_at) {
+      if (reported_ == picture_.hangs_at) {
         for (;;) ::pause();
       }
-      for (auto& what : events_at(picture_.seed, told_)) {
+      for (auto& what : events_at(picture_.seed, reported_)) {
         static_cast<void>(session_->apply({now_ns_, std::move(what)}));
       }
       now_ns_ = sample.time_ns += kOffsetNs;
       static_cast<void>(session_->sample(sample));
-      if (++told_ % kSaveEveryTicks == 0) begin_save();
+      if (++reported_ % kSaveEveryTicks == 0) begin_save();
     }
     end_save();
     servo_->publish(session_->force());
@@ -176,7 +176,7 @@ class Artist {
   std::unique_ptr<Servo> servo_;
   Autosave autosave_;
   std::unique_ptr<Session> session_;
-  std::uint32_t told_ = 0;
+  std::uint32_t reported_ = 0;
   std::int64_t now_ns_ = kOffsetNs;
   std::future<bool> save_;
   std::uint64_t saving_ = 0;

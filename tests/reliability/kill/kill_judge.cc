@@ -66,7 +66,7 @@ class Reference {
   }
   void sample() { static_cast<void>(session_->sample(ink_.samples[next_++])); }
   /// Returns the number of samples processed so far.
-  [[nodiscard]] std::uint32_t told() const { return next_; }
+  [[nodiscard]] std::uint32_t reported() const { return next_; }
   [[nodiscard]] bool is_over() const { return next_ == ink_.samples.size(); }
   [[nodiscard]] Session& session() { return *session_; }
 
@@ -79,10 +79,10 @@ class Reference {
 
 /// Returns the document after `told` samples with the active gesture finished. Applies only the
 /// user's events that precede sample number `until`.
-Document ended_after(const Picture& picture, const Ink& ink, std::uint32_t told,
+Document ended_after(const Picture& picture, const Ink& ink, std::uint32_t reported,
                      std::uint32_t until) {
   Reference reference(picture, ink);
-  while (reference.told() < told) {
+  while (reference.reported() < reported) {
     reference.do_events(until);
     reference.sample();
   }
@@ -104,7 +104,7 @@ std::optional<std::uint32_t> last_time_of(const Document& document, const Pictur
       seen = reference.session().edit_count();
       is_same = reference.session().document() == document;
     }
-    if (is_same && !reference.session().gesture_in_work()) last = reference.told();
+    if (is_same && !reference.session().gesture_in_progress()) last = reference.reported();
   };
   look();
   for (;;) {
@@ -121,19 +121,19 @@ std::string scene_of(const Picture& picture, const Ink& ink) {
   Reference reference(picture, ink);
   std::string events;
   while (!reference.is_over()) {
-    const bool was = reference.session().gesture_in_work();
+    const bool was = reference.session().gesture_in_progress();
     const std::uint64_t edits = reference.session().edit_count();
-    if (reference.do_events()) events += " e" + std::to_string(reference.told());
+    if (reference.do_events()) events += " e" + std::to_string(reference.reported());
     reference.sample();
-    if (was != reference.session().gesture_in_work())
-      events += " g" + std::to_string(reference.told());
+    if (was != reference.session().gesture_in_progress())
+      events += " g" + std::to_string(reference.reported());
     if (edits != reference.session().edit_count())
-      events += " E" + std::to_string(reference.told());
+      events += " E" + std::to_string(reference.reported());
   }
   return std::string(reference.session().tool().info().id) + events;
 }
 
-std::uint32_t told_until(const Ink& ink, std::int64_t time_ns) {
+std::uint32_t reported_until(const Ink& ink, std::int64_t time_ns) {
   std::uint32_t count = 0;
   while (count < ink.samples.size() && ink.samples[count].time_ns <= time_ns) ++count;
   return count;
@@ -155,13 +155,13 @@ std::optional<std::uint32_t> moment_of(const Recovered& recovered, const Picture
                                        const Ink& ink) {
   const Document& document = recovered.drawing.document;
   if (recovered.last_sample_ns >= 0) {
-    const std::uint32_t told = told_until(ink, recovered.last_sample_ns);
+    const std::uint32_t reported = reported_until(ink, recovered.last_sample_ns);
     // The haptic loop may be ahead of the edit thread, which then has not yet applied the latest
     // events. So try without them, up to kMaxLag samples back.
-    for (std::uint32_t until = told + 1;;) {
-      if (ended_after(picture, ink, told, until) == document) return told;
+    for (std::uint32_t until = reported + 1;;) {
+      if (ended_after(picture, ink, reported, until) == document) return reported;
       do {
-        if (until-- == 0 || told - until > kMaxLag) return last_time_of(document, picture, ink);
+        if (until-- == 0 || reported - until > kMaxLag) return last_time_of(document, picture, ink);
       } while (events_at(picture.seed, until).empty());
     }
   }
@@ -186,7 +186,7 @@ Verdict compare(const Recovered& recovered, const Picture& picture, const Testim
                std::to_string(ink.samples.size()) + " samples, until " +
                std::to_string(recovered.last_sample_ns) + ") " + scene_of(picture, ink));
   }
-  const std::uint32_t kept = told_until(ink, testimony.committed_ns.load());
+  const std::uint32_t kept = reported_until(ink, testimony.committed_ns.load());
   if (*moment < kept) {
     return bad("what was committed is lost: " + std::to_string(kept - *moment) + " samples of " +
                std::to_string(kept) + " of " + std::to_string(ink.samples.size()) + ", until " +

@@ -3,7 +3,7 @@
 #include <QString>
 
 #include "desktop/engine/settings.h"
-#include "desktop/materials/material_desk.h"
+#include "desktop/materials/material_editor_model.h"
 
 namespace felt::desktop {
 

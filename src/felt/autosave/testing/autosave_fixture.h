@@ -83,9 +83,9 @@ class AutosaveFixture {
     const PenSample of_loop = sample(k_++);
     ring->push(of_loop);
     if (hangs) return;
-    PenSample told = of_loop;
-    told.time_ns += kOffsetNs;
-    ASSERT_TRUE(session->sample(told));
+    PenSample reported = of_loop;
+    reported.time_ns += kOffsetNs;
+    ASSERT_TRUE(session->sample(reported));
   }
   void steps(int count) {
     for (int i = 0; i < count; ++i) step();

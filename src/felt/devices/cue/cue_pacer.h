@@ -14,7 +14,7 @@ namespace felt {
 class CuePacer {
  public:
   explicit constexpr CuePacer(double at_once = 5.0, double per_second = 15.0) noexcept
-      : most_(at_once), per_ns_(per_second * 1e-9), left_(at_once) {}
+      : max_(at_once), per_ns_(per_second * 1e-9), left_(at_once) {}
 
   /// Returns true if a cue may be played now. A clock that goes back counts as a clock that stands
   /// still.
@@ -23,14 +23,14 @@ class CuePacer {
         has_last_ ? static_cast<double>(now_ns) - static_cast<double>(last_ns_) : 0.0;
     has_last_ = true;
     last_ns_ = now_ns;
-    left_ = std::min(most_, left_ + std::max(passed_ns, 0.0) * per_ns_);
+    left_ = std::min(max_, left_ + std::max(passed_ns, 0.0) * per_ns_);
     if (left_ < 1.0) return false;
     left_ -= 1.0;
     return true;
   }
 
  private:
-  double most_, per_ns_, left_;
+  double max_, per_ns_, left_;
   std::int64_t last_ns_ = 0;
   bool has_last_ = false;
 };

@@ -96,7 +96,7 @@ void EffectKeeper::renew(std::int64_t now_ns) noexcept {
   if (is_due) played_ns_ = now_ns;
   // Effects are uploaded one after another. If a mixture of old and new ones would be too strong,
   // stops the old ones first.
-  if (there_.plays.any() && strongest_n(there_, plan, stick_) > most_n_) {
+  if (there_.plays.any() && strongest_n(there_, plan, stick_) > max_n_) {
     stop_all();
     if (there_.plays.any()) return;  // the device did not respond; try again next time
   }

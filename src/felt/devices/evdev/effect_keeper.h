@@ -27,11 +27,11 @@ class EffectKeeper {
   static constexpr std::int64_t kPlayAgainNs = 40'000'000;  ///< well before kEffectMs
   static constexpr std::int64_t kUploadNs = 8'000'000;      ///< minimum time between two uploads
 
-  /// `port` must outlive this. Requires that no plan pushes with more than `most_n`. Then all
-  /// effects on the device together never push with more than `most_n` either, not even when only
+  /// `port` must outlive this. Requires that no plan pushes with more than `max_n`. Then all
+  /// effects on the device together never push with more than `max_n` either, not even when only
   /// some effects of a new plan have been uploaded.
-  EffectKeeper(EvdevPort& port, const StickForces& stick, double most_n) noexcept
-      : port_(port), stick_(stick), most_n_(most_n) {}
+  EffectKeeper(EvdevPort& port, const StickForces& stick, double max_n) noexcept
+      : port_(port), stick_(stick), max_n_(max_n) {}
 
   // These are called on the haptic thread.
   void want(const EffectPlan& plan) noexcept;
@@ -61,7 +61,7 @@ class EffectKeeper {
 
   EvdevPort& port_;
   StickForces stick_;
-  double most_n_;
+  double max_n_;
   LatestValue<EffectPlan> plans_;
   // Incremented by each want() after a silence(), and by each silence() after a want(). So `epoch_`
   // is odd while a plan is wanted.

@@ -30,7 +30,7 @@ struct AxisPlan {
   double friction_n = 0.0;
   double constant_n = 0.0;
 
-  [[nodiscard]] double most_n() const noexcept {
+  [[nodiscard]] double max_n() const noexcept {
     return spring_n + friction_n + std::abs(constant_n);
   }
 };
@@ -97,18 +97,18 @@ std::array<double, 2> shares_of(const EffectPlan& plan, std::size_t kind) noexce
 FitAbility ability_of(const StickForces& stick) noexcept {
   return {.spring = stick.effects[evdev::kFfSpring],
           .friction = stick.effects[evdev::kFfFriction] || stick.effects[evdev::kFfDamper],
-          .most_stiffness_n_per_mm = stick.full_force_n / stick.half_way_mm};
+          .max_stiffness_n_per_mm = stick.full_force_n / stick.half_way_mm};
 }
 
 EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& stick,
-                        double most_n) noexcept {
+                        double max_n) noexcept {
   std::array<AxisPlan, 2> axes{plan_axis(fits[0], stick),
                                stick.has_y ? plan_axis(fits[1], stick) : AxisPlan{}};
-  const double worst_n = std::hypot(axes[0].most_n(), axes[1].most_n());
+  const double worst_n = std::hypot(axes[0].max_n(), axes[1].max_n());
   EffectPlan plan;
-  if (!std::isfinite(worst_n) || !(most_n > 0.0)) return plan;
+  if (!std::isfinite(worst_n) || !(max_n > 0.0)) return plan;
   // Uses slightly less than the maximum, because a constant's direction has only 16 bits.
-  const double share = worst_n > kAlmost * most_n ? kAlmost * most_n / worst_n : 1.0;
+  const double share = worst_n > kAlmost * max_n ? kAlmost * max_n / worst_n : 1.0;
   for (AxisPlan& axis : axes) {
     axis.spring_n *= share;
     axis.friction_n *= share;

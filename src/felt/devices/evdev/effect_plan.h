@@ -33,7 +33,7 @@ FitAbility ability_of(const StickForces& stick) noexcept;
 
 /// Returns effects that render the fitted force laws of both axes until the next plan replaces
 /// them. The centre of the stick is (0, 0). However the grip moves, the effects together never push
-/// with more than `most_n`, because the saturation of each effect limits its force. If necessary,
+/// with more than `max_n`, because the saturation of each effect limits its force. If necessary,
 /// all effects are scaled down by the same factor.
 ///
 /// Condition effects are preferred: their direction does not depend on how a kernel driver
@@ -48,7 +48,7 @@ FitAbility ability_of(const StickForces& stick) noexcept;
 /// device that interprets the coefficient differently renders a stiffer or softer spring, but its
 /// force still does not exceed the saturation.
 EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& stick,
-                        double most_n) noexcept;
+                        double max_n) noexcept;
 
 /// Returns the largest possible force, N, at any position of the grip, if each effect comes from
 /// one of two plans. Such a mixture occurs because the effects of a new plan are uploaded one after

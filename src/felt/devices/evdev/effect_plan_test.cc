@@ -111,12 +111,12 @@ RC_GTEST_PROP(EffectPlan, NeverAsksForMoreThanTheBound, ()) {
                    .stiffness_n_per_mm = 0.001 * *rc::gen::inRange(0, 2000),
                    .friction_n = 0.01 * *rc::gen::inRange(0, 500)};
   };
-  const double most_n = 0.01 * *rc::gen::inRange(0, 300);
-  const EffectPlan plan = plan_effects(std::array{some_fit(), some_fit()}, forces, most_n);
-  RC_ASSERT(strongest_n(plan, plan, forces) <= most_n * (1.0 + 1e-9));
+  const double max_n = 0.01 * *rc::gen::inRange(0, 300);
+  const EffectPlan plan = plan_effects(std::array{some_fit(), some_fit()}, forces, max_n);
+  RC_ASSERT(strongest_n(plan, plan, forces) <= max_n * (1.0 + 1e-9));
   const double x = spring_n(plan, 0, 0.1 * *rc::gen::inRange(-450, 450), forces);
   const double y = spring_n(plan, 1, 0.1 * *rc::gen::inRange(-450, 450), forces);
-  RC_ASSERT(std::hypot(x, y) <= most_n * (1.0 + 1e-9));
+  RC_ASSERT(std::hypot(x, y) <= max_n * (1.0 + 1e-9));
 }
 
 }  // namespace

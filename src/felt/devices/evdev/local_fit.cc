@@ -97,9 +97,9 @@ AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noex
     wanted[law[1] < law[2] ? 1 : 2] = false;  // the more negative unknown, which would add energy
     law = solve(sums, wanted);
   }
-  if (law[1] > can.most_stiffness_n_per_mm) {
+  if (law[1] > can.max_stiffness_n_per_mm) {
     // Uses the device's largest stiffness, and fits the other unknowns again.
-    law[1] = std::max(can.most_stiffness_n_per_mm, 0.0);
+    law[1] = std::max(can.max_stiffness_n_per_mm, 0.0);
     for (std::size_t i = 0; i < kUnknowns; ++i) sums.force[i] -= sums.squares[i][1] * law[1];
     const double stiffness = law[1];
     wanted[1] = false;

@@ -15,7 +15,7 @@ struct FitSample {
 struct FitAbility {
   bool spring = true;
   bool friction = true;
-  double most_stiffness_n_per_mm = 1.0;
+  double max_stiffness_n_per_mm = 1.0;
 };
 
 /// A force that a device renders by itself until the next update: a spring around its current

@@ -97,7 +97,7 @@ TEST(LocalFit, DoesWhatTheDeviceCan) {
   EXPECT_EQ(none.stiffness_n_per_mm, 0.0);
   EXPECT_EQ(none.friction_n, 0.0);
   EXPECT_NEAR(none.force_n, 0.3, 0.3);
-  const AxisFit soft = fit_axis(spring, {.most_stiffness_n_per_mm = 0.1});
+  const AxisFit soft = fit_axis(spring, {.max_stiffness_n_per_mm = 0.1});
   EXPECT_DOUBLE_EQ(soft.stiffness_n_per_mm, 0.1);
   EXPECT_NEAR(at(soft, spring.back().position_mm, spring.back().speed_mm_per_s),
               spring.back().force_n, 0.2);
@@ -125,7 +125,7 @@ RC_GTEST_PROP(LocalFit, NeverGivesEnergyBack, ()) {
   const AxisFit fit =
       fit_axis(samples, {.spring = *rc::gen::arbitrary<bool>(),
                          .friction = *rc::gen::arbitrary<bool>(),
-                         .most_stiffness_n_per_mm = 0.01 * *rc::gen::inRange(1, 100)});
+                         .max_stiffness_n_per_mm = 0.01 * *rc::gen::inRange(1, 100)});
   RC_ASSERT(std::isfinite(fit.force_n));
   RC_ASSERT(fit.stiffness_n_per_mm >= 0.0);
   RC_ASSERT(fit.stiffness_n_per_mm <= 1.0);

@@ -93,7 +93,7 @@ StickAxes::Said StickAxes::said() const noexcept {
   return said;
 }
 
-void StickAxes::hear(const EvdevEvent& event) noexcept {
+void StickAxes::receive(const EvdevEvent& event) noexcept {
   if (event.type == evdev::kAbs) {
     if (event.code == layout_.x) x_.value = event.value;
     if (layout_.y && event.code == *layout_.y) y_.value = event.value;
@@ -149,7 +149,7 @@ tl::expected<void, int> StickAxes::listen(EvdevPort& port, std::int64_t now_ns) 
       loss_ = Loss::kAsks;
       lost_ns_ = now_ns;
     } else {
-      hear(event);
+      receive(event);
       if (is_end) report(now_ns);
     }
   }

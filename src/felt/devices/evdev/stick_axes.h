@@ -101,7 +101,7 @@ class StickAxes {
   /// take() has set the state.
   enum class Loss : std::uint8_t { kNone, kSkips, kAsks };
 
-  void hear(const EvdevEvent& event) noexcept;
+  void receive(const EvdevEvent& event) noexcept;
   void put(const StickStand& stand) noexcept;
   void report(std::int64_t now_ns) noexcept;
   [[nodiscard]] Said said() const noexcept;

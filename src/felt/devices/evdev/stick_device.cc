@@ -51,7 +51,7 @@ Capabilities capabilities_of(const StickKind& kind, double step_mm) noexcept {
   // device_models().
   can.max_force_n = std::min(can.max_force_n, kind.forces.full_force_n);
   can.max_stiffness_n_per_m =
-      std::min(can.max_stiffness_n_per_m, 1e3 * ability_of(kind.forces).most_stiffness_n_per_mm);
+      std::min(can.max_stiffness_n_per_m, 1e3 * ability_of(kind.forces).max_stiffness_n_per_mm);
   can.position_step_mm = step_mm;
   can.senses_pressure = true;
   return can;
@@ -64,7 +64,7 @@ StickDevice::StickDevice(std::unique_ptr<EvdevPort> port, const StickKind& kind,
       axes_(axes),
       descriptor_(std::move(descriptor)),
       gate_(descriptor_.capabilities),
-      keeper_(*port_, kind_.forces, gate_.most_n()) {
+      keeper_(*port_, kind_.forces, gate_.max_n()) {
   if (!kind_.is_known) {
     status_.notice = ShortText(
         "How strong this device is is not known: it is taken for a strong one, so its forces may "
@@ -103,14 +103,14 @@ void StickDevice::serve(std::int64_t now_ns) noexcept {
 
 /// Reads the stick's events. After events were lost, sets the state that the worker has read
 /// instead.
-tl::expected<void, int> StickDevice::hear(std::int64_t now_ns) noexcept {
+tl::expected<void, int> StickDevice::receive(std::int64_t now_ns) noexcept {
   answers_.update();
   const Answer& answer = answers_.get();
   if (has_asked_ && answer.question == questions_.load(std::memory_order_relaxed)) {
     has_asked_ = false;
     if (const auto taken = axes_.take(answer.stand, now_ns); !taken) return taken;
   }
-  if (const auto heard = axes_.listen(*port_, now_ns); !heard) return heard;
+  if (const auto received = axes_.listen(*port_, now_ns); !received) return received;
   if (axes_.needs_asking() && !std::exchange(has_asked_, true)) {
     questions_.fetch_add(1, std::memory_order_release);
   }
@@ -135,10 +135,10 @@ tl::unexpected<DeviceFault> StickDevice::failed(DeviceFault fault, int error) no
 tl::expected<PenSample, DeviceFault> StickDevice::read(std::int64_t now_ns) noexcept {
   now_ns_ = now_ns;
   if (is_gone_) return failed(DeviceFault::kDisconnected, ENODEV);
-  if (const auto heard = hear(now_ns); !heard) {
+  if (const auto received = receive(now_ns); !received) {
     is_gone_ = true;
-    let_go();
-    return failed(DeviceFault::kDisconnected, heard.error());
+    release();
+    return failed(DeviceFault::kDisconnected, received.error());
   }
   if (axes_.is_stale(now_ns)) return failed(DeviceFault::kBadData, EAGAIN);
   pen_ = axes_.sample(now_ns);
@@ -166,10 +166,10 @@ void StickDevice::plan() noexcept {
   const FitAbility can = ability_of(kind_.forces);
   const std::array<AxisFit, 2> fits{fit_axis(std::span(x_).first(count_), can),
                                     fit_axis(std::span(y_).first(count_), can)};
-  keeper_.want(plan_effects(fits, kind_.forces, gate_.most_n()));
+  keeper_.want(plan_effects(fits, kind_.forces, gate_.max_n()));
 }
 
-void StickDevice::let_go() noexcept {
+void StickDevice::release() noexcept {
   keeper_.silence();
   count_ = 0;
 }
@@ -181,11 +181,11 @@ tl::expected<void, DeviceFault> StickDevice::write(const Force& force) noexcept 
   const ForceGate::Passed passed =
       gate_.pass(is_finite(force) ? Force{force.x, force.y, 0.0} : force, now_ns_);
   if (!passed.was_finite) {
-    let_go();
+    release();
     return failed(DeviceFault::kBadData, 0);
   }
   if (passed.force == Force{}) {
-    let_go();
+    release();
   } else {
     remember(passed.force);
     plan();
@@ -200,8 +200,8 @@ tl::expected<void, DeviceFault> StickDevice::write(const Force& force) noexcept 
 }
 
 void StickDevice::stop() noexcept {
-  let_go();
-  gate_.let_go();
+  release();
+  gate_.release();
 }
 
 }  // namespace felt

@@ -56,8 +56,8 @@ class StickDevice final : public DriverDevice, public EffectServed {
   };
 
   void run() noexcept;
-  tl::expected<void, int> hear(std::int64_t now_ns) noexcept;
-  void let_go() noexcept;
+  tl::expected<void, int> receive(std::int64_t now_ns) noexcept;
+  void release() noexcept;
   void remember(const Force& force) noexcept;
   void plan() noexcept;
   tl::unexpected<DeviceFault> failed(DeviceFault fault, int error) noexcept;

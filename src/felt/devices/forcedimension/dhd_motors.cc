@@ -47,7 +47,7 @@ void DhdDevice::look_at_motors(const std::array<int, kStatusRoom>& status) noexc
   motors_ = Motors::kTaken;
   cause_ = cause;
   quiet_since_ns_ = now_ns_;
-  gate_.let_go();
+  gate_.release();
   write_failed(note(DeviceFault::kForcesOff, cause,
                     status[kStatusPower] == 0 ? "forces are off: no power" : words_of(cause)));
 }
@@ -81,7 +81,7 @@ tl::expected<void, DeviceFault> DhdDevice::write_taken(bool asks) noexcept {
     if (auto on = enable(); !on) return write_failed(on.error());
     return {};  // the next status shows whether it worked
   }
-  gate_.let_go();
+  gate_.release();
   // Sends zero, so that no old force holds when the device enables its motors again.
   if (auto sent = send({}); !sent) return write_failed(sent.error());
   return tl::unexpected(DeviceFault::kForcesOff);
@@ -96,13 +96,13 @@ tl::expected<void, DeviceFault> DhdDevice::write_braked(bool asks) noexcept {
     return {};
   }
   // A request for zero force succeeds, because the motors give no force.
-  gate_.let_go();
+  gate_.release();
   if (asks) return tl::unexpected(write_fault_.value_or(DeviceFault::kForcesOff));
   return {};
 }
 
 void DhdDevice::stop() noexcept {
-  gate_.let_go();
+  gate_.release();
   if (motors_ == Motors::kBraked) return;
   static_cast<void>(send({}));
   // Reads the status before the motors are braked, because our own stop would hide why the device
@@ -112,7 +112,7 @@ void DhdDevice::stop() noexcept {
 }
 
 void DhdDevice::brake() noexcept {
-  gate_.let_go();
+  gate_.release();
   static_cast<void>(send({}));
   if (api_.stop(id_) >= 0) motors_ = Motors::kBraked;
 }

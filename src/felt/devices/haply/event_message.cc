@@ -65,8 +65,8 @@ EventKind kind_of(const Raw& raw, bool is_ours) noexcept {
     if (raw.name == name) return EventKind::kNotice;
   }
   const bool is_rate = raw.name.find("rate") != std::string_view::npos;
-  const bool is_told = is_serious(raw.level) || (is_rate && raw.level == "warning");
-  return is_told ? EventKind::kNotice : EventKind::kNone;
+  const bool is_reported = is_serious(raw.level) || (is_rate && raw.level == "warning");
+  return is_reported ? EventKind::kNotice : EventKind::kNone;
 }
 
 }  // namespace

@@ -81,8 +81,8 @@ tl::unexpected<DeviceFault> HaplyDevice::failed(DeviceFault fault,
   // After another fault such as a brake, the service may still be late. Then shows that fault
   // again, but does not count it again.
   const bool is_pace = pace_words_ && fault == DeviceFault::kForcesOff && words == *pace_words_;
-  if (!(is_pace && is_pace_told_)) ++status_.faults;
-  is_pace_told_ = is_pace_told_ || is_pace;
+  if (!(is_pace && is_pace_reported_)) ++status_.faults;
+  is_pace_reported_ = is_pace_reported_ || is_pace;
   shown_.publish(status_);
   return tl::unexpected(fault);
 }
@@ -91,7 +91,7 @@ tl::unexpected<DeviceFault> HaplyDevice::gone(std::string_view words) noexcept {
   if (!is_gone_) {
     is_gone_ = true;
     gone_words_ = ShortText(words);
-    let_go();
+    release();
   }
   return failed(DeviceFault::kDisconnected, gone_words_);
 }
@@ -99,12 +99,12 @@ tl::unexpected<DeviceFault> HaplyDevice::gone(std::string_view words) noexcept {
 // Sends zero force in every state of this object, because the service must not hold a force: even a
 // service that was treated as disconnected may continue later. Reads the waiting answers first,
 // because a message may only be sent after them (RequestWindow).
-void HaplyDevice::let_go() noexcept {
-  gate_.let_go();
-  for (int i = 0; i < kMaxMessages && !window_.is_clear() && !window_.may_let_go(); ++i) {
-    if (hear(0) != Heard::kState) break;
+void HaplyDevice::release() noexcept {
+  gate_.release();
+  for (int i = 0; i < kMaxMessages && !window_.is_clear() && !window_.may_release(); ++i) {
+    if (receive(0) != Received::kState) break;
   }
-  if (window_.is_clear() || window_.may_let_go()) send({});
+  if (window_.is_clear() || window_.may_release()) send({});
 }
 
 // If all messages are answered, sends this force, limited by the gate. Otherwise only a message
@@ -114,8 +114,8 @@ void HaplyDevice::put(const Force& force) noexcept {
   const ForceGate before = gate_;
   if (window_.is_clear()) {
     if (!send(gate_.pass(force, now_ns_).force)) gate_ = before;
-  } else if (force == Force{} && window_.may_let_go()) {
-    gate_.let_go();
+  } else if (force == Force{} && window_.may_release()) {
+    gate_.release();
     if (!send({})) gate_ = before;
   }
 }
@@ -133,24 +133,24 @@ bool HaplyDevice::send(const Force& force) noexcept {
   return true;
 }
 
-HaplyDevice::Heard HaplyDevice::hear(std::int64_t within_ns) noexcept {
+HaplyDevice::Received HaplyDevice::receive(std::int64_t within_ns) noexcept {
   const auto message = control_->receive(within_ns);
   if (!message) {
-    return message.error() == SocketFault::kTimedOut ? Heard::kNothing : Heard::kClosed;
+    return message.error() == SocketFault::kTimedOut ? Received::kNothing : Received::kClosed;
   }
   window_.answered();
-  return read_state(*message, inventory_.id, grip_id_, state_) ? Heard::kState : Heard::kBad;
+  return read_state(*message, inventory_.id, grip_id_, state_) ? Received::kState : Received::kBad;
 }
 
 // Reads all waiting messages and returns the result of the newest. If more messages came than were
 // requested, reads all of them, because unread ones would make all later states late. Waits only
 // for the first message.
-HaplyDevice::Heard HaplyDevice::hear_all(std::int64_t within_ns) noexcept {
-  Heard newest = hear(within_ns);
+HaplyDevice::Received HaplyDevice::receive_all(std::int64_t within_ns) noexcept {
+  Received newest = receive(within_ns);
   for (int i = 1; i < kMaxMessages; ++i) {
-    if (newest == Heard::kNothing || newest == Heard::kClosed) break;
-    const Heard next = hear(0);
-    if (next == Heard::kNothing) break;
+    if (newest == Received::kNothing || newest == Received::kClosed) break;
+    const Received next = receive(0);
+    if (next == Received::kNothing) break;
     newest = next;
   }
   return newest;
@@ -182,7 +182,7 @@ void HaplyDevice::take_event(const Event& event) noexcept {
   }
 }
 
-void HaplyDevice::hear_events() noexcept {
+void HaplyDevice::receive_events() noexcept {
   if (!events_) return;
   for (int i = 0; i < kMaxEvents; ++i) {
     const auto message = events_->receive(0);
@@ -196,12 +196,12 @@ void HaplyDevice::hear_events() noexcept {
   }
 }
 
-void HaplyDevice::check_that_force_is_heard() noexcept {
+void HaplyDevice::check_that_force_is_received() noexcept {
   constexpr double kNothingN = 1e-9;
   if (!window_.is_clear()) return;  // this state may answer a message without force
   const double sent_n = norm(gate_.held());
-  const bool is_deaf = state_.force_n && norm(*state_.force_n) < kNothingN && sent_n >= kHeardN;
-  if (sent_n < kHeardN && deaf_states_ > 0) return;  // the force is too small to judge
+  const bool is_deaf = state_.force_n && norm(*state_.force_n) < kNothingN && sent_n >= kFeltN;
+  if (sent_n < kFeltN && deaf_states_ > 0) return;  // the force is too small to judge
   deaf_states_ = is_deaf ? deaf_states_ + 1 : 0;
   if (deaf_states_ < kDeafStates || keys_tried_ > 2) return;
   deaf_states_ = 0;
@@ -225,7 +225,7 @@ void HaplyDevice::count_rate(std::int64_t now_ns) noexcept {
   rate_reads_ = status_.reads;
 }
 
-tl::expected<PenSample, DeviceFault> HaplyDevice::nothing_heard() noexcept {
+tl::expected<PenSample, DeviceFault> HaplyDevice::nothing_received() noexcept {
   if (pace_.waited_ns() > kMaxSilentNs) return gone("The Inverse Service is silent.");
   if (pace_.waited_ns() > kMaxHeldNs || !has_sample_) {
     return failed(DeviceFault::kOther, ShortText("The Inverse Service does not answer."));
@@ -248,7 +248,7 @@ void HaplyDevice::follow_pace(bool has_state) noexcept {
   pace_.tick(tick_ns_, has_state);
   if (!pace_.is_off()) {
     pace_words_.reset();
-    is_pace_told_ = false;
+    is_pace_reported_ = false;
   } else if (!pace_words_) {
     pace_words_ = pace_.waited_ns() > ServicePace::kHoldNs
                       ? ShortText("The Inverse Service does not answer in time.")
@@ -260,28 +260,29 @@ void HaplyDevice::follow_pace(bool has_state) noexcept {
 // if the age is implausible because the clock jumped or the loop stood still.
 double HaplyDevice::ahead_s(std::int64_t now_ns) const noexcept {
   const double age_s = (static_cast<double>(now_ns) - static_cast<double>(sent_ns_)) / kNsPerS;
-  const double most_s = 2e-9 * static_cast<double>(descriptor_.capabilities.period_ns);
-  return age_s > 0.0 && age_s <= most_s ? age_s : 0.0;
+  const double max_s = 2e-9 * static_cast<double>(descriptor_.capabilities.period_ns);
+  return age_s > 0.0 && age_s <= max_s ? age_s : 0.0;
 }
 
 tl::expected<PenSample, DeviceFault> HaplyDevice::read(std::int64_t now_ns) noexcept {
   wait_until(now_ns);
-  if (!is_gone_) hear_events();
+  if (!is_gone_) receive_events();
   if (is_gone_) return failed(DeviceFault::kDisconnected, gone_words_);
   if (window_.is_clear() || window_.is_overdue()) {
-    gate_.let_go();
+    gate_.release();
     send({});
   }
-  const Heard heard = is_gone_ ? Heard::kClosed : hear_all(has_sample_ ? kWaitNs : kFirstWaitNs);
-  follow_pace(heard == Heard::kState || heard == Heard::kBad);
-  switch (heard) {
-    case Heard::kClosed:
+  const Received received =
+      is_gone_ ? Received::kClosed : receive_all(has_sample_ ? kWaitNs : kFirstWaitNs);
+  follow_pace(received == Received::kState || received == Received::kBad);
+  switch (received) {
+    case Received::kClosed:
       return gone("The connection to the service was closed.");
-    case Heard::kNothing:
-      return nothing_heard();
-    case Heard::kBad:
+    case Received::kNothing:
+      return nothing_received();
+    case Received::kBad:
       return failed(DeviceFault::kBadData, ShortText("The service's message is not readable."));
-    case Heard::kState:
+    case Received::kState:
       break;
   }
   if (!state_.has_device) return gone("The service does not know the device any more.");
@@ -290,7 +291,7 @@ tl::expected<PenSample, DeviceFault> HaplyDevice::read(std::int64_t now_ns) noex
     return failed(DeviceFault::kNotCalibrated, ShortText("The device is not calibrated."));
   }
   take_state();
-  check_that_force_is_heard();
+  check_that_force_is_received();
   if (!no_force_words()) status_.fault.reset();
   ++status_.reads;
   count_rate(now_ns);
@@ -331,7 +332,7 @@ tl::expected<void, DeviceFault> HaplyDevice::write(const Force& force) noexcept 
 }
 
 void HaplyDevice::stop() noexcept {
-  let_go();
+  release();
 }
 
 Homing HaplyDevice::homing() noexcept {
@@ -347,12 +348,12 @@ std::string HaplyDevice::homing_words() {
 Result<void> HaplyDevice::find_home() {
   for (int i = 0; i < kHomingTries && !is_gone_; ++i) {
     if (window_.is_clear() || window_.is_overdue()) {
-      gate_.let_go();
+      gate_.release();
       send({});
     }
-    const Heard heard = hear_all(kHomingWaitNs);
-    if (heard == Heard::kClosed) gone("The connection was closed.");
-    if (heard == Heard::kNothing) window_.wait(kHomingWaitNs);
+    const Received received = receive_all(kHomingWaitNs);
+    if (received == Received::kClosed) gone("The connection was closed.");
+    if (received == Received::kNothing) window_.wait(kHomingWaitNs);
     if (is_gone_) break;
     if (state_.calibrated.value_or(is_calibrated_)) {
       is_calibrated_ = true;

@@ -58,7 +58,7 @@ class HaplyDevice final : public DriverDevice {
   /// Number of states in a row that show no force although one was sent. After that, the other name
   /// of the force vector is tried (ForceKey).
   static constexpr int kDeafStates = 200;
-  static constexpr double kHeardN = 0.3;  ///< a state must show a sent force of this size or more
+  static constexpr double kFeltN = 0.3;  ///< a state must show a sent force of this size or more
 
   explicit HaplyDevice(Connection connection);
   ~HaplyDevice() override;
@@ -81,23 +81,23 @@ class HaplyDevice final : public DriverDevice {
   [[nodiscard]] ForceKey force_key() const noexcept { return key_; }
 
  private:
-  enum class Heard : std::uint8_t { kNothing, kState, kBad, kClosed };
+  enum class Received : std::uint8_t { kNothing, kState, kBad, kClosed };
 
   bool send(const Force& force) noexcept;
   void put(const Force& force) noexcept;
-  void let_go() noexcept;
+  void release() noexcept;
   void wait_until(std::int64_t now_ns) noexcept;
   void follow_pace(bool has_state) noexcept;
   void take_state() noexcept;
   [[nodiscard]] std::optional<ShortText> no_force_words() const noexcept;
-  Heard hear(std::int64_t within_ns) noexcept;
-  Heard hear_all(std::int64_t within_ns) noexcept;
-  void hear_events() noexcept;
+  Received receive(std::int64_t within_ns) noexcept;
+  Received receive_all(std::int64_t within_ns) noexcept;
+  void receive_events() noexcept;
   void take_event(const Event& event) noexcept;
-  void check_that_force_is_heard() noexcept;
+  void check_that_force_is_received() noexcept;
   [[nodiscard]] double ahead_s(std::int64_t now_ns) const noexcept;
   void count_rate(std::int64_t now_ns) noexcept;
-  tl::expected<PenSample, DeviceFault> nothing_heard() noexcept;
+  tl::expected<PenSample, DeviceFault> nothing_received() noexcept;
   tl::unexpected<DeviceFault> failed(DeviceFault fault, const ShortText& words) noexcept;
   tl::unexpected<DeviceFault> gone(std::string_view words) noexcept;
   [[nodiscard]] std::string first_notice(bool has_events) const;
@@ -124,7 +124,7 @@ class HaplyDevice final : public DriverDevice {
   std::optional<ShortText> force_stopped_;  // until write() has reported it
   ShortText brake_words_, gone_words_;
   std::optional<ShortText> pace_words_;  // message for the user while the pace is off
-  bool is_pace_told_ = false;
+  bool is_pace_reported_ = false;
   int deaf_states_ = 0;
   int keys_tried_ = 1;
   std::int64_t now_ns_ = 0;

@@ -172,12 +172,12 @@ std::vector<Finding> examine(const SystemView& system, const TcpConnect& connect
                         .steps = {"Correct it, or take it away: the usual address is "
                                   "ws://localhost:10001."}});
   }
-  const bool is_told = !address.wrong.empty();
+  const bool is_reported = !address.wrong.empty();
   if (system.listens(address.control.host, address.control.port)) {
     ask_service(system, address, connect, within_ns, findings);
   } else if (has_unit(system) || system.exists(kConfigFolder) || !address.source.empty()) {
     findings.push_back(not_running(address));
-  } else if (!is_told) {
+  } else if (!is_reported) {
     findings.push_back(not_installed(address));
   }
   return findings;

@@ -14,7 +14,7 @@ namespace felt::haply {
 ///
 ///   window.wait(time since the last tick)
 ///   if (window.is_clear()) ...            any message may be sent
-///   else if (window.may_let_go()) ...     a message without force may be sent
+///   else if (window.may_release()) ...     a message without force may be sent
 ///   if (window.is_overdue()) ...          a message without force should be sent, to ask again
 ///
 /// TCP loses nothing, but a service may answer several messages with one state. After kPatienceNs
@@ -40,7 +40,7 @@ class RequestWindow {
   void wait(std::int64_t ns) noexcept;
 
   [[nodiscard]] bool is_clear() const noexcept { return unanswered_ == 0; }
-  [[nodiscard]] bool may_let_go() const noexcept {
+  [[nodiscard]] bool may_release() const noexcept {
     return unanswered_ < kMaxUnanswered && bears_force_;
   }
   /// Returns true if no answer came within the patience and another message may ask again.

@@ -13,15 +13,15 @@ namespace {
 TEST(RequestWindow, OneMessageAtATimeAndOneToLetGo) {
   RequestWindow window;
   EXPECT_TRUE(window.is_clear());
-  EXPECT_FALSE(window.may_let_go()) << "nothing to let go of";
+  EXPECT_FALSE(window.may_release()) << "nothing to let go of";
   window.sent(true);
   EXPECT_FALSE(window.is_clear());
-  EXPECT_TRUE(window.may_let_go());
+  EXPECT_TRUE(window.may_release());
   window.sent(false);
-  EXPECT_FALSE(window.may_let_go());
+  EXPECT_FALSE(window.may_release());
   window.answered();
   EXPECT_FALSE(window.is_clear());
-  EXPECT_FALSE(window.may_let_go()) << "the newest bears no force";
+  EXPECT_FALSE(window.may_release()) << "the newest bears no force";
   window.answered();
   EXPECT_TRUE(window.is_clear());
 }

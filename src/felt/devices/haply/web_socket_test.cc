@@ -14,7 +14,7 @@ namespace {
 // A scripted server: the pieces in which its bytes arrive, and the bytes that it received.
 struct Script {
   std::deque<std::string> pieces;
-  std::string heard;
+  std::string received;
   bool is_closed = false;
   bool takes_nothing = false;
 };
@@ -25,7 +25,7 @@ class ScriptedStream final : public ByteStream {
   tl::expected<void, StreamFault> send(std::span<const std::byte> bytes,
                                        std::int64_t) noexcept override {
     if (script_.takes_nothing) return tl::unexpected(StreamFault::kTimedOut);
-    script_.heard.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    script_.received.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return {};
   }
   tl::expected<std::size_t, StreamFault> receive(std::span<std::byte> room,
@@ -66,7 +66,7 @@ class WebSocketTest : public ::testing::Test {
     return *socket_;
   }
   void say(const std::string& bytes) { script.pieces.push_back(bytes); }
-  std::string heard_message() {
+  std::string received_message() {
     const auto message = socket().receive(0);
     return message ? std::string(*message) : "(nothing)";
   }
@@ -90,7 +90,7 @@ TEST(WebSocketKey, IsAcceptedAsTheStandardSays) {
 
 TEST_F(WebSocketTest, WhatIsSentIsMaskedText) {
   ASSERT_TRUE(socket().send("Hello", 0).has_value());
-  const std::string& bytes = script.heard;
+  const std::string& bytes = script.received;
   ASSERT_EQ(bytes.size(), 11u);
   EXPECT_EQ(bytes[0], '\x81');
   EXPECT_EQ(bytes[1], '\x85');
@@ -98,9 +98,9 @@ TEST_F(WebSocketTest, WhatIsSentIsMaskedText) {
   for (std::size_t i = 0; i < 5; ++i) text += static_cast<char>(bytes[6 + i] ^ bytes[2 + i % 4]);
   EXPECT_EQ(text, "Hello");
   EXPECT_NE(bytes.substr(6), "Hello");
-  script.heard.clear();
+  script.received.clear();
   ASSERT_TRUE(socket().send(std::string(300, 'x'), 0).has_value());
-  EXPECT_EQ(script.heard.size(), 300u + 8u);
+  EXPECT_EQ(script.received.size(), 300u + 8u);
   EXPECT_FALSE(socket().send(std::string(WebSocket::kMaxSent + 1, 'x'), 0).has_value());
 }
 
@@ -109,14 +109,14 @@ TEST_F(WebSocketTest, MessagesComeHoweverTheyAreCut) {
                             frame(0x01, "fr") + frame(0x89, "ping?") + frame(0x00, "agm") +
                             frame(0x80, "ents") + frame(0x81, "");
   for (const char c : whole) say(std::string(1, c));
-  EXPECT_EQ(heard_message(), "one");
-  EXPECT_EQ(heard_message(), std::string(40000, 'y'));
-  EXPECT_EQ(heard_message(), "fragments");
-  EXPECT_EQ(heard_message(), "");
+  EXPECT_EQ(received_message(), "one");
+  EXPECT_EQ(received_message(), std::string(40000, 'y'));
+  EXPECT_EQ(received_message(), "fragments");
+  EXPECT_EQ(received_message(), "");
   EXPECT_EQ(socket().receive(0).error(), SocketFault::kTimedOut);
   // The ping was answered with its own payload.
-  ASSERT_EQ(script.heard.size(), 2u + 4u + 5u);
-  EXPECT_EQ(script.heard[0], '\x8A');
+  ASSERT_EQ(script.received.size(), 2u + 4u + 5u);
+  EXPECT_EQ(script.received[0], '\x8A');
 }
 
 TEST_F(WebSocketTest, GoodByeIsSaidOnce) {
@@ -125,7 +125,7 @@ TEST_F(WebSocketTest, GoodByeIsSaidOnce) {
   EXPECT_EQ(socket().receive(0).error(), SocketFault::kClosed);
   EXPECT_EQ(socket().send("x", 0).error(), SocketFault::kClosed);
   socket().close();
-  EXPECT_EQ(script.heard.size(), 2u + 4u + 2u);
+  EXPECT_EQ(script.received.size(), 2u + 4u + 2u);
 }
 
 TEST_F(WebSocketTest, TheEndOfTheStreamIsTheEnd) {

@@ -139,7 +139,7 @@ tl::expected<void, DeviceFault> OpenHapticsDevice::write(const Force& asked) noe
   std::optional<DeviceFault> fault = std::exchange(force_fault_, std::nullopt);
   if (!is_held_ || is_in_inkwell_) {
     force = {};
-    gate_.let_go();
+    gate_.release();
     fault = graver(fault, DeviceFault::kForcesOff);
     note(DeviceFault::kForcesOff,
          is_in_inkwell_ ? "the stylus is in its inkwell" : "the safety switch is open", 0);
@@ -150,7 +150,7 @@ tl::expected<void, DeviceFault> OpenHapticsDevice::write(const Force& asked) noe
     fault = graver(fault, drain());
   } else {
     // The frame is over, so the force cannot be sent any more; switches the output off instead.
-    let_go();
+    release();
     if (force != Force{}) {
       fault = graver(fault, DeviceFault::kOther);
       note(DeviceFault::kOther, "a force outside of a frame", 0);
@@ -173,7 +173,7 @@ void OpenHapticsDevice::stop() noexcept {
     if (frame_ == Frame::kNotYet) open_frame();
     close_frame({});
   }
-  let_go();
+  release();
   const std::optional<DeviceFault> fault = drain();
   if (fault == DeviceFault::kDisconnected) die();
 }
@@ -196,10 +196,10 @@ void OpenHapticsDevice::close_frame(const Force& force) noexcept {
 
 // Switches the force output off immediately, inside or outside of a tick. Sending zero is not
 // enough, because the tick's frame may be over.
-void OpenHapticsDevice::let_go() noexcept {
+void OpenHapticsDevice::release() noexcept {
   call_.disable(hd::capability::kForceOutput);
   is_output_on_ = false;
-  gate_.let_go();
+  gate_.release();
 }
 
 // Makes all later calls fail with kDisconnected. Ends the current frame, so that the library does
@@ -207,7 +207,7 @@ void OpenHapticsDevice::let_go() noexcept {
 void OpenHapticsDevice::die() noexcept {
   is_gone_ = true;
   if (frame_ == Frame::kOpen) close_frame({});
-  let_go();
+  release();
   drain_errors(call_, kMaxErrorsRead, [](const hd::ErrorInfo&) {});
   status_.fault = DeviceFault::kDisconnected;
   publish();
@@ -215,15 +215,15 @@ void OpenHapticsDevice::die() noexcept {
 
 std::optional<DeviceFault> OpenHapticsDevice::drain() noexcept {
   std::optional<DeviceFault> gravest;
-  hd::ErrorInfo told{};
+  hd::ErrorInfo reported{};
   drain_errors(call_, kMaxErrorsRead, [&](const hd::ErrorInfo& error) {
     const std::optional<DeviceFault> with = graver(gravest, fault_of(error.code));
-    if (with != gravest) told = error;  // keeps the newest of the most serious errors
+    if (with != gravest) reported = error;  // keeps the newest of the most serious errors
     gravest = with;
   });
   if (gravest) {
-    const char* words = call_.error_words(told.code);
-    note(*gravest, words != nullptr ? words : "", told.code);
+    const char* words = call_.error_words(reported.code);
+    note(*gravest, words != nullptr ? words : "", reported.code);
   }
   return gravest;
 }

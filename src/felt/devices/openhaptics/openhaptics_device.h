@@ -75,7 +75,7 @@ class OpenHapticsDevice final : public DriverDevice, private LoopHost {
   void open_frame() noexcept;
   void close_frame(const Force& force) noexcept;
   std::optional<DeviceFault> drain() noexcept;
-  void let_go() noexcept;
+  void release() noexcept;
   void die() noexcept;
   void note(DeviceFault fault, std::string_view words, std::int64_t code) noexcept;
   tl::unexpected<DeviceFault> refuse(DeviceFault fault, std::string_view words) noexcept;

@@ -38,7 +38,7 @@ OpenHapticsDevice::OpenHapticsDevice(std::shared_ptr<HdLibrary> library, hd::Han
       descriptor_(std::move(descriptor)),
       senses_(find_senses()),
       gate_(descriptor_.capabilities),
-      warmth_(gate_.most_n(), descriptor_.capabilities.continuous_force_n) {
+      warmth_(gate_.max_n(), descriptor_.capabilities.continuous_force_n) {
   PlainNumbers::prepare();
   statuses_.publish(status_);
 }

@@ -19,24 +19,24 @@ class TemperatureGuard {
   static constexpr double kDown = 0.999;  ///< per tick
   static constexpr double kUp = 1.001;
 
-  /// The limit stays between `continuous_n` and `most_n`, in N. If `continuous_n` exceeds `most_n`,
-  /// the limit is always `most_n`.
-  TemperatureGuard(double most_n, double continuous_n) noexcept
-      : most_n_(most_n), least_n_(std::min(most_n, continuous_n)), allowed_n_(most_n) {}
+  /// The limit stays between `continuous_n` and `max_n`, in N. If `continuous_n` exceeds `max_n`,
+  /// the limit is always `max_n`.
+  TemperatureGuard(double max_n, double continuous_n) noexcept
+      : max_n_(max_n), min_n_(std::min(max_n, continuous_n)), allowed_n_(max_n) {}
 
   /// Updates the limit in one tick in which the warmest motor has this temperature, and returns the
   /// limit in N. A temperature of NaN counts as too warm.
   double allow(double temperature) noexcept {
     if (!(temperature <= kWarm)) is_warm_ = true;
     if (temperature < kCool) is_warm_ = false;
-    allowed_n_ = std::clamp(allowed_n_ * (is_warm_ ? kDown : kUp), least_n_, most_n_);
+    allowed_n_ = std::clamp(allowed_n_ * (is_warm_ ? kDown : kUp), min_n_, max_n_);
     return allowed_n_;
   }
   [[nodiscard]] double allowed_n() const noexcept { return allowed_n_; }
 
  private:
-  double most_n_;
-  double least_n_;
+  double max_n_;
+  double min_n_;
   double allowed_n_;
   bool is_warm_ = false;
 };

@@ -22,7 +22,7 @@ constexpr std::int64_t kResetPauseNs = 100'000'000;
 
 // Returns the smallest gain of all versions. It is used for every board, because a board of another
 // version than expected could turn the same number into too much torque.
-double least_gain() noexcept {
+double min_gain() noexcept {
   double least = 1.0;
   for (const BoardModel& model : board_models()) least = std::min(least, model.gain);
   return least;
@@ -46,7 +46,7 @@ PantographDevice::PantographDevice(std::unique_ptr<ByteStream> port, const Board
 }
 
 PantographDevice::~PantographDevice() {
-  let_go(kEndTries);
+  release(kEndTries);
 }
 
 DeviceStatus PantographDevice::status() noexcept {
@@ -68,7 +68,7 @@ tl::unexpected<DeviceFault> PantographDevice::gone(std::string_view words) noexc
   if (!is_gone_) {
     is_gone_ = true;
     gone_words_ = ShortText(words);
-    let_go(kStopTries);
+    release(kStopTries);
   }
   return failed(DeviceFault::kDisconnected, gone_words_.view());
 }
@@ -93,56 +93,57 @@ void PantographDevice::throw_away() noexcept {
   }
 }
 
-PantographDevice::Heard PantographDevice::take_reply() noexcept {
+PantographDevice::Received PantographDevice::take_reply() noexcept {
   const auto reply = std::span<const std::byte>(in_).first<kReplyBytes>();
   std::array<double, 2> angles{};
   const bool is_ours = std::to_integer<std::uint8_t>(reply[0]) == kDeviceId;
-  if (!is_ours || !read_angles(model_, reply, angles)) return Heard::kBad;
+  if (!is_ours || !read_angles(model_, reply, angles)) return Received::kBad;
   const auto bar = FiveBar::at(model_.size, angles);
-  if (!bar) return Heard::kBad;
+  if (!bar) return Received::kBad;
   angles_rad_ = angles;
   bar_ = bar;
   filled_ -= kReplyBytes;
   std::memmove(in_.data(), in_.data() + kReplyBytes, filled_);
   if (unanswered_ > 0) --unanswered_;
-  return Heard::kAngles;
+  return Received::kAngles;
 }
 
 // Reads the waiting answers. Returns the result of the newest complete answer, or kBad after the
 // first invalid one.
-PantographDevice::Heard PantographDevice::take_replies(Heard newest) noexcept {
-  while (filled_ >= kReplyBytes && newest != Heard::kBad) newest = take_reply();
+PantographDevice::Received PantographDevice::take_replies(Received newest) noexcept {
+  while (filled_ >= kReplyBytes && newest != Received::kBad) newest = take_reply();
   return newest;
 }
 
 // Reads all waiting answers and returns the result of the newest. This includes answers to the
 // guard's frames, which this object did not send. Waits only for the first answer.
-PantographDevice::Heard PantographDevice::hear(std::int64_t within_ns) noexcept {
+PantographDevice::Received PantographDevice::receive(std::int64_t within_ns) noexcept {
   const StreamDeadline deadline(within_ns);
-  Heard newest = Heard::kNothing;
+  Received newest = Received::kNothing;
   for (int i = 0; i < kMaxPieces; ++i) {
     newest = take_replies(newest);
-    if (newest == Heard::kBad) return newest;
-    const bool has_one = newest == Heard::kAngles;
+    if (newest == Received::kBad) return newest;
+    const bool has_one = newest == Received::kAngles;
     const auto count =
         port_->receive(std::span(in_).subspan(filled_), has_one ? 0 : deadline.left_ns());
     if (count) {
       filled_ += *count;
     } else if (count.error() == StreamFault::kTimedOut) {
       if (has_one) return newest;
-      return filled_ > 0 ? Heard::kHalf : Heard::kNothing;
+      return filled_ > 0 ? Received::kHalf : Received::kNothing;
     } else {
-      return Heard::kClosed;
+      return Received::kClosed;
     }
   }
   return newest;
 }
 
-tl::expected<PenSample, DeviceFault> PantographDevice::nothing_heard(Heard heard) noexcept {
+tl::expected<PenSample, DeviceFault> PantographDevice::nothing_received(
+    Received received) noexcept {
   ++missed_;
   if (missed_ > kMaxSilentTicks) return gone("The board is silent.");
   if (missed_ > kMaxMissed || !has_sample_) {
-    const bool is_half = heard == Heard::kHalf;
+    const bool is_half = received == Received::kHalf;
     throw_away();
     return is_half ? failed(DeviceFault::kBadData, "The board's answers are too short.")
                    : failed(DeviceFault::kOther, "The board does not answer.");
@@ -177,11 +178,11 @@ void PantographDevice::place_pen(std::int64_t now_ns) noexcept {
   const auto since_s = [](std::int64_t from, std::int64_t to) {
     return (static_cast<double>(to) - static_cast<double>(from)) / kNsPerS;
   };
-  follow(bar_->place(), since_s(heard_ns_, sent_ns_));
-  heard_ns_ = sent_ns_;
+  follow(bar_->place(), since_s(received_ns_, sent_ns_));
+  received_ns_ = sent_ns_;
   const double age_s = since_s(sent_ns_, now_ns);
-  const double most_s = 2e-9 * static_cast<double>(descriptor_.capabilities.period_ns);
-  const double ahead_s = age_s > 0.0 && age_s <= most_s ? age_s : 0.0;
+  const double max_s = 2e-9 * static_cast<double>(descriptor_.capabilities.period_ns);
+  const double ahead_s = age_s > 0.0 && age_s <= max_s ? age_s : 0.0;
   sample_.velocity = velocity_;
   sample_.position = place_ + ahead_s * velocity_;
   sample_.position.z = is_down_.load(std::memory_order_relaxed) ? kDownMm : kUpMm;
@@ -193,18 +194,18 @@ tl::expected<PenSample, DeviceFault> PantographDevice::read(std::int64_t now_ns)
   if (is_gone_) return failed(DeviceFault::kDisconnected, gone_words_.view());
   if (!is_home_) return failed(DeviceFault::kNotCalibrated, kNotHome);
   if (unanswered_ == 0 && send({})) sent_ = {};
-  const Heard heard = is_gone_ ? Heard::kClosed : hear(kWaitNs);
-  switch (heard) {
-    case Heard::kClosed:
+  const Received received = is_gone_ ? Received::kClosed : receive(kWaitNs);
+  switch (received) {
+    case Received::kClosed:
       return gone("The board was unplugged.");
-    case Heard::kNothing:
-    case Heard::kHalf:
-      return nothing_heard(heard);
-    case Heard::kBad:
+    case Received::kNothing:
+    case Received::kHalf:
+      return nothing_received(received);
+    case Received::kBad:
       bar_.reset();
       throw_away();
       return failed(DeviceFault::kBadData, "The board's answer makes no sense.");
-    case Heard::kAngles:
+    case Received::kAngles:
       break;
   }
   missed_ = 0;
@@ -219,7 +220,7 @@ tl::expected<PenSample, DeviceFault> PantographDevice::read(std::int64_t now_ns)
 tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noexcept {
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
   if (!is_set_up_) {
-    gate_.let_go();
+    gate_.release();
     return failed(DeviceFault::kNotCalibrated, kNotHome);
   }
   const ForceGate::Passed passed =
@@ -229,7 +230,7 @@ tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noex
   if (bar_ && is_home_ && is_guarded && missed_ <= kMaxMissed) {
     pushes = (kLess * bar_->authority()) * passed.force;
   } else {
-    gate_.let_go();
+    gate_.release();
   }
   const bool went = send(bar_ ? bar_->torques(pushes) : std::array<double, 2>{});
   if (went) sent_ = pushes;
@@ -245,8 +246,8 @@ tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noex
 // Sends zero torques, even to a board that was treated as disconnected, because it may still
 // receive. Sends a reset instead to a board that is not set up, because that must not receive
 // torques, not even zero.
-void PantographDevice::let_go(int tries) noexcept {
-  gate_.let_go();
+void PantographDevice::release(int tries) noexcept {
+  gate_.release();
   const auto nothing = torque_frame(model_, {});
   const auto begin = reset_frame();
   const auto frame =
@@ -268,14 +269,14 @@ void PantographDevice::let_go(int tries) noexcept {
 }
 
 void PantographDevice::stop() noexcept {
-  let_go(kStopTries);
+  release(kStopTries);
 }
 
 std::string PantographDevice::homing_words() {
   if (is_home_) return {};
   std::string words = "This is set up as " + std::string(model_.label) +
                       ". Measure it: another make draws bent lines and pushes the wrong way";
-  if (model_.gain > least_gain()) words += ", the first make more than ten times as strong";
+  if (model_.gain > min_gain()) words += ", the first make more than ten times as strong";
   return words +
          ". Then push both arms outwards, as far as they go, and hold them there: from this place "
          "the device counts.";
@@ -302,14 +303,14 @@ Result<void> PantographDevice::set_up() {
   for (int i = 0; i < kSetUpTries && !is_gone_; ++i) {
     throw_away();
     send({});
-    const Heard heard = hear(kSetUpNs);
-    if (heard == Heard::kAngles) {
+    const Received received = receive(kSetUpNs);
+    if (received == Received::kAngles) {
       if (port_->keep_guard(torque_frame(model_, {}), kGuardNs)) return {};
       return fail(ErrorCode::kIo,
                   "No second process could be started, which switches the motors off when Feltline "
                   "cannot: this computer has no memory, or too many processes, for it.");
     }
-    if (heard == Heard::kClosed) gone("The board was unplugged.");
+    if (received == Received::kClosed) gone("The board was unplugged.");
   }
   return fail(ErrorCode::kIo, is_gone_ ? "The board was unplugged."
                                        : "What is on this port does not answer like a 2DIY. Is it "

@@ -77,17 +77,17 @@ class PantographDevice final : public DriverDevice {
   Result<void> set_up();
 
  private:
-  enum class Heard : std::uint8_t { kNothing, kHalf, kAngles, kBad, kClosed };
+  enum class Received : std::uint8_t { kNothing, kHalf, kAngles, kBad, kClosed };
 
   bool send(const std::array<double, 2>& torques_nm) noexcept;
-  void let_go(int tries) noexcept;
-  Heard hear(std::int64_t within_ns) noexcept;
-  Heard take_reply() noexcept;
-  Heard take_replies(Heard newest) noexcept;
+  void release(int tries) noexcept;
+  Received receive(std::int64_t within_ns) noexcept;
+  Received take_reply() noexcept;
+  Received take_replies(Received newest) noexcept;
   void throw_away() noexcept;
   void follow(const Vec3& measured, double step_s) noexcept;
   void place_pen(std::int64_t now_ns) noexcept;
-  tl::expected<PenSample, DeviceFault> nothing_heard(Heard heard) noexcept;
+  tl::expected<PenSample, DeviceFault> nothing_received(Received received) noexcept;
   tl::unexpected<DeviceFault> failed(DeviceFault fault, std::string_view words) noexcept;
   tl::unexpected<DeviceFault> gone(std::string_view words) noexcept;
 
@@ -114,8 +114,8 @@ class PantographDevice final : public DriverDevice {
   bool is_gone_ = false;
   ShortText gone_words_;
   std::int64_t now_ns_ = 0;
-  std::int64_t sent_ns_ = 0;   // time of the newest frame
-  std::int64_t heard_ns_ = 0;  // when the newest angles were measured
+  std::int64_t sent_ns_ = 0;      // time of the newest frame
+  std::int64_t received_ns_ = 0;  // when the newest angles were measured
   DeviceStatus status_;
 
   LatestValue<DeviceStatus> shown_;

@@ -15,44 +15,44 @@
 namespace felt::aim_track_test {
 namespace {
 
-struct Told {
+struct Reported {
   std::int64_t time_ns = 0;     // when the hand was there
   std::int64_t arrives_ns = 0;  // when the program receives it
   Vec3 place;
 };
 
 /// Returns `count` different positions, reported every `interval_ns`.
-std::vector<Told> steady(int count, std::int64_t interval_ns) {
-  std::vector<Told> told;
+std::vector<Reported> steady(int count, std::int64_t interval_ns) {
+  std::vector<Reported> reported;
   for (int i = 0; i < count; ++i) {
     const std::int64_t time_ns = 50 * kMs + i * interval_ns;
-    told.push_back({time_ns, time_ns, {10.0 + 0.05 * i, 30.0 + 5.0 * std::sin(0.05 * i), 0.0}});
+    reported.push_back({time_ns, time_ns, {10.0 + 0.05 * i, 30.0 + 5.0 * std::sin(0.05 * i), 0.0}});
   }
-  return told;
+  return reported;
 }
 
-/// Delays the arrivals in bursts, by up to `most_ns`. The sequence of arrivals stays the same.
-void delay(std::vector<Told>& told, std::int64_t most_ns, Random& random) {
+/// Delays the arrivals in bursts, by up to `max_ns`. The sequence of arrivals stays the same.
+void delay(std::vector<Reported>& reported, std::int64_t max_ns, Random& random) {
   std::int64_t burst_end_ns = 0;
-  for (Told& t : told) {
+  for (Reported& t : reported) {
     if (t.time_ns > burst_end_ns) {
       burst_end_ns = t.time_ns + static_cast<std::int64_t>(random.between(0.0, 1.0) *
-                                                           static_cast<double>(most_ns));
+                                                           static_cast<double>(max_ns));
     }
     t.arrives_ns = std::max(t.time_ns, burst_end_ns);
   }
 }
 
 /// Returns all samples that a loop of 1 kHz reads from a pen that follows these aims.
-std::vector<PenSample> play(std::string_view device, std::span<const Told> told) {
+std::vector<PenSample> play(std::string_view device, std::span<const Reported> reported) {
   SimulatedStylus stylus(*find_stylus_preset(device));
   const auto servo = std::make_unique<Servo>(stylus, ServoOptions{});
   std::vector<PenSample> samples;
   std::size_t next = 0;
-  const std::int64_t end_ns = told.back().arrives_ns + 200 * kMs;
+  const std::int64_t end_ns = reported.back().arrives_ns + 200 * kMs;
   for (std::int64_t now_ns = 0; now_ns < end_ns; now_ns += kMs) {
-    for (; next < told.size() && told[next].arrives_ns <= now_ns; ++next) {
-      stylus.aim_at(told[next].time_ns, {told[next].place, 0.5, 0});
+    for (; next < reported.size() && reported[next].arrives_ns <= now_ns; ++next) {
+      stylus.aim_at(reported[next].time_ns, {reported[next].place, 0.5, 0});
     }
     servo->step(now_ns);
     PenSample sample;
@@ -63,14 +63,15 @@ std::vector<PenSample> play(std::string_view device, std::span<const Told> told)
 
 /// Returns the samples at the positions of `told`, in the same sequence. The test fails if a
 /// position has no sample.
-std::vector<PenSample> find_all(std::span<const PenSample> samples, std::span<const Told> told) {
+std::vector<PenSample> find_all(std::span<const PenSample> samples,
+                                std::span<const Reported> reported) {
   std::vector<PenSample> found;
   auto at = samples.begin();
-  for (const Told& t : told) {
+  for (const Reported& t : reported) {
     at =
         std::find_if(at, samples.end(), [&t](const PenSample& s) { return s.position == t.place; });
     if (at == samples.end()) {
-      ADD_FAILURE() << "place " << found.size() << " of " << told.size() << " is in no sample";
+      ADD_FAILURE() << "place " << found.size() << " of " << reported.size() << " is in no sample";
       return found;
     }
     found.push_back(*at);
@@ -90,11 +91,11 @@ TEST(AimTrack, NoPlaceIsSkipped) {
     SCOPED_TRACE(seed);
     Random random(seed);
     static constexpr std::int64_t kIntervals[] = {8 * kMs, 5 * kMs, 2 * kMs, kMs, 500'000, 125'000};
-    std::vector<Told> told = steady(1000, kIntervals[seed % std::size(kIntervals)]);
-    delay(told, static_cast<std::int64_t>(random.between(0, 40)) * kMs, random);
-    const std::vector<PenSample> samples = play("tablet", told);
+    std::vector<Reported> reported = steady(1000, kIntervals[seed % std::size(kIntervals)]);
+    delay(reported, static_cast<std::int64_t>(random.between(0, 40)) * kMs, random);
+    const std::vector<PenSample> samples = play("tablet", reported);
     expect_times_grow(samples);
-    EXPECT_EQ(find_all(samples, told).size(), 1000u);
+    EXPECT_EQ(find_all(samples, reported).size(), 1000u);
   }
 }
 
@@ -121,13 +122,13 @@ TEST(AimTrack, TiltMovesOnTheWay) {
 
 // After a stall of 1.5 s all waiting aims are played, and the delay is the same as before.
 TEST(AimTrack, CatchesUpAfterAStall) {
-  std::vector<Told> told = steady(4000, kMs);
-  for (std::size_t i = 500; i < 2000; ++i) told[i].arrives_ns = told[2000].time_ns;
-  const std::vector<PenSample> samples = play("tablet", told);
+  std::vector<Reported> reported = steady(4000, kMs);
+  for (std::size_t i = 500; i < 2000; ++i) reported[i].arrives_ns = reported[2000].time_ns;
+  const std::vector<PenSample> samples = play("tablet", reported);
   expect_times_grow(samples);
-  const std::vector<PenSample> found = find_all(samples, told);
-  ASSERT_EQ(found.size(), told.size());
-  EXPECT_LT(found.back().time_ns - told.back().time_ns, AimTrack::kMaxDelayNs);
+  const std::vector<PenSample> found = find_all(samples, reported);
+  ASSERT_EQ(found.size(), reported.size());
+  EXPECT_LT(found.back().time_ns - reported.back().time_ns, AimTrack::kMaxDelayNs);
 }
 
 // Events that arrive up to 8 ms late, several at once, keep their original spacing and are never
@@ -136,15 +137,15 @@ TEST(AimTrack, KeepsTheSpacing) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    std::vector<Told> told = steady(1500, 2 * kMs);
-    delay(told, 8 * kMs, random);
-    const std::vector<PenSample> found = find_all(play("tablet", told), told);
-    ASSERT_EQ(found.size(), told.size());
+    std::vector<Reported> reported = steady(1500, 2 * kMs);
+    delay(reported, 8 * kMs, random);
+    const std::vector<PenSample> found = find_all(play("tablet", reported), reported);
+    ASSERT_EQ(found.size(), reported.size());
     int uneven = 0;
     for (std::size_t i = 500; i < found.size(); ++i) {
       const std::int64_t spacing_ns = found[i].time_ns - found[i - 1].time_ns;
       uneven += std::abs(spacing_ns - 2 * kMs) > kMs / 2 ? 1 : 0;
-      EXPECT_LE(found[i].time_ns - told[i].arrives_ns, AimTrack::kMaxDelayNs + kMs);
+      EXPECT_LE(found[i].time_ns - reported[i].arrives_ns, AimTrack::kMaxDelayNs + kMs);
     }
     EXPECT_LT(uneven, 50) << "of 1000";
   }
@@ -152,31 +153,32 @@ TEST(AimTrack, KeepsTheSpacing) {
 
 // The delay of a steady tablet is one event interval plus about one tick.
 TEST(AimTrack, ASteadyTabletIsHardlyDelayed) {
-  for (const auto& [interval_ns, most_ns] :
+  for (const auto& [interval_ns, max_ns] :
        {std::pair<std::int64_t, std::int64_t>{kMs, 3 * kMs}, {5 * kMs, 7 * kMs}}) {
-    const std::vector<Told> told = steady(1000, interval_ns);
-    const std::vector<PenSample> found = find_all(play("tablet", told), told);
-    ASSERT_EQ(found.size(), told.size());
+    const std::vector<Reported> reported = steady(1000, interval_ns);
+    const std::vector<PenSample> found = find_all(play("tablet", reported), reported);
+    ASSERT_EQ(found.size(), reported.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
-      ASSERT_LE(found[i].time_ns - told[i].time_ns, most_ns) << i;
+      ASSERT_LE(found[i].time_ns - reported[i].time_ns, max_ns) << i;
     }
   }
 }
 
 // Between two positions of a slow tablet the pen moves evenly and does not jump.
 TEST(AimTrack, JoinsPlacesEvenly) {
-  const std::vector<Told> told = steady(200, 8 * kMs);
-  const std::vector<PenSample> samples = play("tablet", told);
+  const std::vector<Reported> reported = steady(200, 8 * kMs);
+  const std::vector<PenSample> samples = play("tablet", reported);
   double longest_mm = 0.0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (samples[i - 1].pressure.value_or(0.0) == 0.0) continue;
     longest_mm = std::max(longest_mm, norm(samples[i].position - samples[i - 1].position));
   }
-  double longest_told_mm = 0.0;
-  for (std::size_t i = 1; i < told.size(); ++i) {
-    longest_told_mm = std::max(longest_told_mm, norm(told[i].place - told[i - 1].place));
+  double longest_reported_mm = 0.0;
+  for (std::size_t i = 1; i < reported.size(); ++i) {
+    longest_reported_mm =
+        std::max(longest_reported_mm, norm(reported[i].place - reported[i - 1].place));
   }
-  EXPECT_LT(longest_mm, 0.3 * longest_told_mm);
+  EXPECT_LT(longest_mm, 0.3 * longest_reported_mm);
 }
 
 // A pen with a body also keeps every touch, even if several touches arrive together.

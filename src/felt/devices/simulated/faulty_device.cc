@@ -15,10 +15,10 @@ PenSample at_time(PenSample sample, std::int64_t time_ns) noexcept {
   return sample;
 }
 
-Vec3 noise(std::uint64_t seed, double most_mm) noexcept {
+Vec3 noise(std::uint64_t seed, double max_mm) noexcept {
   Random random(seed);
-  const double x = random.between(-most_mm, most_mm), y = random.between(-most_mm, most_mm);
-  return {x, y, random.between(-most_mm, most_mm)};
+  const double x = random.between(-max_mm, max_mm), y = random.between(-max_mm, max_mm);
+  return {x, y, random.between(-max_mm, max_mm)};
 }
 
 Vec3 in_steps(const Vec3& p, double step_mm) noexcept {

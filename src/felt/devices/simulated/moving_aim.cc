@@ -11,9 +11,9 @@ bool changes_contact(const Aim& a, const Aim& b) noexcept {
 }
 
 // The movement starts at the current position of the aim. It takes the time that has passed since
-// the previous aim, at least `least_ns` and at most 10 ms, or longer if the top speed requires
+// the previous aim, at least `min_ns` and at most 10 ms, or longer if the top speed requires
 // that.
-void MovingAim::set(const Aim& aim, std::int64_t now_ns, std::int64_t least_ns) noexcept {
+void MovingAim::set(const Aim& aim, std::int64_t now_ns, std::int64_t min_ns) noexcept {
   if (!is_set_) {
     is_set_ = true;
     to_ = shown_ = aim;
@@ -22,7 +22,7 @@ void MovingAim::set(const Aim& aim, std::int64_t now_ns, std::int64_t least_ns) 
     return;
   }
   const std::int64_t since_last_ns = now_ns - start_ns_;
-  std::int64_t takes_ns = std::clamp(since_last_ns, std::min(least_ns, kLongestNs), kLongestNs);
+  std::int64_t takes_ns = std::clamp(since_last_ns, std::min(min_ns, kLongestNs), kLongestNs);
   from_mm_ = at(now_ns);
   shown_ = to_;
   owes_one_ = !newest_is_shown_;

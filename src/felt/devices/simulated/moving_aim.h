@@ -32,9 +32,9 @@ class MovingAim {
   explicit MovingAim(double top_speed_mm_per_s = kHandSpeedMmPerS) noexcept
       : top_speed_mm_per_s_(top_speed_mm_per_s) {}
 
-  /// Sets a new aim from now on. `least_ns` is the time until the next read; the aim takes at least
+  /// Sets a new aim from now on. `min_ns` is the time until the next read; the aim takes at least
   /// that time to arrive. The first aim is reached immediately.
-  void set(const Aim& aim, std::int64_t now_ns, std::int64_t least_ns) noexcept;
+  void set(const Aim& aim, std::int64_t now_ns, std::int64_t min_ns) noexcept;
   /// Must be called if the clock was set back to `now_ns`. The aim then counts as arrived.
   void restart(std::int64_t now_ns) noexcept { start_ns_ = end_ns_ = now_ns; }
   /// Returns the position of the aim.

@@ -14,14 +14,14 @@ Vec bounded(Vec v, double most) noexcept {
 }  // namespace
 
 Point PseudoCursor::update(Point hand, Point stylus, Use use, double dt_s) noexcept {
-  const double most_mm = std::max(options_.most_mm, 0.0);
+  const double max_mm = std::max(options_.max_mm, 0.0);
   if (!options_.on || use == Use::kTabletInk) {
     shown_ = {};
   } else if (use == Use::kFeeling) {
     const Vec wanted = options_.gain * (stylus - hand);
-    shown_ = std::isfinite(norm(wanted)) ? bounded(wanted, most_mm) : Vec{};
+    shown_ = std::isfinite(norm(wanted)) ? bounded(wanted, max_mm) : Vec{};
   } else {
-    const double step_mm = options_.release_s > 0.0 ? most_mm * dt_s / options_.release_s : most_mm;
+    const double step_mm = options_.release_s > 0.0 ? max_mm * dt_s / options_.release_s : max_mm;
     const double left_mm = norm(shown_) - std::max(step_mm, 0.0);
     shown_ = left_mm > 0.0 ? bounded(shown_, left_mm) : Vec{};
   }

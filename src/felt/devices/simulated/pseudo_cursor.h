@@ -7,14 +7,14 @@ namespace felt {
 struct PseudoCursorOptions {
   bool on = true;
   double gain = 1.0;        ///< mm of cursor displacement for each mm that the force moves the pen
-  double most_mm = 3.0;     ///< maximum displacement, so that cursor and pen stay together
+  double max_mm = 3.0;      ///< maximum displacement, so that cursor and pen stay together
   double release_s = 0.05;  ///< time from the maximum to 0 after the force ends
 };
 
 /// Shows forces by displacing the cursor, for users whose device has no force
 /// (docs/design/devices.md#pseudo-haptics). A cursor that lags behind or runs ahead of the hand is
 /// perceived as a slope (Lecuyer et al. 2004). The cursor's displacement is the displacement of the
-/// simulated pen by the simulated force, multiplied by a gain and limited to `most_mm`.
+/// simulated pen by the simulated force, multiplied by a gain and limited to `max_mm`.
 ///
 /// The displacement is 0 while a pen draws on a tablet, because ink must appear under the pen's
 /// tip. When the force ends, the displacement falls to 0 at a constant rate. If values are not

@@ -42,8 +42,8 @@ void give_pace(std::vector<ScriptKnot>& knots) {
 double seconds_between(const RecordedPoint& a, const RecordedPoint& b) {
   // Subtracts in double, because the difference of two arbitrary times may not fit into 64 bits.
   const double dt_s = 1e-9 * (static_cast<double>(*b.time_ns) - static_cast<double>(*a.time_ns));
-  const double least_s = distance(a.position, b.position) / kTopSpeed;
-  return std::clamp(dt_s, least_s, std::max(kPauseS, least_s));
+  const double min_s = distance(a.position, b.position) / kTopSpeed;
+  return std::clamp(dt_s, min_s, std::max(kPauseS, min_s));
 }
 
 // Returns true if the times of a stroke are usable: all are present, they never decrease, and they

@@ -15,10 +15,10 @@ namespace {
 
 struct Drawn {
   int strokes = 0;
-  double worst_mm = 0.0;      // largest distance of a drawn sample from the wanted lines
-  double most_speed = 0.0;    // mm/s
-  double most_press_n = 0.0;  // largest force of the surface's spring
-  double most_hover_press_n = 0.0;
+  double worst_mm = 0.0;     // largest distance of a drawn sample from the wanted lines
+  double max_speed = 0.0;    // mm/s
+  double max_press_n = 0.0;  // largest force of the surface's spring
+  double max_hover_press_n = 0.0;
 };
 
 double distance_to(const std::vector<RecordedPath>& lines, Point p) {
@@ -41,8 +41,8 @@ Drawn play(const std::vector<TimedAim>& script, const StylusPreset& device,
     const double spring_n = 1e-3 * options.plane_n_per_m * depth_mm(s);
     const double push_n = spring_n > 0.0 ? std::max(spring_n - 2e-3 * s.velocity.z, 0.0) : 0.0;
     EXPECT_TRUE(stylus.write({0, 0, push_n}).has_value());
-    drawn.most_speed = std::max(drawn.most_speed, norm(stylus.body().velocity()));
-    drawn.most_press_n = std::max(drawn.most_press_n, spring_n);
+    drawn.max_speed = std::max(drawn.max_speed, norm(stylus.body().velocity()));
+    drawn.max_press_n = std::max(drawn.max_press_n, spring_n);
     if (in_contact(s)) {
       drawn.strokes += lifted >= 3 ? 1 : 0;
       lifted = 0;
@@ -100,7 +100,7 @@ TEST(HandScript, LosesNoStroke) {
       options.friction = 0.0;  // the simulated surface has no friction
       const Drawn drawn = play(script_hand(lines, options), device, options, lines);
       EXPECT_EQ(drawn.strokes, static_cast<int>(lines.size())) << name << ", " << hand.name;
-      EXPECT_LT(drawn.most_speed, 600.0) << name << ", " << hand.name;
+      EXPECT_LT(drawn.max_speed, 600.0) << name << ", " << hand.name;
     }
   }
 }
@@ -135,8 +135,8 @@ TEST(HandScript, PressesAsHardAsThePressureSays) {
       const auto script = script_hand(std::vector<RecordedPath>{line}, options);
       const Drawn drawn = play(script, device, options, {line});
       const double wanted_n = options.light_n + p * (options.full_n - options.light_n);
-      EXPECT_GT(drawn.most_press_n, 0.9 * wanted_n) << hand.name << ", p " << p;
-      EXPECT_LT(drawn.most_press_n, 1.25 * wanted_n + 0.1) << hand.name << ", p " << p;
+      EXPECT_GT(drawn.max_press_n, 0.9 * wanted_n) << hand.name << ", p " << p;
+      EXPECT_LT(drawn.max_press_n, 1.25 * wanted_n + 0.1) << hand.name << ", p " << p;
     }
   }
 }

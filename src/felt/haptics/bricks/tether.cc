@@ -19,7 +19,7 @@ constexpr double kMaxScale = 20.0;
 /// mm at 300 N/m, and larger for a softened force law.
 double fade_radius_mm(const ForceLaw& law) noexcept {
   constexpr double kShareOfCap = 2.0 / 3.0;
-  return std::max(kCentreMm, 1e3 * law.most_n / (kShareOfCap * std::max(law.cap_n_per_m, 1e-3)));
+  return std::max(kCentreMm, 1e3 * law.max_n / (kShareOfCap * std::max(law.cap_n_per_m, 1e-3)));
 }
 
 double centre_fade(const ForceLaw& law, double radius_mm) noexcept {
@@ -72,7 +72,7 @@ Tether Tether::constrained() const noexcept {
 
 Tether Tether::with_least_scale(double factor) const noexcept {
   Tether tether = *this;
-  tether.least_scale_ = factor;
+  tether.min_scale_ = factor;
   return tether;
 }
 
@@ -88,7 +88,7 @@ double Tether::size_n(double sum_mm, double way_mm) const noexcept {
 
 Vec Tether::translation_pull(Point pen) const noexcept {
   Vec moved = pen - grab_;
-  double limit_n = law_.gain * law_.most_n;
+  double limit_n = law_.gain * law_.max_n;
   if (constrained_) {
     const double x = std::abs(moved.x), y = std::abs(moved.y);
     (x >= y ? moved.y : moved.x) = 0.0;
@@ -141,7 +141,7 @@ Vec Tether::scale_pull(Point pen) const noexcept {
   const Vec arm = pen - centre_;
   const double radius = norm(arm);
   if (radius < kNoArmMm) return {};
-  const double s = std::max(least_scale_, scale_factor(grab_ - centre_, arm));
+  const double s = std::max(min_scale_, scale_factor(grab_ - centre_, arm));
   const double way = norm(grab_ - centre_) * (1.0 - std::min(s, 1.0 / s));
   const double size = centre_fade(law_, radius) * size_n(sum_ * std::abs(std::log(s)), way);
   return (s > 1.0 ? -size : size) / radius * arm;

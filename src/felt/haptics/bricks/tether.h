@@ -76,7 +76,7 @@ class Tether {
   Point centre_{};
   Point grab_{};
   double sum_ = 0.0;
-  double least_scale_ = 0.0;
+  double min_scale_ = 0.0;
   std::uint32_t gesture_ = 0;
   bool constrained_ = false;
 };

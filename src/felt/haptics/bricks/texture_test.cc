@@ -211,7 +211,7 @@ struct Felt {
   Force force;
   double factor = 1.0;
 };
-Felt felt_at(const Texture& texture, const TextureOptions& options, Point p, double push_n) {
+Felt force_at(const Texture& texture, const TextureOptions& options, Point p, double push_n) {
   ForceMemory memory;
   memory.begin_tick(options.period_s);
   memory.period_s = options.period_s;
@@ -237,10 +237,10 @@ void holds_everywhere(TextureLaw law) {
     const double push_n = 1e-3 * *rc::gen::inRange(1, 4000);
     const double angle = 0.01 * *rc::gen::inRange(0, 629);
     constexpr double kStepMm = 1e-4, kStepN = 1e-4;
-    const Felt here = felt_at(texture, any.options, p, push_n);
+    const Felt here = force_at(texture, any.options, p, push_n);
     const Felt beside =
-        felt_at(texture, any.options, p + kStepMm * Vec{std::cos(angle), std::sin(angle)}, push_n);
-    const Felt harder = felt_at(texture, any.options, p, push_n + kStepN);
+        force_at(texture, any.options, p + kStepMm * Vec{std::cos(angle), std::sin(angle)}, push_n);
+    const Felt harder = force_at(texture, any.options, p, push_n + kStepN);
     const double along_n_per_m = 1e3 * norm(beside.force - here.force) / kStepMm;
     RC_ASSERT(along_n_per_m <= texture.stiffness_n_per_m() * 1.001 + 1e-6);
     // In the friction law, nothing changes with the push faster than friction does.
@@ -271,8 +271,8 @@ RC_GTEST_PROP(Texture, R47_APushWearsTheReliefAsItDoesForTheEye, ()) {
   for (double push_n = 0.01; push_n < 3.0; push_n += 0.01) {
     const double firmness = push_n / any.options.firm_push_n;
     const double left = relief_left(any.options.wear, firmness);
-    const double full = felt_at(whole, unworn, p, push_n).factor - 1.0;
-    const double worn = felt_at(texture, any.options, p, push_n).factor - 1.0;
+    const double full = force_at(whole, unworn, p, push_n).factor - 1.0;
+    const double worn = force_at(texture, any.options, p, push_n).factor - 1.0;
     RC_ASSERT(std::abs(worn - left * full) <= 1e-12);
     // The share of the relief decreases with the push, without jumps, to 1 - wear and no farther.
     RC_ASSERT(left <= last_left);

@@ -111,6 +111,9 @@ TEST(EventReader, ReadsDevices) {
       event_of(R"({"event":"device","senses_pressure":true,"sensed_axes":2,"max_force_n":3.3,)"
                R"("period_ms":0.25,"t_ms":0})"),
       (Event{0, UseDevice{can, 1}}));
+  EXPECT_EQ(event_of(R"({"event":"device","sheet_scale":1.5,"t_ms":0})"),
+            event_of(R"({"event":"device","page_scale":1.5,"t_ms":0})"))
+      << "the key of older recordings";
   EXPECT_EQ(error_of(R"({"event":"device","max_force_n":-1,"t_ms":0})"),
             "max_force_n: is negative");
   EXPECT_EQ(error_of(R"({"event":"device","period_ms":0,"t_ms":0})"),

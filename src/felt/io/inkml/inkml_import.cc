@@ -37,7 +37,7 @@ struct Columns {
               eraser = kNone, tilt_x = kNone, tilt_y = kNone, elevation = kNone;
   Affine to_mm;
   double mm_per_width = 1.0, ms_per_time = 1.0;
-  double least_force = 0.0, full_force = 1.0;
+  double min_force = 0.0, full_force = 1.0;
   double deg_per_tilt_x = 1.0, deg_per_tilt_y = 1.0, deg_per_elevation = 1.0;
 };
 
@@ -257,7 +257,7 @@ class InkmlReader {
     if (std::isnan(v[c.x]) || std::isnan(v[c.y]) || (has(c.tip) && v[c.tip] < 0.5)) return;
     InkSample sample{apply(c.to_mm, Point{v[c.x], v[c.y]}), {}, {}};
     if (has(c.force)) {
-      const double p = (v[c.force] - c.least_force) / (c.full_force - c.least_force);
+      const double p = (v[c.force] - c.min_force) / (c.full_force - c.min_force);
       sample.pressure = std::fmin(std::fmax(p, 0.0), 1.0);
       points_.has_force = true;
     }
@@ -297,9 +297,9 @@ class InkmlReader {
         (is_x ? scale_x : scale_y) = mm;
       } else if (channel.name == ChannelName::kForce) {
         c.force = i;
-        c.least_force = channel.least.value_or(0.0);
+        c.min_force = channel.least.value_or(0.0);
         c.full_force = channel.most.value_or(channel.is_integer ? kUsualFullPressure : 1.0);
-        if (!(c.full_force > c.least_force)) c.force = Columns::kNone;
+        if (!(c.full_force > c.min_force)) c.force = Columns::kNone;
       } else if (channel.name == ChannelName::kTime) {
         c.time = i;
         c.ms_per_time = scale.value_or(1.0);

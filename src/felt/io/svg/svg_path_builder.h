@@ -24,8 +24,8 @@ struct SvgContour {
 /// cubics.
 class SvgPathBuilder {
  public:
-  /// Accepts at most `most_segments` segments. Further commands are ignored and set `full`.
-  explicit SvgPathBuilder(std::size_t most_segments) noexcept : room_(most_segments) {}
+  /// Accepts at most `max_segments` segments. Further commands are ignored and set `full`.
+  explicit SvgPathBuilder(std::size_t max_segments) noexcept : room_(max_segments) {}
 
   void move(Point p);
   void line(Point p);

@@ -71,7 +71,7 @@ bool SvgScan::number(double& value) noexcept {
   } else if (error != std::errc() || end != digits.data() + digits.size()) {
     return false;
   }
-  if (!(std::fabs(read) <= most_)) return false;
+  if (!(std::fabs(read) <= max_)) return false;
   value = read;
   text_.remove_prefix(size);
   return true;

@@ -12,7 +12,7 @@ class SvgScan {
  public:
   /// Numbers with a magnitude beyond `most` are not read.
   explicit SvgScan(std::string_view text, double most = 1e9) noexcept
-      : text_(text), size_(text.size()), most_(most) {}
+      : text_(text), size_(text.size()), max_(most) {}
 
   void skip_spaces() noexcept;
   /// Skips spaces with at most one comma among them.
@@ -48,7 +48,7 @@ class SvgScan {
  private:
   std::string_view text_;
   std::size_t size_;
-  double most_;
+  double max_;
 };
 
 /// Returns `text` without spaces at both ends.

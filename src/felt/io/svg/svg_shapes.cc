@@ -117,14 +117,14 @@ bool is_svg_shape(std::string_view name) noexcept {
 
 SvgOutline svg_outline(std::string_view name, const pugi::xml_node& node,
                        const SvgDeclared& declared, const SvgUnits& units,
-                       std::size_t most_segments) {
+                       std::size_t max_segments) {
   SvgOutline outline;
   if (name == "path") {
-    SvgPathData data = parse_svg_path(path_data(declared[SvgProperty::kD]), most_segments,
+    SvgPathData data = parse_svg_path(path_data(declared[SvgProperty::kD]), max_segments,
                                       limits::kMaxSvgPathNumber);
     return {std::move(data.contours), std::move(data.problem)};
   }
-  SvgPathBuilder path(most_segments);
+  SvgPathBuilder path(max_segments);
   const Lengths length(node, declared, units, outline.problem);
   const auto x = [&](const char* attribute) { return length(attribute, SvgAxis::kX); };
   const auto y = [&](const char* attribute) { return length(attribute, SvgAxis::kY); };

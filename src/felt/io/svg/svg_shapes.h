@@ -24,10 +24,10 @@ struct SvgOutline {
 /// Returns true for path, rect, circle, ellipse, line, polyline, polygon.
 bool is_svg_shape(std::string_view name) noexcept;
 
-/// Returns the outline of an element for which is_svg_shape() is true, with at most `most_segments`
+/// Returns the outline of an element for which is_svg_shape() is true, with at most `max_segments`
 /// curves. It is empty if sizes are zero, negative or missing, as the standard requires.
 SvgOutline svg_outline(std::string_view name, const pugi::xml_node& node,
                        const SvgDeclared& declared, const SvgUnits& units,
-                       std::size_t most_segments);
+                       std::size_t max_segments);
 
 }  // namespace felt

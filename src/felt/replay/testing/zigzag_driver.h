@@ -116,7 +116,7 @@ class ZigzagDriver final : public Driver {
   std::vector<Finding> diagnose(const SystemView&) override { return {}; }
   [[nodiscard]] const DeviceDescriptor& device() const noexcept { return device_; }
   void give_own_frame() { device_.has_own_frame = true; }
-  void tell_serial_once_open(std::string serial) { serial_once_open_ = std::move(serial); }
+  void report_serial_once_open(std::string serial) { serial_once_open_ = std::move(serial); }
 
  private:
   ZigzagWorld& world_;

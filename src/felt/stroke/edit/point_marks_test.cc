@@ -125,15 +125,16 @@ void for_random_moves(int count, const Visit& visit) {
     const auto seed = static_cast<std::uint64_t>(i);
     testing::RandomStroke random(seed + 77'000);
     const Stroke stroke = any_stroke(seed);
-    const Marks told = any_marks(random, stroke.data().points.size());
-    visit(seed, random, stroke, told, closed_marks(stroke, told));
+    const Marks reported = any_marks(random, stroke.data().points.size());
+    visit(seed, random, stroke, reported, closed_marks(stroke, reported));
   }
 }
 
 TEST(PointMarks, R32_ClosureIsAClosure) {
-  for_random_moves(4000, [](std::uint64_t seed, auto&, const Stroke& stroke, const Marks& told,
+  for_random_moves(4000, [](std::uint64_t seed, auto&, const Stroke& stroke, const Marks& reported,
                             const Marks& closed) {
-    for (std::size_t i = 0; i < told.size(); ++i) ASSERT_LE(told[i], closed[i]) << "seed " << seed;
+    for (std::size_t i = 0; i < reported.size(); ++i)
+      ASSERT_LE(reported[i], closed[i]) << "seed " << seed;
     EXPECT_EQ(closed_marks(stroke, closed), closed) << "seed " << seed;
     const std::size_t n = closed.size() / 3;
     if (stroke.closed()) {

@@ -38,7 +38,7 @@ void RunSearch::begin(const SampleWindow& window, const RunStart& start,
 
 // Returns the minimum number of samples of a run. A run with a free start needs two samples to
 // define a curve.
-std::size_t RunSearch::least_count() const noexcept {
+std::size_t RunSearch::min_count() const noexcept {
   return start_.kind == RunStart::Kind::kFree ? 2 : 1;
 }
 
@@ -105,7 +105,7 @@ RunSearch::Status RunSearch::run_gallop(const SampleWindow& window, std::size_t 
 }
 
 RunSearch::Status RunSearch::run_bisect(const SampleWindow& window) noexcept {
-  const std::size_t least = least_count();
+  const std::size_t least = min_count();
   if (bad_ <= least) {
     bridge(window);
     phase_ = Phase::kDone;
@@ -124,7 +124,7 @@ RunSearch::Status RunSearch::run_bisect(const SampleWindow& window) noexcept {
 }
 
 bool RunSearch::try_count(const SampleWindow& window, std::size_t count) noexcept {
-  if (count < least_count()) return false;
+  if (count < min_count()) return false;
   if (!fit_.fit(window, start_, first_, count, SegmentFit::End::kFree, known(window))) return false;
   keep_fit(count);
   return true;
@@ -143,7 +143,7 @@ void RunSearch::keep_fit(std::size_t count) noexcept {
 // Called if not even the shortest run is accepted, for example at a hairpin inside the tolerance
 // band. Goes straight to the first sample that is far enough for a segment.
 void RunSearch::bridge(const SampleWindow& window) noexcept {
-  std::size_t count = least_count();
+  std::size_t count = min_count();
   const auto is_at_start = [&](std::size_t i) {
     const double squared = distance_squared(start_.point, window.point(i));
     return squared < kShortestSegmentMm * kShortestSegmentMm &&

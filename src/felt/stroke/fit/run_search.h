@@ -84,7 +84,7 @@ class RunSearch {
   void keep_fit(std::size_t count) noexcept;
   [[nodiscard]] std::span<const double> known(const SampleWindow& window) const noexcept;
   void bridge(const SampleWindow& window) noexcept;
-  [[nodiscard]] std::size_t least_count() const noexcept;
+  [[nodiscard]] std::size_t min_count() const noexcept;
 
   RunStart start_;
   std::size_t first_ = 0;

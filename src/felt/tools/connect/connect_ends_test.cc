@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::connect_ends_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::RandomStroke;
 using testing::straight_stroke;
 
@@ -28,20 +28,20 @@ TEST(ConnectEnds, R45_JoinsAtAnyOfTheFourPairsOfEnds) {
   for (const StrokeTip tip : {kStart, kEnd}) {
     for (const StrokeTip mine : {kStart, kEnd}) {
       for (const MeetingPlace place : kPlaces) {
-        Desk desk;
-        const StrokeId moved = desk.add(mine == kEnd ? straight_stroke({0, 60}, {52, 2}, 1, 2)
-                                                     : straight_stroke({52, 2}, {0, 60}, 2, 1));
-        const StrokeId below = desk.add(straight_stroke({0, 90}, {9, 90}, 1, 1));
-        const StrokeId to = desk.add(tip == kEnd ? straight_stroke({0, 0}, {50, 0}, 1, 2)
-                                                 : straight_stroke({50, 0}, {0, 0}, 2, 1));
-        const Document before = desk.document;
-        const Edit edit = connect_ends(desk.document, {moved, mine}, {to, tip}, {place});
+        Fixture fixture;
+        const StrokeId moved = fixture.add(mine == kEnd ? straight_stroke({0, 60}, {52, 2}, 1, 2)
+                                                        : straight_stroke({52, 2}, {0, 60}, 2, 1));
+        const StrokeId below = fixture.add(straight_stroke({0, 90}, {9, 90}, 1, 1));
+        const StrokeId to = fixture.add(tip == kEnd ? straight_stroke({0, 0}, {50, 0}, 1, 2)
+                                                    : straight_stroke({50, 0}, {0, 0}, 2, 1));
+        const Document before = fixture.document;
+        const Edit edit = connect_ends(fixture.document, {moved, mine}, {to, tip}, {place});
         EXPECT_EQ(edit.label, "Connect");
-        desk.apply(edit);
-        ASSERT_EQ(desk.strokes().size(), 2u);
-        EXPECT_EQ(desk.document.layers()[0].strokes[0], below);
-        EXPECT_EQ(desk.document.layers()[0].strokes[1], to);  // its id and position in the layer
-        const Stroke& one = *desk.document.find(to);
+        fixture.apply(edit);
+        ASSERT_EQ(fixture.strokes().size(), 2u);
+        EXPECT_EQ(fixture.document.layers()[0].strokes[0], below);
+        EXPECT_EQ(fixture.document.layers()[0].strokes[1], to);  // its id and position in the layer
+        const Stroke& one = *fixture.document.find(to);
         EXPECT_FALSE(one.closed());
         EXPECT_EQ(tip_point(one, opposite(tip)), (Point{0, 0}));  // its direction
         EXPECT_EQ(tip_point(one, tip), (Point{0, 60}));
@@ -52,8 +52,8 @@ TEST(ConnectEnds, R45_JoinsAtAnyOfTheFourPairsOfEnds) {
           met = met || (one.position(j) == meet && one.joint(j) == JointKind::kCorner);
         }
         EXPECT_TRUE(met);
-        desk.undo();
-        EXPECT_EQ(desk.document, before);
+        fixture.undo();
+        EXPECT_EQ(fixture.document, before);
       }
     }
   }
@@ -62,15 +62,15 @@ TEST(ConnectEnds, R45_JoinsAtAnyOfTheFourPairsOfEnds) {
 TEST(ConnectEnds, R45_SmoothBelowThirtyDegreesElseCorner) {
   for (const double deg : {10.0, 29.0, 31.0, 90.0}) {
     for (const MeetingPlace place : kPlaces) {
-      Desk desk;
-      const StrokeId to = desk.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
+      Fixture fixture;
+      const StrokeId to = fixture.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
       const double a = deg * std::numbers::pi / 180;
       const Point near{51, 1};
       const Point far = near + 80 * Vec{std::cos(a), std::sin(a)};
-      const StrokeId moved = desk.add(straight_stroke(near, far, 1, 1));
-      desk.apply(connect_ends(desk.document, {moved, kStart}, {to, kEnd}, {place}));
-      ASSERT_EQ(desk.strokes().size(), 1u);
-      const Stroke& one = *desk.document.find(to);
+      const StrokeId moved = fixture.add(straight_stroke(near, far, 1, 1));
+      fixture.apply(connect_ends(fixture.document, {moved, kStart}, {to, kEnd}, {place}));
+      ASSERT_EQ(fixture.strokes().size(), 1u);
+      const Stroke& one = *fixture.document.find(to);
       const Point meet = place == MeetingPlace::kAtTarget ? Point{50, 0} : Point{50.5, 0.5};
       int joint = 0;
       for (int j = 1; j < one.segment_count(); ++j) joint = one.position(j) == meet ? j : joint;
@@ -88,14 +88,14 @@ TEST(ConnectEnds, R43_TheTwoEndsOfAStrokeCloseIt) {
                           .value();
   for (const StrokeTip mine : {kStart, kEnd}) {
     for (const MeetingPlace place : kPlaces) {
-      Desk desk;
-      const StrokeId id = desk.add(open);
+      Fixture fixture;
+      const StrokeId id = fixture.add(open);
       // A stroke is closed even if other strokes are kept separate.
-      const Edit edit = connect_ends(desk.document, {id, mine}, {id, opposite(mine)},
+      const Edit edit = connect_ends(fixture.document, {id, mine}, {id, opposite(mine)},
                                      {place, /*keep_separate=*/true});
       EXPECT_EQ(edit.label, "Close");
-      desk.apply(edit);
-      const Stroke& ring = *desk.document.find(id);
+      fixture.apply(edit);
+      const Stroke& ring = *fixture.document.find(id);
       EXPECT_TRUE(ring.closed());
       const Point meet = place == MeetingPlace::kHalfWay ? Point{1.5, 2}
                          : mine == kEnd                  ? Point{0, 0}
@@ -112,11 +112,11 @@ TEST(ConnectEnds, OtherLooksLayersAndKeptSeparateShareThePoint) {
       {with_look(a, {7, 0, 0, 255}), false}, {with_look(a, {}, "chalk"), false}, {a, true}};
   for (const auto& [moved_stroke, keep] : cases) {
     for (const MeetingPlace place : kPlaces) {
-      Desk desk;
-      const StrokeId to = desk.add(b), moved = desk.add(moved_stroke);
-      desk.apply(connect_ends(desk.document, {moved, kStart}, {to, kEnd}, {place, keep}));
-      ASSERT_EQ(desk.strokes().size(), 2u);
-      const Stroke &one = *desk.document.find(moved), &two = *desk.document.find(to);
+      Fixture fixture;
+      const StrokeId to = fixture.add(b), moved = fixture.add(moved_stroke);
+      fixture.apply(connect_ends(fixture.document, {moved, kStart}, {to, kEnd}, {place, keep}));
+      ASSERT_EQ(fixture.strokes().size(), 2u);
+      const Stroke &one = *fixture.document.find(moved), &two = *fixture.document.find(to);
       EXPECT_EQ(tip_point(one, kStart), tip_point(two, kEnd));
       EXPECT_EQ(one.color(), moved_stroke.color());
       EXPECT_EQ(one.medium(), moved_stroke.medium());
@@ -124,27 +124,28 @@ TEST(ConnectEnds, OtherLooksLayersAndKeptSeparateShareThePoint) {
         EXPECT_EQ(two, b);
       }
       // The second time nothing changes.
-      EXPECT_TRUE(connect_ends(desk.document, {moved, kStart}, {to, kEnd}, {place, keep}).empty());
+      EXPECT_TRUE(
+          connect_ends(fixture.document, {moved, kStart}, {to, kEnd}, {place, keep}).empty());
     }
   }
 }
 
 TEST(ConnectEnds, LockedAndHiddenLayersAreNotChanged) {
   for (const bool hidden : {false, true}) {
-    Desk desk;
-    const StrokeId to = desk.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
-    desk.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Top"}, 0, 1}}});
-    desk.layer = {2};
-    const StrokeId moved = desk.add(straight_stroke({51, 1}, {90, 40}, 1, 1));
-    desk.apply(
+    Fixture fixture;
+    const StrokeId to = fixture.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
+    fixture.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Top"}, 0, 1}}});
+    fixture.layer = {2};
+    const StrokeId moved = fixture.add(straight_stroke({51, 1}, {90, 40}, 1, 1));
+    fixture.apply(
         {"State", {}, {{{1}, LayerState{"Ink"}, LayerState{"Ink", !hidden, !hidden}, 0, 0}}});
     for (const MeetingPlace place : kPlaces) {
-      EXPECT_TRUE(connect_ends(desk.document, {to, kEnd}, {moved, kStart}, {place}).empty());
-      const Edit edit = connect_ends(desk.document, {moved, kStart}, {to, kEnd}, {place});
-      desk.apply(edit);
-      EXPECT_EQ(tip_point(*desk.document.find(moved), kStart), (Point{50, 0}));
-      EXPECT_EQ(*desk.document.find(to), straight_stroke({0, 0}, {50, 0}, 1, 1));
-      desk.undo();
+      EXPECT_TRUE(connect_ends(fixture.document, {to, kEnd}, {moved, kStart}, {place}).empty());
+      const Edit edit = connect_ends(fixture.document, {moved, kStart}, {to, kEnd}, {place});
+      fixture.apply(edit);
+      EXPECT_EQ(tip_point(*fixture.document.find(moved), kStart), (Point{50, 0}));
+      EXPECT_EQ(*fixture.document.find(to), straight_stroke({0, 0}, {50, 0}, 1, 1));
+      fixture.undo();
     }
   }
 }
@@ -177,13 +178,13 @@ TEST(ConnectEnds, R45_AWideGapIsBridgedByOneFairCurve) {
   };
   for (const auto& [from, to] : targets) {
     for (const MeetingPlace place : kPlaces) {
-      Desk desk;
-      const StrokeId moved = desk.add(left);
-      const StrokeId other = desk.add(straight_stroke(from, to, 1, 1));
-      const Document before = desk.document;
-      desk.apply(connect_ends(desk.document, {moved, kEnd}, {other, kStart}, {place}));
-      ASSERT_EQ(desk.strokes().size(), 1u);
-      const Stroke& one = *desk.strokes()[0];
+      Fixture fixture;
+      const StrokeId moved = fixture.add(left);
+      const StrokeId other = fixture.add(straight_stroke(from, to, 1, 1));
+      const Document before = fixture.document;
+      fixture.apply(connect_ends(fixture.document, {moved, kEnd}, {other, kStart}, {place}));
+      ASSERT_EQ(fixture.strokes().size(), 1u);
+      const Stroke& one = *fixture.strokes()[0];
       EXPECT_EQ(tip_point(one, kStart), (Point{0, 0})) << from.x << " " << from.y;
       EXPECT_EQ(tip_point(one, kEnd), to);
       const Vec chord = from - Point{80, 0}, on = to - from;
@@ -204,8 +205,8 @@ TEST(ConnectEnds, R45_AWideGapIsBridgedByOneFairCurve) {
       if (place == MeetingPlace::kAtTarget) {
         EXPECT_LE(doubled_mm(one, straight_stroke(from, to, 1, 1)), norm(on) + 5.0);
       }
-      desk.undo();
-      EXPECT_EQ(desk.document, before);
+      fixture.undo();
+      EXPECT_EQ(fixture.document, before);
     }
   }
 }
@@ -229,10 +230,10 @@ TEST(ConnectEnds, R43_AWideGapOfARingIsClosedRound) {
                          .value();
   for (const StrokeTip mine : {kStart, kEnd}) {
     for (const MeetingPlace place : kPlaces) {
-      Desk desk;
-      const StrokeId id = desk.add(arc);
-      desk.apply(connect_ends(desk.document, {id, mine}, {id, opposite(mine)}, {place}));
-      const Stroke& ring = *desk.document.find(id);
+      Fixture fixture;
+      const StrokeId id = fixture.add(arc);
+      fixture.apply(connect_ends(fixture.document, {id, mine}, {id, opposite(mine)}, {place}));
+      const Stroke& ring = *fixture.document.find(id);
       ASSERT_TRUE(ring.closed());
       for (double u = 0; u < ring.segment_count(); u += 0.01) {
         EXPECT_NEAR(norm(ring.position(u) - Point{0, 0}), 30.0, 4.0) << u;
@@ -242,42 +243,42 @@ TEST(ConnectEnds, R43_AWideGapOfARingIsClosedRound) {
 }
 
 TEST(ConnectEnds, WhatIsNotThereIsLeftAlone) {
-  Desk desk;
-  const StrokeId a = desk.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
-  EXPECT_TRUE(connect_ends(desk.document, {a, kEnd}, {a, kEnd}).empty());
-  EXPECT_TRUE(connect_ends(desk.document, {a, kEnd}, {{77}, kEnd}).empty());
-  EXPECT_TRUE(connect_ends(desk.document, {{77}, kEnd}, {a, kEnd}).empty());
+  Fixture fixture;
+  const StrokeId a = fixture.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
+  EXPECT_TRUE(connect_ends(fixture.document, {a, kEnd}, {a, kEnd}).empty());
+  EXPECT_TRUE(connect_ends(fixture.document, {a, kEnd}, {{77}, kEnd}).empty());
+  EXPECT_TRUE(connect_ends(fixture.document, {{77}, kEnd}, {a, kEnd}).empty());
 }
 
 TEST(ConnectEnds, RandomEndsKeepAllInvariantsAndUndo) {
   int connected = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     RandomStroke random(seed);
-    Desk desk;
+    Fixture fixture;
     std::vector<TipId> tips;
     for (int k = 0; k < 3; ++k) {
       const Stroke s = Stroke::create(random.make()).value();
       const bool closed = s.closed();
-      const StrokeId id = desk.add(with_look(s, {}));
+      const StrokeId id = fixture.add(with_look(s, {}));
       if (!closed) tips.insert(tips.end(), {{id, kStart}, {id, kEnd}});
     }
     if (tips.size() < 2) continue;
     const int last = static_cast<int>(tips.size()) - 1;
     const TipId a = tips[static_cast<std::size_t>(random.pick(0, last))];
     const TipId b = tips[static_cast<std::size_t>(random.pick(0, last))];
-    const Document before = desk.document;
+    const Document before = fixture.document;
     const Edit edit =
-        connect_ends(desk.document, a, b,
+        connect_ends(fixture.document, a, b,
                      {random.chance(0.5) ? MeetingPlace::kAtTarget : MeetingPlace::kHalfWay,
                       random.chance(0.2)});
     if (edit.empty()) continue;
     ++connected;
-    desk.apply(edit);
-    for (const StrokePtr& s : desk.strokes()) {
+    fixture.apply(edit);
+    for (const StrokePtr& s : fixture.strokes()) {
       ASSERT_TRUE(check_invariants(s->data())) << seed;
     }
-    desk.undo();
-    ASSERT_EQ(desk.document, before) << seed;
+    fixture.undo();
+    ASSERT_EQ(fixture.document, before) << seed;
   }
   EXPECT_GT(connected, 200);
 }

@@ -28,7 +28,7 @@ inline constexpr double kDragShare = 0.2;
 inline ForceModel make_connect_force(const ConnectSettings& settings, const Scene& scene,
                                      const ConnectFeel& feel) {
   const Medium material =
-      felt_with(medium_of(scene, "pencil"), settings.strength, settings.strength);
+      scaled_medium(medium_of(scene, "pencil"), settings.strength, settings.strength);
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
   const WellShape shape = well_of(settings.snap, settings.strength);

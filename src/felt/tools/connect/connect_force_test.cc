@@ -7,12 +7,12 @@
 #include "felt/haptics/safety/safety_chain.h"
 #include "felt/haptics/safety/safety_limits.h"
 #include "felt/haptics/testing/feel_rig.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::connect_force_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::RandomStroke;
 
 ConnectFeel well_at(Point p) {
@@ -38,9 +38,9 @@ ConnectSettings random_settings(RandomStroke& random) {
 }
 
 TEST(ConnectForce, R43_ZeroAtTheTargetAndFromTheReachOnTowardsItBetween) {
-  Desk desk;
+  Fixture fixture;
   const ConnectSettings settings;
-  const ForceModel model = make_connect_force(settings, desk.scene(), well_at({10, 10}));
+  const ForceModel model = make_connect_force(settings, fixture.scene(), well_at({10, 10}));
   EXPECT_EQ(norm(force_at(model, {10, 10})), 0.0);
   double last = 0.0;
   for (double d = 0.01; d < 12.0; d += 0.01) {
@@ -61,8 +61,8 @@ TEST(ConnectForce, R43_ZeroAtTheTargetAndFromTheReachOnTowardsItBetween) {
 }
 
 TEST(ConnectForce, ADraggedEndHoldsBackALittle) {
-  Desk desk;
-  const ForceModel model = make_connect_force({}, desk.scene(), dragged_from({10, 10}));
+  Fixture fixture;
+  const ForceModel model = make_connect_force({}, fixture.scene(), dragged_from({10, 10}));
   EXPECT_EQ(norm(force_at(model, {10, 10})), 0.0);
   double last = 0.0;
   for (double d = 0.1; d < 200; d *= 1.1) {
@@ -77,11 +77,11 @@ TEST(ConnectForce, ADraggedEndHoldsBackALittle) {
 TEST(ConnectForce, NeverMoreThanOneNewtonNorSteeperThanThreeHundred) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     RandomStroke random(seed);
-    Desk desk;
+    Fixture fixture;
     const ConnectSettings settings = random_settings(random);
     const Point well{random.uniform(-20, 20), random.uniform(-20, 20)};
     const ForceModel model =
-        make_connect_force(settings, desk.scene(), {.well = well, .dragged_from = Point{0, 0}});
+        make_connect_force(settings, fixture.scene(), {.well = well, .dragged_from = Point{0, 0}});
     EXPECT_LE(model.slopes().lateral_n_per_m, 300.0 + 1e-9) << seed;
     for (int k = 0; k < 200; ++k) {
       const Point pen{random.uniform(-60, 60), random.uniform(-60, 60)};
@@ -98,10 +98,10 @@ TEST(ConnectForce, NeverMoreThanOneNewtonNorSteeperThanThreeHundred) {
 }
 
 TEST(ConnectForce, StrengthScalesAllButTheSurface) {
-  Desk desk;
+  Fixture fixture;
   ConnectSettings settings;
   settings.strength = 0.0;
-  const ForceModel model = make_connect_force(settings, desk.scene(),
+  const ForceModel model = make_connect_force(settings, fixture.scene(),
                                               {.well = Point{3, 0}, .dragged_from = Point{0, 0}});
   EXPECT_EQ(norm(force_at(model, {5, 1})), 0.0);
   ForceMemory memory;
@@ -110,9 +110,9 @@ TEST(ConnectForce, StrengthScalesAllButTheSurface) {
 }
 
 TEST(ConnectForce, TheSameFeelHasTheSameIdAndAnotherTargetAnother) {
-  Desk desk;
+  Fixture fixture;
   const auto id = [&](const ConnectFeel& feel) {
-    return make_connect_force({}, desk.scene(), feel).fade_id();
+    return make_connect_force({}, fixture.scene(), feel).fade_id();
   };
   const ConnectFeel none, well = well_at({1, 2}), other = well_at({1, 3}),
                           drag = dragged_from({1, 2});
@@ -128,10 +128,10 @@ TEST(ConnectForce, R43_CalmWhileAHandLeadsAnEndOntoAnother) {
   for (const double period_s : {0.0002, 0.001}) {
     for (int delay = 0; delay <= 2; ++delay) {
       rig::for_each_grip(period_s, delay, [&](const rig::Setup& setup) {
-        Desk desk;
-        desk.device = setup.capabilities();
+        Fixture fixture;
+        fixture.device = setup.capabilities();
         const ForceModel model = make_connect_force(
-            {}, desk.scene(), {.well = Point{12, 0}, .dragged_from = Point{0, 0}});
+            {}, fixture.scene(), {.well = Point{12, 0}, .dragged_from = Point{0, 0}});
         rig::Bench bench(setup, model, {0, 0, 1});
         bench.memory().scale = SafetyChain(limits_for(setup.capabilities())).budget(model.slopes());
         const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);

@@ -6,12 +6,12 @@
 
 #include "felt/tools/connect/connect_tool.h"
 #include "felt/tools/connect/near_tips.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::connect_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::Pen;
 using testing::straight_stroke;
 using testing::way;
@@ -20,9 +20,9 @@ using testing::operator+;
 using enum StrokeTip;
 
 struct Connect {
-  Desk desk;
+  Fixture fixture;
   ConnectTool tool;
-  Pen pen{tool, desk};
+  Pen pen{tool, fixture};
 
   void set(std::string_view id, const OptionValue& value) {
     const auto ok = tool.set_option(id, value);
@@ -39,14 +39,14 @@ struct Connect {
     ForceMemory memory;
     PenSample s;
     s.position = {p.x, p.y, 1.0};
-    return norm(tool.force(desk.scene())(s, memory));
+    return norm(tool.force(fixture.scene())(s, memory));
   }
 };
 
 /// Two lines with a gap between (50, 0) and (53, 0).
 struct Gap : Connect {
-  StrokeId left = desk.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
-  StrokeId right = desk.add(straight_stroke({53, 0}, {103, 0}, 1, 1));
+  StrokeId left = fixture.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
+  StrokeId right = fixture.add(straight_stroke({53, 0}, {103, 0}, 1, 1));
 };
 
 Stroke horseshoe() {
@@ -61,33 +61,33 @@ TEST(Connect, R43_AnEndThatIsDraggedOntoAnotherIsConnected) {
   Gap g;
   g.pen.line(way({49, 1}, {52.5, 1}));  // the end moves by as much as the pen
   EXPECT_EQ(g.pen.commits, 1);
-  EXPECT_EQ(g.desk.history.undo_label(), "Connect");
-  ASSERT_EQ(g.desk.strokes().size(), 1u);
-  const Stroke& one = *g.desk.document.find(g.right);
+  EXPECT_EQ(g.fixture.history.undo_label(), "Connect");
+  ASSERT_EQ(g.fixture.strokes().size(), 1u);
+  const Stroke& one = *g.fixture.document.find(g.right);
   EXPECT_EQ(tip_point(one, kStart), (Point{0, 0}));
   EXPECT_EQ(tip_point(one, kEnd), (Point{103, 0}));
-  g.desk.undo();
-  EXPECT_EQ(g.desk.strokes().size(), 2u);
-  EXPECT_EQ(*g.desk.document.find(g.left), straight_stroke({0, 0}, {50, 0}, 1, 1));
+  g.fixture.undo();
+  EXPECT_EQ(g.fixture.strokes().size(), 2u);
+  EXPECT_EQ(*g.fixture.document.find(g.left), straight_stroke({0, 0}, {50, 0}, 1, 1));
 }
 
 TEST(Connect, R43_WithTheForceOnlyGeometryIsNeverConnected) {
   Gap g;
   g.choose("snap", "force");
-  const Document before = g.desk.document;
+  const Document before = g.fixture.document;
   g.pen.line(way({50, 0}, {53, 0}));
-  EXPECT_EQ(g.desk.document, before);
+  EXPECT_EQ(g.fixture.document, before);
   g.set("extend", true);
   g.pen.line(way({50, 0}, {53, 0}));  // exactly onto the other end
-  EXPECT_EQ(g.desk.strokes().size(), 2u);
-  EXPECT_EQ(tip_point(*g.desk.document.find(g.left), kEnd), (Point{53, 0}));
-  EXPECT_EQ(*g.desk.document.find(g.right), straight_stroke({53, 0}, {103, 0}, 1, 1));
-  EXPECT_EQ(g.desk.history.undo_label(), "Move end");
+  EXPECT_EQ(g.fixture.strokes().size(), 2u);
+  EXPECT_EQ(tip_point(*g.fixture.document.find(g.left), kEnd), (Point{53, 0}));
+  EXPECT_EQ(*g.fixture.document.find(g.right), straight_stroke({53, 0}, {103, 0}, 1, 1));
+  EXPECT_EQ(g.fixture.history.undo_label(), "Move end");
   // If the hand resists, the end stays next to the target.
   g.pen.line(way({53, 0}, {50, 1}));
   g.pen.up({0, 80});
   g.pen.up({50, 1});
-  EXPECT_EQ(tip_point(*g.desk.document.find(g.left), kEnd), (Point{50, 1}));
+  EXPECT_EQ(tip_point(*g.fixture.document.find(g.left), kEnd), (Point{50, 1}));
 }
 
 TEST(Connect, R43_TheHandIsAttractedInTheModesThatSaySo) {
@@ -112,35 +112,35 @@ TEST(Connect, R44_TheOtherEndOfTheStrokeCountsAtOnce) {
   // Unlike with the pencil, the ends of one stroke may be connected immediately, without first
   // moving away.
   Connect c;
-  const StrokeId id = c.desk.add(horseshoe());
+  const StrokeId id = c.fixture.add(horseshoe());
   c.pen.up({0, 6});
   c.pen.along(way({0, 6}, {0, 4.9}));  // 1.1 mm: too far for a tap
   EXPECT_FALSE(c.overlay().rings.empty());
   c.pen.along(way({0, 4.9}, {0, 1.5}));
   c.pen.up({0, 1.5});
   EXPECT_EQ(c.pen.commits, 1);
-  EXPECT_EQ(c.desk.history.undo_label(), "Close");
-  EXPECT_TRUE(c.desk.document.find(id)->closed());
-  EXPECT_EQ(c.desk.document.find(id)->position(0), (Point{0, 0}));
+  EXPECT_EQ(c.fixture.history.undo_label(), "Close");
+  EXPECT_TRUE(c.fixture.document.find(id)->closed());
+  EXPECT_EQ(c.fixture.document.find(id)->position(0), (Point{0, 0}));
 }
 
 TEST(Connect, R44_NothingIsConnectedWithoutBeingAskedTo) {
   Connect c;
   c.set("reach_mm", 1.0);
-  const StrokeId id = c.desk.add(horseshoe());
-  const Document before = c.desk.document;
+  const StrokeId id = c.fixture.add(horseshoe());
+  const Document before = c.fixture.document;
   c.pen.line({{0, 6}});  // a tap; the other end is out of reach
-  EXPECT_EQ(c.desk.document, before);
+  EXPECT_EQ(c.fixture.document, before);
   c.set("reach_mm", 8.0);
   // The pen presses for a long time and is then lifted.
   c.pen.up({0, 6});
   for (int k = 0; k < 600; ++k) c.pen.down({0, 6});
   c.pen.up({0, 6});
-  EXPECT_EQ(c.desk.document, before);
+  EXPECT_EQ(c.fixture.document, before);
   // The end is dragged away and back to its start.
   c.pen.line(way({0, 6}, {0, 1}) + way({0, 1}, {0, 6}));
-  EXPECT_EQ(c.desk.document, before);
-  EXPECT_FALSE(c.desk.document.find(id)->closed());
+  EXPECT_EQ(c.fixture.document, before);
+  EXPECT_FALSE(c.fixture.document.find(id)->closed());
   EXPECT_EQ(c.pen.commits, 0);
 }
 
@@ -148,19 +148,19 @@ TEST(Connect, R45_SmoothBelowThirtyDegreesElseCorner) {
   for (const double deg : {10.0, 29.0, 31.0, 90.0}) {
     for (const bool tap : {false, true}) {
       Connect c;
-      const StrokeId to = c.desk.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
+      const StrokeId to = c.fixture.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
       const double a = deg * std::numbers::pi / 180;
       const Point near{53, 1};
-      c.desk.add(straight_stroke(near, near + 80 * Vec{std::cos(a), std::sin(a)}, 1, 1));
+      c.fixture.add(straight_stroke(near, near + 80 * Vec{std::cos(a), std::sin(a)}, 1, 1));
       if (tap) {
         c.pen.line({Point{54, 2}});
       } else {
         c.pen.line(way({53, 1}, {50, 0}));
       }
-      ASSERT_EQ(c.desk.strokes().size(), 1u) << deg;
-      const Stroke& one = *c.desk.strokes()[0];
+      ASSERT_EQ(c.fixture.strokes().size(), 1u) << deg;
+      const Stroke& one = *c.fixture.strokes()[0];
       const Point meet = tap ? lerp(near, {50, 0}, 0.5) : Point{50, 0};
-      EXPECT_TRUE(c.desk.document.find(to));
+      EXPECT_TRUE(c.fixture.document.find(to));
       int joint = 0;
       for (int j = 1; j < one.segment_count(); ++j) {
         if (distance(one.position(j), meet) < 1e-9) joint = j;
@@ -177,9 +177,9 @@ TEST(Connect, ATapClosesAGapFromBothSides) {
   EXPECT_EQ(g.overlay().lines.size(), 1u);  // shown before
   g.pen.line({{51, 1}});
   EXPECT_EQ(g.pen.commits, 1);
-  ASSERT_EQ(g.desk.strokes().size(), 1u);
+  ASSERT_EQ(g.fixture.strokes().size(), 1u);
   bool met = false;
-  const Stroke& one = *g.desk.strokes()[0];
+  const Stroke& one = *g.fixture.strokes()[0];
   for (int j = 0; j <= one.segment_count(); ++j) met = met || one.position(j) == Point{51.5, 0};
   EXPECT_TRUE(met);
 }
@@ -202,19 +202,19 @@ TEST(Connect, WhatIsShownIsWhatComes) {
   ASSERT_TRUE(shown);
   EXPECT_EQ(shown->label, "Connect");
   EXPECT_GT(same, 30);  // within the snap radius nothing changes
-  Document before = g.desk.document;
+  Document before = g.fixture.document;
   g.pen.up({52.9, 0});
   ASSERT_TRUE(before.apply(*shown));
-  EXPECT_EQ(g.desk.document, before);
+  EXPECT_EQ(g.fixture.document, before);
 }
 
 TEST(Connect, R23_TheWayOfTheEndDoesNotMatter) {
   const auto drag = [](const std::vector<Point>& points) {
     Connect c;
     c.set("extend", true);
-    c.desk.add(straight_stroke({0, 0}, {80, 0}, 1, 2));
+    c.fixture.add(straight_stroke({0, 0}, {80, 0}, 1, 2));
     c.pen.line(points);
-    return *c.desk.strokes()[0];
+    return *c.fixture.strokes()[0];
   };
   const Stroke straight = drag(way({80, 0}, {90, 12}));
   EXPECT_EQ(drag(way({80, 0}, {10, 70}) + way({10, 70}, {90, 12})), straight);
@@ -227,7 +227,7 @@ TEST(Connect, ExtendOrItsModifierLeavesTheEnd) {
     for (const bool modifier : {false, true}) {
       Connect c;
       c.set("extend", option);
-      const StrokeId id = c.desk.add(straight_stroke({0, 0}, {80, 0}, 1, 2));
+      const StrokeId id = c.fixture.add(straight_stroke({0, 0}, {80, 0}, 1, 2));
       c.pen.up({80, 0});
       for (const Point p : way({80, 0}, {90, 5})) {
         PenSample s;
@@ -238,7 +238,8 @@ TEST(Connect, ExtendOrItsModifierLeavesTheEnd) {
       }
       c.pen.up({90, 5});
       const bool stays = option != modifier;
-      EXPECT_EQ(tip_point(*c.desk.document.find(id), kEnd), (stays ? Point{90, 5} : Point{80, 0}));
+      EXPECT_EQ(tip_point(*c.fixture.document.find(id), kEnd),
+                (stays ? Point{90, 5} : Point{80, 0}));
       EXPECT_EQ(c.pen.commits, stays ? 1 : 0);
     }
   }
@@ -246,28 +247,28 @@ TEST(Connect, ExtendOrItsModifierLeavesTheEnd) {
 
 TEST(Connect, R20_FarFromEveryEndNothingHappens) {
   Gap g;
-  const Document before = g.desk.document;
+  const Document before = g.fixture.document;
   g.pen.up({25, 0});
   g.pen.at({25, 0, 1});
   EXPECT_TRUE(g.overlay().dots.empty());
   g.pen.line(way({25, 0}, {50, 0}));
-  EXPECT_EQ(g.desk.document, before);
+  EXPECT_EQ(g.fixture.document, before);
   EXPECT_EQ(g.pull_at({25, 0}), 0.0);
 }
 
 TEST(Connect, CancelAndFinish) {
   Gap g;
-  const Document before = g.desk.document;
+  const Document before = g.fixture.document;
   g.pen.up({50, 0});
   g.pen.along(way({50, 0}, {53, 0}));
   g.tool.cancel();
   g.pen.along(way({53, 0}, {50, 0}));
   g.pen.up({50, 0});
-  EXPECT_EQ(g.desk.document, before);
+  EXPECT_EQ(g.fixture.document, before);
   g.pen.at({50, 3, 1});
   EXPECT_GT(g.pull_at({50, 3}), 0.1);  // ready for the next gesture
   g.pen.along(way({50, 0}, {53, 0}));
-  const ToolResult end = g.tool.finish(g.desk.scene());
+  const ToolResult end = g.tool.finish(g.fixture.scene());
   ASSERT_TRUE(end.commit);
   EXPECT_EQ(end.commit->label, "Connect");
 }
@@ -275,33 +276,34 @@ TEST(Connect, CancelAndFinish) {
 TEST(Connect, TheEndThatIsShownIsTaken) {
   Connect c;
   c.set("extend", true);
-  const StrokeId a = c.desk.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
-  const StrokeId b = c.desk.add(straight_stroke({52, 0}, {102, 0}, 1, 1));
+  const StrokeId a = c.fixture.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
+  const StrokeId b = c.fixture.add(straight_stroke({52, 0}, {102, 0}, 1, 1));
   c.pen.at({50.5, 0, 1});
   for (int k = 0; k < 50; ++k) c.pen.at({51 + 0.4 * std::sin(k), 0, 1});  // stays
   EXPECT_EQ(c.overlay().rings.at(0).center, (Point{50, 0}));
   c.pen.along(way({51.4, 0}, {51.4, 20}));
   c.pen.up({51.4, 20});
-  EXPECT_NE(*c.desk.document.find(a), straight_stroke({0, 0}, {50, 0}, 1, 1));
-  EXPECT_EQ(*c.desk.document.find(b), straight_stroke({52, 0}, {102, 0}, 1, 1));
+  EXPECT_NE(*c.fixture.document.find(a), straight_stroke({0, 0}, {50, 0}, 1, 1));
+  EXPECT_EQ(*c.fixture.document.find(b), straight_stroke({52, 0}, {102, 0}, 1, 1));
 }
 
 TEST(Connect, EndsInLockedLayersAreNotTakenHoweverMany) {
   for (const int locked : {1, 200}) {
-    Desk desk;
-    const StrokeId mine = desk.add(straight_stroke({5, 0}, {90, 90}, 1, 1));
-    desk.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Below"}, 0, 1}}});
-    desk.layer = {2};
+    Fixture fixture;
+    const StrokeId mine = fixture.add(straight_stroke({5, 0}, {90, 90}, 1, 1));
+    fixture.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Below"}, 0, 1}}});
+    fixture.layer = {2};
     for (int k = 0; k < locked; ++k) {
       const double a = 2 * std::numbers::pi * k / locked;
-      desk.add(straight_stroke({0.01 * k, 0}, Point{70 * std::cos(a), 70 * std::sin(a)}, 1, 1));
+      fixture.add(straight_stroke({0.01 * k, 0}, Point{70 * std::cos(a), 70 * std::sin(a)}, 1, 1));
     }
-    desk.apply({"Lock", {}, {{{2}, LayerState{"Below"}, LayerState{"Below", true, true}, 1, 1}}});
-    const auto tips = editable_tips_near(desk.scene(), {0, 0}, 8.0, 4);
+    fixture.apply(
+        {"Lock", {}, {{{2}, LayerState{"Below"}, LayerState{"Below", true, true}, 1, 1}}});
+    const auto tips = editable_tips_near(fixture.scene(), {0, 0}, 8.0, 4);
     ASSERT_EQ(tips.size(), 1u) << locked;
     EXPECT_EQ(tips[0].id, (TipId{mine, kStart}));
     EXPECT_EQ(tips[0].distance_mm, 5.0);
-    EXPECT_TRUE(editable_tips_near(desk.scene(), {0, 0}, 4.99, 4).empty());
+    EXPECT_TRUE(editable_tips_near(fixture.scene(), {0, 0}, 4.99, 4).empty());
   }
 }
 
@@ -316,7 +318,7 @@ TEST(Connect, OptionsAndHostileSamplesAreHarmless) {
   }
   g.set("extend", true);
   g.pen.line({{50, 0}, {1e9, 1e9}, {50, 0}, {-1e9, 3}});
-  for (const StrokePtr& s : g.desk.strokes()) EXPECT_TRUE(check_invariants(s->data()));
+  for (const StrokePtr& s : g.fixture.strokes()) EXPECT_TRUE(check_invariants(s->data()));
 }
 
 }  // namespace

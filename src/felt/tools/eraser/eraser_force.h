@@ -12,7 +12,7 @@ namespace felt {
 /// (R42). The model is the same in every mode, while hovering and in contact.
 inline ForceModel make_eraser_force(const EraserSettings& settings, const Scene& scene) {
   const Medium material =
-      felt_with(medium_of(scene, "eraser"), settings.strength, settings.strength);
+      scaled_medium(medium_of(scene, "eraser"), settings.strength, settings.strength);
   ForceModel model(
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface)));
   model.set_fade_id(FeelId("eraser")

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::eraser_gesture_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 
 /// Returns shading drawn as one zigzag line, with legs of 50 mm that are 0.5 mm apart.
 Stroke zigzag(int legs) {
@@ -25,38 +25,38 @@ Stroke zigzag(int legs) {
 }
 
 TEST(EraserGesture, R39_RubbingOutOneLongLineCostsNoMoreASampleAsItGoesOn) {
-  Desk desk;
-  const StrokeId line = desk.add(zigzag(100));
+  Fixture fixture;
+  const StrokeId line = fixture.add(zigzag(100));
   EraserGesture erasing({}, EraserMode::kTouched);
   std::int64_t now = 0;
-  erasing.begin({25, -3}, now, desk.scene());
+  erasing.begin({25, -3}, now, fixture.scene());
   // The eraser moves three times back and forth on each strip of 3 mm, at 250 mm/s.
   int shown = 0;
   std::size_t at_half = 0;
   constexpr int kSamples = 6000;
   for (int i = 1; i <= kSamples; ++i) {
     const double x = 25.0 + 30.0 * std::sin(0.0083 * i), y = -3.0 + 56.0 * i / kSamples;
-    shown += erasing.move({x, y}, now += 1'000'000, desk.scene()) ? 1 : 0;
+    shown += erasing.move({x, y}, now += 1'000'000, fixture.scene()) ? 1 : 0;
     if (2 * i == kSamples) at_half = erasing.cut_places();
   }
   const std::size_t places = erasing.cut_places();
-  erasing.finish(desk.scene());
+  erasing.finish(fixture.scene());
   EXPECT_LE(places, 1e-4 * static_cast<double>(now)) << "a pause for each place";
   EXPECT_LE(places, 3 * at_half) << "the second half costs as the first";
   EXPECT_GT(shown, 20) << "and what is left is seen meanwhile";
-  Document after = desk.document;
-  ASSERT_TRUE(after.apply(erasing.edit(desk.scene())));
+  Document after = fixture.document;
+  ASSERT_TRUE(after.apply(erasing.edit(fixture.scene())));
   EXPECT_FALSE(after.find(line));
 }
 
 TEST(EraserGesture, AShortLineIsCutAsOftenAsItIsShown) {
-  Desk desk;
-  desk.add(testing::straight_stroke({0, 0}, {60, 0}, 1, 1));
+  Fixture fixture;
+  fixture.add(testing::straight_stroke({0, 0}, {60, 0}, 1, 1));
   EraserGesture erasing({}, EraserMode::kTouched);
-  erasing.begin({10, 0}, 0, desk.scene());
+  erasing.begin({10, 0}, 0, fixture.scene());
   int shown = 0;
   for (int i = 1; i <= 400; ++i) {
-    shown += erasing.move({10.0 + 0.1 * i, 0}, 1'000'000 * i, desk.scene()) ? 1 : 0;
+    shown += erasing.move({10.0 + 0.1 * i, 0}, 1'000'000 * i, fixture.scene()) ? 1 : 0;
   }
   EXPECT_GE(shown, 35) << "of 50 frames";
 }

@@ -11,13 +11,13 @@
 #include "felt/stroke/testing/stroke_probe.h"
 #include "felt/tools/eraser/eraser_force.h"
 #include "felt/tools/eraser/eraser_tool.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::eraser_test {
 namespace {
 
-using testing::Desk;
 using testing::distance_to;
+using testing::Fixture;
 using testing::Pen;
 using testing::random_stroke;
 using testing::straight_stroke;
@@ -25,9 +25,9 @@ using testing::way;
 using testing::operator+;
 
 struct Eraser {
-  Desk desk;
+  Fixture fixture;
   EraserTool tool;
-  Pen pen{tool, desk};
+  Pen pen{tool, fixture};
 
   void set(std::string_view id, const OptionValue& value) {
     const auto ok = tool.set_option(id, value);
@@ -51,41 +51,41 @@ struct Eraser {
 
 TEST(Eraser, R40_AHoleInALineLeavesTwoInItsPlace) {
   Eraser e;
-  const StrokeId below = e.desk.add(straight_stroke({0, 90}, {9, 90}, 1, 1));
-  const StrokeId line = e.desk.add(straight_stroke({0, 0}, {60, 0}, 1, 4));
-  const StrokeId above = e.desk.add(straight_stroke({0, 80}, {9, 80}, 1, 1));
-  const Document before = e.desk.document;
+  const StrokeId below = e.fixture.add(straight_stroke({0, 90}, {9, 90}, 1, 1));
+  const StrokeId line = e.fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 4));
+  const StrokeId above = e.fixture.add(straight_stroke({0, 80}, {9, 80}, 1, 1));
+  const Document before = e.fixture.document;
   e.pen.line(way({30, -20}, {30, 20}));
   EXPECT_EQ(e.pen.commits, 1);
-  EXPECT_EQ(e.desk.history.undo_label(), "Erase");
-  const auto strokes = e.desk.strokes();
+  EXPECT_EQ(e.fixture.history.undo_label(), "Erase");
+  const auto strokes = e.fixture.strokes();
   ASSERT_EQ(strokes.size(), 4u);
   EXPECT_EQ(strokes[0], before.find(below));
   EXPECT_EQ(strokes[3], before.find(above));
-  EXPECT_FALSE(e.desk.document.find(line)) << "the pieces have new ids";
+  EXPECT_FALSE(e.fixture.document.find(line)) << "the pieces have new ids";
   const double left = strokes[1]->position(1).x, right = strokes[2]->position(0).x;
   EXPECT_NEAR(left, 28.0 - 0.5 * strokes[1]->width_mm(1), 1e-6) << "its cap ends at the rim";
   EXPECT_NEAR(right, 32.0 + 0.5 * strokes[2]->width_mm(0), 1e-6);
   EXPECT_NEAR(strokes[1]->width_mm(1), before.find(line)->width_mm(left / 60), 1e-9);
   EXPECT_NEAR(strokes[2]->width_mm(0), before.find(line)->width_mm(right / 60), 1e-9);
   EXPECT_EQ(strokes[1]->widths().size(), 2u) << "no more breakpoints than needed";
-  e.desk.undo();
-  EXPECT_EQ(e.desk.document, before);
-  e.desk.redo();
-  EXPECT_EQ(e.desk.strokes(), strokes);
+  e.fixture.undo();
+  EXPECT_EQ(e.fixture.document, before);
+  e.fixture.redo();
+  EXPECT_EQ(e.fixture.strokes(), strokes);
 }
 
 TEST(Eraser, R39_WhatIsLeftIsTheOriginalOutsideOfTheSweep) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     testing::RandomStroke make(1000 + seed);
     Eraser e;
-    for (std::uint64_t k = 0; k < 4; ++k) e.desk.add(random_stroke(10 * seed + k));
-    const auto before = e.desk.strokes();
-    const Document original = e.desk.document;
+    for (std::uint64_t k = 0; k < 4; ++k) e.fixture.add(random_stroke(10 * seed + k));
+    const auto before = e.fixture.strokes();
+    const Document original = e.fixture.document;
     std::vector<Point> path;
     for (int k = 0; k < 3; ++k) path.push_back({make.uniform(0, 20), make.uniform(0, 20)});
     e.pen.line(way(path[0], path[1], 0.7) + way(path[1], path[2], 0.7));
-    for (const StrokePtr& piece : e.desk.strokes()) {
+    for (const StrokePtr& piece : e.fixture.strokes()) {
       if (std::find(before.begin(), before.end(), piece) != before.end()) continue;
       const double n = piece->segment_count();
       for (double u = 0.0; u <= n; u += 0.04) {
@@ -97,13 +97,13 @@ TEST(Eraser, R39_WhatIsLeftIsTheOriginalOutsideOfTheSweep) {
         ASSERT_GE(off, 2.0 + 0.5 * piece->width_mm(u) - 0.01) << "seed " << seed;
       }
     }
-    if (e.pen.commits > 0) e.desk.undo();
-    EXPECT_EQ(e.desk.document, original) << "seed " << seed;
+    if (e.pen.commits > 0) e.fixture.undo();
+    EXPECT_EQ(e.fixture.document, original) << "seed " << seed;
   }
 }
 
 /// Expects the control points of two fixtures to be equal.
-void expect_same(const Desk& a, const Desk& b, double within_mm) {
+void expect_same(const Fixture& a, const Fixture& b, double within_mm) {
   const auto one = a.strokes(), other = b.strokes();
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
@@ -120,16 +120,16 @@ TEST(Eraser, R39_OneStepIsAHundredSubsteps) {
       Eraser one, many;
       for (Eraser* e : {&one, &many}) {
         e->choose_mode(mode);
-        for (std::uint64_t k = 0; k < 3; ++k) e->desk.add(random_stroke(10 * seed + k));
+        for (std::uint64_t k = 0; k < 3; ++k) e->fixture.add(random_stroke(10 * seed + k));
       }
       testing::RandomStroke make(seed);
       const Point a{make.uniform(0, 20), make.uniform(0, 20)};
       const Point b{make.uniform(0, 20), make.uniform(0, 20)};
       one.pen.line({a, b});
       many.pen.line(way(a, b, distance(a, b) / 100.0));
-      expect_same(one.desk, many.desk, 1e-6);
-      for (const Layer& layer : one.desk.document.layers()) {
-        EXPECT_EQ(layer.strokes, many.desk.document.layer(layer.id)->strokes) << "ids, too";
+      expect_same(one.fixture, many.fixture, 1e-6);
+      for (const Layer& layer : one.fixture.document.layers()) {
+        EXPECT_EQ(layer.strokes, many.fixture.document.layer(layer.id)->strokes) << "ids, too";
       }
     }
   }
@@ -137,21 +137,21 @@ TEST(Eraser, R39_OneStepIsAHundredSubsteps) {
 
 TEST(Eraser, CancelAndMissLeaveNothing) {
   Eraser e;
-  e.desk.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
-  const Document before = e.desk.document;
+  e.fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+  const Document before = e.fixture.document;
   e.pen.along(way({30, -20}, {30, 20}));
   e.tool.cancel();
   e.pen.along(way({30, 20}, {40, -20}));
   e.pen.up({40, -20});
-  EXPECT_EQ(e.desk.document, before);
+  EXPECT_EQ(e.fixture.document, before);
   e.pen.line(way({0, 30}, {60, 30}));
   EXPECT_EQ(e.pen.commits, 0) << "a gesture that changes nothing commits nothing";
-  EXPECT_EQ(e.desk.document, before);
+  EXPECT_EQ(e.fixture.document, before);
 }
 
 TEST(Eraser, ThePreviewIsWhatIsCommittedAndOnlyComesWhenItChanges) {
   Eraser e;
-  e.desk.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+  e.fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
   std::optional<Edit> shown;
   int previews = 0, samples = 0;
   e.pen.up({30, -20});
@@ -174,22 +174,22 @@ TEST(Eraser, LockedAndHiddenLayersAreNotTouched) {
     for (const char* mode : {"touched", "crossing", "stroke"}) {
       Eraser e;
       e.choose_mode(mode);
-      e.desk.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
-      e.desk.apply({"State", {}, {{{1}, LayerState{"Ink"}, state, 0, 0}}});
-      const Document before = e.desk.document;
+      e.fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+      e.fixture.apply({"State", {}, {{{1}, LayerState{"Ink"}, state, 0, 0}}});
+      const Document before = e.fixture.document;
       e.pen.line(way({30, -20}, {30, 20}));
-      EXPECT_EQ(e.desk.document, before);
+      EXPECT_EQ(e.fixture.document, before);
     }
   }
 }
 
 TEST(Eraser, DotsGoAndClosedStrokesOpen) {
   Eraser e;
-  e.desk.add(straight_stroke({10, 10}, {10.05, 10}, 1, 1));
-  e.desk.add(straight_stroke({40, 10}, {40.05, 10}, 1, 1));
+  e.fixture.add(straight_stroke({10, 10}, {10.05, 10}, 1, 1));
+  e.fixture.add(straight_stroke({40, 10}, {40.05, 10}, 1, 1));
   e.pen.line({{11.9, 10}});
-  ASSERT_EQ(e.desk.strokes().size(), 1u);
-  EXPECT_EQ(e.desk.strokes()[0]->position(0).x, 40.0);
+  ASSERT_EQ(e.fixture.strokes().size(), 1u);
+  EXPECT_EQ(e.fixture.strokes()[0]->position(0).x, 40.0);
   const Stroke ring =
       Stroke::create(
           {.points = {{80, 50}, {80, 77}, {120, 77}, {120, 50}, {120, 23}, {80, 23}, {80, 50}},
@@ -197,36 +197,36 @@ TEST(Eraser, DotsGoAndClosedStrokesOpen) {
            .closed = true,
            .widths = {{0, 1}, {2, 1}}})
           .value();
-  const StrokeId id = e.desk.add(ring);
+  const StrokeId id = e.fixture.add(ring);
   e.pen.line(way({70, 50}, {90, 50}));  // across the seam
-  ASSERT_EQ(e.desk.strokes().size(), 2u);
-  EXPECT_FALSE(e.desk.document.find(id));
-  EXPECT_FALSE(e.desk.strokes()[1]->closed());
-  e.desk.undo();
+  ASSERT_EQ(e.fixture.strokes().size(), 2u);
+  EXPECT_FALSE(e.fixture.document.find(id));
+  EXPECT_FALSE(e.fixture.strokes()[1]->closed());
+  e.fixture.undo();
   e.set("radius_mm", 30.0);
   e.pen.line({{100, 50}});
-  EXPECT_EQ(e.desk.strokes().size(), 1u) << "wholly inside: nothing is left of it";
+  EXPECT_EQ(e.fixture.strokes().size(), 1u) << "wholly inside: nothing is left of it";
 }
 
 TEST(Eraser, R39_TheMiddleOfALineDecidesIfAsked) {
   Eraser e;
   e.set("include_width", false);
-  e.desk.add(straight_stroke({0, 0}, {60, 0}, 6, 6));
-  const Document before = e.desk.document;
+  e.fixture.add(straight_stroke({0, 0}, {60, 0}, 6, 6));
+  const Document before = e.fixture.document;
   e.pen.line(way({20, 4}, {40, 4}));
-  EXPECT_EQ(e.desk.document, before) << "it covered a third of the ink, but not the middle";
+  EXPECT_EQ(e.fixture.document, before) << "it covered a third of the ink, but not the middle";
   e.pen.line(way({30, -20}, {30, 20}));
-  ASSERT_EQ(e.desk.strokes().size(), 2u);
-  EXPECT_NEAR(e.desk.strokes()[0]->position(1).x, 28.0, 1e-6);
-  EXPECT_NEAR(e.desk.strokes()[1]->position(0).x, 32.0, 1e-6);
+  ASSERT_EQ(e.fixture.strokes().size(), 2u);
+  EXPECT_NEAR(e.fixture.strokes()[0]->position(1).x, 28.0, 1e-6);
+  EXPECT_NEAR(e.fixture.strokes()[1]->position(0).x, 32.0, 1e-6);
 }
 
 TEST(Eraser, R39_ALineThatLosesItsRimBecomesNarrowerThere) {
   Eraser e;
-  e.desk.add(straight_stroke({0, 0}, {60, 0}, 6, 6));
+  e.fixture.add(straight_stroke({0, 0}, {60, 0}, 6, 6));
   e.pen.line(way({20, 4}, {40, 4}));  // covers 1 mm of the rim
-  ASSERT_EQ(e.desk.strokes().size(), 1u);
-  const Stroke& line = *e.desk.strokes()[0];
+  ASSERT_EQ(e.fixture.strokes().size(), 1u);
+  const Stroke& line = *e.fixture.strokes()[0];
   EXPECT_EQ(line.segment_count(), 1);
   EXPECT_NEAR(line.width_mm(0.5), 4.0, 0.02);
   EXPECT_EQ(line.width_mm(0.2), 6.0);
@@ -239,10 +239,10 @@ TEST(Eraser, R39_ALineThatLosesItsRimKeepsItsTone) {
   for (int i = 0; i <= 30; ++i) data.widths.push_back({i / 30.0, 6.0, i % 2 == 0 ? 0.2 : 0.9});
   const Stroke before = Stroke::create(std::move(data)).value();
   Eraser e;
-  e.desk.add(before);
+  e.fixture.add(before);
   e.pen.line(way({10, 4}, {50, 4}));
-  ASSERT_EQ(e.desk.strokes().size(), 1u);
-  const Stroke& line = *e.desk.strokes()[0];
+  ASSERT_EQ(e.fixture.strokes().size(), 1u);
+  const Stroke& line = *e.fixture.strokes()[0];
   EXPECT_NEAR(line.width_mm(0.5), 4.0, 0.02);
   for (double u = 0.0; u <= 1.0; u += 0.001) {
     ASSERT_NEAR(line.tone(u), before.tone(u), 0.06) << u;
@@ -257,40 +257,40 @@ TEST(Eraser, R39_AClosedLineIsNarrowedAndCutThroughItsSeam) {
                       .widths = {{0, 6}, {2, 6}}})
           .value();
   Eraser e;
-  e.desk.add(ring);
+  e.fixture.add(ring);
   e.pen.line({{-4.0, 0}});
-  ASSERT_EQ(e.desk.strokes().size(), 1u);
-  const Stroke& narrowed = *e.desk.strokes()[0];
+  ASSERT_EQ(e.fixture.strokes().size(), 1u);
+  const Stroke& narrowed = *e.fixture.strokes()[0];
   EXPECT_TRUE(narrowed.closed());
   EXPECT_NEAR(narrowed.width_mm(0.0), 4.0, 0.02);
   EXPECT_EQ(narrowed.width_mm(0.0), narrowed.width_mm(2.0));
   EXPECT_EQ(narrowed.width_mm(0.5), 6.0);
   e.pen.line({{-1.0, 0}});
-  ASSERT_EQ(e.desk.strokes().size(), 1u);
-  EXPECT_FALSE(e.desk.strokes()[0]->closed());
+  ASSERT_EQ(e.fixture.strokes().size(), 1u);
+  EXPECT_FALSE(e.fixture.strokes()[0]->closed());
   e.set("radius_mm", 50.0);
   e.pen.line({{20, 0}});
-  EXPECT_TRUE(e.desk.strokes().empty());
+  EXPECT_TRUE(e.fixture.strokes().empty());
 }
 
 /// Three rails along x, three posts across them.
-void add_grid(Desk& desk) {
-  for (const double y : {10.0, 30.0, 50.0}) desk.add(straight_stroke({0, y}, {100, y}, 1, 1));
-  for (const double x : {20.0, 50.0, 80.0}) desk.add(straight_stroke({x, 0}, {x, 60}, 1, 1));
+void add_grid(Fixture& fixture) {
+  for (const double y : {10.0, 30.0, 50.0}) fixture.add(straight_stroke({0, y}, {100, y}, 1, 1));
+  for (const double x : {20.0, 50.0, 80.0}) fixture.add(straight_stroke({x, 0}, {x, 60}, 1, 1));
 }
 
 TEST(Eraser, CrossingTakesThePartBetweenTheNeighbours) {
   for (const bool modifier : {false, true}) {
     Eraser e;
     if (!modifier) e.choose_mode("crossing");
-    add_grid(e.desk);
+    add_grid(e.fixture);
     const std::uint32_t buttons = modifier ? kFirstModifier : 0;
     e.at({35, 30.5}, 5, buttons);
     e.at({35, 30.5}, -1, buttons);
     e.at({35, 30.6}, -1, 0);  // the button at the touch decides
     e.at({35, 30.6}, 10, 0);
-    ASSERT_EQ(e.desk.strokes().size(), 7u);
-    const auto strokes = e.desk.strokes();
+    ASSERT_EQ(e.fixture.strokes().size(), 7u);
+    const auto strokes = e.fixture.strokes();
     EXPECT_NEAR(strokes[1]->position(1).x, 20.0, 1e-9);
     EXPECT_NEAR(strokes[2]->position(0).x, 50.0, 1e-9);
     EXPECT_EQ(strokes[2]->position(1), (Point{100, 30}));
@@ -300,10 +300,10 @@ TEST(Eraser, CrossingTakesThePartBetweenTheNeighbours) {
 TEST(Eraser, CrossingTakesATailWithoutWhatItHangsOn) {
   Eraser e;
   e.choose_mode("crossing");
-  e.desk.add(straight_stroke({0, 0}, {100, 0}, 1, 1));
-  e.desk.add(straight_stroke({50, 40}, {50, -1.5}, 1, 1));  // 1.5 mm too long
-  e.pen.line({{50, -1}, {50.05, -1.03}, {50, -0.97}});      // nearer than the radius to both
-  const auto strokes = e.desk.strokes();
+  e.fixture.add(straight_stroke({0, 0}, {100, 0}, 1, 1));
+  e.fixture.add(straight_stroke({50, 40}, {50, -1.5}, 1, 1));  // 1.5 mm too long
+  e.pen.line({{50, -1}, {50.05, -1.03}, {50, -0.97}});         // nearer than the radius to both
+  const auto strokes = e.fixture.strokes();
   ASSERT_EQ(strokes.size(), 2u);
   EXPECT_EQ(*strokes[0], straight_stroke({0, 0}, {100, 0}, 1, 1));
   EXPECT_LE(distance(strokes[1]->position(1), {50, 0}), 1e-9);
@@ -312,34 +312,34 @@ TEST(Eraser, CrossingTakesATailWithoutWhatItHangsOn) {
 TEST(Eraser, CrossingTakesEveryLineThatThePenGoesThrough) {
   Eraser e;
   e.choose_mode("crossing");
-  add_grid(e.desk);
+  add_grid(e.fixture);
   e.pen.line({{35, 5}, {35, 55}});  // one step through all rails
-  ASSERT_EQ(e.desk.strokes().size(), 9u);
+  ASSERT_EQ(e.fixture.strokes().size(), 9u);
   for (std::size_t i = 0; i < 6; i += 2) {
-    EXPECT_NEAR(e.desk.strokes()[i]->position(1).x, 20.0, 1e-9);
-    EXPECT_NEAR(e.desk.strokes()[i + 1]->position(0).x, 50.0, 1e-9);
+    EXPECT_NEAR(e.fixture.strokes()[i]->position(1).x, 20.0, 1e-9);
+    EXPECT_NEAR(e.fixture.strokes()[i + 1]->position(0).x, 50.0, 1e-9);
   }
-  e.desk.undo();
-  EXPECT_EQ(e.desk.strokes().size(), 6u);
+  e.fixture.undo();
+  EXPECT_EQ(e.fixture.strokes().size(), 6u);
 }
 
 TEST(Eraser, StrokeTakesTheWholeLineAndNeverBySurprise) {
   Eraser by_default;
-  add_grid(by_default.desk);
+  add_grid(by_default.fixture);
   by_default.pen.line({{35, 30}});
-  EXPECT_EQ(by_default.desk.strokes().size(), 7u) << "touched is the default";
+  EXPECT_EQ(by_default.fixture.strokes().size(), 7u) << "touched is the default";
   Eraser e;
-  add_grid(e.desk);
+  add_grid(e.fixture);
   e.at({35, 30}, -1, kSecondModifier);
   e.at({35, 30}, 10, kSecondModifier);
-  ASSERT_EQ(e.desk.strokes().size(), 5u);
-  EXPECT_EQ(e.desk.strokes()[0]->position(0).y, 10.0);
-  EXPECT_EQ(e.desk.strokes()[1]->position(0).y, 50.0);
+  ASSERT_EQ(e.fixture.strokes().size(), 5u);
+  EXPECT_EQ(e.fixture.strokes()[0]->position(0).y, 10.0);
+  EXPECT_EQ(e.fixture.strokes()[1]->position(0).y, 50.0);
 }
 
 TEST(Eraser, TheRingAndWhatWouldGoAreShownBefore) {
   Eraser e;
-  add_grid(e.desk);
+  add_grid(e.fixture);
   EXPECT_TRUE(e.overlay().rings.empty()) << "no pen yet";
   e.pen.up({35, 30.5});
   ASSERT_EQ(e.overlay().rings.size(), 1u);
@@ -366,13 +366,13 @@ TEST(Eraser, RandomGesturesInEveryModeOnlyTakeAwayAndAreTakenBack) {
     e.choose_mode(kEraserModes[seed % 3].data());
     e.set("radius_mm", make.uniform(0.2, 6.0));
     e.set("include_width", make.chance(0.5));
-    for (std::uint64_t k = 0; k < 5; ++k) e.desk.add(random_stroke(100 * seed + k));
-    const auto before = e.desk.strokes();
-    const Document original = e.desk.document;
+    for (std::uint64_t k = 0; k < 5; ++k) e.fixture.add(random_stroke(100 * seed + k));
+    const auto before = e.fixture.strokes();
+    const Document original = e.fixture.document;
     const Point a{make.uniform(0, 20), make.uniform(0, 20)};
     const Point b{make.uniform(0, 20), make.uniform(0, 20)};
     e.pen.line(way(a, b, make.uniform(0.01, 5.0)));
-    for (const StrokePtr& piece : e.desk.strokes()) {
+    for (const StrokePtr& piece : e.fixture.strokes()) {
       const double n = piece->segment_count();
       for (double u = 0.0; u <= n; u += 0.1) {
         double off = 1e300;
@@ -381,8 +381,8 @@ TEST(Eraser, RandomGesturesInEveryModeOnlyTakeAwayAndAreTakenBack) {
       }
     }
     commits += e.pen.commits;
-    if (e.pen.commits > 0) e.desk.undo();
-    EXPECT_EQ(e.desk.document, original) << "seed " << seed;
+    if (e.pen.commits > 0) e.fixture.undo();
+    EXPECT_EQ(e.fixture.document, original) << "seed " << seed;
   }
   EXPECT_GT(commits, 40);
 }
@@ -391,7 +391,7 @@ TEST(Eraser, WhatIsLeftIsShownWithinAFrameOfThePen) {
   // The pen touches more strokes than one sample can cut. Then the pen rests.
   Eraser e;
   e.set("radius_mm", 20.0);
-  for (int i = 0; i < 300; ++i) e.desk.add(straight_stroke({0, 0.1 * i}, {100, 0.1 * i}, 1, 1));
+  for (int i = 0; i < 300; ++i) e.fixture.add(straight_stroke({0, 0.1 * i}, {100, 0.1 * i}, 1, 1));
   e.pen.down({50, -30});
   std::size_t shown = 0;
   for (int i = 0; i < 100; ++i) {
@@ -401,7 +401,7 @@ TEST(Eraser, WhatIsLeftIsShownWithinAFrameOfThePen) {
   }
   EXPECT_EQ(shown, 900u) << "each stroke goes and leaves two";
   e.pen.up({50, 15});
-  EXPECT_EQ(e.desk.strokes().size(), 600u);
+  EXPECT_EQ(e.fixture.strokes().size(), 600u);
 }
 
 /// Returns the target of a hand that rests, slides, or rubs back and forth.
@@ -414,13 +414,13 @@ Vec3 hand(int scenario, double time, double aim) {
 }
 
 TEST(EraserForce, R41_DragsMoreThanTwiceAsMuchAsAPencilAndIsCalm) {
-  Desk desk;
+  Fixture fixture;
   double worst = 0.0;
   for (int delay = 0; delay <= 1; ++delay) {
     rig::for_each_grip(0.001, delay, [&](const rig::Setup& setup) {
-      desk.device = setup.capabilities();
+      fixture.device = setup.capabilities();
       for (int scenario = 0; scenario < 3; ++scenario) {
-        rig::Bench bench(setup, make_eraser_force({}, desk.scene()), {0, 0, 1});
+        rig::Bench bench(setup, make_eraser_force({}, fixture.scene()), {0, 0, 1});
         const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
         const auto target = [&](double time) { return hand(scenario, time, aim); };
         bench.run(0.8, target);
@@ -435,7 +435,7 @@ TEST(EraserForce, R41_DragsMoreThanTwiceAsMuchAsAPencilAndIsCalm) {
         // A soft hand does not slide steadily yet; friction drags it along.
         if (scenario == 1 && setup.hand.stiffness_n_per_m >= 300) {
           EXPECT_NEAR(drag / push, 0.6, 0.06) << setup.name();
-          EXPECT_GE(drag / push, 2.0 * friction_of(*find_medium("pencil"), desk.surface));
+          EXPECT_GE(drag / push, 2.0 * friction_of(*find_medium("pencil"), fixture.surface));
         }
       }
     });
@@ -444,11 +444,11 @@ TEST(EraserForce, R41_DragsMoreThanTwiceAsMuchAsAPencilAndIsCalm) {
 }
 
 TEST(EraserForce, R42_LeaningOnItForFourSecondsDoesNotCreep) {
-  Desk desk;
+  Fixture fixture;
   for (int delay = 0; delay <= 1; ++delay) {
     const rig::Setup setup{rig::kHands[0], rig::kStyluses[0], 0.001, delay};
-    desk.device = setup.capabilities();
-    rig::Bench bench(setup, make_eraser_force({}, desk.scene()), {0, 0, 0});
+    fixture.device = setup.capabilities();
+    rig::Bench bench(setup, make_eraser_force({}, fixture.scene()), {0, 0, 0});
     const double aim_z = rig::aim_z_mm(setup.hand, 1.0, 500.0);
     const double tilt = 0.5 * 0.6 * 1.0;  // half of mu Fn
     const double aim_x = 1e3 * tilt * (1 / setup.hand.stiffness_n_per_m + 1 / 600.0);
@@ -468,7 +468,7 @@ TEST(EraserForce, R42_LeaningOnItForFourSecondsDoesNotCreep) {
 TEST(EraserForce, StrengthScalesTheDragAndTheFeelIsOneFeel) {
   Eraser e;
   const auto drag = [&] {
-    const ForceModel model = e.tool.force(e.desk.scene());
+    const ForceModel model = e.tool.force(e.fixture.scene());
     ForceMemory memory;
     Force f;
     for (double x = 0.0; x < 5.0; x += 0.05) {
@@ -478,16 +478,16 @@ TEST(EraserForce, StrengthScalesTheDragAndTheFeelIsOneFeel) {
     return -f.x / f.z;
   };
   EXPECT_NEAR(drag(), 0.6, 0.03);
-  const std::uint32_t id = e.tool.force(e.desk.scene()).fade_id();
-  e.desk.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+  const std::uint32_t id = e.tool.force(e.fixture.scene()).fade_id();
+  e.fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
   e.pen.along(way({30, -5}, {30, 5}));
-  EXPECT_EQ(e.tool.force(e.desk.scene()).fade_id(), id);
+  EXPECT_EQ(e.tool.force(e.fixture.scene()).fade_id(), id);
   e.pen.up({30, 5});
   e.set("strength", 0.5);
   EXPECT_NEAR(drag(), 0.3, 0.03);
   e.set("strength", 0.0);
   EXPECT_NEAR(drag(), 0.0, 1e-9);
-  EXPECT_NE(e.tool.force(e.desk.scene()).fade_id(), id);
+  EXPECT_NE(e.tool.force(e.fixture.scene()).fade_id(), id);
 }
 
 }  // namespace

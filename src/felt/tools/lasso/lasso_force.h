@@ -13,8 +13,8 @@ inline constexpr double kLassoGlide = 0.4;
 /// Returns the force model of the lasso: only the surface, more slippery than under a pencil,
 /// because forces must not disturb pointing. It is the same before and during the gesture.
 inline ForceModel make_lasso_force(const LassoSettings& settings, const Scene& scene) {
-  const Medium material = felt_with(medium_of(scene, "pencil"), kLassoGlide * settings.strength,
-                                    kLassoGlide * settings.strength);
+  const Medium material = scaled_medium(medium_of(scene, "pencil"), kLassoGlide * settings.strength,
+                                        kLassoGlide * settings.strength);
   ForceModel model(
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface)));
   model.set_fade_id(FeelId("lasso")

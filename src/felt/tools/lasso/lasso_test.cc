@@ -6,13 +6,13 @@
 #include "felt/stroke/edit/point_marks.h"
 #include "felt/tools/lasso/lasso_force.h"
 #include "felt/tools/lasso/lasso_tool.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::lasso_test {
 namespace {
 
 using testing::arc;
-using testing::Desk;
+using testing::Fixture;
 using testing::Pen;
 using testing::random_stroke;
 using testing::straight_stroke;
@@ -20,9 +20,9 @@ using testing::way;
 using testing::operator+;
 
 struct Lasso {
-  Desk desk;
+  Fixture fixture;
   LassoTool tool;
-  Pen pen{tool, desk};
+  Pen pen{tool, fixture};
 
   Lasso() { choose("take", "points"); }
 
@@ -43,7 +43,7 @@ struct Lasso {
     }
     pen.up(line.back());
   }
-  [[nodiscard]] const Selection& selection() const { return desk.selection; }
+  [[nodiscard]] const Selection& selection() const { return fixture.selection; }
   [[nodiscard]] Overlay overlay() const {
     Overlay o;
     tool.draw(o);
@@ -51,15 +51,15 @@ struct Lasso {
   }
 };
 
-Desk& fill(Desk& desk, int count) {
-  for (int i = 0; i < count; ++i) desk.add(random_stroke(static_cast<std::uint64_t>(i)));
-  return desk;
+Fixture& fill(Fixture& fixture, int count) {
+  for (int i = 0; i < count; ++i) fixture.add(random_stroke(static_cast<std::uint64_t>(i)));
+  return fixture;
 }
 
 TEST(Lasso, R31_TakesTheControlPointsInside) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Lasso lasso;
-    fill(lasso.desk, 12);
+    fill(lasso.fixture, 12);
     testing::RandomStroke random(seed);
     // A star that crosses itself. Its straight lines are simplified to their corners.
     std::vector<Point> corners;
@@ -74,9 +74,9 @@ TEST(Lasso, R31_TakesTheControlPointsInside) {
     outline.begin(line[0]);
     for (const Point p : line) outline.add(p);
     const std::vector<Point> polygon = outline.finished();
-    for (const Layer& layer : lasso.desk.document.layers()) {
+    for (const Layer& layer : lasso.fixture.document.layers()) {
       for (const StrokeId id : layer.strokes) {
-        const Stroke& stroke = *lasso.desk.document.find(id);
+        const Stroke& stroke = *lasso.fixture.document.find(id);
         Selection::Marks marks;
         for (const Point p : stroke.data().points) {
           marks.push_back(contains(polygon, p, FillRule::kEvenOdd) ? 1 : 0);
@@ -96,38 +96,38 @@ TEST(Lasso, R31_TakesTheControlPointsInside) {
 TEST(Lasso, R31_TakesHandlesOfALineWhoseInkIsElsewhere) {
   Lasso lasso;
   const StrokeId id =
-      lasso.desk.add(Stroke::create({.points = {{0, 0}, {20, 60}, {40, 60}, {60, 0}},
-                                     .joints = {},
-                                     .closed = false,
-                                     .widths = {{0, 1}, {1, 1}}})
-                         .value());
+      lasso.fixture.add(Stroke::create({.points = {{0, 0}, {20, 60}, {40, 60}, {60, 0}},
+                                        .joints = {},
+                                        .closed = false,
+                                        .widths = {{0, 1}, {1, 1}}})
+                            .value());
   lasso.draw(arc({20, 60}, 5, 0, 350));  // the ink reaches only to 45 mm
   ASSERT_NE(lasso.selection().find(id), nullptr);
   EXPECT_EQ(*lasso.selection().find(id), (Selection::Marks{0, 1, 0, 0}));
 }
 
 TEST(Lasso, TakesWholeLinesUnlessAskedForPoints) {
-  Desk desk;
+  Fixture fixture;
   LassoTool tool;
-  Pen pen(tool, desk);
-  const StrokeId id = desk.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+  Pen pen(tool, fixture);
+  const StrokeId id = fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
   pen.line(arc({30, 0}, 5, 0, 350));
-  EXPECT_TRUE(desk.selection.is_whole(id)) << "what is inside of the loop is a part of it";
+  EXPECT_TRUE(fixture.selection.is_whole(id)) << "what is inside of the loop is a part of it";
 }
 
 TEST(Lasso, IsNoEditAndNoUndoStep) {
   Lasso lasso;
-  const StrokeId id = lasso.desk.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
-  const Document before = lasso.desk.document;
+  const StrokeId id = lasso.fixture.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
+  const Document before = lasso.fixture.document;
   lasso.draw(arc({5, 0}, 9, 0, 350));
   EXPECT_TRUE(lasso.selection().is_whole(id));
   EXPECT_EQ(lasso.pen.commits, 0);
-  EXPECT_EQ(lasso.desk.document, before);
+  EXPECT_EQ(lasso.fixture.document, before);
 }
 
 TEST(Lasso, TakesPartOfALine) {
   Lasso lasso;
-  const StrokeId id = lasso.desk.add(straight_stroke({0, 0}, {30, 0}, 1, 1));
+  const StrokeId id = lasso.fixture.add(straight_stroke({0, 0}, {30, 0}, 1, 1));
   lasso.draw(arc({0, 0}, 5, 0, 355));
   EXPECT_EQ(*lasso.selection().find(id), (Selection::Marks{1, 0, 0, 0}));
   lasso.draw(arc({0, 0}, 12, 0, 355));
@@ -136,7 +136,7 @@ TEST(Lasso, TakesPartOfALine) {
 
 TEST(Lasso, OnCurveTakesHandlesWithTheirJoints) {
   Lasso lasso;
-  const StrokeId id = lasso.desk.add(straight_stroke({0, 0}, {30, 0}, 1, 1));
+  const StrokeId id = lasso.fixture.add(straight_stroke({0, 0}, {30, 0}, 1, 1));
   lasso.choose("take", "on-curve");
   lasso.draw(arc({0, 0}, 5, 0, 355));
   EXPECT_EQ(*lasso.selection().find(id), (Selection::Marks{1, 1, 0, 0}));
@@ -146,8 +146,8 @@ TEST(Lasso, OnCurveTakesHandlesWithTheirJoints) {
 
 TEST(Lasso, StrokesTakesWhatIsTouched) {
   Lasso lasso;
-  const StrokeId id = lasso.desk.add(straight_stroke({0, 0}, {90, 0}, 1, 1));
-  const StrokeId other = lasso.desk.add(straight_stroke({0, 9}, {90, 9}, 1, 1));
+  const StrokeId id = lasso.fixture.add(straight_stroke({0, 0}, {90, 0}, 1, 1));
+  const StrokeId other = lasso.fixture.add(straight_stroke({0, 9}, {90, 9}, 1, 1));
   lasso.choose("take", "strokes");
   lasso.draw(arc({45, 0}, 3, 0, 355));
   EXPECT_TRUE(lasso.selection().is_whole(id));
@@ -156,7 +156,7 @@ TEST(Lasso, StrokesTakesWhatIsTouched) {
 
 TEST(Lasso, ARectangleGoesFromCornerToCorner) {
   Lasso lasso;
-  const StrokeId id = lasso.desk.add(straight_stroke({10, 10}, {20, 20}, 1, 1));
+  const StrokeId id = lasso.fixture.add(straight_stroke({10, 10}, {20, 20}, 1, 1));
   lasso.choose("mode", "rectangle");
   lasso.draw(way({21, 9}, {9, 21}));
   EXPECT_TRUE(lasso.selection().is_whole(id));
@@ -168,8 +168,8 @@ TEST(Lasso, ARectangleGoesFromCornerToCorner) {
 
 TEST(Lasso, AClickTakesTheNearestLineOrClears) {
   Lasso lasso;
-  const StrokeId low = lasso.desk.add(straight_stroke({0, 0}, {30, 0}, 1, 1));
-  const StrokeId high = lasso.desk.add(straight_stroke({0, 5}, {30, 5}, 1, 1));
+  const StrokeId low = lasso.fixture.add(straight_stroke({0, 0}, {30, 0}, 1, 1));
+  const StrokeId high = lasso.fixture.add(straight_stroke({0, 5}, {30, 5}, 1, 1));
   lasso.draw({{15, 2}});
   EXPECT_TRUE(lasso.selection().is_whole(low));
   EXPECT_EQ(lasso.selection().strokes().size(), 1u);
@@ -185,7 +185,7 @@ TEST(Lasso, AClickTakesTheNearestLineOrClears) {
 
 TEST(Lasso, R31_ALongWayThatEnclosesNothingSelectsNothing) {
   Lasso lasso;
-  const StrokeId id = lasso.desk.add(straight_stroke({0, 0}, {30, 0}, 1, 1));
+  const StrokeId id = lasso.fixture.add(straight_stroke({0, 0}, {30, 0}, 1, 1));
   lasso.draw({{15, 1}});
   ASSERT_TRUE(lasso.selection().is_whole(id));
   lasso.draw(way({0, 0}, {30, 0}));
@@ -194,8 +194,8 @@ TEST(Lasso, R31_ALongWayThatEnclosesNothingSelectsNothing) {
 
 TEST(Lasso, AddsAndTakesAway) {
   Lasso lasso;
-  const StrokeId left = lasso.desk.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
-  const StrokeId right = lasso.desk.add(straight_stroke({40, 0}, {50, 0}, 1, 1));
+  const StrokeId left = lasso.fixture.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
+  const StrokeId right = lasso.fixture.add(straight_stroke({40, 0}, {50, 0}, 1, 1));
   lasso.draw(arc({5, 0}, 9, 0, 355));
   lasso.draw(arc({45, 0}, 9, 0, 355), kFirstModifier);
   EXPECT_TRUE(lasso.selection().is_whole(left));
@@ -220,7 +220,7 @@ TEST(Lasso, AddsAndTakesAway) {
 TEST(Lasso, R32_WhatIsLeftIsClosedAgain) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     Lasso lasso;
-    fill(lasso.desk, 8);
+    fill(lasso.fixture, 8);
     testing::RandomStroke random(seed);
     for (int i = 0; i < 6; ++i) {
       const Point at{random.uniform(0, 20), random.uniform(0, 20)};
@@ -229,7 +229,7 @@ TEST(Lasso, R32_WhatIsLeftIsClosedAgain) {
     }
     for (const auto& [id, marks] : lasso.selection().strokes()) {
       Selection::Marks closed = marks;
-      close_marks(*lasso.desk.document.find(id), closed);
+      close_marks(*lasso.fixture.document.find(id), closed);
       EXPECT_EQ(closed, marks) << "seed " << seed;
     }
   }
@@ -238,11 +238,11 @@ TEST(Lasso, R32_WhatIsLeftIsClosedAgain) {
 TEST(Lasso, LockedAndHiddenLayersAreLeftAlone) {
   for (const bool locked : {true, false}) {
     Lasso lasso;
-    lasso.desk.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
-    const Layer layer = lasso.desk.document.layers()[0];
+    lasso.fixture.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
+    const Layer layer = lasso.fixture.document.layers()[0];
     LayerState after = layer.state();
     (locked ? after.locked : after.visible) = locked;
-    lasso.desk.apply({"Layer", {}, {{layer.id, layer.state(), after, 0, 0}}});
+    lasso.fixture.apply({"Layer", {}, {{layer.id, layer.state(), after, 0, 0}}});
     lasso.draw(arc({5, 0}, 9, 0, 355));
     EXPECT_TRUE(lasso.selection().empty());
     lasso.draw({{5, 1}});
@@ -252,7 +252,7 @@ TEST(Lasso, LockedAndHiddenLayersAreLeftAlone) {
 
 TEST(Lasso, CancelLeavesTheSelection) {
   Lasso lasso;
-  const StrokeId id = lasso.desk.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
+  const StrokeId id = lasso.fixture.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
   lasso.draw({{5, 1}});
   const std::vector<Point> line = arc({50, 50}, 9, 0, 355);
   lasso.pen.up(line.front());
@@ -265,19 +265,19 @@ TEST(Lasso, CancelLeavesTheSelection) {
 
 TEST(Lasso, FinishEndsTheGestureAsALiftDoes) {
   Lasso lasso;
-  const StrokeId id = lasso.desk.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
+  const StrokeId id = lasso.fixture.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
   lasso.pen.up({14, 0});
   lasso.pen.along(arc({5, 0}, 9, 0, 355));
-  const ToolResult result = lasso.tool.finish(lasso.desk.scene());
+  const ToolResult result = lasso.tool.finish(lasso.fixture.scene());
   ASSERT_TRUE(result.selection);
   EXPECT_TRUE(result.selection->is_whole(id));
 }
 
 TEST(Lasso, MarksWhileItIsDrawnWhatItTakes) {
   Lasso lasso;
-  lasso.desk.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
-  lasso.desk.add(straight_stroke({3, 3}, {8, 3}, 1, 1));
-  lasso.desk.add(straight_stroke({40, 0}, {50, 0}, 1, 1));
+  lasso.fixture.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
+  lasso.fixture.add(straight_stroke({3, 3}, {8, 3}, 1, 1));
+  lasso.fixture.add(straight_stroke({40, 0}, {50, 0}, 1, 1));
   lasso.pen.up({17, 0});
   lasso.pen.along(arc({5, 0}, 12, 0, 355));
   const Overlay during = lasso.overlay();
@@ -295,7 +295,7 @@ TEST(Lasso, MarksWhileItIsDrawnWhatItTakes) {
 
 TEST(Lasso, ShowsWhatAClickWouldTakeBeforeTheTouch) {
   Lasso lasso;
-  lasso.desk.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
+  lasso.fixture.add(straight_stroke({0, 0}, {10, 0}, 1, 1));
   lasso.pen.up({5, 30});
   EXPECT_TRUE(lasso.overlay().spans.empty());
   lasso.pen.up({5, 3});
@@ -304,7 +304,7 @@ TEST(Lasso, ShowsWhatAClickWouldTakeBeforeTheTouch) {
 
 TEST(Lasso, LosesNothingInHugeOrWildGestures) {
   Lasso lasso;
-  fill(lasso.desk, 20);
+  fill(lasso.fixture, 20);
   testing::RandomStroke random(5);
   for (int gesture = 0; gesture < 30; ++gesture) {
     lasso.choose("mode", gesture % 2 ? "free" : "rectangle");
@@ -316,7 +316,7 @@ TEST(Lasso, LosesNothingInHugeOrWildGestures) {
     }
     lasso.draw(line, static_cast<std::uint32_t>(gesture % 4));
     for (const auto& [id, marks] : lasso.selection().strokes()) {
-      ASSERT_EQ(marks.size(), lasso.desk.document.find(id)->data().points.size());
+      ASSERT_EQ(marks.size(), lasso.fixture.document.find(id)->data().points.size());
     }
   }
 }
@@ -324,7 +324,7 @@ TEST(Lasso, LosesNothingInHugeOrWildGestures) {
 TEST(Lasso, GlidesMoreThanAPencil) {
   Lasso lasso;
   const auto slide = [&](double strength) {
-    ForceModel model = make_lasso_force({.strength = strength}, lasso.desk.scene());
+    ForceModel model = make_lasso_force({.strength = strength}, lasso.fixture.scene());
     ForceMemory memory;
     Force force;
     PenSample s;

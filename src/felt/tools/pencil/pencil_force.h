@@ -14,9 +14,9 @@ namespace felt {
 
 /// The inertia of the stabiliser, rendered with only the fraction `share` of its force. The nib
 /// moves as with the full force, so that the line does not depend on the option `strength`.
-class FeltInertia {
+class ScaledInertia {
  public:
-  FeltInertia(const InertiaOptions& options, double share) noexcept
+  ScaledInertia(const InertiaOptions& options, double share) noexcept
       : inertia_(options), share_(share) {}
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
@@ -41,7 +41,7 @@ class FeltInertia {
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
                                     const std::optional<SnapTarget>& target) {
   const Medium material =
-      felt_with(medium_of(scene, settings.medium), settings.strength, settings.strength);
+      scaled_medium(medium_of(scene, settings.medium), settings.strength, settings.strength);
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
@@ -61,8 +61,8 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
       break;
     case StabiliserKind::kInertia:
       id.with("inertia").with(settings.stabiliser.mass_g);
-      model = ForceModel(
-          Compose(surface, well, FeltInertia(inertia_of(settings.stabiliser), settings.strength)));
+      model = ForceModel(Compose(
+          surface, well, ScaledInertia(inertia_of(settings.stabiliser), settings.strength)));
       break;
     case StabiliserKind::kTowed: {
       TowOptions tow = tow_of(settings.stabiliser);

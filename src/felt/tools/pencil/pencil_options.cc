@@ -7,7 +7,7 @@ namespace felt {
 PencilSettings pencil_settings(const OptionValues& values) {
   using Row = PencilOption::Row;
   PencilSettings s;
-  s.medium = values.open_choice(Row::kMaterial);
+  s.medium = values.open_choice(Row::kMedium);
   s.refine = values.is_on(Row::kRefine);
   s.keep_separate = values.is_on(Row::kKeepSeparate);
   s.strength = values.number(Row::kStrength);

@@ -7,21 +7,21 @@
 
 #include "felt/base/constants.h"
 #include "felt/tools/pencil/pencil_force.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::pencil_test {
 namespace {
 
 using testing::arc;
-using testing::Desk;
+using testing::Fixture;
 using testing::Pen;
 using testing::way;
 using testing::operator+;
 
 struct Pencil {
-  Desk desk;
+  Fixture fixture;
   PencilTool tool;
-  Pen pen{tool, desk};
+  Pen pen{tool, fixture};
 
   void set(std::string_view id, const OptionValue& value) {
     const auto ok = tool.set_option(id, value);
@@ -30,8 +30,8 @@ struct Pencil {
   void choose(std::string_view id, const char* value) { set(id, std::string(value)); }
   /// Returns the only stroke.
   [[nodiscard]] const Stroke& stroke() const {
-    EXPECT_EQ(desk.strokes().size(), 1u);
-    return *desk.strokes().at(0);
+    EXPECT_EQ(fixture.strokes().size(), 1u);
+    return *fixture.strokes().at(0);
   }
   [[nodiscard]] Overlay overlay() const {
     Overlay o;
@@ -55,27 +55,27 @@ double largest_gap(const Stroke& stroke, const std::vector<Point>& points) {
 
 TEST(Pencil, OneLineIsOneStrokeAndOneUndoStep) {
   Pencil p;
-  p.desk.color = {10, 20, 30, 255};
+  p.fixture.color = {10, 20, 30, 255};
   p.choose("medium", "crayon");
   const auto points = way({20, 20}, {80, 40});
   p.pen.line(points);
   EXPECT_EQ(p.pen.commits, 1);
-  EXPECT_EQ(p.desk.history.undo_count(), 1u);
-  EXPECT_EQ(p.desk.history.undo_label(), "Draw");
+  EXPECT_EQ(p.fixture.history.undo_count(), 1u);
+  EXPECT_EQ(p.fixture.history.undo_label(), "Draw");
   EXPECT_EQ(p.stroke().medium(), "crayon");
   EXPECT_EQ(p.stroke().color(), (Rgba{10, 20, 30, 255}));
   EXPECT_LE(largest_gap(p.stroke(), points), 0.15 + 0.1);  // the check samples every 0.2 mm
-  const StrokePtr drawn = p.desk.strokes()[0];
-  p.desk.undo();
-  EXPECT_EQ(p.desk.document, Document());
-  p.desk.redo();
-  EXPECT_EQ(p.desk.strokes()[0], drawn);
+  const StrokePtr drawn = p.fixture.strokes()[0];
+  p.fixture.undo();
+  EXPECT_EQ(p.fixture.document, Document());
+  p.fixture.redo();
+  EXPECT_EQ(p.fixture.strokes()[0], drawn);
 }
 
 TEST(Pencil, NothingIsShownOrDoneInTheAir) {
   Pencil p;
   for (const Point q : way({0, 0}, {50, 50})) p.pen.at({q.x, q.y, 3});
-  EXPECT_EQ(p.desk.document, Document());
+  EXPECT_EQ(p.fixture.document, Document());
   EXPECT_TRUE(p.overlay().ink.empty());
 }
 
@@ -103,7 +103,7 @@ TEST(Pencil, R14_TheSameForceDrawsTheSameWidthOnEverySurface) {
     std::vector<double> widths;
     for (const SurfaceMaterial& surface : surface_materials()) {
       Pencil p;
-      p.desk.surface = surface;
+      p.fixture.surface = surface;
       p.pen.depth = force / (0.001 * surface.stiffness_n_per_m);
       p.pen.line(way({0, 0}, {50, 0}));
       widths.push_back(p.stroke().width_mm(0.5 * p.stroke().segment_count()));
@@ -123,7 +123,7 @@ TEST(Pencil, R18_TabletPressureDecidesAndAMouseHasAConstant) {
   }
   for (const double depth : {0.01, 1.0, 5.0}) {
     Pencil p;
-    p.desk.device.sensed_axes = 2;
+    p.fixture.device.sensed_axes = 2;
     p.pen.depth = depth;
     p.pen.line(way({0, 0}, {50, 0}));
     EXPECT_NEAR(p.stroke().width_mm(0.5 * p.stroke().segment_count()), 0.3 + 5.7 * 0.5, 1e-9);
@@ -151,7 +151,7 @@ TEST(Pencil, ALiftBetweenTwoLinesMakesTwo) {
     p.pen.along(way({20, 0}, {40, 0}));
     p.pen.up({40, 0});
     EXPECT_EQ(p.pen.commits, 2);
-    EXPECT_EQ(p.desk.strokes().size(), 2u);
+    EXPECT_EQ(p.fixture.strokes().size(), 2u);
   }
 }
 
@@ -172,27 +172,27 @@ TEST(Pencil, CancelLeavesNothingAndWaitsForALift) {
   EXPECT_TRUE(p.overlay().ink.empty());
   p.pen.along(way({50, 0}, {90, 0}));
   p.pen.up({90, 0});
-  EXPECT_EQ(p.desk.document, Document());
+  EXPECT_EQ(p.fixture.document, Document());
   p.pen.line(way({0, 0}, {50, 0}));
-  EXPECT_EQ(p.desk.strokes().size(), 1u);
+  EXPECT_EQ(p.fixture.strokes().size(), 1u);
   // If the pen only hovers, the line does not wait.
   p.tool.cancel();
   p.pen.line(way({0, 30}, {50, 30}));
-  EXPECT_EQ(p.desk.strokes().size(), 2u);
+  EXPECT_EQ(p.fixture.strokes().size(), 2u);
 }
 
 TEST(Pencil, FinishKeepsTheInk) {
   Pencil p;
   p.pen.along(way({0, 0}, {50, 0}));
-  const ToolResult result = p.tool.finish(p.desk.scene());
+  const ToolResult result = p.tool.finish(p.fixture.scene());
   ASSERT_TRUE(result.commit);
-  p.desk.apply(*result.commit);
+  p.fixture.apply(*result.commit);
   EXPECT_NEAR(tip_point(p.stroke(), StrokeTip::kEnd).x, 50, 0.15);
-  EXPECT_FALSE(p.tool.finish(p.desk.scene()).commit);
+  EXPECT_FALSE(p.tool.finish(p.fixture.scene()).commit);
   // The same contact continues: it does not begin another line.
   p.pen.along(way({50, 0}, {90, 0}));
   p.pen.up({90, 0});
-  EXPECT_EQ(p.desk.strokes().size(), 1u);
+  EXPECT_EQ(p.fixture.strokes().size(), 1u);
 }
 
 TEST(Pencil, ADotIsADot) {
@@ -213,7 +213,7 @@ TEST(Pencil, R51_TheDocumentDoesNotDependOnForces) {
     for (const Point q : arc({50, 50}, 30, 0, 355) + way({80, 47}, {80, 50})) {
       p.pen.down(q);
       if (ask_every > 0 && ++count % ask_every == 0) {
-        const ForceModel model = p.tool.force(p.desk.scene());
+        const ForceModel model = p.tool.force(p.fixture.scene());
         PenSample s;
         s.position = {q.x, q.y, -1};
         (void)model(s, memory);
@@ -221,7 +221,7 @@ TEST(Pencil, R51_TheDocumentDoesNotDependOnForces) {
       }
     }
     p.pen.up({80, 50});
-    return p.desk.document;
+    return p.fixture.document;
   };
   const Document ignored = draw(0, 1.0);
   EXPECT_EQ(ignored.stroke_count(), 1u);
@@ -271,8 +271,8 @@ TEST(Pencil, R43_ForceOnlyNeverMovesGeometry) {
       force.pen.line(points);
       at = random.chance(0.5) ? points.back() : points.front() + Vec{1, 0};
     }
-    EXPECT_EQ(off.desk.document, force.desk.document) << seed;
-    EXPECT_EQ(off.desk.strokes().size(), 5u);
+    EXPECT_EQ(off.fixture.document, force.fixture.document) << seed;
+    EXPECT_EQ(off.fixture.strokes().size(), 5u);
   }
 }
 
@@ -281,7 +281,7 @@ TEST(Pencil, R43_TheForceIsZeroAtTheTargetAndOutOfReach) {
   const auto pull = [](double d, const char* mode) {
     Pencil p;
     p.choose("snap", mode);
-    p.desk.add(testing::straight_stroke({50, 50}, {50, 150}, 1, 1));
+    p.fixture.add(testing::straight_stroke({50, 50}, {50, 150}, 1, 1));
     for (const double x : {40.0, 44.0}) p.pen.at({x, 50, 1.0});
     p.pen.step_ns = 10'000'000;
     for (double x = 44; x < 50 - d; x += 0.1) p.pen.at({x, 50, 1.0});
@@ -289,7 +289,7 @@ TEST(Pencil, R43_TheForceIsZeroAtTheTargetAndOutOfReach) {
     ForceMemory memory;
     PenSample s;
     s.position = {50 - d, 50, 1.0};
-    return p.tool.force(p.desk.scene())(s, memory).x;
+    return p.tool.force(p.fixture.scene())(s, memory).x;
   };
   EXPECT_EQ(pull(3.0, "both"), 0.0);
   EXPECT_EQ(pull(1.5, "both"), 0.0);
@@ -319,7 +319,7 @@ TEST(Pencil, R45_LinesDrawnFromEndToEndBecomeOne) {
   for (const double deg : {10.0, 29.0, 31.0, 90.0}) {
     Pencil p;
     p.set("keep_separate", false);
-    p.desk.add(testing::straight_stroke({10, 50}, {50, 50}, 3, 3));
+    p.fixture.add(testing::straight_stroke({10, 50}, {50, 50}, 3, 3));
     const double a = deg * std::numbers::pi / 180;
     p.pen.line(way({50, 50}, Point{50, 50} + 40 * Vec{std::cos(a), std::sin(a)}));
     const Stroke& one = p.stroke();
@@ -331,20 +331,20 @@ TEST(Pencil, R45_LinesDrawnFromEndToEndBecomeOne) {
 TEST(Pencil, KeptSeparateTheyShareThePoint) {
   Pencil p;
   p.set("keep_separate", true);
-  p.desk.add(testing::straight_stroke({10, 50}, {50, 50}, 3, 3));
+  p.fixture.add(testing::straight_stroke({10, 50}, {50, 50}, 3, 3));
   p.pen.line(way({50.5, 50.5}, {90, 80}));
-  ASSERT_EQ(p.desk.strokes().size(), 2u);
-  EXPECT_EQ(tip_point(*p.desk.strokes()[1], StrokeTip::kStart), (Point{50, 50}));
+  ASSERT_EQ(p.fixture.strokes().size(), 2u);
+  EXPECT_EQ(tip_point(*p.fixture.strokes()[1], StrokeTip::kStart), (Point{50, 50}));
 }
 
 TEST(Pencil, AStrokeThatGoesWhileItAttractsIsForgotten) {
   Pencil p;
-  p.desk.add(testing::straight_stroke({10, 50}, {50, 50}, 3, 3));
+  p.fixture.add(testing::straight_stroke({10, 50}, {50, 50}, 3, 3));
   p.pen.along(way({51, 51}, {90, 80}));
-  p.desk.undo();
+  p.fixture.undo();
   p.pen.along(way({90, 80}, {51, 50}));
   p.pen.up({51, 50});
-  EXPECT_EQ(p.desk.strokes().size(), 1u);
+  EXPECT_EQ(p.fixture.strokes().size(), 1u);
 }
 
 TEST(Pencil, WetInkIsTheStrokeThatComes) {
@@ -403,7 +403,7 @@ TEST(Pencil, TheToneIsThatOfThePressureWhateverTheWidths) {
 
 TEST(Pencil, R43_RingsShowWhatAttractsAndWhatWouldSnap) {
   Pencil p;
-  p.desk.add(testing::straight_stroke({50, 50}, {50, 150}, 1, 1));
+  p.fixture.add(testing::straight_stroke({50, 50}, {50, 150}, 1, 1));
   p.pen.step_ns = 10'000'000;
   p.pen.along(way({30, 50}, {48, 50}));
   Overlay o = p.overlay();
@@ -417,7 +417,7 @@ TEST(Pencil, R43_RingsShowWhatAttractsAndWhatWouldSnap) {
   EXPECT_EQ(o.rings[1].radius_mm, 1.5);
   EXPECT_EQ(o.rings[1].center, (Point{50, 50}));
   p.pen.up({49, 50});
-  EXPECT_EQ(tip_point(*p.desk.strokes()[1], StrokeTip::kEnd), (Point{50, 50}));
+  EXPECT_EQ(tip_point(*p.fixture.strokes()[1], StrokeTip::kEnd), (Point{50, 50}));
   // The ends of the line that was just drawn do not attract the pen.
   for (double x = 50; x > 45; x -= 0.1) {
     p.pen.at({x, 50, 2});
@@ -433,8 +433,8 @@ TEST(Pencil, R43_RingsShowWhatAttractsAndWhatWouldSnap) {
 
 TEST(Pencil, TheFeelHasANewIdExactlyWhenItChanges) {
   Pencil p;
-  p.desk.add(testing::straight_stroke({50, 50}, {50, 150}, 1, 1));
-  const auto id = [&] { return p.tool.force(p.desk.scene()).fade_id(); };
+  p.fixture.add(testing::straight_stroke({50, 50}, {50, 150}, 1, 1));
+  const auto id = [&] { return p.tool.force(p.fixture.scene()).fade_id(); };
   p.pen.at({20, 50, 2});
   const auto free = id();
   p.pen.at({21, 50, 2});
@@ -460,7 +460,7 @@ TEST(Pencil, TheFeelHasANewIdExactlyWhenItChanges) {
     p.set(option, value);
     EXPECT_NE(id(), before) << option;
   }
-  p.desk.surface = *find_surface("glass");
+  p.fixture.surface = *find_surface("glass");
   EXPECT_NE(id(), free);
 }
 
@@ -474,7 +474,7 @@ TEST(Pencil, R43_TheLineJustDrawnDoesNotAttractInTheAir) {
     ForceMemory memory;
     PenSample s;
     s.position = {x, 50, 1.0};
-    return norm(p.tool.force(p.desk.scene())(s, memory));
+    return norm(p.tool.force(p.fixture.scene())(s, memory));
   };
   p.pen.step_ns = 10'000'000;
   for (double x = 50; x < 60; x += 0.1) EXPECT_EQ(pull(x), 0.0);
@@ -500,8 +500,8 @@ TEST(Pencil, R43_AHatchingComesOutLineByLine) {
         each->pen.line(i % 2 == 0 ? way(a, b) : way(b, a));
       }
     }
-    EXPECT_EQ(p.desk.strokes().size(), 25u);
-    EXPECT_EQ(p.desk.document, off.desk.document) << spacing;
+    EXPECT_EQ(p.fixture.strokes().size(), 25u);
+    EXPECT_EQ(p.fixture.document, off.fixture.document) << spacing;
   }
 }
 
@@ -519,18 +519,18 @@ TEST(Pencil, R43_ADotDoesNotHoldThePen) {
   }
   p.pen.up({70, 55});
   EXPECT_EQ(p.pen.commits, 2);
-  EXPECT_EQ(p.desk.strokes().size(), 2u);
+  EXPECT_EQ(p.fixture.strokes().size(), 2u);
 }
 
 TEST(Pencil, R43_ALineMeetsTheMiddleOfAnotherWithoutChangingIt) {
   Pencil p;
-  p.desk.add(testing::straight_stroke({50, 20}, {50, 90}, 1, 1));
-  const StrokePtr other = p.desk.strokes()[0];
+  p.fixture.add(testing::straight_stroke({50, 20}, {50, 90}, 1, 1));
+  const StrokePtr other = p.fixture.strokes()[0];
   p.pen.step_ns = 10'000'000;
   p.pen.line(way({20, 50}, {49.6, 50.2}));
-  ASSERT_EQ(p.desk.strokes().size(), 2u);
-  EXPECT_EQ(p.desk.strokes()[0], other);
-  EXPECT_NEAR(tip_point(*p.desk.strokes()[1], StrokeTip::kEnd).x, 50.0, 1e-9);
+  ASSERT_EQ(p.fixture.strokes().size(), 2u);
+  EXPECT_EQ(p.fixture.strokes()[0], other);
+  EXPECT_NEAR(tip_point(*p.fixture.strokes()[1], StrokeTip::kEnd).x, 50.0, 1e-9);
 }
 
 TEST(Pencil, R44_SmallCirclesClose) {
@@ -562,16 +562,16 @@ TEST(Pencil, EveryOptionDoesSomething) {
   const auto fingerprint = [](const std::vector<std::pair<const char*, OptionValue>>& options,
                               bool mouse) {
     Pencil p;
-    if (mouse) p.desk.device.sensed_axes = 2;
+    if (mouse) p.fixture.device.sensed_axes = 2;
     for (const auto& [id, value] : options) p.set(id, value);
-    p.desk.add(testing::straight_stroke({84.3, 55.8}, {120, 50}, 1, 1));
+    p.fixture.add(testing::straight_stroke({84.3, 55.8}, {120, 50}, 1, 1));
     testing::RandomStroke random(1);
     Fnv1a hash;
     const auto feel = [&](const Point q, double z) {
       ForceMemory memory;
       PenSample s;
       s.position = {q.x, q.y, z};
-      const ForceModel model = p.tool.force(p.desk.scene());
+      const ForceModel model = p.tool.force(p.fixture.scene());
       for (int k = 0; k < 4; ++k) {
         s.position.x += 1.5;
         s.velocity = {1500, 0, 0};
@@ -588,7 +588,7 @@ TEST(Pencil, EveryOptionDoesSomething) {
       feel(q, -1.0);
     }
     p.pen.up({83.5, 56.4});
-    for (const StrokePtr& s : p.desk.strokes()) {
+    for (const StrokePtr& s : p.fixture.strokes()) {
       for (const Point c : s->data().points) hash.add_value(c);
       for (const WidthKnot& k : s->widths()) hash.add_value(k);
       for (const char c : s->medium()) hash.add_value(c);
@@ -652,7 +652,7 @@ TEST(Pencil, OptionsTakeEffectWithTheNextLine) {
   p.pen.up({50, 0});
   EXPECT_GT(p.stroke().width_mm(p.stroke().segment_count()), 1.0);
   p.pen.line(way({0, 20}, {50, 20}));
-  EXPECT_LE(p.desk.strokes()[1]->width_mm(0), 0.5);
+  EXPECT_LE(p.fixture.strokes()[1]->width_mm(0), 0.5);
 }
 
 TEST(Pencil, TheStabilisedLineReachesThePen) {
@@ -691,7 +691,7 @@ class Hostile {
     for (int k = 0; k < steps; ++k) step();
     finish();
   }
-  [[nodiscard]] const Document& document() const { return p_.desk.document; }
+  [[nodiscard]] const Document& document() const { return p_.fixture.document; }
   Pencil& pencil() { return p_; }
   [[nodiscard]] int gestures() const { return gestures_; }
 
@@ -702,8 +702,8 @@ class Hostile {
       p_.tool.cancel();
     } else if (what < 0.008) {
       finish();
-    } else if (what < 0.012 && p_.desk.history.can_undo()) {
-      p_.desk.undo();
+    } else if (what < 0.012 && p_.fixture.history.can_undo()) {
+      p_.fixture.undo();
     } else if (what < 0.016) {
       set_any_option();
     } else {
@@ -712,13 +712,13 @@ class Hostile {
   }
 
   void finish() {
-    const ToolResult result = p_.tool.finish(p_.desk.scene());
+    const ToolResult result = p_.tool.finish(p_.fixture.scene());
     if (result.commit) commit(*result.commit);
   }
 
   void commit(const Edit& edit) {
     ++gestures_;
-    p_.desk.apply(edit);
+    p_.fixture.apply(edit);
     for (const StrokeChange& c : edit.changes) {
       if (c.after) {
         ASSERT_TRUE(check_invariants(c.after->data()));
@@ -737,7 +737,7 @@ class Hostile {
     if (random_.chance(0.2)) s.pressure = random_.uniform(-0.5, 1.5);
     if (random_.chance(0.01)) spoil(s);
     if (!is_pen_position(s.position)) return;
-    const ToolResult result = p_.tool.sample(s, contact_.update(s), p_.desk.scene());
+    const ToolResult result = p_.tool.sample(s, contact_.update(s), p_.fixture.scene());
     EXPECT_FALSE(result.preview);
     if (result.commit) commit(*result.commit);
     if (!random_.chance(0.02)) return;
@@ -750,7 +750,7 @@ class Hostile {
       ASSERT_GE(ink.end_width_mm, kMinWidthMm);
     }
     ForceMemory memory;
-    ASSERT_TRUE(is_finite(p_.tool.force(p_.desk.scene())(s, memory)) || !is_finite(s.position));
+    ASSERT_TRUE(is_finite(p_.tool.force(p_.fixture.scene())(s, memory)) || !is_finite(s.position));
   }
 
   void spoil(PenSample& s) {
@@ -806,16 +806,16 @@ TEST(PencilFuzz, R52_AnySamplesKeepTheInvariantsAndUndoRestoresAll) {
     Hostile hostile(seed);
     hostile.run(6000);
     gestures += hostile.gestures();
-    Desk& desk = hostile.pencil().desk;
-    const Document full = desk.document;
-    const std::size_t steps = desk.history.undo_count();
-    while (desk.history.can_undo()) desk.undo();
-    EXPECT_EQ(desk.document, Document());
-    EXPECT_EQ(desk.index.tip_count(), 0u);
+    Fixture& fixture = hostile.pencil().fixture;
+    const Document full = fixture.document;
+    const std::size_t steps = fixture.history.undo_count();
+    while (fixture.history.can_undo()) fixture.undo();
+    EXPECT_EQ(fixture.document, Document());
+    EXPECT_EQ(fixture.index.tip_count(), 0u);
     for (std::size_t k = 0; k < steps; ++k) {
-      ASSERT_TRUE(desk.history.redo(desk.document));
+      ASSERT_TRUE(fixture.history.redo(fixture.document));
     }
-    EXPECT_EQ(desk.document, full);
+    EXPECT_EQ(fixture.document, full);
   }
   EXPECT_GT(gestures, 1000);
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "felt/tools/pencil/pencil_tool.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::wet_ink_test {
 namespace {
@@ -46,9 +46,9 @@ Refresh most_of(const std::vector<Refresh>& refreshes, std::size_t from, std::si
 }
 
 TEST(WetInk, ARefreshCostsTheSameWhateverTheLengthOfTheStroke) {
-  testing::Desk desk;
+  testing::Fixture fixture;
   PencilTool tool;
-  testing::Pen pen{tool, desk};
+  testing::Pen pen{tool, fixture};
   Overlay overlay;
   std::vector<Refresh> refreshes;
   std::size_t last_stable = 0;

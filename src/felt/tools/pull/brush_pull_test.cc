@@ -438,7 +438,7 @@ TEST(BrushPull, R24_TenThousandPullsLeaveAGoodLine) {
   const double length = ArcMap(first).length_mm();
   StrokePtr s = share(first);
   RandomStroke random(1);
-  double worst_turn = 0.0, longest = 0.0, least_handle = 1.0;
+  double worst_turn = 0.0, longest = 0.0, min_handle = 1.0;
   int most = 0, refused = 0;
   for (int k = 0; k < kManyPulls; ++k) {
     // Random pulls to a position within 2 mm of the original line, repeatedly out and back.
@@ -458,7 +458,7 @@ TEST(BrushPull, R24_TenThousandPullsLeaveAGoodLine) {
   for (int i = 0; i < s->segment_count(); ++i) {
     const Cubic c = s->segment(i);
     const double handle = std::min(distance(c.p[0], c.p[1]), distance(c.p[2], c.p[3]));
-    least_handle = std::min(least_handle, handle / arc_length(c));
+    min_handle = std::min(min_handle, handle / arc_length(c));
   }
   RecordProperty("segments_before", first.segment_count());
   RecordProperty("segments_after", s->segment_count());
@@ -470,7 +470,7 @@ TEST(BrushPull, R24_TenThousandPullsLeaveAGoodLine) {
   EXPECT_LE(most, 3 * first.segment_count());
   EXPECT_LE(s->segment_count(), 2 * first.segment_count());
   EXPECT_LE(longest, length + 2.0 * 10.0);
-  EXPECT_GE(least_handle, 0.02);
+  EXPECT_GE(min_handle, 0.02);
   EXPECT_LE(s->widths().size(), static_cast<std::size_t>(s->segment_count()) + 20u);
   EXPECT_EQ(refused, 0);
 }

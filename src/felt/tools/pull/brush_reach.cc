@@ -84,12 +84,12 @@ Hold hold(const std::vector<double>& pins, double radius_mm) {
   return result;
 }
 
-BrushSide side_of(const Side& side, const Hold& hold, double most_mm, const BrushOptions& options) {
+BrushSide side_of(const Side& side, const Hold& hold, double max_mm, const BrushOptions& options) {
   BrushSide result{.held_mm = hold.held_mm};
   const double end = side.way_to_end() - hold.held_mm;
   if (end <= 0.0) return result;
   // The radius is measured from the grab, so that nothing moves beyond it.
-  const double free = std::min(std::max(options.radius_mm - hold.held_mm, kNoRoomMm), most_mm);
+  const double free = std::min(std::max(options.radius_mm - hold.held_mm, kNoRoomMm), max_mm);
   const double pin = hold.pin_mm - hold.held_mm;
   if (pin <= free) {
     result.way_mm = result.radius_mm = pin;

@@ -10,27 +10,27 @@
 
 #include "felt/document/edit_builder.h"
 #include "felt/tools/pull/pull_tool.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::connected_pull_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::Pen;
 using testing::straight_stroke;
 using testing::way;
 
 struct PullFixture {
-  Desk desk;
+  Fixture fixture;
   PullTool tool;
-  Pen pen{tool, desk};
+  Pen pen{tool, fixture};
 
   StrokeId add(Point a, Point b, Rgba color = {}) {
     StrokeData data = straight_stroke(a, b, 1, 1).data();
     data.color = color;
-    return desk.add(Stroke::create(std::move(data)).value());
+    return fixture.add(Stroke::create(std::move(data)).value());
   }
-  [[nodiscard]] const Stroke& at(StrokeId id) const { return *desk.document.find(id); }
+  [[nodiscard]] const Stroke& at(StrokeId id) const { return *fixture.document.find(id); }
 };
 
 constexpr Rgba kPullRed{200, 0, 0, 255};
@@ -40,7 +40,7 @@ TEST(ConnectedPull, R33_PullingASharedEndTakesTheOtherLineAlong) {
     PullFixture p;
     ASSERT_TRUE(p.tool.set_option("mode", std::string(mode)));
     const StrokeId line = p.add({0, 0}, {80, 0}), red = p.add({80, 0}, {80, 90}, kPullRed);
-    const Document before = p.desk.document;
+    const Document before = p.fixture.document;
     p.pen.line(way({80, 0}, {100, -9}));
     EXPECT_EQ(p.pen.commits, 1) << mode;
     const Stroke &a = p.at(line), &b = p.at(red);
@@ -48,8 +48,8 @@ TEST(ConnectedPull, R33_PullingASharedEndTakesTheOtherLineAlong) {
     EXPECT_GT(distance(end, {80, 0}), 5.0) << mode;
     EXPECT_LE(distance(b.position(0), end), kSharedPointMm) << mode;
     EXPECT_EQ(b.position(b.segment_count()), (Point{80, 90}));
-    p.desk.undo();
-    EXPECT_EQ(p.desk.document, before) << "one step";
+    p.fixture.undo();
+    EXPECT_EQ(p.fixture.document, before) << "one step";
   }
 }
 
@@ -94,12 +94,13 @@ TEST(ConnectedPull, R33_TheLineThatAPulledEndStandsOnFollows) {
 
 TEST(ConnectedPull, R33_AnEndOnALockedLineIsHeld) {
   PullFixture p;
-  p.desk.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Other"}, 0, 1}}});
+  p.fixture.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Other"}, 0, 1}}});
   const StrokeId line = p.add({0, 0}, {80, 0});
-  p.desk.layer = LayerId{2};
+  p.fixture.layer = LayerId{2};
   const StrokeId red = p.add({80, 0}, {80, 90}, kPullRed);
-  p.desk.apply({"State", {}, {{{2}, LayerState{"Other"}, LayerState{"Other", true, true}, 1, 1}}});
-  p.desk.layer = LayerId{1};
+  p.fixture.apply(
+      {"State", {}, {{{2}, LayerState{"Other"}, LayerState{"Other", true, true}, 1, 1}}});
+  p.fixture.layer = LayerId{1};
   const Stroke before = p.at(red);
   p.pen.line(way({80, 0}, {100, -9}));
   EXPECT_EQ(p.at(red), before);
@@ -108,22 +109,22 @@ TEST(ConnectedPull, R33_AnEndOnALockedLineIsHeld) {
 
 /// Parallel lines, with a post on the middle of each.
 struct Posts {
-  Desk desk;
+  Fixture fixture;
   std::vector<StrokeId> lines;
   std::set<StrokeId> posts;
 
   explicit Posts(int count) {
     for (int i = 0; i < count; ++i) {
       const double x = 100.0 * i;
-      lines.push_back(desk.add(straight_stroke({x, 0}, {x + 80, 0}, 1, 1)));
-      posts.insert(desk.add(straight_stroke({x + 40, 70}, {x + 40, 0}, 1, 1)));
+      lines.push_back(fixture.add(straight_stroke({x, 0}, {x + 80, 0}, 1, 1)));
+      posts.insert(fixture.add(straight_stroke({x + 40, 70}, {x + 40, 0}, 1, 1)));
     }
   }
   /// Returns the edit of a gesture that bends each line, beginning with number `first`, by `mm`.
   [[nodiscard]] Edit bent(std::size_t first, double mm) const {
-    EditBuilder edit(desk.document);
+    EditBuilder edit(fixture.document);
     for (std::size_t i = first; i < lines.size(); ++i) {
-      auto stroke = BrushPull(desk.document.find(lines[i]), 0.5).at({0, -mm}).value();
+      auto stroke = BrushPull(fixture.document.find(lines[i]), 0.5).at({0, -mm}).value();
       edit.replace(lines[i], std::make_shared<const Stroke>(std::move(stroke)));
     }
     return std::move(edit).build("Push");
@@ -141,7 +142,7 @@ TEST(ConnectedPull, R33_ManyPushedLinesTakeTheirPostsAlong) {
   Posts p(200);
   ConnectedPull connected{BrushOptions{}};
   Edit edit = p.bent(0, 5.0);
-  connected.complete(edit, p.desk.scene());
+  connected.complete(edit, p.fixture.scene());
   EXPECT_EQ(p.followers(edit), p.posts) << "the lines themselves do not count";
 }
 
@@ -149,30 +150,30 @@ TEST(ConnectedPull, WhoeverFollowsGoesOnFollowingWhenOthersCome) {
   Posts p(300);
   ConnectedPull connected{BrushOptions{}};
   Edit last = p.bent(200, 5.0);
-  connected.complete(last, p.desk.scene());
+  connected.complete(last, p.fixture.scene());
   const auto first_ones = p.followers(last);
   EXPECT_EQ(first_ones.size(), 100u);
   Edit all = p.bent(0, 6.0);
-  connected.complete(all, p.desk.scene());
+  connected.complete(all, p.fixture.scene());
   const auto now = p.followers(all);
   EXPECT_EQ(now.size(), ConnectedPull::kMaxFollowers);
   EXPECT_TRUE(std::ranges::includes(now, first_ones));
 }
 
 TEST(ConnectedPull, ASampleMakesOneMapOfTheLineHoweverManyStandOnIt) {
-  Desk desk;
-  const StrokeId line = desk.add(straight_stroke({0, 0}, {80, 0}, 1, 1));
+  Fixture fixture;
+  const StrokeId line = fixture.add(straight_stroke({0, 0}, {80, 0}, 1, 1));
   for (int i = 0; i < 40; ++i) {
-    desk.add(straight_stroke({25.0 + 0.7 * i, 70}, {25.0 + 0.7 * i, 0}, 1, 1));
+    fixture.add(straight_stroke({25.0 + 0.7 * i, 70}, {25.0 + 0.7 * i, 0}, 1, 1));
   }
-  const BrushPull pull(desk.document.find(line), 0.5, {});
+  const BrushPull pull(fixture.document.find(line), 0.5, {});
   ConnectedPull connected{BrushOptions{}};
   constexpr int kSamples = 30;
   for (int k = 1; k <= kSamples; ++k) {
-    EditBuilder edit(desk.document);
+    EditBuilder edit(fixture.document);
     edit.replace(line, std::make_shared<const Stroke>(pull.at({0, -0.5 * k}).value()));
     Edit whole = std::move(edit).build("Pull");
-    connected.complete(whole, desk.scene());
+    connected.complete(whole, fixture.scene());
     EXPECT_EQ(whole.changes.size(), 41u);
   }
   EXPECT_LE(connected.work().maps, kSamples + 1);
@@ -184,9 +185,9 @@ TEST(ConnectedPull, WhatDoesNotChangeIsNotMadeAgain) {
   ConnectedPull connected{BrushOptions{}};
   const Edit edit = p.bent(0, 5.0);
   Edit first = edit, second = edit;
-  connected.complete(first, p.desk.scene());
+  connected.complete(first, p.fixture.scene());
   const int maps = connected.work().maps;
-  connected.complete(second, p.desk.scene());
+  connected.complete(second, p.fixture.scene());
   EXPECT_EQ(first, second);
   EXPECT_EQ(connected.work().maps, maps);
 }

@@ -9,13 +9,13 @@
 #include "felt/tools/pull/grab_gesture.h"
 #include "felt/tools/pull/push_gesture.h"
 #include "felt/tools/pull/sweep_gesture.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::other_modes_test {
 namespace {
 
-using testing::Desk;
 using testing::distance_to;
+using testing::Fixture;
 using testing::straight_stroke;
 
 PenSample pen_at(Point p, int ms = 0) {
@@ -33,7 +33,7 @@ StrokePtr after(const Edit& edit, StrokeId id) {
 }
 
 /// Five straight lines across, 2 mm apart, and one far away.
-struct Lines : Desk {
+struct Lines : Fixture {
   Lines() {
     for (int k = 0; k < 5; ++k) {
       ids.push_back(add(straight_stroke({0, 2.0 * k}, {120, 2.0 * k}, 1.0, 1.0)));
@@ -45,121 +45,121 @@ struct Lines : Desk {
 };
 
 TEST(GrabGesture, R23_BackHomeNothingHasHappened) {
-  Lines desk;
-  const StrokeHit hit = *desk.index.nearest({50, 0.5}, 8.0);
-  const auto grab = make_grab(pen_at({50, 0.5}), desk.scene(), hit, {}, TouchOffset::kKept);
+  Lines fixture;
+  const StrokeHit hit = *fixture.index.nearest({50, 0.5}, 8.0);
+  const auto grab = make_grab(pen_at({50, 0.5}), fixture.scene(), hit, {}, TouchOffset::kKept);
   EXPECT_EQ(grab->feel().kind, PullFeel::Kind::kSpring);
   EXPECT_EQ(grab->feel().origin, (Point{50, 0.5}));
-  EXPECT_FALSE(grab->move(pen_at({50, 0.5}), desk.scene()));
-  const auto moved = grab->move(pen_at({53, 7.5}), desk.scene());
+  EXPECT_FALSE(grab->move(pen_at({50, 0.5}), fixture.scene()));
+  const auto moved = grab->move(pen_at({53, 7.5}), fixture.scene());
   ASSERT_TRUE(moved);
   ASSERT_EQ(moved->changes.size(), 1U);
   // The grabbed point keeps the distance from the pen that it had at the touch.
   EXPECT_LE(distance_to(*after(*moved, hit.stroke), {53, 7}), 1e-9);
-  EXPECT_FALSE(grab->move(pen_at({53, 7.5}), desk.scene()));
+  EXPECT_FALSE(grab->move(pen_at({53, 7.5}), fixture.scene()));
   Overlay overlay;
   grab->draw(overlay);
   EXPECT_FALSE(overlay.spans.empty());
   EXPECT_FALSE(overlay.lines.empty());
   // The pen is back at the start.
-  const auto home = grab->move(pen_at({50, 0.5}), desk.scene());
+  const auto home = grab->move(pen_at({50, 0.5}), fixture.scene());
   ASSERT_TRUE(home);
-  EXPECT_EQ(*after(*home, hit.stroke), *desk.document.find(hit.stroke));
-  EXPECT_TRUE(grab->end(desk.scene()).empty());
+  EXPECT_EQ(*after(*home, hit.stroke), *fixture.document.find(hit.stroke));
+  EXPECT_TRUE(grab->end(fixture.scene()).empty());
 }
 
 TEST(GrabGesture, AShapeThatIsNotPossibleIsNotShown) {
-  Lines desk;
-  const StrokeHit hit = *desk.index.nearest({50, 0}, 8.0);
-  const auto grab = make_grab(pen_at({50, 0}), desk.scene(), hit, {});
-  ASSERT_TRUE(grab->move(pen_at({50, 5}), desk.scene()));
-  EXPECT_FALSE(grab->move(pen_at({std::nan(""), 5}), desk.scene()));
-  const Edit edit = grab->end(desk.scene());
+  Lines fixture;
+  const StrokeHit hit = *fixture.index.nearest({50, 0}, 8.0);
+  const auto grab = make_grab(pen_at({50, 0}), fixture.scene(), hit, {});
+  ASSERT_TRUE(grab->move(pen_at({50, 5}), fixture.scene()));
+  EXPECT_FALSE(grab->move(pen_at({std::nan(""), 5}), fixture.scene()));
+  const Edit edit = grab->end(fixture.scene());
   EXPECT_LE(distance_to(*after(edit, hit.stroke), {50, 5}), 0.05);
-  desk.apply(edit);
+  fixture.apply(edit);
 }
 
 TEST(PushGesture, R27_SeveralStrokesAtOnceEachFromItsSide) {
-  Lines desk;
-  const auto push = make_push(pen_at({60, -20}), desk.scene(), {});
+  Lines fixture;
+  const auto push = make_push(pen_at({60, -20}), fixture.scene(), {});
   std::optional<Edit> last;
   for (int k = 0; k <= 400; ++k) {
     const Point pen{60, -20 + 0.1 * k};
-    if (auto edit = push->move(pen_at(pen, k), desk.scene())) last = std::move(edit);
+    if (auto edit = push->move(pen_at(pen, k), fixture.scene())) last = std::move(edit);
     if (!last) continue;
-    for (const StrokeId id : desk.ids) {
-      const StrokePtr now = after(*last, id) ? after(*last, id) : desk.document.find(id);
+    for (const StrokeId id : fixture.ids) {
+      const StrokePtr now = after(*last, id) ? after(*last, id) : fixture.document.find(id);
       ASSERT_GE(distance_to(*now, pen), 3.0 - 1e-6);
     }
   }
   ASSERT_TRUE(last);
   EXPECT_EQ(last->changes.size(), 5U);
-  EXPECT_EQ(after(*last, desk.far), nullptr);
-  const Edit edit = push->end(desk.scene());
+  EXPECT_EQ(after(*last, fixture.far), nullptr);
+  const Edit edit = push->end(fixture.scene());
   EXPECT_EQ(edit.changes.size(), 5U);
-  const Document before = desk.document;
-  desk.apply(edit);
-  for (const StrokeId id : desk.ids) {
-    EXPECT_GE(distance_to(*desk.document.find(id), {60, 20}), 3.0 - 1e-6);
-    EXPECT_GT(distance_to(*desk.document.find(id), {60, 10}), 9.0);
+  const Document before = fixture.document;
+  fixture.apply(edit);
+  for (const StrokeId id : fixture.ids) {
+    EXPECT_GE(distance_to(*fixture.document.find(id), {60, 20}), 3.0 - 1e-6);
+    EXPECT_GT(distance_to(*fixture.document.find(id), {60, 10}), 9.0);
   }
-  desk.undo();
-  EXPECT_EQ(desk.document, before);
+  fixture.undo();
+  EXPECT_EQ(fixture.document, before);
 }
 
 TEST(PushGesture, R27_WhatIsNotTouchedIsNotMoved) {
-  Lines desk;
-  const auto push = make_push(pen_at({60, -20}), desk.scene(), {.radius_mm = 3.0});
+  Lines fixture;
+  const auto push = make_push(pen_at({60, -20}), fixture.scene(), {.radius_mm = 3.0});
   for (int k = 0; k <= 165; ++k) {
-    EXPECT_FALSE(push->move(pen_at({60, -20 + 0.1 * k}, k), desk.scene())) << k;
+    EXPECT_FALSE(push->move(pen_at({60, -20 + 0.1 * k}, k), fixture.scene())) << k;
   }
-  EXPECT_TRUE(push->end(desk.scene()).empty());
+  EXPECT_TRUE(push->end(fixture.scene()).empty());
 }
 
 TEST(PushGesture, HiddenAndLockedStrokesStay) {
-  Lines desk;
-  LayerState locked = desk.document.layers().front().state();
+  Lines fixture;
+  LayerState locked = fixture.document.layers().front().state();
   const LayerState open = locked;
   locked.locked = true;
-  desk.apply({"Lock", {}, {{desk.layer, open, locked, 0, 0}}});
-  const auto push = make_push(pen_at({60, -20}), desk.scene(), {});
+  fixture.apply({"Lock", {}, {{fixture.layer, open, locked, 0, 0}}});
+  const auto push = make_push(pen_at({60, -20}), fixture.scene(), {});
   for (int k = 0; k <= 40; ++k) {
-    EXPECT_FALSE(push->move(pen_at({60, -20.0 + k}, k), desk.scene()));
+    EXPECT_FALSE(push->move(pen_at({60, -20.0 + k}, k), fixture.scene()));
   }
-  EXPECT_TRUE(push->end(desk.scene()).empty());
+  EXPECT_TRUE(push->end(fixture.scene()).empty());
 }
 
 TEST(PushGesture, R27_WhatIsCommittedIsAsClearOfTheNib) {
   for (int k = 0; k < 40; ++k) {
-    Lines desk;
-    const auto push = make_push(pen_at({20.0 + 2.1 * k, -20}), desk.scene(), {});
+    Lines fixture;
+    const auto push = make_push(pen_at({20.0 + 2.1 * k, -20}), fixture.scene(), {});
     Point pen;
     for (int i = 0; i <= 300; ++i) {
       pen = {20.0 + 2.1 * k + 0.01 * (k % 7) * i, -20 + 0.1 * i};
-      (void)push->move(pen_at(pen, i), desk.scene());
+      (void)push->move(pen_at(pen, i), fixture.scene());
     }
-    desk.apply(push->end(desk.scene()));
-    for (const StrokeId id : desk.ids) {
-      EXPECT_GE(distance_to(*desk.document.find(id), pen), 3.0 - 1e-6) << k;
+    fixture.apply(push->end(fixture.scene()));
+    for (const StrokeId id : fixture.ids) {
+      EXPECT_GE(distance_to(*fixture.document.find(id), pen), 3.0 - 1e-6) << k;
     }
   }
 }
 
 TEST(SweepGesture, OneEditThatIsUndoneAtOnce) {
-  Lines desk;
-  const StrokeHit hit = *desk.index.nearest({50, 8.2}, 8.0);
-  const auto sweep = make_sweep(pen_at({50, 8.2}), desk.scene(), hit, {});
+  Lines fixture;
+  const StrokeHit hit = *fixture.index.nearest({50, 8.2}, 8.0);
+  const auto sweep = make_sweep(pen_at({50, 8.2}), fixture.scene(), hit, {});
   EXPECT_EQ(sweep->feel().kind, PullFeel::Kind::kSweep);
   for (int k = 1; k < 400; ++k) {
-    (void)sweep->move(pen_at({50 + 0.05 * k, 8.2 + 4.0 * std::sin(0.01 * k)}, k), desk.scene());
+    (void)sweep->move(pen_at({50 + 0.05 * k, 8.2 + 4.0 * std::sin(0.01 * k)}, k), fixture.scene());
   }
-  const Document before = desk.document;
-  const Edit edit = sweep->end(desk.scene());
+  const Document before = fixture.document;
+  const Edit edit = sweep->end(fixture.scene());
   ASSERT_EQ(edit.changes.size(), 1U);
-  desk.apply(edit);
-  EXPECT_GT(distance_to(*desk.document.find(hit.stroke), {58, 8}), 2.0);
-  desk.undo();
-  EXPECT_EQ(desk.document, before);
+  fixture.apply(edit);
+  EXPECT_GT(distance_to(*fixture.document.find(hit.stroke), {58, 8}), 2.0);
+  fixture.undo();
+  EXPECT_EQ(fixture.document, before);
 }
 
 }  // namespace

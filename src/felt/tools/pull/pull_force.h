@@ -18,7 +18,7 @@ namespace felt {
 inline ForceModel make_pull_force(const PullSettings& settings, const Scene& scene,
                                   const PullFeel& feel) {
   const Medium material =
-      felt_with(medium_of(scene, "pencil"), settings.strength, settings.strength);
+      scaled_medium(medium_of(scene, "pencil"), settings.strength, settings.strength);
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
   EditOptions edit;

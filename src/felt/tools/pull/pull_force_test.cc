@@ -11,12 +11,12 @@
 #include "felt/geometry/nearest.h"
 #include "felt/haptics/testing/feel_rig.h"
 #include "felt/tools/pull/pull_tool.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::pull_force_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::straight_stroke;
 
 /// A pull tool in the loop of a device. It gets every sample and publishes its force model every 4
@@ -24,14 +24,14 @@ using testing::straight_stroke;
 struct Loop {
   explicit Loop(const char* mode) {
     EXPECT_TRUE(tool.set_option("mode", std::string(mode)));
-    now = desk.document.find(line);
+    now = fixture.document.find(line);
   }
 
   /// Processes one sample; returns the edit term of the force.
   Force give(const PenSample& sample) {
-    const ToolResult result = tool.sample(sample, contact.update(sample), desk.scene());
+    const ToolResult result = tool.sample(sample, contact.update(sample), fixture.scene());
     if (result.preview) now = result.preview->changes.front().after;
-    if (samples++ % 4 == 0) model = tool.force(desk.scene());
+    if (samples++ % 4 == 0) model = tool.force(fixture.scene());
     ForceMemory memory;
     (void)model(sample, memory);
     for (const auto& term : memory.terms) {
@@ -64,8 +64,8 @@ struct Loop {
     return p - handle;
   }
 
-  Desk desk;
-  StrokeId line = desk.add(straight_stroke({0, 50}, {200, 50}, 1.0, 2.0));
+  Fixture fixture;
+  StrokeId line = fixture.add(straight_stroke({0, 50}, {200, 50}, 1.0, 2.0));
   PullTool tool;
   StrokePtr now;
   ForceModel model;
@@ -150,7 +150,7 @@ TEST(PushForce, R29_IsThatOfHowFarTheLineWasPushedWhateverTheSpeed) {
 
 TEST(PushForce, R29_LinesFromBothSidesAddUpToNoMoreThanTheLaw) {
   Loop loop("push");
-  loop.desk.add(straight_stroke({0, 58}, {200, 58}, 1.0, 2.0));
+  loop.fixture.add(straight_stroke({0, 58}, {200, 58}, 1.0, 2.0));
   double most = 0.0;
   for (int i = 0; i <= 400; ++i) {
     const Point pen{20 + 0.3 * i, 54 + 3 * std::sin(0.05 * i)};
@@ -162,12 +162,12 @@ TEST(PushForce, R29_LinesFromBothSidesAddUpToNoMoreThanTheLaw) {
 
 TEST(PullForce, R30_SweepAndPushAreCalmAndGiveNoEnergy) {
   for (const char* mode : {"sweep", "push"}) {
-    double worst = 0.0, most_energy = -1e9;
+    double worst = 0.0, max_energy = -1e9;
     for (int delay = 0; delay <= 1; ++delay) {
       rig::for_each_grip(0.001, delay, [&](const rig::Setup& setup) {
         Loop loop(mode);
-        loop.desk.device = setup.capabilities();
-        rig::Bench bench(setup, loop.tool.force(loop.desk.scene()), {100, 54, 1});
+        loop.fixture.device = setup.capabilities();
+        rig::Bench bench(setup, loop.tool.force(loop.fixture.scene()), {100, 54, 1});
         const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
         const auto target = [&](double t) -> Vec3 {
           const double x = std::min(t / 0.4, 1.0), s = std::max(0.0, t - 0.7);
@@ -184,13 +184,13 @@ TEST(PullForce, R30_SweepAndPushAreCalmAndGiveNoEnergy) {
         bench.begin_measuring();
         bench.run(2.0, target, edit_side);
         worst = std::max(worst, bench.figures().hf_n);
-        most_energy = std::max(most_energy, bench.figures().energy_mj);
+        max_energy = std::max(max_energy, bench.figures().energy_mj);
         EXPECT_LT(bench.figures().hf_n, 0.03) << mode << ", " << setup.name();
         EXPECT_LE(bench.figures().energy_mj, 1.0) << mode << ", " << setup.name();
       });
     }
     RecordProperty(std::string("worst_hf_n_") + mode, std::to_string(worst));
-    RecordProperty(std::string("most_energy_mj_") + mode, std::to_string(most_energy));
+    RecordProperty(std::string("most_energy_mj_") + mode, std::to_string(max_energy));
   }
 }
 

@@ -11,31 +11,31 @@
 #include "felt/stroke/testing/stroke_probe.h"
 #include "felt/tools/pull/pull_force.h"
 #include "felt/tools/pull/pull_tool.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::pull_test {
 namespace {
 
-using testing::Desk;
 using testing::distance_to;
+using testing::Fixture;
 using testing::Pen;
 using testing::straight_stroke;
 using testing::way;
 using testing::operator+;
 
 struct Pull {
-  Desk desk;
+  Fixture fixture;
   PullTool tool;
-  Pen pen{tool, desk};
-  StrokeId line = desk.add(straight_stroke({20, 50}, {120, 50}, 1.0, 2.0));
-  StrokeId other = desk.add(straight_stroke({20, 90}, {120, 90}, 1.0, 1.0));
+  Pen pen{tool, fixture};
+  StrokeId line = fixture.add(straight_stroke({20, 50}, {120, 50}, 1.0, 2.0));
+  StrokeId other = fixture.add(straight_stroke({20, 90}, {120, 90}, 1.0, 1.0));
 
   void set(std::string_view id, const OptionValue& value) {
     const auto ok = tool.set_option(id, value);
     ASSERT_TRUE(ok) << ok.error().message;
   }
   void choose(std::string_view id, const char* value) { set(id, std::string(value)); }
-  [[nodiscard]] StrokePtr stroke() const { return desk.document.find(line); }
+  [[nodiscard]] StrokePtr stroke() const { return fixture.document.find(line); }
   [[nodiscard]] Overlay overlay() const {
     Overlay o;
     tool.draw(o);
@@ -44,26 +44,26 @@ struct Pull {
   /// Returns the force at a point, with the pen at rest there.
   [[nodiscard]] Force force_at(Point p) const {
     ForceMemory memory;
-    return tool.force(desk.scene())(rig::pen_at({p.x, p.y, -1}), memory);
+    return tool.force(fixture.scene())(rig::pen_at({p.x, p.y, -1}), memory);
   }
 };
 
 TEST(Pull, OneGestureIsOneUndoStepThatRestoresTheBytes) {
   Pull p;
-  const Document before = p.desk.document;
+  const Document before = p.fixture.document;
   const StrokePtr was = p.stroke();
-  const auto steps = p.desk.history.undo_count();
+  const auto steps = p.fixture.history.undo_count();
   p.pen.line(way({70, 50}, {75, 62}));
   EXPECT_EQ(p.pen.commits, 1);
-  EXPECT_EQ(p.desk.history.undo_count(), steps + 1);
-  EXPECT_EQ(p.desk.history.undo_label(), "Pull");
+  EXPECT_EQ(p.fixture.history.undo_count(), steps + 1);
+  EXPECT_EQ(p.fixture.history.undo_label(), "Pull");
   EXPECT_LE(distance_to(*p.stroke(), {75, 62}), 1e-9);
-  const Document after = p.desk.document;
-  p.desk.undo();
-  EXPECT_EQ(p.desk.document, before);
+  const Document after = p.fixture.document;
+  p.fixture.undo();
+  EXPECT_EQ(p.fixture.document, before);
   EXPECT_EQ(p.stroke(), was);
-  p.desk.redo();
-  EXPECT_EQ(p.desk.document, after);
+  p.fixture.redo();
+  EXPECT_EQ(p.fixture.document, after);
 }
 
 TEST(Pull, R21_WhatIsUnderThePenFollowsItInEverySample) {
@@ -128,12 +128,12 @@ TEST(Pull, KeepsTheDistanceOfTheTouchIfAskedTo) {
 
 TEST(Pull, R20_FarFromEveryLineNothingHappens) {
   Pull p;
-  const Document before = p.desk.document;
+  const Document before = p.fixture.document;
   p.pen.up({70, 58.1});
   EXPECT_TRUE(p.overlay().spans.empty());
   p.pen.line(way({70, 58.1}, {70, 40}));
   EXPECT_EQ(p.pen.commits, 0);
-  EXPECT_EQ(p.desk.document, before);
+  EXPECT_EQ(p.fixture.document, before);
   p.pen.down({70, 58.1});
   p.pen.down({70, 50});  // now the pen is on the line, unlike at the touch
   const Force force = p.force_at({70, 50});
@@ -148,10 +148,10 @@ TEST(Pull, R20_FarFromEveryLineNothingHappens) {
 
 TEST(Pull, R23_BackHomeNothingIsCommittedAndRatesDoNotMatter) {
   Pull p;
-  const Document before = p.desk.document;
+  const Document before = p.fixture.document;
   p.pen.line(way({70, 50}, {90, 80}) + way({90, 80}, {60, 20}) + way({60, 20}, {70, 50}));
   EXPECT_EQ(p.pen.commits, 0);
-  EXPECT_EQ(p.desk.document, before);
+  EXPECT_EQ(p.fixture.document, before);
   // The pen moves along the same path at 1 kHz and at 60 Hz.
   Pull quick, slow;
   const std::vector<Point> all = way({70, 50}, {90, 80}, 0.02);
@@ -166,25 +166,25 @@ TEST(Pull, R23_BackHomeNothingIsCommittedAndRatesDoNotMatter) {
 
 TEST(Pull, CancelLeavesNothing) {
   Pull p;
-  const Document before = p.desk.document;
+  const Document before = p.fixture.document;
   p.pen.down({70, 50});
   p.pen.down({70, 60});
   p.tool.cancel();
   p.pen.up({70, 60});
   EXPECT_EQ(p.pen.commits, 0);
-  EXPECT_EQ(p.desk.document, before);
+  EXPECT_EQ(p.fixture.document, before);
   EXPECT_EQ(norm(p.force_at({70, 60}) - p.force_at({0, 0})), 0.0);
 }
 
 TEST(Pull, OtherStrokesKeepTheirBytesAndLockedLayersAreLeftAlone) {
   Pull p;
-  const StrokePtr other = p.desk.document.find(p.other);
+  const StrokePtr other = p.fixture.document.find(p.other);
   p.pen.line(way({70, 50}, {70, 60}));
-  EXPECT_EQ(p.desk.document.find(p.other), other);
-  const LayerId id = p.desk.layer;
-  LayerState locked = p.desk.document.layer(id)->state();
+  EXPECT_EQ(p.fixture.document.find(p.other), other);
+  const LayerId id = p.fixture.layer;
+  LayerState locked = p.fixture.document.layer(id)->state();
   locked.locked = true;
-  p.desk.apply({"Lock", {}, {{id, p.desk.document.layer(id)->state(), locked, 0, 0}}});
+  p.fixture.apply({"Lock", {}, {{id, p.fixture.document.layer(id)->state(), locked, 0, 0}}});
   const int commits = p.pen.commits;
   p.pen.line(way({70, 60}, {70, 70}));
   EXPECT_EQ(p.pen.commits, commits);
@@ -245,7 +245,7 @@ TEST(Pull, EachModeMakesItsOwnGesture) {
     EXPECT_EQ(p.pen.commits, 1);
     EXPECT_NE(p.stroke(), was);
     EXPECT_TRUE(check_invariants(p.stroke()->data()));
-    p.desk.undo();
+    p.fixture.undo();
     EXPECT_EQ(p.stroke(), was);
   }
 }
@@ -270,11 +270,11 @@ TEST(PullForce, R29_PointsBackAndGrowsFromAFifthToOneNewton) {
   EXPECT_EQ(p.force_at({70, 50}).x, 0.0);
   EXPECT_EQ(p.force_at({70, 50}).y, 0.0);
   // Moving the pen does not change the fade_id, so that nothing is cross-faded.
-  const auto id = p.tool.force(p.desk.scene()).fade_id();
+  const auto id = p.tool.force(p.fixture.scene()).fade_id();
   p.pen.down({80, 70});
-  EXPECT_EQ(p.tool.force(p.desk.scene()).fade_id(), id);
+  EXPECT_EQ(p.tool.force(p.fixture.scene()).fade_id(), id);
   p.pen.up({80, 70});
-  EXPECT_NE(p.tool.force(p.desk.scene()).fade_id(), id);
+  EXPECT_NE(p.tool.force(p.fixture.scene()).fade_id(), id);
 }
 
 TEST(PullForce, R29_StrengthScalesItAndItsSlopeIsBounded) {
@@ -297,13 +297,13 @@ TEST(PullForce, R29_StrengthScalesItAndItsSlopeIsBounded) {
 
 /// The force model of a pull that grabbed at (0, 0), for a device.
 ForceModel held(const rig::Setup& setup) {
-  Desk desk;
-  desk.device = setup.capabilities();
-  return make_pull_force(PullSettings{}, desk.scene(), {.kind = PullFeel::Kind::kSpring});
+  Fixture fixture;
+  fixture.device = setup.capabilities();
+  return make_pull_force(PullSettings{}, fixture.scene(), {.kind = PullFeel::Kind::kSpring});
 }
 
 TEST(PullForce, R30_IsCalmAndGivesNoEnergy) {
-  double worst = 0.0, most_energy = -1e9;
+  double worst = 0.0, max_energy = -1e9;
   for (int delay = 0; delay <= 1; ++delay) {
     rig::for_each_grip(0.001, delay, [&](const rig::Setup& setup) {
       rig::Bench bench(setup, held(setup), {0, 0, 1});
@@ -316,14 +316,14 @@ TEST(PullForce, R30_IsCalmAndGivesNoEnergy) {
       bench.begin_measuring();
       bench.run(1.0, target);
       worst = std::max(worst, bench.figures().hf_n);
-      most_energy = std::max(most_energy, bench.figures().energy_mj);
+      max_energy = std::max(max_energy, bench.figures().energy_mj);
       EXPECT_LT(bench.figures().hf_n, 0.03) << setup.name();
       EXPECT_LE(bench.figures().energy_mj, 1.0) << setup.name();
       EXPECT_LT(bench.figures().max_size_n, 8.0);
     });
   }
   RecordProperty("worst_hf_n", std::to_string(worst));
-  RecordProperty("most_energy_mj", std::to_string(most_energy));
+  RecordProperty("most_energy_mj", std::to_string(max_energy));
 }
 
 TEST(PullForce, R30_DependsOnTheTotalDisplacementAlone) {

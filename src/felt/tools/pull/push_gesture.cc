@@ -96,12 +96,12 @@ class PushGesture final : public PullGesture {
       const double gap = std::max(0.0, distance(last_, under->point) - radius_mm_);
       const Vec normal = normalized(last_ - under->point);
       const double spring_n = kEditLaw.force_n(under->displacement_mm);
-      const double felt_n = std::max(0.0, spring_n - 1e-3 * kEditLaw.max_slope_n_per_m() * gap);
-      if (felt_n > 0.0) {
-        normals += felt_n * normal;
-        all_n += felt_n;
-        sum.gap_mm += felt_n * gap;
-        sum.displacement_mm += felt_n * under->displacement_mm;
+      const double force_n = std::max(0.0, spring_n - 1e-3 * kEditLaw.max_slope_n_per_m() * gap);
+      if (force_n > 0.0) {
+        normals += force_n * normal;
+        all_n += force_n;
+        sum.gap_mm += force_n * gap;
+        sum.displacement_mm += force_n * under->displacement_mm;
       } else if (gap < nearest.gap_mm) {
         nearest.normal = normal;
         nearest.gap_mm = gap;

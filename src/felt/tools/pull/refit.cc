@@ -19,13 +19,13 @@ constexpr int kSamples = 24;
 constexpr int kRounds = 4;
 
 bool is_short(double handle_mm, double length_mm, JointKind joint, const SegmentShape& shape) {
-  return joint == JointKind::kSmooth && handle_mm < shape.least_handle * length_mm;
+  return joint == JointKind::kSmooth && handle_mm < shape.min_handle * length_mm;
 }
 
 bool winds(const Cubic& c, double length_mm, const SegmentShape& shape) {
   return std::max(distance(c.p[0], c.p[1]), distance(c.p[2], c.p[3])) >
-             shape.most_handle * length_mm ||
-         length_mm > shape.most_winding * distance(c.p[0], c.p[3]);
+             shape.max_handle * length_mm ||
+         length_mm > shape.max_winding * distance(c.p[0], c.p[3]);
 }
 
 /// Finds the handle lengths of a curve with the ends and tangents of `c` that is as near to `c` as
@@ -35,14 +35,14 @@ class HandleFit {
   explicit HandleFit(const Cubic& c)
       : old_(c), start_(tangent(c, 0.0)), end_(tangent(c, 1.0)), now_(c) {}
 
-  /// Returns a curve with handles of at least `least_mm`, or nullopt if such a curve is not near
+  /// Returns a curve with handles of at least `min_mm`, or nullopt if such a curve is not near
   /// enough.
-  std::optional<Cubic> fit(double least_mm) {
-    now_ = with(std::max(least_mm, distance(old_.p[0], old_.p[1])),
-                std::max(least_mm, distance(old_.p[2], old_.p[3])));
+  std::optional<Cubic> fit(double min_mm) {
+    now_ = with(std::max(min_mm, distance(old_.p[0], old_.p[1])),
+                std::max(min_mm, distance(old_.p[2], old_.p[3])));
     for (int round = 0; round < kRounds; ++round) {
       const auto [a, b] = solve();
-      now_ = with(std::max(a, least_mm), std::max(b, least_mm));
+      now_ = with(std::max(a, min_mm), std::max(b, min_mm));
     }
     return farthest() <= kRefitToleranceMm ? std::optional(now_) : std::nullopt;
   }
@@ -110,7 +110,7 @@ void lengthen_handles(const Stroke& stroke, int i, StrokeData& data) {
     return;
   }
   // Uses a margin, because the length of the new curve differs slightly.
-  const std::optional<Cubic> better = HandleFit(c).fit(1.1 * shape.least_handle * length);
+  const std::optional<Cubic> better = HandleFit(c).fit(1.1 * shape.min_handle * length);
   if (!better || winds(*better, length, shape)) return;
   const auto k = 3 * static_cast<std::size_t>(i);
   data.points[k + 1] = better->p[1];

@@ -7,9 +7,9 @@ namespace felt {
 
 /// The shape that segments should have after an edit (docs/design/editing.md#release).
 struct SegmentShape {
-  double least_handle = 0.04;  ///< at smooth joints, fraction of the arc length
-  double most_handle = 1.0;    ///< fraction of the arc length
-  double most_winding = 1.9;   ///< arc length divided by the chord
+  double min_handle = 0.04;  ///< at smooth joints, fraction of the arc length
+  double max_handle = 1.0;   ///< fraction of the arc length
+  double max_winding = 1.9;  ///< arc length divided by the chord
 };
 
 /// How far the refit may move the ink, mm. This is less than the pen and the eye can resolve.

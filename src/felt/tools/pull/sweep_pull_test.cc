@@ -10,12 +10,12 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/testing/stroke_probe.h"
 #include "felt/tools/pull/sweep_gesture.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::sweep_pull_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::random_stroke;
 using testing::RandomStroke;
 using testing::share;
@@ -89,8 +89,8 @@ TEST(SweepPull, ThePenDrawsTheLineOverAgain) {
 
 /// Returns the result of a gesture of 600 ms at a sample rate.
 Stroke swept(double rate_hz) {
-  Desk desk;
-  const StrokeId id = desk.add(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0));
+  Fixture fixture;
+  const StrokeId id = fixture.add(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0));
   const auto pen = [](double s) {
     PenSample sample;
     sample.time_ns = std::llround(1e9 * s);
@@ -98,11 +98,11 @@ Stroke swept(double rate_hz) {
     return sample;
   };
   const StrokeHit hit{.stroke = id, .u = 0.3, .point = {36, 0}, .distance_mm = 0.0};
-  const auto gesture = make_sweep(pen(0.0), desk.scene(), hit, {});
+  const auto gesture = make_sweep(pen(0.0), fixture.scene(), hit, {});
   for (int k = 1; k <= std::lround(0.6 * rate_hz); ++k) {
-    (void)gesture->move(pen(k / rate_hz), desk.scene());
+    (void)gesture->move(pen(k / rate_hz), fixture.scene());
   }
-  const Edit edit = gesture->end(desk.scene());
+  const Edit edit = gesture->end(fixture.scene());
   EXPECT_EQ(edit.changes.size(), 1U);
   return *edit.changes.front().after;
 }
@@ -118,19 +118,19 @@ TEST(SweepPull, R30_TheRateOfSamplesMeansNothing) {
 }
 
 TEST(SweepPull, HostileTimesAreSurvived) {
-  Desk desk;
-  const StrokeId id = desk.add(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0));
+  Fixture fixture;
+  const StrokeId id = fixture.add(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0));
   PenSample pen;
   pen.position = {36, 1, -1};
   const auto gesture =
-      make_sweep(pen, desk.scene(), {.stroke = id, .u = 0.3, .point = {36, 0}}, {});
+      make_sweep(pen, fixture.scene(), {.stroke = id, .u = 0.3, .point = {36, 0}}, {});
   for (const std::int64_t t : {std::numeric_limits<std::int64_t>::min(),
                                std::numeric_limits<std::int64_t>::max(), std::int64_t{0}}) {
     pen.time_ns = t;
     pen.position.y += 1.0;
-    (void)gesture->move(pen, desk.scene());
+    (void)gesture->move(pen, fixture.scene());
   }
-  desk.apply(gesture->end(desk.scene()));
+  fixture.apply(gesture->end(fixture.scene()));
 }
 
 }  // namespace

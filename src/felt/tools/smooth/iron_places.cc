@@ -218,17 +218,17 @@ double IronPlaces::turn(int k) const {
   return turn;
 }
 
-double IronPlaces::from_fixed_mm(int k, double most_mm) const noexcept {
+double IronPlaces::from_fixed_mm(int k, double max_mm) const noexcept {
   const double at = length_at(k);
   for (int i = 0;; ++i) {
-    double nearest = most_mm;
+    double nearest = max_mm;
     for (const int side : {-1, 1}) {
       const int place = closed() ? wrapped(k + side * i) : std::clamp(k + side * i, 0, count());
       const double way = std::fabs(map_.way(at, length_at(place)));
-      if (is_fixed(place)) return std::min(way, most_mm);
+      if (is_fixed(place)) return std::min(way, max_mm);
       nearest = std::min(nearest, way);
     }
-    if (nearest >= most_mm || i > count()) return most_mm;
+    if (nearest >= max_mm || i > count()) return max_mm;
   }
 }
 

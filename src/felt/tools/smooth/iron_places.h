@@ -52,8 +52,8 @@ class IronPlaces {
   [[nodiscard]] Point point(int k) const;
   /// Returns true for kept corners and the ends of an open stroke.
   [[nodiscard]] bool is_fixed(int k) const noexcept { return fixed_[static_cast<std::size_t>(k)]; }
-  /// Returns the arc length to the nearest fixed place, at most most_mm.
-  [[nodiscard]] double from_fixed_mm(int k, double most_mm) const noexcept;
+  /// Returns the arc length to the nearest fixed place, at most max_mm.
+  [[nodiscard]] double from_fixed_mm(int k, double max_mm) const noexcept;
   /// Returns the mean curvature within half of `window_mm` on both sides of a place, 1/mm. It is
   /// the total turn divided by the length, so that tremor, which turns left and right, cancels out.
   [[nodiscard]] double mean_curvature(int k, double window_mm) const;

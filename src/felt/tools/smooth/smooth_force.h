@@ -29,12 +29,12 @@ class RoughFeel {
   /// `friction` is mu0. If it is 0, nothing is added. `share` scales the effect.
   RoughFeel(double roughness_mm, double friction, double share) noexcept
       : more_(share * kMaxFactor * roughness_mm / (roughness_mm + kHalfMm)),
-        most_n_(share * kMaxN),
+        max_n_(share * kMaxN),
         friction_(friction) {}
 
   Force operator()(const PenSample&, ForceMemory& memory) const noexcept {
     if (memory.normal_force_n > 0.0 && friction_ > 0.0) {
-      const double more = std::min(more_, most_n_ / memory.normal_force_n);
+      const double more = std::min(more_, max_n_ / memory.normal_force_n);
       memory.friction_factor += more / friction_;
     }
     return {};
@@ -44,14 +44,14 @@ class RoughFeel {
 
  private:
   double more_;
-  double most_n_;
+  double max_n_;
   double friction_;
 };
 
 /// Returns the force model of the smooth tool: the surface, with friction that depends on the
 /// roughness of the ink under the iron.
 inline ForceModel make_smooth_force(const Scene& scene, double roughness_mm, double strength) {
-  const Medium material = felt_with(medium_of(scene, "pencil"), strength, strength);
+  const Medium material = scaled_medium(medium_of(scene, "pencil"), strength, strength);
   const FrictionOptions friction = friction_for(material, scene.surface, scene.device);
   const TextureOptions texture = texture_for(material, scene.surface, scene.device);
   ForceModel model(Compose(

@@ -7,12 +7,12 @@
 #include "felt/tools/smooth/smooth_force.h"
 #include "felt/tools/smooth/smooth_tool.h"
 #include "felt/tools/smooth/testing/jitter_ink.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::smooth_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::jittery;
 using testing::Pen;
 using testing::rms_from;
@@ -21,15 +21,15 @@ using testing::way;
 using testing::operator+;
 
 struct Smooth {
-  Desk desk;
+  Fixture fixture;
   SmoothTool tool;
-  Pen pen{tool, desk};
+  Pen pen{tool, fixture};
 
   void set(std::string_view id, const OptionValue& value) {
     const auto ok = tool.set_option(id, value);
     ASSERT_TRUE(ok) << ok.error().message;
   }
-  [[nodiscard]] const Stroke& stroke() const { return *desk.strokes().at(0); }
+  [[nodiscard]] const Stroke& stroke() const { return *fixture.strokes().at(0); }
   [[nodiscard]] Overlay overlay() const {
     Overlay o;
     tool.draw(o);
@@ -47,15 +47,15 @@ std::vector<Point> along_wave(double from, double to, int steps = 1000) {
 
 TEST(SmoothTool, RubbingIronsJitterOutAsOneStepOfUndo) {
   Smooth s;
-  s.desk.add(jittery(testing::wave(), {0.2, 4.0}, 1));
+  s.fixture.add(jittery(testing::wave(), {0.2, 4.0}, 1));
   const Stroke before = s.stroke();
   s.pen.line(along_wave(0, 1) + along_wave(1, 0));
   ASSERT_EQ(s.pen.commits, 1);
-  EXPECT_EQ(s.desk.history.undo_label(), "Smooth");
+  EXPECT_EQ(s.fixture.history.undo_label(), "Smooth");
   EXPECT_LT(rms_from(s.stroke(), testing::wave(), 0.05, 0.95),
             0.7 * rms_from(before, testing::wave(), 0.05, 0.95));
   EXPECT_LT(s.stroke().segment_count(), before.segment_count());
-  s.desk.undo();
+  s.fixture.undo();
   EXPECT_EQ(s.stroke(), before);
 }
 
@@ -63,7 +63,7 @@ TEST(SmoothTool, PressingHarderAndStayingLongerIronMore) {
   const auto left = [](double pressure, double amount, int passes) {
     Smooth s;
     s.set("amount", amount);
-    s.desk.add(jittery(testing::wave(), {0.2, 5.0}, 1));
+    s.fixture.add(jittery(testing::wave(), {0.2, 5.0}, 1));
     s.pen.pressure = pressure;
     std::vector<Point> points;
     for (int i = 0; i < passes; ++i) points = points + along_wave(i % 2, 1 - i % 2);
@@ -79,7 +79,7 @@ TEST(SmoothTool, TheResultDoesNotDependOnTheRateOfTheSamples) {
   std::vector<Stroke> results;
   for (const double hz : {60.0, 250.0, 1000.0}) {
     Smooth s;
-    s.desk.add(jittery(testing::wave(), {}, 2));
+    s.fixture.add(jittery(testing::wave(), {}, 2));
     const double seconds = 1.5;
     const int n = static_cast<int>(std::lround(seconds * hz));
     for (int i = 0; i <= n; ++i) {
@@ -110,7 +110,7 @@ TEST(SmoothTool, TheResultDoesNotDependOnTheRateOfTheSamples) {
 
 TEST(SmoothTool, SmoothInkIsLeftAloneAndIsNoStepOfUndo) {
   Smooth s;
-  s.desk.add(straight_stroke({0, 50}, {100, 50}, 1, 2));
+  s.fixture.add(straight_stroke({0, 50}, {100, 50}, 1, 2));
   const Stroke before = s.stroke();
   s.pen.line(way({0, 50}, {100, 50}));
   EXPECT_EQ(s.pen.commits, 0);
@@ -119,7 +119,7 @@ TEST(SmoothTool, SmoothInkIsLeftAloneAndIsNoStepOfUndo) {
 
 TEST(SmoothTool, R20_FarAndLockedLinesAreLeftAloneAndCancelLeavesNothing) {
   Smooth s;
-  s.desk.add(jittery(testing::wave(), {}, 1));
+  s.fixture.add(jittery(testing::wave(), {}, 1));
   const Stroke before = s.stroke();
   s.pen.line(way({0, 80}, {100, 80}));
   EXPECT_EQ(s.pen.commits, 0);
@@ -129,10 +129,10 @@ TEST(SmoothTool, R20_FarAndLockedLinesAreLeftAloneAndCancelLeavesNothing) {
   s.pen.along(along_wave(0.5, 1));
   s.pen.up({100, 50});
   EXPECT_EQ(s.pen.commits, 0);
-  const Layer* layer = s.desk.document.layer(s.desk.layer);
+  const Layer* layer = s.fixture.document.layer(s.fixture.layer);
   LayerState locked = layer->state();
   locked.locked = true;
-  s.desk.apply({"Lock", {}, {{s.desk.layer, layer->state(), locked, 0, 0}}});
+  s.fixture.apply({"Lock", {}, {{s.fixture.layer, layer->state(), locked, 0, 0}}});
   s.pen.line(along_wave(0, 1));
   EXPECT_EQ(s.pen.commits, 0);
   EXPECT_EQ(s.stroke(), before);
@@ -141,7 +141,7 @@ TEST(SmoothTool, R20_FarAndLockedLinesAreLeftAloneAndCancelLeavesNothing) {
 TEST(SmoothTool, ALineOfKilometresIsLeftAsItIs) {
   Smooth s;
   const double km = 1e6;
-  s.desk.add(testing::straight_stroke({0, 0}, {30 * km, 0}, 200, 1.0));
+  s.fixture.add(testing::straight_stroke({0, 0}, {30 * km, 0}, 200, 1.0));
   const Stroke before = s.stroke();
   s.pen.line({{0, 0}, {km, 0}, {20 * km, 0}, {5, 0}});
   EXPECT_EQ(s.pen.commits, 0);
@@ -150,7 +150,7 @@ TEST(SmoothTool, ALineOfKilometresIsLeftAsItIs) {
 
 TEST(SmoothTool, HoverShowsRingAndSpan) {
   Smooth s;
-  s.desk.add(straight_stroke({0, 0}, {100, 0}, 1, 2));
+  s.fixture.add(straight_stroke({0, 0}, {100, 0}, 1, 2));
   s.pen.up({50, 3});
   const Overlay o = s.overlay();
   ASSERT_EQ(o.rings.size(), 1u);
@@ -171,27 +171,27 @@ double friction_n(const ForceModel& model, double push_n) {
   return -last.x;
 }
 
-Desk grainless() {
-  Desk desk;
-  desk.surface.id = "smooth";
-  desk.surface.grain_um = 0.0;
-  return desk;
+Fixture grainless() {
+  Fixture fixture;
+  fixture.surface.id = "smooth";
+  fixture.surface.grain_um = 0.0;
+  return fixture;
 }
 
 TEST(SmoothForce, FrictionTellsTheRoughnessAndIsTheSurfacesOnSmoothInk) {
-  const Desk desk = grainless();
+  const Fixture fixture = grainless();
   for (const double push : {0.2, 0.5, 1.0, 2.0, 4.0}) {
-    const double plain = friction_n(make_smooth_force(desk.scene(), 0.0, 1.0), push);
+    const double plain = friction_n(make_smooth_force(fixture.scene(), 0.0, 1.0), push);
     EXPECT_NEAR(plain, 0.25 * push, 1e-6);
     double last = plain;
     for (const double rough : {0.01, 0.05, 0.1, 0.2, 0.5, 2.0, 100.0}) {
-      const double now = friction_n(make_smooth_force(desk.scene(), rough, 1.0), push);
+      const double now = friction_n(make_smooth_force(fixture.scene(), rough, 1.0), push);
       EXPECT_GE(now, last - 1e-12);
       EXPECT_LE(now - plain, 0.4 + 1e-9);
       last = now;
     }
     EXPECT_GT(last, plain + 0.3 * std::min(push, 1.0));
-    EXPECT_NEAR(friction_n(make_smooth_force(desk.scene(), 1.0, 0.0), push), 0.0, 1e-12);
+    EXPECT_NEAR(friction_n(make_smooth_force(fixture.scene(), 1.0, 0.0), push), 0.0, 1e-12);
   }
 }
 
@@ -199,10 +199,10 @@ TEST(SmoothForce, R41_IsCalmInEveryHandAndOnlyTakesEnergy) {
   for (const int delay : {0, 1}) {
     rig::for_each_grip(0.001, delay, [&](const rig::Setup& setup) {
       SCOPED_TRACE(setup.name());
-      Desk desk = grainless();
-      desk.device = setup.capabilities();
+      Fixture fixture = grainless();
+      fixture.device = setup.capabilities();
       const double z = rig::aim_z_mm(setup.hand, 1.0, 500.0);
-      rig::Bench bench(setup, make_smooth_force(desk.scene(), 0.2, 1.0));
+      rig::Bench bench(setup, make_smooth_force(fixture.scene(), 0.2, 1.0));
       int tick = 0;
       const auto aim = [&](double t) {
         return Vec3{t < 1.0 ? 0.0 : 8.0 * std::sin(6.0 * (t - 1.0)), 0.0,
@@ -213,7 +213,7 @@ TEST(SmoothForce, R41_IsCalmInEveryHandAndOnlyTakesEnergy) {
       // The pen rests and rubs slowly, while the roughness falls as under the iron.
       bench.run(2.4, aim, [&](rig::Bench& b) {
         if (++tick % 12 == 0) {
-          b.set_model(make_smooth_force(desk.scene(), 0.2 * std::exp(-0.001 * tick), 1.0));
+          b.set_model(make_smooth_force(fixture.scene(), 0.2 * std::exp(-0.001 * tick), 1.0));
         }
       });
       EXPECT_LT(bench.figures().hf_n, 0.03);
@@ -224,15 +224,15 @@ TEST(SmoothForce, R41_IsCalmInEveryHandAndOnlyTakesEnergy) {
 
 TEST(SmoothForce, TheHandFeelsTheLineGetSmootherUnderTheSameFeel) {
   Smooth s;
-  s.desk.surface = grainless().surface;
-  s.desk.add(jittery(testing::wave(), {0.2, 4.0}, 1));
+  s.fixture.surface = grainless().surface;
+  s.fixture.add(jittery(testing::wave(), {0.2, 4.0}, 1));
   s.pen.up(testing::wave()(0.3));
-  const std::uint32_t id = s.tool.force(s.desk.scene()).fade_id();
+  const std::uint32_t id = s.tool.force(s.fixture.scene()).fade_id();
   s.pen.along(along_wave(0.3, 0.4, 100));
-  const double first = friction_n(s.tool.force(s.desk.scene()), 1.0);
+  const double first = friction_n(s.tool.force(s.fixture.scene()), 1.0);
   for (int i = 0; i < 8; ++i) s.pen.along(along_wave(0.4, 0.3, 100) + along_wave(0.3, 0.4, 100));
-  const double last = friction_n(s.tool.force(s.desk.scene()), 1.0);
-  EXPECT_EQ(s.tool.force(s.desk.scene()).fade_id(), id);
+  const double last = friction_n(s.tool.force(s.fixture.scene()), 1.0);
+  EXPECT_EQ(s.tool.force(s.fixture.scene()).fade_id(), id);
   EXPECT_GT(first, 0.35);
   EXPECT_LT(last, 0.32);
   s.pen.up({50, 50});

@@ -69,7 +69,7 @@ ToolResult SmoothTool::take(const PenSample& sample, const Scene& scene) {
   if (hold_.map().length_mm() > kLongestLineMm) return {};
   replacement_.emplace(scene.document, hold_.id());
   ironing_.emplace(*hold_.stroke(), hold_.map(), settings_.iron);
-  last_ns_ = preview_ns_ = felt_ns_ = sample.time_ns;
+  last_ns_ = preview_ns_ = force_ns_ = sample.time_ns;
   const auto points = static_cast<std::int64_t>(hold_.stroke()->data().points.size());
   preview_interval_ns_ = std::max(kPreviewNs, kPreviewNsPerPoint * points);
   iron(sample, scene, true);
@@ -89,14 +89,14 @@ ToolResult SmoothTool::move(const PenSample& sample, const Scene& scene) {
                                           kSmoothLabel)};
   }
   const double unshown = seconds_off(preview_ns_, sample.time_ns);
-  const double unfelt = seconds_off(felt_ns_, sample.time_ns);
+  const double unfelt = seconds_off(force_ns_, sample.time_ns);
   if (has_changed_ && unshown >= 1e-9 * static_cast<double>(preview_interval_ns_)) {
     preview_ns_ = sample.time_ns;
     has_changed_ = false;
     is_caught_up_ = true;
     ironing_->catch_up();
   } else if (unfelt >= 1e-9 * static_cast<double>(kPreviewNs)) {
-    felt_ns_ = sample.time_ns;
+    force_ns_ = sample.time_ns;
     feel(std::min(unfelt, kLongestStepS));
   }
   return {.same_preview = true};

@@ -54,7 +54,7 @@ class SmoothTool final : public GestureTool {
   double rate_ = 0.0;  // dose per second at the last sample
   std::int64_t last_ns_ = 0;
   std::int64_t preview_ns_ = 0;
-  std::int64_t felt_ns_ = 0;
+  std::int64_t force_ns_ = 0;
   std::int64_t preview_interval_ns_ = kPreviewNs;
   bool has_changed_ = false;
   bool is_caught_up_ = false;  // the next sample makes the preview

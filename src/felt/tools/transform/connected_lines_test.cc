@@ -4,13 +4,13 @@
 
 #include <numbers>
 
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 #include "felt/tools/transform/moved_strokes.h"
 
 namespace felt::connected_lines_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::straight_stroke;
 
 Stroke of_color(Stroke stroke, Rgba color) {
@@ -21,7 +21,7 @@ Stroke of_color(Stroke stroke, Rgba color) {
 
 constexpr Rgba kRed{200, 0, 0, 255};
 
-struct Moved : Desk {
+struct Moved : Fixture {
   StrokeId line = add(straight_stroke({0, 0}, {40, 0}, 1, 1));
 
   std::vector<Point> move(const Affine& map, Selection::Marks marks = {1, 1, 1, 1}) {

@@ -64,7 +64,7 @@ MovedStrokes::MovedStrokes(const Document& document, const StrokeIndex& index,
   } else {
     prepare_originals(document, index, selection);
   }
-  least_scale_ = std::min(least_scale_, 1.0);
+  min_scale_ = std::min(min_scale_, 1.0);
 }
 
 void MovedStrokes::prepare_originals(const Document& document, const StrokeIndex& index,
@@ -123,7 +123,7 @@ void MovedStrokes::add(MovedLine line) {
     // The factor allows for rounding.
     const double least =
         (1.0 + 1e-6) * kMinSegmentMm / shortest_segment_mm(*line.stroke, line.marks);
-    least_scale_ = std::max(least_scale_, least);
+    min_scale_ = std::max(min_scale_, least);
   }
   points_ += line.marks.size();
   items_.push_back({std::move(line.stroke), std::move(line.marks), is_small, line.leader});

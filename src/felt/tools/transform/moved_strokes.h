@@ -47,7 +47,7 @@ class MovedStrokes {
   /// Returns the fixed points that hold the selection (R34); empty for copies.
   [[nodiscard]] const std::vector<Point>& anchors() const noexcept { return anchors_; }
   /// Returns the factor below which a segment would become too short (I5); at most 1.
-  [[nodiscard]] double least_scale() const noexcept { return least_scale_; }
+  [[nodiscard]] double min_scale() const noexcept { return min_scale_; }
   /// Returns a selection of all copies as whole strokes, or nullopt if `duplicates` was false.
   [[nodiscard]] const std::optional<Selection>& copies() const noexcept { return copies_; }
 
@@ -94,7 +94,7 @@ class MovedStrokes {
   Edit places_;  // changes without `after`; change i belongs to item i
   std::size_t points_ = 0;
   std::vector<Point> anchors_;
-  double least_scale_ = 0.0;
+  double min_scale_ = 0.0;
   std::optional<Selection> copies_;
 
   Edit work_;  // the preview in progress, with its first strokes

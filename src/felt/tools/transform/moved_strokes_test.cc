@@ -4,12 +4,12 @@
 
 #include "felt/document/edit_builder.h"
 #include "felt/stroke/edit/point_marks.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::moved_strokes_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::random_stroke;
 using testing::straight_stroke;
 
@@ -22,10 +22,10 @@ std::vector<Stroke> strokes_of(const Edit& edit) {
   return strokes;
 }
 
-StrokeId add_marked(Desk& desk, Stroke stroke, Selection::Marks marks) {
+StrokeId add_marked(Fixture& fixture, Stroke stroke, Selection::Marks marks) {
   close_marks(stroke, marks);
-  const StrokeId id = desk.add(std::move(stroke));
-  desk.selection.set(id, std::move(marks));
+  const StrokeId id = fixture.add(std::move(stroke));
+  fixture.selection.set(id, std::move(marks));
   return id;
 }
 
@@ -39,50 +39,51 @@ Stroke three_segments() {
 }
 
 TEST(MovedStrokes, R33_IsWithMarkedMovedInPlace) {
-  Desk desk;
+  Fixture fixture;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     testing::RandomStroke random(seed + 500);
     Stroke stroke = random_stroke(seed);
     Selection::Marks marks(stroke.data().points.size());
     for (auto& m : marks) m = random.chance(0.5) ? 1 : 0;
     if (seed % 4 == 0) {
-      desk.add(std::move(stroke));  // not selected
+      fixture.add(std::move(stroke));  // not selected
     } else {
-      add_marked(desk, std::move(stroke), std::move(marks));
+      add_marked(fixture, std::move(stroke), std::move(marks));
     }
   }
-  const Document before = desk.document;
-  const MovedStrokes moved(desk.document, desk.index, desk.selection, false);
-  desk.apply(moved.finished(kMap, 1.0, "Move"));
+  const Document before = fixture.document;
+  const MovedStrokes moved(fixture.document, fixture.index, fixture.selection, false);
+  fixture.apply(moved.finished(kMap, 1.0, "Move"));
   for (const StrokeId id : before.layers()[0].strokes) {
-    const Selection::Marks* marks = desk.selection.find(id);
+    const Selection::Marks* marks = fixture.selection.find(id);
     if (marks) {
-      EXPECT_EQ(*desk.document.find(id), *with_marked_moved(*before.find(id), *marks, kMap));
+      EXPECT_EQ(*fixture.document.find(id), *with_marked_moved(*before.find(id), *marks, kMap));
     } else {
-      EXPECT_EQ(desk.document.find(id), before.find(id)) << "the same object";
+      EXPECT_EQ(fixture.document.find(id), before.find(id)) << "the same object";
     }
   }
-  EXPECT_EQ(desk.document.layers()[0].strokes, before.layers()[0].strokes);
+  EXPECT_EQ(fixture.document.layers()[0].strokes, before.layers()[0].strokes);
 }
 
 TEST(MovedStrokes, R34_CountsTheAnchorsOfAllStrokes) {
-  Desk desk;
-  add_marked(desk, three_segments(), {0, 0, 0, 1, 1, 1, 1, 0, 0, 0});
-  add_marked(desk, three_segments(), {1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
-  add_marked(desk, three_segments(), Selection::Marks(10, 1));
-  const MovedStrokes moved(desk.document, desk.index, desk.selection, false);
+  Fixture fixture;
+  add_marked(fixture, three_segments(), {0, 0, 0, 1, 1, 1, 1, 0, 0, 0});
+  add_marked(fixture, three_segments(), {1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
+  add_marked(fixture, three_segments(), Selection::Marks(10, 1));
+  const MovedStrokes moved(fixture.document, fixture.index, fixture.selection, false);
   EXPECT_EQ(moved.anchors(), (std::vector<Point>{{0, 0}, {30, 0}, {10, 0}}));
-  EXPECT_TRUE(MovedStrokes(desk.document, desk.index, desk.selection, true).anchors().empty());
+  EXPECT_TRUE(
+      MovedStrokes(fixture.document, fixture.index, fixture.selection, true).anchors().empty());
 }
 
 TEST(MovedStrokes, APreviewIsMadeInPortions) {
-  Desk desk;
+  Fixture fixture;
   constexpr std::size_t kStrokes = 1000;
   for (std::size_t i = 0; i < kStrokes; ++i) {
     const double x = 0.5 * static_cast<double>(i);
-    add_marked(desk, straight_stroke({x, 0}, {x, 10}, 1, 1), {1, 1, 1, 1});
+    add_marked(fixture, straight_stroke({x, 0}, {x, 10}, 1, 1), {1, 1, 1, 1});
   }
-  MovedStrokes moved(desk.document, desk.index, desk.selection, false);
+  MovedStrokes moved(fixture.document, fixture.index, fixture.selection, false);
   std::size_t steps = 0;
   std::optional<Edit> preview;
   while (!preview) {
@@ -96,47 +97,48 @@ TEST(MovedStrokes, APreviewIsMadeInPortions) {
 }
 
 TEST(MovedStrokes, AHugeSelectionHasNoPreviewButComesAtTheLift) {
-  Desk desk;
-  EditBuilder builder(desk.document);
+  Fixture fixture;
+  EditBuilder builder(fixture.document);
   const auto stroke = std::make_shared<const Stroke>(straight_stroke({0, 0}, {0, 10}, 1, 1));
   for (std::size_t i = 0; i <= MovedStrokes::kMaxPreviewPoints / 4; ++i) {
-    builder.add(desk.layer, stroke);
+    builder.add(fixture.layer, stroke);
   }
-  desk.apply(std::move(builder).build("Import"));
-  desk.selection = select_all(desk.document);
-  MovedStrokes moved(desk.document, desk.index, desk.selection, false);
+  fixture.apply(std::move(builder).build("Import"));
+  fixture.selection = select_all(fixture.document);
+  MovedStrokes moved(fixture.document, fixture.index, fixture.selection, false);
   EXPECT_FALSE(moved.step(translation({1, 0}), 1.0));
   EXPECT_EQ(moved.finished(translation({1, 0}), 1.0, "Move").changes.size(),
             MovedStrokes::kMaxPreviewPoints / 4 + 1);
 }
 
 TEST(MovedStrokes, ShrinksNoSegmentBelowWhatASegmentMayBe) {
-  Desk desk;
-  add_marked(desk, three_segments(), Selection::Marks(10, 1));
-  const MovedStrokes moved(desk.document, desk.index, desk.selection, false);
-  EXPECT_NEAR(moved.least_scale(), 0.005, 1e-6);
-  EXPECT_FALSE(moved.finished(scaling(moved.least_scale()), 1.0, "Scale").empty());
-  EXPECT_TRUE(moved.finished(scaling(0.9 * moved.least_scale()), 1.0, "Scale").empty());
+  Fixture fixture;
+  add_marked(fixture, three_segments(), Selection::Marks(10, 1));
+  const MovedStrokes moved(fixture.document, fixture.index, fixture.selection, false);
+  EXPECT_NEAR(moved.min_scale(), 0.005, 1e-6);
+  EXPECT_FALSE(moved.finished(scaling(moved.min_scale()), 1.0, "Scale").empty());
+  EXPECT_TRUE(moved.finished(scaling(0.9 * moved.min_scale()), 1.0, "Scale").empty());
 }
 
 TEST(MovedStrokes, ADotStaysADotHoweverSmallTheRestBecomes) {
-  Desk desk;
-  const StrokeId dot = add_marked(desk, straight_stroke({40, 10}, {40.05, 10}, 1, 1), {1, 1, 1, 1});
-  add_marked(desk, three_segments(), Selection::Marks(10, 1));
-  const MovedStrokes moved(desk.document, desk.index, desk.selection, false);
-  EXPECT_LT(moved.least_scale(), 0.1);
-  desk.apply(moved.finished(scaling(0.1), 1.0, "Scale"));
-  const Stroke& after = *desk.document.find(dot);
+  Fixture fixture;
+  const StrokeId dot =
+      add_marked(fixture, straight_stroke({40, 10}, {40.05, 10}, 1, 1), {1, 1, 1, 1});
+  add_marked(fixture, three_segments(), Selection::Marks(10, 1));
+  const MovedStrokes moved(fixture.document, fixture.index, fixture.selection, false);
+  EXPECT_LT(moved.min_scale(), 0.1);
+  fixture.apply(moved.finished(scaling(0.1), 1.0, "Scale"));
+  const Stroke& after = *fixture.document.find(dot);
   EXPECT_NEAR(after.position(0.5).x, 4.0025, 1e-9);
   EXPECT_NEAR(after.position(0.5).y, 1.0, 1e-9);
   EXPECT_NEAR(control_length(after.segment(0)), kMinSegmentMm, 1e-3);
 }
 
 TEST(MovedStrokes, WhereAStrokeCannotBecomeThatTheLastPreviewStays) {
-  Desk desk;
+  Fixture fixture;
   // The end of the second segment is pulled onto its start.
-  add_marked(desk, three_segments(), {0, 0, 0, 0, 1, 1, 1, 1, 1, 1});
-  MovedStrokes moved(desk.document, desk.index, desk.selection, false);
+  add_marked(fixture, three_segments(), {0, 0, 0, 0, 1, 1, 1, 1, 1, 1});
+  MovedStrokes moved(fixture.document, fixture.index, fixture.selection, false);
   const auto good = moved.step(translation({-5, 0}), 1.0);
   ASSERT_TRUE(good);
   const Affine onto = scaling(1e-9, 1.0, {10, 0});
@@ -145,14 +147,14 @@ TEST(MovedStrokes, WhereAStrokeCannotBecomeThatTheLastPreviewStays) {
 }
 
 TEST(MovedStrokes, CopiesWholeStrokesInDrawingOrderOnTop) {
-  Desk desk;
-  const StrokeId low = add_marked(desk, straight_stroke({0, 0}, {9, 0}, 1, 1), {1, 1, 1, 1});
-  desk.add(straight_stroke({0, 5}, {9, 5}, 1, 1));
-  const StrokeId high = add_marked(desk, straight_stroke({0, 9}, {9, 9}, 1, 1), {1, 1, 1, 1});
-  const MovedStrokes moved(desk.document, desk.index, desk.selection, true);
-  const auto before = desk.strokes();
-  desk.apply(moved.finished(translation({0, 20}), 1.0, "Duplicate"));
-  const auto after = desk.strokes();
+  Fixture fixture;
+  const StrokeId low = add_marked(fixture, straight_stroke({0, 0}, {9, 0}, 1, 1), {1, 1, 1, 1});
+  fixture.add(straight_stroke({0, 5}, {9, 5}, 1, 1));
+  const StrokeId high = add_marked(fixture, straight_stroke({0, 9}, {9, 9}, 1, 1), {1, 1, 1, 1});
+  const MovedStrokes moved(fixture.document, fixture.index, fixture.selection, true);
+  const auto before = fixture.strokes();
+  fixture.apply(moved.finished(translation({0, 20}), 1.0, "Duplicate"));
+  const auto after = fixture.strokes();
   ASSERT_EQ(after.size(), 5u);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(after[i], before[i]);
   EXPECT_EQ(after[3]->position(0.0), (Point{0, 20}));
@@ -163,9 +165,9 @@ TEST(MovedStrokes, CopiesWholeStrokesInDrawingOrderOnTop) {
 }
 
 TEST(MovedStrokes, CopiesTheSelectedPartsOfOthers) {
-  Desk desk;
-  add_marked(desk, three_segments(), {0, 0, 0, 1, 1, 1, 1, 1, 0, 0});
-  add_marked(desk, three_segments(), {1, 0, 0, 0, 0, 0, 0, 0, 0, 0});  // no segment
+  Fixture fixture;
+  add_marked(fixture, three_segments(), {0, 0, 0, 1, 1, 1, 1, 1, 0, 0});
+  add_marked(fixture, three_segments(), {1, 0, 0, 0, 0, 0, 0, 0, 0, 0});  // no segment
   StrokeData ring = three_segments().data();
   ring.points = {{0, 0}, {3, -3}, {6, -3}, {9, 0}, {9, 3}, {9, 6}, {9, 9},
                  {6, 9}, {5, 9},  {4, 9},  {0, 8}, {0, 5}, {0, 0}};
@@ -173,11 +175,11 @@ TEST(MovedStrokes, CopiesTheSelectedPartsOfOthers) {
   ring.joints.assign(4, JointKind::kCorner);
   ring.widths.back().u = 4.0;
   const Stroke closed = Stroke::create(std::move(ring)).value();
-  add_marked(desk, closed,
+  add_marked(fixture, closed,
              {1, 1, 1, 1, 0, 0, 0, 0, 0, 1, 1, 1, 1});  // the last segment and the first
-  const MovedStrokes moved(desk.document, desk.index, desk.selection, true);
-  desk.apply(moved.finished(translation({0, 50}), 1.0, "Duplicate"));
-  const auto after = desk.strokes();
+  const MovedStrokes moved(fixture.document, fixture.index, fixture.selection, true);
+  fixture.apply(moved.finished(translation({0, 50}), 1.0, "Duplicate"));
+  const auto after = fixture.strokes();
   ASSERT_EQ(after.size(), 5u);
   EXPECT_EQ(after[3]->segment_count(), 1);
   EXPECT_EQ(after[3]->position(0.0), (Point{10, 50}));

@@ -29,12 +29,12 @@ bool stretches_y(TransformKind kind, Point centre, Point grab) noexcept {
 }
 
 TransformDrag::TransformDrag(TransformKind kind, Point centre, Point grab,
-                             double least_scale) noexcept
+                             double min_scale) noexcept
     : kind_(kind),
       now_(kind),
       centre_(centre),
       grab_(grab),
-      least_scale_(std::clamp(least_scale, kMinScale, 1.0)) {}
+      min_scale_(std::clamp(min_scale, kMinScale, 1.0)) {}
 
 void TransformDrag::update(Point pen, bool constrained) noexcept {
   now_ = kind_;
@@ -54,7 +54,7 @@ void TransformDrag::update(Point pen, bool constrained) noexcept {
     case TransformKind::kRotate:
       return rotate(pen, constrained);
     case TransformKind::kScale: {
-      const double factor = std::max(least_scale_, scale_factor(first, pen - centre_));
+      const double factor = std::max(min_scale_, scale_factor(first, pen - centre_));
       return scale(factor, factor);
     }
     case TransformKind::kStretch:
@@ -89,7 +89,7 @@ void TransformDrag::scale(double factor_x, double factor_y) noexcept {
 
 double TransformDrag::axis_factor(double grab, double pen) const noexcept {
   const double way = std::max(0.0, std::copysign(1.0, grab) * pen);
-  return std::max(least_scale_, scale_factor({grab, 0.0}, {way, 0.0}));
+  return std::max(min_scale_, scale_factor({grab, 0.0}, {way, 0.0}));
 }
 
 double TransformDrag::width_factor() const noexcept {

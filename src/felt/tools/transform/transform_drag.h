@@ -28,9 +28,9 @@ class TransformDrag {
   static constexpr double kMinScale = 0.05;
 
   TransformDrag() = default;
-  /// `least_scale` is the lower limit of factors, so that no segment gets too short.
+  /// `min_scale` is the lower limit of factors, so that no segment gets too short.
   TransformDrag(TransformKind kind, Point centre, Point grab,
-                double least_scale = kMinScale) noexcept;
+                double min_scale = kMinScale) noexcept;
 
   /// Updates the map. If constrained, kMove moves along one axis and kRotate turns in steps of
   /// kTurnStepRad. kScale then stretches both axes independently, and kStretch only the axis along
@@ -48,7 +48,7 @@ class TransformDrag {
   [[nodiscard]] Point grab() const noexcept { return grab_; }
   /// Returns true if the last update was constrained.
   [[nodiscard]] bool is_constrained() const noexcept { return constrained_; }
-  [[nodiscard]] double least_scale() const noexcept { return least_scale_; }
+  [[nodiscard]] double min_scale() const noexcept { return min_scale_; }
   /// Returns the amount as a text: "12.5, -3.0 mm", "37 deg", "x 1.25", "x 1.25, 0.80".
   [[nodiscard]] std::string text() const;
   /// Returns the name of the edit: "Move", "Rotate", "Scale" or "Stretch".
@@ -62,7 +62,7 @@ class TransformDrag {
 
   TransformKind kind_ = TransformKind::kMove, now_ = TransformKind::kMove;
   Point centre_, grab_;
-  double least_scale_ = kMinScale;
+  double min_scale_ = kMinScale;
   bool constrained_ = false;
   double turn_rad_ = 0.0;  // turn of the pen, unwrapped, before the constraint
   Affine map_;

@@ -23,7 +23,7 @@ class StretchTether {
  public:
   StretchTether() noexcept = default;
   StretchTether(TransformKind kind, Point centre, Point grab, std::span<const Point> anchors,
-                ForceLaw law, double least_scale) noexcept
+                ForceLaw law, double min_scale) noexcept
       : centre_(centre), grab_(grab) {
     double sum_x = 0.0, sum_y = 0.0;
     for (const Point p : anchors) {
@@ -35,11 +35,11 @@ class StretchTether {
     if (x)
       x_ = Tether::scale(centre, {grab.x, centre.y}, sum_x)
                .with_law(law)
-               .with_least_scale(least_scale);
+               .with_least_scale(min_scale);
     if (y)
       y_ = Tether::scale(centre, {centre.x, grab.y}, sum_y)
                .with_law(law)
-               .with_least_scale(least_scale);
+               .with_least_scale(min_scale);
   }
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
@@ -81,15 +81,15 @@ struct TransformHold {
   std::span<const Point> anchors;
   std::uint32_t gesture = 0;
   bool constrained = false;  ///< moves along one axis, or turns in steps (Tether::constrained)
-  double least_scale = TransformDrag::kMinScale;
+  double min_scale = TransformDrag::kMinScale;
 };
 
 /// Returns the force model of the transform tool: the surface with little friction and, while the
 /// pen holds a selection (`hold` is not null), the tethers of the selection.
 inline ForceModel make_transform_force(const Scene& scene, double strength,
                                        const TransformHold* hold) {
-  const Medium material =
-      felt_with(medium_of(scene, "pencil"), kTransformGlide * strength, kTransformGlide * strength);
+  const Medium material = scaled_medium(medium_of(scene, "pencil"), kTransformGlide * strength,
+                                        kTransformGlide * strength);
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
   FeelId id("transform");
@@ -106,7 +106,7 @@ inline ForceModel make_transform_force(const Scene& scene, double strength,
   id.with(static_cast<std::uint64_t>(hold->kind)).with(std::uint64_t{hold->gesture});
   id.with(std::uint64_t{hold->constrained ? 1U : 0U});
   const auto with_tether = [&](const Tether& tether) {
-    const Tether held = tether.with_law(law).with_least_scale(hold->least_scale);
+    const Tether held = tether.with_law(law).with_least_scale(hold->min_scale);
     return ForceModel(Compose(surface, hold->constrained ? held.constrained() : held));
   };
   ForceModel model;
@@ -126,7 +126,7 @@ inline ForceModel make_transform_force(const Scene& scene, double strength,
     case TransformKind::kStretchX:
     case TransformKind::kStretchY:
       model = ForceModel(Compose(surface, StretchTether(hold->kind, hold->centre, hold->grab,
-                                                        hold->anchors, law, hold->least_scale)));
+                                                        hold->anchors, law, hold->min_scale)));
       break;
   }
   model.set_fade_id(id.value());

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "felt/haptics/testing/feel_rig.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::transform_force_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 
 constexpr TransformKind kKinds[] = {TransformKind::kMove,     TransformKind::kRotate,
                                     TransformKind::kScale,    TransformKind::kStretch,
@@ -54,18 +54,19 @@ class Hold {
   [[nodiscard]] const ForceModel& model() const { return model_; }
 
  private:
-  Desk desk_;
+  Fixture desk_;
   TransformHold hold_;
   ForceModel model_;
 };
 
 TEST(TransformForce, R35_NoAnchorsNoTetherAndTheSurfaceAsItIs) {
-  const Desk desk;
+  const Fixture fixture;
   for (const TransformKind kind : kKinds) {
     Hold none(kind, {20, 15}, {});
     EXPECT_EQ(none.at({60, 70}), Vec{});
-    EXPECT_EQ(none.model().slopes(), make_transform_force(desk.scene(), 1.0, nullptr).slopes());
-    EXPECT_EQ(none.model().fade_id(), make_transform_force(desk.scene(), 1.0, nullptr).fade_id());
+    EXPECT_EQ(none.model().slopes(), make_transform_force(fixture.scene(), 1.0, nullptr).slopes());
+    EXPECT_EQ(none.model().fade_id(),
+              make_transform_force(fixture.scene(), 1.0, nullptr).fade_id());
   }
 }
 
@@ -179,12 +180,12 @@ TEST(TransformForce, R30_TheStretchIsCalmOnEveryGrip) {
   for (const int delay : {0, 1}) {
     rig::for_each_grip(0.001, delay, [&](const rig::Setup& setup) {
       const std::vector<Point> anchors = points_around(16, 25);
-      Desk desk;
-      desk.device = setup.capabilities();
+      Fixture fixture;
+      fixture.device = setup.capabilities();
       const TransformHold hold{TransformKind::kStretch, {0, 0}, {25, 20}, anchors, 1};
-      const double plane = plane_for(desk.surface, desk.device).stiffness_n_per_m;
+      const double plane = plane_for(fixture.surface, fixture.device).stiffness_n_per_m;
       const double z = rig::aim_z_mm(setup.hand, 0.8, plane);
-      rig::Bench bench(setup, make_transform_force(desk.scene(), 1.0, &hold), {25, 20, 0});
+      rig::Bench bench(setup, make_transform_force(fixture.scene(), 1.0, &hold), {25, 20, 0});
       const auto target = [&](double t) {
         const double w = t < 0.3 ? 0.0 : 2.0 * (t - 0.3);
         return Vec3{25 + 12 * std::sin(w), 20 + 9 * std::sin(1.7 * w), z};

@@ -5,14 +5,14 @@
 #include <numbers>
 
 #include "felt/stroke/edit/point_marks.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 #include "felt/tools/transform/transform_tool.h"
 
 namespace felt::transform_test {
 namespace {
 
 using testing::arc;
-using testing::Desk;
+using testing::Fixture;
 using testing::Pen;
 using testing::random_stroke;
 using testing::straight_stroke;
@@ -20,9 +20,9 @@ using testing::way;
 using testing::operator+;
 
 struct Transform {
-  Desk desk;
+  Fixture fixture;
   TransformTool tool;
-  Pen pen{tool, desk};
+  Pen pen{tool, fixture};
   ToolResult last;
 
   void set(std::string_view id, const OptionValue& value) {
@@ -44,15 +44,17 @@ struct Transform {
   }
   StrokeId add(Stroke stroke, bool selected = true) {
     const std::size_t points = stroke.data().points.size();
-    const StrokeId id = desk.add(std::move(stroke));
-    if (selected) desk.selection.set_whole(id, points);
+    const StrokeId id = fixture.add(std::move(stroke));
+    if (selected) fixture.selection.set_whole(id, points);
     return id;
   }
   void select(StrokeId id, Selection::Marks marks) {
-    close_marks(*desk.document.find(id), marks);
-    desk.selection.set(id, std::move(marks));
+    close_marks(*fixture.document.find(id), marks);
+    fixture.selection.set(id, std::move(marks));
   }
-  [[nodiscard]] Point start_of(StrokeId id) const { return desk.document.find(id)->position(0.0); }
+  [[nodiscard]] Point start_of(StrokeId id) const {
+    return fixture.document.find(id)->position(0.0);
+  }
   [[nodiscard]] Overlay overlay() const {
     Overlay o;
     tool.draw(o);
@@ -83,13 +85,13 @@ StrokeId add_square(Transform& t) {
 TEST(Transform, MovesFromInsideTheFrame) {
   Transform t;
   const StrokeId id = add_square(t);
-  const Document before = t.desk.document;
+  const Document before = t.fixture.document;
   t.drag(way({10, 30}, {25, 20}));
   EXPECT_EQ(t.pen.commits, 1);
   EXPECT_EQ(t.start_of(id), (Point{15, -10}));
-  EXPECT_TRUE(t.desk.selection.is_whole(id));
-  t.desk.undo();
-  EXPECT_EQ(t.desk.document, before) << "R52: undo restores the bytes";
+  EXPECT_TRUE(t.fixture.selection.is_whole(id));
+  t.fixture.undo();
+  EXPECT_EQ(t.fixture.document, before) << "R52: undo restores the bytes";
 }
 
 TEST(Transform, TheHandlesTurnScaleAndStretch) {
@@ -110,11 +112,11 @@ TEST(Transform, TheHandlesTurnScaleAndStretch) {
   for (const Case& k : cases) {
     Transform t;
     const StrokeId id = add_square(t);
-    const Stroke before = *t.desk.document.find(id);
+    const Stroke before = *t.fixture.document.find(id);
     t.drag(way(k.from, k.to));
     ASSERT_EQ(t.pen.commits, 1) << k.what;
     for (std::size_t i = 0; i < before.data().points.size(); ++i) {
-      EXPECT_LE(distance(t.desk.document.find(id)->data().points[i],
+      EXPECT_LE(distance(t.fixture.document.find(id)->data().points[i],
                          apply(k.map, before.data().points[i])),
                 1e-9)
           << k.what;
@@ -148,25 +150,25 @@ TEST(Transform, R33_ThereAndBackAgainWithinANanometre) {
     std::vector<StrokeId> ids;
     for (std::uint64_t i = 0; i < 5; ++i) {
       const StrokeId id = t.add(random_stroke(5 * seed + i), false);
-      Selection::Marks marks(t.desk.document.find(id)->data().points.size());
+      Selection::Marks marks(t.fixture.document.find(id)->data().points.size());
       for (auto& m : marks) m = random.chance(0.5) ? 1 : 0;
       t.select(id, std::move(marks));
       ids.push_back(id);
     }
-    if (t.desk.selection.empty()) continue;
-    const Document before = t.desk.document;
+    if (t.fixture.selection.empty()) continue;
+    const Document before = t.fixture.document;
     const char* mode = seed % 3 == 0 ? "move" : (seed % 3 == 1 ? "rotate" : "scale");
     t.choose("mode", mode);
     // The centre follows the box of the moved strokes, so the test drags it to a fixed point.
-    const Rect box = t.desk.selection.bounds(before);
+    const Rect box = t.fixture.selection.bounds(before);
     const Point c = lerp(Point{box.x0, box.y0}, Point{box.x1, box.y1}, 0.5);
     const Point from = c + Vec{25, 3},
                 to = c + Vec{random.uniform(15, 40), random.uniform(-20, 20)};
     t.drag(way(from, to));
     for (const StrokeId id : ids) {
-      const Selection::Marks* marks = t.desk.selection.find(id);
+      const Selection::Marks* marks = t.fixture.selection.find(id);
       const auto& was = before.find(id)->data().points;
-      const auto& is = t.desk.document.find(id)->data().points;
+      const auto& is = t.fixture.document.find(id)->data().points;
       for (std::size_t i = 0; i < was.size(); i += 3) {
         if (!marks || !(*marks)[i]) {
           EXPECT_EQ(is[i], was[i]) << "unselected joints stay bit for bit";
@@ -180,13 +182,13 @@ TEST(Transform, R33_ThereAndBackAgainWithinANanometre) {
                        c, from);
     for (const Point p : way(from, to)) drag.update(p, false);
     if (t.pen.commits == 0) continue;
-    const MovedStrokes back(t.desk.document, t.desk.index, t.desk.selection, false);
+    const MovedStrokes back(t.fixture.document, t.fixture.index, t.fixture.selection, false);
     const Edit edit = back.finished(*inverse(drag.map()), 1.0, "Back");
     if (edit.empty()) continue;  // the tool kept an earlier factor
-    t.desk.apply(edit);
+    t.fixture.apply(edit);
     for (const StrokeId id : ids) {
       const auto& was = before.find(id)->data().points;
-      const auto& is = t.desk.document.find(id)->data().points;
+      const auto& is = t.fixture.document.find(id)->data().points;
       for (std::size_t i = 0; i < was.size(); ++i) {
         EXPECT_LE(distance(is[i], was[i]), 1e-9) << "seed " << seed << ", " << mode;
       }
@@ -197,13 +199,13 @@ TEST(Transform, R33_ThereAndBackAgainWithinANanometre) {
 TEST(Transform, GoingBackIsNothing) {
   Transform t;
   add_square(t);
-  const Document before = t.desk.document;
+  const Document before = t.fixture.document;
   t.drag(way({10, 30}, {60, 9}) + way({60, 9}, {10, 30}));
   t.drag(way({43, 43}, {70, 60}) + way({70, 60}, {43, 43}));
   t.drag({{10, 30}});
   t.drag(way({10, 30}, {10.2, 30.1}));
   EXPECT_EQ(t.pen.commits, 0);
-  EXPECT_EQ(t.desk.document, before);
+  EXPECT_EQ(t.fixture.document, before);
 }
 
 TEST(Transform, TheRateOfSamplesDoesNotMatter) {
@@ -229,25 +231,25 @@ TEST(Transform, ThePreviewIsWhatIsCommitted) {
   ASSERT_TRUE(t.last.preview);
   const Stroke shown = *t.last.preview->changes.at(0).after;
   t.pen.up({25, 20});
-  EXPECT_EQ(*t.desk.document.find(id), shown);
+  EXPECT_EQ(*t.fixture.document.find(id), shown);
 }
 
 TEST(Transform, CancelLeavesNothing) {
   for (const Point from : {Point{10, 30}, Point{43, 43}, Point{20, 20}}) {
     Transform t;
     add_square(t);
-    const Document before = t.desk.document;
-    const Selection selection = t.desk.selection;
+    const Document before = t.fixture.document;
+    const Selection selection = t.fixture.selection;
     t.pen.up(from);
     t.pen.along(way(from, {80, 80}));
     t.tool.cancel();
     t.pen.up({80, 80});
-    EXPECT_EQ(t.desk.document, before);
-    EXPECT_EQ(t.desk.selection, selection);
+    EXPECT_EQ(t.fixture.document, before);
+    EXPECT_EQ(t.fixture.selection, selection);
     EXPECT_EQ(t.pen.commits, 0);
     // The centre is restored, too.
     t.drag(way({43, 43}, {66, 66}));
-    EXPECT_LE(distance(t.desk.strokes()[0]->position(0.0), Point{-20, -20}), 1e-9);
+    EXPECT_LE(distance(t.fixture.strokes()[0]->position(0.0), Point{-20, -20}), 1e-9);
   }
 }
 
@@ -256,7 +258,7 @@ TEST(Transform, FinishEndsTheGestureAsALiftDoes) {
   add_square(t);
   t.pen.up({10, 30});
   t.pen.along(way({10, 30}, {20, 30}));
-  const ToolResult result = t.tool.finish(t.desk.scene());
+  const ToolResult result = t.tool.finish(t.fixture.scene());
   ASSERT_TRUE(result.commit);
   EXPECT_EQ(result.commit->label, "Move");
 }
@@ -264,10 +266,10 @@ TEST(Transform, FinishEndsTheGestureAsALiftDoes) {
 TEST(Transform, LockedLayersAreLeftAlone) {
   Transform t;
   const StrokeId id = add_square(t);
-  const Layer layer = t.desk.document.layers()[0];
+  const Layer layer = t.fixture.document.layers()[0];
   LayerState locked = layer.state();
   locked.locked = true;
-  t.desk.apply({"Lock", {}, {{layer.id, layer.state(), locked, 0, 0}}});
+  t.fixture.apply({"Lock", {}, {{layer.id, layer.state(), locked, 0, 0}}});
   t.drag(way({10, 30}, {60, 9}));
   t.choose("mode", "rotate");
   t.drag(way({10, 30}, {60, 9}));
@@ -282,16 +284,16 @@ TEST(Transform, WithNothingSelectedATouchTakesTheLineAndMovesIt) {
   EXPECT_EQ(t.overlay().spans.size(), 1u) << "seen before the touch";
   t.drag(way({15, 2}, {15, 22}));
   EXPECT_EQ(t.start_of(id), (Point{0, 20}));
-  EXPECT_TRUE(t.desk.selection.is_whole(id));
-  t.desk.selection.clear();
+  EXPECT_TRUE(t.fixture.selection.is_whole(id));
+  t.fixture.selection.clear();
   t.drag(way({15, 40}, {15, 60}));
   EXPECT_EQ(t.pen.commits, 1) << "nothing there";
-  EXPECT_TRUE(t.desk.selection.empty());
+  EXPECT_TRUE(t.fixture.selection.empty());
   t.pen.up({15, 21});
   t.pen.along(way({15, 21}, {15, 30}));
   t.tool.cancel();
   t.pen.up({15, 30});
-  EXPECT_TRUE(t.desk.selection.empty()) << "cancelled: not even selected";
+  EXPECT_TRUE(t.fixture.selection.empty()) << "cancelled: not even selected";
 }
 
 TEST(Transform, AClickBesideTheFrameSelectsAnotherLineOrNone) {
@@ -299,13 +301,13 @@ TEST(Transform, AClickBesideTheFrameSelectsAnotherLineOrNone) {
   add_square(t);
   const StrokeId other = t.add(straight_stroke({90, 0}, {90, 50}, 1, 1), false);
   t.drag(way({88, 10}, {120, 10}));
-  EXPECT_EQ(t.desk.selection.strokes().size(), 1u);
+  EXPECT_EQ(t.fixture.selection.strokes().size(), 1u);
   EXPECT_EQ(t.start_of(other), (Point{90, 0})) << "a longer way does nothing";
   t.drag({{91, 25}});
-  EXPECT_TRUE(t.desk.selection.is_whole(other));
-  EXPECT_EQ(t.desk.selection.strokes().size(), 1u);
+  EXPECT_TRUE(t.fixture.selection.is_whole(other));
+  EXPECT_EQ(t.fixture.selection.strokes().size(), 1u);
   t.drag({{20, 90}});
-  EXPECT_TRUE(t.desk.selection.empty());
+  EXPECT_TRUE(t.fixture.selection.empty());
   EXPECT_EQ(t.pen.commits, 0);
 }
 
@@ -316,7 +318,7 @@ TEST(Transform, E15_TheCentreCanBeDraggedAndStaysUntilTheSelectionChanges) {
   EXPECT_EQ(t.pen.commits, 0);
   t.drag(way({43, 43}, {86, 86}));
   EXPECT_LE(distance(t.start_of(id), Point{0, 0}), 1e-9) << "scaled about the corner";
-  EXPECT_LE(distance(t.desk.strokes()[0]->position(2.0), Point{80, 80}), 1e-9);
+  EXPECT_LE(distance(t.fixture.strokes()[0]->position(2.0), Point{80, 80}), 1e-9);
   t.drag(way({83, 83}, {43 / 43.0 * 41.5, 41.5}));
   EXPECT_LE(distance(t.start_of(id), Point{0, 0}), 1e-9) << "it is still there";
   // The centre moves with the selection.
@@ -325,7 +327,7 @@ TEST(Transform, E15_TheCentreCanBeDraggedAndStaysUntilTheSelectionChanges) {
   EXPECT_LE(distance(t.start_of(id), Point{0, 10}), 1e-9);
   // Another selection has its own centre.
   const StrokeId other = t.add(straight_stroke({200, 200}, {240, 240}, 1, 1));
-  t.desk.selection.remove(id);
+  t.fixture.selection.remove(id);
   t.drag(way({243, 243}, {266, 266}));
   EXPECT_LE(distance(t.start_of(other), Point{180, 180}), 1e-9);
 }
@@ -344,13 +346,13 @@ TEST(Transform, TheFirstButtonConstrains) {
   const StrokeId id = add_square(t);
   t.drag(way({10, 30}, {25, 20}), kFirstModifier);
   EXPECT_EQ(t.start_of(id), (Point{15, 0}));
-  t.desk.undo();
+  t.fixture.undo();
   t.drag(way({20, -12}, {60, 0}), kFirstModifier);
   const Point turned = t.start_of(id);
   const Vec arm = turned - Point{20, 20};
   const double angle = std::atan2(arm.y, arm.x) * 180.0 / std::numbers::pi + 135.0;
   EXPECT_NEAR(std::remainder(angle, 15.0), 0.0, 1e-9);
-  t.desk.undo();
+  t.fixture.undo();
   t.set("constrain", true);
   t.drag(way({43, 43}, {66, 31.5}));
   EXPECT_LE(distance(t.start_of(id), Point{-20, 10}), 1e-9) << "both axes freely";
@@ -362,14 +364,14 @@ TEST(Transform, TheSecondButtonDuplicates) {
     const StrokeId id = add_square(t);
     if (by_option) t.set("duplicate", true);
     t.drag(way({10, 30}, {70, 30}), by_option ? 0 : kSecondModifier);
-    ASSERT_EQ(t.desk.strokes().size(), 2u);
+    ASSERT_EQ(t.fixture.strokes().size(), 2u);
     EXPECT_EQ(t.start_of(id), (Point{0, 0}));
-    EXPECT_EQ(t.desk.strokes()[1]->position(0.0), (Point{60, 0}));
-    EXPECT_EQ(t.desk.selection.find(id), nullptr);
-    EXPECT_EQ(t.desk.selection.strokes().size(), 1u) << "the copy is the selection";
+    EXPECT_EQ(t.fixture.strokes()[1]->position(0.0), (Point{60, 0}));
+    EXPECT_EQ(t.fixture.selection.find(id), nullptr);
+    EXPECT_EQ(t.fixture.selection.strokes().size(), 1u) << "the copy is the selection";
     EXPECT_EQ(t.pen.commits, 1);
-    t.desk.undo();
-    EXPECT_EQ(t.desk.strokes().size(), 1u);
+    t.fixture.undo();
+    EXPECT_EQ(t.fixture.strokes().size(), 1u);
   }
 }
 
@@ -379,7 +381,7 @@ TEST(Transform, WidthsAreScaledWhereAsked) {
     const StrokeId id = add_square(t);
     t.set("scale_widths", asked);
     t.drag(way({43, 43}, {66, 66}));
-    EXPECT_NEAR(t.desk.document.find(id)->width_mm(1.5), asked ? 2.0 : 1.0, 1e-9);
+    EXPECT_NEAR(t.fixture.document.find(id)->width_mm(1.5), asked ? 2.0 : 1.0, 1e-9);
   }
 }
 
@@ -417,7 +419,7 @@ TEST(Transform, R35_MoreLinesHoldHarderAndWholeOnesNotAtAll) {
     memory.begin_tick(0.001);
     PenSample s;
     s.position = {15, 3, 1.0};  // above the surface, without friction
-    return t.tool.force(t.desk.scene())(s, memory).x;
+    return t.tool.force(t.fixture.scene())(s, memory).x;
   };
   EXPECT_EQ(force_of(4, true), 0.0);
   double last = 0.0;
@@ -441,7 +443,7 @@ TEST(Transform, R35_AConstrainedMoveIsNotHeldAlongTheOtherAxis) {
     memory.begin_tick(0.001);
     PenSample s;
     s.position = {-5, -9, 1.0};  // above the surface, without friction
-    const Force force = t.tool.force(t.desk.scene())(s, memory);
+    const Force force = t.tool.force(t.fixture.scene())(s, memory);
     EXPECT_GT(force.x, 0.15);
     EXPECT_EQ(force.y != 0.0, !constrained) << force.y;
   }
@@ -486,7 +488,7 @@ TEST(Transform, ShowsTheFrameBeforeTheTouch) {
   EXPECT_EQ(overlay.outlines.size(), 1u);
   EXPECT_EQ(overlay.dots.size(), 10u) << "eight handles, the one that turns, the centre";
   EXPECT_FALSE(overlay.rings.empty());
-  t.desk.selection.clear();
+  t.fixture.selection.clear();
   t.pen.up({43, 43});
   EXPECT_TRUE(t.overlay().outlines.empty());
 }
@@ -498,12 +500,12 @@ TEST(Transform, AnyGestureKeepsTheInvariantsAndUndoTheBytes) {
     testing::RandomStroke random(seed + 9000);
     for (std::uint64_t i = 0; i < 8; ++i) {
       const StrokeId id = t.add(random_stroke(8 * seed + i), false);
-      Selection::Marks marks(t.desk.document.find(id)->data().points.size());
+      Selection::Marks marks(t.fixture.document.find(id)->data().points.size());
       const double density = random.uniform(0, 1);
       for (auto& m : marks) m = random.chance(density) ? 1 : 0;
       t.select(id, std::move(marks));
     }
-    const Document start = t.desk.document;
+    const Document start = t.fixture.document;
     for (int gesture = 0; gesture < 12; ++gesture) {
       t.choose("mode", modes[random.pick(0, 4)]);
       t.set("scale_widths", random.chance(0.5));
@@ -515,18 +517,18 @@ TEST(Transform, AnyGestureKeepsTheInvariantsAndUndoTheBytes) {
         line = line + way(line.back(), to, distance(line.back(), to) / 50.0);
       }
       t.drag(line, buttons);
-      for (const StrokePtr& s : t.desk.strokes()) {
+      for (const StrokePtr& s : t.fixture.strokes()) {
         ASSERT_TRUE(check_invariants(s->data())) << "seed " << seed << ", gesture " << gesture;
       }
-      for (const auto& [id, marks] : t.desk.selection.strokes()) {
-        ASSERT_EQ(marks.size(), t.desk.document.find(id)->data().points.size());
+      for (const auto& [id, marks] : t.fixture.selection.strokes()) {
+        ASSERT_EQ(marks.size(), t.fixture.document.find(id)->data().points.size());
       }
     }
-    const Document end = t.desk.document;
-    for (int i = 0; i < t.pen.commits; ++i) t.desk.undo();
-    EXPECT_EQ(t.desk.document, start) << "seed " << seed;
-    for (int i = 0; i < t.pen.commits; ++i) t.desk.redo();
-    EXPECT_EQ(t.desk.document, end) << "seed " << seed;
+    const Document end = t.fixture.document;
+    for (int i = 0; i < t.pen.commits; ++i) t.fixture.undo();
+    EXPECT_EQ(t.fixture.document, start) << "seed " << seed;
+    for (int i = 0; i < t.pen.commits; ++i) t.fixture.redo();
+    EXPECT_EQ(t.fixture.document, end) << "seed " << seed;
   }
 }
 

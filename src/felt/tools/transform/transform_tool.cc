@@ -137,7 +137,7 @@ void TransformTool::take_hold(TransformKind kind, const Scene& scene, const Sele
                               std::uint32_t buttons) {
   duplicates_ = settings_.duplicate || (buttons & kSecondModifier) != 0;
   strokes_ = MovedStrokes(scene.document, scene.index, selection, duplicates_);
-  drag_ = TransformDrag(kind, frame_.centre(), grab_, strokes_.least_scale());
+  drag_ = TransformDrag(kind, frame_.centre(), grab_, strokes_.min_scale());
   doing_ = strokes_.empty() ? Doing::kNothing : Doing::kTransform;
 }
 
@@ -219,7 +219,7 @@ void TransformTool::take_options(const OptionValues& options) {
 ForceModel TransformTool::force(const Scene& scene) const {
   const TransformHold hold{drag_.kind(),       drag_.centre(), drag_.grab(),
                            strokes_.anchors(), gesture_,       drag_.is_constrained(),
-                           drag_.least_scale()};
+                           drag_.min_scale()};
   const bool holds = in_gesture() && doing_ == Doing::kTransform;
   return make_transform_force(scene, settings_.strength, holds ? &hold : nullptr);
 }

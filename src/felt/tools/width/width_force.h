@@ -113,8 +113,8 @@ struct WidthFeel {
 inline ForceModel make_width_force(const WidthSettings& settings, const Scene& scene,
                                    const WidthFeel& feel) {
   const double near = std::max(feel.stops.harder, feel.stops.lighter);
-  const Medium material =
-      felt_with(medium_of(scene, "pencil"), settings.strength * (1.0 + near), settings.strength);
+  const Medium material = scaled_medium(medium_of(scene, "pencil"),
+                                        settings.strength * (1.0 + near), settings.strength);
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
@@ -130,7 +130,7 @@ inline ForceModel make_width_force(const WidthSettings& settings, const Scene& s
     const Pressing pressing(scene.surface, scene.device);
     const bool by_pressure = feel.direction == WidthDirection::kPressure;
     const double neutral_n =
-        Pressing::kMinN + (by_pressure ? 0.5 * (pressing.most_n() - Pressing::kMinN) : 0.0);
+        Pressing::kMinN + (by_pressure ? 0.5 * (pressing.max_n() - Pressing::kMinN) : 0.0);
     const double neutral_mm = 1e3 * neutral_n / std::max(pressing.stiffness_n_per_m(), 1.0);
     const double stiffness = settings.strength * width_stop_stiffness(scene.surface, scene.device);
     model = ForceModel(Compose(surface, WidthStop(feel.stops, neutral_mm, stiffness)));

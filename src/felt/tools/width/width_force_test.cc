@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "felt/haptics/testing/feel_rig.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::width_force_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 
 Force force_at(const ForceModel& model, const Vec3& position, const Vec3& velocity = {}) {
   ForceMemory memory;
@@ -25,14 +25,14 @@ WidthFeel at_stop(double harder, double lighter) {
 }
 
 TEST(WidthForce, TheStopPushesMoreTheNearerTheLimitAndNeverPullsIn) {
-  const Desk desk;
+  const Fixture fixture;
   const WidthSettings settings;
   const double neutral = 1e3 * (0.1 + 0.5 * 1.9) / 500.0;  // 2.1 mm on paper
   for (double z = 0.0; z < 6.0; z += 0.05) {
     double last = 500.0 * 1e-3 * z;
     for (const double near : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const double push =
-          force_at(make_width_force(settings, desk.scene(), at_stop(near, 0)), {0, 0, -z}).z;
+          force_at(make_width_force(settings, fixture.scene(), at_stop(near, 0)), {0, 0, -z}).z;
       EXPECT_GE(push, last - 1e-12);
       if (z <= neutral) {
         EXPECT_NEAR(push, 0.5 * z, 1e-12);
@@ -42,7 +42,7 @@ TEST(WidthForce, TheStopPushesMoreTheNearerTheLimitAndNeverPullsIn) {
       last = push;
     }
     const double light =
-        force_at(make_width_force(settings, desk.scene(), at_stop(0, 1)), {0, 0, -z}).z;
+        force_at(make_width_force(settings, fixture.scene(), at_stop(0, 1)), {0, 0, -z}).z;
     EXPECT_NEAR(light, 0.5 * z + 0.4 * std::min(z, neutral), 1e-9);
   }
 }
@@ -51,13 +51,13 @@ TEST(WidthForce, R56_TheStiffnessStaysWithinTheBudgetAndTheCapOfTheDevice) {
   for (const SurfaceMaterial& surface : surface_materials()) {
     for (const double cap : {0.0, 300.0, 400.0, 700.0, 1000.0, 3000.0}) {
       for (const int delay : {1, 2, 3}) {
-        Desk desk;
-        desk.surface = surface;
-        desk.device.max_stiffness_n_per_m = cap;
-        desk.device.delay_ticks = delay;
-        const ForceModel model = make_width_force({}, desk.scene(), at_stop(1, 1));
+        Fixture fixture;
+        fixture.surface = surface;
+        fixture.device.max_stiffness_n_per_m = cap;
+        fixture.device.delay_ticks = delay;
+        const ForceModel model = make_width_force({}, fixture.scene(), at_stop(1, 1));
         const double slope = model.slopes().normal_n_per_m;
-        EXPECT_LE(slope, stiffness_budget_n_per_m(desk.device) + 1e-9);
+        EXPECT_LE(slope, stiffness_budget_n_per_m(fixture.device) + 1e-9);
         if (cap > 0.0) {
           EXPECT_LE(slope, 0.9 * cap + 1e-9);
         }
@@ -75,7 +75,7 @@ TEST(WidthForce, R12_TheStopIsCalmInEveryHand) {
   for (const int delay : {0, 1, 2}) {
     rig::for_each_grip(0.001, delay, [&](const rig::Setup& setup) {
       SCOPED_TRACE(setup.name());
-      Desk held;
+      Fixture held;
       held.device = setup.capabilities();
       held.surface.id = "smooth";  // without grain, which intentionally has forces above 30 Hz
       held.surface.grain_um = 0.0;
@@ -97,7 +97,7 @@ TEST(WidthForce, PressingIntoTheStopAndOutTakesEnergy) {
   for (const rig::Hand& hand : rig::kHands) {
     const rig::Setup setup{hand, rig::kStyluses[0], 0.001, 1};
     SCOPED_TRACE(setup.name());
-    Desk held;
+    Fixture held;
     held.device = setup.capabilities();
     for (const WidthFeel& feel : {at_stop(1, 0), at_stop(0, 1), at_stop(1, 1)}) {
       rig::Bench bench(setup, make_width_force({}, held.scene(), feel), {0, 0, 1});
@@ -113,10 +113,10 @@ TEST(WidthForce, PressingIntoTheStopAndOutTakesEnergy) {
 }
 
 TEST(WidthForce, ScalingPullsBackAlongTheHeightOnly) {
-  const Desk desk;
+  const Fixture fixture;
   WidthFeel feel;
   feel.origin_y_mm = 20.0;
-  const ForceModel model = make_width_force({}, desk.scene(), feel);
+  const ForceModel model = make_width_force({}, fixture.scene(), feel);
   double last = 0.0;
   for (double dy = 0.0; dy < 60.0; dy += 0.05) {
     const Force up = force_at(model, {3, 20 - dy, 5}), down = force_at(model, {-9, 20 + dy, 5});
@@ -135,19 +135,21 @@ TEST(WidthForce, ScalingPullsBackAlongTheHeightOnly) {
 }
 
 TEST(WidthForce, StrengthScalesWhatTheToolAdds) {
-  const Desk desk;
+  const Fixture fixture;
   WidthSettings none;
   none.strength = 0.0;
   WidthFeel feel = at_stop(1, 1);
-  EXPECT_EQ(force_at(make_width_force(none, desk.scene(), feel), {0, 0, -4}), (Force{0, 0, 2.0}));
+  EXPECT_EQ(force_at(make_width_force(none, fixture.scene(), feel), {0, 0, -4}),
+            (Force{0, 0, 2.0}));
   feel.origin_y_mm = 20.0;
-  EXPECT_EQ(force_at(make_width_force(none, desk.scene(), feel), {0, 0, -4}), (Force{0, 0, 2.0}));
+  EXPECT_EQ(force_at(make_width_force(none, fixture.scene(), feel), {0, 0, -4}),
+            (Force{0, 0, 2.0}));
 }
 
 TEST(WidthForce, TheFeelStaysTheSameWhileTheStopComes) {
-  const Desk desk;
+  const Fixture fixture;
   const auto id = [&](const WidthFeel& feel) {
-    return make_width_force({}, desk.scene(), feel).fade_id();
+    return make_width_force({}, fixture.scene(), feel).fade_id();
   };
   EXPECT_EQ(id(at_stop(0, 0)), id(at_stop(0.4, 0.7)));
   WidthFeel scale;

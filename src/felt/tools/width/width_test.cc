@@ -5,21 +5,21 @@
 #include <limits>
 
 #include "felt/stroke/profile_builder.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/tools/testing/tool_fixture.h"
 #include "felt/tools/width/width_tool.h"
 
 namespace felt::width_test {
 namespace {
 
-using testing::Desk;
+using testing::Fixture;
 using testing::Pen;
 using testing::straight_stroke;
 using testing::way;
 
 struct Width {
-  Desk desk;
+  Fixture fixture;
   WidthTool tool;
-  Pen pen{tool, desk};
+  Pen pen{tool, fixture};
 
   Width() { pen.pressure = 0.5; }
   void set(std::string_view id, const OptionValue& value) {
@@ -27,7 +27,7 @@ struct Width {
     ASSERT_TRUE(ok) << ok.error().message;
   }
   void mode(const char* name) { set("mode", std::string(name)); }
-  [[nodiscard]] const Stroke& stroke(std::size_t i = 0) const { return *desk.strokes().at(i); }
+  [[nodiscard]] const Stroke& stroke(std::size_t i = 0) const { return *fixture.strokes().at(i); }
   /// Lets the pen rest at a point with a pressure.
   void press(Point at, double pressure, double seconds, std::uint32_t buttons = 0) {
     const auto n = std::llround(seconds * 1e9 / static_cast<double>(pen.step_ns));
@@ -70,7 +70,7 @@ TEST(WidthTool, R46_APressedPlaceChangesByRateTimesTimeAndTheCurveNotAtAll) {
   for (const double pressure : {0.0, 0.2, 0.4, 0.6, 0.9, 1.0}) {
     SCOPED_TRACE(pressure);
     Width w;
-    w.desk.add(wavy());
+    w.fixture.add(wavy());
     const Stroke before = w.stroke();
     const double u = 1.37;
     const Point at = before.position(u);
@@ -88,7 +88,7 @@ TEST(WidthTool, R46_APressedPlaceChangesByRateTimesTimeAndTheCurveNotAtAll) {
       if (std::fabs(map.length_at(v) - map.length_at(u)) < 10.5) continue;
       EXPECT_NEAR(after.width_mm(v), before.width_mm(v), 1e-9);
     }
-    w.desk.undo();
+    w.fixture.undo();
     EXPECT_EQ(w.stroke(), before);
   }
 }
@@ -99,7 +99,7 @@ TEST(WidthTool, R46_TheResultDoesNotDependOnTheRateOfTheSamples) {
     std::vector<Stroke> results;
     for (const double hz : {60.0, 250.0, 1000.0}) {
       Width w;
-      w.desk.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
+      w.fixture.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
       const double seconds = 80.0 / speed;
       const auto n = static_cast<int>(std::lround(seconds * hz));
       for (int i = 0; i <= n; ++i) {
@@ -131,7 +131,7 @@ TEST(WidthTool, R46_TheResultDoesNotDependOnTheRateOfTheSamples) {
 TEST(WidthTool, ThePenDecidesTheDirectionAndButtonsAndTheOptionOverrideIt) {
   const auto change = [](double pressure, std::uint32_t buttons, const char* direction) {
     Width w;
-    w.desk.add(straight_stroke({0, 0}, {100, 0}, 3, 3));
+    w.fixture.add(straight_stroke({0, 0}, {100, 0}, 3, 3));
     w.set("direction", std::string(direction));
     w.press({50, 0}, pressure, 0.2, buttons);
     w.pen.up({50, 0});
@@ -147,7 +147,7 @@ TEST(WidthTool, ThePenDecidesTheDirectionAndButtonsAndTheOptionOverrideIt) {
 
 TEST(WidthTool, AClockThatJumpsOrRunsBackChangesNothingMuch) {
   Width w;
-  w.desk.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
+  w.fixture.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
   constexpr auto kMin = std::numeric_limits<std::int64_t>::min();
   constexpr auto kMax = std::numeric_limits<std::int64_t>::max();
   for (const std::int64_t t : {std::int64_t{0}, std::int64_t{1'000'000},
@@ -155,7 +155,7 @@ TEST(WidthTool, AClockThatJumpsOrRunsBackChangesNothingMuch) {
     w.pen.give(
         {.time_ns = t, .position = {50, 0, -1}, .velocity = {}, .pressure = 1.0, .buttons = 0});
   }
-  const auto done = w.tool.finish(w.desk.scene());
+  const auto done = w.tool.finish(w.fixture.scene());
   ASSERT_TRUE(done.commit);
   // The brush made two steps of 50 ms and one of 1 ms, at 3 mm/s.
   EXPECT_NEAR(done.commit->changes[0].after->width_mm(0.5), 2.0 + 3.0 * 0.101, 1e-9);
@@ -163,7 +163,7 @@ TEST(WidthTool, AClockThatJumpsOrRunsBackChangesNothingMuch) {
 
 TEST(WidthTool, R20_FarFromEveryLineNothingHappensButALineMetLaterIsTaken) {
   Width w;
-  w.desk.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
+  w.fixture.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
   w.pen.pressure = 1.0;
   w.pen.line(way({50, 30}, {50, 9}));
   EXPECT_EQ(w.pen.commits, 0);
@@ -174,7 +174,7 @@ TEST(WidthTool, R20_FarFromEveryLineNothingHappensButALineMetLaterIsTaken) {
 
 TEST(WidthTool, AGestureThatChangesNothingIsNoStepOfUndo) {
   Width w;
-  w.desk.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
+  w.fixture.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
   for (const char* mode : {"brush", "retrace", "scale"}) {
     w.mode(mode);
     w.press({50, 0}, 0.5, 0.3);
@@ -188,7 +188,7 @@ TEST(WidthTool, CancelLeavesNothingAndThePenMustBeLifted) {
     SCOPED_TRACE(mode);
     Width w;
     w.mode(mode);
-    w.desk.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
+    w.fixture.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
     const Stroke before = w.stroke();
     w.pen.pressure = 1.0;
     w.pen.along(way({30, 0}, {50, 6}));
@@ -206,11 +206,11 @@ TEST(WidthTool, ALockedLayerIsLeftAlone) {
     SCOPED_TRACE(mode);
     Width w;
     w.mode(mode);
-    w.desk.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
-    const Layer* layer = w.desk.document.layer(w.desk.layer);
+    w.fixture.add(straight_stroke({0, 0}, {100, 0}, 2, 2));
+    const Layer* layer = w.fixture.document.layer(w.fixture.layer);
     LayerState locked = layer->state();
     locked.locked = true;
-    w.desk.apply({"Lock", {}, {{w.desk.layer, layer->state(), locked, 0, 0}}});
+    w.fixture.apply({"Lock", {}, {{w.fixture.layer, layer->state(), locked, 0, 0}}});
     w.pen.pressure = 1.0;
     w.pen.line(way({30, 0}, {50, 6}));
     EXPECT_EQ(w.pen.commits, 0);
@@ -221,7 +221,7 @@ TEST(WidthTool, RetraceGivesTheLineTheNewPressureBetweenTheFirstAndTheLastPlace)
   Width w;
   w.mode("retrace");
   w.set("max_width_mm", 4.3);
-  w.desk.add(wavy());
+  w.fixture.add(wavy());
   const Stroke before = w.stroke();
   const ArcMap map(before);
   const double first = 20.0, last = 70.0;
@@ -243,14 +243,14 @@ TEST(WidthTool, RetraceGivesTheLineTheNewPressureBetweenTheFirstAndTheLastPlace)
       EXPECT_LE(after.width_mm(u), 3.36) << s;
     }
   }
-  w.desk.undo();
+  w.fixture.undo();
   EXPECT_EQ(w.stroke(), before);
 }
 
 TEST(WidthTool, RetraceGoesBackwardsTooAndUpToTheEnds) {
   Width w;
   w.mode("retrace");
-  w.desk.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+  w.fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
   // The pen draws back from the end and presses less and less.
   w.pen.up({60, 0});
   for (int i = 0; i <= 600; ++i) {
@@ -272,7 +272,7 @@ TEST(WidthTool, RetraceGoesBackwardsTooAndUpToTheEnds) {
 TEST(WidthTool, RetracingTheSamePartTwiceKeepsTheSecondWithoutAStep) {
   Width w;
   w.mode("retrace");
-  w.desk.add(straight_stroke({0, 0}, {80, 0}, 1, 1));
+  w.fixture.add(straight_stroke({0, 0}, {80, 0}, 1, 1));
   w.pen.up({10, 0});
   w.pen.pressure = 0.2;
   w.pen.along(way({10, 0}, {70, 0}));
@@ -291,8 +291,8 @@ TEST(WidthTool, RetracingTheSamePartTwiceKeepsTheSecondWithoutAStep) {
 TEST(WidthTool, ScaleMultipliesFromTheSnapshot) {
   Width w;
   w.mode("scale");
-  w.desk.add(wavy());
-  w.desk.add(straight_stroke({0, 60}, {50, 60}, 1, 2));
+  w.fixture.add(wavy());
+  w.fixture.add(straight_stroke({0, 60}, {50, 60}, 1, 2));
   const Stroke before = w.stroke(0), other = w.stroke(1);
   const Point at = before.position(1.0);
   w.pen.up(at);
@@ -314,25 +314,26 @@ TEST(WidthTool, ScaleMultipliesFromTheSnapshot) {
 TEST(WidthTool, ScaleTakesTheSelectedLinesAlongButNotThoseOfLockedLayers) {
   Width w;
   w.mode("scale");
-  const StrokeId a = w.desk.add(straight_stroke({0, 0}, {50, 0}, 1, 2));
-  const StrokeId b = w.desk.add(straight_stroke({0, 60}, {50, 60}, 1, 2));
-  const StrokeId c = w.desk.add(straight_stroke({0, 90}, {50, 90}, 1, 2));
-  const LayerId locked = w.desk.document.new_layer_id();
-  w.desk.apply({"Layer", {}, {{locked, std::nullopt, LayerState{"Locked", true, true}, 0, 1}}});
-  const LayerId layer = std::exchange(w.desk.layer, locked);
-  const StrokeId d = w.desk.add(straight_stroke({0, 120}, {50, 120}, 1, 2));
-  w.desk.layer = layer;
-  for (const StrokeId id : {a, b, d}) w.desk.selection.set_whole(id, 4);
+  const StrokeId a = w.fixture.add(straight_stroke({0, 0}, {50, 0}, 1, 2));
+  const StrokeId b = w.fixture.add(straight_stroke({0, 60}, {50, 60}, 1, 2));
+  const StrokeId c = w.fixture.add(straight_stroke({0, 90}, {50, 90}, 1, 2));
+  const LayerId locked = w.fixture.document.new_layer_id();
+  w.fixture.apply({"Layer", {}, {{locked, std::nullopt, LayerState{"Locked", true, true}, 0, 1}}});
+  const LayerId layer = std::exchange(w.fixture.layer, locked);
+  const StrokeId d = w.fixture.add(straight_stroke({0, 120}, {50, 120}, 1, 2));
+  w.fixture.layer = layer;
+  for (const StrokeId id : {a, b, d}) w.fixture.selection.set_whole(id, 4);
   w.pen.line(way({20, 0}, {20, -20}));
   ASSERT_EQ(w.pen.commits, 1);
-  for (const StrokeId id : {a, b}) EXPECT_NEAR(w.desk.document.find(id)->width_mm(1.0), 4.0, 1e-9);
-  for (const StrokeId id : {c, d}) EXPECT_EQ(w.desk.document.find(id)->width_mm(1.0), 2.0);
-  w.desk.undo();
-  for (const StrokeId id : {a, b}) EXPECT_EQ(w.desk.document.find(id)->width_mm(1.0), 2.0);
+  for (const StrokeId id : {a, b})
+    EXPECT_NEAR(w.fixture.document.find(id)->width_mm(1.0), 4.0, 1e-9);
+  for (const StrokeId id : {c, d}) EXPECT_EQ(w.fixture.document.find(id)->width_mm(1.0), 2.0);
+  w.fixture.undo();
+  for (const StrokeId id : {a, b}) EXPECT_EQ(w.fixture.document.find(id)->width_mm(1.0), 2.0);
   // A line that is not selected is scaled without the others.
   w.pen.line(way({20, 90}, {20, 70}));
-  EXPECT_NEAR(w.desk.document.find(c)->width_mm(1.0), 4.0, 1e-9);
-  EXPECT_EQ(w.desk.document.find(a)->width_mm(1.0), 2.0);
+  EXPECT_NEAR(w.fixture.document.find(c)->width_mm(1.0), 4.0, 1e-9);
+  EXPECT_EQ(w.fixture.document.find(a)->width_mm(1.0), 2.0);
 }
 
 TEST(WidthTool, AClosedLineChangesAcrossItsSeam) {
@@ -345,7 +346,7 @@ TEST(WidthTool, AClosedLineChangesAcrossItsSeam) {
     SCOPED_TRACE(mode);
     Width w;
     w.mode(mode);
-    w.desk.add(Stroke::create(d).value());
+    w.fixture.add(Stroke::create(d).value());
     w.pen.pressure = 0.9;
     std::vector<Point> points;
     for (double u = 1.8; u < 2.2; u += 0.002) {
@@ -361,7 +362,7 @@ TEST(WidthTool, AClosedLineChangesAcrossItsSeam) {
 
 TEST(WidthTool, HoverShowsTheReachAndTheWidthThere) {
   Width w;
-  w.desk.add(straight_stroke({0, 0}, {100, 0}, 1, 2));
+  w.fixture.add(straight_stroke({0, 0}, {100, 0}, 1, 2));
   w.pen.up({50, 3});
   const Overlay o = w.overlay();
   ASSERT_EQ(o.rings.size(), 1u);
@@ -381,7 +382,7 @@ TEST(WidthTool, WhatIsShownLastIsWhatIsDone) {
     SCOPED_TRACE(mode);
     Width w;
     w.mode(mode);
-    w.desk.add(wavy());
+    w.fixture.add(wavy());
     std::optional<Edit> shown;
     w.pen.pressure = 0.8;
     for (const Point p : way({20, 10}, {40, -10})) {

@@ -8,16 +8,16 @@
 #include "felt/base/constants.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/haptics/cue_law.h"
-#include "tests/devices/drivers/cue/cue_desk.h"
+#include "tests/devices/drivers/cue/cue_fixture.h"
 
 namespace felt::cue_driver_test {
 namespace {
 
 TEST(CueDriver, FindsAllOfThemWithoutOpeningAny) {
-  CueDesk desk;
-  for (int i = 0; i < 8; ++i) desk.system.forbid("/dev/hidraw" + std::to_string(i));
+  CueFixture fixture;
+  for (int i = 0; i < 8; ++i) fixture.system.forbid("/dev/hidraw" + std::to_string(i));
   std::vector<std::string> ids;
-  for (const DeviceDescriptor& found : desk.driver->find()) {
+  for (const DeviceDescriptor& found : fixture.driver->find()) {
     ids.push_back(found.id);
     EXPECT_EQ(found.kind, DeviceKind::kCue);
     EXPECT_EQ(found.driver, "cue");
@@ -28,15 +28,16 @@ TEST(CueDriver, FindsAllOfThemWithoutOpeningAny) {
 }
 
 TEST(CueDriver, TwoAlikeHaveIdsOfTheirOwn) {
-  CueDesk desk;
-  add_input(desk.system, 15, "0003:045E:02EA.0017", "X-Box One pad", "045e", "02ea", "107030000 0");
-  const auto found = desk.driver->find();
+  CueFixture fixture;
+  add_input(fixture.system, 15, "0003:045E:02EA.0017", "X-Box One pad", "045e", "02ea",
+            "107030000 0");
+  const auto found = fixture.driver->find();
   EXPECT_EQ(found.back().id, std::string(kControllerId) + "#2");
 }
 
 TEST(CueDriver, APenPlaysWhatItsListSays) {
-  CueDesk desk;
-  auto device = desk.open(kPenId);
+  CueFixture fixture;
+  auto device = fixture.open(kPenId);
   ASSERT_TRUE(device) << device.error().message;
   EXPECT_TRUE((*device)->plays(CueWaveform::kPencil));
   EXPECT_TRUE((*device)->plays(CueWaveform::kBrush)) << "by its nearest relative";
@@ -45,80 +46,80 @@ TEST(CueDriver, APenPlaysWhatItsListSays) {
   EXPECT_TRUE((*device)->play({CueWaveform::kEraser, 2.0}, 200 * kMs));
   EXPECT_TRUE((*device)->play({}, 300 * kMs));
   EXPECT_TRUE((*device)->play({}, 301 * kMs));
-  ASSERT_EQ(desk.pen.played.size(), 4u) << "silence is asked for once";
-  EXPECT_EQ(desk.pen.played[0].ordinal, 5);
-  EXPECT_EQ(desk.pen.played[0].intensity, 50);
-  EXPECT_EQ(desk.pen.played[0].cutoff, 40) << "400 ms in steps of 10";
-  EXPECT_EQ(desk.pen.played[1].ordinal, 3) << "a click stands for hovering";
-  EXPECT_EQ(desk.pen.played[1].cutoff, 0);
-  EXPECT_EQ(desk.pen.played[2].ordinal, 7);
-  EXPECT_EQ(desk.pen.played[2].intensity, 100);
-  EXPECT_EQ(desk.pen.played[3].ordinal, 2) << "stop";
-  EXPECT_EQ(desk.pen.broken_rule, "");
+  ASSERT_EQ(fixture.pen.played.size(), 4u) << "silence is asked for once";
+  EXPECT_EQ(fixture.pen.played[0].ordinal, 5);
+  EXPECT_EQ(fixture.pen.played[0].intensity, 50);
+  EXPECT_EQ(fixture.pen.played[0].cutoff, 40) << "400 ms in steps of 10";
+  EXPECT_EQ(fixture.pen.played[1].ordinal, 3) << "a click stands for hovering";
+  EXPECT_EQ(fixture.pen.played[1].cutoff, 0);
+  EXPECT_EQ(fixture.pen.played[2].ordinal, 7);
+  EXPECT_EQ(fixture.pen.played[2].intensity, 100);
+  EXPECT_EQ(fixture.pen.played[3].ordinal, 2) << "stop";
+  EXPECT_EQ(fixture.pen.broken_rule, "");
 }
 
 TEST(CueDriver, ReportNumbersAreNotTakenForGranted) {
-  CueDesk desk;
-  desk.pen.report = 17;
-  add_hidraw(desk.system, 0, kPenKernel, "Slim pen", "", pen_descriptor(17));
-  auto device = desk.open(kPenId);
+  CueFixture fixture;
+  fixture.pen.report = 17;
+  add_hidraw(fixture.system, 0, kPenKernel, "Slim pen", "", pen_descriptor(17));
+  auto device = fixture.open(kPenId);
   ASSERT_TRUE(device);
   EXPECT_TRUE((*device)->play({CueWaveform::kClick, 1.0}, 0));
-  EXPECT_EQ(desk.pen.played.size(), 1u);
-  EXPECT_EQ(desk.pen.broken_rule, "");
+  EXPECT_EQ(fixture.pen.played.size(), 1u);
+  EXPECT_EQ(fixture.pen.broken_rule, "");
 }
 
 TEST(CueDriver, AHostileDescriptorIsNoDevice) {
-  CueDesk desk;
+  CueFixture fixture;
   for (const std::vector<std::uint8_t>& bytes :
        {std::vector<std::uint8_t>(5000, 0xA1), std::vector<std::uint8_t>{0x91},
         std::vector<std::uint8_t>{}}) {
-    add_hidraw(desk.system, 0, kPenKernel, "Slim pen", "", bytes);
-    EXPECT_FALSE(desk.open(kPenId));
+    add_hidraw(fixture.system, 0, kPenKernel, "Slim pen", "", bytes);
+    EXPECT_FALSE(fixture.open(kPenId));
   }
 }
 
 TEST(CueDriver, APenIsNeverUsedHeavily) {
-  CueDesk desk;
-  auto device = desk.open(kPenId);
+  CueFixture fixture;
+  auto device = fixture.open(kPenId);
   ASSERT_TRUE(device);
   for (int ms = 0; ms < 5000; ++ms) {
-    desk.pen.now_ns = ms * kMs;
-    EXPECT_TRUE((*device)->play({CueWaveform::kInk, 0.5 + 0.0001 * ms}, desk.pen.now_ns));
+    fixture.pen.now_ns = ms * kMs;
+    EXPECT_TRUE((*device)->play({CueWaveform::kInk, 0.5 + 0.0001 * ms}, fixture.pen.now_ns));
   }
-  EXPECT_LE(desk.pen.most_in_a_second(), 20u);
-  EXPECT_GE(desk.pen.played.size(), 70u);
-  EXPECT_EQ(desk.pen.broken_rule, "");
+  EXPECT_LE(fixture.pen.max_in_a_second(), 20u);
+  EXPECT_GE(fixture.pen.played.size(), 70u);
+  EXPECT_EQ(fixture.pen.broken_rule, "");
 }
 
 TEST(CueDriver, AnUnpluggedDeviceIsGoneForEver) {
-  CueDesk desk;
-  auto pen = desk.open(kPenId);
+  CueFixture fixture;
+  auto pen = fixture.open(kPenId);
   ASSERT_TRUE(pen);
-  desk.pen.error = EIO;
+  fixture.pen.error = EIO;
   EXPECT_EQ((*pen)->play({CueWaveform::kClick, 1.0}, 0).error(), DeviceFault::kOther);
-  desk.pen.error = ENODEV;
+  fixture.pen.error = ENODEV;
   EXPECT_EQ((*pen)->play({CueWaveform::kClick, 1.0}, 100 * kMs).error(),
             DeviceFault::kDisconnected);
-  desk.pen.error = 0;
+  fixture.pen.error = 0;
   EXPECT_EQ((*pen)->play({CueWaveform::kClick, 1.0}, 200 * kMs).error(),
             DeviceFault::kDisconnected);
   (*pen)->stop();
-  EXPECT_TRUE(desk.pen.played.empty());
+  EXPECT_TRUE(fixture.pen.played.empty());
 
-  auto controller = desk.open(kControllerId);
+  auto controller = fixture.open(kControllerId);
   ASSERT_TRUE(controller);
-  desk.controller.error = ENODEV;
+  fixture.controller.error = ENODEV;
   EXPECT_EQ((*controller)->play({CueWaveform::kClick, 1.0}, 0).error(), DeviceFault::kDisconnected);
-  desk.controller.error = 0;
+  fixture.controller.error = 0;
   EXPECT_FALSE((*controller)->play({CueWaveform::kClick, 1.0}, 100 * kMs));
 }
 
 TEST(CueDriver, AMouseTicksBesideOtherPrograms) {
   for (const char* id : {kMouseId, kReceiverId}) {
-    CueDesk desk;
-    desk.mouse.foreign = 20;
-    auto device = desk.open(id);
+    CueFixture fixture;
+    fixture.mouse.foreign = 20;
+    auto device = fixture.open(id);
     ASSERT_TRUE(device) << device.error().message;
     EXPECT_FALSE((*device)->plays(CueWaveform::kPencil));
     EXPECT_FALSE((*device)->plays(CueWaveform::kPress));
@@ -126,39 +127,39 @@ TEST(CueDriver, AMouseTicksBesideOtherPrograms) {
     EXPECT_TRUE((*device)->play({CueWaveform::kSuccess, 0.8}, 100 * kMs));
     EXPECT_TRUE((*device)->play({CueWaveform::kClick, 0.6}, 300 * kMs));
     EXPECT_TRUE((*device)->play({CueWaveform::kHover, 0.3}, 500 * kMs));
-    EXPECT_EQ(desk.mouse.played, (std::vector<std::uint8_t>{4, 1, 0x1B})) << id;
-    EXPECT_EQ(desk.mouse.broken_rule, "");
+    EXPECT_EQ(fixture.mouse.played, (std::vector<std::uint8_t>{4, 1, 0x1B})) << id;
+    EXPECT_EQ(fixture.mouse.broken_rule, "");
   }
 }
 
 TEST(CueDriver, AMouseThatSleepsOrHasNoHapticsSaysSo) {
-  CueDesk desk;
-  desk.mouse.is_asleep = true;
-  auto device = desk.open(kReceiverId);
+  CueFixture fixture;
+  fixture.mouse.is_asleep = true;
+  auto device = fixture.open(kReceiverId);
   ASSERT_FALSE(device);
   EXPECT_NE(device.error().message.find("awake"), std::string::npos);
-  desk.mouse.is_asleep = false;
-  desk.mouse.number = 9;  // a number that no device of a receiver can have
-  EXPECT_FALSE(desk.open(kReceiverId));
-  desk.mouse.error = ENODEV;
-  EXPECT_FALSE(desk.open(kMouseId));
-  desk.mouse.error = 0;
-  desk.mouse.waveforms = 0x2;  // only one waveform
-  auto poor = desk.open(kMouseId);
+  fixture.mouse.is_asleep = false;
+  fixture.mouse.number = 9;  // a number that no device of a receiver can have
+  EXPECT_FALSE(fixture.open(kReceiverId));
+  fixture.mouse.error = ENODEV;
+  EXPECT_FALSE(fixture.open(kMouseId));
+  fixture.mouse.error = 0;
+  fixture.mouse.waveforms = 0x2;  // only one waveform
+  auto poor = fixture.open(kMouseId);
   ASSERT_TRUE(poor);
   EXPECT_TRUE((*poor)->plays(CueWaveform::kClick));
   EXPECT_FALSE((*poor)->plays(CueWaveform::kSuccess));
-  EXPECT_EQ(desk.mouse.broken_rule, "");
+  EXPECT_EQ(fixture.mouse.broken_rule, "");
 }
 
 TEST(CueDriver, ATouchpadKeepsItsOwnClicks) {
-  CueDesk desk;
-  auto device = desk.open(kPadId);
+  CueFixture fixture;
+  auto device = fixture.open(kPadId);
   ASSERT_TRUE(device) << device.error().message;
   EXPECT_TRUE((*device)->play({CueWaveform::kPress, 0.5}, 0));
   EXPECT_TRUE((*device)->play({CueWaveform::kSuccess, 0.5}, 100 * kMs));
-  ASSERT_EQ(desk.pad.played.size(), 2u);
-  for (const EvdevEffect& effect : desk.pad.played) {
+  ASSERT_EQ(fixture.pad.played.size(), 2u);
+  for (const EvdevEffect& effect : fixture.pad.played) {
     EXPECT_EQ(effect.hid_usage, 0x1003);
     EXPECT_EQ(effect.intensity_percent, 50);
   }
@@ -166,52 +167,52 @@ TEST(CueDriver, ATouchpadKeepsItsOwnClicks) {
   // again.
   EXPECT_TRUE((*device)->play({CueWaveform::kPencil, 0.5}, 200 * kMs));
   EXPECT_FALSE((*device)->plays(CueWaveform::kPencil));
-  EXPECT_EQ(desk.pad.played.size(), 2u);
-  EXPECT_EQ(desk.pad.effects.size(), 1u);
+  EXPECT_EQ(fixture.pad.played.size(), 2u);
+  EXPECT_EQ(fixture.pad.effects.size(), 1u);
   device->reset();
-  EXPECT_TRUE(desk.pad.effects.empty());
-  EXPECT_EQ(desk.pad.broken_rule, "");
+  EXPECT_TRUE(fixture.pad.effects.empty());
+  EXPECT_EQ(fixture.pad.broken_rule, "");
 }
 
 TEST(CueDriver, AControllerRumblesAndFallsSilent) {
-  CueDesk desk;
-  auto device = desk.open(kControllerId);
+  CueFixture fixture;
+  auto device = fixture.open(kControllerId);
   ASSERT_TRUE(device);
   EXPECT_TRUE((*device)->play({CueWaveform::kPencil, 0.5}, 0));
   EXPECT_TRUE((*device)->play({CueWaveform::kEraser, 1.0}, 100 * kMs));
   EXPECT_TRUE((*device)->play({CueWaveform::kSuccess, 1.0}, 200 * kMs));
-  ASSERT_EQ(desk.controller.played.size(), 3u);
-  EXPECT_EQ(desk.controller.played[0].strong, 0);
-  EXPECT_GT(desk.controller.played[0].weak, 0x8000);
-  EXPECT_EQ(desk.controller.played[0].length_ms, 400);
-  EXPECT_EQ(desk.controller.played[1].weak, 0);
-  EXPECT_EQ(desk.controller.played[1].strong, 0xFFFF);
-  EXPECT_EQ(desk.controller.played[2].length_ms, 40);
-  EXPECT_EQ(desk.controller.stopped, 1) << "the tick interrupts the hum";
-  EXPECT_EQ(desk.controller.effects.size(), 2u);
+  ASSERT_EQ(fixture.controller.played.size(), 3u);
+  EXPECT_EQ(fixture.controller.played[0].strong, 0);
+  EXPECT_GT(fixture.controller.played[0].weak, 0x8000);
+  EXPECT_EQ(fixture.controller.played[0].length_ms, 400);
+  EXPECT_EQ(fixture.controller.played[1].weak, 0);
+  EXPECT_EQ(fixture.controller.played[1].strong, 0xFFFF);
+  EXPECT_EQ(fixture.controller.played[2].length_ms, 40);
+  EXPECT_EQ(fixture.controller.stopped, 1) << "the tick interrupts the hum";
+  EXPECT_EQ(fixture.controller.effects.size(), 2u);
   (*device)->stop();
-  EXPECT_EQ(desk.controller.stopped, 2);
-  desk.controller.slots = 0;
-  EXPECT_EQ(desk.controller.broken_rule, "");
+  EXPECT_EQ(fixture.controller.stopped, 2);
+  fixture.controller.slots = 0;
+  EXPECT_EQ(fixture.controller.broken_rule, "");
 }
 
 TEST(CueDriver, ADeviceWithoutSlotsRefusesAndLives) {
-  CueDesk desk;
-  desk.controller.slots = 0;
-  auto device = desk.open(kControllerId);
+  CueFixture fixture;
+  fixture.controller.slots = 0;
+  auto device = fixture.open(kControllerId);
   ASSERT_TRUE(device);
   EXPECT_EQ((*device)->play({CueWaveform::kClick, 1.0}, 0).error(), DeviceFault::kOther);
-  desk.controller.slots = 1;
+  fixture.controller.slots = 1;
   EXPECT_TRUE((*device)->play({CueWaveform::kClick, 1.0}, 100 * kMs));
 }
 
 TEST(CueDriver, DoctorSaysWhoMayNotAndHowToMendIt) {
-  CueDesk desk;
-  for (const Finding& finding : desk.driver->diagnose(desk.system)) {
+  CueFixture fixture;
+  for (const Finding& finding : fixture.driver->diagnose(fixture.system)) {
     EXPECT_EQ(finding.level, FindingLevel::kOk) << finding.what;
   }
-  desk.system.forbid("/dev/hidraw0").forbid("/dev/input/event5");
-  const std::vector<Finding> findings = desk.driver->diagnose(desk.system);
+  fixture.system.forbid("/dev/hidraw0").forbid("/dev/input/event5");
+  const std::vector<Finding> findings = fixture.driver->diagnose(fixture.system);
   int problems = 0;
   for (const Finding& finding : findings) {
     if (finding.level != FindingLevel::kProblem) continue;
@@ -225,7 +226,7 @@ TEST(CueDriver, DoctorSaysWhoMayNotAndHowToMendIt) {
     EXPECT_NE(finding.details.find("Permission denied"), std::string::npos);
   }
   EXPECT_EQ(problems, 2);
-  auto refused = desk.open(kPenId);
+  auto refused = fixture.open(kPenId);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("feltline doctor"), std::string::npos);
 }
@@ -250,8 +251,8 @@ TEST(CueDriver, DoctorKnowsKernelsThatAreTooOld) {
 /// Simulates a hand that draws three strokes and undoes one: pen, cue rules and device in a whole
 /// session.
 std::vector<FakePen::Played> drawing_session() {
-  CueDesk desk;
-  auto device = desk.open(kPenId);
+  CueFixture fixture;
+  auto device = fixture.open(kPenId);
   EXPECT_TRUE(device);
   SimulatedStylus stylus(*find_stylus_preset("tablet"));
   const SurfaceMaterial& paper = *find_surface("paper");
@@ -264,17 +265,17 @@ std::vector<FakePen::Played> drawing_session() {
                presses ? 0.2 + 0.3 * t : 0.0, 0);
     const auto pen = stylus.read(ms * kMs);
     if (!pen) continue;
-    desk.pen.now_ns = ms * kMs;
-    if (ms == 3490) law.tell(CueEvent::kSnapped);
+    fixture.pen.now_ns = ms * kMs;
+    if (ms == 3490) law.report(CueEvent::kSnapped);
     const auto cue = law.step(cue_input_of(*pen, paper));
     if (cue) {
       EXPECT_TRUE((*device)->play(*cue, ms * kMs));
     }
   }
   (*device)->stop();
-  EXPECT_EQ(desk.pen.broken_rule, "");
-  EXPECT_LE(desk.pen.most_in_a_second(), 20u);
-  return desk.pen.played;
+  EXPECT_EQ(fixture.pen.broken_rule, "");
+  EXPECT_LE(fixture.pen.max_in_a_second(), 20u);
+  return fixture.pen.played;
 }
 
 TEST(CueScenario, ADrawingSessionIsHeardThroughTheDriver) {

@@ -11,7 +11,7 @@
 #include <set>
 
 #include "felt/base/constants.h"
-#include "tests/devices/drivers/cue/cue_desk.h"
+#include "tests/devices/drivers/cue/cue_fixture.h"
 
 namespace felt::cue_faults_test {
 namespace {
@@ -113,7 +113,7 @@ class Episode {
   }
 
   void step() {
-    const bool was_gone = was_told_gone_;
+    const bool was_gone = was_reported_gone_;
     if (random_.one_in(20)) {
       device_->stop();
       return;
@@ -127,11 +127,11 @@ class Episode {
     if (was_gone) {
       EXPECT_TRUE(!done && done.error() == DeviceFault::kDisconnected) << "gone is for ever";
     } else if (!done) {
-      was_told_gone_ = done.error() == DeviceFault::kDisconnected;
-      EXPECT_TRUE(was_told_gone_ || done.error() == DeviceFault::kOther);
-      EXPECT_LE(was_told_gone_, was_unplugged_) << "told gone, and is there";
+      was_reported_gone_ = done.error() == DeviceFault::kDisconnected;
+      EXPECT_TRUE(was_reported_gone_ || done.error() == DeviceFault::kOther);
+      EXPECT_LE(was_reported_gone_, was_unplugged_) << "told gone, and is there";
     }
-    if (was_told_gone_ && random_.one_in(10)) is_back_ = true;  // it is plugged in again
+    if (was_reported_gone_ && random_.one_in(10)) is_back_ = true;  // it is plugged in again
   }
 
   [[nodiscard]] bool hums() const {
@@ -161,12 +161,12 @@ class Episode {
 
   Random random_;
   std::string id_;
-  CueDesk desk_;
+  CueFixture desk_;
   std::unique_ptr<CueDevice> device_;
   std::int64_t now_ns_ = 10'000 * kMs;
   std::size_t fault_every_ = 0, calls_ = 0, calls_to_unplugging_ = 0, refusals_ = 0;
   bool lies_ = false, is_faultless_ = false, is_back_ = false;
-  bool was_unplugged_ = false, was_told_gone_ = false;
+  bool was_unplugged_ = false, was_reported_gone_ = false;
 };
 
 TEST(CueFaults, AThousandSeedsBreakNoRule) {
@@ -189,17 +189,17 @@ TEST(CueFaults, AThousandSeedsBreakNoRule) {
 /// If the kernel refuses the command that ends a vibration, the driver sends it again with the next
 /// silence.
 TEST(CueFaults, AStopThatWasRefusedIsToldAgain) {
-  CueDesk desk;
-  auto device = desk.open(kControllerId);
+  CueFixture fixture;
+  auto device = fixture.open(kControllerId);
   ASSERT_TRUE(device) << device.error().message;
   ASSERT_TRUE((*device)->play({CueWaveform::kPencil, 0.5}, 0));
-  ASSERT_EQ(desk.controller.playing.size(), 1u);
-  desk.controller.error = EINTR;
+  ASSERT_EQ(fixture.controller.playing.size(), 1u);
+  fixture.controller.error = EINTR;
   (*device)->stop();
-  EXPECT_EQ(desk.controller.playing.size(), 1u);
-  desk.controller.error = 0;
+  EXPECT_EQ(fixture.controller.playing.size(), 1u);
+  fixture.controller.error = 0;
   (*device)->stop();
-  EXPECT_TRUE(desk.controller.playing.empty());
+  EXPECT_TRUE(fixture.controller.playing.empty());
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class PenPort final : public HidrawPort {
       return tl::unexpected(EPIPE);
     }
     pen_.played.push_back({pen_.now_ns, ordinal, report[2], report[3], report[4]});
-    if (pen_.most_in_a_second() > 22) pen_.broken_rule = "used so heavily that it stops writing";
+    if (pen_.max_in_a_second() > 22) pen_.broken_rule = "used so heavily that it stops writing";
     return {};
   }
   tl::expected<std::size_t, int> read(std::span<std::uint8_t>, std::int64_t) noexcept override {
@@ -247,7 +247,7 @@ bool FakePen::hums() const {
   return waveform == 0x1004 || (waveform >= 0x100B && waveform <= 0x1010);
 }
 
-std::size_t FakePen::most_in_a_second() const {
+std::size_t FakePen::max_in_a_second() const {
   std::size_t most = 0;
   std::deque<std::int64_t> turns;
   for (const Played& p : played) {

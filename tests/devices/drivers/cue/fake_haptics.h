@@ -48,7 +48,7 @@ struct FakePen {
   /// Returns true if it plays a continuous waveform.
   [[nodiscard]] bool hums() const;
   /// Returns the largest number of output reports within any second, without the stops.
-  [[nodiscard]] std::size_t most_in_a_second() const;
+  [[nodiscard]] std::size_t max_in_a_second() const;
 };
 
 /// A haptic mouse with the number 2 at a receiver, which other programs use as well.

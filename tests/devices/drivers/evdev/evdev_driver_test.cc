@@ -20,13 +20,13 @@ namespace felt::evdev_driver_test {
 namespace {
 
 /// The fixture: a stick, its driver and a clock.
-struct Desk {
+struct Fixture {
   FakeStick stick;
   std::unique_ptr<Driver> driver;
   std::unique_ptr<DriverDevice> device;
   std::int64_t now_ns = 0;
 
-  explicit Desk(std::vector<FaultWindow> faults = {}, std::vector<std::uint16_t> effects = {})
+  explicit Fixture(std::vector<FaultWindow> faults = {}, std::vector<std::uint16_t> effects = {})
       : stick(std::move(faults), std::move(effects)) {
     EvdevOptions options;
     options.system = &stick.system();
@@ -75,8 +75,8 @@ struct Desk {
 };
 
 TEST(EvdevDriver, FindsTheStickAndNothingElse) {
-  Desk desk;
-  const auto found = desk.driver->find();
+  Fixture fixture;
+  const auto found = fixture.driver->find();
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].id, "evdev:045e:001b");
   EXPECT_EQ(found[0].label, "Microsoft SideWinder Force Feedback 2");
@@ -115,165 +115,165 @@ TEST(EvdevDriver, UnknownSticksCountAsStrongAndGamepadsAreNone) {
 TEST(EvdevDriver, ForcesPushTheRightWayOnEachAxis) {
   for (const std::vector<std::uint16_t>& effects :
        {std::vector<std::uint16_t>{}, std::vector<std::uint16_t>{evdev::kFfConstant}}) {
-    Desk desk({}, effects);
-    ASSERT_TRUE(desk.open());
+    Fixture fixture({}, effects);
+    ASSERT_TRUE(fixture.open());
     for (const Force& force : {Force{0.5, 0, 0}, Force{-0.5, 0, 0}, Force{0, 0.5, 0},
                                Force{0, -0.5, 0}, Force{0.3, -0.4, 0}}) {
-      ASSERT_TRUE(desk.push(force, 60));
-      const Force held = desk.held();
+      ASSERT_TRUE(fixture.push(force, 60));
+      const Force held = fixture.held();
       EXPECT_NEAR(held.x, force.x, 0.06) << force.x << " " << force.y;
       EXPECT_NEAR(held.y, force.y, 0.06) << force.x << " " << force.y;
     }
-    EXPECT_EQ(desk.stick.broken_rule(), "");
+    EXPECT_EQ(fixture.stick.broken_rule(), "");
   }
 }
 
 TEST(EvdevDriver, ASpringIsRenderedByTheDeviceItself) {
-  Desk desk;
-  ASSERT_TRUE(desk.open());
+  Fixture fixture;
+  ASSERT_TRUE(fixture.open());
   constexpr double kStiffness = 0.08;  // N/mm, towards the middle
   for (int ms = 0; ms < 1500; ++ms) {
-    desk.aim(12.0 * std::sin(0.008 * ms), 0.0, 5.0);
-    const auto pen = desk.read();
+    fixture.aim(12.0 * std::sin(0.008 * ms), 0.0, 5.0);
+    const auto pen = fixture.read();
     ASSERT_TRUE(pen);
-    ASSERT_TRUE(desk.device->write({-kStiffness * pen->position.x, 0, 0}));
+    ASSERT_TRUE(fixture.device->write({-kStiffness * pen->position.x, 0, 0}));
   }
   double stiffness = 0.0;
-  for (const auto& [id, effect] : desk.stick.effects()) {
+  for (const auto& [id, effect] : fixture.stick.effects()) {
     if (effect.type != evdev::kFfSpring) continue;
     stiffness = effect.conditions[0].right_coefficient / 32767.0 * FakeStick::kFullN /
                 FakeStick::kHalfWayMm;
   }
   EXPECT_NEAR(stiffness, kStiffness, 0.15 * kStiffness);
-  EXPECT_EQ(desk.stick.broken_rule(), "");
+  EXPECT_EQ(fixture.stick.broken_rule(), "");
 }
 
 TEST(EvdevDriver, AForceThatIsNoneSilencesAtOnce) {
-  Desk desk;
-  ASSERT_TRUE(desk.open());
-  ASSERT_TRUE(desk.push({0.8, 0, 0}, 60));
-  ASSERT_GT(desk.held().x, 0.5);
-  ASSERT_TRUE(desk.device->write({}));
-  desk.serve();
-  EXPECT_EQ(desk.held(), Force{}) << "in the same tick, whenever uploads are due";
-  ASSERT_TRUE(desk.push({0.8, 0, 0}, 60));
-  ASSERT_GT(desk.held().x, 0.5);
-  desk.device->stop();
-  desk.serve();
-  EXPECT_EQ(desk.held(), Force{});
-  ASSERT_TRUE(desk.push({0.8, 0, 0}, 60));
-  EXPECT_EQ(desk.device->write({std::nan(""), 0, 0}).error(), DeviceFault::kBadData);
-  desk.serve();
-  EXPECT_EQ(desk.held(), Force{});
-  EXPECT_EQ(desk.stick.broken_rule(), "");
+  Fixture fixture;
+  ASSERT_TRUE(fixture.open());
+  ASSERT_TRUE(fixture.push({0.8, 0, 0}, 60));
+  ASSERT_GT(fixture.held().x, 0.5);
+  ASSERT_TRUE(fixture.device->write({}));
+  fixture.serve();
+  EXPECT_EQ(fixture.held(), Force{}) << "in the same tick, whenever uploads are due";
+  ASSERT_TRUE(fixture.push({0.8, 0, 0}, 60));
+  ASSERT_GT(fixture.held().x, 0.5);
+  fixture.device->stop();
+  fixture.serve();
+  EXPECT_EQ(fixture.held(), Force{});
+  ASSERT_TRUE(fixture.push({0.8, 0, 0}, 60));
+  EXPECT_EQ(fixture.device->write({std::nan(""), 0, 0}).error(), DeviceFault::kBadData);
+  fixture.serve();
+  EXPECT_EQ(fixture.held(), Force{});
+  EXPECT_EQ(fixture.stick.broken_rule(), "");
 }
 
 TEST(EvdevDriver, AProgramThatHangsLeavesNoForce) {
-  Desk desk;
-  ASSERT_TRUE(desk.open());
-  ASSERT_TRUE(desk.push({0.8, 0, 0}, 60));
-  ASSERT_GT(desk.held().x, 0.5);
-  for (int ms = 0; ms < 110; ++ms) desk.stick.tick(desk.now_ns += kMs);  // without the worker
-  EXPECT_EQ(desk.held(), Force{});
+  Fixture fixture;
+  ASSERT_TRUE(fixture.open());
+  ASSERT_TRUE(fixture.push({0.8, 0, 0}, 60));
+  ASSERT_GT(fixture.held().x, 0.5);
+  for (int ms = 0; ms < 110; ++ms) fixture.stick.tick(fixture.now_ns += kMs);  // without the worker
+  EXPECT_EQ(fixture.held(), Force{});
 }
 
 TEST(EvdevDriver, EverythingIsErasedAtTheEnd) {
-  Desk desk;
-  ASSERT_TRUE(desk.open());
-  ASSERT_TRUE(desk.push({0.8, 0.2, 0}, 60));
-  EXPECT_GT(desk.stick.effects_kept(), 0u);
-  desk.close();
-  EXPECT_EQ(desk.stick.effects_kept(), 0u);
-  EXPECT_EQ(desk.held(), Force{});
-  EXPECT_EQ(desk.stick.broken_rule(), "");
+  Fixture fixture;
+  ASSERT_TRUE(fixture.open());
+  ASSERT_TRUE(fixture.push({0.8, 0.2, 0}, 60));
+  EXPECT_GT(fixture.stick.effects_kept(), 0u);
+  fixture.close();
+  EXPECT_EQ(fixture.stick.effects_kept(), 0u);
+  EXPECT_EQ(fixture.held(), Force{});
+  EXPECT_EQ(fixture.stick.broken_rule(), "");
 }
 
 TEST(EvdevDriver, WhatTheKernelRefusesIsForcesOffWithItsWords) {
   for (const int error : {EIO, ENOSPC, EINVAL}) {
-    Desk desk;
-    ASSERT_TRUE(desk.open());
-    ASSERT_TRUE(desk.push({0.8, 0, 0}, 30));
-    desk.stick.refuse_uploads(error);
-    EXPECT_EQ(desk.push({0.8 - 0.1, 0.3, 0}, 20).error(), DeviceFault::kForcesOff);
-    EXPECT_EQ(desk.held(), Force{}) << "half of a force is none";
-    EXPECT_TRUE(desk.read()) << "the drawing goes on";
-    const DeviceStatus status = desk.device->status();
+    Fixture fixture;
+    ASSERT_TRUE(fixture.open());
+    ASSERT_TRUE(fixture.push({0.8, 0, 0}, 30));
+    fixture.stick.refuse_uploads(error);
+    EXPECT_EQ(fixture.push({0.8 - 0.1, 0.3, 0}, 20).error(), DeviceFault::kForcesOff);
+    EXPECT_EQ(fixture.held(), Force{}) << "half of a force is none";
+    EXPECT_TRUE(fixture.read()) << "the drawing goes on";
+    const DeviceStatus status = fixture.device->status();
     EXPECT_EQ(status.fault, DeviceFault::kForcesOff);
     EXPECT_EQ(status.vendor_code, error);
     EXPECT_FALSE(status.vendor_words.empty());
     // The driver tries it again from time to time, and it works again.
-    desk.stick.refuse_uploads(0);
-    EXPECT_TRUE(desk.push({}, 20));
-    EXPECT_TRUE(desk.push({0.8, 0, 0}, 40));
-    EXPECT_GT(desk.held().x, 0.5);
-    EXPECT_FALSE(desk.device->status().fault);
+    fixture.stick.refuse_uploads(0);
+    EXPECT_TRUE(fixture.push({}, 20));
+    EXPECT_TRUE(fixture.push({0.8, 0, 0}, 40));
+    EXPECT_GT(fixture.held().x, 0.5);
+    EXPECT_FALSE(fixture.device->status().fault);
   }
 }
 
 TEST(EvdevDriver, UnpluggedIsForEver) {
-  Desk desk({{InjectedFault::kUnplugged, 100 * kMs, 200 * kMs, 1.0}});
-  ASSERT_TRUE(desk.open());
-  ASSERT_TRUE(desk.push({0.8, 0, 0}, 90));
-  EXPECT_EQ(desk.push({0.8, 0, 0}, 20).error(), DeviceFault::kDisconnected);
-  EXPECT_EQ(desk.read().error(), DeviceFault::kDisconnected);
-  EXPECT_TRUE(desk.driver->find().empty());
-  static_cast<void>(desk.push({}, 150));
-  EXPECT_EQ(desk.read().error(), DeviceFault::kDisconnected) << "though it is back";
-  EXPECT_EQ(desk.driver->find().size(), 1u);
-  ASSERT_TRUE(desk.open());
-  EXPECT_TRUE(desk.read());
-  EXPECT_EQ(desk.held(), Force{});
+  Fixture fixture({{InjectedFault::kUnplugged, 100 * kMs, 200 * kMs, 1.0}});
+  ASSERT_TRUE(fixture.open());
+  ASSERT_TRUE(fixture.push({0.8, 0, 0}, 90));
+  EXPECT_EQ(fixture.push({0.8, 0, 0}, 20).error(), DeviceFault::kDisconnected);
+  EXPECT_EQ(fixture.read().error(), DeviceFault::kDisconnected);
+  EXPECT_TRUE(fixture.driver->find().empty());
+  static_cast<void>(fixture.push({}, 150));
+  EXPECT_EQ(fixture.read().error(), DeviceFault::kDisconnected) << "though it is back";
+  EXPECT_EQ(fixture.driver->find().size(), 1u);
+  ASSERT_TRUE(fixture.open());
+  EXPECT_TRUE(fixture.read());
+  EXPECT_EQ(fixture.held(), Force{});
 }
 
 TEST(EvdevDriver, LostEventsAreAskedForAnew) {
-  Desk desk;
-  ASSERT_TRUE(desk.open());
-  for (int i = 0; i < 50; ++i) ASSERT_TRUE(desk.read());
-  desk.aim(20, -10, 5);
-  for (int i = 0; i < 1000; ++i) ASSERT_TRUE(desk.read());
-  desk.stick.drop_events();
-  for (int i = 0; i < 20; ++i) ASSERT_TRUE(desk.read());
-  const auto pen = desk.read();
+  Fixture fixture;
+  ASSERT_TRUE(fixture.open());
+  for (int i = 0; i < 50; ++i) ASSERT_TRUE(fixture.read());
+  fixture.aim(20, -10, 5);
+  for (int i = 0; i < 1000; ++i) ASSERT_TRUE(fixture.read());
+  fixture.stick.drop_events();
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(fixture.read());
+  const auto pen = fixture.read();
   ASSERT_TRUE(pen);
   EXPECT_NEAR(pen->position.x, 20.0, 1.0);
   EXPECT_NEAR(pen->position.y, -10.0, 1.0);
-  EXPECT_EQ(desk.stick.broken_rule(), "");
+  EXPECT_EQ(fixture.stick.broken_rule(), "");
 }
 
 /// If the worker hangs in the kernel, the drawing must not use the last position as the pen's
 /// position.
 TEST(EvdevDriver, LostEventsThatNobodyAsksForAreBadData) {
-  Desk desk;
-  ASSERT_TRUE(desk.open());
-  ASSERT_TRUE(desk.read());
-  desk.stick.set_haptic_thread(true);
-  desk.stick.drop_events();
-  const std::int64_t stale_ns = desk.now_ns + StickAxes::kStaleNs + 2 * kMs;
+  Fixture fixture;
+  ASSERT_TRUE(fixture.open());
+  ASSERT_TRUE(fixture.read());
+  fixture.stick.set_haptic_thread(true);
+  fixture.stick.drop_events();
+  const std::int64_t stale_ns = fixture.now_ns + StickAxes::kStaleNs + 2 * kMs;
   tl::expected<PenSample, DeviceFault> pen;
-  while (desk.now_ns < stale_ns) {
-    desk.stick.tick(desk.now_ns += kMs);
-    pen = desk.device->read(desk.now_ns);
+  while (fixture.now_ns < stale_ns) {
+    fixture.stick.tick(fixture.now_ns += kMs);
+    pen = fixture.device->read(fixture.now_ns);
   }
   EXPECT_EQ(pen.error(), DeviceFault::kBadData);
-  EXPECT_EQ(desk.stick.broken_rule(), "");
-  EXPECT_TRUE(desk.read()) << "the worker answers";
-  EXPECT_TRUE(desk.read());
+  EXPECT_EQ(fixture.stick.broken_rule(), "");
+  EXPECT_TRUE(fixture.read()) << "the worker answers";
+  EXPECT_TRUE(fixture.read());
 }
 
 /// The stick moves from one end to the other between two reports, which no hand can do.
 TEST(EvdevDriver, AJumpTakesTheForceAway) {
-  Desk desk({{InjectedFault::kJump, 400 * kMs, 500 * kMs, 80.0}});
-  ASSERT_TRUE(desk.open());
-  desk.stick.world().stylus().place({FakeStick::kMiddle.x - 40.0, FakeStick::kMiddle.y, 10.0});
-  Servo servo(*desk.device, {.limits = limits_for(desk.device->capabilities())});
+  Fixture fixture({{InjectedFault::kJump, 400 * kMs, 500 * kMs, 80.0}});
+  ASSERT_TRUE(fixture.open());
+  fixture.stick.world().stylus().place({FakeStick::kMiddle.x - 40.0, FakeStick::kMiddle.y, 10.0});
+  Servo servo(*fixture.device, {.limits = limits_for(fixture.device->capabilities())});
   servo.arm();
   bool was_cut = false;
   for (int ms = 0; ms < 450; ++ms) {
-    desk.now_ns += kMs;
-    desk.stick.tick(desk.now_ns);
-    desk.serve();
-    servo.heartbeat(desk.now_ns);
-    const TickReport& tick = servo.step(desk.now_ns);
+    fixture.now_ns += kMs;
+    fixture.stick.tick(fixture.now_ns);
+    fixture.serve();
+    servo.heartbeat(fixture.now_ns);
+    const TickReport& tick = servo.step(fixture.now_ns);
     was_cut = was_cut || tick.safety.fault == SafetyFault::kPositionJump ||
               tick.safety.fault == SafetyFault::kTooFast;
   }
@@ -281,26 +281,26 @@ TEST(EvdevDriver, AJumpTakesTheForceAway) {
 }
 
 TEST(EvdevDriver, WhatCannotWorkIsRefusedWithTheNextStep) {
-  Desk desk;
-  desk.stick.set_slots(2);
-  Result<void> opened = desk.open();
+  Fixture fixture;
+  fixture.stick.set_slots(2);
+  Result<void> opened = fixture.open();
   ASSERT_FALSE(opened);
   EXPECT_NE(opened.error().message.find("2 effects, and three are needed"), std::string::npos);
-  desk.stick.set_slots(16);
-  desk.stick.fake_system().forbid("/dev/input/event7");
-  opened = desk.open();
+  fixture.stick.set_slots(16);
+  fixture.stick.fake_system().forbid("/dev/input/event7");
+  opened = fixture.open();
   ASSERT_FALSE(opened);
   EXPECT_NE(opened.error().message.find("Permission denied"), std::string::npos);
   EXPECT_NE(opened.error().message.find("feltline doctor"), std::string::npos);
-  const auto findings = desk.driver->diagnose(desk.stick.system());
+  const auto findings = fixture.driver->diagnose(fixture.stick.system());
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].level, FindingLevel::kProblem);
   ASSERT_TRUE(findings[0].fix);
   EXPECT_EQ(findings[0].fix->content,
             "KERNEL==\"event*\", SUBSYSTEM==\"input\", ATTRS{id/vendor}==\"045e\", "
             "ATTRS{id/product}==\"001b\", TAG+=\"uaccess\"\n");
-  desk.stick.fake_system().allow("/dev/input/event7");
-  EXPECT_EQ(desk.driver->diagnose(desk.stick.system())[0].level, FindingLevel::kOk);
+  fixture.stick.fake_system().allow("/dev/input/event7");
+  EXPECT_EQ(fixture.driver->diagnose(fixture.stick.system())[0].level, FindingLevel::kOk);
 }
 
 TEST(EvdevDriver, DoctorNamesSticksWithoutMotors) {

@@ -55,7 +55,7 @@ class FakeStick::Port final : public EvdevPort {
     if (is_gone()) return;
     stick_.kept_.clear();
     stick_.effects_.clear();
-    stick_.let_go_if_quiet();
+    stick_.release_if_quiet();
   }
   tl::expected<bool, int> next(EvdevEvent& event) noexcept override {
     if (is_gone()) return tl::unexpected(ENODEV);
@@ -262,7 +262,7 @@ void FakeStick::push(const PenSample& pen) noexcept {
       slot.plays = false;
     }
   }
-  if (playing() == 0) return let_go_if_quiet();
+  if (playing() == 0) return release_if_quiet();
   const auto done = world_.device().write(force_at(pen));
   if (done) {
     if (refused_ == EIO) refused_ = 0;
@@ -281,7 +281,7 @@ std::size_t FakeStick::playing() const noexcept {
       effects_.begin(), effects_.end(), [](const auto& entry) { return entry.second.plays; }));
 }
 
-void FakeStick::let_go_if_quiet() noexcept {
+void FakeStick::release_if_quiet() noexcept {
   if (playing() > 0) return;
   if (world_.held_force() != Force{}) world_.device().stop();
   // Checks whether the device accepts forces; the result applies to the next upload.
@@ -340,7 +340,7 @@ tl::expected<void, int> FakeStick::erase(std::int16_t id) noexcept {
     return tl::unexpected(EINVAL);
   }
   effects_.erase(id);
-  let_go_if_quiet();
+  release_if_quiet();
   return {};
 }
 
@@ -365,7 +365,7 @@ tl::expected<void, int> FakeStick::send(const EvdevEvent& event) noexcept {
   slot->second.plays = event.value > 0;
   slot->second.until_ns = now_ns_ + kept_[slot->first].length_ms * 1'000'000LL;
   note_asked();
-  let_go_if_quiet();
+  release_if_quiet();
   return {};
 }
 

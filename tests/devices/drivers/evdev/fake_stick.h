@@ -103,7 +103,7 @@ class FakeStick {
   void push(const PenSample& pen) noexcept;
   [[nodiscard]] Force force_at(const PenSample& pen) const noexcept;
   void note_asked() noexcept;
-  void let_go_if_quiet() noexcept;
+  void release_if_quiet() noexcept;
   void forbid(const char* rule) noexcept {
     if (rule_.empty()) rule_ = rule;
   }

@@ -65,7 +65,7 @@ Device* device_of(char id, const char* function) {
 }
 
 void switch_off(Device& d, int cause) noexcept {
-  if (d.state.mode == State::Mode::kForce && d.port != nullptr) d.port->let_go();
+  if (d.state.mode == State::Mode::kForce && d.port != nullptr) d.port->release();
   if (d.state.mode != State::Mode::kReset) d.state.mode = State::Mode::kBrake;
   d.state.cause = d.state.person_has_forces ? 1 : cause;
 }
@@ -76,7 +76,7 @@ void look(Device& d) noexcept {
   d.fed_ns = std::min(d.fed_ns, now);  // the clock was set back
   const Port::Sense& sense = d.port->sense();
   if (!sense.is_home && d.state.is_home) {
-    d.port->let_go();
+    d.port->release();
     d.state.is_home = false;
     d.state.mode = State::Mode::kReset;
   }
@@ -108,7 +108,7 @@ int command(Device& d, const std::array<double, 3>& f) noexcept {
   }
   d.state.largest_asked_n = std::max(d.state.largest_asked_n, size);
   if (d.state.is_regulated) break_rule(d, "a force while the library moves the arm");
-  if (d.state.was_told_lost && size > 0.0) break_rule(d, "a force before it knows where it is");
+  if (d.state.was_reported_lost && size > 0.0) break_rule(d, "a force before it knows where it is");
   if (const int error = d.port->sense().error; error != 0) return failed(error);
   d.fed_ns = d.port->now_ns();
   d.asked = f;

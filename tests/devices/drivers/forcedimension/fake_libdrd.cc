@@ -88,7 +88,7 @@ FAKE_EXPORT int dhdGetStatus(int* status, char id) {
   look(*d);
   if (const int error = d->port->sense().error; error != 0) return failed(error);
   ++d->state.status_asked;
-  d->state.was_told_lost = !d->state.is_home;
+  d->state.was_reported_lost = !d->state.is_home;
   std::fill_n(status, 17, 0);
   status[0] = status[1] = status[2] = 1;  // power, connected, started
   status[3] = d->state.mode == State::Mode::kReset;
@@ -136,7 +136,7 @@ FAKE_EXPORT int dhdEnableForce(unsigned char on, char id) {
 FAKE_EXPORT int dhdStop(char id) {
   Device* d = device_of(id, "dhdStop");
   if (d == nullptr) return -1;
-  d->port->let_go();
+  d->port->release();
   switch_off(*d, 4);
   const int error = d->port->sense().error;
   return error == 0 ? 0 : failed(error);
@@ -243,7 +243,7 @@ FAKE_EXPORT double dhdGetComFreq(char id) {
 FAKE_EXPORT int dhdReset(char id) {
   Device* d = device_of(id, "dhdReset");
   if (d == nullptr) return -1;
-  d->port->let_go();
+  d->port->release();
   d->state.is_home = false;
   d->state.mode = State::Mode::kReset;
   return 0;

@@ -29,7 +29,7 @@ class Port {
   /// Sets the force of the motors. Returns 0, the vendor's error number, or kTaken.
   virtual int push(const std::array<double, 3>& force_n) noexcept = 0;
   /// Sets the force of the motors to zero.
-  virtual void let_go() noexcept = 0;
+  virtual void release() noexcept = 0;
 };
 
 /// A device that can be plugged in.
@@ -53,7 +53,7 @@ struct State {
   bool is_open = false;
   bool is_open_elsewhere = false;  ///< another program uses it; set by tests
   bool is_home = true;
-  bool was_told_lost = false;      ///< the last status that was requested reported this
+  bool was_reported_lost = false;  ///< the last status that was requested reported this
   bool is_regulated = false;       ///< DRD's own thread holds the arm
   bool person_has_forces = false;  ///< switched off with the force button
   bool taken_by_world = false;     ///< the fault of a FakeWorld pressed the force button

@@ -159,7 +159,7 @@ void FakeService::hang_up() {
   world_.device().stop();
 }
 
-void FakeService::tell(std::string_view event) {
+void FakeService::report(std::string_view event) {
   for (Port* port : ports_) {
     if (port->is_events() && port->is_socket()) port->say(event);
   }
@@ -169,9 +169,9 @@ void FakeService::write_state(const tl::expected<PenSample, DeviceFault>& pen) {
   const bool is_gone = !pen && pen.error() == DeviceFault::kDisconnected;
   const bool is_lost = !pen && pen.error() == DeviceFault::kNotCalibrated;
   if (is_gone && is_there_) {
-    tell(R"({"name":"device-disconnected","category":"device","level":"warning","data":)"
-         R"({"device_family":"inverse","device_id":")" +
-         options_.device_id + R"("},"message":"Device )" + options_.device_id + R"( was lost"})");
+    report(R"({"name":"device-disconnected","category":"device","level":"warning","data":)"
+           R"({"device_family":"inverse","device_id":")" +
+           options_.device_id + R"("},"message":"Device )" + options_.device_id + R"( was lost"})");
   }
   is_there_ = !is_gone;
   if (is_gone) {
@@ -256,7 +256,7 @@ void FakeService::tick(std::int64_t now_ns) {
   now_ns_ = now_ns;
   auto& device = world_.device();
   const auto pen = device.read(now_ns);
-  const std::int64_t silence_ns = now_ns > heard_ns_ ? now_ns - heard_ns_ : 0;
+  const std::int64_t silence_ns = now_ns > received_ns_ ? now_ns - received_ns_ : 0;
   if (silence_ns > options_.watchdog_ns) {
     device.stop();
     applied_ = {};
@@ -269,8 +269,8 @@ void FakeService::tick(std::int64_t now_ns) {
   work_until(now_ns);
   if (brakes_ && !is_active(InjectedFault::kForcesOff)) {
     brakes_ = false;
-    tell(R"({"name":"device-safety-triggered","category":"device","level":"notice","data":)"
-         R"({"safety_type":"ebrake_released"},"message":"Emergency brake released"})");
+    report(R"({"name":"device-safety-triggered","category":"device","level":"notice","data":)"
+           R"({"safety_type":"ebrake_released"},"message":"Emergency brake released"})");
   }
 }
 
@@ -297,7 +297,7 @@ void FakeService::take_first() {
   const Waiting one = waiting_.front();
   waiting_.erase(waiting_.begin());
   if (!waiting_.empty()) waiting_.front().is_taken = true;
-  heard_ns_ = now_ns_;
+  received_ns_ = now_ns_;
   asked_ = one.force;
   apply(one.force);
   if (one.port->is_open()) one.port->say(state_);
@@ -309,7 +309,7 @@ void FakeService::take_waiting() {
   all.swap(waiting_);
   waiting_.reserve(1024);
   for (const Waiting& one : all) sum_ += one.force;
-  heard_ns_ = now_ns_;
+  received_ns_ = now_ns_;
   asked_ = sum_;
   apply(sum_);
   for (const Waiting& one : all) {
@@ -329,9 +329,9 @@ void FakeService::apply(const Force& force) {
   if (done) return;
   if (done.error() == DeviceFault::kForcesOff && !brakes_) {
     brakes_ = true;
-    tell(R"({"name":"device-safety-triggered","category":"device","level":"error","data":)"
-         R"({"device_id":"049D","safety_type":"ebrake_triggered"},)"
-         R"("message":"Emergency brake engaged"})");
+    report(R"({"name":"device-safety-triggered","category":"device","level":"error","data":)"
+           R"({"device_id":"049D","safety_type":"ebrake_triggered"},)"
+           R"("message":"Emergency brake engaged"})");
   }
   if (done.error() == DeviceFault::kDisconnected) hang_up();
 }
@@ -394,7 +394,7 @@ bool FakeService::comes_to_wait(Port& port, std::string_view text) {
   const auto waits = [](const Waiting& one) { return !one.is_taken; };
   const auto bears = [](const Waiting& one) { return !one.is_taken && one.force != Force{}; };
   const auto count = std::count_if(waiting_.begin(), waiting_.end(), waits);
-  most_waiting_ = std::max(most_waiting_, static_cast<std::size_t>(count));
+  max_waiting_ = std::max(max_waiting_, static_cast<std::size_t>(count));
   if (count > 2 || std::count_if(waiting_.begin(), waiting_.end(), bears) > 1) {
     break_rule("messages are piled up before a service that is late");
   }
@@ -404,7 +404,7 @@ bool FakeService::comes_to_wait(Port& port, std::string_view text) {
 bool FakeService::take_message(Port& port, std::string_view text) {
   ++messages_;
   if (port.was_set_up_ && comes_to_wait(port, text)) return false;
-  heard_ns_ = now_ns_;
+  received_ns_ = now_ns_;
   const bool is_setup = !port.was_set_up_;
   port.was_set_up_ = true;
   if (is_setup) {

@@ -56,7 +56,7 @@ class FakeService {
   /// Connects to one of its ports (10001 or 10020). For HaplyOptions::connect.
   Result<std::unique_ptr<ByteStream>> connect(const std::string& host, std::uint16_t port);
   /// Sends an event to all listeners.
-  void tell(std::string_view event);
+  void report(std::string_view event);
   /// Ends all connections, as when the service is restarted.
   void hang_up();
   /// Sends this text instead of states, until it is set to an empty text.
@@ -79,7 +79,7 @@ class FakeService {
   /// Returns the force of the newest message, accepted or not, in the service's axes, in N.
   [[nodiscard]] const Force& newest_force() const noexcept { return newest_; }
   /// Returns the largest number of messages that waited at the same time before they were accepted.
-  [[nodiscard]] std::size_t most_waiting() const noexcept { return most_waiting_; }
+  [[nodiscard]] std::size_t max_waiting() const noexcept { return max_waiting_; }
   /// Returns the largest rise of the force from one message to the next, in N.
   [[nodiscard]] double largest_rise_n() const noexcept { return largest_rise_n_; }
   /// Simulates a client that waits this long for an answer.
@@ -121,7 +121,7 @@ class FakeService {
   FakeServiceOptions options_;
   std::vector<Port*> ports_;
   std::int64_t now_ns_ = 0;
-  std::int64_t heard_ns_ = 0;
+  std::int64_t received_ns_ = 0;
   std::string state_, instead_;
   std::string profile_, preset_;
   std::string rule_;
@@ -136,7 +136,7 @@ class FakeService {
   std::vector<Waiting> waiting_;
   double largest_n_ = 0.0;
   Force newest_;
-  std::size_t most_waiting_ = 0;
+  std::size_t max_waiting_ = 0;
   double largest_rise_n_ = 0.0;
   std::int64_t busy_until_ns_ = 0;
   std::int64_t late_window_ns_ = -1;  // the window of the late answer that was already simulated

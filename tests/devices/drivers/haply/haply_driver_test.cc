@@ -35,7 +35,7 @@ namespace {
 using ::testing::HasSubstr;
 
 // The service's axes are x right, y away, z up; the surface lies on the desk, in the middle.
-PlaneCalibration desk() {
+PlaneCalibration fixture() {
   return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}}, {40, 40, 0});
 }
 
@@ -43,7 +43,7 @@ class Table {
  public:
   explicit Table(FakeServiceOptions options = {}, std::vector<FaultWindow> faults = {})
       : world(*find_stylus_preset("inverse3"), faults),
-        service(world, faults, desk(), std::move(options)) {
+        service(world, faults, fixture(), std::move(options)) {
     HaplyOptions haply;
     haply.connect = [this](const std::string& host, std::uint16_t port, std::int64_t) {
       return service.connect(host, port);
@@ -298,7 +298,7 @@ TEST(HaplyDriver, ForcesDoNotPileUpBeforeAServiceThatStutters) {
     ASSERT_TRUE(table.open().has_value());
     for (int i = 0; i < 420; ++i) table.tick({0, 3, 0});
     EXPECT_LE(table.service.largest_asked_n(), 3.0 + 1e-5) << "seed " << seed;
-    EXPECT_LE(table.service.most_waiting(), 2u) << "seed " << seed;
+    EXPECT_LE(table.service.max_waiting(), 2u) << "seed " << seed;
     EXPECT_EQ(table.service.broken_rule(), "") << "seed " << seed;
     EXPECT_LE(table.device->status().faults, 1u) << "seed " << seed;
   }
@@ -341,8 +341,8 @@ TEST(HaplyDriver, R49_ALateServiceNeitherPilesUpNorChopsTheForce) {
     SCOPED_TRACE(late.what);
     Table table({}, {{late.fault, 100 * kMs, kForever, late.amount}});
     ASSERT_TRUE(table.open().has_value());
-    int falls = 0, faults_told = 0;
-    std::optional<DeviceFault> told;
+    int falls = 0, faults_reported = 0;
+    std::optional<DeviceFault> reported;
     double last_n = 0.0;
     for (int i = 0; i < 3000; ++i) {
       table.tick({0, 0, 2});
@@ -351,16 +351,16 @@ TEST(HaplyDriver, R49_ALateServiceNeitherPilesUpNorChopsTheForce) {
       last_n = sent_n;
       EXPECT_NEAR(norm(*table.device->held_force() - table.service.newest_force()), 0.0, 1e-5);
       const std::optional<DeviceFault> fault = table.device->status().fault;
-      faults_told += fault && fault != told ? 1 : 0;
-      told = fault;
+      faults_reported += fault && fault != reported ? 1 : 0;
+      reported = fault;
     }
-    EXPECT_LE(table.service.most_waiting(), may_wait(late));
+    EXPECT_LE(table.service.max_waiting(), may_wait(late));
     EXPECT_LE(table.service.largest_rise_n(), 0.6 + 1e-5);
     EXPECT_EQ(table.service.broken_rule(), "");
     EXPECT_EQ(falls, late.is_off ? 1 : 0) << "to zero once, or never";
     EXPECT_EQ(last_n, late.is_off ? 0.0 : 2.0);
     EXPECT_EQ(table.device->status().faults, late.is_off ? 1u : 0u);
-    EXPECT_EQ(faults_told, late.is_off ? 1 : 0);
+    EXPECT_EQ(faults_reported, late.is_off ? 1 : 0);
     EXPECT_EQ(table.device->status().vendor_words.empty(), !late.is_off);
   }
 }
@@ -434,13 +434,13 @@ TEST(HaplyDriver, R49_ABrakeIsToldWhileTheServiceIsLate) {
   const auto words = [&] { return std::string(table.device->status().vendor_words.view()); };
   EXPECT_THAT(words(), HasSubstr("too slowly"));
   EXPECT_EQ(table.device->status().faults, 1u);
-  table.service.tell(
+  table.service.report(
       R"({"name":"device-safety-triggered","category":"device","level":"error",)"
       R"("data":{"device_id":"049D","safety_type":"ebrake_triggered"},"message":"The brake"})");
   for (int i = 0; i < 50; ++i) table.tick({0, 0, 2});
   EXPECT_EQ(words(), "The brake");
   EXPECT_EQ(table.device->status().faults, 2u);
-  table.service.tell(
+  table.service.report(
       R"({"name":"device-safety-triggered","category":"device","level":"error",)"
       R"("data":{"device_id":"049D","safety_type":"ebrake_released"},"message":"released"})");
   for (int i = 0; i < 50; ++i) table.tick({0, 0, 2});
@@ -462,7 +462,7 @@ TEST(HaplyDriver, R49_AForceIsHeldWhileAnAnswerIsLateAndThenGoesToZero) {
   EXPECT_EQ(table.service.newest_force(), Force{});
   EXPECT_EQ(*table.device->held_force(), Force{});
   while (table.now_ns < 490 * kMs) table.tick({0, 0, 2});
-  EXPECT_EQ(table.service.most_waiting(), 2u);
+  EXPECT_EQ(table.service.max_waiting(), 2u);
   EXPECT_EQ(table.service.broken_rule(), "");
 }
 
@@ -510,7 +510,7 @@ TEST(HaplyDriver, ABrakeTakesTheForceAndLeavesThePen) {
   Table table;
   ASSERT_TRUE(table.open().has_value());
   table.tick({0, 0, 1});
-  table.service.tell(safety_event("ebrake_triggered", "Emergency brake engaged"));
+  table.service.report(safety_event("ebrake_triggered", "Emergency brake engaged"));
   const auto [read, written] = table.tick({0, 0, 1});
   EXPECT_TRUE(read.has_value());
   EXPECT_EQ(written.error(), DeviceFault::kForcesOff);
@@ -518,7 +518,7 @@ TEST(HaplyDriver, ABrakeTakesTheForceAndLeavesThePen) {
   EXPECT_EQ(table.device->status().vendor_words.view(), "Emergency brake engaged");
   EXPECT_EQ(table.tick({0, 0, 1}).written.error(), DeviceFault::kForcesOff)
       << "as long as it holds";
-  table.service.tell(safety_event("ebrake_released", "released"));
+  table.service.report(safety_event("ebrake_released", "released"));
   EXPECT_TRUE(table.push({0, 0, 1}).written.has_value());
   EXPECT_EQ(table.service.asked(), (Force{0, 0, 1}));
 }
@@ -526,12 +526,12 @@ TEST(HaplyDriver, ABrakeTakesTheForceAndLeavesThePen) {
 TEST(HaplyDriver, AStallIsToldOnce) {
   Table table;
   ASSERT_TRUE(table.open().has_value());
-  table.service.tell(safety_event("stall_detected", "Motor stall"));
+  table.service.report(safety_event("stall_detected", "Motor stall"));
   EXPECT_EQ(table.tick({0, 0, 1}).written.error(), DeviceFault::kForcesOff);
   EXPECT_EQ(table.service.asked(), Force{});
   EXPECT_TRUE(table.tick({0, 0, 1}).written.has_value());
-  table.service.tell(R"({"name":"device-battery-low","level":"warning",)"
-                     R"("data":{"device_id":"61548"},"message":"Battery at 9 %"})");
+  table.service.report(R"({"name":"device-battery-low","level":"warning",)"
+                       R"("data":{"device_id":"61548"},"message":"Battery at 9 %"})");
   EXPECT_TRUE(table.tick({0, 0, 1}).written.has_value());
   EXPECT_EQ(table.device->status().notice.view(), "Battery at 9 %");
 }
@@ -628,7 +628,7 @@ TEST(HaplyDriver, AGripTellsHowItIsHeld) {
     for (int i = 0; i < 60; ++i) table.tick();
     const std::optional<Vec3> axis = table.device->pen_axis();
     ASSERT_TRUE(axis.has_value());
-    EXPECT_EQ(tilt_of_axis(desk().turn_to_page(*axis)), held_deg);
+    EXPECT_EQ(tilt_of_axis(fixture().turn_to_page(*axis)), held_deg);
   }
 }
 
@@ -786,7 +786,7 @@ class SocketServer {
 // Only tests that it works with real sockets and a real thread on the other end.
 TEST(HaplyDriver, SpeaksThroughRealSockets) {
   FakeWorld world(*find_stylus_preset("inverse3"));
-  FakeService service(world, {}, desk());
+  FakeService service(world, {}, fixture());
   SocketServer control(service, false), events(service, true);
   std::atomic<bool> is_over{false};
   std::thread server([&] {

@@ -131,7 +131,7 @@ FAKE_HD void hdDisableDevice(hd::Handle handle) {
   Fake& f = fake();
   if (handle != kHandle || f.open == 0) return broken("closed what is not open", error::kBadHandle);
   if (f.is_running) broken("a device was closed while the scheduler ran");
-  let_go();
+  release();
   f.open = 0;
 }
 
@@ -221,7 +221,7 @@ void set_capability(hd::Enum what, bool on) {
   for (auto& [known, state] : fake().capabilities) {
     if (known != what) continue;
     state = on;
-    if (what == capability::kForceOutput && !on) let_go();
+    if (what == capability::kForceOutput && !on) release();
     return;
   }
   broken("switched what there is not", error::kInvalidEnum);

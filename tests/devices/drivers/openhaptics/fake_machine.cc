@@ -78,7 +78,7 @@ bool is_in_tick() {
   return f.tick_is_open && (!f.uses_thread || f.servo == std::this_thread::get_id());
 }
 
-void let_go() {
+void release() {
   Fake& f = fake();
   f.held_n = 0.0;
   if (f.world.stop != nullptr) f.world.stop(f.world.context);
@@ -147,7 +147,7 @@ void stop_running() {
   }
   f.stop_thread.store(true);
   if (f.thread.joinable()) f.thread.join();
-  let_go();
+  release();
 }
 
 void plug_in_own() {
@@ -164,7 +164,7 @@ void send() {
   if (!std::isfinite(size)) {
     f.largest_n = HUGE_VAL;
     broken("a force that is no number", error::kInvalidValue);
-    return let_go();
+    return release();
   }
   f.largest_n = std::max(f.largest_n, size);
   std::array<double, 3> force = f.asked;
@@ -172,13 +172,13 @@ void send() {
   if (size > f.model->max_force_n) {
     if (!has(capability::kMaxForceClamping)) {
       push(error::kTooMuchForce);
-      return let_go();
+      return release();
     }
     for (double& part : force) part *= f.model->max_force_n / size;
   }
   if (f.is_warm) {
     push(error::kWarmMotors);
-    return let_go();
+    return release();
   }
   f.held_n = length(force);
   const int result = f.world.write(f.world.context, force.data());

@@ -116,7 +116,7 @@ void start_capabilities();
 /// Returns true if the call comes from within the servo loop.
 bool is_in_tick();
 /// Sets the force of the motors to zero.
-void let_go();
+void release();
 /// Sends the force to the motors at the end of a frame.
 void send();
 /// Plugs in a simulated Touch if no test plugs anything in, so that users can try the driver.

@@ -63,7 +63,7 @@ class BoardPort final : public ByteStream {
     const std::size_t count = std::min(room.size(), out_.size());
     std::copy_n(out_.begin(), count, room.begin());
     out_.erase(out_.begin(), out_.begin() + static_cast<std::ptrdiff_t>(count));
-    if (out_.empty()) board_.told_rad_ = board_.answered_rad_;
+    if (out_.empty()) board_.reported_rad_ = board_.answered_rad_;
     return count;
   }
   bool keep_guard(std::span<const std::byte> last_words, std::int64_t) override {
@@ -99,7 +99,7 @@ bool FakeBoard::is_active(InjectedFault fault) const noexcept {
   });
 }
 
-void FakeBoard::let_go() noexcept {
+void FakeBoard::release() noexcept {
   torques_ = {};
   world_.device().stop();
 }
@@ -108,7 +108,7 @@ void FakeBoard::unplug() noexcept {
   is_plugged_ = false;
   is_set_up_ = false;
   hangs_ = false;
-  let_go();  // the board powers the motors
+  release();  // the board powers the motors
 }
 
 void FakeBoard::tick(std::int64_t now_ns) {
@@ -183,7 +183,7 @@ std::size_t FakeBoard::take_frame(std::span<const std::byte> bytes, std::vector<
     if (number(bytes[1]) != 0) break_rule("a reset of a device");
     ++resets_;
     is_set_up_ = false;
-    let_go();
+    release();
     return 2;
   }
   if (type > 2) {
@@ -225,17 +225,17 @@ void FakeBoard::take_torques(std::span<const std::byte> bytes, std::vector<std::
   }
   const bool is_nothing = torques_[0] == 0.0 && torques_[1] == 0.0;
   if (is_active(InjectedFault::kNoAnswer)) {
-    if (is_nothing) let_go();  // as in FaultyDevice: a release is never lost
+    if (is_nothing) release();  // as in FaultyDevice: a release is never lost
     return;
   }
   apply();
-  if (is_nothing) let_go();
+  if (is_nothing) release();
   if (is_plugged_ && !is_silent_) answer(out);
 }
 
 // Returns the force of these torques at the position where the computer assumes the handle.
 Force FakeBoard::newest_force() const noexcept {
-  const auto bar = FiveBar::at(model_.size, told_rad_);
+  const auto bar = FiveBar::at(model_.size, reported_rad_);
   if (!bar) return {};
   const auto& j = bar->jacobian();
   const double det = j[0][0] * j[1][1] - j[0][1] * j[1][0];

@@ -69,7 +69,7 @@ class FakeBoard {
   void measure(const PenSample& pen);
   void answer(std::vector<std::byte>& out);
   void apply();
-  void let_go() noexcept;
+  void release() noexcept;
   bool takes(std::span<const std::byte> bytes) noexcept;
   [[nodiscard]] bool is_active(InjectedFault fault) const noexcept;
   void break_rule(std::string_view rule) {
@@ -84,7 +84,7 @@ class FakeBoard {
   std::int64_t now_ns_ = 0;
   std::array<float, 2> degrees_{};            // by motor, as the encoders measure them
   std::array<double, 2> answered_rad_{};      // in the newest answer
-  std::array<double, 2> told_rad_{};          // in the newest answer that the computer has read
+  std::array<double, 2> reported_rad_{};      // in the newest answer that the computer has read
   std::array<float, 2> offset_{}, counts_{};  // by motor, as they were set up
   std::array<double, 2> torques_{};
   double largest_n_ = 0.0;

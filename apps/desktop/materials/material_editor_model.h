@@ -9,14 +9,14 @@
 #include <string_view>
 
 #include "desktop/engine/studio.h"
-#include "desktop/materials/own_materials.h"
+#include "desktop/materials/user_materials.h"
 
 namespace felt::desktop {
 
 /// The editing model of one surface or medium, which the editor shows and changes.
 ///
 /// Built-in materials never change: the first change makes a user-defined copy and selects it. Each
-/// change is stored in OwnMaterials immediately, so that forces, picture and sound of every window
+/// change is stored in UserMaterials immediately, so that forces, picture and sound of every window
 /// use it; saving also writes it to a file. Changes, renames, copies and deletions can be undone; a
 /// drag of a slider is one step.
 ///
@@ -27,13 +27,13 @@ namespace felt::desktop {
 /// To compare figures, each user-defined material has two sets of them, slot A and slot B. Only the
 /// chosen slot is used. The other slot contains the original figures until it is changed. Choosing
 /// a slot is not a step of undo, but each step stores and restores both slots.
-class MaterialDesk : public QObject {
+class MaterialEditorModel : public QObject {
   Q_OBJECT
 
  public:
   /// From now on, only this object may pass user-defined materials to the studio. The studio may
   /// already have them. `studio` and `own` must outlive this object.
-  MaterialDesk(Studio& studio, OwnMaterials& own, QObject* parent = nullptr);
+  MaterialEditorModel(Studio& studio, UserMaterials& own, QObject* parent = nullptr);
 
   [[nodiscard]] const MaterialKey& key() const noexcept { return key_; }
   /// Returns the selected material with its present figures.
@@ -44,10 +44,10 @@ class MaterialDesk : public QObject {
   [[nodiscard]] bool is_own() const { return own_of(key_) != nullptr; }
   /// Returns the user-defined material of this key. Returns null if none exists, or if the drawing
   /// has a material with this id and other figures, which takes precedence.
-  [[nodiscard]] const OwnMaterials::Entry* own_of(const MaterialKey& key) const;
+  [[nodiscard]] const UserMaterials::Entry* own_of(const MaterialKey& key) const;
   /// Returns true if the selected material differs from its file, or has no file.
   [[nodiscard]] bool is_changed() const;
-  [[nodiscard]] OwnMaterials& own() noexcept { return own_; }
+  [[nodiscard]] UserMaterials& own() noexcept { return own_; }
 
   /// Selects a material for editing and for use: as the surface, or as the medium of new lines.
   void select(const MaterialKey& key);
@@ -65,7 +65,7 @@ class MaterialDesk : public QObject {
   void revert();
 
   /// Saves a user-defined material. Of any other material, saves a copy with a new name. Fails as
-  /// OwnMaterials::save does; then the material stays unsaved.
+  /// UserMaterials::save does; then the material stays unsaved.
   Result<void> save();
   /// Saves a copy of the present material under this name, and selects it. Fails as save() does.
   Result<void> save_as(const QString& name);
@@ -73,7 +73,7 @@ class MaterialDesk : public QObject {
   /// printable letter.
   void rename(const QString& name);
   /// Deletes a user-defined material and its file; undo restores both. Does nothing if the material
-  /// is not user-defined. Fails as OwnMaterials::remove does; then the material still exists, and
+  /// is not user-defined. Fails as UserMaterials::remove does; then the material still exists, and
   /// undo has no additional step.
   Result<void> remove();
   /// Adds the material in a file as an unsaved user-defined material. The material gets another id
@@ -93,7 +93,7 @@ class MaterialDesk : public QObject {
   [[nodiscard]] bool slots_are_alike() const;
 
   /// Passes changes to the studio now, without the usual delay.
-  void tell_now();
+  void report_now();
 
   [[nodiscard]] QUndoStack& steps() noexcept { return steps_; }
 
@@ -135,7 +135,7 @@ class MaterialDesk : public QObject {
   void bring_back(const State& to);
   void push(State before, State after, const QString& words, std::string_view field = {},
             std::uint64_t run = 0);
-  void tell_error(const Result<void>& done);
+  void report_error(const Result<void>& done);
 
   void change(AnyMaterial to, const QString& words, std::string_view field = {},
               std::uint64_t run = 0);
@@ -149,15 +149,15 @@ class MaterialDesk : public QObject {
   [[nodiscard]] Compared compared_of(const MaterialKey& key) const;
 
   Studio& studio_;
-  OwnMaterials& own_;
+  UserMaterials& own_;
   MaterialKey key_{true, "paper"};
   std::map<MaterialKey, AnyMaterial> origins_;  // originals of copies that have no file
   std::map<MaterialKey, Compared> compared_;
   // The user-defined materials that were last passed to the studio.
-  Materials told_ = Materials::built_in();
+  Materials reported_ = Materials::built_in();
   bool is_withheld_ = false;  // some materials were not passed to the studio, because the drawing
                               // has other materials with their ids
-  QTimer tell_;               // active until the last change is passed to the studio
+  QTimer report_;             // active until the last change is passed to the studio
   QUndoStack steps_;
 };
 

@@ -1,9 +1,9 @@
-#include "desktop/materials/felt_probe.h"
+#include "desktop/materials/force_probe.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "felt/devices/simulated/felt_stroke.h"
+#include "felt/devices/simulated/stroke_forces.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 
 namespace felt::desktop {
@@ -17,8 +17,8 @@ constexpr std::size_t kPoints = 400;
 /// Returns the drag along the last kLengthMm in kPoints steps. Each step has the maximum of its
 /// range, so that every peak is included.
 std::vector<double> drag_of(const StrokeForces& forces) {
-  const double mm_per_tick = FeltFigures::kSpeedMmPerS * forces.period_s;
-  const auto wanted = static_cast<std::size_t>(FeltFigures::kLengthMm / mm_per_tick);
+  const double mm_per_tick = ProbeFigures::kSpeedMmPerS * forces.period_s;
+  const auto wanted = static_cast<std::size_t>(ProbeFigures::kLengthMm / mm_per_tick);
   const std::size_t count = std::min(wanted, forces.along_x.size());
   const std::size_t first = forces.along_x.size() - count;
   std::vector<double> drag;
@@ -35,7 +35,8 @@ std::vector<double> drag_of(const StrokeForces& forces) {
 
 /// Returns the share of the relief's height that the texture can render. A low relief is rendered
 /// completely.
-double grain_share_of(const FeltWish& wish, const Capabilities& device, const HeightField* grain) {
+double grain_share_of(const ProbeRequest& wish, const Capabilities& device,
+                      const HeightField* grain) {
   if (!grain || !(wish.medium.grain > 0.0)) return 1.0;
   const FrictionOptions friction = friction_for(wish.medium, wish.surface, device);
   const auto stiffness = [&](double height_share) {
@@ -56,21 +57,21 @@ double grain_share_of(const FeltWish& wish, const Capabilities& device, const He
 
 }  // namespace
 
-Capabilities felt_device(const Capabilities& device) {
+Capabilities probe_device(const Capabilities& device) {
   return device.has_force() ? device : find_stylus_preset(kStandIn)->capabilities;
 }
 
 /// Stiffness and budget come from the force model itself. Drag and tremble come from a stroke of
 /// the simulated hand, which consists of a run-up, then kLengthMm at constant speed, and a rest.
-FeltFigures felt_figures(const FeltWish& wish) {
+ProbeFigures probe_figures(const ProbeRequest& wish) {
   StylusPreset device = *find_stylus_preset(kStandIn);
-  device.capabilities = felt_device(wish.device);
+  device.capabilities = probe_device(wish.device);
   // Uses the device's own workspace, because the figures do not depend on its position on the
   // page.
   const Capabilities& can = device.capabilities;
   const HeightField* grain = surface_grain(wish.surface);
   const Slopes slopes = make_surface_force(wish.surface, wish.medium, can, grain).slopes();
-  FeltFigures figures;
+  ProbeFigures figures;
   figures.stiffness_n_per_m = plane_for(wish.surface, can).stiffness_n_per_m;
   figures.budget_share =
       std::max(slopes.normal_n_per_m, slopes.friction_n_per_m + slopes.lateral_n_per_m) /
@@ -81,9 +82,9 @@ FeltFigures felt_figures(const FeltWish& wish) {
                                            .period_ns = can.period_ns,
                                            .surface = &wish.surface,
                                            .tool = &wish.medium,
-                                           .speed_mm_per_s = FeltFigures::kSpeedMmPerS,
-                                           .press_n = FeltFigures::kPressN,
-                                           .leg_mm = kRunUpMm + FeltFigures::kLengthMm,
+                                           .speed_mm_per_s = ProbeFigures::kSpeedMmPerS,
+                                           .press_n = ProbeFigures::kPressN,
+                                           .leg_mm = kRunUpMm + ProbeFigures::kLengthMm,
                                            .rest_s = kRestS});
   figures.rest_n = force_above_30_hz_n(forces.resting, forces.period_s);
   figures.is_sound = forces.is_sound;
@@ -92,13 +93,13 @@ FeltFigures felt_figures(const FeltWish& wish) {
   return figures;
 }
 
-FeltProbe::FeltProbe(QObject* parent) : QObject(parent) {
+ForceProbe::ForceProbe(QObject* parent) : QObject(parent) {
   worker_.setMaxThreadCount(1);
 }
 
-FeltProbe::~FeltProbe() = default;
+ForceProbe::~ForceProbe() = default;
 
-void FeltProbe::ask(const FeltWish& wish) {
+void ForceProbe::ask(const ProbeRequest& wish) {
   if (has_asked_ && wish == wanted_) return;
   wanted_ = wish;
   has_asked_ = true;
@@ -109,11 +110,11 @@ void FeltProbe::ask(const FeltWish& wish) {
   }
 }
 
-void FeltProbe::start() {
+void ForceProbe::start() {
   is_busy_ = true;
   is_stale_ = false;
   worker_.start([this, wish = wanted_] {
-    const FeltFigures figures = felt_figures(wish);
+    const ProbeFigures figures = probe_figures(wish);
     QMetaObject::invokeMethod(
         this,
         [this, figures] {

@@ -1,4 +1,4 @@
-#include "felt/devices/simulated/felt_stroke.h"
+#include "felt/devices/simulated/stroke_forces.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt::felt_stroke_test {
+namespace felt::stroke_forces_test {
 namespace {
 
 StrokePlan plan_on(const char* surface) {
@@ -18,7 +18,7 @@ StrokePlan plan_on(const char* surface) {
           .rest_s = 0.4};
 }
 
-TEST(FeltStroke, LandsRestsAndGoesBothWays) {
+TEST(StrokeForces, LandsRestsAndGoesBothWays) {
   const StrokeForces forces = draw_stroke(plan_on("rough-paper"));
   EXPECT_TRUE(forces.is_sound);
   EXPECT_FALSE(forces.touching.empty());
@@ -30,14 +30,14 @@ TEST(FeltStroke, LandsRestsAndGoesBothWays) {
   EXPECT_EQ(draw_stroke(plan_on("rough-paper")).along_x, forces.along_x);
 }
 
-TEST(FeltStroke, R48_APenThatRestsIsQuiet) {
+TEST(StrokeForces, R48_APenThatRestsIsQuiet) {
   for (const SurfaceMaterial& surface : surface_materials()) {
     const StrokeForces forces = draw_stroke(plan_on(surface.id.c_str()));
     EXPECT_LT(force_above_30_hz_n(forces.resting, forces.period_s), 0.04) << surface.id;
   }
 }
 
-TEST(FeltStroke, OnlyWhatIsFastCountsAsTrembling) {
+TEST(StrokeForces, OnlyWhatIsFastCountsAsTrembling) {
   constexpr double kPeriodS = 0.001;
   const auto trembling = [&](double hz) {
     std::vector<Force> forces(2000);
@@ -52,4 +52,4 @@ TEST(FeltStroke, OnlyWhatIsFastCountsAsTrembling) {
 }
 
 }  // namespace
-}  // namespace felt::felt_stroke_test
+}  // namespace felt::stroke_forces_test

@@ -14,9 +14,9 @@ namespace felt::desktop {
 
 /// A fixture that draws on a canvas, for tests and pictures. Its functions move the hand, and each
 /// move also advances the studio's clock.
-class Sitting {
+class Fixture {
  public:
-  explicit Sitting(QSize size = {640, 480}, const QString& device = QStringLiteral("tablet"))
+  explicit Fixture(QSize size = {640, 480}, const QString& device = QStringLiteral("tablet"))
       : studio({.device = device, .live = false, .first_options = false}), canvas(studio) {
     canvas.resize(size);
     canvas.show();

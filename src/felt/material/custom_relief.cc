@@ -1,4 +1,4 @@
-#include "felt/material/own_relief.h"
+#include "felt/material/custom_relief.h"
 
 #include <algorithm>
 #include <array>
@@ -181,7 +181,7 @@ Result<Bytes> bytes_of(std::string_view text) {
 
 }  // namespace
 
-Result<std::shared_ptr<const HeightField>> own_relief(const HeightPicture& picture) {
+Result<std::shared_ptr<const HeightField>> custom_relief(const HeightPicture& picture) {
   // Only checks the picture: the relief itself is made from the 16-bit heights.
   if (const Result<HeightField> fits = height_field_of(picture); !fits) {
     return tl::unexpected(fits.error());
@@ -189,13 +189,13 @@ Result<std::shared_ptr<const HeightField>> own_relief(const HeightPicture& pictu
   return own_reliefs().of(bytes_of(cells_of(picture)));
 }
 
-Result<std::shared_ptr<const HeightField>> own_relief(std::string_view text) {
+Result<std::shared_ptr<const HeightField>> custom_relief(std::string_view text) {
   Result<Bytes> bytes = bytes_of(text);
   if (!bytes) return tl::unexpected(bytes.error());
   return own_reliefs().of(*std::move(bytes));
 }
 
-std::string own_relief_text(const HeightField& relief) {
+std::string custom_relief_text(const HeightField& relief) {
   if (const Bytes known = own_reliefs().bytes_of(relief); !known.empty()) return base64_of(known);
   std::vector<double> heights;
   heights.reserve(kSide * kSide);

@@ -20,7 +20,7 @@ namespace felt::testing {
 
 /// Test fixture for tools: a document, a surface and a device. It applies the results of a tool as
 /// a session does.
-struct Desk {
+struct Fixture {
   Document document;
   StrokeIndex index;
   Selection selection;
@@ -71,7 +71,7 @@ struct Desk {
 /// A pen that sends samples to a tool. Time advances by step_ns per sample.
 class Pen {
  public:
-  Pen(Tool& tool, Desk& desk) : tool_(tool), desk_(desk) {}
+  Pen(Tool& tool, Fixture& fixture) : tool_(tool), desk_(fixture) {}
 
   std::int64_t step_ns = 1'000'000;
   double depth = 1.0;  ///< depth in contact, mm; on paper 1 mm is 0.5 N
@@ -113,7 +113,7 @@ class Pen {
 
  private:
   Tool& tool_;
-  Desk& desk_;
+  Fixture& desk_;
   Contact contact_;
 };
 

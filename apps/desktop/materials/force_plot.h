@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "desktop/materials/felt_probe.h"
+#include "desktop/materials/force_probe.h"
 
 namespace felt::desktop {
 
@@ -10,16 +10,16 @@ namespace felt::desktop {
 /// the force against the motion along the path, and a band of 0.04 N on each side of its mean. The
 /// hand does not feel changes within the band. The parts of the plot outside of the band are
 /// filled: they are the grain that the hand feels.
-class FeltPlot : public QWidget {
+class ForcePlot : public QWidget {
   Q_OBJECT
 
  public:
   /// Smallest change of a force that is perceived, N (docs/design/simulation.md#perception).
   static constexpr double kFeltN = 0.04;
 
-  explicit FeltPlot(QWidget* parent = nullptr);
+  explicit ForcePlot(QWidget* parent = nullptr);
 
-  void show_figures(const FeltFigures& figures);
+  void show_figures(const ProbeFigures& figures);
   /// Returns the largest deviation from the mean, in N; 0 if no stroke was set.
   [[nodiscard]] double departure_n() const noexcept { return departure_n_; }
 
@@ -36,7 +36,7 @@ class FeltPlot : public QWidget {
   void draw_band(QPainter& painter, const QRectF& in) const;
   void draw_line(QPainter& painter, const QRectF& in) const;
 
-  FeltFigures figures_;
+  ProbeFigures figures_;
   double mean_n_ = 0.0;
   double departure_n_ = 0.0;
 };

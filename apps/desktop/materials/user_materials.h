@@ -21,7 +21,7 @@ namespace felt::desktop {
 /// a stored change cannot be read, it is reported as a problem and stays stored.
 ///
 /// Use it in Qt's main thread.
-class OwnMaterials : public QObject {
+class UserMaterials : public QObject {
   Q_OBJECT
 
  public:
@@ -35,10 +35,10 @@ class OwnMaterials : public QObject {
 
   /// Returns the object of this process, which uses material_folders(). The files are read at the
   /// first call.
-  static OwnMaterials& the();
+  static UserMaterials& the();
   /// Uses these folders, which need not exist. Saves into the first folder.
-  explicit OwnMaterials(std::vector<std::string> folders, QObject* parent = nullptr);
-  ~OwnMaterials() override;
+  explicit UserMaterials(std::vector<std::string> folders, QObject* parent = nullptr);
+  ~UserMaterials() override;
 
   /// Returns all entries, sorted by key: surfaces first.
   [[nodiscard]] std::vector<const Entry*> all() const;
@@ -78,7 +78,7 @@ class OwnMaterials : public QObject {
  private:
   void read_changes();
   Result<void> remove_file(const Entry& entry) const;
-  [[nodiscard]] std::string own_folder() const;
+  [[nodiscard]] std::string user_folder() const;
 
   std::vector<std::string> folders_;
   std::map<MaterialKey, Entry> entries_;

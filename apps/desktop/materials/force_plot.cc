@@ -1,4 +1,4 @@
-#include "desktop/materials/felt_plot.h"
+#include "desktop/materials/force_plot.h"
 
 #include <QLocale>
 #include <QPainter>
@@ -18,12 +18,12 @@ constexpr double kStepMm = 10.0;
 
 }  // namespace
 
-FeltPlot::FeltPlot(QWidget* parent) : QWidget(parent) {
+ForcePlot::ForcePlot(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   setAccessibleName(tr("Plot of the force along a stroke of 40 mm"));
 }
 
-void FeltPlot::show_figures(const FeltFigures& figures) {
+void ForcePlot::show_figures(const ProbeFigures& figures) {
   figures_ = figures;
   const std::vector<double>& drag = figures_.drag_n;
   mean_n_ = drag.empty()
@@ -45,28 +45,28 @@ void FeltPlot::show_figures(const FeltFigures& figures) {
   update();
 }
 
-QSize FeltPlot::sizeHint() const {
+QSize ForcePlot::sizeHint() const {
   return {36 * fontMetrics().averageCharWidth(), 9 * fontMetrics().height()};
 }
 
-QSize FeltPlot::minimumSizeHint() const {
+QSize ForcePlot::minimumSizeHint() const {
   return {24 * fontMetrics().averageCharWidth(), 6 * fontMetrics().height()};
 }
 
-QRectF FeltPlot::axes() const {
+QRectF ForcePlot::axes() const {
   const QFontMetrics metrics = fontMetrics();
   const double left = metrics.horizontalAdvance(QStringLiteral("0.00 N")) + 8;
   return QRectF(rect()).adjusted(left, 0.6 * metrics.height(), -6, -1.4 * metrics.height());
 }
 
-double FeltPlot::top_n() const {
+double ForcePlot::top_n() const {
   const double most = mean_n_ + std::max(departure_n_, 2.0 * kFeltN);
   const auto fits =
       std::find_if(kTops.begin(), kTops.end(), [&](double top) { return top >= most; });
   return fits == kTops.end() ? std::ceil(most) : *fits;
 }
 
-void FeltPlot::draw_axes(QPainter& painter, const QRectF& in) const {
+void ForcePlot::draw_axes(QPainter& painter, const QRectF& in) const {
   QColor faint = palette().color(QPalette::Text);
   faint.setAlphaF(0.25F);
   const QLocale locale;
@@ -80,12 +80,12 @@ void FeltPlot::draw_axes(QPainter& painter, const QRectF& in) const {
                      Qt::AlignRight | Qt::AlignVCenter,
                      tr("%1 N").arg(locale.toString(share * top_n(), 'f', top_n() < 1.0 ? 2 : 1)));
   }
-  for (double mm = 0.0; mm <= FeltFigures::kLengthMm; mm += kStepMm) {
-    const double x = in.left() + mm / FeltFigures::kLengthMm * in.width();
+  for (double mm = 0.0; mm <= ProbeFigures::kLengthMm; mm += kStepMm) {
+    const double x = in.left() + mm / ProbeFigures::kLengthMm * in.width();
     painter.setPen(faint);
     painter.drawLine(QPointF(x, in.top()), QPointF(x, in.bottom()));
     painter.setPen(palette().color(QPalette::Text));
-    const bool is_last = mm + kStepMm > FeltFigures::kLengthMm;
+    const bool is_last = mm + kStepMm > ProbeFigures::kLengthMm;
     const QString text = is_last ? tr("%1 mm").arg(mm, 0, 'f', 0) : locale.toString(mm, 'f', 0);
     const double width = 8.0 * fontMetrics().averageCharWidth();
     const QRectF place(is_last ? in.right() - width : x - 0.5 * width, in.bottom() + 2, width,
@@ -96,7 +96,7 @@ void FeltPlot::draw_axes(QPainter& painter, const QRectF& in) const {
 
 /// Draws the band within which changes of the force are not felt. The band is hatched, so that it
 /// is visible without colour.
-void FeltPlot::draw_band(QPainter& painter, const QRectF& in) const {
+void ForcePlot::draw_band(QPainter& painter, const QRectF& in) const {
   const auto y = [&](double newton) { return in.bottom() - newton / top_n() * in.height(); };
   const QRectF band =
       QRectF(QPointF(in.left(), y(mean_n_ + kFeltN)), QPointF(in.right(), y(mean_n_ - kFeltN)))
@@ -109,7 +109,7 @@ void FeltPlot::draw_band(QPainter& painter, const QRectF& in) const {
   painter.drawLine(band.bottomLeft(), band.bottomRight());
 }
 
-void FeltPlot::draw_line(QPainter& painter, const QRectF& in) const {
+void ForcePlot::draw_line(QPainter& painter, const QRectF& in) const {
   const std::vector<double>& drag = figures_.drag_n;
   const auto y = [&](double newton) { return in.bottom() - newton / top_n() * in.height(); };
   QPolygonF line;
@@ -134,7 +134,7 @@ void FeltPlot::draw_line(QPainter& painter, const QRectF& in) const {
   painter.drawPolyline(line);
 }
 
-void FeltPlot::paintEvent(QPaintEvent*) {
+void ForcePlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF in = axes();

@@ -1,4 +1,4 @@
-#include "desktop/materials/own_materials.h"
+#include "desktop/materials/user_materials.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 #include "desktop/materials/material_setting_keys.h"
 #include "felt/material/material_library.h"
 
-namespace felt::desktop::own_materials_test {
+namespace felt::desktop::user_materials_test {
 namespace {
 
 SurfaceMaterial slate() {
@@ -40,26 +40,26 @@ void write(const QString& path, const QByteArray& text) {
 }
 
 // The folder of materials is read before the first window, so a pipe in it must not block.
-TEST(OwnMaterials, APipeForAPictureKeepsNobodyWaiting) {
+TEST(UserMaterials, APipeForAPictureKeepsNobodyWaiting) {
   forget_unsaved();
   const QTemporaryDir home;
   ASSERT_EQ(::mkfifo(home.filePath(QStringLiteral("pipe.png")).toLocal8Bit().constData(), 0600), 0);
   write(home.filePath(QStringLiteral("a.toml")),
         "kind = \"sheet\"\nid = \"piped\"\n[grain]\npicture = \"pipe.png\"\n");
-  OwnMaterials own({home.path().toStdString()});
+  UserMaterials own({home.path().toStdString()});
   EXPECT_TRUE(own.all().empty());
   const QStringList problems = own.take_problems();
   ASSERT_EQ(problems.size(), 1);
   EXPECT_TRUE(problems.first().contains(QStringLiteral("pipe.png: not a regular file")));
 }
 
-TEST(OwnMaterials, WhatIsSavedIsThereAtTheNextStart) {
+TEST(UserMaterials, WhatIsSavedIsThereAtTheNextStart) {
   forget_unsaved();
   const QTemporaryDir home;
   const std::string folder = home.path().toStdString() + "/feltline/materials";
   const MaterialKey key{true, "slate"};
   {
-    OwnMaterials own({folder});
+    UserMaterials own({folder});
     EXPECT_TRUE(own.all().empty());
     own.put(slate());
     ASSERT_TRUE(own.find(key));
@@ -67,7 +67,7 @@ TEST(OwnMaterials, WhatIsSavedIsThereAtTheNextStart) {
     ASSERT_TRUE(own.save(key));
     EXPECT_FALSE(own.find(key)->is_changed());
   }
-  OwnMaterials next({folder});
+  UserMaterials next({folder});
   EXPECT_TRUE(next.take_problems().isEmpty());
   ASSERT_TRUE(next.find(key));
   EXPECT_EQ(next.find(key)->now, AnyMaterial(slate()));
@@ -76,19 +76,19 @@ TEST(OwnMaterials, WhatIsSavedIsThereAtTheNextStart) {
   EXPECT_NE(next.known().find_surface("paper"), nullptr);
 }
 
-TEST(OwnMaterials, WhatIsNotSavedIsKeptAllTheSame) {
+TEST(UserMaterials, WhatIsNotSavedIsKeptAllTheSame) {
   forget_unsaved();
   const QTemporaryDir home;
   const MaterialKey key{true, "slate"};
   {
-    OwnMaterials own({home.path().toStdString()});
+    UserMaterials own({home.path().toStdString()});
     own.put(slate());
     ASSERT_TRUE(own.save(key));
     SurfaceMaterial harder = slate();
     harder.stiffness_n_per_m = 1500.0;
     own.put(harder);
   }
-  OwnMaterials next({home.path().toStdString()});
+  UserMaterials next({home.path().toStdString()});
   ASSERT_TRUE(next.find(key));
   EXPECT_TRUE(next.find(key)->is_changed());
   EXPECT_EQ(std::get<SurfaceMaterial>(next.find(key)->now).stiffness_n_per_m, 1500.0);
@@ -98,11 +98,11 @@ TEST(OwnMaterials, WhatIsNotSavedIsKeptAllTheSame) {
   forget_unsaved();
 }
 
-TEST(OwnMaterials, ABadFileIsToldWithItsLineAndDisturbsNoOther) {
+TEST(UserMaterials, ABadFileIsToldWithItsLineAndDisturbsNoOther) {
   forget_unsaved();
   const QTemporaryDir home;
   {
-    OwnMaterials own({home.path().toStdString()});
+    UserMaterials own({home.path().toStdString()});
     own.put(slate());
     ASSERT_TRUE(own.save({true, "slate"}));
   }
@@ -110,7 +110,7 @@ TEST(OwnMaterials, ABadFileIsToldWithItsLineAndDisturbsNoOther) {
         "kind = \"sheet\"\nid = \"bad\"\n\n[feel]\nfriction = 99\n");
   write(home.filePath(QStringLiteral("paper.toml")), "kind = \"sheet\"\nid = \"paper\"\n");
   write(home.filePath(QStringLiteral("zslate.toml")), "kind = \"sheet\"\nid = \"slate\"\n");
-  OwnMaterials own({home.path().toStdString()});
+  UserMaterials own({home.path().toStdString()});
   const QStringList problems = own.take_problems();
   ASSERT_EQ(problems.size(), 3) << problems.join(QLatin1Char('\n')).toStdString();
   EXPECT_TRUE(problems[0].contains(QStringLiteral("bad.toml:5:"))) << problems[0].toStdString();
@@ -120,10 +120,10 @@ TEST(OwnMaterials, ABadFileIsToldWithItsLineAndDisturbsNoOther) {
   EXPECT_EQ(own.all().size(), 1u);
 }
 
-TEST(OwnMaterials, BuiltInOnesAreNeverReplaced) {
+TEST(UserMaterials, BuiltInOnesAreNeverReplaced) {
   forget_unsaved();
   const QTemporaryDir home;
-  OwnMaterials own({home.path().toStdString()});
+  UserMaterials own({home.path().toStdString()});
   SurfaceMaterial paper = *find_surface("paper");
   paper.friction = 0.9;
   own.put(paper);
@@ -133,11 +133,11 @@ TEST(OwnMaterials, BuiltInOnesAreNeverReplaced) {
   EXPECT_FALSE(own.is_taken("slate"));
 }
 
-TEST(OwnMaterials, RemovingTakesTheFileAway) {
+TEST(UserMaterials, RemovingTakesTheFileAway) {
   forget_unsaved();
   const QTemporaryDir home;
-  OwnMaterials own({home.path().toStdString()});
-  QSignalSpy changed(&own, &OwnMaterials::changed);
+  UserMaterials own({home.path().toStdString()});
+  QSignalSpy changed(&own, &UserMaterials::changed);
   own.put(slate());
   ASSERT_TRUE(own.save({true, "slate"}));
   EXPECT_TRUE(QFile::exists(home.filePath(QStringLiteral("slate.toml"))));
@@ -147,11 +147,11 @@ TEST(OwnMaterials, RemovingTakesTheFileAway) {
   EXPECT_FALSE(own.find({true, "slate"}));
 }
 
-TEST(OwnMaterials, AFolderThatCannotBeWrittenSaysSoAndNothingIsLost) {
+TEST(UserMaterials, AFolderThatCannotBeWrittenSaysSoAndNothingIsLost) {
   forget_unsaved();
   const QTemporaryDir home;
   write(home.filePath(QStringLiteral("file")), "no folder");
-  OwnMaterials own({home.path().toStdString() + "/file/materials"});
+  UserMaterials own({home.path().toStdString() + "/file/materials"});
   own.put(slate());
   const Result<void> saved = own.save({true, "slate"});
   ASSERT_FALSE(saved);
@@ -160,12 +160,12 @@ TEST(OwnMaterials, AFolderThatCannotBeWrittenSaysSoAndNothingIsLost) {
   forget_unsaved();
 }
 
-TEST(OwnMaterials, AFileThatAnotherProgramChangedIsNeitherReplacedNorDeleted) {
+TEST(UserMaterials, AFileThatAnotherProgramChangedIsNeitherReplacedNorDeleted) {
   forget_unsaved();
   const QTemporaryDir home;
   const MaterialKey key{true, "slate"};
   const QString file = home.filePath(QStringLiteral("slate.toml"));
-  OwnMaterials own({home.path().toStdString()});
+  UserMaterials own({home.path().toStdString()});
   own.put(slate());
   ASSERT_TRUE(own.save(key));
   SurfaceMaterial theirs = slate();
@@ -191,10 +191,10 @@ TEST(OwnMaterials, AFileThatAnotherProgramChangedIsNeitherReplacedNorDeleted) {
   forget_unsaved();
 }
 
-TEST(OwnMaterials, AFileThatWasNeverReadIsNotReplaced) {
+TEST(UserMaterials, AFileThatWasNeverReadIsNotReplaced) {
   forget_unsaved();
   const QTemporaryDir home;
-  OwnMaterials own({home.path().toStdString()});
+  UserMaterials own({home.path().toStdString()});
   own.put(slate());
   Medium medium = *find_medium("chalk");
   medium.id = "x";
@@ -217,13 +217,13 @@ TEST(OwnMaterials, AFileThatWasNeverReadIsNotReplaced) {
   forget_unsaved();
 }
 
-TEST(OwnMaterials, WhatIsForAllUsersIsNotDeleted) {
+TEST(UserMaterials, WhatIsForAllUsersIsNotDeleted) {
   forget_unsaved();
   const QTemporaryDir home, all_users;
   const MaterialKey key{true, "slate"};
   const QString file = all_users.filePath(QStringLiteral("slate.toml"));
   write(file, QByteArray::fromStdString(write_material(slate())));
-  OwnMaterials own({home.path().toStdString(), all_users.path().toStdString()});
+  UserMaterials own({home.path().toStdString(), all_users.path().toStdString()});
   ASSERT_TRUE(own.find(key));
   EXPECT_TRUE(own.kept_because(key).contains(file)) << own.kept_because(key).toStdString();
   EXPECT_FALSE(own.remove(key));
@@ -238,7 +238,7 @@ TEST(OwnMaterials, WhatIsForAllUsersIsNotDeleted) {
   EXPECT_TRUE(QFile::exists(file));
 }
 
-TEST(OwnMaterials, WhatWasKeptAndCannotBeReadIsToldAndKeptOn) {
+TEST(UserMaterials, WhatWasKeptAndCannotBeReadIsToldAndKeptOn) {
   const QTemporaryDir home;
   const QString kept = QString::fromLatin1(material_keys::kUnsaved);
   const auto odd = QStringLiteral("kind = \"sheet\"\nid = \"odd\"\n[feel]\nsmell = 1\n");
@@ -246,7 +246,7 @@ TEST(OwnMaterials, WhatWasKeptAndCannotBeReadIsToldAndKeptOn) {
   const QString good = QString::fromStdString(write_material(slate()));
   Settings::the().set(kept, QStringList{odd, good, taken});
   {
-    OwnMaterials own({home.path().toStdString()});
+    UserMaterials own({home.path().toStdString()});
     const QStringList problems = own.take_problems();
     ASSERT_EQ(problems.size(), 2) << problems.join(QLatin1Char('\n')).toStdString();
     EXPECT_TRUE(problems[0].contains(QStringLiteral("smell"))) << problems[0].toStdString();
@@ -288,4 +288,4 @@ TEST(MaterialNames, ANameBecomesAnId) {
 }
 
 }  // namespace
-}  // namespace felt::desktop::own_materials_test
+}  // namespace felt::desktop::user_materials_test

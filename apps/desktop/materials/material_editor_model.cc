@@ -1,4 +1,4 @@
-#include "desktop/materials/material_desk.h"
+#include "desktop/materials/material_editor_model.h"
 
 #include <algorithm>
 #include <memory>
@@ -9,9 +9,9 @@
 #include "desktop/materials/media_picker.h"
 #include "felt/base/atomic_file.h"
 #include "felt/io/picture/png.h"
+#include "felt/material/custom_relief.h"
 #include "felt/material/material_fields.h"
 #include "felt/material/material_library.h"
-#include "felt/material/own_relief.h"
 #include "felt/session/session_medium.h"
 
 namespace felt::desktop {
@@ -73,9 +73,9 @@ constexpr int kTellMs = 100;  // interval of the events while the user drags a s
 
 /// A step of undo, from one state of a material to another. If the material does not exist in the
 /// first or second state, the step adds or removes it.
-class MaterialDesk::Step final : public QUndoCommand {
+class MaterialEditorModel::Step final : public QUndoCommand {
  public:
-  Step(MaterialDesk& desk, const QString& words, State before, State after)
+  Step(MaterialEditorModel& desk, const QString& words, State before, State after)
       : QUndoCommand(words), desk_(desk), before_(std::move(before)), after_(std::move(after)) {}
 
   /// Sets the field and the run. Consecutive steps of the same field and run are merged into one.
@@ -101,37 +101,37 @@ class MaterialDesk::Step final : public QUndoCommand {
   }
 
  private:
-  MaterialDesk& desk_;
+  MaterialEditorModel& desk_;
   State before_, after_;
   std::string field_;
   std::uint64_t run_ = 0;
   FileFate fate_ = FileFate::kStays;
 };
 
-MaterialDesk::MaterialDesk(Studio& studio, OwnMaterials& own, QObject* parent)
+MaterialEditorModel::MaterialEditorModel(Studio& studio, UserMaterials& own, QObject* parent)
     : QObject(parent), studio_(studio), own_(own) {
   key_.id = studio_.session().surface().id;
-  for (const OwnMaterials::Entry* entry : own_.all()) {
+  for (const UserMaterials::Entry* entry : own_.all()) {
     const std::optional<AnyMaterial> here = find_in(studio_.materials(), key_of(entry->now));
-    if (here == entry->now) felt::put(told_, entry->now);
+    if (here == entry->now) felt::put(reported_, entry->now);
   }
-  tell_.setSingleShot(true);
-  tell_.setInterval(kTellMs);
-  connect(&tell_, &QTimer::timeout, this, &MaterialDesk::tell_now);
-  connect(&own_, &OwnMaterials::changed, this, [this](const MaterialKey& key) {
-    if (!tell_.isActive()) tell_.start();
+  report_.setSingleShot(true);
+  report_.setInterval(kTellMs);
+  connect(&report_, &QTimer::timeout, this, &MaterialEditorModel::report_now);
+  connect(&own_, &UserMaterials::changed, this, [this](const MaterialKey& key) {
+    if (!report_.isActive()) report_.start();
     if (key == key_) Q_EMIT changed();
   });
-  connect(&studio_, &Studio::opened, this, &MaterialDesk::follow_drawing);
+  connect(&studio_, &Studio::opened, this, &MaterialEditorModel::follow_drawing);
 }
 
-void MaterialDesk::tell_now() {
-  tell_.stop();
+void MaterialEditorModel::report_now() {
+  report_.stop();
   const Medium* before = studio_.materials().find_medium(drawing_medium(studio_.session()));
   const Medium medium = before ? *before : Medium{};
   Materials known = Materials::built_in();
   is_withheld_ = false;
-  for (const OwnMaterials::Entry* entry : own_.all()) {
+  for (const UserMaterials::Entry* entry : own_.all()) {
     const MaterialKey key = key_of(entry->now);
     if (own_of(key)) {
       felt::put(known, entry->now);
@@ -139,9 +139,9 @@ void MaterialDesk::tell_now() {
     }
     // The user's material would take precedence over the drawing's, so it is not passed on.
     is_withheld_ = true;
-    if (std::optional<AnyMaterial> old = find_in(told_, key)) felt::put(known, *std::move(old));
+    if (std::optional<AnyMaterial> old = find_in(reported_, key)) felt::put(known, *std::move(old));
   }
-  told_ = known;
+  reported_ = known;
   studio_.set_user_materials(known);
   // The tool copied the widths of the medium, and the colour of new ink is that of the medium,
   // since the medium was selected. Therefore both must be updated if the medium's widths or colour
@@ -156,8 +156,8 @@ void MaterialDesk::tell_now() {
 /// Updates the selection and the list of user-defined materials after another drawing was opened. A
 /// user-defined material can be used only if the drawing has no other material with its id, so a
 /// new drawing may change which ones are in use.
-void MaterialDesk::follow_drawing() {
-  if (is_withheld_) tell_now();
+void MaterialEditorModel::follow_drawing() {
+  if (is_withheld_) report_now();
   if (!own_of(key_) && !find_in(studio_.materials(), key_)) {
     key_ = {true, studio_.session().surface().id};
     Q_EMIT selected();
@@ -165,68 +165,68 @@ void MaterialDesk::follow_drawing() {
   Q_EMIT changed();
 }
 
-const OwnMaterials::Entry* MaterialDesk::own_of(const MaterialKey& key) const {
-  const OwnMaterials::Entry* entry = own_.find(key);
+const UserMaterials::Entry* MaterialEditorModel::own_of(const MaterialKey& key) const {
+  const UserMaterials::Entry* entry = own_.find(key);
   if (!entry) return nullptr;
   const std::optional<AnyMaterial> here = find_in(studio_.materials(), key);
   // If the studio's material is the one that this object passed last, it is user-defined, even if
   // the user has changed it since then.
-  const bool is_of_drawing = here && *here != entry->now && here != find_in(told_, key);
+  const bool is_of_drawing = here && *here != entry->now && here != find_in(reported_, key);
   return is_of_drawing ? nullptr : entry;
 }
 
 /// Changes a material from one state to another, and selects it.
-void MaterialDesk::go(const State& from, const State& to, FileFate fate) {
+void MaterialEditorModel::go(const State& from, const State& to, FileFate fate) {
   if (to.material) {
     bring_back(to);
   } else if (from.material) {
     const MaterialKey key = key_of(*from.material);
-    const OwnMaterials::Entry* entry = own_.find(key);
+    const UserMaterials::Entry* entry = own_.find(key);
     // If the step created a copy that was saved afterwards, undoing the step keeps the copy and its
     // file.
-    if (entry && (fate == FileFate::kGoes || !entry->saved)) tell_error(own_.remove(key));
+    if (entry && (fate == FileFate::kGoes || !entry->saved)) report_error(own_.remove(key));
     if (!own_.find(key)) compared_.erase(key);
   }
   select(to.selected);
   Q_EMIT changed();
 }
 
-void MaterialDesk::bring_back(const State& to) {
+void MaterialEditorModel::bring_back(const State& to) {
   const MaterialKey key = key_of(*to.material);
   compared_.insert_or_assign(key, to.compared);
   if (to.saved && !own_.find(key)) {
     // The file gets its old content first. Then the unsaved changes are restored, and are still
     // unsaved.
     own_.put(*to.saved);
-    tell_error(own_.save(key));
+    report_error(own_.save(key));
   }
   own_.put(*to.material);
 }
 
-void MaterialDesk::tell_error(const Result<void>& done) {
+void MaterialEditorModel::report_error(const Result<void>& done) {
   if (!done) Q_EMIT failed(QString::fromStdString(done.error().message));
 }
 
-AnyMaterial MaterialDesk::now() const {
-  if (const OwnMaterials::Entry* entry = own_of(key_)) return entry->now;
+AnyMaterial MaterialEditorModel::now() const {
+  if (const UserMaterials::Entry* entry = own_of(key_)) return entry->now;
   if (std::optional<AnyMaterial> known = find_in(studio_.materials(), key_)) return *known;
   return key_.is_surface ? AnyMaterial(surface_materials().front()) : AnyMaterial(media().front());
 }
 
-AnyMaterial MaterialDesk::origin() const {
-  const OwnMaterials::Entry* entry = own_of(key_);
+AnyMaterial MaterialEditorModel::origin() const {
+  const UserMaterials::Entry* entry = own_of(key_);
   if (!entry) return now();
   if (entry->saved) return *entry->saved;
   const auto at = origins_.find(key_);
   return at == origins_.end() ? entry->now : with_names_of(at->second, entry->now);
 }
 
-bool MaterialDesk::is_changed() const {
-  const OwnMaterials::Entry* entry = own_of(key_);
+bool MaterialEditorModel::is_changed() const {
+  const UserMaterials::Entry* entry = own_of(key_);
   return entry && entry->is_changed();
 }
 
-void MaterialDesk::select(const MaterialKey& key) {
+void MaterialEditorModel::select(const MaterialKey& key) {
   const bool is_other = key != key_;
   key_ = key;
   take_in_hand();
@@ -234,8 +234,8 @@ void MaterialDesk::select(const MaterialKey& key) {
 }
 
 /// Makes the selected material the surface or the medium in use, so that the user feels it.
-void MaterialDesk::take_in_hand() {
-  if (!find_in(studio_.materials(), key_)) tell_now();
+void MaterialEditorModel::take_in_hand() {
+  if (!find_in(studio_.materials(), key_)) report_now();
   if (key_.is_surface) {
     choose_material(studio_, QString::fromStdString(key_.id));
   } else if (drawing_medium(studio_.session()) != key_.id) {
@@ -243,23 +243,23 @@ void MaterialDesk::take_in_hand() {
   }
 }
 
-void MaterialDesk::set(std::string_view field, double value, std::uint64_t run) {
+void MaterialEditorModel::set(std::string_view field, double value, std::uint64_t run) {
   AnyMaterial to = now();
   if (!set_in(to, field, value) || to == now() || lacks_picture(to)) return;
   make_fit(to, field);
   change(std::move(to), label_of_field(now(), field), field, run);
 }
 
-void MaterialDesk::take_figures(const AnyMaterial& from) {
+void MaterialEditorModel::take_figures(const AnyMaterial& from) {
   if (key_of(from).is_surface != key_.is_surface) return;
   change(with_names_of(from, now()), tr("Values of %1").arg(name_of(from)));
 }
 
-Result<void> MaterialDesk::take_relief(const HeightPicture& picture) {
+Result<void> MaterialEditorModel::take_relief(const HeightPicture& picture) {
   AnyMaterial to = now();
   auto* surface = std::get_if<SurfaceMaterial>(&to);
   if (!surface) return {};
-  Result<std::shared_ptr<const HeightField>> relief = own_relief(picture);
+  Result<std::shared_ptr<const HeightField>> relief = custom_relief(picture);
   if (!relief) return tl::unexpected(relief.error());
   const bool was_smooth = !(surface->grain_um > 0.0);
   surface->picture = *std::move(relief);
@@ -270,7 +270,7 @@ Result<void> MaterialDesk::take_relief(const HeightPicture& picture) {
   return {};
 }
 
-void MaterialDesk::set_pair(const std::string& surface, std::optional<double> friction) {
+void MaterialEditorModel::set_pair(const std::string& surface, std::optional<double> friction) {
   AnyMaterial to = now();
   auto* medium = std::get_if<Medium>(&to);
   if (!medium) return;
@@ -282,18 +282,18 @@ void MaterialDesk::set_pair(const std::string& surface, std::optional<double> fr
   if (to != now()) change(std::move(to), tr("Friction of a pair"));
 }
 
-void MaterialDesk::revert() {
+void MaterialEditorModel::revert() {
   const AnyMaterial was = origin();
   if (was != now()) change(was, tr("Revert"));
 }
 
 /// Returns the state of the selected material. Requires that it is user-defined.
-MaterialDesk::State MaterialDesk::state() const {
+MaterialEditorModel::State MaterialEditorModel::state() const {
   return {now(), std::nullopt, {slot(), other()}, key_};
 }
 
 /// Returns the state of a material that a step adds and selects.
-MaterialDesk::State MaterialDesk::made_as(AnyMaterial material) const {
+MaterialEditorModel::State MaterialEditorModel::made_as(AnyMaterial material) const {
   const MaterialKey key = key_of(material);
   return {std::move(material), std::nullopt, {}, key};
 }
@@ -301,26 +301,26 @@ MaterialDesk::State MaterialDesk::made_as(AnyMaterial material) const {
 /// Returns true if the id is in use: built-in, user-defined, in the drawing, or in the session,
 /// because strokes of the session may refer to it. Another material with this id would change
 /// existing drawings.
-bool MaterialDesk::is_taken(const std::string& id) const {
+bool MaterialEditorModel::is_taken(const std::string& id) const {
   const auto has = [&id](const Materials& known) {
     return known.find_surface(id) != nullptr || known.find_medium(id) != nullptr;
   };
   return own_.is_taken(id) || has(studio_.materials()) || has(studio_.session().materials());
 }
 
-std::string MaterialDesk::free_id(const QString& name) const {
+std::string MaterialEditorModel::free_id(const QString& name) const {
   return id_for(name, key_.is_surface ? "surface" : "medium",
                 [this](const std::string& id) { return is_taken(id); });
 }
 
 /// Returns the default name of a copy of the selected material.
-QString MaterialDesk::copy_name() const {
+QString MaterialEditorModel::copy_name() const {
   const QString name = name_of(now());
   return is_built_in(key_) ? tr("%1 (custom)").arg(name) : tr("Copy of %1").arg(name);
 }
 
-void MaterialDesk::change(AnyMaterial to, const QString& words, std::string_view field,
-                          std::uint64_t run) {
+void MaterialEditorModel::change(AnyMaterial to, const QString& words, std::string_view field,
+                                 std::uint64_t run) {
   if (is_own()) {
     change_own(std::move(to), words, field, run);
     return;
@@ -334,15 +334,15 @@ void MaterialDesk::change(AnyMaterial to, const QString& words, std::string_view
   push({std::nullopt, std::nullopt, {}, key_}, std::move(after), words, field, run);
 }
 
-void MaterialDesk::push(State before, State after, const QString& words, std::string_view field,
-                        std::uint64_t run) {
+void MaterialEditorModel::push(State before, State after, const QString& words,
+                               std::string_view field, std::uint64_t run) {
   auto step = std::make_unique<Step>(*this, words, std::move(before), std::move(after));
   step->set_run(field, run);
   steps_.push(step.release());
 }
 
-void MaterialDesk::change_own(AnyMaterial to, const QString& words, std::string_view field,
-                              std::uint64_t run) {
+void MaterialEditorModel::change_own(AnyMaterial to, const QString& words, std::string_view field,
+                                     std::uint64_t run) {
   const State before = state();
   if (to == *before.material) return;
   State after = before;
@@ -350,31 +350,31 @@ void MaterialDesk::change_own(AnyMaterial to, const QString& words, std::string_
   push(before, std::move(after), words, field, run);
 }
 
-Result<void> MaterialDesk::save() {
+Result<void> MaterialEditorModel::save() {
   if (!is_own()) return save_as(copy_name());
   if (Result<void> saved = own_.save(key_); !saved) return saved;
   origins_.erase(key_);
   return {};
 }
 
-Result<void> MaterialDesk::save_as(const QString& name) {
+Result<void> MaterialEditorModel::save_as(const QString& name) {
   const AnyMaterial made = renamed(now(), free_id(name), name);
   push({std::nullopt, std::nullopt, {}, key_}, made_as(made), tr("Save as %1").arg(name));
   return own_.save(key_);
 }
 
-void MaterialDesk::rename(const QString& name) {
+void MaterialEditorModel::rename(const QString& name) {
   if (!is_own() || label_for(name).isEmpty()) return;
   const AnyMaterial to = renamed(now(), key_.id, name);
   if (name_of(to) == name_of(now())) return;
   const bool was_saved = !is_changed();
   change_own(to, tr("Rename"), {}, 0);
   // If the material had no other unsaved changes, the new name is saved immediately.
-  if (was_saved) tell_error(own_.save(key_));
+  if (was_saved) report_error(own_.save(key_));
 }
 
-Result<void> MaterialDesk::remove() {
-  const OwnMaterials::Entry* entry = own_of(key_);
+Result<void> MaterialEditorModel::remove() {
+  const UserMaterials::Entry* entry = own_of(key_);
   if (!entry) return {};
   State before = state();
   before.saved = entry->saved;
@@ -389,7 +389,7 @@ Result<void> MaterialDesk::remove() {
   return {};
 }
 
-Result<void> MaterialDesk::import_file(const QString& path) {
+Result<void> MaterialEditorModel::import_file(const QString& path) {
   Result<AnyMaterial> read = read_material_file(path.toStdString(), read_height_png);
   if (!read) return tl::unexpected(read.error());
   AnyMaterial made = *std::move(read);
@@ -400,35 +400,35 @@ Result<void> MaterialDesk::import_file(const QString& path) {
   return {};
 }
 
-Result<void> MaterialDesk::export_file(const QString& path) const {
+Result<void> MaterialEditorModel::export_file(const QString& path) const {
   return save_file(path.toStdString(), write_material(now()));
 }
 
-MaterialDesk::Compared MaterialDesk::compared_of(const MaterialKey& key) const {
+MaterialEditorModel::Compared MaterialEditorModel::compared_of(const MaterialKey& key) const {
   const auto at = compared_.find(key);
   return at == compared_.end() ? Compared{} : at->second;
 }
 
-AnyMaterial MaterialDesk::other() const {
+AnyMaterial MaterialEditorModel::other() const {
   const Compared both = compared_of(key_);
   return both.hidden ? with_names_of(*both.hidden, now()) : origin();
 }
 
-bool MaterialDesk::slots_are_alike() const {
+bool MaterialEditorModel::slots_are_alike() const {
   return other() == now();
 }
 
 /// Choosing a slot is not a step of undo, because the user loses no figures.
-void MaterialDesk::flip() {
+void MaterialEditorModel::flip() {
   if (!is_own()) return;
   const AnyMaterial hidden = other();
   compared_.insert_or_assign(key_, Compared{slot() == 'A' ? 'B' : 'A', now()});
   own_.put(hidden);
-  tell_now();
+  report_now();
   Q_EMIT changed();
 }
 
-void MaterialDesk::copy_to_other() {
+void MaterialEditorModel::copy_to_other() {
   if (!is_own() || slots_are_alike()) return;
   const State before = state();
   State after = before;

@@ -1,4 +1,4 @@
-#include "felt/tools/pencil/stabiliser.h"
+#include "felt/tools/pencil/stabiliser_options.h"
 
 #include <algorithm>
 #include <cmath>

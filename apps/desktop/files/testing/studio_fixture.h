@@ -27,9 +27,9 @@ inline Medium soft_chalk(double friction) {
 }
 
 /// A fixture: a window with a studio on a virtual clock and scripted dialogs.
-struct TestDesk {
-  TestDesk() : TestDesk(StudioOptions{.live = false}) {}
-  explicit TestDesk(StudioOptions options) : studio(std::move(options)) {
+struct StudioFixture {
+  StudioFixture() : StudioFixture(StudioOptions{.live = false}) {}
+  explicit StudioFixture(StudioOptions options) : studio(std::move(options)) {
     auto scripted = std::make_unique<ScriptedDialogs>();
     person = scripted.get();
     files = new FileActions(studio, actions, &window, std::move(scripted));

@@ -17,14 +17,14 @@ inline constexpr const char* kPadKernel = "0018:2808:0222.0006";
 inline constexpr const char* kControllerKernel = "0003:045E:02EA.0007";
 
 /// The fixture: a machine with a fake of each haptic device, and the driver.
-struct CueDesk {
+struct CueFixture {
   FakeSystem system;
   FakePen pen;
   FakeMouse mouse;
   FakePad pad, controller;
   std::unique_ptr<Driver> driver;
 
-  CueDesk() {
+  CueFixture() {
     add_hidraw(system, 0, kPenKernel, "Slim pen", "", pen_descriptor(65));
     add_hidraw(system, 1, kMouseKernel, "MX Master 4", "aa:bb", hidpp_descriptor());
     add_hidraw(system, 2, kReceiverKernel, "Logitech USB Receiver", "", hidpp_descriptor());

@@ -8,9 +8,9 @@ namespace felt {
 /// Converts the pen of a session to the input of the sound (felt/sound): which medium rubs on which
 /// surface, and how hard. Caches values that are expensive to compute. Use it on the edit thread,
 /// with one session at a time.
-class HeardPen {
+class SoundInput {
  public:
-  explicit HeardPen(const Session& session) : session_(&session) {}
+  explicit SoundInput(const Session& session) : session_(&session) {}
 
   /// Replaces the session, without interrupting the sound.
   void follow(const Session& session) noexcept { session_ = &session; }
@@ -26,7 +26,7 @@ class HeardPen {
 
   const Session* session_;
   RubbingPair pair_;
-  double stiffness_n_per_m_ = 0.0, most_n_ = 0.0;
+  double stiffness_n_per_m_ = 0.0, max_n_ = 0.0;
   int until_look_ = 0;
   bool is_down_ = false;
 };

@@ -1,4 +1,4 @@
-#include "desktop/materials/own_materials.h"
+#include "desktop/materials/user_materials.h"
 
 #include <QCoreApplication>
 #include <filesystem>
@@ -18,7 +18,7 @@ constexpr int kKeepMs = 500;
 
 /// Returns true if the file contains the material as it is now, or as it was last read or saved
 /// here. The file can then be replaced or deleted without losing other changes.
-bool is_known(const std::string& path, const OwnMaterials::Entry& entry) {
+bool is_known(const std::string& path, const UserMaterials::Entry& entry) {
   const Result<AnyMaterial> there = read_material_file(path, read_height_png);
   return there && (*there == entry.now || *there == entry.saved);
 }
@@ -30,17 +30,17 @@ bool is_gone(const std::string& path) {
 
 }  // namespace
 
-OwnMaterials& OwnMaterials::the() {
+UserMaterials& UserMaterials::the() {
   // A child of the application, so that it is destroyed before the settings.
-  static OwnMaterials& own = *new OwnMaterials(material_folders(), qApp);
+  static UserMaterials& own = *new UserMaterials(material_folders(), qApp);
   return own;
 }
 
-OwnMaterials::OwnMaterials(std::vector<std::string> folders, QObject* parent)
+UserMaterials::UserMaterials(std::vector<std::string> folders, QObject* parent)
     : QObject(parent), folders_(std::move(folders)) {
   keep_.setSingleShot(true);
   keep_.setInterval(kKeepMs);
-  connect(&keep_, &QTimer::timeout, this, &OwnMaterials::keep_changes);
+  connect(&keep_, &QTimer::timeout, this, &UserMaterials::keep_changes);
   const MaterialLibrary library = load_materials(folders_, read_height_png);
   for (const MaterialEntry& own : library.own) {
     entries_[key_of(own.material)] = {own.material, own.material, own.path};
@@ -49,18 +49,18 @@ OwnMaterials::OwnMaterials(std::vector<std::string> folders, QObject* parent)
   read_changes();
 }
 
-OwnMaterials::~OwnMaterials() {
+UserMaterials::~UserMaterials() {
   if (keep_.isActive()) keep_changes();
 }
 
-void OwnMaterials::read_changes() {
+void UserMaterials::read_changes() {
   const QStringList texts =
       Settings::the().value(QString::fromLatin1(material_keys::kUnsaved)).toStringList();
   for (const QString& text : texts) {
     MaterialSource source;
     source.name = tr("not saved").toStdString();
     const Result<AnyMaterial> read = read_material(text.toStdString(), source);
-    const std::string wrong = read ? own_id_error(id_of(*read)) : read.error().message;
+    const std::string wrong = read ? new_id_error(id_of(*read)) : read.error().message;
     if (wrong.empty()) {
       entries_[key_of(*read)].now = *read;
     } else {
@@ -70,25 +70,25 @@ void OwnMaterials::read_changes() {
   }
 }
 
-std::vector<const OwnMaterials::Entry*> OwnMaterials::all() const {
+std::vector<const UserMaterials::Entry*> UserMaterials::all() const {
   std::vector<const Entry*> surfaces, media;
   for (const auto& [key, entry] : entries_) (key.is_surface ? surfaces : media).push_back(&entry);
   surfaces.insert(surfaces.end(), media.begin(), media.end());
   return surfaces;
 }
 
-const OwnMaterials::Entry* OwnMaterials::find(const MaterialKey& key) const {
+const UserMaterials::Entry* UserMaterials::find(const MaterialKey& key) const {
   const auto at = entries_.find(key);
   return at == entries_.end() ? nullptr : &at->second;
 }
 
-Materials OwnMaterials::known() const {
+Materials UserMaterials::known() const {
   Materials all = Materials::built_in();
   for (const auto& [key, entry] : entries_) felt::put(all, entry.now);
   return all;
 }
 
-bool OwnMaterials::is_taken(const std::string& id) const {
+bool UserMaterials::is_taken(const std::string& id) const {
   for (const bool is_surface : {true, false}) {
     const MaterialKey key{is_surface, id};
     if (is_built_in(key) || find(key)) return true;
@@ -96,7 +96,7 @@ bool OwnMaterials::is_taken(const std::string& id) const {
   return false;
 }
 
-void OwnMaterials::put(const AnyMaterial& now) {
+void UserMaterials::put(const AnyMaterial& now) {
   const MaterialKey key = key_of(now);
   if (is_built_in(key)) return;
   const auto [at, is_new] = entries_.try_emplace(key, Entry{now, std::nullopt, {}});
@@ -106,7 +106,7 @@ void OwnMaterials::put(const AnyMaterial& now) {
   Q_EMIT changed(key);
 }
 
-void OwnMaterials::revert(const MaterialKey& key) {
+void UserMaterials::revert(const MaterialKey& key) {
   const auto at = entries_.find(key);
   if (at == entries_.end()) return;
   if (at->second.saved) {
@@ -118,11 +118,11 @@ void OwnMaterials::revert(const MaterialKey& key) {
   Q_EMIT changed(key);
 }
 
-Result<void> OwnMaterials::save(const MaterialKey& key) {
+Result<void> UserMaterials::save(const MaterialKey& key) {
   const auto at = entries_.find(key);
   if (at == entries_.end()) return {};
   Entry& entry = at->second;
-  const std::string old = material_path(own_folder(), entry.now);
+  const std::string old = material_path(user_folder(), entry.now);
   if (!old.empty() && !is_known(old, entry)) {
     return fail(ErrorCode::kInvalidData,
                 tr("%1 was changed by another program and was not overwritten. Save your material "
@@ -130,7 +130,7 @@ Result<void> OwnMaterials::save(const MaterialKey& key) {
                     .arg(text_of(old))
                     .toStdString());
   }
-  Result<std::string> path = save_material(own_folder(), entry.now);
+  Result<std::string> path = save_material(user_folder(), entry.now);
   if (!path) return tl::unexpected(path.error());
   entry.saved = entry.now;
   entry.path = *std::move(path);
@@ -139,20 +139,20 @@ Result<void> OwnMaterials::save(const MaterialKey& key) {
   return {};
 }
 
-QString OwnMaterials::kept_because(const MaterialKey& key) const {
+QString UserMaterials::kept_because(const MaterialKey& key) const {
   const Entry* entry = find(key);
   if (!entry || entry->path.empty()) return {};
-  const std::string folder = own_folder();
+  const std::string folder = user_folder();
   if (!folder.empty() && entry->path.starts_with(folder + "/")) return {};
   return tr("It is installed for all users of this computer and cannot be deleted here: %1")
       .arg(text_of(entry->path));
 }
 
-Result<void> OwnMaterials::remove_file(const Entry& entry) const {
+Result<void> UserMaterials::remove_file(const Entry& entry) const {
   if (const QString why = kept_because(key_of(entry.now)); !why.isEmpty()) {
     return fail(ErrorCode::kInvalidArgument, why.toStdString());
   }
-  const std::string path = material_path(own_folder(), entry.now);
+  const std::string path = material_path(user_folder(), entry.now);
   if (path.empty() && is_gone(entry.path)) return {};
   if (!path.empty() && !is_known(path, entry)) {
     return fail(
@@ -161,14 +161,14 @@ Result<void> OwnMaterials::remove_file(const Entry& entry) const {
             .arg(text_of(path))
             .toStdString());
   }
-  return delete_material(own_folder(), entry.now);
+  return delete_material(user_folder(), entry.now);
 }
 
-std::string OwnMaterials::own_folder() const {
+std::string UserMaterials::user_folder() const {
   return folders_.empty() ? std::string() : folders_.front();
 }
 
-Result<void> OwnMaterials::remove(const MaterialKey& key) {
+Result<void> UserMaterials::remove(const MaterialKey& key) {
   const auto at = entries_.find(key);
   if (at == entries_.end()) return {};
   if (at->second.saved) {
@@ -180,7 +180,7 @@ Result<void> OwnMaterials::remove(const MaterialKey& key) {
   return {};
 }
 
-void OwnMaterials::keep_changes() {
+void UserMaterials::keep_changes() {
   keep_.stop();
   QStringList texts = unread_;
   for (const auto& [key, entry] : entries_) {

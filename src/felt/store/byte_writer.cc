@@ -1,4 +1,4 @@
-#include "felt/store/byte_stream.h"
+#include "felt/store/byte_writer.h"
 
 #include <bit>
 #include <cstddef>

@@ -17,14 +17,14 @@ inline constexpr int kOwnReliefSide = 128;
 /// kOwnReliefSide^2 heights of 16 bits, as in the text of a material. Returns the same object for
 /// the same heights, so that materials with equal texts compare equal and each relief is made (60
 /// ms) only once. Call on any thread except the haptic thread. Fails if height_field_of fails.
-Result<std::shared_ptr<const HeightField>> own_relief(const HeightPicture& picture);
+Result<std::shared_ptr<const HeightField>> custom_relief(const HeightPicture& picture);
 
-/// Returns the custom relief of a text written by own_relief_text; white space is ignored. Fails if
-/// the text is anything else.
-Result<std::shared_ptr<const HeightField>> own_relief(std::string_view text);
+/// Returns the custom relief of a text written by custom_relief_text; white space is ignored. Fails
+/// if the text is anything else.
+Result<std::shared_ptr<const HeightField>> custom_relief(std::string_view text);
 
 /// Returns the heights of a relief, 16 bits each, high byte first, row by row, in base64 (RFC 4648)
-/// with 76 letters on each line. If own_relief() did not make the relief, it is sampled first.
-std::string own_relief_text(const HeightField& relief);
+/// with 76 letters on each line. If custom_relief() did not make the relief, it is sampled first.
+std::string custom_relief_text(const HeightField& relief);
 
 }  // namespace felt

@@ -12,20 +12,20 @@
 
 namespace felt::desktop {
 
-/// The input of felt_figures(): a medium on a surface, felt through a device.
-struct FeltWish {
+/// The input of probe_figures(): a medium on a surface, felt through a device.
+struct ProbeRequest {
   SurfaceMaterial surface;
   Medium medium;
   Capabilities device;
   /// Factor of all forces, 0..1 (Studio::strength).
   double strength = 1.0;
 
-  friend bool operator==(const FeltWish&, const FeltWish&) = default;
+  friend bool operator==(const ProbeRequest&, const ProbeRequest&) = default;
 };
 
 /// The predicted forces. They are computed with the same force models as the tools use, and by
 /// simulating a stroke of the hand in virtual time.
-struct FeltFigures {
+struct ProbeFigures {
   static constexpr double kLengthMm = 40.0;
   static constexpr double kSpeedMmPerS = 80.0;
   static constexpr double kPressN = 0.8;
@@ -41,38 +41,38 @@ struct FeltFigures {
   double rest_n = 0.0;             ///< tremble of a resting pen: RMS above 30 Hz (R48)
   bool is_sound = true;            ///< true if the safety chain reported no fault
 
-  friend bool operator==(const FeltFigures&, const FeltFigures&) = default;
+  friend bool operator==(const ProbeFigures&, const ProbeFigures&) = default;
 };
 
 /// Computes the figures. This takes about 50 ms for a device with a rate of 1 kHz, and is
 /// proportional to the rate. The result depends only on `wish`. Safe to call from any thread except
 /// the haptic thread. If the device has no motors, uses the simulated Touch.
-FeltFigures felt_figures(const FeltWish& wish);
-/// Returns the device that felt_figures() uses: `device`, or the simulated Touch if `device` has
+ProbeFigures probe_figures(const ProbeRequest& wish);
+/// Returns the device that probe_figures() uses: `device`, or the simulated Touch if `device` has
 /// no motors.
-Capabilities felt_device(const Capabilities& device);
+Capabilities probe_device(const Capabilities& device);
 
-/// Computes felt_figures() on another thread. A newer request replaces an older one.
-class FeltProbe : public QObject {
+/// Computes probe_figures() on another thread. A newer request replaces an older one.
+class ForceProbe : public QObject {
   Q_OBJECT
 
  public:
-  explicit FeltProbe(QObject* parent = nullptr);
-  ~FeltProbe() override;
+  explicit ForceProbe(QObject* parent = nullptr);
+  ~ForceProbe() override;
 
   /// Requests the figures. `figured` is emitted when they are ready; before that, it may also be
   /// emitted with the figures of an older request. Does nothing if the request equals the previous
   /// one.
-  void ask(const FeltWish& wish);
+  void ask(const ProbeRequest& wish);
   [[nodiscard]] bool is_busy() const noexcept { return is_busy_; }
 
  Q_SIGNALS:
-  void figured(const felt::desktop::FeltFigures& figures);
+  void figured(const felt::desktop::ProbeFigures& figures);
 
  private:
   void start();
 
-  FeltWish wanted_, asked_;
+  ProbeRequest wanted_, asked_;
   bool has_asked_ = false;
   bool is_busy_ = false;
   bool is_stale_ = false;  // another request waits

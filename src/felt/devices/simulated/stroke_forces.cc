@@ -1,4 +1,4 @@
-#include "felt/devices/simulated/felt_stroke.h"
+#include "felt/devices/simulated/stroke_forces.h"
 
 #include <algorithm>
 #include <cmath>
