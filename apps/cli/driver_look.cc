@@ -155,11 +155,12 @@ Finding trouble(const std::string& what, const Looker& looker) {
                     "does not know. Install it again, or report this message to us."}};
 }
 
-DriverLook result_of(const Driver& driver, const Looker& looker, std::chrono::milliseconds most) {
+DriverLook result_of(const Driver& driver, const Looker& looker,
+                     std::chrono::milliseconds largest) {
   DriverLook look{std::string(driver.name()), std::string(driver.label()), {}, {}};
   if (!looker.has_ended) {
     look.findings = {trouble("The software for these devices does not answer (for " +
-                                 std::to_string(most.count() / 1000) + " s).",
+                                 std::to_string(largest.count() / 1000) + " s).",
                              looker)};
     return look;
   }
@@ -200,16 +201,16 @@ void wait_for(std::vector<Looker>& lookers, Clock::time_point until) {
 
 std::vector<DriverLook> look_at_drivers(const std::vector<std::unique_ptr<Driver>>& drivers,
                                         const SystemView& system, LookFor what,
-                                        std::chrono::milliseconds most) {
+                                        std::chrono::milliseconds largest) {
   std::vector<Looker> lookers(drivers.size());
   for (std::size_t i = 0; i < drivers.size(); ++i) {
     lookers[i].pid = fork();
     if (lookers[i].pid == 0) be_child(*drivers[i], system, what, lookers[i]);
   }
-  wait_for(lookers, Clock::now() + most);
+  wait_for(lookers, Clock::now() + largest);
   std::vector<DriverLook> looks;
   for (std::size_t i = 0; i < drivers.size(); ++i) {
-    looks.push_back(result_of(*drivers[i], lookers[i], most));
+    looks.push_back(result_of(*drivers[i], lookers[i], largest));
   }
   return looks;
 }

@@ -30,6 +30,6 @@ inline constexpr std::chrono::milliseconds kLookTime{15'000};
 /// process wrote to stderr. Requires that no other thread runs.
 std::vector<DriverLook> look_at_drivers(const std::vector<std::unique_ptr<Driver>>& drivers,
                                         const SystemView& system, LookFor what,
-                                        std::chrono::milliseconds most = kLookTime);
+                                        std::chrono::milliseconds largest = kLookTime);
 
 }  // namespace felt::cli

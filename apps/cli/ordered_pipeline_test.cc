@@ -73,21 +73,21 @@ TEST(OrderedPipeline, ComesHomeWhenItsCallerThrows) {
 }
 
 TEST(OrderedPipeline, HoldsFewLargeItemsAtATime) {
-  std::atomic<int> held = 0, most = 0;
+  std::atomic<int> held = 0, largest = 0;
   int given = 0;
   OrderedPipeline<Item, Output> pipeline(8);
   pipeline.run([] { return [](const Item&, Output&) {}; },
                [&](Item& item) {
                  item.size = std::size_t{60} << 20;
                  if (given++ == 50) return false;
-                 most = std::max<int>(most, ++held);
+                 largest = std::max<int>(largest, ++held);
                  return true;
                },
                [&](const Output&) {
                  --held;
                  return true;
                });
-  EXPECT_LE(most, 2);
+  EXPECT_LE(largest, 2);
 }
 
 }  // namespace

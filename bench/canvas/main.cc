@@ -96,32 +96,32 @@ class Edits {
 /// threads.
 class Window {
  public:
-  explicit Window(const Document& document) { desk_.open(document); }
+  explicit Window(const Document& document) { fixture_.open(document); }
 
   void look(Point place) {
-    desk_.forget(plane_);
+    fixture_.forget(plane_);
     const double w = kWindow.width(), h = kWindow.height();
     const View view{{place.x - 0.5 * w / kScreenPxPerMm, place.y - 0.5 * h / kScreenPxPerMm},
                     kScreenPxPerMm};
-    desk_.look({++plane_, view, {}}, {0, 0, kWindow.width(), kWindow.height()});
-    while (desk_.plan() != InkTileStore::Need::kNone) work();
+    fixture_.look({++plane_, view, {}}, {0, 0, kWindow.width(), kWindow.height()});
+    while (fixture_.plan() != InkTileStore::Need::kNone) work();
   }
   /// Calls `what` and repairs the tiles that it changed. Returns the CPU time in us.
   template <class What>
   double time(What what) {
     const double start = thread_cpu_us();
-    what(desk_);
-    while (desk_.plan() == InkTileStore::Need::kRepair) work();
+    what(fixture_);
+    while (fixture_.plan() == InkTileStore::Need::kRepair) work();
     return thread_cpu_us() - start;
   }
 
  private:
   void work() {
     news_.clear();
-    desk_.work(
+    fixture_.work(
         0, [] { return false; }, news_);
   }
-  InkTileStore desk_;
+  InkTileStore fixture_;
   std::uint64_t plane_ = 0;
   std::vector<TileNews> news_;
 };

@@ -53,12 +53,12 @@ struct PixelWatch::Screen {
   /// Returns the green value of the darkest of the watched pixels, 0..255.
   int light(int x, int y) {
     XShmGetImage(display, root, image, x, y - static_cast<int>(kHeight / 2), AllPlanes);
-    int least = 255;
+    int smallest = 255;
     for (unsigned row = 0; row < kHeight; ++row) {
       const unsigned long pixel = XGetPixel(image, 0, static_cast<int>(row));
-      least = std::min(least, static_cast<int>((pixel >> 8U) & 0xFFU));
+      smallest = std::min(smallest, static_cast<int>((pixel >> 8U) & 0xFFU));
     }
-    return least;
+    return smallest;
   }
 
   ~Screen() {

@@ -123,13 +123,13 @@ double cpu_s() {
 void print_cost() {
   std::printf("\n| what | ns a sample | of a core |\n|---|---|---|\n");
   const auto row = [](const char* what, const RubbingPair& pair, const RubbedStroke& stroke) {
-    double least = 1e9;
+    double smallest = 1e9;
     for (int i = 0; i < 5; ++i) {
       const double start = cpu_s();
       const auto sound = sound_of(pair, stroke);
-      least = std::min(least, (cpu_s() - start) / static_cast<double>(sound.size()));
+      smallest = std::min(smallest, (cpu_s() - start) / static_cast<double>(sound.size()));
     }
-    std::printf("| %s | %.0f | %.1f %% |\n", what, 1e9 * least, 100.0 * least * 48000.0);
+    std::printf("| %s | %.0f | %.1f %% |\n", what, 1e9 * smallest, 100.0 * smallest * 48000.0);
   };
   const RubbingPair canvas = pair_of({"pencil", "canvas", 0.0});
   row("pencil on canvas, 20 mm/s", canvas, {.mm_per_s = 20.0});

@@ -29,7 +29,9 @@ class XmlMutator {
     std::size_t begin = 0, size = 0;
   };
 
-  int pick(int least, int most) { return std::uniform_int_distribution<int>(least, most)(random_); }
+  int pick(int smallest, int largest) {
+    return std::uniform_int_distribution<int>(smallest, largest)(random_);
+  }
 
   void change(std::string& text) {
     switch (pick(0, 7)) {

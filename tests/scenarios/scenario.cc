@@ -72,8 +72,8 @@ std::string expect_count(std::size_t got, const Words& words) {
   return std::to_string(got) == words[1] ? "" : "there are " + std::to_string(got);
 }
 
-std::string expect_between(double got, double least, double most) {
-  return got >= least && got <= most ? "" : "it is " + std::to_string(got);
+std::string expect_between(double got, double smallest, double largest) {
+  return got >= smallest && got <= largest ? "" : "it is " + std::to_string(got);
 }
 
 std::string expect_place(const ScenarioResult& result, const Words& words) {
@@ -88,14 +88,14 @@ std::string expect_place(const ScenarioResult& result, const Words& words) {
 std::string expect_width(const ScenarioResult& result, const Words& words) {
   const Stroke* stroke = stroke_of(result, words[1]);
   if (!stroke) return "there is no such line";
-  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
   for (int i = 10; i <= 90; ++i) {
     const double width_mm = stroke->width_mm(0.01 * i * stroke->segment_count());
-    least = std::min(least, width_mm);
-    most = std::max(most, width_mm);
+    smallest = std::min(smallest, width_mm);
+    largest = std::max(largest, width_mm);
   }
-  if (least >= std::stod(words[2]) && most <= std::stod(words[3])) return "";
-  return "it is from " + std::to_string(least) + " to " + std::to_string(most);
+  if (smallest >= std::stod(words[2]) && largest <= std::stod(words[3])) return "";
+  return "it is from " + std::to_string(smallest) + " to " + std::to_string(largest);
 }
 
 std::string expect_color(const ScenarioResult& result, const Words& words) {

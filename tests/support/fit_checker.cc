@@ -132,17 +132,18 @@ class OvershootExcess {
       : curve_(curve), ink_(ink), tolerance_(tolerance) {}
 
   [[nodiscard]] double at(Point p, std::size_t segment, const InkPolyline::Nearest& nearest) {
-    double least = nearest.distance - nearest.gap;
-    if (least <= kOvershootInTolerances * tolerance_) return least;
+    double smallest = nearest.distance - nearest.gap;
+    if (smallest <= kOvershootInTolerances * tolerance_) return smallest;
     const std::vector<Point>& v = ink_.vertices();
     for (const std::size_t i : ink_.edges_by_length()) {
       const double gap = length(v[i + 1] - v[i]);
       // The other lines are shorter and not nearer, so none of them has a smaller excess.
-      if (nearest.distance - gap >= least) break;
+      if (nearest.distance - gap >= smallest) break;
       const double excess = distance_to_line(v[i], v[i + 1], p) - gap;
-      if (excess < least && is_local(v[i], segment) && is_local(v[i + 1], segment)) least = excess;
+      if (excess < smallest && is_local(v[i], segment) && is_local(v[i + 1], segment))
+        smallest = excess;
     }
-    return least;
+    return smallest;
   }
 
  private:

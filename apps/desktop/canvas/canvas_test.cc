@@ -21,7 +21,7 @@ namespace {
 /// The difference of two pictures: the largest difference of a channel, and the number of pixels
 /// that differ by more than `much`.
 struct Apart {
-  int most = 0;
+  int largest = 0;
   int many = 0;
   QPoint where;
 };
@@ -34,8 +34,8 @@ Apart apart(const QImage& a, const QImage& b, int much = 48) {
       const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
       const int by = std::max({std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
                                std::abs(qBlue(p) - qBlue(q))});
-      if (by > apart.most) {
-        apart.most = by;
+      if (by > apart.largest) {
+        apart.largest = by;
         apart.where = {x, y};
       }
       apart.many += by > much;
@@ -88,8 +88,8 @@ TEST(Canvas, PaintingWhatChangedIsPaintingEverything) {
         for (int leg = 0; leg < 2; ++leg) {
           fixture.go(dice.place(), down, dice.between(0.2, 1.0), buttons);
           const Apart off = apart(fixture.seen(), fixture.anew());
-          ASSERT_LE(off.most, 2) << "seed " << seed << ", " << tool << ", at " << off.where.x()
-                                 << "," << off.where.y();
+          ASSERT_LE(off.largest, 2) << "seed " << seed << ", " << tool << ", at " << off.where.x()
+                                    << "," << off.where.y();
         }
         fixture.lift();
       }
@@ -178,7 +178,7 @@ TEST(Canvas, WetInkIsTheInkThatDries) {
     const int inked = qRound(apart(empty, fixture.anew()).many / (dpr * dpr));
     EXPECT_GT(inked, 2000);  // a line was drawn that can be compared
     EXPECT_LE(off.many, inked / 200)
-        << color << ": " << off.most << " at " << off.where.x() << "," << off.where.y();
+        << color << ": " << off.largest << " at " << off.where.x() << "," << off.where.y();
   }
 }
 
@@ -193,7 +193,7 @@ void draw_evenly(Fixture& fixture, double width_mm) {
 /// Expects that wet ink does not jump when it enters the document. For a line of constant width,
 /// only the end is fitted again; the rest stays the same, pixel for pixel, at any scale of the
 /// screen. At most `most` pixels may change. Returns the picture with the wet line.
-QImage expect_no_jump(Fixture& fixture, const std::vector<Point>& way, int most = 0) {
+QImage expect_no_jump(Fixture& fixture, const std::vector<Point>& way, int largest = 0) {
   fixture.canvas.set_pen_visible(false);
   const std::size_t before = fixture.studio.session().document().stroke_count();
   const QImage without = fixture.anew();
@@ -218,8 +218,8 @@ QImage expect_no_jump(Fixture& fixture, const std::vector<Point>& way, int most 
     }
     EXPECT_GT(apart(without, dry).many, 2000);
     const Apart off = apart(wet, dry);
-    EXPECT_LE(off.many, most) << "frame " << frame << ", " << off.most << " at " << off.where.x()
-                              << "," << off.where.y();
+    EXPECT_LE(off.many, largest) << "frame " << frame << ", " << off.largest << " at "
+                                 << off.where.x() << "," << off.where.y();
   }
   fixture.tool("pencil");
   return all;
@@ -337,10 +337,10 @@ TEST(Canvas, TellsTheEmptyPageWhatToDoUntilThereIsInk) {
   const QImage drawing = fixture.seen();
   EXPECT_GT(apart(empty.copy(middle), drawing.copy(middle)).many, 200);
   fixture.lift();
-  EXPECT_EQ(apart(drawing.copy(middle), fixture.seen().copy(middle)).most, 0);
+  EXPECT_EQ(apart(drawing.copy(middle), fixture.seen().copy(middle)).largest, 0);
   EXPECT_FALSE(fixture.canvas.accessibleDescription().contains(QStringLiteral("Draw")));
   fixture.studio.open(Document{}, fixture.studio.page());
-  EXPECT_EQ(apart(empty, fixture.seen()).most, 0);
+  EXPECT_EQ(apart(empty, fixture.seen()).largest, 0);
 }
 
 TEST(Canvas, SaysWhetherPressureIsSeen) {
@@ -453,7 +453,7 @@ TEST(Canvas, ForceArrowIsThereWhereForcesAreAndCanBeSwitchedOff) {
   Settings::the().set(key, false);
   EXPECT_GT(apart(on, fixture.anew()).many, 20);
   Settings::the().set(key, true);
-  EXPECT_EQ(apart(on, fixture.anew()).most, 0);
+  EXPECT_EQ(apart(on, fixture.anew()).largest, 0);
   fixture.studio.loop().set_forces(false);
   fixture.move(fixture.at, true, 0.6);
   EXPECT_GT(apart(on, fixture.anew()).many, 20);

@@ -127,11 +127,11 @@ void InkView::State::choose_plane() {
     if (planes.size() > kMaxPlanes) {
       // Drops the plane whose tiles cover the smallest share of the view. Therefore the last
       // complete picture is kept if the user zooms faster than tiles are made.
-      const auto least = std::min_element(
+      const auto smallest = std::min_element(
           planes.begin(), planes.end() - 1,
           [&](const Plane& a, const Plane& b) { return covered(a, now) < covered(b, now); });
-      worker.forget(least->spec.id);
-      planes.erase(least);
+      worker.forget(smallest->spec.id);
+      planes.erase(smallest);
     }
   }
   const Vec at = planes.back().spec.view.to_px(now.origin_mm);
@@ -401,11 +401,11 @@ void InkView::State::paint_others(QPainter& painter, const QRegion& missing) {
   const View& here = planes.back().spec.view;
   const View seen = here.from({static_cast<double>(left), static_cast<double>(top)});
   const Plane* best = nullptr;
-  double most = 0.0;
+  double largest = 0.0;
   for (std::size_t i = 0; i + 1 < planes.size(); ++i) {
     const double share = covered(planes[i], seen);
-    if (share < most || share <= 0.0) continue;
-    most = share;
+    if (share < largest || share <= 0.0) continue;
+    largest = share;
     best = &planes[i];
   }
   if (!best) return;

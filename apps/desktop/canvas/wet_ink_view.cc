@@ -17,9 +17,9 @@ constexpr double kMinBandPx = 9.0;
 /// Returns how many elements at the start of both sequences are equal.
 template <class T>
 std::size_t common(std::span<const T> a, std::span<const T> b) {
-  const std::size_t most = std::min(a.size(), b.size());
+  const std::size_t largest = std::min(a.size(), b.size());
   std::size_t n = 0;
-  while (n < most && a[n] == b[n]) ++n;
+  while (n < largest && a[n] == b[n]) ++n;
   return n;
 }
 

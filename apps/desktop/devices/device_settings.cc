@@ -132,9 +132,9 @@ void DeviceSettings::report() {
   name_->setPlaceholderText(seen ? seen->label : info.label);
   hand_->setCurrentIndex(profile.left_handed ? 1 : 0);
   // Uses the device's own limits, because the user's present limit must not reduce the range.
-  const double most = most_of(info.capabilities);
-  limit_->setMaximum(std::max(most, kMinForceLimitN));
-  limit_->setValue(std::min(profile.force_limit_n.value_or(most), studio_.loop().force_limit()));
+  const double largest = most_of(info.capabilities);
+  limit_->setMaximum(std::max(largest, kMinForceLimitN));
+  limit_->setValue(std::min(profile.force_limit_n.value_or(largest), studio_.loop().force_limit()));
   limit_->setEnabled(info.capabilities.has_force());
   const double stiffest = info.capabilities.max_stiffness_n_per_m;
   if (stiffest > 0.0) stiffest_->setMaximum(std::max(int(stiffest), stiffest_->minimum()));
@@ -181,8 +181,8 @@ void DeviceSettings::set_hand(int index) {
 void DeviceSettings::set_limit(double limit) {
   std::optional<DeviceProfile> kept = profile();
   if (!kept) return;
-  const double most = most_of(studio_.loop().device().info().capabilities);
-  kept->force_limit_n = limit < most - 0.5 * kLimitStep ? std::optional(limit) : std::nullopt;
+  const double largest = most_of(studio_.loop().device().info().capabilities);
+  kept->force_limit_n = limit < largest - 0.5 * kLimitStep ? std::optional(limit) : std::nullopt;
   // The user expects a limit that is set here to apply, so a lower general limit is raised.
   if (limit > studio_.loop().force_limit()) {
     studio_.loop().set_force_limit(limit);

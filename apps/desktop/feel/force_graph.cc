@@ -126,14 +126,14 @@ QRectF ForceGraph::axes() const {
 }
 
 double ForceGraph::wanted_top() const {
-  float most = 0.0F;
+  float largest = 0.0F;
   for (std::size_t track = 0; track < history_->tracks(); ++track) {
-    most = std::max(most, history_->most(track));
+    largest = std::max(largest, history_->largest(track));
   }
   for (const double top : kTops) {
-    if (static_cast<double>(most) <= 0.95 * top) return top;
+    if (static_cast<double>(largest) <= 0.95 * top) return top;
   }
-  return 1.25 * static_cast<double>(most);
+  return 1.25 * static_cast<double>(largest);
 }
 
 void ForceGraph::paintEvent(QPaintEvent* event) {

@@ -62,7 +62,7 @@ float ForceHistory::at(std::size_t track, std::int64_t bin) const noexcept {
   return is_kept ? bins_[track][static_cast<std::size_t>(bin) % kBins] : kNothing;
 }
 
-float ForceHistory::most(std::size_t track) const noexcept {
+float ForceHistory::largest(std::size_t track) const noexcept {
   return std::max(0.0F, *std::max_element(bins_[track].begin(), bins_[track].end()));
 }
 

@@ -42,7 +42,7 @@ class ForceHistory {
   /// Returns the value of the last tick, in N.
   [[nodiscard]] float now(std::size_t track) const noexcept { return now_[track]; }
   /// Returns the largest stored value, in N; 0 if the history is empty.
-  [[nodiscard]] float most(std::size_t track) const noexcept;
+  [[nodiscard]] float largest(std::size_t track) const noexcept;
 
  private:
   static constexpr float kNothing = -1.0F;

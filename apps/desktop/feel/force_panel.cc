@@ -10,9 +10,9 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kFrameMs = 33;       // time between two repaints of the plot
-constexpr int kWordsMs = 250;      // time between two updates of the numbers
-constexpr int kTablesToTell = 12;  // number of table updates between two announcements (3 s)
+constexpr int kFrameMs = 33;         // time between two repaints of the plot
+constexpr int kWordsMs = 250;        // time between two updates of the numbers
+constexpr int kReportedTables = 12;  // number of table updates between two announcements (3 s)
 constexpr int kStopIconPx = 22;
 constexpr int kNameColumn = 0, kNowColumn = 1, kMaxColumn = 2;
 
@@ -184,16 +184,16 @@ void ForcePanel::report_table() {
       return tr("%L1 N").arg(static_cast<double>(value), 0, 'f', 2);
     };
     table_->item(row, kNowColumn)->setText(newton(history_.now(track)));
-    table_->item(row, kMaxColumn)->setText(newton(history_.most(track)));
+    table_->item(row, kMaxColumn)->setText(newton(history_.largest(track)));
     ++row;
   }
   // The state is announced to screen readers only rarely, because they would otherwise read
   // nothing else.
-  if (++reported_tables_ % kTablesToTell != 1) return;
+  if (++reported_tables_ % kReportedTables != 1) return;
   graph_->setAccessibleDescription(
       tr("Requested: %L1 N, recently at most %L2 N. The table lists each force.")
           .arg(static_cast<double>(history_.now(ForceHistory::kAsked)), 0, 'f', 1)
-          .arg(static_cast<double>(history_.most(ForceHistory::kAsked)), 0, 'f', 1));
+          .arg(static_cast<double>(history_.largest(ForceHistory::kAsked)), 0, 'f', 1));
 }
 
 void ForcePanel::report_state() {

@@ -42,13 +42,13 @@ TEST(ForceHistory, KeepsThePeakOfEachBinAndForgetsInTime) {
     }
     const std::int64_t newest = now / ForceHistory::kBinNs;
     std::vector<double> expected(ForceHistory::kBins, -1.0);
-    double most = 0.0;
+    double largest = 0.0;
     for (const auto& [time, force] : reported) {
       const std::int64_t age = newest - time / ForceHistory::kBinNs;
       if (age >= static_cast<std::int64_t>(ForceHistory::kBins)) continue;
       double& bin = expected[ForceHistory::kBins - 1 - static_cast<std::size_t>(age)];
       bin = std::max(bin, force);
-      most = std::max(most, force);
+      largest = std::max(largest, force);
     }
     for (std::size_t bin = 0; bin < ForceHistory::kBins; ++bin) {
       const std::int64_t number =
@@ -57,7 +57,7 @@ TEST(ForceHistory, KeepsThePeakOfEachBinAndForgetsInTime) {
       ASSERT_NEAR(history->at(ForceHistory::kSent, number),
                   expected[bin] < 0.0 ? -1.0 : 0.5 * expected[bin], 1e-6);
     }
-    EXPECT_NEAR(history->most(2), most, 1e-6);
+    EXPECT_NEAR(history->largest(2), largest, 1e-6);
   }
 }
 
@@ -90,7 +90,7 @@ TEST(ForceHistory, NumbersThatAreNoneAndTooManyNamesAreSurvived) {
     history.add(tick);
   }
   EXPECT_EQ(history.tracks(), ForceHistory::kTracks);
-  EXPECT_EQ(history.most(ForceHistory::kAsked), 0.0F);
+  EXPECT_EQ(history.largest(ForceHistory::kAsked), 0.0F);
 }
 
 TEST(SafetyWords, EveryStateAndFaultHasWordsOfItsOwn) {
@@ -146,7 +146,7 @@ TEST(ForcePanel, ShowsWhatTheLoopDoesInAPlotAndInATable) {
   EXPECT_TRUE(names.contains(QStringLiteral("Surface")));
   EXPECT_TRUE(names.contains(QStringLiteral("Friction")));
   EXPECT_TRUE(names.contains(QStringLiteral("Sent to the pen")));
-  EXPECT_GT(panel.history().most(ForceHistory::kSent), 0.1F);
+  EXPECT_GT(panel.history().largest(ForceHistory::kSent), 0.1F);
   EXPECT_FALSE(panel.grab().isNull());
 }
 
@@ -207,7 +207,7 @@ TEST(ForcePanel, WithoutMotorsItSaysSoAndPlotsWhatWouldBeAsked) {
   QString text;
   for (const auto* label : panel.findChildren<QLabel*>()) text += label->text();
   EXPECT_TRUE(text.contains(QStringLiteral("Shown, not felt"))) << text.toStdString();
-  EXPECT_EQ(panel.history().most(ForceHistory::kSent), 0.0F);
+  EXPECT_EQ(panel.history().largest(ForceHistory::kSent), 0.0F);
 }
 
 }  // namespace

@@ -36,9 +36,9 @@ std::vector<float> read(RubbedSamples& samples, std::size_t count) {
 }
 
 float peak(const std::vector<float>& sound) {
-  float most = 0.0F;
-  for (const float s : sound) most = std::max(most, std::fabs(s));
-  return most;
+  float largest = 0.0F;
+  for (const float s : sound) largest = std::max(largest, std::fabs(s));
+  return largest;
 }
 
 TEST(FrictionSound, EverySampleOfThePenGoesToTheSoundByTheRing) {

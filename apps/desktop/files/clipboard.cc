@@ -55,8 +55,8 @@ std::vector<std::string> texts_in(const QByteArray& json) {
   std::vector<std::string> texts;
   if (static_cast<std::size_t>(json.size()) > kMaxMaterialsBytes) return texts;
   const QJsonArray all = QJsonDocument::fromJson(json).array();
-  const auto most = std::min(all.size(), qsizetype(limits::kMaxMaterialTexts));
-  for (qsizetype i = 0; i < most; ++i) {
+  const auto largest = std::min(all.size(), qsizetype(limits::kMaxMaterialTexts));
+  for (qsizetype i = 0; i < largest; ++i) {
     add_material_text(texts, all.at(i).toString().toStdString());
   }
   return texts;

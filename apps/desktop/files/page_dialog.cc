@@ -121,11 +121,11 @@ void PageDialog::find_preset() {
   is_changing_ = true;
   const double width = width_->value(), height = height_->value();
   (width > height ? landscape_ : portrait_)->setChecked(true);
-  const double least = std::min(width, height), most = std::max(width, height);
+  const double smallest = std::min(width, height), largest = std::max(width, height);
   int found = kPresetCount;
   for (int i = 0; i < kPresetCount; ++i) {
-    if (std::abs(kPresets[i].short_mm - least) < 0.05 &&
-        std::abs(kPresets[i].long_mm - most) < 0.05) {
+    if (std::abs(kPresets[i].short_mm - smallest) < 0.05 &&
+        std::abs(kPresets[i].long_mm - largest) < 0.05) {
       found = i;
     }
   }

@@ -60,10 +60,10 @@ QRectF ForcePlot::axes() const {
 }
 
 double ForcePlot::top_n() const {
-  const double most = mean_n_ + std::max(departure_n_, 2.0 * kFeltN);
+  const double largest = mean_n_ + std::max(departure_n_, 2.0 * kFeltN);
   const auto fits =
-      std::find_if(kTops.begin(), kTops.end(), [&](double top) { return top >= most; });
-  return fits == kTops.end() ? std::ceil(most) : *fits;
+      std::find_if(kTops.begin(), kTops.end(), [&](double top) { return top >= largest; });
+  return fits == kTops.end() ? std::ceil(largest) : *fits;
 }
 
 void ForcePlot::draw_axes(QPainter& painter, const QRectF& in) const {

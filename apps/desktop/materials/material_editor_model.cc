@@ -67,7 +67,7 @@ AnyMaterial with_names_of(AnyMaterial figures, const AnyMaterial& names) {
   return figures;
 }
 
-constexpr int kTellMs = 100;  // interval of the events while the user drags a slider
+constexpr int kReportMs = 100;  // interval of the events while the user drags a slider
 
 }  // namespace
 
@@ -116,7 +116,7 @@ MaterialEditorModel::MaterialEditorModel(Studio& studio, UserMaterials& own, QOb
     if (here == entry->now) felt::put(reported_, entry->now);
   }
   report_.setSingleShot(true);
-  report_.setInterval(kTellMs);
+  report_.setInterval(kReportMs);
   connect(&report_, &QTimer::timeout, this, &MaterialEditorModel::report_now);
   connect(&own_, &UserMaterials::changed, this, [this](const MaterialKey& key) {
     if (!report_.isActive()) report_.start();

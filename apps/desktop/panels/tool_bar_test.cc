@@ -89,13 +89,13 @@ TEST(ToolActions, SizesClimbAndFallWithinTheRangeOfEveryTool) {
     QTest::keyClick(&fixture.window, Qt::Key_BracketLeft);
     EXPECT_NEAR(fixture.number(id), start, 0.2 * start);
     for (int i = 0; i < 60; ++i) fixture.find("tool.size_up")->trigger();
-    const double most = fixture.number(id);
+    const double largest = fixture.number(id);
     for (int i = 0; i < 99; ++i) fixture.find("tool.size_down")->trigger();
     EXPECT_LT(fixture.number(id), start);
     const auto* row =
         std::find_if(info.options.data(), info.options.data() + info.options.size(),
                      [&](const OptionSpec& spec) { return spec.id == option.toStdString(); });
-    EXPECT_EQ(most, row->max);
+    EXPECT_EQ(largest, row->max);
     EXPECT_EQ(fixture.number(id), row->min);
   }
 }

@@ -60,9 +60,9 @@ QWidget* PensPage::make_sliders() {
   auto* box = new QWidget;
   auto* layout = new QGridLayout(box);
   layout->setContentsMargins(0, 0, 0, 0);
-  const auto row = [&](int y, const QString& text, const QString& name, int least) {
+  const auto row = [&](int y, const QString& text, const QString& name, int smallest) {
     auto* slider = new QSlider(Qt::Horizontal);
-    slider->setRange(least, kSliderSteps);
+    slider->setRange(smallest, kSliderSteps);
     slider->setAccessibleName(name);
     auto* label = new QLabel(text);
     label->setBuddy(slider);

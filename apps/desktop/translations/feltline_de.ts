@@ -2266,7 +2266,7 @@
     </message>
 </context>
 <context>
-    <name>felt::desktop::FeltPlot</name>
+    <name>felt::desktop::ForcePlot</name>
     <message>
         <source>Plot of the force along a stroke of 40 mm</source>
         <translation>Diagramm der Kraft entlang eines Strichs von 40 mm</translation>
@@ -3154,7 +3154,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
 </context>
 <context>
-    <name>felt::desktop::MaterialDesk</name>
+    <name>felt::desktop::MaterialEditorModel</name>
     <message>
         <source>Values of %1</source>
         <translation>Werte von %1</translation>
@@ -3624,7 +3624,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
 </context>
 <context>
-    <name>felt::desktop::OwnMaterials</name>
+    <name>felt::desktop::UserMaterials</name>
     <message>
         <source>not saved</source>
         <translation>nicht gespeichert</translation>

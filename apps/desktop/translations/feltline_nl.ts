@@ -2266,7 +2266,7 @@
     </message>
 </context>
 <context>
-    <name>felt::desktop::FeltPlot</name>
+    <name>felt::desktop::ForcePlot</name>
     <message>
         <source>Plot of the force along a stroke of 40 mm</source>
         <translation>Grafiek van de kracht langs een streek van 40 mm</translation>
@@ -3154,7 +3154,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
 </context>
 <context>
-    <name>felt::desktop::MaterialDesk</name>
+    <name>felt::desktop::MaterialEditorModel</name>
     <message>
         <source>Values of %1</source>
         <translation>Waarden van %1</translation>
@@ -3624,7 +3624,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
 </context>
 <context>
-    <name>felt::desktop::OwnMaterials</name>
+    <name>felt::desktop::UserMaterials</name>
     <message>
         <source>not saved</source>
         <translation>niet opgeslagen</translation>

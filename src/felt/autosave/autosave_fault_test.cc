@@ -220,13 +220,13 @@ TEST_F(AutosaveFault, RepeatedFailuresDoNotFillTheDisk) {
   };
   ASSERT_EQ(databases(), 1u);
   is_full = true;
-  std::size_t most = 0;
+  std::size_t largest = 0;
   for (std::uint64_t i = 0; i < 60; ++i) {
     fixture.draw(40 + i);
     fixture.autosave->process();
-    most = std::max(most, databases());
+    largest = std::max(largest, databases());
   }
-  EXPECT_LE(most, 2u) << "the last complete one, and the one being written";
+  EXPECT_LE(largest, 2u) << "the last complete one, and the one being written";
   is_full = false;
   fixture.draw(1000);
   fixture.autosave->process();

@@ -173,14 +173,14 @@ std::optional<StrokeHit> StrokeIndex::nearest_within_reach(Point place, double r
         Rect{place.x - radius_mm, place.y - radius_mm, place.x + radius_mm, place.y + radius_mm});
   }
   std::optional<StrokeHit> best;
-  double least = 0.0;
+  double smallest = 0.0;
   for (const auto& [layer, entry] : layers_) {
     if (!entry.editable) continue;
     const auto hit = entry.segments.nearest(place, radius_mm);
     if (!hit) continue;
     const double d = hit->nearest.distance_squared;
-    if (best && (d > least || (d == least && hit->stroke > best->stroke))) continue;
-    least = d;
+    if (best && (d > smallest || (d == smallest && hit->stroke > best->stroke))) continue;
+    smallest = d;
     best = StrokeHit{hit->stroke, hit->segment + hit->nearest.t, hit->nearest.point, std::sqrt(d)};
   }
   return best;

@@ -126,7 +126,7 @@ TEST(StrokeIndex, AnswersNonsenseWithNothing) {
 /// Searches by brute force, one segment after the other.
 std::optional<StrokeHit> nearest_by_hand(const Document& d, Point q, double radius_mm) {
   std::optional<StrokeHit> best;
-  double least = radius_mm * radius_mm;
+  double smallest = radius_mm * radius_mm;
   std::vector<StrokeId> ids;
   for (const Layer& layer : d.layers()) {
     if (!layer.visible || layer.locked) continue;
@@ -136,10 +136,10 @@ std::optional<StrokeHit> nearest_by_hand(const Document& d, Point q, double radi
   for (const StrokeId id : ids) {
     const StrokePtr stroke = d.find(id);
     for (int i = 0; i < stroke->segment_count(); ++i) {
-      const auto hit = nearest_within(stroke->segment(i), q, least);
-      if (!hit || (best && hit->distance_squared >= least)) continue;
-      least = hit->distance_squared;
-      best = StrokeHit{id, i + hit->t, hit->point, std::sqrt(least)};
+      const auto hit = nearest_within(stroke->segment(i), q, smallest);
+      if (!hit || (best && hit->distance_squared >= smallest)) continue;
+      smallest = hit->distance_squared;
+      best = StrokeHit{id, i + hit->t, hit->point, std::sqrt(smallest)};
     }
   }
   return best;

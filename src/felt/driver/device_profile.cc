@@ -82,10 +82,10 @@ Result<void> set(std::string& to, std::string_view text) {
   return {};
 }
 
-Result<void> set(std::optional<double>& to, std::string_view text, double least) {
+Result<void> set(std::optional<double>& to, std::string_view text, double smallest) {
   const auto read = numbers<1>(text);
   if (!read) return tl::unexpected(read.error());
-  if ((*read)[0] < least) return invalid_data("is too small");
+  if ((*read)[0] < smallest) return invalid_data("is too small");
   to = (*read)[0];
   return {};
 }

@@ -62,9 +62,9 @@ RC_GTEST_PROP(ForceGate, TheDirectionIsKept, ()) {
   const Force asked{scale * part(), scale * part(), scale * part()};
   const Force sent = pass_long(gate, asked).force;
   // Relative to the largest component, because squares may overflow.
-  const double most = std::max({std::abs(asked.x), std::abs(asked.y), std::abs(asked.z)});
-  RC_PRE(most > 0.0);
-  const Force wanted{asked.x / most, asked.y / most, asked.z / most};
+  const double largest = std::max({std::abs(asked.x), std::abs(asked.y), std::abs(asked.z)});
+  RC_PRE(largest > 0.0);
+  const Force wanted{asked.x / largest, asked.y / largest, asked.z / largest};
   const double share = norm(sent) / norm(wanted);
   RC_ASSERT(norm(sent - share * wanted) <= 1e-12 * norm(sent));
 }

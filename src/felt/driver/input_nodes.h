@@ -40,7 +40,7 @@ std::vector<HidrawNode> hidraw_nodes(const SystemView& system);
 
 /// Parses the bits of a sysfs file. The file consists of hexadecimal words, each as large as a C
 /// `long`, with the most significant word first.
-std::vector<bool> sysfs_bits(std::string_view text, std::size_t most);
+std::vector<bool> sysfs_bits(std::string_view text, std::size_t largest);
 /// Returns vendor and product in the form "046d:c52b", for ids and rules.
 std::string vendor_and_product(std::uint16_t vendor, std::uint16_t product);
 /// Returns the printable ASCII and UTF-8 characters of a device's name without line breaks, at most

@@ -10,8 +10,8 @@ namespace {
 /// Returns the distance from the centre of a box to its boundary in this direction.
 double half_way(const Vec3& direction, const Vec3& half) noexcept {
   double way = std::numeric_limits<double>::infinity();
-  const auto bound = [&way](double share, double most) {
-    if (std::fabs(share) > 1e-9) way = std::min(way, most / std::fabs(share));
+  const auto bound = [&way](double share, double largest) {
+    if (std::fabs(share) > 1e-9) way = std::min(way, largest / std::fabs(share));
   };
   bound(direction.x, half.x);
   bound(direction.y, half.y);

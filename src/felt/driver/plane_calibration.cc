@@ -158,9 +158,9 @@ Capabilities PlaneCalibration::to_page(const Capabilities& device) const noexcep
   for (int corner = 1; corner < 8; ++corner) {
     const Vec3 p = to_page(Vec3{corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
                                 corner & 4 ? high.z : low.z});
-    Vec3 &least = mapped.workspace_min, &most = mapped.workspace_max;
-    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
-    most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
+    Vec3 &smallest = mapped.workspace_min, &largest = mapped.workspace_max;
+    smallest = {std::min(smallest.x, p.x), std::min(smallest.y, p.y), std::min(smallest.z, p.z)};
+    largest = {std::max(largest.x, p.x), std::max(largest.y, p.y), std::max(largest.z, p.z)};
   }
   return mapped;
 }

@@ -39,11 +39,11 @@ void add(Tile& tile, const Tile& other) noexcept {
 /// Rounds off extreme heights so that no height exceeds `most` times the previous rms. The highest
 /// or steepest point limits the force of the whole relief. If the extremes are flatter, the rest
 /// can be stronger.
-void round_off(Tile& tile, double most) noexcept {
+void round_off(Tile& tile, double largest) noexcept {
   double mean = 0.0;
   for (const double h : tile) mean += h / static_cast<double>(tile.size());
   for (double& h : tile) h -= mean;
-  scale_to(tile, 1.0 / most);
+  scale_to(tile, 1.0 / largest);
   for (double& h : tile) h /= std::sqrt(1.0 + h * h);
 }
 
@@ -71,7 +71,7 @@ class Circle {
 struct Waves {
   int count;
   int max_x, max_y;
-  double least, most;
+  double smallest, largest;
 };
 
 void add_waves(Tile& tile, const Circle& circle, Random& random, const Waves& waves) {
@@ -80,7 +80,8 @@ void add_waves(Tile& tile, const Circle& circle, Random& random, const Waves& wa
     const int ky = random.below(waves.max_y + 1);
     const int phase = random.below(kSide);
     const double k_squared = kx * kx + ky * ky;
-    if (k_squared < waves.least * waves.least || k_squared > waves.most * waves.most) continue;
+    if (k_squared < waves.smallest * waves.smallest || k_squared > waves.largest * waves.largest)
+      continue;
     ++wave;
     for (int y = 0; y < kSide; ++y) {
       for (int x = 0; x < kSide; ++x) {
@@ -92,8 +93,8 @@ void add_waves(Tile& tile, const Circle& circle, Random& random, const Waves& wa
 }
 
 Waves ring(double waves_per_tile, int count) noexcept {
-  const double most = waves_per_tile * HeightField::kBand;
-  const int box = static_cast<int>(most);
+  const double largest = waves_per_tile * HeightField::kBand;
+  const int box = static_cast<int>(largest);
   return {count, box, box, waves_per_tile / HeightField::kBand, static_cast<double>(box)};
 }
 
@@ -217,7 +218,7 @@ Tile wood(Random& random) {
 
 Tile heights_of(const HeightFieldSpec& spec) {
   Random random(spec.seed);
-  double least = 1.0;
+  double smallest = 1.0;
   Tile tile;
   switch (spec.character) {
     case HeightCharacter::kGrain:
@@ -231,15 +232,15 @@ Tile heights_of(const HeightFieldSpec& spec) {
       break;
     case HeightCharacter::kFibres:
       tile = fibres(random);
-      least = 4.0;  // removes the long hills made by the uneven density of random fibres
+      smallest = 4.0;  // removes the long hills made by the uneven density of random fibres
       break;
     case HeightCharacter::kWood:
       tile = wood(random);
       break;
   }
-  keep_band(tile, least, kFadeFrom, kMaxWaves);
+  keep_band(tile, smallest, kFadeFrom, kMaxWaves);
   round_off(tile, kHighestRms);
-  keep_band(tile, least, kFadeFrom, kMaxWaves);
+  keep_band(tile, smallest, kFadeFrom, kMaxWaves);
   return tile;
 }
 

@@ -112,8 +112,8 @@ Tile joined(const Tile& tile, bool turned) {
 }  // namespace
 
 Result<HeightField> height_field_of(const HeightPicture& picture, const HeightPictureSpec& spec) {
-  const auto is_within = [](double value, double least, double most) {
-    return value >= least && value <= most;
+  const auto is_within = [](double value, double smallest, double largest) {
+    return value >= smallest && value <= largest;
   };
   if (!is_within(spec.tile_mm, 5.0, 500.0) || !is_within(spec.height_um, 0.0, 1000.0)) {
     return fail(ErrorCode::kInvalidArgument,

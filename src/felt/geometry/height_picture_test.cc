@@ -23,13 +23,13 @@ HeightPicture picture_of(int width, int height, const std::function<double(doubl
 }
 
 double steepest_across(const HeightField& field, double x, double step_mm) {
-  double most = 0.0;
+  double largest = 0.0;
   for (int i = 0; i < 400; ++i) {
     const double y = 0.1 * i;
-    most = std::max(most, std::abs(field.at({x + step_mm, y}).height_mm -
-                                   field.at({x - step_mm, y}).height_mm));
+    largest = std::max(largest, std::abs(field.at({x + step_mm, y}).height_mm -
+                                         field.at({x - step_mm, y}).height_mm));
   }
-  return most;
+  return largest;
 }
 
 TEST(HeightPicture, APictureThatRepeatsComesOutAsItIs) {

@@ -53,10 +53,10 @@ void transform(std::vector<Complex>& tile, bool back) {
   }
 }
 
-double share_of(double waves, double least, double fade_from, double most) noexcept {
-  if (waves < least || waves >= most) return 0.0;
+double share_of(double waves, double smallest, double fade_from, double largest) noexcept {
+  if (waves < smallest || waves >= largest) return 0.0;
   if (waves <= fade_from) return 1.0;
-  const double x = (most - waves) / (most - fade_from);
+  const double x = (largest - waves) / (largest - fade_from);
   return x * x * (3.0 - 2.0 * x);
 }
 
@@ -82,7 +82,7 @@ std::array<double, kSide> cosines() {
   return table;
 }
 
-void keep_band(Tile& tile, double least, double fade_from, double most) {
+void keep_band(Tile& tile, double smallest, double fade_from, double largest) {
   std::vector<Complex> waves(tile.size());
   std::transform(tile.begin(), tile.end(), waves.begin(), [](double h) { return Complex{h, 0.0}; });
   transform(waves, false);
@@ -90,7 +90,7 @@ void keep_band(Tile& tile, double least, double fade_from, double most) {
     for (int x = 0; x < kSide; ++x) {
       const int kx = std::min(x, kSide - x), ky = std::min(y, kSide - y);
       const double k = std::sqrt(static_cast<double>(kx * kx + ky * ky));
-      const double share = share_of(k, least, fade_from, most) / (kSide * kSide);
+      const double share = share_of(k, smallest, fade_from, largest) / (kSide * kSide);
       Complex& wave = waves[static_cast<std::size_t>(y * kSide + x)];
       wave = {share * wave.re, share * wave.im};
     }

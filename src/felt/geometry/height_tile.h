@@ -47,7 +47,7 @@ std::array<double, kSide> cosines();
 
 /// Removes waves that fit into the tile fewer than `least` times, or `most` times or more. Weakens
 /// those between `fade_from` and `most` gradually.
-void keep_band(Tile& tile, double least, double fade_from, double most);
+void keep_band(Tile& tile, double smallest, double fade_from, double largest);
 
 /// Returns the relief of a character, before its rms is set (height_characters.cc).
 Tile heights_of(const HeightFieldSpec& spec);

@@ -16,9 +16,9 @@ constexpr double kSamePlaceMm = 1e-7;
 constexpr int kOverlapSamples = 12;  // different cubics meet in at most nine points
 
 double largest_coordinate(const Cubic& c) noexcept {
-  double most = 0.0;
-  for (const Point& p : c.p) most = std::max({most, std::fabs(p.x), std::fabs(p.y)});
-  return most;
+  double largest = 0.0;
+  for (const Point& p : c.p) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+  return largest;
 }
 
 /// A part of a curve: its control points, and its parameter range on the whole curve.

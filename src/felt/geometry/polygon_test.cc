@@ -14,8 +14,8 @@ const std::vector<Point> kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 // A pentagram: its middle has winding number 2.
 const std::vector<Point> kStar{{0, -10}, {6, 8}, {-9.5, -3}, {9.5, -3}, {-6, 8}};
 
-std::vector<Point> any_points(std::size_t most) {
-  std::vector<Point> points(*rc::gen::inRange<std::size_t>(0, most));
+std::vector<Point> any_points(std::size_t largest) {
+  std::vector<Point> points(*rc::gen::inRange<std::size_t>(0, largest));
   for (Point& p : points) {
     p.x = *rc::gen::inRange(-12, 12);
     p.y = *rc::gen::inRange(-12, 12);

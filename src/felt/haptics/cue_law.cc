@@ -106,13 +106,13 @@ double rub_intensity(const CueFeel& feel, double speed_mm_per_s, double push_n) 
 }
 
 double hill_swell(const CueFeel& feel, const CueInput& now) noexcept {
-  constexpr double kMaxTold = 0.6, kHighest = 2.0;
+  constexpr double kMaxReported = 0.6, kHighest = 2.0;
   if (feel.relief == nullptr || !(feel.relief->spec().rms_um > 0.0)) return 1.0;
   const double hills_per_s =
       finite_positive(now.speed_mm_per_s) / feel.relief->spec().wavelength_mm;
   const double x =
       std::clamp((kLostHillsPerS - hills_per_s) / (kLostHillsPerS - kReportedHillsPerS), 0.0, 1.0);
-  const double reported = kMaxTold * x * x * (3.0 - 2.0 * x);
+  const double reported = kMaxReported * x * x * (3.0 - 2.0 * x);
   const double share = std::min(finite_positive(feel.grain), 1.0) *
                        relief_left(feel.wear, finite_positive(now.push_n) / kFullPushN);
   const double height = 1e3 * feel.relief->at(now.place).height_mm / feel.relief->spec().rms_um;

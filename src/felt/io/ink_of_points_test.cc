@@ -18,15 +18,15 @@ Stroke line_of(const std::vector<WidePoint>& points) {
 }
 
 double distance_to_line(Point p, const std::vector<WidePoint>& line) {
-  double least = distance(p, line.front().position);
+  double smallest = distance(p, line.front().position);
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Point a = line[i - 1].position, b = line[i].position;
     const Vec ab = b - a;
     const double t =
         norm_squared(ab) > 0.0 ? std::clamp(dot(p - a, ab) / norm_squared(ab), 0.0, 1.0) : 0.0;
-    least = std::min(least, distance(p, lerp(a, b, t)));
+    smallest = std::min(smallest, distance(p, lerp(a, b, t)));
   }
-  return least;
+  return smallest;
 }
 
 /// Returns the largest distance of the stroke's centre line from the drawn line, or of a point of

@@ -10,12 +10,12 @@ namespace felt {
 /// the end, and each gap between two positions is twice the gap before it, but at most `most`. So
 /// the fit meets the ends and cannot leave the line in between. Replaces the content of `steps` by
 /// the positions as parameters 0 < t < 1, ascending. Requires first > 0 and first <= most.
-inline void line_steps(double length, double first, double most, std::vector<double>& steps) {
+inline void line_steps(double length, double first, double largest, std::vector<double>& steps) {
   steps.clear();
   double gap = first, at = first;
   while (2.0 * at < length) {
     steps.push_back(at / length);
-    gap = std::min(2.0 * gap, most);
+    gap = std::min(2.0 * gap, largest);
     at += gap;
   }
   for (std::size_t i = steps.size(); i > 0; --i) {

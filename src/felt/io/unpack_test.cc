@@ -75,8 +75,8 @@ TEST(Unpack, LimitsBelowAtAndAbove) {
   EXPECT_TRUE(fits(5000));
   EXPECT_FALSE(fits(4999));
   const std::size_t ratio = (5000 + packed.size() - 1) / packed.size();
-  const auto fits_ratio = [&](std::size_t most) {
-    return gunzip(packed, {.free_bytes = 100, .ratio = most}).has_value();
+  const auto fits_ratio = [&](std::size_t largest) {
+    return gunzip(packed, {.free_bytes = 100, .ratio = largest}).has_value();
   };
   EXPECT_TRUE(fits_ratio(ratio + 1));
   EXPECT_TRUE(fits_ratio(ratio));

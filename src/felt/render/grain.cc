@@ -64,9 +64,9 @@ struct Grain::State {
     }
     if (field) depth = field->spec().rms_um / (field->spec().rms_um + kHalfDepthUm);
   }
-  [[nodiscard]] std::size_t index_of(std::string_view material) const noexcept {
+  [[nodiscard]] std::size_t index_of(std::string_view medium) const noexcept {
     for (std::size_t i = 0; i < looks.size(); ++i) {
-      if (looks[i].id == material) return i;
+      if (looks[i].id == medium) return i;
     }
     return fallback;
   }
@@ -108,9 +108,9 @@ double Grain::relief(Point place) const noexcept {
   return is_smooth() ? 0.0 : seen_relief(*state_->field, place);
 }
 
-double Grain::alpha(Point place, double tone, std::string_view material) const noexcept {
+double Grain::alpha(Point place, double tone, std::string_view medium) const noexcept {
   if (!state_) return 1.0;
-  const LookOf& of = state_->looks[state_->index_of(material)];
+  const LookOf& of = state_->looks[state_->index_of(medium)];
   const ReliefWeights weights = relief_weights(of.look);
   double r = 0.0;
   if (weights.surface > 0.0) r += weights.surface * state_->depth * relief(place);
@@ -121,10 +121,10 @@ double Grain::alpha(Point place, double tone, std::string_view material) const n
   return ink_alpha(of.look, of.wear, tone, r, 0.0);
 }
 
-std::shared_ptr<const InkLook> Grain::look(std::string_view material, double px_per_mm) const {
+std::shared_ptr<const InkLook> Grain::look(std::string_view medium, double px_per_mm) const {
   if (!state_) return nullptr;
-  const std::size_t medium = state_->index_of(material);
-  const LookOf& of = state_->looks[medium];
+  const std::size_t medium_index = state_->index_of(medium);
+  const LookOf& of = state_->looks[medium_index];
   if (is_solid(of.look)) return nullptr;
   const ReliefWeights weights = relief_weights(of.look);
   const double crumb_mm = crumb_mm_of(of.look);
@@ -134,7 +134,7 @@ std::shared_ptr<const InkLook> Grain::look(std::string_view material, double px_
   const auto crumb = weights.crumb > 0.0 ? dust_texture().level(px_per_mm * crumb_mm) : nullptr;
   const std::lock_guard lock(state_->mutex);
   for (const State::Made& m : state_->made) {
-    if (m.medium == medium && m.surface == surface.get() && m.crumb == crumb.get()) return m.look;
+    if (m.medium == medium_index && m.surface == surface.get() && m.crumb == crumb.get()) return m.look;
   }
   const auto made = std::make_shared<InkLook>(
       of.look, of.wear,
@@ -144,7 +144,7 @@ std::shared_ptr<const InkLook> Grain::look(std::string_view material, double px_
   if (state_->field) made->surface_tile_mm = state_->field->tile_mm();
   made->crumb_tile_mm = HeightField::kWavesPerTile * crumb_mm;
   if (state_->made.size() >= kMaxLooks) state_->made.clear();
-  state_->made.push_back({medium, surface.get(), crumb.get(), made});
+  state_->made.push_back({medium_index, surface.get(), crumb.get(), made});
   return made;
 }
 

@@ -55,11 +55,11 @@ class Grain {
   [[nodiscard]] double relief(Point place) const noexcept;
   /// Returns alpha in the middle of a line, without hairs, for the medium with the id `material`.
   /// An unknown medium looks like the pencil. Returns 1 if the grain is plain.
-  [[nodiscard]] double alpha(Point place, double tone, std::string_view material) const noexcept;
+  [[nodiscard]] double alpha(Point place, double tone, std::string_view medium) const noexcept;
 
   /// Returns the look of a medium at one scale as tables, for code that fills pixels (ink_look.h),
   /// or null for solid ink.
-  [[nodiscard]] std::shared_ptr<const InkLook> look(std::string_view material,
+  [[nodiscard]] std::shared_ptr<const InkLook> look(std::string_view medium,
                                                     double px_per_mm) const;
 
   /// Returns true if both draw the same pixels, because they have the same relief and media with

@@ -29,8 +29,8 @@ constexpr float kMaxKey = 4095.0F, kMaxRim = 1023.0F, kMaxAcross = 511.0F;
 
 /// Clamps in two separate steps, because compilers do not vectorize nested conditions.
 inline float clamped(float x, float low, float high) noexcept {
-  const float least = x < low ? low : x;
-  return least > high ? high : least;
+  const float smallest = x < low ? low : x;
+  return smallest > high ? high : smallest;
 }
 
 /// Returns the direction as a vector of length 1, or 0 if the points are equal.

@@ -69,8 +69,9 @@ Rect shown_by(PixelRect part, const View& view) noexcept {
 PixelRect pixels_of(const Stroke& stroke, const View& view, PixelRect clip) noexcept {
   const Rect area = view.area_px(rough_bounds(stroke));
   const Vec from{area.x0, area.y0}, to{area.x1, area.y1};
-  const auto whole = [](double px, int least, int most) {
-    return static_cast<int>(std::clamp(px, static_cast<double>(least), static_cast<double>(most)));
+  const auto whole = [](double px, int smallest, int largest) {
+    return static_cast<int>(
+        std::clamp(px, static_cast<double>(smallest), static_cast<double>(largest)));
   };
   return {whole(std::floor(from.x) - 1.0, clip.x0, clip.x1),
           whole(std::floor(from.y) - 1.0, clip.y0, clip.y1),

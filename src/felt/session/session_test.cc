@@ -346,7 +346,7 @@ TEST(Session, FormerOptionIdsSetTheSameOptionsAndAreRecordedByTheirPresentIds) {
   fixture.must(SetOption{"sheet.color", std::string("#ff0000")});
   EXPECT_EQ(fixture.session.surface().id, "glass");
   EXPECT_EQ(fixture.session.ink_color(), (Rgba{255, 0, 0, 255}));
-  EXPECT_EQ(fixture.session.option("sheet.color"), fixture.session.option("ink.color"));
+  EXPECT_EQ(fixture.session.option("sheet.color").value(), fixture.session.option("ink.color").value());
   EXPECT_EQ(recorded, (std::vector<Event>{{0, SetOption{"surface.material", std::string("glass")}},
                                           {0, SetOption{"ink.color", std::string("#ff0000")}}}));
 }

@@ -24,8 +24,8 @@ RubbingSample sane(RubbingSample sample) noexcept {
   return sample;
 }
 
-double within(double value, double least, double most) noexcept {
-  return value > least ? std::min(value, most) : least;
+double within(double value, double smallest, double largest) noexcept {
+  return value > smallest ? std::min(value, largest) : smallest;
 }
 
 RubbingPair sane(RubbingPair pair) noexcept {

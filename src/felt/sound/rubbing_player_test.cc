@@ -43,11 +43,11 @@ bool is_zero(const std::vector<float>& sound) {
 }
 
 float steepest(const std::vector<float>& sound) {
-  float most = 0.0F;
+  float largest = 0.0F;
   for (std::size_t i = 1; i < sound.size(); ++i) {
-    most = std::max(most, std::fabs(sound[i] - sound[i - 1]));
+    largest = std::max(largest, std::fabs(sound[i] - sound[i - 1]));
   }
-  return most;
+  return largest;
 }
 
 /// A part of the path of a hand: its speed, push and duration.
@@ -137,9 +137,9 @@ TEST(RubbingPlayer, ATouchIsModest) {
   for (const char* medium : {"pencil", "chalk", "brush-pen"}) {
     const RubbingPair pair = pair_of("paper", medium);
     const auto peak = [](const std::vector<float>& sound) {
-      float most = 0.0F;
-      for (const float s : sound) most = std::max(most, std::fabs(s));
-      return most;
+      float largest = 0.0F;
+      for (const float s : sound) largest = std::max(largest, std::fabs(s));
+      return largest;
     };
     RubbingPlayer sound;
     sound.set_pair(pair);

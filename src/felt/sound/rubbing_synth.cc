@@ -15,7 +15,7 @@ constexpr double kWay = follow_share(0.003, kRateHz);
 constexpr double kStillMmPerS = 1.5,
                  kMovesMmPerS = 5.0;  // silent below kStillMmPerS, full loudness above kMovesMmPerS
 constexpr double kFastestMmPerS = 3000.0;
-constexpr double kMaxHeardPushN = 4.0;
+constexpr double kMaxReceivedPushN = 4.0;
 // The gate opens before anything is audible, and closes before the user notices a delay.
 constexpr double kOpenS = 0.0005, kCloseS = 0.012;
 // The loudness is 1 for a friction of 0.3 N at 200 mm/s, which is 60 mW.
@@ -95,7 +95,7 @@ void RubbingSynth::follow(Point at, double push_n) noexcept {
   at_ = at_ + step;
   velocity_ = kRateHz * step;
   speed_ = std::min(norm(velocity_), kFastestMmPerS);
-  push_ += kWay * (std::min(push_n, kMaxHeardPushN) - push_);
+  push_ += kWay * (std::min(push_n, kMaxReceivedPushN) - push_);
 }
 
 /// Updates the values that change slowly. Called three times in a millisecond.

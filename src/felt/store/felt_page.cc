@@ -14,8 +14,8 @@ bool is_palette_text(std::string_view text) {
 }
 
 bool is_view(const Viewport& v) noexcept {
-  const auto within = [](double value, double least, double most) {
-    return value >= least && value <= most;  // false for NaN
+  const auto within = [](double value, double smallest, double largest) {
+    return value >= smallest && value <= largest;  // false for NaN
   };
   return within(v.center.x, -Viewport::kMaxMm, Viewport::kMaxMm) &&
          within(v.center.y, -Viewport::kMaxMm, Viewport::kMaxMm) &&

@@ -15,8 +15,8 @@ namespace {
 
 double on_grid(double n) noexcept {
   if (!std::isfinite(n)) return 0.0;
-  const double most = kMaxRecordedForceN / kRecordedForceStepN;
-  return kRecordedForceStepN * std::round(std::clamp(n / kRecordedForceStepN, -most, most));
+  const double largest = kMaxRecordedForceN / kRecordedForceStepN;
+  return kRecordedForceStepN * std::round(std::clamp(n / kRecordedForceStepN, -largest, largest));
 }
 
 Force on_grid(const Force& f) noexcept {

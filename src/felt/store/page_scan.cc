@@ -112,8 +112,8 @@ class Scan {
             const std::function<void(ScannedRow)>& report) {
     const Bytes bytes(page);
     if (bytes.at(header) != kLeafOfRows) return;
-    const auto most = (page.size() - std::min(page.size(), header + kLeafHeaderBytes)) / 2;
-    const auto cells = std::min<std::size_t>(bytes.number(header + 3, 2), most);
+    const auto largest = (page.size() - std::min(page.size(), header + kLeafHeaderBytes)) / 2;
+    const auto cells = std::min<std::size_t>(bytes.number(header + 3, 2), largest);
     for (std::size_t i = 0; i < cells && budget_ > 0; ++i) {
       const auto at = static_cast<std::size_t>(bytes.number(header + kLeafHeaderBytes + 2 * i, 2));
       ScannedRow row;
@@ -128,15 +128,15 @@ class Scan {
     if (!size || !id || *size == 0 || *size > kMaxStrokeBlobBytes + kMaxColumns * 10) return false;
     row.id = static_cast<std::int64_t>(*id);
     const auto total = static_cast<std::size_t>(*size);
-    const std::size_t most_here = usable_ - 35;
-    if (total <= most_here) {
+    const std::size_t largest_here = usable_ - 35;
+    if (total <= largest_here) {
       if (at + total > page.size()) return false;
       spend(total);
       return read_record(page.substr(at, total), row.values);
     }
-    const std::size_t least = (usable_ - 12) * 32 / 255 - 23;
-    const std::size_t wished = least + (total - least) % (usable_ - 4);
-    const std::size_t here = wished <= most_here ? wished : least;
+    const std::size_t smallest = (usable_ - 12) * 32 / 255 - 23;
+    const std::size_t wished = smallest + (total - smallest) % (usable_ - 4);
+    const std::size_t here = wished <= largest_here ? wished : smallest;
     if (at + here + 4 > page.size() || total > file_.size()) return false;
     std::string record(page.substr(at, here));
     const bool is_there = overflow(bytes.number(at + here, 4), total, record);

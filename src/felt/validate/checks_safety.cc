@@ -69,14 +69,14 @@ std::optional<double> after_stall(const Trial& trial, int axis) {
 /// Returns the largest force sent in the 50 ticks after a stall, except the first two, because
 /// their forces may have been computed before the stall was detected.
 double sent_after_stall(const Trial& trial) {
-  double most = 0.0;
+  double largest = 0.0;
   int since = -1;
   for (const ProbeTick& tick : trial.ticks()) {
     if (tick.after_stall) since = 0;
-    if (since >= 2 && since < 50) most = std::max(most, norm(tick.force));
+    if (since >= 2 && since < 50) largest = std::max(largest, norm(tick.force));
     if (since >= 0) ++since;
   }
-  return most;
+  return largest;
 }
 
 }  // namespace

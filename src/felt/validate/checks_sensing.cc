@@ -171,8 +171,8 @@ CheckOutcome check_places(CheckContext& context) {
   if (!trial) return failed({}, trial.error().message);
   if (!(*trial)->trouble().empty()) return broken(**trial);
   const Capabilities& can = context.subject.device()->capabilities();
-  const Vec3 least{kMinRoomMm, kMinRoomMm, kMinRoomMm};
-  const Vec3 room = least + kWithinReach * (can.workspace_max - can.workspace_min);
+  const Vec3 smallest{kMinRoomMm, kMinRoomMm, kMinRoomMm};
+  const Vec3 room = smallest + kWithinReach * (can.workspace_max - can.workspace_min);
   for (const ProbeTick& tick : (*trial)->ticks()) {
     const Vec3& p = tick.sample.position;
     const Vec3& v = tick.sample.velocity;
@@ -213,13 +213,13 @@ CheckOutcome check_noise(CheckContext& context) {
   double worst = 0.0;
   for (const Series& place : places) worst = std::max(worst, place.deviation());
   const double step = context.subject.device()->capabilities().position_step_mm;
-  const double most = std::max(kMaxNoiseMm, kNoiseSteps * step);
+  const double largest = std::max(kMaxNoiseMm, kNoiseSteps * step);
   const std::string measured = figure(places[0].deviation(), 3) + ", " +
                                figure(places[1].deviation(), 3) + ", " +
                                figure(places[2].deviation(), 3) + " mm RMS along x, y, z";
-  context.is_noisy = worst > most;
+  context.is_noisy = worst > largest;
   if (context.is_noisy) {
-    return failed(measured, "more than " + figure(most, 2) +
+    return failed(measured, "more than " + figure(largest, 2) +
                                 " mm although nobody moves: a loose cable, another magnet, a worn "
                                 "joint, or somebody leaned on the table");
   }

@@ -67,14 +67,14 @@ double width_at(const std::vector<InkPoint>& points, double way_mm) {
 /// them.
 double width_off(const std::vector<InkPoint>& points, double way_mm, double width_mm) {
   constexpr int kSteps = 10;
-  double least = width_mm, most = width_mm, nearest = 1e300;
+  double smallest = width_mm, largest = width_mm, nearest = 1e300;
   for (int i = -kSteps; i <= kSteps; ++i) {
     const double width = width_at(points, way_mm + kShiftMm * i / kSteps);
-    least = std::min(least, width);
-    most = std::max(most, width);
+    smallest = std::min(smallest, width);
+    largest = std::max(largest, width);
     nearest = std::min(nearest, std::fabs(width - width_mm));
   }
-  return least < width_mm && width_mm < most ? 0.0 : nearest;
+  return smallest < width_mm && width_mm < largest ? 0.0 : nearest;
 }
 
 }  // namespace

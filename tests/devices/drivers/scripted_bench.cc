@@ -106,9 +106,9 @@ class ScriptedDriverDevice final : public DriverDevice {
     const bool is_number = is_finite(force);
     if (!is_number && bad_ != BadDriver::kHandsOnNan) force = {};
     const Capabilities& can = descriptor_.capabilities;
-    const double most = std::min(can.advised_force_n, 0.9 * can.max_force_n);
+    const double largest = std::min(can.advised_force_n, 0.9 * can.max_force_n);
     const double size = norm(force);
-    if (size > most && bad_ != BadDriver::kClampsNothing) force = (most / size) * force;
+    if (size > largest && bad_ != BadDriver::kClampsNothing) force = (largest / size) * force;
     if (bad_ == BadDriver::kWrongForceSign) force = -force;
     if (bad_ == BadDriver::kMirrored) force.x = -force.x;
     if (bad_ == BadDriver::kKicks && opened_ > 1 && reads_ < 50) force = {0.5, 0.0, 0.0};

@@ -274,16 +274,16 @@ const char* SafetyOracle::check_rise(const TickOutput& out) {
   const bool ramps = !falling_ && state != SafetyState::kFalling && state != SafetyState::kSilent;
   if (phase_ == Phase::kRamp && ramps) {
     if (more > kEngageNPerS * credit_s + kEps) return "while engaging it rises by 0.01 N/ms";
-    const double most = limits_.peak_force_n * (ramp_s_ + credit_s) / kRampS + ramp_from_n_;
-    if (length(out.sent) > most + kEps) return "the ramp takes half a second";
+    const double largest = limits_.peak_force_n * (ramp_s_ + credit_s) / kRampS + ramp_from_n_;
+    if (length(out.sent) > largest + kEps) return "the ramp takes half a second";
   }
   return nullptr;
 }
 
 const char* SafetyOracle::check_falling(const TickOutput& out) {
   if (!falling_) return nullptr;
-  const double most = std::max(0.0, length(last_) - kFallNPerS * std::max(dt_s_, 0.0002)) + kEps;
-  if (length(out.sent) > most) return "after a soft fault the force falls by 0.06 N/ms";
+  const double largest = std::max(0.0, length(last_) - kFallNPerS * std::max(dt_s_, 0.0002)) + kEps;
+  if (length(out.sent) > largest) return "after a soft fault the force falls by 0.06 N/ms";
   if (is_none(out.sent)) {
     falling_ = false;
     phase_ = Phase::kCalm;
@@ -357,8 +357,8 @@ const char* SafetyOracle::check_heat(const TickOutput&) {
   heat_.push_back({clock_s_, dt_s_ * (last_.x * last_.x + last_.y * last_.y + last_.z * last_.z)});
   heat_sum_ += heat_.back().joule_like;
   while (clock_s_ - heat_[heat_from_].at_s >= 10.0) heat_sum_ -= heat_[heat_from_++].joule_like;
-  const double most = limits_.continuous_force_n * limits_.continuous_force_n * 10.0;
-  return heat_sum_ > most * 1.001 + kEps ? "RMS over 10 s is under 80 % of the rating" : nullptr;
+  const double largest = limits_.continuous_force_n * limits_.continuous_force_n * 10.0;
+  return heat_sum_ > largest * 1.001 + kEps ? "RMS over 10 s is under 80 % of the rating" : nullptr;
 }
 
 }  // namespace felt::safety

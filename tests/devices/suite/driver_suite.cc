@@ -151,9 +151,10 @@ std::string check_words(const BenchMaker& make) {
   const DeviceModel* row = find_device_model(said.model);
   if (row == nullptr && rig.bench->name() != "scripted") return "no row for model " + said.model;
   if (row != nullptr) {
-    const Capabilities& most = row->capabilities;
-    if (can.max_force_n > most.max_force_n || can.continuous_force_n > most.continuous_force_n ||
-        (most.advised_force_n > 0.0 && !(can.advised_force_n <= most.advised_force_n))) {
+    const Capabilities& largest = row->capabilities;
+    if (can.max_force_n > largest.max_force_n ||
+        can.continuous_force_n > largest.continuous_force_n ||
+        (largest.advised_force_n > 0.0 && !(can.advised_force_n <= largest.advised_force_n))) {
       return "more force than the row of " + said.model;
     }
   }

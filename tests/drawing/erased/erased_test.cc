@@ -136,8 +136,8 @@ TEST(Erased, R39_AnyLineAnyWidthAnyPath) {
     testing::RandomStroke make(seed);
     StrokeData data = make.make();
     data.color = {0, 0, 0, 255};
-    const double most = make.chance(0.5) ? 6.0 : 1.0;
-    for (WidthKnot& k : data.widths) k.width_mm = make.uniform(0.05, most);
+    const double largest = make.chance(0.5) ? 6.0 : 1.0;
+    for (WidthKnot& k : data.widths) k.width_mm = make.uniform(0.05, largest);
     if (data.closed) data.widths.back().width_mm = data.widths.front().width_mm;
     Case c{{Stroke::create(std::move(data)).value()}, {}, make.uniform(0.2, 4.0)};
     for (int k = 0; k < 3; ++k) c.corners.push_back({make.uniform(0, 20), make.uniform(0, 20)});

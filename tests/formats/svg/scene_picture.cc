@@ -184,17 +184,17 @@ bool has_like(const Image& a, const Image& b, int x, int y, int tolerance) {
   bool close = true;
   for (int c = 0; c < 4; ++c) close = close && std::abs(pixel[c] - same[c]) <= tolerance;
   if (close) return true;
-  std::array<int, 4> least{255, 255, 255, 255}, most{};
+  std::array<int, 4> smallest{255, 255, 255, 255}, largest{};
   for (int v = std::max(0, y - 1); v <= std::min(b.height() - 1, y + 1); ++v) {
     for (int u = std::max(0, x - 1); u <= std::min(b.width() - 1, x + 1); ++u) {
       for (std::size_t c = 0; c < 4; ++c) {
-        least[c] = std::min<int>(least[c], at(b, u, v)[c]);
-        most[c] = std::max<int>(most[c], at(b, u, v)[c]);
+        smallest[c] = std::min<int>(smallest[c], at(b, u, v)[c]);
+        largest[c] = std::max<int>(largest[c], at(b, u, v)[c]);
       }
     }
   }
   for (std::size_t c = 0; c < 4; ++c) {
-    if (pixel[c] < least[c] - tolerance || pixel[c] > most[c] + tolerance) return false;
+    if (pixel[c] < smallest[c] - tolerance || pixel[c] > largest[c] + tolerance) return false;
   }
   return true;
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kSector = 512;
 constexpr std::size_t kMax = 400;
 
-std::size_t most() {
+std::size_t largest() {
   const char* text = std::getenv("FELT_DAMAGES");
   return text != nullptr ? std::strtoull(text, nullptr, 10) : kMax;
 }
@@ -21,7 +21,7 @@ std::size_t most() {
 /// Calls `use` with about most() evenly spaced positions from 0 to below `size`.
 template <class Use>
 void spread(std::size_t size, Use use) {
-  const std::size_t step = std::max<std::size_t>(1, size / std::max<std::size_t>(1, most()));
+  const std::size_t step = std::max<std::size_t>(1, size / std::max<std::size_t>(1, largest()));
   for (std::size_t at = 0; at < size; at += step) use(at);
 }
 

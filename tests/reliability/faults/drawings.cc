@@ -55,7 +55,7 @@ int generation_of(const Drawing& drawing) {
   return drawing == drawing_of(static_cast<std::uint32_t>(generation)) ? generation : -1;
 }
 
-int generation_at(const std::string& path, std::uint32_t most, std::string& why) {
+int generation_at(const std::string& path, std::uint32_t largest, std::string& why) {
   if (!fs::exists(path)) {
     why = path + " is gone";
     return -1;
@@ -66,7 +66,7 @@ int generation_at(const std::string& path, std::uint32_t most, std::string& why)
     return -2;
   }
   const int found = generation_of(*drawing);
-  if (found >= 0 && found <= static_cast<int>(most)) return found;
+  if (found >= 0 && found <= static_cast<int>(largest)) return found;
   why = path + " holds a drawing that nobody saved: page " +
         std::to_string(drawing->page.width_mm) + " mm wide, " +
         std::to_string(drawing->document.stroke_count()) + " strokes";

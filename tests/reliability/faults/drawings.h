@@ -22,6 +22,6 @@ int generation_of(const Drawing& drawing);
 
 /// Returns the generation of the drawing in the file `path`. Returns -1 if the file is missing, and
 /// -2 if it is damaged or is none of drawing_of(0..most); `why` then holds the reason.
-int generation_at(const std::string& path, std::uint32_t most, std::string& why);
+int generation_at(const std::string& path, std::uint32_t largest, std::string& why);
 
 }  // namespace felt::faults

@@ -23,10 +23,10 @@ std::string saved_document_in(const std::string& folder) {
   return folder + "/drawing.felt";
 }
 
-int find_document(const std::string& folder, std::uint32_t most, std::string& why) {
+int find_document(const std::string& folder, std::uint32_t largest, std::string& why) {
   const std::string path = saved_document_in(folder);
   if (!fs::exists(path)) return 0;
-  const int found = faults::generation_at(path, most, why);
+  const int found = faults::generation_at(path, largest, why);
   return found < 0 ? -1 : found;
 }
 

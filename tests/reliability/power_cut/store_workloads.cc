@@ -26,9 +26,9 @@ std::string document_in(const std::string& folder) {
   return folder + "/drawing.felt";
 }
 
-int find_in_stores(const std::string& folder, std::uint32_t most, std::string& why) {
+int find_in_stores(const std::string& folder, std::uint32_t largest, std::string& why) {
   const int found = faults::generation_in_stores(root_in(folder), why);
-  if (found <= static_cast<int>(most)) return found;
+  if (found <= static_cast<int>(largest)) return found;
   why = "more than was ever made";
   return -1;
 }
@@ -116,10 +116,10 @@ Workload recover() {
               ::usleep(kPauseUs);
             }
           },
-          [](const std::string& folder, std::uint32_t most, std::string& why) {
-            const int in_stores = find_in_stores(folder, most, why);
+          [](const std::string& folder, std::uint32_t largest, std::string& why) {
+            const int in_stores = find_in_stores(folder, largest, why);
             if (in_stores < 0 || !fs::exists(document_in(folder))) return in_stores;
-            const int saved = faults::generation_at(document_in(folder), most, why);
+            const int saved = faults::generation_at(document_in(folder), largest, why);
             return saved < 0 ? -1 : std::max(in_stores, saved);
           }};
 }
@@ -139,16 +139,16 @@ Workload save_while_committing() {
     };
     commit_loop("", 40, kPauseUs, save).run(folder, from, diary);
   };
-  workload.find = [](const std::string& folder, std::uint32_t most, std::string& why) {
+  workload.find = [](const std::string& folder, std::uint32_t largest, std::string& why) {
     if (fs::exists(folder + "/saved")) {
-      const int marked = faults::generation_at(folder + "/saved", most, why);
-      const int saved = faults::generation_at(document_in(folder), most, why);
+      const int marked = faults::generation_at(folder + "/saved", largest, why);
+      const int saved = faults::generation_at(document_in(folder), largest, why);
       if (marked < 0 || saved < marked) {
         why = "saved " + std::to_string(marked) + ", found " + std::to_string(saved) + " " + why;
         return -1;
       }
     }
-    return find_in_stores(folder, most, why);
+    return find_in_stores(folder, largest, why);
   };
   return workload;
 }

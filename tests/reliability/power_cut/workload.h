@@ -56,7 +56,7 @@ struct Workload {
   std::function<void(const std::string& folder, std::uint32_t from, Diary& diary)> run;
   /// Returns the generation in the folder, 0 if the folder is still empty and may be, or -1 and
   /// sets `why`. `most` is the last generation that was begun. Runs in a new process.
-  std::function<int(const std::string& folder, std::uint32_t most, std::string& why)> find;
+  std::function<int(const std::string& folder, std::uint32_t largest, std::string& why)> find;
   /// True for a workload that loses or damages documents, which proves that the test notices.
   bool is_plant = false;
 };

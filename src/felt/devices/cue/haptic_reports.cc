@@ -40,13 +40,13 @@ const Relatives& relatives(CueWaveform waveform) noexcept {
 /// power of ten.
 std::int64_t logical_ms(const HidField& field, double ms) noexcept {
   const double low = field.physical_minimum, high = field.physical_maximum;
-  const double least = field.minimum, most = field.maximum;
+  const double smallest = field.minimum, largest = field.maximum;
   // A field without physical limits and unit is in ms, as in the examples of HUTRR63.
   double physical = ms;
   if (field.unit != 0) physical = ms * 1e-3 * std::pow(10.0, -field.exponent);
-  if (low == high) return std::llround(std::clamp(physical, least, most));
+  if (low == high) return std::llround(std::clamp(physical, smallest, largest));
   const double share = std::clamp((physical - low) / (high - low), 0.0, 1.0);
-  return std::llround(least + share * (most - least));
+  return std::llround(smallest + share * (largest - smallest));
 }
 
 std::string_view kind_of(std::uint32_t application) noexcept {

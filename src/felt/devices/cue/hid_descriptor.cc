@@ -295,10 +295,10 @@ void set_hid_value(std::span<std::uint8_t> report, const HidField& field,
   // Limits the value to the field's range and to the range of its bits, because a device may
   // declare a larger range than the bits can hold.
   const bool has_sign = field.minimum < 0;
-  const std::int64_t most = (std::int64_t{1} << (field.bits - (has_sign ? 1 : 0))) - 1;
-  const std::int64_t least = has_sign ? -most - 1 : 0;
-  const std::int64_t low = std::clamp<std::int64_t>(field.minimum, least, most);
-  const std::int64_t high = std::clamp<std::int64_t>(field.maximum, low, most);
+  const std::int64_t largest = (std::int64_t{1} << (field.bits - (has_sign ? 1 : 0))) - 1;
+  const std::int64_t smallest = has_sign ? -largest - 1 : 0;
+  const std::int64_t low = std::clamp<std::int64_t>(field.minimum, smallest, largest);
+  const std::int64_t high = std::clamp<std::int64_t>(field.maximum, low, largest);
   const auto bits = static_cast<std::uint64_t>(std::clamp(value, low, high));
   for (std::size_t i = 0; i < field.bits; ++i) {
     const std::size_t bit = field.bit + i, byte = 1 + bit / 8;

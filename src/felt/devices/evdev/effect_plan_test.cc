@@ -22,8 +22,8 @@ double spring_n(const EffectPlan& plan, std::size_t axis, double x_mm, const Sti
   if (!plan.plays[EffectPlan::kSpring]) return 0.0;
   const EvdevCondition& c = plan.effects[EffectPlan::kSpring].conditions[axis];
   const double off = c.center / 32767.0 - x_mm / stick.half_way_mm;
-  const double most = c.right_saturation / 65535.0;
-  return stick.full_force_n * std::clamp(c.right_coefficient / 32767.0 * off, -most, most);
+  const double largest = c.right_saturation / 65535.0;
+  return stick.full_force_n * std::clamp(c.right_coefficient / 32767.0 * off, -largest, largest);
 }
 
 const StickForces kAll =

@@ -11,7 +11,7 @@
 namespace felt {
 namespace {
 
-constexpr std::uint64_t kTellEvery = 32;  // reads between status updates if nothing else changes
+constexpr std::uint64_t kReportEvery = 32;  // reads between status updates if nothing else changes
 
 /// Returns a text without allocation, because strerror() may allocate.
 std::string_view words_of(int error) noexcept {
@@ -128,7 +128,7 @@ tl::unexpected<DeviceFault> StickDevice::failed(DeviceFault fault, int error) no
   status_.vendor_code = error;
   status_.vendor_words = error != 0 ? ShortText(words_of(error)) : ShortText(describe(fault));
   ++status_.faults;
-  if (is_new || status_.faults % kTellEvery == 0) statuses_.publish(status_);
+  if (is_new || status_.faults % kReportEvery == 0) statuses_.publish(status_);
   return tl::unexpected(fault);
 }
 
@@ -144,7 +144,7 @@ tl::expected<PenSample, DeviceFault> StickDevice::read(std::int64_t now_ns) noex
   pen_ = axes_.sample(now_ns);
   const bool was_read_fault = status_.fault == DeviceFault::kBadData;
   if (was_read_fault) status_.fault.reset();
-  if (++status_.reads % kTellEvery == 0 || was_read_fault) statuses_.publish(status_);
+  if (++status_.reads % kReportEvery == 0 || was_read_fault) statuses_.publish(status_);
   return pen_;
 }
 

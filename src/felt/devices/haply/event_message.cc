@@ -59,9 +59,9 @@ EventKind kind_of(const Raw& raw, bool is_ours) noexcept {
   if (raw.name == "device-disconnected") {
     return raw.device_id.empty() ? EventKind::kNotice : EventKind::kGone;
   }
-  constexpr std::array<std::string_view, 3> kTold{"device-busy", "device-connection-loop",
-                                                  "device-calibration-failed"};
-  for (const std::string_view name : kTold) {
+  constexpr std::array<std::string_view, 3> kReported{"device-busy", "device-connection-loop",
+                                                      "device-calibration-failed"};
+  for (const std::string_view name : kReported) {
     if (raw.name == name) return EventKind::kNotice;
   }
   const bool is_rate = raw.name.find("rate") != std::string_view::npos;

@@ -50,7 +50,7 @@ TEST(RequestWindow, OneWaitsBeforeASlowServiceAndFourAtMostBeforeOneThatIsMiscou
     RequestWindow window;
     std::deque<double> done_ms;
     double free_ms = 0.0;
-    std::size_t most = 0;
+    std::size_t largest = 0;
     for (int t = 0; t < 20'000; ++t) {
       window.wait(kMs);
       for (; !done_ms.empty() && done_ms.front() <= t; done_ms.pop_front()) window.answered();
@@ -59,9 +59,9 @@ TEST(RequestWindow, OneWaitsBeforeASlowServiceAndFourAtMostBeforeOneThatIsMiscou
         free_ms = std::max(free_ms, static_cast<double>(t)) + answer_ms;
         done_ms.push_back(free_ms);
       }
-      most = std::max(most, done_ms.size());
+      largest = std::max(largest, done_ms.size());
     }
-    EXPECT_LE(most, answer_ms < 20.0 ? 1u : 4u) << answer_ms << " ms";
+    EXPECT_LE(largest, answer_ms < 20.0 ? 1u : 4u) << answer_ms << " ms";
   }
 }
 

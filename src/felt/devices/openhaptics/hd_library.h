@@ -70,9 +70,9 @@ class HdLibrary {
 /// Removes up to `most` errors from the library's stack, newest first. Calls `each(info)` for each
 /// removed error and returns their number. May be called on every thread that may call the library.
 template <class Each>
-std::size_t drain_errors(const HdFunctions& call, std::size_t most, Each&& each) {
+std::size_t drain_errors(const HdFunctions& call, std::size_t largest, Each&& each) {
   std::size_t count = 0;
-  for (; count < most; ++count) {
+  for (; count < largest; ++count) {
     const hd::ErrorInfo info = call.get_error();
     if (info.code == hd::error::kNone) break;
     each(info);

@@ -19,9 +19,9 @@ constexpr double kMinAxis = 0.5;    // the axis is invalid if its length is far 
 constexpr std::size_t kMotors = 6;  // maximum; the library fills the values of existing motors
 
 bool is_believable(const PenSample& pen) noexcept {
-  const auto within = [](const Vec3& v, double most) {
-    return std::abs(v.x) <= most && std::abs(v.y) <= most &&
-           std::abs(v.z) <= most;  // false for NaN
+  const auto within = [](const Vec3& v, double largest) {
+    return std::abs(v.x) <= largest && std::abs(v.y) <= largest &&
+           std::abs(v.z) <= largest;  // false for NaN
   };
   return within(pen.position, kFarthestMm) && within(pen.velocity, kFastestMmPerS);
 }

@@ -23,9 +23,9 @@ constexpr std::int64_t kResetPauseNs = 100'000'000;
 // Returns the smallest gain of all versions. It is used for every board, because a board of another
 // version than expected could turn the same number into too much torque.
 double min_gain() noexcept {
-  double least = 1.0;
-  for (const BoardModel& model : board_models()) least = std::min(least, model.gain);
-  return least;
+  double smallest = 1.0;
+  for (const BoardModel& model : board_models()) smallest = std::min(smallest, model.gain);
+  return smallest;
 }
 
 constexpr std::string_view kNotHome = "The arms have not been at rest.";

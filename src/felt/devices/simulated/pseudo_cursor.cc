@@ -6,9 +6,9 @@
 namespace felt {
 namespace {
 
-Vec bounded(Vec v, double most) noexcept {
+Vec bounded(Vec v, double largest) noexcept {
   const double length = norm(v);
-  return length > most ? (most / length) * v : v;
+  return length > largest ? (largest / length) * v : v;
 }
 
 }  // namespace

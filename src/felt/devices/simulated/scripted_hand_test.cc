@@ -186,12 +186,12 @@ TEST(HandScript, GivesStrokesWithoutTimesAPace) {
 
 TEST(HandScript, SurvivesHostileRecordings) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::int64_t least = std::numeric_limits<std::int64_t>::min();
-  const std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  const std::int64_t smallest = std::numeric_limits<std::int64_t>::min();
+  const std::int64_t largest = std::numeric_limits<std::int64_t>::max();
   const std::vector<RecordedPath> paths{
       {},
       {{{nan, 1}, 0.5, 0}},
-      {{{1, 1}, nan, least}, {{2, 1}, 1e9, most}},
+      {{{1, 1}, nan, smallest}, {{2, 1}, 1e9, largest}},
       {{{1, 1}, -3.0, 0}, {{nan, nan}, 0.5, 1}, {{1e300, 0}, 0.5, 2}, {{4, 1}, 0.5, 3}},
   };
   for (const TimedAim& aim : script_hand(paths, {})) ASSERT_TRUE(is_finite(aim.target_mm));

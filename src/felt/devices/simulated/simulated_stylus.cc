@@ -260,9 +260,9 @@ tl::expected<void, DeviceFault> SimulatedStylus::write(const Force& force) noexc
     stop();
     return tl::unexpected(DeviceFault::kBadData);
   }
-  const double most = preset_.capabilities.max_force_n;
+  const double largest = preset_.capabilities.max_force_n;
   const double size = norm(force);
-  asked_ = size > most ? (most / size) * force : force;
+  asked_ = size > largest ? (largest / size) * force : force;
   return {};
 }
 

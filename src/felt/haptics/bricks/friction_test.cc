@@ -87,11 +87,11 @@ TEST(Friction, HasNoDirectionOfItsOwn) {
 TEST(Friction, StaticEqualsKinetic) {
   const Friction friction;
   ForceMemory memory;
-  double most = 0.0;
+  double largest = 0.0;
   for (double mm = 0.0; mm < 5.0; mm += 0.001) {
-    most = std::max(most, norm(step(friction, memory, {mm, 0, -1}, {1, 0, 0}, 1.0)));
+    largest = std::max(largest, norm(step(friction, memory, {mm, 0, -1}, {1, 0, 0}, 1.0)));
   }
-  EXPECT_LE(most, 0.25 + 1e-12);
+  EXPECT_LE(largest, 0.25 + 1e-12);
 }
 
 TEST(Friction, MovingTheFootAlongMakesNoSpike) {

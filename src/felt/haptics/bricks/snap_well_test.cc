@@ -87,7 +87,7 @@ RC_GTEST_PROP(SnapWells, R43_SeveralAreContinuousPassiveAndAsStiffAsTheySay, ())
   const double stiffest = 1e-3 * (wells.slopes().lateral_n_per_m + 450.0 * 4);
   const double back = 1e-3 * wells.slopes().lateral_n_per_m;
   double energy = 0.0;
-  double most = 0.0;
+  double largest = 0.0;
   constexpr double kStep = 1e-3;
   const double turn = 0.01 * *rc::gen::inRange(0, 628);
   const Vec way{kStep * std::cos(turn), kStep * std::sin(turn)};
@@ -100,7 +100,7 @@ RC_GTEST_PROP(SnapWells, R43_SeveralAreContinuousPassiveAndAsStiffAsTheySay, ())
     // Along the path the well never pulls back harder than its slopes allow.
     RC_ASSERT(dot(b - a, {way.x, way.y, 0}) >= -back * kStep * kStep * (1 + 1e-6));
     energy += 0.5 * work_mj(a + b, {way.x, way.y, 0});
-    most = std::max(most, norm(b));
+    largest = std::max(largest, norm(b));
   }
   double potential = 0.0;
   const Point end = start + 2000.0 * way;
@@ -110,7 +110,7 @@ RC_GTEST_PROP(SnapWells, R43_SeveralAreContinuousPassiveAndAsStiffAsTheySay, ())
                  WellShape{}.potential_mj(distance(end, targets[i]));
   }
   RC_ASSERT(std::abs(energy - potential) < 1e-4);
-  RC_ASSERT(most <= 0.6 * static_cast<double>(count) + 1e-12);
+  RC_ASSERT(largest <= 0.6 * static_cast<double>(count) + 1e-12);
 }
 
 TEST(SnapWells, R43_R56_ASmallerShareOfTheBudgetWidensTheCoreOfOneWell) {

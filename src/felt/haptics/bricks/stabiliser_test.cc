@@ -69,7 +69,7 @@ TEST(Inertia, APushIsFeltAsMass) {
   const InertiaOptions options{.mass_kg = 0.05, .drag_n_s_per_m = 0.0};
   const Inertia inertia(options);
   ForceMemory memory;
-  double most = 0.0;
+  double largest = 0.0;
   for (int i = 0; i < 40'000; ++i) {
     const double w = kTau * 2.0;
     const double t = 0.0002 * i;
@@ -78,10 +78,10 @@ TEST(Inertia, APushIsFeltAsMass) {
     const Force force = inertia(rig::pen_at({10 * grown * std::sin(w * t), 0, -1},
                                             {10 * grown * w * std::cos(w * t), 0, 0}),
                                 memory);
-    if (t > 5.0) most = std::max(most, std::abs(force.x));
+    if (t > 5.0) largest = std::max(largest, std::abs(force.x));
   }
   const double expected = 0.05 * 0.010 * (kTau * 2.0) * (kTau * 2.0);
-  EXPECT_NEAR(most / expected, 1.0, 0.06);
+  EXPECT_NEAR(largest / expected, 1.0, 0.06);
 }
 
 TEST(Inertia, IsBoundedAndComesToRest) {

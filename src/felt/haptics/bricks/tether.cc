@@ -70,7 +70,7 @@ Tether Tether::constrained() const noexcept {
   return tether;
 }
 
-Tether Tether::with_least_scale(double factor) const noexcept {
+Tether Tether::with_min_scale(double factor) const noexcept {
   Tether tether = *this;
   tether.min_scale_ = factor;
   return tether;

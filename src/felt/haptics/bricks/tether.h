@@ -56,7 +56,7 @@ class Tether {
   /// Returns this tether for a constrained transform. A scale does not change.
   [[nodiscard]] Tether constrained() const noexcept;
   /// Returns this tether for a scale whose factor is never less than `factor`.
-  [[nodiscard]] Tether with_least_scale(double factor) const noexcept;
+  [[nodiscard]] Tether with_min_scale(double factor) const noexcept;
   /// Returns this tether with this force law instead of kTransformLaw, for example with a lower
   /// ForceLaw::gain for devices that cannot hold 1 N for long.
   [[nodiscard]] Tether with_law(const ForceLaw& law) const noexcept;

@@ -151,7 +151,7 @@ TEST(Tether, R36_AConstrainedTurnIsHeldOnlyByTheStepsItMade) {
 }
 
 TEST(Tether, R37_AScaleThatStandsStillPushesNoHarder) {
-  const Tether held = Tether::scale({0, 0}, {50, 0}, 100.0).with_least_scale(0.5);
+  const Tether held = Tether::scale({0, 0}, {50, 0}, 100.0).with_min_scale(0.5);
   EXPECT_GT(pull(held, {25, 0}).x, 0.0);
   EXPECT_NEAR(pull(held, {12, 0}).x, pull(held, {25, 0}).x, 1e-12);
 }

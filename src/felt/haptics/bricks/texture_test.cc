@@ -166,17 +166,17 @@ TEST(Texture, CanBeFelt) {
   const ForceModel model(
       make_surface_force(paper, media()[0], rig::Setup{}.capabilities(), surface_grain(paper)));
   ForceMemory memory;
-  double least = 1e9;
-  double most = 0.0;
+  double smallest = 1e9;
+  double largest = 0.0;
   for (int i = 0; i < 3000; ++i) {
     memory.begin_tick(0.001);
     const Force force = model(rig::pen_at({0.02 * i, 0, -2}, {20, 0, 0}, 0.001 * i), memory);
     if (i < 200) continue;
-    least = std::min(least, -force.x);
-    most = std::max(most, -force.x);
+    smallest = std::min(smallest, -force.x);
+    largest = std::max(largest, -force.x);
   }
-  EXPECT_GT(most, 1.2 * least);
-  EXPECT_GT(least, 0.0);
+  EXPECT_GT(largest, 1.2 * smallest);
+  EXPECT_GT(smallest, 0.0);
 }
 
 /// An arbitrary relief under an arbitrary medium in an arbitrary loop, within the ranges of

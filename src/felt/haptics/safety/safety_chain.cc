@@ -208,9 +208,10 @@ Force SafetyChain::limit(const Force& asked, const PenSample& sample) noexcept {
 }
 
 Force SafetyChain::damping(const Vec3& velocity_mm_per_s) const noexcept {
-  double most = limits_.silent_damping_n_s_per_m;
-  if (limits_.max_damping_n_s_per_m > 0.0) most = std::min(most, limits_.max_damping_n_s_per_m);
-  return damping_force(most, velocity_mm_per_s, limits_.peak_force_n);
+  double largest = limits_.silent_damping_n_s_per_m;
+  if (limits_.max_damping_n_s_per_m > 0.0)
+    largest = std::min(largest, limits_.max_damping_n_s_per_m);
+  return damping_force(largest, velocity_mm_per_s, limits_.peak_force_n);
 }
 
 /// Applies the stages that do not depend on the last sent force: peak, brake, motors.

@@ -11,22 +11,22 @@
 namespace felt::safety_stages_test {
 namespace {
 
-double number(double most) {
-  return most * (*rc::gen::inRange(-1'000'000, 1'000'001)) * 1e-6;
+double number(double largest) {
+  return largest * (*rc::gen::inRange(-1'000'000, 1'000'001)) * 1e-6;
 }
-Force any_force(double most) {
-  return {number(most), number(most), number(most)};
+Force any_force(double largest) {
+  return {number(largest), number(largest), number(largest)};
 }
 
 RC_GTEST_PROP(ClampLength, R49_NeverLongerAndTheSameDirection, ()) {
   const Force f = std::pow(10.0, *rc::gen::inRange(-300, 300)) * any_force(1.0);
-  const double most = 3.0 * (*rc::gen::inRange(0, 1000)) * 1e-3;
-  const Force c = clamp_length(f, most);
+  const double largest = 3.0 * (*rc::gen::inRange(0, 1000)) * 1e-3;
+  const Force c = clamp_length(f, largest);
   RC_ASSERT(is_finite(c));
-  RC_ASSERT(norm(c) <= most * (1.0 + 1e-12));
+  RC_ASSERT(norm(c) <= largest * (1.0 + 1e-12));
   const double largest = std::max({std::abs(f.x), std::abs(f.y), std::abs(f.z)});
   if (largest > 0.0) RC_ASSERT(dot(c, (1.0 / largest) * f) >= 0.0);
-  if (most > 0.0 && largest < 1e100 && norm(f) <= most) RC_ASSERT(c == f);
+  if (largest > 0.0 && largest < 1e100 && norm(f) <= largest) RC_ASSERT(c == f);
 }
 
 TEST(ClampLength, TakesWhatDoublesCanHold) {

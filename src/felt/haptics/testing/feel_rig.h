@@ -110,8 +110,8 @@ class HighFrequency {
     ++count_;
   }
   [[nodiscard]] double rms_n() const {
-    const double most = std::max({squares_[0], squares_[1], squares_[2]});
-    return count_ > 0 ? std::sqrt(most / static_cast<double>(count_)) : 0.0;
+    const double largest = std::max({squares_[0], squares_[1], squares_[2]});
+    return count_ > 0 ? std::sqrt(largest / static_cast<double>(count_)) : 0.0;
   }
 
  private:
@@ -214,9 +214,9 @@ class Bench {
                       1e3 * Vec3{acting_.x, acting_.y, acting_.z};
     Vec3 v = velocity_ + (kStepS / mass) * push;
     // Maximum speed that Coulomb friction removes in a step. It never reverses the motion.
-    const double most = kStepS * 1e3 * setup_.stylus.friction_n / mass;
+    const double largest = kStepS * 1e3 * setup_.stylus.friction_n / mass;
     const double speed = norm(v);
-    v = speed > most ? ((speed - most) / speed) * v : Vec3{};
+    v = speed > largest ? ((speed - largest) / speed) * v : Vec3{};
     const Vec3 way = kStepS * v;
     energy_mj_ += work_mj(acting_, way);
     position_ += way;

@@ -52,8 +52,8 @@ Channel read_channel(const pugi::xml_node& node) {
   channel.is_integer = std::string_view(node.attribute("type").value()) == "integer";
   const std::string_view orientation = node.attribute("orientation").value();
   channel.is_reversed = orientation == "-ve" || orientation == "-";
-  channel.least = number_of(node.attribute("min").value());
-  channel.most = number_of(node.attribute("max").value());
+  channel.smallest = number_of(node.attribute("min").value());
+  channel.largest = number_of(node.attribute("max").value());
   return channel;
 }
 

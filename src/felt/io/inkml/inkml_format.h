@@ -36,7 +36,7 @@ struct Channel {
   std::string units;
   bool is_integer = false;
   bool is_reversed = false;  ///< orientation "-ve"
-  std::optional<double> least, most;
+  std::optional<double> smallest, largest;
 };
 
 /// The channels of a point in order: first the regular ones, then the intermittent ones, which a

@@ -297,8 +297,8 @@ class InkmlReader {
         (is_x ? scale_x : scale_y) = mm;
       } else if (channel.name == ChannelName::kForce) {
         c.force = i;
-        c.min_force = channel.least.value_or(0.0);
-        c.full_force = channel.most.value_or(channel.is_integer ? kUsualFullPressure : 1.0);
+        c.min_force = channel.smallest.value_or(0.0);
+        c.full_force = channel.largest.value_or(channel.is_integer ? kUsualFullPressure : 1.0);
         if (!(c.full_force > c.min_force)) c.force = Columns::kNone;
       } else if (channel.name == ChannelName::kTime) {
         c.time = i;

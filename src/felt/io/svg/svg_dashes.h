@@ -16,6 +16,6 @@ namespace felt {
 /// `most` dashes.
 std::optional<std::vector<SvgContour>> svg_dashes(const SvgContour& contour,
                                                   std::span<const double> pattern, double offset,
-                                                  bool keep_dots, std::size_t most);
+                                                  bool keep_dots, std::size_t largest);
 
 }  // namespace felt

@@ -340,10 +340,10 @@ TEST(SvgForeign, UseReachesItsLimit) {
     for (std::int64_t i = 0; i < count; ++i) text += "<use xlink:href='#p'/>";
     return strokes(imported(svg(text))).size();
   };
-  const auto most = static_cast<std::size_t>(limits::kMaxSvgUseElements);
-  EXPECT_EQ(uses(limits::kMaxSvgUseElements - 1), most);
-  EXPECT_EQ(uses(limits::kMaxSvgUseElements), most + 1);
-  EXPECT_EQ(uses(limits::kMaxSvgUseElements + 1), most + 1);
+  const auto largest = static_cast<std::size_t>(limits::kMaxSvgUseElements);
+  EXPECT_EQ(uses(limits::kMaxSvgUseElements - 1), largest);
+  EXPECT_EQ(uses(limits::kMaxSvgUseElements), largest + 1);
+  EXPECT_EQ(uses(limits::kMaxSvgUseElements + 1), largest + 1);
 }
 
 TEST(SvgForeign, DashesEnd) {

@@ -49,11 +49,11 @@ Rgba color_of(const std::string& color) {
   return read.strokes.empty() ? Rgba{} : read.strokes[0].color();
 }
 
-void expect_near(Rgba a, Rgba b, int most) {
-  EXPECT_LE(std::abs(a.r - b.r), most);
-  EXPECT_LE(std::abs(a.g - b.g), most) << int{a.g} << " " << int{b.g};
-  EXPECT_LE(std::abs(a.b - b.b), most);
-  EXPECT_LE(std::abs(a.a - b.a), most);
+void expect_near(Rgba a, Rgba b, int largest) {
+  EXPECT_LE(std::abs(a.r - b.r), largest);
+  EXPECT_LE(std::abs(a.g - b.g), largest) << int{a.g} << " " << int{b.g};
+  EXPECT_LE(std::abs(a.b - b.b), largest);
+  EXPECT_LE(std::abs(a.a - b.a), largest);
 }
 
 // The expected values for these colours are from CSS Color 4 and web-platform-tests.

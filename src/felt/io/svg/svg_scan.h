@@ -11,8 +11,8 @@ namespace felt {
 class SvgScan {
  public:
   /// Numbers with a magnitude beyond `most` are not read.
-  explicit SvgScan(std::string_view text, double most = 1e9) noexcept
-      : text_(text), size_(text.size()), max_(most) {}
+  explicit SvgScan(std::string_view text, double largest = 1e9) noexcept
+      : text_(text), size_(text.size()), max_(largest) {}
 
   void skip_spaces() noexcept;
   /// Skips spaces with at most one comma among them.

@@ -79,7 +79,7 @@ Result<void> SvgWalker::begin() {
   place_page(box, root, e.state);
   sink_.root(root);
   if (!resolve(e)) return {};
-  if (e.state.variables) document_.page().set_root_variables(*e.state.variables);
+  if (e.state.variables) document_.sheet().set_root_variables(*e.state.variables);
   if (const auto color = svg_color(e.declared[SvgProperty::kBackgroundColor]); color) {
     sink_.paper(*color);
   }

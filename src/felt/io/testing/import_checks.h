@@ -41,15 +41,15 @@ inline double distance_of(const Stroke& a, const Stroke& b) {
   flatten(b, 0.002, to);
   double largest = 0.0;
   for (const Dab& dab : from) {
-    double least = distance(dab.center, to[0].center);
+    double smallest = distance(dab.center, to[0].center);
     for (std::size_t i = 1; i < to.size(); ++i) {
       const Point p = to[i - 1].center;
       const Vec way = to[i].center - p;
       const double t =
           std::clamp(dot(dab.center - p, way) / std::max(norm_squared(way), 1e-30), 0.0, 1.0);
-      least = std::min(least, distance(dab.center, p + t * way));
+      smallest = std::min(smallest, distance(dab.center, p + t * way));
     }
-    largest = std::max(largest, least);
+    largest = std::max(largest, smallest);
   }
   return largest;
 }

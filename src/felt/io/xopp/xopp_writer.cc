@@ -146,11 +146,11 @@ class XoppParts final : public DrawingParts {
     const auto by_width = [](const WidePoint& a, const WidePoint& b) {
       return a.width_mm < b.width_mm;
     };
-    const auto [least, most] = std::minmax_element(line.begin(), line.end(), by_width);
+    const auto [smallest, largest] = std::minmax_element(line.begin(), line.end(), by_width);
     out += ink.a == 255 ? "<stroke tool=\"pen\" color=\"" : "<stroke tool=\"highlighter\" color=\"";
     out += color_text(ink) + "\" width=\"";
-    append_points(out, most->width_mm);
-    if (most->width_mm - least->width_mm > 1e-6) {
+    append_points(out, largest->width_mm);
+    if (largest->width_mm - smallest->width_mm > 1e-6) {
       for (std::size_t i = 1; i < line.size(); ++i) {
         out += ' ';
         append_points(out, 0.5 * (line[i - 1].width_mm + line[i].width_mm));

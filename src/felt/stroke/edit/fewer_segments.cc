@@ -135,9 +135,9 @@ class RunFit {
     }
     const double det = c11 * c22 - c12 * c12;
     if (!(det > 1e-12 * c11 * c22)) return false;
-    const double least = kMinHandle * length_, most = kMaxHandle * length_;
-    set_handles(std::clamp((x1 * c22 - x2 * c12) / det, least, most),
-                std::clamp((c11 * x2 - c12 * x1) / det, least, most));
+    const double smallest = kMinHandle * length_, largest = kMaxHandle * length_;
+    set_handles(std::clamp((x1 * c22 - x2 * c12) / det, smallest, largest),
+                std::clamp((c11 * x2 - c12 * x1) / det, smallest, largest));
     return true;
   }
 
@@ -160,9 +160,9 @@ class RunFit {
       const double share = norm_squared(rest) / (a * a + b * b);
       const double start_mm = distance(curve_.p[0], curve_.p[1]) + share * a;
       const double end_mm = distance(curve_.p[2], curve_.p[3]) + share * b;
-      const double least = kMinHandle * length_, most = kMaxHandle * length_;
+      const double smallest = kMinHandle * length_, largest = kMaxHandle * length_;
       // NaN compares false.
-      if (!(std::min(start_mm, end_mm) >= least && std::max(start_mm, end_mm) <= most))
+      if (!(std::min(start_mm, end_mm) >= smallest && std::max(start_mm, end_mm) <= largest))
         return false;
       set_handles(start_mm, end_mm);
     }
@@ -193,7 +193,7 @@ class RunFit {
   /// of its control points.
   [[nodiscard]] bool is_within(double tolerance_mm) const {
     const int count = static_cast<int>(places_.size()) - 1;
-    const double most = tolerance_mm * tolerance_mm;
+    const double largest = tolerance_mm * tolerance_mm;
     for (int k = 0; k < count; ++k) {
       const auto i = static_cast<std::size_t>(k);
       const double from = static_cast<double>(k % kPlaces) / kPlaces;
@@ -201,7 +201,7 @@ class RunFit {
                                     k % kPlaces + 1 == kPlaces ? 1.0 : from + 1.0 / kPlaces);
       const Cubic now = sub_segment(curve_, t_[i], t_[i + 1]);
       for (std::size_t j = 0; j < 4; ++j) {
-        if (!(distance_squared(old.p[j], now.p[j]) <= most)) return false;
+        if (!(distance_squared(old.p[j], now.p[j]) <= largest)) return false;
       }
     }
     return true;
@@ -284,17 +284,17 @@ std::optional<std::pair<RunFit, int>> longest(const Stroke& stroke, int first, i
     best.emplace(std::move(fit), last);
     return true;
   };
-  const int most = std::min(end, first + kMaxRun);
-  int good = first + 1, bad = most + 1, failures = 0;
-  for (int length = 2; good < most && failures < kFailures; length += 1 + length / kGrowth) {
-    const int last = std::min(first + length, most);
+  const int largest = std::min(end, first + kMaxRun);
+  int good = first + 1, bad = largest + 1, failures = 0;
+  for (int length = 2; good < largest && failures < kFailures; length += 1 + length / kGrowth) {
+    const int last = std::min(first + length, largest);
     if (fits(last)) {
       good = last;
-      bad = most + 1;
+      bad = largest + 1;
       failures = 0;
     } else {
       if (failures++ == 0) bad = last;
-      if (last == most) break;
+      if (last == largest) break;
     }
   }
   while (bad - good > 1) {

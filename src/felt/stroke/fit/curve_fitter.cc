@@ -138,8 +138,8 @@ void CurveFitter::advance(long work) {
 
 // Starts the search for the next run. Returns false if too few samples are available.
 bool CurveFitter::start_search() {
-  const std::size_t least = next_kind_ == RunStart::Kind::kFree ? 2 : 1;
-  if (corners_.decided() < next_first_ + least) return false;
+  const std::size_t smallest = next_kind_ == RunStart::Kind::kFree ? 2 : 1;
+  if (corners_.decided() < next_first_ + smallest) return false;
   const Point at = points_.empty() ? kept_.point(next_first_) : points_.back();
   run_.begin(kept_, {next_kind_, at, next_tangent_}, next_first_, detail_);
   phase_ = Phase::kSearch;

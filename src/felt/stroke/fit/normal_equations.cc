@@ -131,11 +131,11 @@ bool solve_tangent(const NormalSums& sums, const Priors& priors, Point origin, V
   const System<5> kept = s;
   if (!solve_in_place(s)) return false;
   double handle = s.b[0];
-  const double least = SegmentFit::kMinHandle * priors.length_mm;
-  const double most = SegmentFit::kMaxHandle * priors.length_mm;
+  const double smallest = SegmentFit::kMinHandle * priors.length_mm;
+  const double largest = SegmentFit::kMaxHandle * priors.length_mm;
   std::array<double, 4> rest = {s.b[1], s.b[2], s.b[3], s.b[4]};
-  if (handle < least || handle > most) {
-    handle = handle < least ? least : most;
+  if (handle < smallest || handle > largest) {
+    handle = handle < smallest ? smallest : largest;
     System<4> bound;
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = 0; j <= i; ++j) bound.a[i][j] = kept.a[i + 1][j + 1];

@@ -11,7 +11,7 @@ namespace {
 // Number of gate updates in one step. They take about as long as a small exact fit.
 constexpr std::size_t kGateStep = 32;
 // The gate tests only runs of at least this many samples, because a cubic fits any smaller number.
-constexpr std::size_t kGateLeast = 4;
+constexpr std::size_t kGateMin = 4;
 
 std::size_t longer(std::size_t count) {
   return count + std::max<std::size_t>(1, count / 4);
@@ -70,7 +70,7 @@ RunSearch::Status RunSearch::run_gate(const SampleWindow& window, std::size_t av
     moments_.add(window.point(i), lead_mm_ + (window.path_mm(i) - window.path_mm(first_)));
     tightest_ = std::max(tightest_, window.inverse_limit()[i]);
     ++gated_;
-    if (gated_ < kGateLeast) continue;
+    if (gated_ < kGateMin) continue;
     if (!(moments_.residual() * tightest_ <= 1.0)) {
       phase_ = Phase::kGallop;
       next_ = gated_;
@@ -105,8 +105,8 @@ RunSearch::Status RunSearch::run_gallop(const SampleWindow& window, std::size_t 
 }
 
 RunSearch::Status RunSearch::run_bisect(const SampleWindow& window) noexcept {
-  const std::size_t least = min_count();
-  if (bad_ <= least) {
+  const std::size_t smallest = min_count();
+  if (bad_ <= smallest) {
     bridge(window);
     phase_ = Phase::kDone;
     return Status::kDone;
@@ -118,7 +118,7 @@ RunSearch::Status RunSearch::run_bisect(const SampleWindow& window) noexcept {
   std::size_t middle = (good_ + bad_) / 2;
   // Tries the longest run that the gate has proven first, because a fit of it usually succeeds.
   if (proven_ > good_ && proven_ < bad_) middle = proven_;
-  middle = std::max(middle, least);
+  middle = std::max(middle, smallest);
   if (!try_count(window, middle)) bad_ = middle;
   return Status::kBusy;
 }

@@ -99,15 +99,15 @@ bool SegmentFit::solve(const SampleWindow& window, double tangent_weight, End en
   for (std::size_t i = 0; i < count_; ++i) weight += weights[i];
   // Samples determine the curve mainly across its direction. Along its direction, only the end
   // sample determines it, so the weight of the end sample grows with the number of samples.
-  const double least = kEndShare * weight;
+  const double smallest = kEndShare * weight;
   const double end_weight = end == End::kPinned ? kPinWeight * weight / static_cast<double>(count_)
-                                                : std::max(least, weights[count_ - 1]);
+                                                : std::max(smallest, weights[count_ - 1]);
   detail::NormalSums sums;  // uninitialised: every value that is read is written first
   detail::Priors priors{weight * kEnergy, weight * kRidge, last, length_mm_};
   switch (start_.kind) {
     case RunStart::Kind::kFree:
       detail::accumulate_free_start(power, run, t_.data(), 1, count_ - 1, tangent_weight, sums);
-      detail::add_end_sample(sums, 0, Vec{}, std::max(least, weights[0]));
+      detail::add_end_sample(sums, 0, Vec{}, std::max(smallest, weights[0]));
       detail::add_end_sample(sums, 3, last, end_weight);
       if (!detail::solve_free(sums, priors, start_.point, curve_)) return false;
       break;

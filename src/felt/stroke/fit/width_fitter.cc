@@ -14,16 +14,16 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 void WidthFitter::Values::add(double value) noexcept {
-  least = std::min(least, value);
-  most = std::max(most, value);
+  smallest = std::min(smallest, value);
+  largest = std::max(largest, value);
   sum += value;
   last = value;
 }
 
 WidthFitter::Range WidthFitter::Channel::allowed() const noexcept {
-  const double low = here.most - tolerance, high = here.least + tolerance;
+  const double low = here.largest - tolerance, high = here.smallest + tolerance;
   if (low > high) {
-    const double middle = 0.5 * (here.least + here.most);
+    const double middle = 0.5 * (here.smallest + here.largest);
     return {middle, middle};
   }
   // Clamps to the limits of the stroke model too, so that every knot is within them (I4, I7).

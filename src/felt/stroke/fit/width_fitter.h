@@ -63,7 +63,7 @@ class WidthFitter {
   };
   // The values at one position.
   struct Values {
-    double least = 0.0, most = 0.0, sum = 0.0, last = 0.0;
+    double smallest = 0.0, largest = 0.0, sum = 0.0, last = 0.0;
 
     void start(double value) noexcept { *this = {value, value, 0.0, value}; }
     void add(double value) noexcept;

@@ -160,7 +160,7 @@ void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out) {
 void flatten(const Stroke& stroke, int first, int last, double tolerance_mm,
              std::vector<Dab>& out) {
   const auto knots = stroke.widths();
-  const int most = std::max(1, kMaxStrokeSteps / stroke.segment_count());
+  const int largest = std::max(1, kMaxStrokeSteps / stroke.segment_count());
   out.clear();
   out.push_back({stroke.segment(first).p[0], 0.5 * stroke.width_mm(first), stroke.tone(first)});
   // The current width piece runs from knot k to k + 1.
@@ -173,7 +173,7 @@ void flatten(const Stroke& stroke, int first, int last, double tolerance_mm,
       const WidthKnot a = knots[k], b = knots[k + 1];
       const bool knot_first = b.u < i + 1;
       const double t1 = knot_first ? b.u - i : 1.0;
-      const int steps = std::min(most, flatten_steps(c, t1 - t0, tolerance_mm));
+      const int steps = std::min(largest, flatten_steps(c, t1 - t0, tolerance_mm));
       const double slope = 0.5 * (b.width_mm - a.width_mm) / (b.u - a.u);
       const double tone_slope = (b.tone - a.tone) / (b.u - a.u);
       const auto dab_at = [&](Point center, double u) {

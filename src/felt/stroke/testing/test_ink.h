@@ -58,9 +58,9 @@ class TestInk {
   }
 
   /// Returns 2 to `most` samples of ink of any shape.
-  std::vector<Point> draw_any(int most) {
+  std::vector<Point> draw_any(int largest) {
     const auto last = static_cast<int>(kAllShapes.size()) - 1;
-    return draw(kAllShapes[static_cast<std::size_t>(pick(0, last))], pick(2, most));
+    return draw(kAllShapes[static_cast<std::size_t>(pick(0, last))], pick(2, largest));
   }
 
   /// Returns a tolerance between 0.05 and 3 mm; its logarithm is uniform.
@@ -146,8 +146,8 @@ class TestInk {
   }
 
   // Returns true while the pen rests, for up to `most` samples at a time.
-  bool rest(int most) {
-    if (left_ == 0) left_ = chance(0.1) ? pick(1, most) : -pick(1, 10);
+  bool rest(int largest) {
+    if (left_ == 0) left_ = chance(0.1) ? pick(1, largest) : -pick(1, 10);
     left_ += left_ > 0 ? -1 : 1;
     return left_ > 0;
   }

@@ -95,7 +95,7 @@ void append(StrokeData& data, const StrokeData& more) {
 /// Cuts the stroke at arc length `reach` from the tip, or at the nearest joint if the cut would
 /// leave too short a segment. The cut is at least `least` from the tip. Returns nullopt if the
 /// stroke is shorter than that.
-std::optional<Zone> zone_of(const Stroke& stroke, StrokeTip tip, double reach, double least) {
+std::optional<Zone> zone_of(const Stroke& stroke, StrokeTip tip, double reach, double smallest) {
   const int n = stroke.segment_count();
   const bool start = tip == StrokeTip::kStart;
   Zone zone;
@@ -117,7 +117,7 @@ std::optional<Zone> zone_of(const Stroke& stroke, StrokeTip tip, double reach, d
       return zone;
     }
     zone.data = stroke.data();
-    const bool here = before >= least && 2.0 * (reach - before) < length;
+    const bool here = before >= smallest && 2.0 * (reach - before) < length;
     zone.segments = here ? i : i + 1;
     if (!here) zone.at_mm.push_back(before + length);
     return zone;

@@ -90,10 +90,10 @@ int sign_changes(const Piece& piece, std::size_t n) noexcept {
 /// Adds the part of a piece that is below zero. Returns false if the piece must be halved first.
 bool settle(const Piece& piece, std::size_t n, UnitParts& parts) noexcept {
   const auto end = piece.c.begin() + static_cast<std::ptrdiff_t>(n);
-  const auto [least, most] = std::minmax_element(piece.c.begin(), end);
-  if (*least >= 0.0) return true;
+  const auto [smallest, largest] = std::minmax_element(piece.c.begin(), end);
+  if (*smallest >= 0.0) return true;
   const double to = piece.from + piece.width;
-  if (*most <= 0.0) {
+  if (*largest <= 0.0) {
     parts.append({piece.from, to});
     return true;
   }

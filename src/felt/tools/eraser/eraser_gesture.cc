@@ -49,7 +49,7 @@ bool EraserGesture::shows(std::int64_t time_ns) {
   if (!changed_) return false;
   const double many = static_cast<double>(divisions_.size());
   const double pause = std::clamp(static_cast<double>(kShowNsPerStroke) * many,
-                                  static_cast<double>(kShowNs), static_cast<double>(kShowNsAtMost));
+                                  static_cast<double>(kShowNs), static_cast<double>(kMaxShowNs));
   const double since = static_cast<double>(time_ns) - static_cast<double>(shown_ns_);
   if (since >= 0.0 && since < pause) return false;
   shown_ns_ = time_ns;
@@ -174,12 +174,12 @@ bool EraserGesture::Line::is_due(std::int64_t time_ns) const noexcept {
                       static_cast<double>(kCutPauseNsPerPlace) * static_cast<double>(cut_places);
 }
 
-void EraserGesture::cut(int most, std::int64_t time_ns, const Scene& scene) {
+void EraserGesture::cut(int largest, std::int64_t time_ns, const Scene& scene) {
   const auto waiting = std::min<std::size_t>(to_cut_.size(), kMaxWaiting);
-  for (std::size_t k = 0; k < waiting && most > 0; ++k) {
+  for (std::size_t k = 0; k < waiting && largest > 0; ++k) {
     if (lines_.at(to_cut_.front()).is_due(time_ns)) {
       cut_next(time_ns, scene);
-      --most;
+      --largest;
     } else {
       to_cut_.push_back(to_cut_.front());
       to_cut_.pop_front();

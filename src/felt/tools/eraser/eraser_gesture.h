@@ -52,7 +52,7 @@ class EraserGesture {
   /// longer, because a preview copies the strokes; at most kShowNsAtMost.
   static constexpr std::int64_t kShowNs = 8'000'000;
   static constexpr std::int64_t kShowNsPerStroke = 10'000;
-  static constexpr std::int64_t kShowNsAtMost = 40'000'000;
+  static constexpr std::int64_t kMaxShowNs = 40'000'000;
 
   EraserGesture(const EraserSettings& settings, EraserMode mode) noexcept
       : settings_(settings), mode_(mode) {}
@@ -107,7 +107,7 @@ class EraserGesture {
   Line& line_of(StrokeId id, const Scene& scene);
   const StrokePtr& looked_at(StrokeId id, const Scene& scene);
   void mark(StrokeId id, Line& line);
-  void cut(int most, std::int64_t time_ns, const Scene& scene);
+  void cut(int largest, std::int64_t time_ns, const Scene& scene);
   void cut_next(std::int64_t time_ns, const Scene& scene);
   bool shows(std::int64_t time_ns);
 

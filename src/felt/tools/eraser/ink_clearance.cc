@@ -183,8 +183,8 @@ std::vector<InkClearance::Part> InkClearance::parts() const {
 }
 
 bool InkClearance::stays(const Place& place) noexcept {
-  const double least = std::clamp(place.half_mm, 0.5 * kMinWidthMm, 0.5 * kThinnestMm);
-  return place.clear_mm >= least - 1e-12;
+  const double smallest = std::clamp(place.half_mm, 0.5 * kMinWidthMm, 0.5 * kThinnestMm);
+  return place.clear_mm >= smallest - 1e-12;
 }
 
 InkClearance::Run InkClearance::trimmed(const Part& part, Run run) {

@@ -98,9 +98,9 @@ std::shared_ptr<const Stroke> RemainingPieces::make(Interval part) const {
   const double n = stroke_->segment_count();
   const double middle = 0.5 * (part.from + part.to);
   const double width = stroke_->width_mm(middle > n ? middle - n : middle);
-  const double least = crumbs_ == Crumbs::kOfLine ? std::max(kMinPieceMm, 0.5 * width)
-                                                  : std::max(kMinSegmentMm, kMinPieceMm - width);
-  if (!is_as_long_as(*stroke_, part, least)) return nullptr;
+  const double smallest = crumbs_ == Crumbs::kOfLine ? std::max(kMinPieceMm, 0.5 * width)
+                                                     : std::max(kMinSegmentMm, kMinPieceMm - width);
+  if (!is_as_long_as(*stroke_, part, smallest)) return nullptr;
   auto piece = sub_stroke_of(*stroke_, part);
   if (!piece) {
     // Making the piece can fail because of rounding if the ink is kilometres away from the page.

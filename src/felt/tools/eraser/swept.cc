@@ -68,8 +68,8 @@ class Sweep {
   void add(const Cubic& curve, double u0, double u1, double width0, double width1) {
     const double half = capsule_.adds_half_width ? 0.5 : 0.0;
     const Tube tube(curve, capsule_.radius_mm + half * width0, capsule_.radius_mm + half * width1);
-    const double most = std::max(tube.radius[0], tube.radius[3]);
-    if (!control_bounds(curve).intersects(axis_.inflated(most))) return;
+    const double largest = std::max(tube.radius[0], tube.radius[3]);
+    if (!control_bounds(curve).intersects(axis_.inflated(largest))) return;
     unite(within_disc(tube, capsule_.to), u0, u1);
     if (capsule_.from == capsule_.to) return;
     if (!capsule_.goes_on) unite(within_disc(tube, capsule_.from), u0, u1);

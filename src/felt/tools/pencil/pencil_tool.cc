@@ -191,15 +191,16 @@ std::optional<ToolSize> PencilTool::size() const {
 std::vector<std::pair<std::string_view, double>> PencilTool::options_for_size(double mm) const {
   const std::optional<ToolSize> now = size();
   const double wanted = std::clamp(mm, now->min_mm, now->max_mm);
-  const OptionSpec& least = kPencilOptions[PencilOption::Row::kMinWidth];
-  const OptionSpec& most = kPencilOptions[PencilOption::Row::kMaxWidth];
+  const OptionSpec& smallest = kPencilOptions[PencilOption::Row::kMinWidth];
+  const OptionSpec& largest = kPencilOptions[PencilOption::Row::kMaxWidth];
   const double share = share_of_mouse(options());
   const double thin = std::clamp(options().number(PencilOption::Row::kMinWidth) * wanted / now->mm,
-                                 least.min, std::min(wanted, least.max));
+                                 smallest.min, std::min(wanted, smallest.max));
   const double broad = share > 0.0
                            ? thin + (wanted - thin) / share
                            : options().number(PencilOption::Row::kMaxWidth) * wanted / now->mm;
-  return {{least.id, thin}, {most.id, std::clamp(broad, std::max(thin, most.min), most.max)}};
+  return {{smallest.id, thin},
+          {largest.id, std::clamp(broad, std::max(thin, largest.min), largest.max)}};
 }
 
 }  // namespace felt

@@ -37,12 +37,12 @@ struct Refresh {
 };
 
 Refresh most_of(const std::vector<Refresh>& refreshes, std::size_t from, std::size_t to) {
-  Refresh most;
+  Refresh largest;
   for (std::size_t i = from; i < to; ++i) {
-    most.copied = std::max(most.copied, refreshes[i].copied);
-    most.compared = std::max(most.compared, refreshes[i].compared);
+    largest.copied = std::max(largest.copied, refreshes[i].copied);
+    largest.compared = std::max(largest.compared, refreshes[i].compared);
   }
-  return most;
+  return largest;
 }
 
 TEST(WetInk, ARefreshCostsTheSameWhateverTheLengthOfTheStroke) {

@@ -60,10 +60,10 @@ BrushPull::BrushPull(StrokePtr snapshot, double u0, const BrushOptions& options)
   cut(places, {});
   if (!reach.is_whole) {
     const double radius = std::max(reach.before.radius_mm, reach.after.radius_mm);
-    const double most_error = kPullShare * tolerance_mm_ / (kExactRadii * radius);
+    const double largest_error = kPullShare * tolerance_mm_ / (kExactRadii * radius);
     plan(reach);
     for (int round = 0; round < kMaxRounds; ++round) {
-      const std::vector<double> more = crooked(most_error);
+      const std::vector<double> more = crooked(largest_error);
       if (more.empty()) break;
       const Joints& j = joints_;
       cut(std::array<double, 5>{double(j.first), double(j.held_first), double(j.grab),
@@ -143,14 +143,14 @@ void BrushPull::add_runs(int count, const BrushSide& side, double sign) {
 
 /// Returns the middles of the segments over which the influence differs from a cubic in t by more
 /// than `most_error`.
-std::vector<double> BrushPull::crooked(double most_error) const {
+std::vector<double> BrushPull::crooked(double largest_error) const {
   std::vector<double> middles;
   for (const Run& run : runs_) {
     const Cubic c = run.sign > 0.0 ? segment(run.segment) : reversed(segment(run.segment));
     for (const double t : {0.25, 0.5, 0.75}) {
       const double way = run.start_mm + arc_length(c, 0.0, t, kPullAccuracy);
       const double error = influence(way / run.radius_mm) - bernstein(run.weights, t);
-      if (std::fabs(error) > most_error) {
+      if (std::fabs(error) > largest_error) {
         middles.push_back(run.segment + 0.5);
         break;
       }

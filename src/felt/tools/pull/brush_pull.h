@@ -68,7 +68,7 @@ class BrushPull {
   void cut(std::span<const double> places, std::span<const double> more);
   void plan(const BrushReach& reach);
   void add_runs(int count, const BrushSide& side, double sign);
-  [[nodiscard]] std::vector<double> crooked(double most_error) const;
+  [[nodiscard]] std::vector<double> crooked(double largest_error) const;
   void stand_up();
   void weigh(bool is_whole);
   void find_grab();

@@ -439,7 +439,7 @@ TEST(BrushPull, R24_TenThousandPullsLeaveAGoodLine) {
   StrokePtr s = share(first);
   RandomStroke random(1);
   double worst_turn = 0.0, longest = 0.0, min_handle = 1.0;
-  int most = 0, refused = 0;
+  int largest = 0, refused = 0;
   for (int k = 0; k < kManyPulls; ++k) {
     // Random pulls to a position within 2 mm of the original line, repeatedly out and back.
     const double u0 = random.uniform(0.0, s->segment_count());
@@ -452,7 +452,7 @@ TEST(BrushPull, R24_TenThousandPullsLeaveAGoodLine) {
     }
     s = share(*next);
     worst_turn = std::max(worst_turn, largest_turn_deg(*s));
-    most = std::max(most, s->segment_count());
+    largest = std::max(largest, s->segment_count());
     if (k % 100 == 0) longest = std::max(longest, ArcMap(*s, 1e-3).length_mm());
   }
   for (int i = 0; i < s->segment_count(); ++i) {
@@ -462,12 +462,12 @@ TEST(BrushPull, R24_TenThousandPullsLeaveAGoodLine) {
   }
   RecordProperty("segments_before", first.segment_count());
   RecordProperty("segments_after", s->segment_count());
-  RecordProperty("segments_most", most);
+  RecordProperty("segments_most", largest);
   RecordProperty("length_before_mm", std::to_string(length));
   RecordProperty("length_after_mm", std::to_string(ArcMap(*s).length_mm()));
   RecordProperty("length_longest_mm", std::to_string(longest));
   EXPECT_LE(worst_turn, 1e-6);
-  EXPECT_LE(most, 3 * first.segment_count());
+  EXPECT_LE(largest, 3 * first.segment_count());
   EXPECT_LE(s->segment_count(), 2 * first.segment_count());
   EXPECT_LE(longest, length + 2.0 * 10.0);
   EXPECT_GE(min_handle, 0.02);

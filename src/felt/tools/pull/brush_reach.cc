@@ -117,14 +117,14 @@ BrushReach brush_reach(const Stroke& stroke, const ArcMap& map, double u0,
     first = hold(before.pins(), options.radius_mm);
     last = hold(after.pins(), options.radius_mm);
   }
-  double most = kFar;
+  double largest = kFar;
   if (stroke.closed()) {
     const double rest = map.length_mm() - first.held_mm - last.held_mm;
     reach.is_whole = rest < 10.0 * kNoRoomMm;
-    most = 0.5 * rest;
+    largest = 0.5 * rest;
   }
-  reach.before = side_of(before, first, most, options);
-  reach.after = side_of(after, last, most, options);
+  reach.before = side_of(before, first, largest, options);
+  reach.after = side_of(after, last, largest, options);
   if (!stroke.closed()) {
     // The stroke is held up to both ends, or too short for the influence to fall off (a dot).
     reach.is_whole = (reach.before.way_mm < kNoRoomMm && reach.after.way_mm < kNoRoomMm) ||

@@ -12,12 +12,12 @@ namespace {
 
 /// Returns the u of the point of a stroke nearest to p.
 double nearest_u(const Stroke& stroke, Point p) {
-  double best = 0.0, least = distance_squared(stroke.position(0.0), p);
+  double best = 0.0, smallest = distance_squared(stroke.position(0.0), p);
   for (int i = 0; i < stroke.segment_count(); ++i) {
-    const auto near = nearest_within(stroke.segment(i), p, least);
+    const auto near = nearest_within(stroke.segment(i), p, smallest);
     if (!near) continue;
     best = i + near->t;
-    least = near->distance_squared;
+    smallest = near->distance_squared;
   }
   return best;
 }

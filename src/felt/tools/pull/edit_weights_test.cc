@@ -97,13 +97,13 @@ TEST(EditWeights, Eq7AsPrintedFallsShort) {
   // the displacement at t = .39, all of it at the ends.
   const EditWeights w = printed_weights(0.5);
   EXPECT_EQ(w.w, (std::array<double, 4>{0.125, 0.375, 0.375, 0.5}));
-  double least = 1.0, where = 0.0;
+  double smallest = 1.0, where = 0.0;
   for (int i = 0; i <= 100; ++i) {
     const double t = 0.01 * i, gain = printed_weights(t).gain(t);
-    if (gain < least) where = t;
-    least = std::min(least, gain);
+    if (gain < smallest) where = t;
+    smallest = std::min(smallest, gain);
   }
-  EXPECT_NEAR(least, 0.3417, 1e-3);
+  EXPECT_NEAR(smallest, 0.3417, 1e-3);
   EXPECT_NEAR(where, 0.39, 0.011);
   EXPECT_EQ(printed_weights(0.0).gain(0.0), 1.0);
   EXPECT_EQ(printed_weights(1.0).gain(1.0), 1.0);

@@ -144,7 +144,7 @@ TEST(GrabPull, R24_TwoThousandCommittedPullsDoNotBlowUp) {
   RandomStroke random(2400);
   const StrokePtr first = wave(8);
   StrokePtr stroke = first;
-  std::size_t most = 0;
+  std::size_t largest = 0;
   for (int k = 0; k < 2000; ++k) {
     const Point home = first->position(random.uniform(0.0, 8.0));
     const double u = nearest_u(*stroke, home);
@@ -152,9 +152,9 @@ TEST(GrabPull, R24_TwoThousandCommittedPullsDoNotBlowUp) {
     const Result<Stroke> done = GrabPull(stroke, u, {}).finished(to - stroke->position(u));
     ASSERT_TRUE(done) << k << ": " << done.error().message;
     stroke = share(*done);
-    most = std::max(most, static_cast<std::size_t>(stroke->segment_count()));
+    largest = std::max(largest, static_cast<std::size_t>(stroke->segment_count()));
   }
-  EXPECT_LE(most, 40U);                                    // measured: 30
+  EXPECT_LE(largest, 40U);                                 // measured: 30
   EXPECT_LT(length_of(*stroke), 2.5 * length_of(*first));  // measured: 1.95
 }
 

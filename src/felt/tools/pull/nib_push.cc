@@ -215,8 +215,8 @@ bool NibPush::divide_within(double s_mm, double reach_mm) {
     // Skips the segment unless one of its ends is within reach or the point at s_mm lies on it.
     if (std::min(to_start, to_end) >= reach_mm && to_start + to_end > length + 1e-6) continue;
     is_in_pieces_[origin] = 1;
-    const int most = kMaxSegments - strand_.count() + 1;
-    divided = strand_.divide_evenly(i, kPieceRadii * radius_mm_, most) > 1 || divided;
+    const int largest = kMaxSegments - strand_.count() + 1;
+    divided = strand_.divide_evenly(i, kPieceRadii * radius_mm_, largest) > 1 || divided;
   }
   if (divided) note_material();
   return divided;

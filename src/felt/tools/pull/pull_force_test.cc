@@ -151,13 +151,13 @@ TEST(PushForce, R29_IsThatOfHowFarTheLineWasPushedWhateverTheSpeed) {
 TEST(PushForce, R29_LinesFromBothSidesAddUpToNoMoreThanTheLaw) {
   Loop loop("push");
   loop.fixture.add(straight_stroke({0, 58}, {200, 58}, 1.0, 2.0));
-  double most = 0.0;
+  double largest = 0.0;
   for (int i = 0; i <= 400; ++i) {
     const Point pen{20 + 0.3 * i, 54 + 3 * std::sin(0.05 * i)};
-    most = std::max(most, norm(loop.at(pen)));
+    largest = std::max(largest, norm(loop.at(pen)));
   }
-  EXPECT_GT(most, 0.2);
-  EXPECT_LT(most, 1.0);
+  EXPECT_GT(largest, 0.2);
+  EXPECT_LT(largest, 1.0);
 }
 
 TEST(PullForce, R30_SweepAndPushAreCalmAndGiveNoEnergy) {

@@ -81,11 +81,11 @@ bool Strand::divide(int i, double t) {
   return true;
 }
 
-int Strand::divide_evenly(int i, double longest_mm, int most) {
+int Strand::divide_evenly(int i, double longest_mm, int largest) {
   constexpr double kAccuracy = 1e-3;
   const double length = arc_length(segment(i), kAccuracy);
   const double wanted = std::ceil(length / longest_mm);
-  const int pieces = std::max(1, static_cast<int>(std::min(wanted, static_cast<double>(most))));
+  const int pieces = std::max(1, static_cast<int>(std::min(wanted, static_cast<double>(largest))));
   int made = 1;
   for (int left = pieces; left > 1; --left, ++made) {
     const int k = i + made - 1;
@@ -235,12 +235,12 @@ void Strand::limit_handles(int i, double longest) noexcept {
   if (std::max(distance(p[0], p[1]), distance(p[2], p[3])) <= longest * chord) return;
   // Shorter handles also shorten the segment, so a margin and several rounds are needed.
   for (int round = 0; round < 8; ++round) {
-    const double most = longest * arc_length(segment(i), 1e-3);
+    const double largest = longest * arc_length(segment(i), 1e-3);
     const double left = distance(p[0], p[1]), right = distance(p[3], p[2]);
-    if (left <= most && right <= most) return;
+    if (left <= largest && right <= largest) return;
     changed_[static_cast<std::size_t>(i)] = 1;
-    if (left > most) p[1] = lerp(p[0], p[1], 0.95 * most / left);
-    if (right > most) p[2] = lerp(p[3], p[2], 0.95 * most / right);
+    if (left > largest) p[1] = lerp(p[0], p[1], 0.95 * largest / left);
+    if (right > largest) p[2] = lerp(p[3], p[2], 0.95 * largest / right);
   }
 }
 

@@ -62,7 +62,7 @@ class Strand {
   bool divide(int i, double t);
   /// Divides segment i into as few pieces of equal arc length as possible, each at most
   /// `longest_mm` long, but into at most `most` pieces. Returns the number of pieces.
-  int divide_evenly(int i, double longest_mm, int most);
+  int divide_evenly(int i, double longest_mm, int largest);
   /// Gives a length (kStandingMm) to zero-length handles at the smooth joints of segment i and its
   /// neighbours.
   void prepare(int i);

@@ -57,11 +57,11 @@ TEST(SweepPull, R24_TenThousandTicks) {
       for (int i = 0; i < now->segment_count(); ++i) {
         const Cubic c = now->segment(i);
         if (tick == 0 || c == stroke->segment(std::min(i, stroke->segment_count() - 1))) continue;
-        const double most = 1.5 * arc_length(c, 1e-4) + 1e-3;
+        const double largest = 1.5 * arc_length(c, 1e-4) + 1e-3;
         // Checks only segments that the sweep has changed, because strokes may have any handles.
         if (seed < 3) {
-          ASSERT_LE(distance(c.p[0], c.p[1]), most) << tick;
-          ASSERT_LE(distance(c.p[2], c.p[3]), most) << tick;
+          ASSERT_LE(distance(c.p[0], c.p[1]), largest) << tick;
+          ASSERT_LE(distance(c.p[2], c.p[3]), largest) << tick;
         }
       }
     }

@@ -79,9 +79,9 @@ std::vector<IronPlaces::Step> IronPlaces::steps_between(int from_joint, int to_j
   constexpr auto kHalf = static_cast<std::size_t>(0.5 * kGuideMm / kSpacingMm);
   // If the seam is not a corner, the ink continues across it, so points from the other side are
   // added at both ends.
-  const std::size_t size = points.size(), most = 2 * kHalf;
+  const std::size_t size = points.size(), largest = 2 * kHalf;
   const bool goes_round = !fixed_.front() && from_joint == 0 && to_joint == stroke_.segment_count();
-  const std::size_t pad = goes_round ? std::min(most, size - 1) : 0;
+  const std::size_t pad = goes_round ? std::min(largest, size - 1) : 0;
   const std::vector<Point> ring = points;
   points.insert(points.begin(), ring.end() - 1 - static_cast<std::ptrdiff_t>(pad), ring.end() - 1);
   points.insert(points.end(), ring.begin() + 1,

@@ -30,7 +30,8 @@ Ironing::Ironing(const Stroke& stroke, const ArcMap& map, const IronOptions& opt
 }
 
 void Ironing::add(double length_mm, double reach_mm, double dose) {
-  const int here = places_.nearest(length_mm), most = places_.count() - (places_.closed() ? 1 : 0);
+  const int here = places_.nearest(length_mm),
+            largest = places_.count() - (places_.closed() ? 1 : 0);
   const auto give = [&](int k) {
     const double way = std::fabs(map_.way(length_mm, places_.length_at(k)));
     if (way >= reach_mm) return false;
@@ -40,7 +41,7 @@ void Ironing::add(double length_mm, double reach_mm, double dose) {
     return true;
   };
   give(places_.wrapped(here));
-  int left = most;
+  int left = largest;
   for (const int side : {1, -1}) {
     for (int i = 1; left > 0; ++i) {
       const int k = here + side * i;

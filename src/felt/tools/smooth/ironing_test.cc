@@ -93,7 +93,7 @@ TEST(JerkFilter, IsTheMinimumAndLeavesFixedAndUnweightedPlacesBitForBit) {
       }
       return sum;
     };
-    const double least = cost(out);
+    const double smallest = cost(out);
     for (std::size_t k = 0; k < row.size(); ++k) {
       if (row[k].is_fixed || row[k].weight == 0.0) {
         EXPECT_EQ(out[k], row[k].point);
@@ -101,7 +101,7 @@ TEST(JerkFilter, IsTheMinimumAndLeavesFixedAndUnweightedPlacesBitForBit) {
         for (const Vec d : {Vec{1e-4, 0}, Vec{-1e-4, 0}, Vec{0, 1e-4}, Vec{0, -1e-4}}) {
           auto moved = out;
           moved[k] += d;
-          EXPECT_GT(cost(moved), least);
+          EXPECT_GT(cost(moved), smallest);
         }
       }
     }
@@ -251,7 +251,7 @@ TEST(Ironing, NeitherOrderNorPortionsMatter) {
 }
 
 TEST(Ironing, WhatIsShownBitByBitIsWhatIsIronedAtOnce) {
-  double most = 0.0;
+  double largest = 0.0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(seed);
     const bool is_tremor = seed % 2 == 0;
@@ -276,12 +276,12 @@ TEST(Ironing, WhatIsShownBitByBitIsWhatIsIronedAtOnce) {
     }
     for (int i = 0; i <= 2000; ++i) {
       const Point p = shown.position(i / 2000.0 * shown.segment_count());
-      most = std::max(most, std::sqrt(nearest_on_polyline(line, p).distance_squared));
+      largest = std::max(largest, std::sqrt(nearest_on_polyline(line, p).distance_squared));
     }
     // The result does not depend on the previews.
     EXPECT_EQ(bits.finished().value(), whole.finished().value());
   }
-  EXPECT_LT(most, 0.03);
+  EXPECT_LT(largest, 0.03);
 }
 
 TEST(Ironing, WidthsStayWhereTheyWereOnTheLine) {

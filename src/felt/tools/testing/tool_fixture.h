@@ -71,7 +71,7 @@ struct Fixture {
 /// A pen that sends samples to a tool. Time advances by step_ns per sample.
 class Pen {
  public:
-  Pen(Tool& tool, Fixture& fixture) : tool_(tool), desk_(fixture) {}
+  Pen(Tool& tool, Fixture& fixture) : tool_(tool), fixture_(fixture) {}
 
   std::int64_t step_ns = 1'000'000;
   double depth = 1.0;  ///< depth in contact, mm; on paper 1 mm is 0.5 N
@@ -87,11 +87,11 @@ class Pen {
   }
   ToolResult give(const PenSample& s) {
     if (!is_pen_position(s.position)) return {};
-    ToolResult result = tool_.sample(s, contact_.update(s), desk_.scene());
-    if (result.selection) desk_.selection = *result.selection;
+    ToolResult result = tool_.sample(s, contact_.update(s), fixture_.scene());
+    if (result.selection) fixture_.selection = *result.selection;
     if (result.commit) {
       ++commits;
-      desk_.apply(*result.commit);
+      fixture_.apply(*result.commit);
     }
     return result;
   }
@@ -113,7 +113,7 @@ class Pen {
 
  private:
   Tool& tool_;
-  Fixture& desk_;
+  Fixture& fixture_;
   Contact contact_;
 };
 

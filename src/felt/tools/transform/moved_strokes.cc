@@ -121,9 +121,9 @@ void MovedStrokes::add(MovedLine line) {
   const bool is_small = line.stroke->segment_count() == 1 && all_marked(line.marks);
   if (!is_small) {
     // The factor allows for rounding.
-    const double least =
+    const double smallest =
         (1.0 + 1e-6) * kMinSegmentMm / shortest_segment_mm(*line.stroke, line.marks);
-    min_scale_ = std::max(min_scale_, least);
+    min_scale_ = std::max(min_scale_, smallest);
   }
   points_ += line.marks.size();
   items_.push_back({std::move(line.stroke), std::move(line.marks), is_small, line.leader});

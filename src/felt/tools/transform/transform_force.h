@@ -33,13 +33,9 @@ class StretchTether {
     const bool x = stretches_x(kind, centre, grab), y = stretches_y(kind, centre, grab);
     if (x && y) law.gain /= std::numbers::sqrt2;
     if (x)
-      x_ = Tether::scale(centre, {grab.x, centre.y}, sum_x)
-               .with_law(law)
-               .with_least_scale(min_scale);
+      x_ = Tether::scale(centre, {grab.x, centre.y}, sum_x).with_law(law).with_min_scale(min_scale);
     if (y)
-      y_ = Tether::scale(centre, {centre.x, grab.y}, sum_y)
-               .with_law(law)
-               .with_least_scale(min_scale);
+      y_ = Tether::scale(centre, {centre.x, grab.y}, sum_y).with_law(law).with_min_scale(min_scale);
   }
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
@@ -106,7 +102,7 @@ inline ForceModel make_transform_force(const Scene& scene, double strength,
   id.with(static_cast<std::uint64_t>(hold->kind)).with(std::uint64_t{hold->gesture});
   id.with(std::uint64_t{hold->constrained ? 1U : 0U});
   const auto with_tether = [&](const Tether& tether) {
-    const Tether held = tether.with_law(law).with_least_scale(hold->min_scale);
+    const Tether held = tether.with_law(law).with_min_scale(hold->min_scale);
     return ForceModel(Compose(surface, hold->constrained ? held.constrained() : held));
   };
   ForceModel model;

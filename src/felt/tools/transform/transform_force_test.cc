@@ -31,12 +31,12 @@ std::vector<Point> points_around(int count, double radius) {
 class Hold {
  public:
   Hold(TransformKind kind, Point grab, const std::vector<Point>& anchors, double strength = 1.0)
-      : model_(make_transform_force(desk_.scene(), strength, &hold_)) {
+      : model_(make_transform_force(fixture_.scene(), strength, &hold_)) {
     hold_.kind = kind;
     hold_.grab = grab;
     hold_.anchors = anchors;
     hold_.gesture = 1;
-    model_ = make_transform_force(desk_.scene(), strength, &hold_);
+    model_ = make_transform_force(fixture_.scene(), strength, &hold_);
   }
   Vec at(Point pen) {
     ForceMemory memory;
@@ -54,7 +54,7 @@ class Hold {
   [[nodiscard]] const ForceModel& model() const { return model_; }
 
  private:
-  Fixture desk_;
+  Fixture fixture_;
   TransformHold hold_;
   ForceModel model_;
 };

@@ -60,8 +60,8 @@ std::vector<WidthKnot> scaled(std::span<const WidthKnot> knots, double factor,
                               double max_width_mm) {
   std::vector<WidthKnot> result(knots.begin(), knots.end());
   for (WidthKnot& knot : result) {
-    const double most = std::max(max_width_mm, knot.width_mm);
-    knot.width_mm = std::clamp(factor * knot.width_mm, kMinWidthMm, most);
+    const double largest = std::max(max_width_mm, knot.width_mm);
+    knot.width_mm = std::clamp(factor * knot.width_mm, kMinWidthMm, largest);
   }
   return result;
 }

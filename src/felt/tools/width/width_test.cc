@@ -114,16 +114,16 @@ TEST(WidthTool, R46_TheResultDoesNotDependOnTheRateOfTheSamples) {
       w.pen.up({90, 0});
       results.push_back(w.stroke());
     }
-    double most = 0.0;
+    double largest = 0.0;
     for (int i = 0; i <= 1000; ++i) {
-      most = std::max(most, results[2].width_mm(0.001 * i) - 2.0);
+      largest = std::max(largest, results[2].width_mm(0.001 * i) - 2.0);
     }
-    EXPECT_GT(most, 0.03);
+    EXPECT_GT(largest, 0.03);
     for (int i = 0; i <= 1000; ++i) {
       const double u = 0.001 * i, exact = results[2].width_mm(u);
       // Each profile has been thinned within 0.01 mm.
-      EXPECT_NEAR(results[0].width_mm(u), exact, 0.01 * most + 0.02) << u;
-      EXPECT_NEAR(results[1].width_mm(u), exact, 0.01 * most + 0.02) << u;
+      EXPECT_NEAR(results[0].width_mm(u), exact, 0.01 * largest + 0.02) << u;
+      EXPECT_NEAR(results[1].width_mm(u), exact, 0.01 * largest + 0.02) << u;
     }
   }
 }

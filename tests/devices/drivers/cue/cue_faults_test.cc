@@ -25,8 +25,8 @@ class Random {
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
   bool one_in(std::size_t count) { return below(count) == 0; }
   double share() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  std::vector<std::uint8_t> bytes(std::size_t most) {
-    std::vector<std::uint8_t> some(below(most + 1));
+  std::vector<std::uint8_t> bytes(std::size_t largest) {
+    std::vector<std::uint8_t> some(below(largest + 1));
     for (std::uint8_t& byte : some) byte = static_cast<std::uint8_t>(engine_());
     return some;
   }
@@ -44,16 +44,17 @@ class Episode {
     fault_every_ = random_.one_in(3) ? 0 : 1 + random_.below(30);
     if (random_.one_in(2)) calls_to_unplugging_ = 1 + random_.below(60);
     const auto fault = [this] { return fault_now(); };
-    desk_.pen.fault = desk_.mouse.fault = desk_.pad.fault = desk_.controller.fault = fault;
-    desk_.pad.slots = static_cast<int>(random_.below(4));
-    desk_.controller.slots = static_cast<int>(random_.below(4));
-    desk_.mouse.is_asleep = random_.one_in(8);
-    desk_.mouse.waveforms = static_cast<std::uint32_t>(random_.below(0x10000));
+    fixture_.pen.fault = fixture_.mouse.fault = fixture_.pad.fault = fixture_.controller.fault =
+        fault;
+    fixture_.pad.slots = static_cast<int>(random_.below(4));
+    fixture_.controller.slots = static_cast<int>(random_.below(4));
+    fixture_.mouse.is_asleep = random_.one_in(8);
+    fixture_.mouse.waveforms = static_cast<std::uint32_t>(random_.below(0x10000));
     if (lies_) lie();
   }
 
   void run() {
-    auto opened = desk_.open(id_);
+    auto opened = fixture_.open(id_);
     if (!opened) {
       EXPECT_FALSE(opened.error().message.empty());
       return;
@@ -62,7 +63,7 @@ class Episode {
     for (int i = 0; i < 200; ++i) {
       const auto passed_ns = static_cast<std::int64_t>(random_.below(60)) * kMs;
       now_ns_ += passed_ns;
-      desk_.pen.now_ns += passed_ns;
+      fixture_.pen.now_ns += passed_ns;
       if (random_.one_in(60)) now_ns_ -= 5000 * kMs;  // the program's clock was set back
       step();
     }
@@ -70,15 +71,15 @@ class Episode {
     device_->stop();
     EXPECT_TRUE(was_unplugged_ || !hums()) << "after stop(), with nothing in its way";
     device_.reset();
-    EXPECT_TRUE(desk_.pad.effects.empty() && desk_.controller.effects.empty());
+    EXPECT_TRUE(fixture_.pad.effects.empty() && fixture_.controller.effects.empty());
     check_rules();
   }
 
   /// Returns what was played, to compare two runs with the same seed.
   [[nodiscard]] std::vector<std::size_t> trace() const {
-    std::vector<std::size_t> all{desk_.mouse.played.size(), desk_.pad.played.size(),
-                                 desk_.controller.played.size(), calls_};
-    for (const FakePen::Played& p : desk_.pen.played)
+    std::vector<std::size_t> all{fixture_.mouse.played.size(), fixture_.pad.played.size(),
+                                 fixture_.controller.played.size(), calls_};
+    for (const FakePen::Played& p : fixture_.pen.played)
       all.push_back(p.ordinal + 1000U * p.intensity);
     return all;
   }
@@ -102,14 +103,14 @@ class Episode {
       descriptor[random_.below(descriptor.size())] = static_cast<std::uint8_t>(random_.below(256));
     }
     if (random_.one_in(4)) descriptor = random_.bytes(200);
-    add_hidraw(desk_.system, 0, kPenKernel, "Slim pen", "", descriptor);
-    desk_.pen.lies = random_.bytes(40);
+    add_hidraw(fixture_.system, 0, kPenKernel, "Slim pen", "", descriptor);
+    fixture_.pen.lies = random_.bytes(40);
     for (std::size_t i = random_.below(40); i > 0; --i) {
       std::vector<std::uint8_t> report = random_.bytes(64);
       if (report.size() > 2 && random_.one_in(2)) report[0] = 0x11, report[1] = 0xFF;
-      desk_.mouse.answers.push_back(std::move(report));
+      fixture_.mouse.answers.push_back(std::move(report));
     }
-    desk_.pad.waveforms = {static_cast<std::uint16_t>(0x1000 + random_.below(20))};
+    fixture_.pad.waveforms = {static_cast<std::uint16_t>(0x1000 + random_.below(20))};
   }
 
   void step() {
@@ -135,23 +136,23 @@ class Episode {
   }
 
   [[nodiscard]] bool hums() const {
-    return (!lies_ && desk_.pen.hums()) || !desk_.pad.playing.empty() ||
-           !desk_.controller.playing.empty();
+    return (!lies_ && fixture_.pen.hums()) || !fixture_.pad.playing.empty() ||
+           !fixture_.controller.playing.empty();
   }
 
   void check_rules() const {
     // A pen that reports wrong values has limits that the driver cannot know.
-    EXPECT_EQ(lies_ ? "" : desk_.pen.broken_rule, "");
-    EXPECT_EQ(lies_ ? "" : desk_.mouse.broken_rule, "");
-    EXPECT_EQ(desk_.pad.broken_rule, "");
-    EXPECT_EQ(desk_.controller.broken_rule, "");
-    for (const FakePen::Played& p : desk_.pen.played) {
+    EXPECT_EQ(lies_ ? "" : fixture_.pen.broken_rule, "");
+    EXPECT_EQ(lies_ ? "" : fixture_.mouse.broken_rule, "");
+    EXPECT_EQ(fixture_.pad.broken_rule, "");
+    EXPECT_EQ(fixture_.controller.broken_rule, "");
+    for (const FakePen::Played& p : fixture_.pen.played) {
       if (lies_) break;
       EXPECT_LE(p.intensity, 100);
       const bool goes_on = p.ordinal >= 4 && p.ordinal <= 7;
       EXPECT_EQ(p.cutoff, goes_on ? 40 : 0) << "what hums ends by itself";
     }
-    for (const FakePad* pad : {&desk_.pad, &desk_.controller}) {
+    for (const FakePad* pad : {&fixture_.pad, &fixture_.controller}) {
       for (const EvdevEffect& effect : pad->played) {
         EXPECT_LE(effect.intensity_percent, 100);
         EXPECT_TRUE(effect.length_ms >= 1 && effect.length_ms <= kCueHoldNs / kMs);
@@ -161,7 +162,7 @@ class Episode {
 
   Random random_;
   std::string id_;
-  CueFixture desk_;
+  CueFixture fixture_;
   std::unique_ptr<CueDevice> device_;
   std::int64_t now_ns_ = 10'000 * kMs;
   std::size_t fault_every_ = 0, calls_ = 0, calls_to_unplugging_ = 0, refusals_ = 0;

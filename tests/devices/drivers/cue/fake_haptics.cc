@@ -248,15 +248,15 @@ bool FakePen::hums() const {
 }
 
 std::size_t FakePen::max_in_a_second() const {
-  std::size_t most = 0;
+  std::size_t largest = 0;
   std::deque<std::int64_t> turns;
   for (const Played& p : played) {
     if (p.ordinal == 2) continue;
     turns.push_back(p.now_ns);
     while (p.now_ns - turns.front() >= 1'000'000'000) turns.pop_front();
-    most = std::max(most, turns.size());
+    largest = std::max(largest, turns.size());
   }
-  return most;
+  return largest;
 }
 
 std::unique_ptr<HidrawPort> FakeMouse::open() {

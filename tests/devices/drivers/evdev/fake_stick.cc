@@ -42,8 +42,8 @@ std::int32_t lever(double z_mm) {
 
 double condition_force(const EvdevCondition& c, double off) {
   const double coefficient = (off > 0.0 ? c.right_coefficient : c.left_coefficient) / 32767.0;
-  const double most = (off > 0.0 ? c.right_saturation : c.left_saturation) / 65535.0;
-  return -std::clamp(coefficient * off, -most, most);
+  const double largest = (off > 0.0 ? c.right_saturation : c.left_saturation) / 65535.0;
+  return -std::clamp(coefficient * off, -largest, largest);
 }
 
 }  // namespace

@@ -285,8 +285,8 @@ TEST(HaplyDriver, AServiceThatWasGivenUpIsToldToLetGoWhenItGoesOn) {
 TEST(HaplyDriver, ForcesDoNotPileUpBeforeAServiceThatStutters) {
   for (std::uint32_t seed = 1; seed <= 300; ++seed) {
     std::mt19937 random(seed);
-    const auto some = [&random](int most) {
-      return static_cast<int>(random() % static_cast<unsigned>(most));
+    const auto some = [&random](int largest) {
+      return static_cast<int>(random() % static_cast<unsigned>(largest));
     };
     std::vector<FaultWindow> faults;
     for (std::int64_t at = 10; at < 400;) {
