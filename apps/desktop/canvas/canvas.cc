@@ -101,7 +101,8 @@ void Canvas::listen() {
   connect(&studio_, &Studio::layer_changed, this, &Canvas::take_layers);
   connect(&studio_, &Studio::tool_changed, this, &Canvas::hint_changed);
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
-    if (id.endsWith(QLatin1String(".material"))) take_grain();
+    if (id == QLatin1String(kSurfaceOptionId) || id.endsWith(QLatin1String(".medium")))
+      take_grain();
     if (id.endsWith(QLatin1String(".mode"))) Q_EMIT hint_changed();
     show_size(id);
   });

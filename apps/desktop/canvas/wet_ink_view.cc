@@ -84,9 +84,9 @@ void WetInkView::set_view(const DeviceView& view) {
   for (Row& row : drying_) remake(row);
 }
 
-void WetInkView::set_grain(const Grain& grain, const std::string& material) {
+void WetInkView::set_grain(const Grain& grain, const std::string& medium) {
   grain_ = grain;
-  material_ = material;
+  medium_ = medium;
 }
 
 void WetInkView::set_outline_mode(bool on) {
@@ -114,7 +114,7 @@ QRegion WetInkView::update(const Overlay& overlay) {
   wet_.stroke = overlay.ink_stroke;
   wet_.stable = overlay.ink_stable;
   wet_.color = overlay.ink_color;
-  wet_.material = material_;
+  wet_.medium = medium_;
   for (const Overlay::InkSegment& segment : ink.subspan(n)) {
     wet_.segments.push_back(segment);
     add(wet_, segment);

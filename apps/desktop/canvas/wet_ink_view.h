@@ -51,7 +51,7 @@ class WetInkView {
  public:
   void set_view(const DeviceView& view);
   /// Sets the grain, and the medium of the strokes in progress by its id.
-  void set_grain(const Grain& grain, const std::string& material);
+  void set_grain(const Grain& grain, const std::string& medium);
   /// Sets whether ink is shown as hairlines.
   void set_outline_mode(bool on);
 
@@ -79,7 +79,7 @@ class WetInkView {
     std::uint64_t stroke = 0;  ///< Overlay::ink_stroke
     std::size_t stable = 0;    ///< Overlay::ink_stable
     Rgba color;
-    std::string material;
+    std::string medium;
     std::size_t firm = 0;              ///< number of segments at the start that the last change
                                        ///< left as they were
     std::size_t settled = 0;           ///< number of segments in the mask
@@ -95,7 +95,7 @@ class WetInkView {
 
   DeviceView view_;
   Grain grain_;
-  std::string material_ = "pencil";
+  std::string medium_ = "pencil";
   bool outline_mode_ = false;
   InkBrush brush_;
   PressureMap pressure_;

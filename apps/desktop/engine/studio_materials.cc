@@ -72,7 +72,7 @@ bool Studio::is_drawn_with(const AnyMaterial& material) const {
   }
   for (const Layer& layer : document.layers()) {
     for (const StrokeId id : layer.strokes) {
-      if (document.find(id)->material() == id_of(material)) return true;
+      if (document.find(id)->medium() == id_of(material)) return true;
     }
   }
   return false;

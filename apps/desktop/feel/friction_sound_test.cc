@@ -45,10 +45,10 @@ TEST(FrictionSound, EverySampleOfThePenGoesToTheSoundByTheRing) {
   Studio studio(still());
   RubbedFeed feed;
   PenFeed pen(studio, feed);
-  QSignalSpy told(&studio, &Studio::sampled);
+  QSignalSpy sampled(&studio, &Studio::sampled);
   draw(studio, 200);
-  ASSERT_GE(told.count(), 190);
-  EXPECT_EQ(feed.samples.size(), std::size_t(told.count()));
+  ASSERT_GE(sampled.count(), 190);
+  EXPECT_EQ(feed.samples.size(), std::size_t(sampled.count()));
   ASSERT_TRUE(feed.pair.update());
   const SurfaceMaterial& surface = studio.session().surface();
   EXPECT_EQ(feed.pair.get().relief, surface_grain(surface));  // R47

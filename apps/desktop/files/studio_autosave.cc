@@ -58,7 +58,7 @@ void StudioAutosave::connect_studio(Studio& studio) {
   connect(&studio, &Studio::materials_changed, this, &StudioAutosave::post_head_soon);
   connect(&studio, &Studio::option_changed, this, [this](const QString& id) {
     // The new medium may be user-defined, and then the autosave needs its text.
-    if (id.endsWith(QLatin1String(".material"))) post_head();
+    if (id == QLatin1String(kSurfaceOptionId) || id.endsWith(QLatin1String(".medium"))) post_head();
   });
   HapticLoop& loop = studio.loop();
   const auto attach = [this, &loop] {
@@ -121,9 +121,9 @@ bool StudioAutosave::lacks_medium_of(const Edit& edit) const {
   const Materials& known = studio_->session().materials();
   const Materials& built_in = Materials::built_in();
   return std::any_of(edit.changes.begin(), edit.changes.end(), [&](const StrokeChange& change) {
-    if (!change.after || media_.contains(change.after->material())) return false;
-    const Medium* medium = known.find_medium(change.after->material());
-    const Medium* ours = built_in.find_medium(change.after->material());
+    if (!change.after || media_.contains(change.after->medium())) return false;
+    const Medium* medium = known.find_medium(change.after->medium());
+    const Medium* ours = built_in.find_medium(change.after->medium());
     return medium && !(ours && *ours == *medium);
   });
 }

@@ -15,7 +15,7 @@ std::vector<std::string> texts_of_used(const Document& document, std::string_vie
   if (own.empty()) return {};
   std::set<std::string, std::less<>> media(also.begin(), also.end());
   for (const Layer& layer : document.layers()) {
-    for (const StrokeId id : layer.strokes) media.insert(document.find(id)->material());
+    for (const StrokeId id : layer.strokes) media.insert(document.find(id)->medium());
   }
   std::vector<std::string> texts;
   for (const AnyMaterial& material : own) {

@@ -188,7 +188,7 @@ Result<StrokeData> InkOfPoints::of_line(std::span<const WidePoint> line) {
   if (Result<void> done = end_run(); !done) return tl::unexpected(done.error());
   const bool is_ring = line_.size() > 3 && line_.front().position == line_.back().position;
   Result<StrokeData> whole = std::move(pieces).finish(is_ring ? 4.0 * kDrawnLineToleranceMm : 0.0);
-  if (whole) whole->material = fit_.medium;
+  if (whole) whole->medium = fit_.medium;
   return whole;
 }
 

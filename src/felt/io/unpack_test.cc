@@ -23,7 +23,7 @@ std::string zip_of(const std::vector<std::pair<std::string, std::string>>& files
   EXPECT_EQ(zip_close(zip), 0);
   zip_source_open(archive);
   zip_source_seek(archive, 0, SEEK_END);
-  std::string bytes(static_cast<std::size_t>(zip_source_report(archive)), '\0');
+  std::string bytes(static_cast<std::size_t>(zip_source_tell(archive)), '\0');
   zip_source_seek(archive, 0, SEEK_SET);
   zip_source_read(archive, bytes.data(), bytes.size());
   zip_source_close(archive);

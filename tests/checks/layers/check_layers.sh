@@ -10,7 +10,7 @@
 #   - folders of the desktop program include only the folders that their line allows;
 #   - the programs include the library and themselves, never each other;
 #   - a test is in a namespace with the name of its file, because several files compile as one;
-#   - limits are called kMax... and kMin... (docs/glossary.md);
+#   - no identifier contains a retired word (the last part of rules.txt);
 #   - every layer and every folder in it has a README.md, and every header has a /// comment.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -100,6 +100,26 @@ LC_ALL=C awk '
     }
   }
 
+  # Adds a word, which identifiers contain as "word", "a_word" or "aWord", to the retired ones.
+  function retire(word,    line) {
+    sub(/:$/, "", word); line = $0; sub(/^[^:]*: */, "", line)
+    capital = toupper(substr(word, 1, 1)) substr(word, 2)
+    ++word_count; instead[word_count] = line; retired[word_count] = word
+    pattern[word_count] = word ~ /^k/ ? "(^|[^A-Za-z0-9_])" word "[A-Z]" \
+        : "(^|[^A-Za-z])" word "([^a-z]|$)|[a-z0-9_]" capital "([^a-z]|$)"
+    any_word = any_word (word_count > 1 ? "|" : "") pattern[word_count]
+  }
+
+  function check_words(    code, i) {
+    if ($0 !~ any_word) return
+    code = $0
+    gsub(/"([^"\\]|\\.)*"/, "", code); sub(/\/\/.*/, "", code)
+    gsub(/([Ss]tyle_?|Shortcut|shortcut_)[Ss]heet/, "", code)
+    for (i = 1; i <= word_count; ++i) {
+      if (code ~ pattern[i]) complain("\"" retired[i] "\" is retired: " instead[i])
+    }
+  }
+
   FNR == NR {  # rules.txt
     if ($1 == "layer") {
       name = $2; sub(/:$/, "", name); known[name] = 1
@@ -126,13 +146,15 @@ LC_ALL=C awk '
       line = $0; sub(/^only +/, "", line); at = index(line, ": ")
       only_pattern[++only_count] = substr(line, 1, at - 1)
       rest = substr(line, at + 1); gsub(/^ +| +$/, "", rest); only_folders[only_count] = rest
+    } else if ($1 == "retired") {
+      retire($2)
     }
     next
   }
   FNR == 1 { enter_file() }
 
   is_header && /\/\/\// { commented[FILENAME] = 1 }
-  /(^|[^A-Za-z0-9_])k(Most|Least)[A-Z]/ { complain("call a limit kMax... or kMin...") }
+  !/^ *\/\// && !/^(TYPED_)?TEST(_[FP])?\(/ { check_words() }
   /^namespace felt/ && FILENAME ~ /_test\.cc$/ {
     name = FILENAME; gsub(/.*\/|\.cc$/, "", name)
     if (!index($0, "::" name " {")) complain("put the test into a namespace felt::" name)

@@ -55,7 +55,11 @@ expect "a layer includes one above it" "src/felt/geometry/bad.h:2: geometry must
 printf '#include "felt/stroke/ink.h"\n' | file src/felt/geometry/bad_test.cc
 expect "a test includes a layer above its own" "geometry must not include stroke"
 printf '/// x\nconstexpr int kMostPoints = 3;\n' | file src/felt/geometry/bad.h
-expect "a retired name" "src/felt/geometry/bad.h:2: call a limit kMax... or kMin..."
+expect "a retired prefix" 'src/felt/geometry/bad.h:2: "kMost" is retired: kMax'
+printf '/// x\nint on_sheet(double x);  // "sheet"\n' | file src/felt/geometry/bad.h
+expect "a retired word" 'src/felt/geometry/bad.h:2: "sheet" is retired: surface or page'
+printf '/// x\nstruct OldSheet {};\n' | file src/felt/geometry/bad.h
+expect "a retired word in a type" '"sheet" is retired'
 printf 'namespace felt {\n}\n' | file src/felt/geometry/bad_test.cc
 expect "a test in the common namespace" "put the test into a namespace felt::bad_test"
 printf '/// x\n#include "felt/stroke/ink.h"\n' | file src/felt/devices/simulated/bad.h

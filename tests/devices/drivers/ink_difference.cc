@@ -91,7 +91,7 @@ InkDifference ink_difference(std::span<const StrokePtr> a, std::span<const Strok
     if (one.closed() != two.closed()) {
       difference.other = "stroke " + std::to_string(k + 1) + " is closed in one of them";
     }
-    if (!(one.color() == two.color()) || one.medium() != two.material()) {
+    if (!(one.color() == two.color()) || one.medium() != two.medium()) {
       difference.other = "stroke " + std::to_string(k + 1) + " has another colour or material";
     }
     const auto in_one = points_of(one), in_two = points_of(two);

@@ -20,13 +20,13 @@ Force any_force(double largest) {
 
 RC_GTEST_PROP(ClampLength, R49_NeverLongerAndTheSameDirection, ()) {
   const Force f = std::pow(10.0, *rc::gen::inRange(-300, 300)) * any_force(1.0);
-  const double largest = 3.0 * (*rc::gen::inRange(0, 1000)) * 1e-3;
-  const Force c = clamp_length(f, largest);
+  const double limit = 3.0 * (*rc::gen::inRange(0, 1000)) * 1e-3;
+  const Force c = clamp_length(f, limit);
   RC_ASSERT(is_finite(c));
-  RC_ASSERT(norm(c) <= largest * (1.0 + 1e-12));
+  RC_ASSERT(norm(c) <= limit * (1.0 + 1e-12));
   const double largest = std::max({std::abs(f.x), std::abs(f.y), std::abs(f.z)});
   if (largest > 0.0) RC_ASSERT(dot(c, (1.0 / largest) * f) >= 0.0);
-  if (largest > 0.0 && largest < 1e100 && norm(f) <= largest) RC_ASSERT(c == f);
+  if (largest > 0.0 && largest < 1e100 && norm(f) <= limit) RC_ASSERT(c == f);
 }
 
 TEST(ClampLength, TakesWhatDoublesCanHold) {

@@ -165,7 +165,7 @@ TEST(QuickdrawImport, TheNumberOfDrawingsIsLimited) {
   EXPECT_EQ(above.drawing.document.layers().size(), 1000u);
   ASSERT_EQ(above.report.notices().size(), 1u);
   EXPECT_EQ(above.report.notices()[0].count, 2);
-  EXPECT_LE(above.drawing.page.width_mm, SheetPage::kMaxMm);
+  EXPECT_LE(above.drawing.page.width_mm, Page::kMaxMm);
 }
 
 TEST(QuickdrawImport, NothingIsAnError) {

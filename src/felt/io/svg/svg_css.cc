@@ -135,7 +135,7 @@ std::string svg_without_comments(std::string_view css) {
 /// Parses the selectors and blocks of one text.
 class SvgStyleSheet::Parser {
  public:
-  Parser(SvgStyleSheet& sheet, std::string_view css) : sheet_(sheet), css_(css) {}
+  Parser(SvgStyleSheet& style_sheet, std::string_view css) : style_sheet_(style_sheet), css_(css) {}
 
   void read() {
     while (true) {
@@ -144,7 +144,7 @@ class SvgStyleSheet::Parser {
       const std::size_t brace = find_outside(css_, '{');
       const std::size_t semicolon = find_outside(css_.substr(0, brace), ';');
       if (css_.front() == '@' && semicolon < brace) {
-        ++sheet_.left_out_;
+        ++style_sheet_.left_out_;
         css_.remove_prefix(semicolon + 1);
         continue;
       }
@@ -152,7 +152,7 @@ class SvgStyleSheet::Parser {
       const std::size_t body = std::min(brace + 1, css_.size());
       const std::size_t end = end_of_block(css_, body);
       if (css_.front() == '@') {
-        ++sheet_.left_out_;
+        ++style_sheet_.left_out_;
       } else {
         const std::size_t close = end > body && css_[end - 1] == '}' ? end - 1 : end;
         const std::string_view block = css_.substr(body, close - body);
@@ -168,7 +168,7 @@ class SvgStyleSheet::Parser {
   std::string_view without_nested_rules(std::string_view block) {
     const std::size_t brace = block.find('{');
     if (brace == std::string_view::npos) return block;
-    ++sheet_.left_out_;
+    ++style_sheet_.left_out_;
     const std::size_t last = block.substr(0, brace).rfind(';');
     return block.substr(0, last == std::string_view::npos ? 0 : last);
   }
@@ -179,29 +179,30 @@ class SvgStyleSheet::Parser {
       const std::size_t end = find_outside(selectors, ',');
       Rule rule;
       rule.body = body;
-      if (sheet_.rules_.size() < kMaxSelectors && read_selector(selectors.substr(0, end), rule)) {
+      if (style_sheet_.rules_.size() < kMaxSelectors &&
+          read_selector(selectors.substr(0, end), rule)) {
         add(std::move(rule));
       } else {
-        ++sheet_.left_out_;
+        ++style_sheet_.left_out_;
       }
       selectors.remove_prefix(std::min(end + 1, selectors.size()));
     }
   }
 
   void add(Rule rule) {
-    const auto index = static_cast<std::uint32_t>(sheet_.rules_.size());
+    const auto index = static_cast<std::uint32_t>(style_sheet_.rules_.size());
     rule.precedence = rule.precedence << 24 | index;
     const Compound& last = rule.compounds.back();
     if (!last.id.empty()) {
-      sheet_.by_id_[last.id].push_back(index);
+      style_sheet_.by_id_[last.id].push_back(index);
     } else if (!last.classes.empty()) {
-      sheet_.by_class_[last.classes.front()].push_back(index);
+      style_sheet_.by_class_[last.classes.front()].push_back(index);
     } else if (!last.type.empty()) {
-      sheet_.by_type_[last.type].push_back(index);
+      style_sheet_.by_type_[last.type].push_back(index);
     } else {
-      sheet_.for_all_.push_back(index);
+      style_sheet_.for_all_.push_back(index);
     }
-    sheet_.rules_.push_back(std::move(rule));
+    style_sheet_.rules_.push_back(std::move(rule));
   }
 
   /// Returns false if the selector has an unsupported part, so that the rule must not apply.
@@ -287,7 +288,7 @@ class SvgStyleSheet::Parser {
     return first || last || root;
   }
 
-  SvgStyleSheet& sheet_;
+  SvgStyleSheet& style_sheet_;
   std::string_view css_;
 };
 

@@ -253,7 +253,7 @@ Result<void> SvgDocument::look_through() {
     note_prefixes(node);
     if (const pugi::xml_attribute id = node.attribute("id")) ids_.emplace(id.value(), node);
     if (is_style_sheet(node)) {
-      sheet_.add(xml_text_of(node));
+      style_sheet_.add(xml_text_of(node));
     }
     pugi::xml_node next =
         node.find_child([](const auto& n) { return n.type() == pugi::node_element; });

@@ -38,7 +38,7 @@ class SvgDocument {
   /// Returns the name of an SVG element without its prefix; empty for other elements.
   /// `default_is_svg` tells whether names without a prefix are SVG at this point.
   [[nodiscard]] std::string_view svg_name(const pugi::xml_node& node, bool default_is_svg) const;
-  SvgStyleSheet& sheet() noexcept { return sheet_; }
+  SvgStyleSheet& style_sheet() noexcept { return style_sheet_; }
   /// Returns true if the file refers to an external style sheet (xml-stylesheet).
   [[nodiscard]] bool names_outer_style() const noexcept { return names_outer_style_; }
 
@@ -52,7 +52,7 @@ class SvgDocument {
   std::unordered_map<std::string_view, pugi::xml_node> ids_;
   std::string svg_prefix_, inkscape_prefix_, felt_prefix_, sodipodi_prefix_;
   std::set<std::string, std::less<>> more_svg_prefixes_;  // prefixes declared below the root
-  SvgStyleSheet sheet_;
+  SvgStyleSheet style_sheet_;
   bool names_outer_style_ = false;
 };
 

@@ -108,16 +108,16 @@ TEST(SvgImport, PlainSketchesComeBackEqual) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const std::vector<Stroke> strokes = strokes_of_media(seed, 1 + static_cast<int>(seed % 7));
     SvgOptions options;
-    if (seed % 2 == 0) options.page = Rect{0.0, 0.0, 297.0, 210.0};
+    if (seed % 2 == 0) options.area = Rect{0.0, 0.0, 297.0, 210.0};
     if (seed % 3 == 0) options.paper = Rgba{250, 240, 1, static_cast<std::uint8_t>(1 + seed)};
     const Imported back = imported(svg_of_strokes(strokes, options));
     ASSERT_EQ(back.drawing.document.layers().size(), 1U);
     EXPECT_EQ(testing::strokes_in(back.drawing.document), strokes) << "seed " << seed;
     EXPECT_EQ(back.drawing.document.layers()[0].name, "Ink");
     EXPECT_TRUE(back.report.empty()) << notice_lines(back);
-    if (!options.page) continue;
+    if (!options.area) continue;
     ASSERT_TRUE(back.drawing.has_page);
-    EXPECT_EQ(back.drawing.page.area(), *options.page);
+    EXPECT_EQ(back.drawing.page.area(), *options.area);
     const Rgba paper = options.paper.value_or(Rgba{0, 0, 0, 0});
     EXPECT_EQ(back.drawing.page.paper, paper) << "seed " << seed;
   }

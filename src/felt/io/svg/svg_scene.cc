@@ -79,7 +79,7 @@ Result<void> SvgWalker::begin() {
   place_page(box, root, e.state);
   sink_.root(root);
   if (!resolve(e)) return {};
-  if (e.state.variables) document_.sheet().set_root_variables(*e.state.variables);
+  if (e.state.variables) document_.style_sheet().set_root_variables(*e.state.variables);
   if (const auto color = svg_color(e.declared[SvgProperty::kBackgroundColor]); color) {
     sink_.paper(*color);
   }
@@ -94,7 +94,7 @@ Result<void> SvgWalker::begin() {
 Result<void> read_svg_scene(std::string_view text, SvgSceneSink& sink) {
   Result<std::unique_ptr<SvgDocument>> document = SvgDocument::parse(text);
   if (!document) return tl::unexpected(document.error());
-  if (const std::int64_t rules = (*document)->page().left_out(); rules > 0) {
+  if (const std::int64_t rules = (*document)->style_sheet().left_out(); rules > 0) {
     sink.notice(0, "style",
                 std::to_string(rules) + " rules of style sheets are not known and were ignored");
   }

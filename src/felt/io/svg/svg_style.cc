@@ -297,15 +297,15 @@ class Declarations {
 
   /// Call after the last declaration. Replaces variables and finds properties without a readable
   /// value.
-  void finish(SvgStyleSheet& sheet) {
+  void finish(SvgStyleSheet& style_sheet) {
     if (!own_.empty()) {
-      SvgVariables all = inherited(sheet);
+      SvgVariables all = inherited(style_sheet);
       for (auto& [name, value] : own_) all.insert_or_assign(std::string(name), value.second);
       declared_.variables = std::make_shared<const SvgVariables>(std::move(all));
     }
     for (std::size_t i = 0; i < kCount; ++i) {
       const auto p = static_cast<SvgProperty>(i);
-      if (declared_[p].find("var(") != std::string_view::npos) replace_variables(p, sheet);
+      if (declared_[p].find("var(") != std::string_view::npos) replace_variables(p, style_sheet);
       if (!unread_[i] || !declared_[p].empty()) continue;
       declared_.unread = kNames[i];
       if (is_color(p)) declared_.set(p, "black");
@@ -315,8 +315,8 @@ class Declarations {
  private:
   static constexpr std::size_t kMaxVariables = 1000;
 
-  [[nodiscard]] const SvgVariables& inherited(const SvgStyleSheet& sheet) const {
-    return declared_.variables ? *declared_.variables : sheet.root_variables();
+  [[nodiscard]] const SvgVariables& inherited(const SvgStyleSheet& style_sheet) const {
+    return declared_.variables ? *declared_.variables : style_sheet.root_variables();
   }
 
   void say_variable(std::string_view name, std::string_view value, std::uint64_t rank) {
@@ -326,10 +326,11 @@ class Declarations {
     known_rank = std::max(known_rank, rank);
   }
 
-  void replace_variables(SvgProperty p, SvgStyleSheet& sheet) {
+  void replace_variables(SvgProperty p, SvgStyleSheet& style_sheet) {
     const auto value =
-        svg_with_variables(declared_[p], inherited(sheet), sheet.variable_bytes_left());
-    const std::string_view kept = value ? sheet.keep(svg_trimmed(*value)) : std::string_view();
+        svg_with_variables(declared_[p], inherited(style_sheet), style_sheet.variable_bytes_left());
+    const std::string_view kept =
+        value ? style_sheet.keep(svg_trimmed(*value)) : std::string_view();
     declared_.set(p, kept.empty() || !is_readable(p, kept) ? std::string_view() : kept);
     unread_[static_cast<std::size_t>(p)] = declared_[p].empty();
   }
@@ -342,7 +343,7 @@ class Declarations {
 
 }  // namespace
 
-bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string& clean_style,
+bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& style_sheet, std::string& clean_style,
                   SvgDeclared& declared) {
   constexpr std::uint64_t kInline = std::uint64_t{1} << 60, kImportant = std::uint64_t{1} << 61;
   constexpr std::array<std::string_view, 7> kNoAttributes{
@@ -356,7 +357,7 @@ bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string&
     if (counts) all.say(name, svg_trimmed(a.value()), 0);
   }
   const bool within_budget =
-      sheet.match(node, [&](const SvgDeclaration& d, std::uint64_t precedence) {
+      style_sheet.match(node, [&](const SvgDeclaration& d, std::uint64_t precedence) {
         all.say(d.name, d.value, precedence + 1 + (d.important ? kImportant : 0));
       });
   std::string_view style = node.attribute("style").value();
@@ -367,7 +368,7 @@ bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string&
   svg_declarations(style, [&](const SvgDeclaration& d) {
     all.say(d.name, d.value, kInline + (d.important ? kImportant : 0));
   });
-  all.finish(sheet);
+  all.finish(style_sheet);
   return within_budget;
 }
 

@@ -101,7 +101,7 @@ class SvgDeclared {
 /// `declared.variables` must be the custom properties of the parent; afterwards, they are those of
 /// the element. An unreadable colour becomes black. Returns false if SvgStyleSheet::match returns
 /// false.
-bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string& clean_style,
+bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& style_sheet, std::string& clean_style,
                   SvgDeclared& declared);
 
 enum class SvgCap : std::uint8_t { kButt, kRound, kSquare };

@@ -13,13 +13,13 @@ namespace {
 std::string fill_of(const std::string& css, const std::string& xml) {
   pugi::xml_document document;
   EXPECT_TRUE(document.load_string(xml.c_str()));
-  SvgStyleSheet sheet;
-  sheet.add(css);
+  SvgStyleSheet style_sheet;
+  style_sheet.add(css);
   const pugi::xml_node node = document.find_node(
       [](const auto& n) { return std::string(n.attribute("id").value()) == "t"; });
   SvgDeclared declared;
   std::string clean;
-  EXPECT_TRUE(svg_declared(node, sheet, clean, declared));
+  EXPECT_TRUE(svg_declared(node, style_sheet, clean, declared));
   return std::string(declared[SvgProperty::kFill]);
 }
 
@@ -110,16 +110,16 @@ TEST(SvgCss, HostileRulesEnd) {
   css = "q " + css;
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(xml.c_str()));
-  SvgStyleSheet sheet;
-  sheet.add(css);
+  SvgStyleSheet style_sheet;
+  style_sheet.add(css);
   SvgDeclared declared;
   std::string clean;
   const pugi::xml_node node =
       document.find_node([](const auto& n) { return std::string(n.name()) == "rect"; });
-  static_cast<void>(svg_declared(node, sheet, clean, declared));
-  sheet.add("q" + css);
-  sheet.add("g g g g g g g g g g g g g g g g g g g g q>g rect{fill:red}");
-  for (int i = 0; i < 3; ++i) static_cast<void>(svg_declared(node, sheet, clean, declared));
+  static_cast<void>(svg_declared(node, style_sheet, clean, declared));
+  style_sheet.add("q" + css);
+  style_sheet.add("g g g g g g g g g g g g g g g g g g g g q>g rect{fill:red}");
+  for (int i = 0; i < 3; ++i) static_cast<void>(svg_declared(node, style_sheet, clean, declared));
   EXPECT_EQ(declared[SvgProperty::kFill], "");
 }
 

@@ -153,7 +153,7 @@ void SvgWalker::visit(const pugi::xml_node& node, const Frame& from) {
 bool SvgWalker::resolve(Element& e) {
   State& s = e.state;
   e.declared.variables = s.variables;
-  if (!svg_declared(e.node, document_.sheet(), clean_style_, e.declared)) {
+  if (!svg_declared(e.node, document_.style_sheet(), clean_style_, e.declared)) {
     notice(e.node, "has not got all its styles: the style sheet asks for too many steps");
   }
   s.variables = e.declared.variables;

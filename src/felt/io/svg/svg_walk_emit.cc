@@ -82,7 +82,7 @@ class GradientMean {
 Rgba stop_color(SvgDocument& document, const pugi::xml_node& stop, Rgba current) {
   SvgDeclared declared;
   std::string clean;
-  static_cast<void>(svg_declared(stop, document.sheet(), clean, declared));
+  static_cast<void>(svg_declared(stop, document.style_sheet(), clean, declared));
   const std::string_view text = declared[SvgProperty::kStopColor];
   Rgba color{0, 0, 0, 255};
   if (svg_same_word(text, "currentColor")) {
@@ -96,7 +96,7 @@ Rgba stop_color(SvgDocument& document, const pugi::xml_node& stop, Rgba current)
 Rgba solid_color(SvgDocument& document, const pugi::xml_node& node, Rgba current) {
   SvgDeclared declared;
   std::string clean;
-  static_cast<void>(svg_declared(node, document.sheet(), clean, declared));
+  static_cast<void>(svg_declared(node, document.style_sheet(), clean, declared));
   const std::string_view text = declared[SvgProperty::kSolidColor];
   if (svg_same_word(text, "currentColor")) return current;
   const double opacity = svg_share(node.attribute("solid-opacity").value()).value_or(1.0);
