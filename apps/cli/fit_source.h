@@ -34,7 +34,7 @@ class FitSource {
   std::size_t next_path_ = 0;
   std::optional<Input> input_;
   std::optional<LineReader> reader_;
-  std::int64_t records_ = 0;  // number in all inputs
+  std::int64_t records_ = 0;  // records read so far from all inputs
   bool input_is_empty_ = true;
   std::int64_t bytes_of_ended_ = 0;
   std::int64_t total_bytes_ = 0;

@@ -30,7 +30,7 @@ struct FitItem {
   LineBatch lines;
   std::optional<Imported> drawing;
   std::size_t drawing_bytes = 0;  ///< size of the input that `drawing` comes from
-  std::int64_t first_record = 1;  ///< number of the first line among the records of all inputs
+  std::int64_t first_record = 1;  ///< number of its first record, counted from 1 over all inputs
   std::optional<Error> failure;   ///< failure of the input after these lines
 
   [[nodiscard]] std::size_t bytes() const noexcept { return lines.bytes() + drawing_bytes; }

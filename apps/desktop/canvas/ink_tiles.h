@@ -11,7 +11,7 @@
 
 namespace felt::desktop {
 
-/// The position of a tile in a plane: tile (x, y) begins at pixel (256 x, 256 y).
+/// The position of a tile in a plane (see PlaneSpec): tile (x, y) begins at pixel (256 x, 256 y).
 struct TilePlace {
   std::int64_t y = 0;
   std::int64_t x = 0;

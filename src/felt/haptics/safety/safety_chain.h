@@ -52,11 +52,13 @@ struct SafetyReport {
   std::uint32_t limited_by = 0;
   std::uint32_t soft_faults = 0;  ///< number since the start
   std::uint32_t hard_faults = 0;
-  double rms_force_n =
-      0.0;                 ///< RMS of the force, low-pass filtered as a motor warms up (MotorGuard)
+  /// RMS of the force: the root of its low-pass filtered square, which follows the heat of the
+  /// motors (MotorGuard).
+  double rms_force_n = 0.0;
   double energy_mj = 0.0;  ///< work done on the hand since the contact began; passive if <= 0
-  bool motors_are_warm =
-      false;  ///< show a notice: the continuous limit reduces the force, or did recently
+  /// True while the continuous limit reduces the force, and afterwards until the motors have cooled
+  /// (MotorGuard::is_warm()). Programs then show a notice.
+  bool motors_are_warm = false;
 
   friend bool operator==(const SafetyReport&, const SafetyReport&) = default;
 };
@@ -69,7 +71,7 @@ struct SafetyReport {
 /// One tick, in this order:
 ///   begin(now)          measures dt; checks the time since the last tick and the heartbeats
 ///   admit(sample)       checks if the sample is plausible (false: do not evaluate the model)
-///   budget(slopes)      returns the share of its stiffness that the model may use
+///   budget(slopes)      returns the fractions of the model's stiffness that are allowed
 ///   limit(asked)        applies the stages in order: finite, peak, speed, continuous, engaging or
 ///                       falling, rise
 /// If the device could not be read, call begin(now) and device_failed(); if it could not be
@@ -104,12 +106,13 @@ class SafetyChain {
   /// off anyway.
   void device_failed() noexcept;
   /// Returns true if the sample is accepted. If it returns false, do not evaluate the model; pass
-  /// any force to limit(), which returns the force to send. While no force can be output, every
-  /// finite sample is accepted, because a mouse may jump. A sample that repeats the previous one
-  /// (repeats()) is accepted but not used: jump and speed are measured from the last new sample.
+  /// any force to limit(), which returns the force to send. In kOff and kLatched every finite
+  /// sample is accepted, because it may come from a mouse, which may jump. A sample that repeats
+  /// the previous one (repeats()) is accepted but not used: jump and speed are measured from the
+  /// last new sample.
   bool admit(const PenSample& sample) noexcept;
-  /// Returns scales for the bricks that keep the slopes within the budget; friction is reduced
-  /// first.
+  /// Returns the factors by which the bricks must scale their stiffness so that the slopes stay
+  /// within the budget; friction is reduced first.
   [[nodiscard]] StiffnessScale budget(const Slopes& slopes) noexcept;
   /// Returns the force to send. Its magnitude is at most limits().peak_force_n.
   Force limit(const Force& asked, const PenSample& sample) noexcept;

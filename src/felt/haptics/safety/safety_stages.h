@@ -34,10 +34,10 @@ double brake_damping(const SafetyLimits& limits, double speed_m_per_s) noexcept;
 /// is in mm/s and may have any finite size.
 Force damping_force(double damping_n_s_per_m, const Vec3& velocity_mm_per_s, double max_n) noexcept;
 
-/// Returns the sum of slopes in N/m that one axis may have (R56;
-/// docs/design/limits.md#stiffness-budget): budget_fast up to 2 ms of loop delay, budget_slow at 3
-/// ms, in proportion to 1/delay beyond. The loop delay is the device's delay plus the period for
-/// which a force is held: (delay_ticks + 1) * period.
+/// Returns the largest sum of slopes that one axis may have, in N/m (R56;
+/// docs/design/limits.md#stiffness-budget): budget_fast or budget_slow * 3 ms / loop delay,
+/// whichever is less. At the default budgets, budget_fast applies up to 2 ms. The loop delay is the
+/// device's delay plus the period for which a force is held: (delay_ticks + 1) * period.
 double stiffness_budget_n_per_m(const SafetyLimits& limits) noexcept;
 
 /// Returns scales that keep the slopes within the budget (R56) and the plane within the device's

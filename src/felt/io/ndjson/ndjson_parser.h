@@ -7,11 +7,11 @@
 
 namespace felt {
 
-/// Converts one line of .ndjson to a record. The parser is strict: the whole line must be JSON in
-/// UTF-8 within the limits of limits.h, including unknown keys. A known key may occur once. Error
-/// messages name the key and the element ("points[17]: y is NaN, not a number"); the caller adds
-/// the file and the line. The parser reuses its buffers, but it releases very large ones after the
-/// line. Not thread-safe.
+/// Converts one line of .ndjson to a record. The parser is strict: the whole line, including the
+/// values of unknown keys, must be JSON in UTF-8 within the limits of limits.h. A known key may
+/// occur once. Error messages name the key and the element ("points[17]: y is NaN, not a number");
+/// the caller adds the file and the line. The parser reuses its buffers, but it releases very large
+/// ones after the line. Not thread-safe.
 class NdjsonParser {
  public:
   NdjsonParser();

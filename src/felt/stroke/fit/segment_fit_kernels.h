@@ -32,8 +32,9 @@ struct RunView {
 /// that t and ratio have space for `count` + 3 values.
 void project(const PowerCubic& curve, const RunView& run, double* t, double* ratio) noexcept;
 
-/// Sums over samples for the normal equations of the control points. Index pairs (j, k) of the
-/// basis functions are stored as in a lower triangle: (0,0) (1,0) (1,1) (2,0) ...
+/// Sums over samples for the normal equations of the control points. M is the metric of a sample
+/// (see below), and q is its position relative to RunView::origin. Index pairs (j, k) of the basis
+/// functions are stored as in a lower triangle: (0,0) (1,0) (1,1) (2,0) ...
 struct NormalSums {
   double xx[10];  ///< sum b_j b_k m11
   double xy[10];  ///< sum b_j b_k m12
@@ -43,8 +44,7 @@ struct NormalSums {
 };
 
 /// Compute the sums over the Bernstein functions of the free control points: B1..B4 if the start is
-/// free; B2..B4 if it is fixed (the caller has then made B1 the origin). The metric of each sample
-/// is
+/// free; B2..B4 if it is fixed (B1 must then be at RunView::origin). The metric of each sample is
 ///   M = (1 - w) n n' + w I,   n = unit normal of the curve at t,
 /// that is, the squared distance along the normal plus w times the squared distance along the
 /// tangent (tangent distance minimisation with a damping term: Wang, Pottmann, Liu 2006, "Fitting

@@ -35,7 +35,8 @@ inline constexpr double kSameWidthPlace = 1e-9;
 ///
 /// If samples have their own tone, it is fitted by the same filter as the width, on the same knots:
 /// width and tone each have a slope, and the segment ends as soon as either intersection is empty.
-/// Otherwise a knot gets the tone of its width, which needs no additional knots.
+/// If the samples have no tone of their own, the tone at each knot is computed from its width
+/// (tone_of_width()), which needs no additional knots.
 class WidthFitter {
  public:
   explicit WidthFitter(const WidthFitOptions& options = {});

@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// Returns the ends within radius_mm of a point that may be dragged, that is, ends of strokes on
-/// visible, unlocked layers. The nearest comes first; returns at most `most`.
+/// Returns the ends of strokes within radius_mm of `place`, but only on visible, unlocked layers,
+/// because only these ends may be dragged. The nearest comes first; returns at most `most`.
 std::vector<TipHit> editable_tips_near(const Scene& scene, Point place, double radius_mm,
                                        std::size_t largest);
 

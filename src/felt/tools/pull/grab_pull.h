@@ -13,15 +13,15 @@ struct GrabOptions {
   /// Whether ends and corners stay in place unless they are grabbed themselves. If they stay, the
   /// handles move more instead (docs/design/editing.md#pull-weights).
   bool pins_joints = true;
-  /// Maximum length of the stroke that changes, mm. If positive, the stroke is divided around the
-  /// grabbed point first; 30 is a useful value (docs/design/editing.md#grab).
+  /// Maximum length of the part of the stroke that changes, mm. If positive, the stroke is divided
+  /// around the grabbed point first; 30 is a useful value (docs/design/editing.md#grab).
   double affected_mm = 0.0;
 };
 
 /// Bends one segment of a stroke so that its point at u0 moves exactly as far as the pen (R21). Its
 /// neighbours stay G1-continuous with it; nothing else changes
-/// (docs/design/editing.md#smooth-joints). The result is computed from the stroke as it was when
-/// the gesture began and the total displacement, so it does not depend on the samples in between
+/// (docs/design/editing.md#smooth-joints). The result depends only on the total displacement and on
+/// the stroke at the start of the gesture, not on the samples in between
 /// (docs/design/editing.md#snapshot, R23).
 ///
 /// Closed strokes wrap around. A closed stroke of one segment is divided at .5 first. In a closed
@@ -33,8 +33,8 @@ class GrabPull {
   GrabPull(StrokePtr snapshot, double u0, const GrabOptions& options);
 
   /// Returns the stroke with the grabbed point displaced by this vector, in mm, or exactly the
-  /// snapshot for 0. Fails if the displacement is not finite, the shape would break an invariant,
-  /// or no movable part moves the point.
+  /// snapshot for 0. Fails if the displacement is not finite, if the shape would break an
+  /// invariant, or if no control point that may move has an effect on the grabbed point.
   [[nodiscard]] Result<Stroke> at(Vec displacement) const;
   /// Returns the stroke to commit: the same stroke with badly shaped segments refitted (refit.h).
   [[nodiscard]] Result<Stroke> finished(Vec displacement) const;
