@@ -63,7 +63,7 @@ struct PictureArguments {
 /// Returns nullopt for an empty text and for "fit".
 Result<std::optional<Rect>> parse_page(const std::string& text);
 
-/// Returns a page for a drawing, with the size of `sheet` and the colour `paper`. Fails if the size
+/// Returns a page for a drawing, with the size of `area` and the colour `paper`. Fails if the size
 /// is not allowed.
 Result<Page> page_for(const Rect& area, Rgba paper);
 

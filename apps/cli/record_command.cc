@@ -254,8 +254,8 @@ void add_options(CLI::App& command, RecordArguments& args) {
   command.add_option("--set", args.options, "TOOL.OPTION=VALUE")->allow_extra_args(false);
   command
       .add_option("--page", args.page,
-                  "Sheet whose middle is the middle of what the device reaches, unless its plane "
-                  "was shown in feltline-desktop: A4, A4-landscape, WxH in mm")
+                  "Size of the page: A4, A4-landscape, WxH in mm. Its centre is the centre of the "
+                  "device's reach, unless the plane was calibrated in feltline-desktop")
       ->capture_default_str();
   command.add_flag("--forces-on", args.forces_on,
                    "Forces from the start, after you agreed; without it the pen is free");

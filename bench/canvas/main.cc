@@ -265,7 +265,7 @@ void page_rows(const Ink& dense, const CanvasView& on_dense, const Table& table)
   CanvasView on_all = view_at({0, 0}, 1.0);
   on_all.fit(ink.area(), 0.0);
   page_row("cold page, seen from afar", ink, on_all, table);
-  page_row("cold page, sheet over sheet", dense, on_dense, table);
+  page_row("cold page, page over page", dense, on_dense, table);
 }
 
 /// Returns the CPU time of painting a cold page.
@@ -285,7 +285,7 @@ double cold_page_cpu_ms(const Ink& ink, const CanvasView& at, const Grain& grain
 /// the machine, and the minimum of each counts.
 void media_rows(const Ink& ink, const CanvasView& at, const Table& table) {
   constexpr int kTurns = 15;
-  table.heading("the same page, sheet over sheet, with the look of media");
+  table.heading("the same dense page, with the look of media");
   const HeightField* relief = surface_grain(*find_surface("rough-paper"));
   double min_plain = std::numeric_limits<double>::infinity();
   for (const Medium& medium : media()) {
@@ -324,7 +324,7 @@ void sketch_rows(const Arguments& args, const Table& table) {
   const Rect all = ink.area();
   const double a4 = all.width() * all.height() / (297.0 * 210.0);
   table.number("strokes", static_cast<double>(ink.document().stroke_count()), "");
-  table.number("strokes an A4 sheet", static_cast<double>(args.strokes) / a4, "");
+  table.number("strokes per A4 page", static_cast<double>(args.strokes) / a4, "");
   table.number("time to make them", 1e-6 * (wall_us() - start), "s");
   table.number("memory of a view, with its tiles", memory_of_view(ink), "MiB");
   edit_rows("edits and samples of previews", ink, args.edits, table);

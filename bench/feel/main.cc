@@ -165,8 +165,8 @@ void print_table(const Options& options, const std::vector<Row>& rows) {
   fmt::print("{}", table.text(cli::TextStyle::of_stdout()));
   fmt::print(
       "\nSimulated {}, {} hand, paper. mean, 95 %, max: between the path that the hand meant and "
-      "the ink,\nboth ways. N: sent while the pen is on the sheet. x real time: all of it, on one "
-      "thread of this machine.\n",
+      "the ink,\nboth ways. N: sent while the pen is on the surface. x real time: all of it, on "
+      "one thread of this machine.\n",
       options.device, options.hand);
 }
 

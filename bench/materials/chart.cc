@@ -31,7 +31,7 @@ Rgba color_of(std::uint32_t rgb) {
           static_cast<std::uint8_t>(rgb), 255};
 }
 
-/// Returns the medium's usual colour, or another one if it is hardly visible on `sheet`.
+/// Returns the medium's usual colour, or another one if it is hardly visible on the colour `area`.
 Rgba color_on(const Medium& medium, Rgba area) {
   const Rgba usual = color_of(medium.color_rgb);
   const double r = usual.r - area.r, g = usual.g - area.g, b = usual.b - area.b;

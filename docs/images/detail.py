@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """detail.py RAW SKETCH X Y WIDTH HEIGHT > picture.svg
 
-Draws the strokes in one part of the sheet (in mm) large, as SVG: the raw samples as dots, the
+Draws the strokes in one part of the page (in mm) large, as SVG: the raw samples as dots, the
 segments fitted to them in alternating colours, as wide as the default tolerance on both sides, and
 their joints (ring: smooth; square: corner or end). Counts go to stderr.
 """

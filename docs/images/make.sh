@@ -20,19 +20,20 @@ cp "$scratch/pull.svg" "$here/pull.svg"
 cp "$scratch/demo/sketch.png" "$here/demo.png"
 cp "$scratch/demo/forces.png" "$here/forces.png"
 
-# cat_with N SHEET MEDIUM: the cat as a hand draws it with that, its grain seen, in their usual colours.
+# cat_with N SURFACE MEDIUM: the cat as the simulated hand draws it with this medium on this surface,
+# with its grain, in their usual colours.
 cat_with() {
   "$feltline" --quiet replay "$samples/cat.ndjson" --surface "$2" --medium "$3" -o "$scratch/cat$1.felt"
   "$feltline" render "$scratch/cat$1.felt" --grain --page fit --dpi 120 -o "$scratch/cat$1.png"
 }
-sheets=(paper rough-paper blackboard)
-cat_with 1 "${sheets[0]}" pencil-soft
-cat_with 2 "${sheets[1]}" charcoal
-cat_with 3 "${sheets[2]}" chalk
+surfaces=(paper rough-paper blackboard)
+cat_with 1 "${surfaces[0]}" pencil-soft
+cat_with 2 "${surfaces[1]}" charcoal
+cat_with 3 "${surfaces[2]}" chalk
 {
   echo '<svg xmlns="http://www.w3.org/2000/svg" width="1290" height="500" viewBox="0 0 1290 500">'
   for n in 1 2 3; do
-    paper=$("$feltline" materials show "${sheets[n - 1]}" | sed -n 's/^color = "\(#[0-9a-f]*\)".*/\1/p')
+    paper=$("$feltline" materials show "${surfaces[n - 1]}" | sed -n 's/^color = "\(#[0-9a-f]*\)".*/\1/p')
     printf '<rect x="%d" width="420" height="500" fill="%s"/>' $((435 * n - 435)) "$paper"
     printf '<image href="cat%d.png" x="%d" y="10" width="400" height="480"/>\n' "$n" $((435 * n - 425))
   done

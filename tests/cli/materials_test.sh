@@ -8,7 +8,7 @@ has out "rough-paper"
 has out "charcoal"
 is_empty err
 run 0 "$feltline" materials --json
-has out '{"id":"paper","kind":"sheet","label":"Paper","path":null'
+has out '{"id":"paper","kind":"surface","label":"Paper","path":null'
 lines out 18
 
 # Each shown material can be read again without an error.
@@ -20,7 +20,7 @@ for id in $ids; do
 done
 run 0 "$feltline" materials check "${texts[@]}"
 lines out 18
-has out "paper.toml: sheet paper (to read, but not as one of your own"
+has out "paper.toml: surface paper (to read, but not as one of your own"
 run 1 "$feltline" materials show mud
 has err 'there is no material "mud"; there are paper, rough-paper'
 
@@ -31,9 +31,9 @@ run 1 "$feltline" materials check bad.toml glass.toml none.toml
 has err "bad.toml:$wrong: feel.fricton is unknown"
 has err "bad.toml:$high: grain.height_um is 900, it must be 0 to 200 um"
 has err "none.toml"
-has out "glass.toml: sheet glass"
+has out "glass.toml: surface glass"
 "$feltline" materials show wood | "$feltline" materials check - >out 2>err || fail "check - : $(cat err)"
-has out "stdin: sheet wood"
+has out "stdin: surface wood"
 run 2 "$feltline" materials check
 run 2 "$feltline" materials polish
 
@@ -135,18 +135,18 @@ run 1 env XDG_DATA_HOME="$work/nobody" "$feltline" render named.svg -o named.png
 has err "'my-paper' is not known here"
 
 # The drawing stores its surface and its materials, with or without a recording.
-for sheet in wood my-paper; do
-  run 0 "$feltline" replay in.ndjson -o kept.felt --surface $sheet --medium faint --recording
-  run 0 "$feltline" replay in.ndjson -o plain.felt --surface $sheet --medium faint
+for surface in wood my-paper; do
+  run 0 "$feltline" replay in.ndjson -o kept.felt --surface $surface --medium faint --recording
+  run 0 "$feltline" replay in.ndjson -o plain.felt --surface $surface --medium faint
   for name in kept plain; do
     run 0 "$feltline" convert $name.felt -o $name.svg
-    has $name.svg "felt:surface=\"$sheet\""
+    has $name.svg "felt:surface=\"$surface\""
     run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" render $name.felt -o $name.png --dpi 50 --grain
   done
   same plain.svg kept.svg
   same plain.png kept.png
-  run 0 "$feltline" replay in.ndjson -o plain.svg --surface $sheet --medium faint
-  has plain.svg "felt:surface=\"$sheet\""
+  run 0 "$feltline" replay in.ndjson -o plain.svg --surface $surface --medium faint
+  has plain.svg "felt:surface=\"$surface\""
   has plain.svg "id = &quot;faint&quot;"
 done
 run 0 "$feltline" convert plain.svg -o back.felt

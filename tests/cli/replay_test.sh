@@ -57,7 +57,7 @@ lines on.ndjson 4
 run 0 "$feltline" replay events.ndjson events.ndjson -o twice.ndjson
 lines twice.ndjson 2
 run 0 "$feltline" replay events.ndjson -o glass.ndjson --surface glass
-cmp -s glass.ndjson e.ndjson && fail "the sheet changes nothing"
+cmp -s glass.ndjson e.ndjson && fail "the surface changes nothing"
 run 0 "$feltline" replay events.ndjson -o chalk.ndjson --medium chalk
 has chalk.ndjson '"material":"chalk"'
 run 0 "$feltline" replay events.ndjson -o light.ndjson --hand light --device premium
@@ -190,15 +190,15 @@ same played.shapes kept.shapes
 cut -d, -f2- plain.ndjson >plain.shapes
 same plain.shapes kept.shapes
 # The surface, page and colours are also the same, and so is the grain.
-run 0 "$feltline" replay events.ndjson --recording -o sheet.felt --surface rough-paper --medium charcoal --page A5
-run 0 "$feltline" replay sheet.felt --as-recorded -o again.felt
-for name in sheet again; do
+run 0 "$feltline" replay events.ndjson --recording -o surface.felt --surface rough-paper --medium charcoal --page A5
+run 0 "$feltline" replay surface.felt --as-recorded -o again.felt
+for name in surface again; do
   run 0 "$feltline" convert $name.felt -o $name.svg
   run 0 "$feltline" render $name.felt -o $name.png --dpi 50 --grain
 done
 has again.svg 'felt:surface="rough-paper"'
-same again.svg sheet.svg
-same again.png sheet.png
+same again.svg surface.svg
+same again.png surface.png
 run 1 "$feltline" replay played.felt --as-recorded -o x.ndjson
 has err "has no recording"
 run 2 "$feltline" replay events.ndjson --recording -o x.svg

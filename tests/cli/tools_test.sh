@@ -17,7 +17,7 @@ import json, sys
 said = json.load(open(sys.argv[1]))
 pencil = said["tools"][0]
 assert pencil["id"] == "pencil" and pencil["help"]
-for option in pencil["options"] + said["sheet"]:
+for option in pencil["options"] + said["surface"]:
     assert option["label"] and option["help"], option
     if option["kind"] == "number": assert option["min"] <= option["default"] <= option["max"], option
     if option["kind"] == "choice": assert option["default"] in option["choices"], option

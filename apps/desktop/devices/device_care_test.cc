@@ -502,7 +502,7 @@ TEST(DevicePage, EachHandHasItsPlane) {
   fixture.studio.loop().set_profile(profile);
   fixture.studio.loop().set_forces(true);
   choose_hand(1);
-  EXPECT_FALSE(fixture.studio.loop().forces_are_on()) << "the sheet is somewhere else now";
+  EXPECT_FALSE(fixture.studio.loop().forces_are_on()) << "the page is somewhere else now";
   EXPECT_TRUE(profile_of(kArm)->left_handed);
   EXPECT_FALSE(plane_of(kArm).has_value()) << "nobody has shown it for this hand";
   EXPECT_NE(fixture.studio.loop().device().device().plane(), *right);

@@ -56,7 +56,7 @@ class Studio : public QObject {
   void set_user_materials(const Materials& known);
   /// Sets the page. This is not a step of undo, but it is an unsaved change. The session uses the
   /// page's surface; if the page names no surface or an unknown one, the session keeps its surface.
-  /// When the user chooses a surface ("sheet.material"), that surface becomes the page's. If the
+  /// When the user chooses a surface ("surface.material"), that surface becomes the page's. If the
   /// paper is white or has the usual colour of the previous surface, it then gets the usual colour
   /// of the new surface; a paper colour that the user chose stays. The paper's colour is also
   /// updated in this way if the usual colour of the page's surface changes (set_user_materials()).
@@ -145,7 +145,7 @@ class Studio : public QObject {
   /// Another drawing was opened by open().
   void opened();
   void tool_changed();
-  /// An option such as "pencil.snap" or "sheet.color" changed.
+  /// An option such as "pencil.snap" or "ink.color" changed.
   void option_changed(const QString& id);
   void selection_changed();
   /// A surface or a medium was added or changed.

@@ -132,7 +132,7 @@ TEST(StudioMaterials, ThePaperFollowsTheColourThatItsSurfaceIsGiven) {
   red.color_rgb = 0x102030;
   known.put(red);
   studio.set_user_materials(known);
-  EXPECT_EQ(studio.page().paper, color_of("glass")) << "it is another sheet's colour";
+  EXPECT_EQ(studio.page().paper, color_of("glass")) << "it is another surface's colour";
 }
 
 TEST(StudioMaterials, StrokesBringTheMediaThatTheyAreOf) {

@@ -485,7 +485,7 @@ TEST(Studio, ADrawingBringsItsMaterialsAlongAndTakesThemAwayAgain) {
                    [&refused](const QString& why) { refused.push_back(why); });
   Page page;
   page.surface = "slate";
-  const std::vector<std::string> texts{write_material(slate(0.5)), "kind = \"sheet\"\n"};
+  const std::vector<std::string> texts{write_material(slate(0.5)), "kind = \"surface\"\n"};
   studio.open(Document{}, page, texts);
   EXPECT_EQ(studio.session().surface(), slate(0.5));
   EXPECT_NE(studio.materials().find_surface("slate"), nullptr);

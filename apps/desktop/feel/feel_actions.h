@@ -10,9 +10,10 @@ namespace felt::desktop {
 
 /// Applies the user's stored strength, force limit and surface to a studio. Adds the actions
 /// feel.forces, feel.forces_off, feel.stronger, feel.weaker, a switch for each built-in surface
-/// (feel.sheet_paper ...), feel.sheet_own with a menu of the other surfaces, and feel.sound if the
-/// program has sound. Two presses of Escape switch the forces off, and so does a fault that only
-/// the user can clear. Only feel.forces (and its button in the panel) switches forces on again.
+/// (feel.surface_paper ...), feel.surface_own with a menu of the other surfaces, and feel.sound if
+/// the program has sound. Two presses of Escape switch the forces off, and so does a fault that
+/// only the user can clear. Only feel.forces (and its button in the panel) switches forces on
+/// again.
 void add_feel_actions(Actions& actions, Studio& studio, QWidget* window);
 
 /// Chooses the surface and stores the choice.

@@ -374,7 +374,8 @@ TEST(MaterialEditorModel, ADeletionThatFailsIsNoStep) {
   const MaterialKey key = bench.fixture.key();
   const int steps = bench.fixture.steps().count();
   const std::string file = bench.home.filePath(QStringLiteral("mine.toml")).toStdString();
-  ASSERT_TRUE(save_file(file, "kind = \"sheet\"\nid = \"mine\"\n"));  // written by another program
+  // Another program writes the file.
+  ASSERT_TRUE(save_file(file, "kind = \"surface\"\nid = \"mine\"\n"));
   const Result<void> removed = bench.fixture.remove();
   ASSERT_FALSE(removed);
   EXPECT_NE(removed.error().message.find(file), std::string::npos);

@@ -188,7 +188,7 @@ TEST(MaterialEditor, ADeletionThatFailsSaysOnlyThat) {
   ASSERT_TRUE(shown.fixture.save_as(QStringLiteral("Mine")));
   QFile file(shown.home.filePath(QStringLiteral("mine.toml")));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
-  file.write("kind = \"sheet\"\nid = \"mine\"\n");  // written by another program
+  file.write("kind = \"surface\"\nid = \"mine\"\n");  // written by another program
   file.close();
   QAction* remove = shown.editor.action("delete");
   ASSERT_TRUE(remove->isEnabled());

@@ -45,7 +45,7 @@ TEST(UserMaterials, APipeForAPictureKeepsNobodyWaiting) {
   const QTemporaryDir home;
   ASSERT_EQ(::mkfifo(home.filePath(QStringLiteral("pipe.png")).toLocal8Bit().constData(), 0600), 0);
   write(home.filePath(QStringLiteral("a.toml")),
-        "kind = \"sheet\"\nid = \"piped\"\n[grain]\npicture = \"pipe.png\"\n");
+        "kind = \"surface\"\nid = \"piped\"\n[grain]\npicture = \"pipe.png\"\n");
   UserMaterials own({home.path().toStdString()});
   EXPECT_TRUE(own.all().empty());
   const QStringList problems = own.take_problems();
@@ -107,9 +107,9 @@ TEST(UserMaterials, ABadFileIsToldWithItsLineAndDisturbsNoOther) {
     ASSERT_TRUE(own.save({true, "slate"}));
   }
   write(home.filePath(QStringLiteral("bad.toml")),
-        "kind = \"sheet\"\nid = \"bad\"\n\n[feel]\nfriction = 99\n");
-  write(home.filePath(QStringLiteral("paper.toml")), "kind = \"sheet\"\nid = \"paper\"\n");
-  write(home.filePath(QStringLiteral("zslate.toml")), "kind = \"sheet\"\nid = \"slate\"\n");
+        "kind = \"surface\"\nid = \"bad\"\n\n[feel]\nfriction = 99\n");
+  write(home.filePath(QStringLiteral("paper.toml")), "kind = \"surface\"\nid = \"paper\"\n");
+  write(home.filePath(QStringLiteral("zslate.toml")), "kind = \"surface\"\nid = \"slate\"\n");
   UserMaterials own({home.path().toStdString()});
   const QStringList problems = own.take_problems();
   ASSERT_EQ(problems.size(), 3) << problems.join(QLatin1Char('\n')).toStdString();
@@ -205,11 +205,11 @@ TEST(UserMaterials, AFileThatWasNeverReadIsNotReplaced) {
   write(home.filePath(QStringLiteral("slate.toml")),
         QByteArray::fromStdString(write_material(theirs)));
   const QString surface = home.filePath(QStringLiteral("x.toml"));
-  write(surface, "kind = \"sheet\"\nid = \"x\"\n");
+  write(surface, "kind = \"surface\"\nid = \"x\"\n");
   EXPECT_FALSE(own.save({true, "slate"}));
   const Result<void> saved = own.save({false, "x"});
   ASSERT_FALSE(saved);
-  EXPECT_NE(saved.error().message.find(surface.toStdString() + " is a sheet"), std::string::npos)
+  EXPECT_NE(saved.error().message.find(surface.toStdString() + " is a surface"), std::string::npos)
       << saved.error().message;
   const Result<AnyMaterial> there = read_material_file(surface.toStdString());
   ASSERT_TRUE(there);
@@ -241,8 +241,8 @@ TEST(UserMaterials, WhatIsForAllUsersIsNotDeleted) {
 TEST(UserMaterials, WhatWasKeptAndCannotBeReadIsToldAndKeptOn) {
   const QTemporaryDir home;
   const QString kept = QString::fromLatin1(material_keys::kUnsaved);
-  const auto odd = QStringLiteral("kind = \"sheet\"\nid = \"odd\"\n[feel]\nsmell = 1\n");
-  const auto taken = QStringLiteral("kind = \"sheet\"\nid = \"paper\"\n");
+  const auto odd = QStringLiteral("kind = \"surface\"\nid = \"odd\"\n[feel]\nsmell = 1\n");
+  const auto taken = QStringLiteral("kind = \"surface\"\nid = \"paper\"\n");
   const QString good = QString::fromStdString(write_material(slate()));
   Settings::the().set(kept, QStringList{odd, good, taken});
   {
@@ -277,13 +277,13 @@ TEST(MaterialNames, ANameBecomesAnId) {
   const auto free = [](const std::string&) { return false; };
   EXPECT_EQ(id_for(QStringLiteral("My soft chalk!"), "x", free), "my-soft-chalk");
   EXPECT_EQ(id_for(QStringLiteral("Bütten, rauh"), "x", free), "butten-rauh");
-  EXPECT_EQ(id_for(QStringLiteral("  "), "sheet", free), "sheet");
-  EXPECT_EQ(id_for(QStringLiteral("木"), "sheet", free), "sheet");
+  EXPECT_EQ(id_for(QStringLiteral("  "), "surface", free), "surface");
+  EXPECT_EQ(id_for(QStringLiteral("木"), "surface", free), "surface");
   const auto taken = [](const std::string& id) { return id == "wood" || id == "wood-2"; };
   EXPECT_EQ(id_for(QStringLiteral("Wood"), "x", taken), "wood-3");
   for (const char* name :
        {"A-", "--", "ß9", "0123456789012345678901234567890123456789012345678901"}) {
-    EXPECT_TRUE(is_material_id(id_for(QString::fromUtf8(name), "sheet", free))) << name;
+    EXPECT_TRUE(is_material_id(id_for(QString::fromUtf8(name), "surface", free))) << name;
   }
 }
 

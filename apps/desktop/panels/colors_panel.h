@@ -23,7 +23,7 @@ Rgba seen_on(Rgba color, Rgba ground);
 /// Shows the colour of new ink: a field of shades, the colour's number and its opacity. Also shows
 /// recently used colours, palettes, and the contrast to the paper. Palettes are built in, or are
 /// .gpl files that the user opens with a button or drops here. When the user chooses a colour, the
-/// panel sets the option sheet.color; it also follows changes of this option by other code.
+/// panel sets the option ink.color; it also follows changes of this option by other code.
 class ColorsPanel : public QWidget {
   Q_OBJECT
 

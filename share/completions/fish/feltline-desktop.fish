@@ -1,6 +1,6 @@
 # fish completion for feltline-desktop
 complete -c feltline-desktop -s h -l help -d 'Show help'
 complete -c feltline-desktop -s v -l version -d 'Show the version'
-complete -c feltline-desktop -l new-window -d 'Open a window of its own, with a fresh sheet'
+complete -c feltline-desktop -l new-window -d 'Open a separate window with an empty drawing'
 complete -c feltline-desktop -l language -x -a 'en de nl' -d 'Speak this language'
 complete -c feltline-desktop -l record -r -d 'Record all that happens to the drawing'

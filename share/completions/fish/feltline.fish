@@ -36,7 +36,7 @@ complete -c feltline -n '__fish_seen_subcommand_from fit bench' -l tolerance -x 
 complete -c feltline -n '__fish_seen_subcommand_from fit bench' -l mm-per-unit -x -d 'Size of one unit of the input'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l no-refine -d 'Keep the curve seen while drawing'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l filter -d 'Drop pen artefacts'
-complete -c feltline -n '__fish_seen_subcommand_from fit' -l material -x -a 'pencil pencil-hard pencil-soft charcoal chalk crayon felt-tip ink-pen brush-pen' -d 'What the lines are drawn with'
+complete -c feltline -n '__fish_seen_subcommand_from fit' -l medium -x -a 'pencil pencil-hard pencil-soft charcoal chalk crayon felt-tip ink-pen brush-pen' -d 'What the lines are drawn with'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l min-width -x -d 'Width in mm without pressure'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l max-width -x -d 'Width in mm at full pressure'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l scheme -x -a 'feltline paper2002' -d 'Fitting scheme'
@@ -60,7 +60,7 @@ complete -c feltline -n '__fish_seen_subcommand_from replay' -l seed -x -d 'Numb
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l no-force -d 'Send no force to the pen'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l until -x -d 'Stop at this time, ms'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l overlay -d 'Show what the tool shows, too'
-complete -c feltline -n '__fish_seen_subcommand_from replay' -l material -x -a 'paper rough-paper watercolour canvas blackboard felt wood glass' -d 'What is drawn on'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l surface -x -a 'paper rough-paper watercolour canvas blackboard felt wood glass' -d 'The surface'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l set -x -d 'Set an option, TOOL.OPTION=VALUE'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l mm-per-unit -x -d 'Size of one unit of raw strokes'
 function __feltline_materials

@@ -171,7 +171,7 @@ std::string writable_names() {
 std::string format_table_markdown() {
   const auto yes = [](bool is) { return is ? "yes" : "no"; };
   std::string text =
-      "| format | endings | read | written | layers | sheet | widths | comes back exactly |\n"
+      "| format | endings | read | written | layers | page | widths | comes back exactly |\n"
       "|---|---|---|---|---|---|---|---|\n";
   for (const FormatTraits& row : kTable) {
     text += "| " + std::string(row.title) + " |";

@@ -250,7 +250,7 @@ TEST(CueInput, ComesFromPressureOrDepth) {
 TEST(CueLaw, AStrokeIsATouchAHumAndALift) {
   Fixture fixture;
   fixture.run(100, kAir);
-  EXPECT_TRUE(fixture.said.empty()) << "silent above the sheet, however fast";
+  EXPECT_TRUE(fixture.said.empty()) << "silent above the surface, however fast";
   fixture.run(1000, kStroke);
   fixture.run(100, kAir);
   ASSERT_GE(fixture.said.size(), 4u);

@@ -27,7 +27,7 @@ std::string error_of(std::string_view text, const MaterialSource& source = kMine
 }
 
 std::string surface_with(const std::string& lines) {
-  return "kind = \"sheet\"\nid = \"my-paper\"\n" + lines + "\n";
+  return "kind = \"surface\"\nid = \"my-paper\"\n" + lines + "\n";
 }
 
 std::string medium_with(const std::string& lines) {
@@ -44,7 +44,7 @@ Medium medium_from(std::string_view text) {
 
 TEST(MaterialFile, ReadsASurface) {
   const SurfaceMaterial surface = surface_of(R"(# mine
-kind = "sheet"
+kind = "surface"
 id = "my-paper"
 label = "Bütten \"rau\""
 color = "#FaF0e6"
@@ -121,10 +121,10 @@ TEST(MaterialFile, SaysWhereWhichWhatAndWhatIsAllowed) {
 
 TEST(MaterialFile, RefusesWhatIsNoMaterial) {
   EXPECT_THAT(error_of(""), StartsWith("my-paper.toml:1: kind is missing"));
-  EXPECT_THAT(error_of("kind = \"sheet\""), StartsWith("my-paper.toml:1: id is missing"));
+  EXPECT_THAT(error_of("kind = \"surface\""), StartsWith("my-paper.toml:1: id is missing"));
   EXPECT_EQ(error_of("id = \"a\"\nkind = \"paper\""),
-            "my-paper.toml:2: kind is \"paper\", it must be \"sheet\" or \"medium\"");
-  EXPECT_THAT(error_of("kind = \"sheet\"\nkind = \"sheet\""), StartsWith("my-paper.toml:2: "));
+            "my-paper.toml:2: kind is \"paper\", it must be \"surface\" or \"medium\"");
+  EXPECT_THAT(error_of("kind = \"surface\"\nkind = \"surface\""), StartsWith("my-paper.toml:2: "));
   EXPECT_THAT(error_of(surface_with("a = = 3")), StartsWith("my-paper.toml:3: "));
   for (const char* header : {"[= 1]", "[[= 1]]", " [ ~", "[", "[.a]", "[[", "[]"}) {
     EXPECT_THAT(error_of(surface_with(header)), StartsWith("my-paper.toml:3: ")) << header;
@@ -139,12 +139,12 @@ TEST(MaterialFile, RefusesWhatIsNoMaterial) {
     EXPECT_EQ(error_of(surface_with(fine)), "none") << fine;
   }
   for (const char* id : {"", "My", "a b", "a_b", "ä", "../a", "a.b"}) {
-    EXPECT_THAT(error_of("kind = \"sheet\"\nid = \"" + std::string(id) + "\""),
+    EXPECT_THAT(error_of("kind = \"surface\"\nid = \"" + std::string(id) + "\""),
                 HasSubstr("it must be 1 to 64 of a-z, 0-9 and -"))
         << id;
   }
-  EXPECT_EQ(error_of("kind = \"sheet\"\nid = \"" + std::string(64, 'a') + "\""), "none");
-  EXPECT_THAT(error_of("kind = \"sheet\"\nid = \"" + std::string(65, 'a') + "\""),
+  EXPECT_EQ(error_of("kind = \"surface\"\nid = \"" + std::string(64, 'a') + "\""), "none");
+  EXPECT_THAT(error_of("kind = \"surface\"\nid = \"" + std::string(65, 'a') + "\""),
               HasSubstr(":2: id is \"aaa"));
   EXPECT_THAT(error_of(surface_with("label = \"a\\nb\"")), HasSubstr("in one line"));
   EXPECT_THAT(error_of(surface_with("label = \"" + std::string(81, 'a') + "\"")), HasSubstr(":3:"));
@@ -161,19 +161,21 @@ TEST(MaterialFile, ReadsATextWithAByteOrderMark) {
 }
 
 TEST(MaterialFile, RefusesUnknownKeysAndSaysWhatThereIs) {
-  EXPECT_EQ(error_of(surface_with("[grain]\nhight_um = 2")),
-            "my-paper.toml:4: grain.hight_um is unknown; [grain] of a sheet has picture, heights, "
-            "character, height_um, wavelength_mm, seed");
+  EXPECT_EQ(
+      error_of(surface_with("[grain]\nhight_um = 2")),
+      "my-paper.toml:4: grain.hight_um is unknown; [grain] of a surface has picture, heights, "
+      "character, height_um, wavelength_mm, seed");
   EXPECT_EQ(error_of(surface_with("friction = 1")),
-            "my-paper.toml:3: friction is unknown; a sheet has kind, id, label, [grain], color, "
+            "my-paper.toml:3: friction is unknown; a surface has kind, id, label, [grain], color, "
             "[feel], [sound]");
   EXPECT_THAT(error_of(surface_with("[look]")), HasSubstr("look is unknown"));
-  EXPECT_THAT(error_of(surface_with("feel = 3")), HasSubstr("feel is unknown; [feel] of a sheet"));
+  EXPECT_THAT(error_of(surface_with("feel = 3")),
+              HasSubstr("feel is unknown; [feel] of a surface"));
   EXPECT_EQ(error_of(surface_with("[feel]")), "none");
   EXPECT_THAT(error_of(surface_with("\"feel.friction\" = 0.2")),
               HasSubstr("\"feel.friction\" is unknown"));
-  EXPECT_THAT(error_of(medium_with("[pairs]\n\"My sheet\" = 0.2")),
-              HasSubstr(":4: pairs.My sheet"));
+  EXPECT_THAT(error_of(medium_with("[pairs]\n\"My surface\" = 0.2")),
+              HasSubstr(":4: pairs.My surface"));
   EXPECT_THAT(error_of(medium_with("[[feel]]\nfriction = 0.2")), HasSubstr("unknown"));
 }
 
@@ -185,7 +187,7 @@ TEST(MaterialFile, RefusesDuplicates) {
 
 TEST(MaterialFile, TellsAllThatIsWrongInItsOrder) {
   const auto problems = material_problems(
-      "kind = \"sheet\"\n[feel]\nfriction = 2\nspring = 1\ndamping_n_s_per_m = -1", kMine);
+      "kind = \"surface\"\n[feel]\nfriction = 2\nspring = 1\ndamping_n_s_per_m = -1", kMine);
   std::vector<std::string> places;
   for (const Error& error : problems) places.push_back(error.message.substr(13, 3));
   EXPECT_THAT(places, ElementsAre(":1:", ":3:", ":4:", ":5:"));
@@ -445,7 +447,7 @@ TEST(Materials, NamesWhatTheBuiltInOnesDoNotHave) {
   const std::vector<AnyMaterial> own = not_built_in(materials);
   ASSERT_EQ(own.size(), 2u);
   EXPECT_EQ(id_of(own[0]), "paper");
-  EXPECT_EQ(kind_of(own[0]), "sheet");
+  EXPECT_EQ(kind_of(own[0]), "surface");
   EXPECT_EQ(id_of(own[1]), "my-chalk");
   EXPECT_EQ(label_of(own[1]), "Chalk");
 }

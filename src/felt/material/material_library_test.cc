@@ -55,7 +55,7 @@ MaterialLibrary load(std::vector<std::string> folders) {
 }
 
 std::string surface_text(const std::string& id, const std::string& friction = "0.3") {
-  return "kind = \"sheet\"\nid = \"" + id + "\"\n[feel]\nfriction = " + friction + "\n";
+  return "kind = \"surface\"\nid = \"" + id + "\"\n[feel]\nfriction = " + friction + "\n";
 }
 
 std::vector<std::string> ids_of(const MaterialLibrary& library) {
@@ -122,7 +122,7 @@ TEST(MaterialLibrary, NamesABadFileAndLoadsTheOthers) {
   EXPECT_THAT(ids_of(library), ElementsAre("good"));
   ASSERT_EQ(library.problems.size(), 5u);
   EXPECT_EQ(library.problems[0], own.path() + "/a.toml:4: feel.friction is 7, it must be 0 to 1.5");
-  EXPECT_THAT(library.problems[1], HasSubstr("b.toml: paper is the id of a sheet that Feltline"));
+  EXPECT_THAT(library.problems[1], HasSubstr("b.toml: paper is the id of a surface that Feltline"));
   EXPECT_THAT(library.problems[2], HasSubstr("c.toml: charcoal is the id of a medium"));
   EXPECT_THAT(library.problems[3], HasSubstr("e.toml: another file of this folder has the id"));
   EXPECT_THAT(library.problems[4], HasSubstr("f.toml"));
@@ -179,7 +179,8 @@ TEST(MaterialLibrary, SavesOverTheFileOfThatIdAndDeletesIt) {
   EXPECT_TRUE(delete_material(own.path(), surface));
   EXPECT_EQ(own.text_of("other-name.toml"), "");
   EXPECT_EQ(material_path(own.path(), surface), "");
-  EXPECT_THAT(delete_material(own.path(), surface).error().message, HasSubstr("no sheet \"mine\""));
+  EXPECT_THAT(delete_material(own.path(), surface).error().message,
+              HasSubstr("no surface \"mine\""));
   EXPECT_FALSE(delete_material(own.path(), *find_surface("paper")));
   EXPECT_FALSE(delete_material("", surface));
 }
@@ -191,7 +192,7 @@ TEST(MaterialLibrary, AFileOfTheOtherKindIsNeitherReplacedNorDeleted) {
   medium.id = "mine";
   const Result<std::string> saved = save_material(own.path(), medium);
   ASSERT_FALSE(saved);
-  EXPECT_THAT(saved.error().message, HasSubstr(own.path() + "/mine.toml is a sheet"));
+  EXPECT_THAT(saved.error().message, HasSubstr(own.path() + "/mine.toml is a surface"));
   EXPECT_EQ(material_path(own.path(), medium), "");
   EXPECT_FALSE(delete_material(own.path(), medium));
   EXPECT_EQ(own.text_of("mine.toml"), surface_text("mine"));

@@ -153,7 +153,7 @@ class Reading {
       if (entry.key.starts_with("pairs.")) {
         take_pair(entry, medium);
       } else {
-        unknown(entry, "medium", medium_fields(), {"kind", "id", "label", "pairs.SHEET"});
+        unknown(entry, "medium", medium_fields(), {"kind", "id", "label", "pairs.SURFACE"});
       }
     }
     finish(entries, medium);

@@ -27,8 +27,8 @@ struct PageOptions {
 /// Returns the bounds of all ink; empty if `strokes` is empty.
 Rect ink_bounds(std::span<const StrokePtr> strokes) noexcept;
 
-/// Returns the area that the options show: `sheet`, or the ink and its margin, or, if there is no
-/// ink, a square that reaches one margin from the origin in each direction.
+/// Returns the area that the options show: `area` if it is set, or the ink and its margin. If there
+/// is no ink, returns a square that reaches one margin from the origin in each direction.
 Rect page_area(const Rect& ink, const PageOptions& options) noexcept;
 
 /// Draws strokes one by one on a page.

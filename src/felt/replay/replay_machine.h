@@ -72,8 +72,8 @@ class ReplayMachine {
   ReplayMachine(const ReplayMachine&) = delete;
   ReplayMachine& operator=(const ReplayMachine&) = delete;
 
-  /// Sets an option before the first event, for example "pencil.snap" to "off" or "sheet.material"
-  /// to "felt". The text is parsed as the option's kind of value.
+  /// Sets an option before the first event, for example "pencil.snap" to "off" or
+  /// "surface.material" to "felt". The text is parsed as the option's kind of value.
   Result<void> set_option(const std::string& id, const std::string& text);
 
   /// Adds the next event. Requires that times do not decrease. Fails if an import cannot be read.

@@ -19,7 +19,8 @@ struct SelectTool {
   friend bool operator==(const SelectTool&, const SelectTool&) = default;
 };
 
-/// Sets an option of a tool or of the surface ("sheet.material", "sheet.color").
+/// Sets an option of a tool or of the surface ("surface.material") or the colour of new ink
+/// ("ink.color").
 /// {"event":"option","id":"pencil.snap","value":"both"}
 struct SetOption {
   std::string id;
@@ -93,7 +94,7 @@ struct DuplicateEvent {
 /// one undo step. Shapes and widths do not change.
 /// {"event":"restyle","color":"#b02020","medium":"chalk"}
 struct RestyleEvent {
-  std::string color = {};   ///< in the form of "sheet.color"; "" does not change it
+  std::string color = {};   ///< in the form of "ink.color"; "" does not change it
   std::string medium = {};  ///< id of a known medium that draws; "" does not change it
   friend bool operator==(const RestyleEvent&, const RestyleEvent&) = default;
 };

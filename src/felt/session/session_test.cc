@@ -346,7 +346,8 @@ TEST(Session, FormerOptionIdsSetTheSameOptionsAndAreRecordedByTheirPresentIds) {
   fixture.must(SetOption{"sheet.color", std::string("#ff0000")});
   EXPECT_EQ(fixture.session.surface().id, "glass");
   EXPECT_EQ(fixture.session.ink_color(), (Rgba{255, 0, 0, 255}));
-  EXPECT_EQ(fixture.session.option("sheet.color").value(), fixture.session.option("ink.color").value());
+  EXPECT_EQ(fixture.session.option("sheet.color").value(),
+            fixture.session.option("ink.color").value());
   EXPECT_EQ(recorded, (std::vector<Event>{{0, SetOption{"surface.material", std::string("glass")}},
                                           {0, SetOption{"ink.color", std::string("#ff0000")}}}));
 }
@@ -370,7 +371,7 @@ TEST(Session, EveryMaterialCanBeChosen) {
 }
 
 std::string text_of_surface(const std::string& id, const std::string& figures) {
-  return "kind = \"sheet\"\nid = \"" + id + "\"\n[feel]\n" + figures + "\n";
+  return "kind = \"surface\"\nid = \"" + id + "\"\n[feel]\n" + figures + "\n";
 }
 
 TEST(Session, IsToldOfMaterials) {
@@ -394,7 +395,7 @@ TEST(Session, IsToldOfMaterials) {
   EXPECT_EQ(fixture.apply(UseMaterial{text_of_surface("my-paper", "friction = 7")}).error().message,
             "material:4: feel.friction is 7, it must be 0 to 1.5");
   EXPECT_FALSE(
-      fixture.apply(UseMaterial{"kind = \"sheet\"\nid = \"a\"\ngrain.picture = \"a.png\""}));
+      fixture.apply(UseMaterial{"kind = \"surface\"\nid = \"a\"\ngrain.picture = \"a.png\""}));
   EXPECT_EQ(fixture.session.surface().friction, 0.7);
   EXPECT_EQ(recorded.size(), 3u);
 }
@@ -475,11 +476,11 @@ TEST(Session, SaysWhatIsWrongAndChangesNothing) {
   EXPECT_THAT(fixture.apply(SetOption{"pencil.width_mm", 9.0}).error().message,
               HasSubstr("width_mm"));
   EXPECT_THAT(fixture.apply(SetOption{"ink.color", 1.0}).error().message,
-              HasSubstr("sheet: color: a number or switch is not #rrggbb"));
+              HasSubstr("ink: color: a number or switch is not #rrggbb"));
   EXPECT_THAT(fixture.apply(SetOption{"ink.color", std::string("red")}).error().message,
-              HasSubstr("sheet: color: \"red\" is not #rrggbb"));
+              HasSubstr("ink: color: \"red\" is not #rrggbb"));
   EXPECT_THAT(fixture.apply(SetOption{"surface.material", std::string("mud")}).error().message,
-              HasSubstr("sheet: option 'material' cannot be 'mud'"));
+              HasSubstr("surface: option 'material' cannot be 'mud'"));
   EXPECT_EQ(fixture.apply(HandEvent{}).error().code, ErrorCode::kUnsupported);
   EXPECT_EQ(fixture.apply(ImportEvent{"a"}).error().code, ErrorCode::kUnsupported);
   EXPECT_EQ(fixture.session.option("pencil.width_mm"), OptionValue(1.0));

@@ -157,7 +157,7 @@ const char* SafetyOracle::check_budget(const TickInput& in, const TickOutput& ou
   const double budget = delay_ms <= 2.0 ? 900.0 : 1800.0 / delay_ms;
   const double surface =
       s.friction * in.slopes.friction_n_per_m + s.lateral * in.slopes.lateral_n_per_m;
-  if (surface > budget * (1.0 + kEps)) return "slopes in the sheet keep to the budget";
+  if (surface > budget * (1.0 + kEps)) return "slopes along the surface keep to the budget";
   const double plane = s.normal * in.slopes.normal_n_per_m;
   if (plane > budget * (1.0 + kEps)) return "the plane keeps to the budget";
   const double cap = limits_.max_stiffness_n_per_m;

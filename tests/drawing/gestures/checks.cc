@@ -147,7 +147,7 @@ Broken ForceProbe::check(const ForceModel& model, const PenSample& sample, doubl
   const double lateral_n = std::hypot(beside.x, beside.y);
   largest_n_ = std::max(largest_n_, lateral_n);
   if (!(lateral_n <= limit_n + 1e-9)) {
-    return "a force of " + std::to_string(lateral_n) + " N in the sheet beside the sheet's own";
+    return "a tool's force along the surface of " + std::to_string(lateral_n) + " N";
   }
   // A tool may make the surface stiffer along z; the user's force limit bounds that.
   if (!(std::fabs(beside.z) <= kMaxNormalN)) return "a push of " + std::to_string(beside.z) + " N";

@@ -14,34 +14,35 @@ namespace {
 
 constexpr const char* kIntroduction = R"(# Materials
 
-What the sheets are made of, what a hand feels of them, and what it can tell apart. Written by
+The properties of surfaces and media, how they feel, and which of them can be told apart. Written by
 `./dev bench materials`, in virtual time with the simulated hand: the same figures on every run. No
-hand of a person, and no real sheet, was measured: frictions, stiffnesses and reliefs are estimates
+human hand and no real surface was measured: frictions, stiffnesses and reliefs are estimates
 ([share/materials](../share/materials) says which), and the devices are
 [simulated](../src/felt/devices/simulated/README.md).
 
-One relief a sheet, made from a seed, is what the ink shows and what the hand feels (R47).
+Each surface has one relief, made from a seed. The ink shows it and the hand feels it (R47).
 
-![every sheet with five dry media at three forces](images/surfaces.png)
+![every surface with five dry media at three forces](images/surfaces.png)
 
 )";
 
 constexpr const char* kFigures = R"(
-## Every medium on every sheet
+## Every medium on every surface
 On every simulated device with motors (worst, touch, touch-x, premium, falcon, omega, inverse3), at
-1 kHz and at 5 kHz. Each entry: the peak force of the texture itself, N, at 50, 100 and 150 mm/s. That
-is what a stroke pressed with 0.8 N has more in the sheet between 0.8 and 9 mm of wavelength than the
-same stroke on the same sheet made smooth, along x or along y, whichever is more; of all devices and
-rates the **weakest**. **Bold** is 0.04 N or more, what can just be felt, hence felt everywhere; with a
-`+` it is felt on some of them; the rest is there and too weak. `mu` is the friction of the pair.
+1 kHz and at 5 kHz. Each entry: the peak force of the texture itself, N, at 50, 100 and 150 mm/s.
+It is measured along the surface, at wavelengths from 0.8 to 9 mm: a stroke pressed with 0.8 N, minus
+the same stroke on the same surface made smooth, along x or along y, whichever is more; of all
+devices and rates the **weakest**. **Bold** is 0.04 N or more, what can just be felt, hence felt
+everywhere; with a `+` it is felt on some of them; the rest is there and too weak. `mu` is the
+friction of the pair.
 
 )";
 
 constexpr const char* kLoops = R"(
 The other figures of these pairs (R48, R56), the worst of all of them on each device and rate:
 
-1. the largest share of the stiffness that the device bears along an axis which is in use: the sheet,
-   or the friction's bristle and what the texture adds; at most 100 %;
+1. the largest share of the stiffness that the device bears along an axis which is in use: the
+   surface, or the friction's bristle and what the texture adds; at most 100 %;
 2. the stiffest place of any texture, of what the loop bears ([design](design/forces.md#texture));
 3. the force above 30 Hz that a resting pen feels, N, of the worst of four hands; below 0.04 N.
 
@@ -76,8 +77,8 @@ std::string percent(double share) {
 
 std::string surfaces() {
   std::string out =
-      "| sheet | stiffness N/m | damping N s/m | friction (pencil) | relief rms um | wavelength mm "
-      "|\n|---|---|---|---|---|---|\n";
+      "| surface | stiffness N/m | damping N s/m | friction (pencil) | relief rms um "
+      "| wavelength mm |\n|---|---|---|---|---|---|\n";
   for (const SurfaceMaterial& s : surface_materials()) {
     out += "| " + std::string(s.id) + " | " + number(s.stiffness_n_per_m, 0) + " | " +
            number(s.damping_n_s_per_m, 1) + " | " + number(s.friction, 2) + " | ";
@@ -166,7 +167,7 @@ std::string pairs() {
     is_first = false;
     loops += row_of(loop, all);
   }
-  std::string table = "| sheet |", rule = "\n|---|", felt;
+  std::string table = "| surface |", rule = "\n|---|", felt;
   for (const Medium& tool : media()) {
     table += " " + tool.id + " |";
     rule += "---|";
@@ -205,7 +206,7 @@ std::string blindly(const std::vector<BlindCheck>& checks) {
 
 std::string materials_report() {
   return kIntroduction + surfaces() + "\n" + media_table() + kFigures + pairs() + kBlind +
-         "### Sheets, under the pencil\n" + blindly(blind_checks_of_surfaces()) +
+         "### Surfaces, under the pencil\n" + blindly(blind_checks_of_surfaces()) +
          "\n### Media, on " + std::string(kMediaSurface) + "\n" + blindly(blind_checks_of_media());
 }
 

@@ -62,7 +62,7 @@ const std::array<StylusPreset, 9>& presets() noexcept {
       {.name = "touch",
        .label = "3D Systems Touch (Phantom Omni)",
        .source =
-           "forces: CHAI3D's table, maker's sheet; mass, friction, steps, workspace: estimate",
+           "forces: CHAI3D's table, maker's data sheet; mass, friction, steps, workspace: estimate",
        .mechanics = {.mass_kg = 0.045, .friction_n = 0.26, .weight_n = 0.1},
        .capabilities = of_model("touch")},
       {.name = "touch-x",

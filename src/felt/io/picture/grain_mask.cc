@@ -122,7 +122,7 @@ Result<std::optional<GrainMask>> GrainMasks::of(const Stroke& stroke) {
     return fail(ErrorCode::kLimitExceeded,
                 "the grain of all strokes has more than 200 million pixels at " +
                     std::to_string(std::lround(print_.dpi)) +
-                    " dots per inch; choose fewer, or a smaller part of the sheet");
+                    " dots per inch; choose fewer, or a smaller part of the page");
   };
   if (!(side.width() < 1e6) || !(side.height() < 1e6)) return too_many();
   const PixelRect part = pixels_of(stroke.bounds(), area_, page);

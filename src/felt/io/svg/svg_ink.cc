@@ -100,7 +100,7 @@ void SvgInk::root(const SvgRoot& root) {
   if (!root.begins_at_zero || !root.width_mm || !root.height_mm) return;
   set_page(page_of(*root.width_mm, *root.height_mm));
   if (!drawing.has_page) {
-    notice(0, "svg", "has a page of a size that sheets cannot have, which was ignored");
+    notice(0, "svg", "has a page size that is not allowed, which was ignored");
   } else if (is_ours_) {
     drawing.page.paper = {0, 0, 0, 0};
   }

@@ -142,7 +142,7 @@ class XoppReader {
     if (!paper_) {
       paper_ = color;
     } else if (*paper_ != *color) {
-      notice(node, "has another colour than the first page, whose colour the sheet has");
+      notice(node, "has another colour than the first page, whose colour is used");
     }
   }
 
@@ -298,7 +298,7 @@ class XoppReader {
     page.height_mm = within(bottom_mm_);
     page.paper = paper_.value_or(kWhite);
     if (width_mm_ > Page::kMaxMm || bottom_mm_ > Page::kMaxMm) {
-      notice(root, "is larger than a sheet can be (5000 mm); the rest lies beside it");
+      notice(root, "is larger than the largest page (5000 mm); the rest lies outside the page");
     }
     builder_.drawing().page = page;
     builder_.drawing().has_page = true;

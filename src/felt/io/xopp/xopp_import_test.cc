@@ -145,7 +145,7 @@ TEST(XoppImport, PagesLieBelowEachOther) {
       texts(d.report),
       ::testing::ElementsAre(
           "line 3: background of style 'lined': its lines were left out (and 2 more like it)",
-          "line 5: background has another colour than the first page, whose colour the sheet has"));
+          "line 5: background has another colour than the first page, whose colour is used"));
 }
 
 TEST(XoppImport, PagesWithoutInkGiveALayerToDrawOn) {

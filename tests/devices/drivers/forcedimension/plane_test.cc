@@ -17,7 +17,7 @@ TEST(ForceDimensionPlane, RightIsYDownIsMinusZAndTheHandIsAtX) {
   EXPECT_EQ(plane.turn_to_page(Vec3{0, 1, 0}), (Vec3{1, 0, 0}));
   EXPECT_EQ(plane.turn_to_page(Vec3{0, 0, 1}), (Vec3{0, -1, 0}));
   EXPECT_EQ(plane.turn_to_page(Vec3{1, 0, 0}), (Vec3{0, 0, 1}));
-  EXPECT_TRUE(plane.mirrors()) << "the device's axes are right-handed, the sheet's are not";
+  EXPECT_TRUE(plane.mirrors()) << "the device's axes are right-handed, the page's are not";
 }
 
 TEST(ForceDimensionPlane, AForceGoesWhereItPointsOnEachAxis) {

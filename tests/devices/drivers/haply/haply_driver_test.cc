@@ -117,7 +117,7 @@ TEST(HaplyDriver, ForcesPointTheRightWayThroughTheUsualPlane) {
     Table table;
     ASSERT_TRUE(table.open().has_value());
     const PlaneCalibration plane = table.driver->default_plane(table.device->descriptor(), {});
-    EXPECT_TRUE(plane.mirrors()) << "a right-handed device before a left-handed sheet";
+    EXPECT_TRUE(plane.mirrors()) << "the device's axes are right-handed, the page's are not";
     OpenDevice device(*table.device, plane);
     for (std::int64_t t = 0; t < 10 * kMs; t += kMs) {
       table.service.tick(t);
