@@ -72,7 +72,8 @@ void PictureArguments::add_to(CLI::App& command) {
   command
       .add_option(
           "--surface", surface,
-          "Surface whose grain shows in dry ink of a .png, the same that the hand feels:\n" +
+          "Surface whose grain shows in dry ink of a .png, the same that the hand feels\n"
+          "(feltline replay also draws on it, and the page takes its colour):\n" +
               surface_names() +
               "\n(smooth), one of your own, or a grey NAME.png: white is high, as wide as it says\n"
               "or 40 mm; without it, ink is solid. Ink pen and felt-tip, which are wet, show "

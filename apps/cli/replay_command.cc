@@ -42,7 +42,8 @@ struct ReplayCommandArguments {
   std::string forces, plot, sound, stats;
   ReplayArguments pen;
   std::uint64_t seed = 0;
-  std::string surface, medium;
+  std::string sheet;  ///< the surface by a former flag, which did not change the picture
+  std::string medium;
   std::vector<std::string> options;
   double mm_per_unit = 1.0;
   std::optional<double> until_ms;
@@ -89,12 +90,7 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
   command.add_option("--seed", args.seed, "Number of a tremor for raw strokes; 0 = none")
       ->check(whole_number())
       ->capture_default_str();
-  command.add_option(
-      "--surface", args.surface,
-      "The surface: " + surface_names() +
-          ",\nor a custom one. It also sets the colour of the page, unless --paper sets\n"
-          "another one");
-  command.add_option("--sheet,--material", args.surface)->group("");  // former names
+  command.add_option("--sheet,--material", args.sheet)->group("");  // former names
   command.add_option("--medium", args.medium,
                      "What is drawn with, in its own widths and its usual colour: an id of\n"
                      "'feltline materials'");
@@ -168,14 +164,22 @@ void check_outputs(const ReplayCommandArguments& args) {
   }
 }
 
+/// Returns the id of the surface to draw on, or "" without one. A file with a relief applies only
+/// to the picture.
+std::string drawn_surface(const ReplayCommandArguments& args) {
+  if (!args.sheet.empty()) return args.sheet;
+  const std::string& surface = args.picture.surface;
+  const bool is_file = surface.ends_with(".png") || surface.ends_with(".toml");
+  return is_file ? std::string() : surface;
+}
+
 /// Returns the options of pictures. The page has the colour of the selected surface, unless the
 /// user specified another colour.
 PictureOptions picture_of(const ReplayCommandArguments& args, const Materials& known,
                           Console& console) {
   Result<PictureOptions> picture = args.picture.parse(console);
   if (!picture) throw UsageError(picture.error());
-  const SurfaceMaterial* surface =
-      args.surface.empty() ? nullptr : known.find_surface(args.surface);
+  const SurfaceMaterial* surface = known.find_surface(drawn_surface(args));
   if (surface && !picture->paper) picture->paper = usual_color(surface->color_rgb);
   return *std::move(picture);
 }
@@ -244,7 +248,9 @@ void set_options(const ReplayCommandArguments& args, const Drawing& start, Repla
   };
   const Materials& known = machine.session().materials();
   for (const auto& [id, value] : options_of(start, known)) set("--on", id, value);
-  if (!args.surface.empty()) set("--surface", "surface.material", args.surface);
+  if (const std::string surface = drawn_surface(args); !surface.empty()) {
+    set("--surface", "surface.material", surface);
+  }
   if (!args.medium.empty()) {
     // If a medium of that name does not exist, this fails with a list of media.
     set("--medium", drawing_option(machine.session(), "medium"), args.medium);
@@ -446,7 +452,7 @@ void run_replay(const ReplayCommandArguments& args, Console& console) {
   const auto begin = std::chrono::steady_clock::now();
   Result<Drawing> start = start_of(args);
   if (!start) return console.error(start.error().message);
-  if (!args.surface.empty()) start->page.surface.clear();  // another surface is selected
+  if (!drawn_surface(args).empty()) start->page.surface.clear();  // another surface is selected
   ReplaySettings settings = args.pen.settings();
   settings.materials = with_texts(start->materials, known_materials(console).materials);
   Result<ReplayOutputs> outputs = open_outputs(args, settings, console);

@@ -32,11 +32,11 @@ Rgba color_of(std::uint32_t rgb) {
 }
 
 /// Returns the medium's usual colour, or another one if it is hardly visible on the colour `area`.
-Rgba color_on(const Medium& medium, Rgba area) {
+Rgba color_on(const Medium& medium, Rgba paper) {
   const Rgba usual = color_of(medium.color_rgb);
-  const double r = usual.r - area.r, g = usual.g - area.g, b = usual.b - area.b;
+  const double r = usual.r - paper.r, g = usual.g - paper.g, b = usual.b - paper.b;
   if (r * r + g * g + b * b > 80.0 * 80.0) return usual;
-  return area.g < 128 ? Rgba{214, 212, 204, 255} : Rgba{112, 74, 132, 255};
+  return paper.g < 128 ? Rgba{214, 212, 204, 255} : Rgba{112, 74, 132, 255};
 }
 
 void add(std::vector<Event>& events, double t_s, decltype(Event::what) what) {

@@ -118,7 +118,8 @@ done
 run 0 "$feltline" replay in.ndjson -o faint.felt --medium faint
 run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" render faint.felt -o there.png --dpi 50 --page A4 --surface canvas
 same there.png faint.png
-run 0 "$feltline" replay in.ndjson -o played.png --dpi 50 --page A4 --medium faint --surface canvas
+run 0 "$feltline" replay in.ndjson -o played.png --dpi 50 --page A4 --paper white --medium faint \
+  --surface canvas
 same played.png faint.png
 # If the values in the drawing and in the folder differ, those in the drawing are used.
 run 0 "$feltline" replay in.ndjson -o own_text.felt --medium faint --surface my-paper
@@ -153,7 +154,7 @@ run 0 "$feltline" convert plain.svg -o back.felt
 run 0 "$feltline" convert back.felt -o back.svg
 has back.svg 'felt:surface="my-paper"'
 run 0 "$feltline" replay in.ndjson -o grain.png --dpi 50 --page A4 --medium faint --surface my-paper --grain
-run 0 "$feltline" replay in.ndjson -o solid.png --dpi 50 --page A4 --medium faint --surface my-paper
+run 0 "$feltline" replay in.ndjson -o solid.png --dpi 50 --page A4 --medium faint --sheet my-paper
 cmp -s grain.png solid.png && fail "replay --grain shows none"
 
 # A drawing given with --on keeps its own surface and the materials that it contains.

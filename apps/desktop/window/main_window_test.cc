@@ -120,11 +120,11 @@ TEST(MainWindow, EveryControlHasAName) {
   Preferences preferences(window);
   for (const QString& page : preferences.page_names()) EXPECT_TRUE(preferences.page(page));
   GuideDialog guide(window.actions());
-  ShortcutSheet surface(window.actions());
+  ShortcutSheet shortcuts(window.actions());
   AboutDialog about;
   TourWindow tour;
   for (QWidget* widget : std::initializer_list<QWidget*>{
-           &window, &preferences, &guide, &surface, &about, &tour, &window.material_editor()}) {
+           &window, &preferences, &guide, &shortcuts, &about, &tour, &window.material_editor()}) {
     EXPECT_THAT(nameless_controls(*widget).join(QStringLiteral(", ")).toStdString(), IsEmpty())
         << widget->metaObject()->className();
   }

@@ -60,7 +60,6 @@ complete -c feltline -n '__fish_seen_subcommand_from replay' -l seed -x -d 'Numb
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l no-force -d 'Send no force to the pen'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l until -x -d 'Stop at this time, ms'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l overlay -d 'Show what the tool shows, too'
-complete -c feltline -n '__fish_seen_subcommand_from replay' -l surface -x -a 'paper rough-paper watercolour canvas blackboard felt wood glass' -d 'The surface'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l set -x -d 'Set an option, TOOL.OPTION=VALUE'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l mm-per-unit -x -d 'Size of one unit of raw strokes'
 function __feltline_materials

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kIntroduction = R"(# Materials
 
-The properties of surfaces and media, how they feel, and which of them can be told apart. Written by
+The properties of surfaces and media, how they feel, and which of them can be distinguished. Written by
 `./dev bench materials`, in virtual time with the simulated hand: the same figures on every run. No
 human hand and no real surface was measured: frictions, stiffnesses and reliefs are estimates
 ([share/materials](../share/materials) says which), and the devices are
