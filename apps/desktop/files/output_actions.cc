@@ -96,11 +96,11 @@ void paint_page(QPainter& painter, const Drawing& drawing, double dpi,
   painter.setRenderHint(QPainter::Antialiasing);
   painter.scale(dpi / kMmPerInch, dpi / kMmPerInch);
   const Page& page = drawing.page;
-  const QRectF page(0.0, 0.0, page.width_mm, page.height_mm);
-  painter.setClipRect(page);
+  const QRectF area(0.0, 0.0, page.width_mm, page.height_mm);
+  painter.setClipRect(area);
   // White paper does not have to be painted.
   if (page.paper.a > 0 && page.paper != Rgba{255, 255, 255, 255}) {
-    painter.fillRect(page, color_of(page.paper));
+    painter.fillRect(area, color_of(page.paper));
   }
   painter.setPen(Qt::NoPen);
   const std::vector<StrokePtr> strokes = visible_strokes(drawing.document);

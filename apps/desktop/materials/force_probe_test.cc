@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <algorithm>
 
-#include "desktop/materials/force_plot.h"
+#include "desktop/materials/probe_plot.h"
 #include "desktop/materials/stability_sign.h"
 #include "desktop/materials/stability_words.h"
 #include "felt/devices/simulated/stylus_presets.h"
@@ -24,12 +24,12 @@ TEST(ForceProbe, AStrokeShowsItsFrictionAndItsGrain) {
   const ProbeFigures wood = probe_figures(wish_of("wood")), glass = probe_figures(wish_of("glass"));
   ASSERT_GE(wood.drag_n.size(), 300u);
   EXPECT_TRUE(wood.is_sound);
-  ForcePlot plot;
+  ProbePlot plot;
   plot.show_figures(wood);
-  EXPECT_GT(plot.departure_n(), ForcePlot::kFeltN) << "docs/materials.md calls it felt";
+  EXPECT_GT(plot.departure_n(), ProbePlot::kFeltN) << "docs/materials.md calls it felt";
   EXPECT_FALSE(plot.accessibleDescription().isEmpty());
   plot.show_figures(glass);
-  EXPECT_LT(plot.departure_n(), ForcePlot::kFeltN);
+  EXPECT_LT(plot.departure_n(), ProbePlot::kFeltN);
   EXPECT_EQ(probe_figures(wish_of("wood")), wood) << "the same wish, the same figures";
 }
 

@@ -52,7 +52,7 @@ MaterialEditor::MaterialEditor(Studio& studio, MaterialEditorModel& desk, QWidge
       fields_(new MaterialFieldsView(this)),
       pairs_(new PairTable(this)),
       preview_(new StrokePreview(this)),
-      plot_(new ForcePlot(this)),
+      plot_(new ProbePlot(this)),
       sign_(new StabilitySign(this)),
       graph_(new ForceGraph(history_, this)),
       notice_(new QLabel(this)),

@@ -10,7 +10,7 @@
 
 #include "desktop/feel/force_graph.h"
 #include "desktop/feel/force_history.h"
-#include "desktop/materials/force_plot.h"
+#include "desktop/materials/probe_plot.h"
 #include "desktop/materials/force_probe.h"
 #include "desktop/materials/material_editor_model.h"
 #include "desktop/materials/material_fields_view.h"
@@ -86,7 +86,7 @@ class MaterialEditor : public QWidget {
   MaterialFieldsView* fields_;
   PairTable* pairs_;
   StrokePreview* preview_;
-  ForcePlot* plot_;
+  ProbePlot* plot_;
   StabilitySign* sign_;
   ForceHistory history_;
   ForceGraph* graph_;

@@ -66,8 +66,8 @@ Result<Stroke> stroke_in(const MediumPicture& picture, const Rect& area, double 
 
 }  // namespace
 
-Grain grain_for(const SurfaceMaterial& area, const Materials& media) {
-  return Grain(surface_grain(area), media);
+Grain grain_for(const SurfaceMaterial& surface, const Materials& media) {
+  return Grain(surface_grain(surface), media);
 }
 
 QImage draw_medium(const MediumPicture& picture) {
@@ -90,7 +90,7 @@ QImage draw_medium(const MediumPicture& picture) {
                 .area = Rect{0.0, 0.0, size_mm.width(), size_mm.height()},
                 .paper = rgba_of(picture.paper),
 
-                .grain = picture.grain ? *picture.grain : grain_for(picture.area, media)});
+                .grain = picture.grain ? *picture.grain : grain_for(picture.surface, media)});
   if (!drawn) return {};
   QImage image(drawn->bytes().data(), drawn->width(), drawn->height(),
                QImage::Format_RGBA8888_Premultiplied);

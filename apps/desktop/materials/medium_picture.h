@@ -14,7 +14,7 @@ namespace felt::desktop {
 /// Describes a picture of a medium on a surface.
 struct MediumPicture {
   Medium medium;
-  SurfaceMaterial area;
+  SurfaceMaterial surface;
   QSize size{64, 26};       ///< device-independent pixels
   qreal dpr = 1.0;          ///< device pixels per device-independent pixel
   QColor ink{35, 38, 45};   ///< colour of the stroke
@@ -33,7 +33,7 @@ struct MediumPicture {
 QImage draw_medium(const MediumPicture& picture);
 /// Makes the grain of a surface for these media. Takes up to 100 ms for a new relief. Safe to call
 /// from any thread.
-Grain grain_for(const SurfaceMaterial& area, const Materials& media);
+Grain grain_for(const SurfaceMaterial& surface, const Materials& media);
 
 /// Returns `ink` if it is readable on the paper, otherwise black or white.
 QColor readable_ink(const QColor& ink, const QColor& paper);

@@ -23,12 +23,12 @@ QSize StrokePreview::minimumSizeHint() const {
   return {200, 90};
 }
 
-void StrokePreview::show_medium(const Medium& medium, const SurfaceMaterial& area) {
+void StrokePreview::show_medium(const Medium& medium, const SurfaceMaterial& surface) {
   wanted_.medium = medium;
-  wanted_.area = area;
-  wanted_.paper = QColor::fromRgb(area.color_rgb & 0xFFFFFFU);
+  wanted_.surface = surface;
+  wanted_.paper = QColor::fromRgb(surface.color_rgb & 0xFFFFFFU);
   wanted_.ink = readable_ink(QColor::fromRgb(medium.color_rgb & 0xFFFFFFU), wanted_.paper);
-  setAccessibleDescription(tr("%1 on %2").arg(medium_label(medium), material_label(area)));
+  setAccessibleDescription(tr("%1 on %2").arg(medium_label(medium), material_label(surface)));
   setToolTip(accessibleDescription());
   has_wish_ = true;
   draw();

@@ -22,7 +22,7 @@ class StrokePreview : public QWidget {
   explicit StrokePreview(QWidget* parent = nullptr);
   ~StrokePreview() override;
 
-  void show_medium(const Medium& medium, const SurfaceMaterial& area);
+  void show_medium(const Medium& medium, const SurfaceMaterial& surface);
   [[nodiscard]] const QImage& picture() const noexcept { return picture_; }
 
   [[nodiscard]] QSize sizeHint() const override;

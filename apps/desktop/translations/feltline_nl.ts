@@ -2266,7 +2266,7 @@
     </message>
 </context>
 <context>
-    <name>felt::desktop::ForcePlot</name>
+    <name>felt::desktop::ProbePlot</name>
     <message>
         <source>Plot of the force along a stroke of 40 mm</source>
         <translation>Grafiek van de kracht langs een streek van 40 mm</translation>

@@ -21,11 +21,11 @@ namespace {
 ///
 ///   scripted.set(track.at(now_ns));
 ///   servo.step(now_ns);                // calls read() and write()
-class ScriptedDevice final : public Device {
+class PlayedDevice final : public Device {
  public:
   /// `below` and `hand` must outlive this object. `hand` may be null if the script has no hand
   /// events.
-  ScriptedDevice(Device& below, HandInput* hand) noexcept : below_(below), hand_(hand) {}
+  PlayedDevice(Device& below, HandInput* hand) noexcept : below_(below), hand_(hand) {}
 
   void set(const ScriptPose& pose) noexcept {
     pose_ = pose;
@@ -272,7 +272,7 @@ class Player::Run {
   std::span<const Event> events_;
   OtherEvents others_;
   PoseTrack track_;
-  ScriptedDevice device_;
+  PlayedDevice device_;
   std::unique_ptr<Servo> servo_;    // large
   std::vector<PenSample> samples_;  // since the last turn()
   bool pen_is_down_ = false;

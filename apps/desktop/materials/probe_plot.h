@@ -10,14 +10,14 @@ namespace felt::desktop {
 /// the force against the motion along the path, and a band of 0.04 N on each side of its mean. The
 /// hand does not feel changes within the band. The parts of the plot outside of the band are
 /// filled: they are the grain that the hand feels.
-class ForcePlot : public QWidget {
+class ProbePlot : public QWidget {
   Q_OBJECT
 
  public:
   /// Smallest change of a force that is perceived, N (docs/design/simulation.md#perception).
   static constexpr double kFeltN = 0.04;
 
-  explicit ForcePlot(QWidget* parent = nullptr);
+  explicit ProbePlot(QWidget* parent = nullptr);
 
   void show_figures(const ProbeFigures& figures);
   /// Returns the largest deviation from the mean, in N; 0 if no stroke was set.

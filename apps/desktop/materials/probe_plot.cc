@@ -1,4 +1,4 @@
-#include "desktop/materials/force_plot.h"
+#include "desktop/materials/probe_plot.h"
 
 #include <QLocale>
 #include <QPainter>
@@ -18,12 +18,12 @@ constexpr double kStepMm = 10.0;
 
 }  // namespace
 
-ForcePlot::ForcePlot(QWidget* parent) : QWidget(parent) {
+ProbePlot::ProbePlot(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   setAccessibleName(tr("Plot of the force along a stroke of 40 mm"));
 }
 
-void ForcePlot::show_figures(const ProbeFigures& figures) {
+void ProbePlot::show_figures(const ProbeFigures& figures) {
   figures_ = figures;
   const std::vector<double>& drag = figures_.drag_n;
   mean_n_ = drag.empty()
@@ -45,28 +45,28 @@ void ForcePlot::show_figures(const ProbeFigures& figures) {
   update();
 }
 
-QSize ForcePlot::sizeHint() const {
+QSize ProbePlot::sizeHint() const {
   return {36 * fontMetrics().averageCharWidth(), 9 * fontMetrics().height()};
 }
 
-QSize ForcePlot::minimumSizeHint() const {
+QSize ProbePlot::minimumSizeHint() const {
   return {24 * fontMetrics().averageCharWidth(), 6 * fontMetrics().height()};
 }
 
-QRectF ForcePlot::axes() const {
+QRectF ProbePlot::axes() const {
   const QFontMetrics metrics = fontMetrics();
   const double left = metrics.horizontalAdvance(QStringLiteral("0.00 N")) + 8;
   return QRectF(rect()).adjusted(left, 0.6 * metrics.height(), -6, -1.4 * metrics.height());
 }
 
-double ForcePlot::top_n() const {
+double ProbePlot::top_n() const {
   const double largest = mean_n_ + std::max(departure_n_, 2.0 * kFeltN);
   const auto fits =
       std::find_if(kTops.begin(), kTops.end(), [&](double top) { return top >= largest; });
   return fits == kTops.end() ? std::ceil(largest) : *fits;
 }
 
-void ForcePlot::draw_axes(QPainter& painter, const QRectF& in) const {
+void ProbePlot::draw_axes(QPainter& painter, const QRectF& in) const {
   QColor faint = palette().color(QPalette::Text);
   faint.setAlphaF(0.25F);
   const QLocale locale;
@@ -96,7 +96,7 @@ void ForcePlot::draw_axes(QPainter& painter, const QRectF& in) const {
 
 /// Draws the band within which changes of the force are not felt. The band is hatched, so that it
 /// is visible without colour.
-void ForcePlot::draw_band(QPainter& painter, const QRectF& in) const {
+void ProbePlot::draw_band(QPainter& painter, const QRectF& in) const {
   const auto y = [&](double newton) { return in.bottom() - newton / top_n() * in.height(); };
   const QRectF band =
       QRectF(QPointF(in.left(), y(mean_n_ + kFeltN)), QPointF(in.right(), y(mean_n_ - kFeltN)))
@@ -109,7 +109,7 @@ void ForcePlot::draw_band(QPainter& painter, const QRectF& in) const {
   painter.drawLine(band.bottomLeft(), band.bottomRight());
 }
 
-void ForcePlot::draw_line(QPainter& painter, const QRectF& in) const {
+void ProbePlot::draw_line(QPainter& painter, const QRectF& in) const {
   const std::vector<double>& drag = figures_.drag_n;
   const auto y = [&](double newton) { return in.bottom() - newton / top_n() * in.height(); };
   QPolygonF line;
@@ -134,7 +134,7 @@ void ForcePlot::draw_line(QPainter& painter, const QRectF& in) const {
   painter.drawPolyline(line);
 }
 
-void ForcePlot::paintEvent(QPaintEvent*) {
+void ProbePlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF in = axes();
