@@ -4887,8 +4887,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Was bedeckt ist, der Teil einer Linie bis zu den nächsten Kreuzungen oder die ganze Linie.</translation>
     </message>
     <message>
-        <source>The material of the pen: how it looks and how it slides.</source>
-        <translation>Das Material des Stifts: wie es aussieht und wie es gleitet.</translation>
+        <source>The medium: how it looks and how it slides.</source>
+        <translation>Das Zeichenmittel: wie es aussieht und wie es gleitet.</translation>
     </message>
     <message>
         <source>The material of the surface: its hardness and its friction.</source>

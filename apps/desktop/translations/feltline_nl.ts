@@ -4887,8 +4887,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Wat bedekt is, het deel van een lijn tot de volgende kruisingen, of de hele lijn.</translation>
     </message>
     <message>
-        <source>The material of the pen: how it looks and how it slides.</source>
-        <translation>Het materiaal van de pen: hoe het eruitziet en hoe het glijdt.</translation>
+        <source>The medium: how it looks and how it slides.</source>
+        <translation>Het tekenmiddel: hoe het eruitziet en hoe het glijdt.</translation>
     </message>
     <message>
         <source>The material of the surface: its hardness and its friction.</source>

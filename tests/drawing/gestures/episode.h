@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "felt/session/session.h"
+#include "felt/session/surface_options.h"
 #include "felt/tools/contact.h"
 #include "tests/drawing/gestures/checks.h"
 #include "tests/drawing/gestures/dice.h"

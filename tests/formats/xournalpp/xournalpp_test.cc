@@ -74,7 +74,7 @@ TEST(Xournalpp, DrawsWhatWeDraw) {
   Result<Image> theirs = xournalpp_picture(xopp_bytes(ink).value());
   ASSERT_TRUE(theirs) << theirs.error().message;
   Image ours = render_page(visible_strokes(ink.document),
-                           {.dpi = kDpi, .surface = ink.page.area(), .paper = ink.page.paper})
+                           {.dpi = kDpi, .area = ink.page.area(), .paper = ink.page.paper})
                    .value();
   ASSERT_NEAR(theirs->width(), ours.width(), 1);
   ASSERT_NEAR(theirs->height(), ours.height(), 1);
