@@ -168,7 +168,7 @@ TEST(MediaPicker, AClickIsForTheSelectedLinesTooAndSaysTheColour) {
   QSignalSpy said(&studio, &Studio::refused);
   const std::size_t steps = studio.session().history().undo_count();
   ASSERT_TRUE(choose_medium(studio, "crayon"));
-  EXPECT_EQ(visible_strokes(studio.session().document()).front()->material(), "crayon");
+  EXPECT_EQ(visible_strokes(studio.session().document()).front()->medium(), "crayon");
   EXPECT_EQ(studio.session().history().undo_count(), steps + 1);
   ASSERT_EQ(said.count(), 1);
   EXPECT_TRUE(said[0][0].toString().contains(QLatin1Char('#')));

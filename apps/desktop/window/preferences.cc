@@ -70,11 +70,11 @@ void Preferences::show_row(int row) {
   Page& page = pages_[std::size_t(row)];
   if (!page.made) {
     page.made = page.make();
-    auto* page = new QWidget;
-    auto* lines = new QVBoxLayout(page);
+    auto* content = new QWidget;
+    auto* lines = new QVBoxLayout(content);
     lines->setContentsMargins(0, 0, kRowMarginPx / 2, 0);
     lines->setSpacing(kRowMarginPx);
-    auto* title = new QLabel(list_->item(row)->text(), page);
+    auto* title = new QLabel(list_->item(row)->text(), content);
     QFont font = title->font();
     font.setPointSizeF(kTitleSize * font.pointSizeF());
     font.setBold(true);
@@ -82,7 +82,7 @@ void Preferences::show_row(int row) {
     lines->addWidget(title);
     lines->addWidget(page.made, 1);
     if (page.made->layout()) page.made->layout()->setContentsMargins(0, 0, 0, 0);
-    static_cast<QScrollArea*>(stack_->widget(row))->setWidget(page);
+    static_cast<QScrollArea*>(stack_->widget(row))->setWidget(content);
   }
   stack_->setCurrentIndex(row);
 }
